@@ -1,0 +1,16 @@
+# sward_add_library(NAME SOURCES … [USES …] [PRIVATE_USES …])
+#   Adds the library sward_NAME with the alias sward::NAME and the project's compile options.
+function(sward_add_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
+  add_library(sward_${name} STATIC ${ARG_SOURCES})
+  add_library(sward::${name} ALIAS sward_${name})
+  target_link_libraries(sward_${name} PUBLIC ${ARG_USES} PRIVATE sward_options ${ARG_PRIVATE_USES})
+endfunction()
+
+# sward_add_program(NAME TARGET SOURCES … USES …)
+function(sward_add_program target)
+  cmake_parse_arguments(ARG "" "OUTPUT" "SOURCES;USES" ${ARGN})
+  add_executable(${target} ${ARG_SOURCES})
+  target_link_libraries(${target} PRIVATE sward_options ${ARG_USES})
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${ARG_OUTPUT})
+endfunction()

@@ -1,0 +1,25 @@
+# sward_add_shaders(TARGET SOURCES …)
+#   Compiles each GLSL stage with true dependencies (--depfile), validates it, and collects the
+#   modules in the property SWARD_SPIRV of TARGET.
+#   -gV is never used: glslang 12 writes modules with it that spirv-val rejects.
+find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
+find_program(SPIRV_VAL spirv-val REQUIRED)
+
+function(sward_add_shaders target)
+  set(modules "")
+  foreach(source IN LISTS ARGN)
+    get_filename_component(name ${source} NAME)
+    set(module ${CMAKE_CURRENT_BINARY_DIR}/${name}.spv)
+    add_custom_command(OUTPUT ${module}
+      COMMAND ${GLSLANG_VALIDATOR} --quiet -V --target-env vulkan1.3 -g -I${CMAKE_SOURCE_DIR}
+              --depfile ${module}.d -o ${module} ${CMAKE_CURRENT_SOURCE_DIR}/${source}
+      COMMAND ${SPIRV_VAL} --target-env vulkan1.3 --scalar-block-layout ${module}
+      DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${source}
+      DEPFILE ${module}.d
+      COMMENT "Compiling shader ${source}"
+      VERBATIM)
+    list(APPEND modules ${module})
+  endforeach()
+  add_custom_target(${target} DEPENDS ${modules})
+  set_target_properties(${target} PROPERTIES SWARD_SPIRV "${modules}")
+endfunction()

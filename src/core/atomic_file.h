@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace sward {
+
+/// A file that appears whole or not at all: written beside its place under a temporary name, then
+/// synchronised and renamed by commit(). Without commit() nothing is left behind.
+class AtomicFile {
+public:
+    /// Throws Error{io} if `path` exists and `overwrite` is false, or cannot be written.
+    AtomicFile(std::filesystem::path path, bool overwrite);
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+    ~AtomicFile();
+
+    /// Appends. Throws Error{io}, with the reason, when the disk does not take it.
+    void write(std::span<const std::byte> bytes);
+    void write(std::string_view text) { write(std::as_bytes(std::span(text))); }
+
+    /// The temporary file, for reading back before commit().
+    const std::filesystem::path& temporaryPath() const { return temporary_; }
+
+    /// Hands all written bytes to the disk (fsync).
+    void flush();
+
+    /// Puts the file in its place. Throws Error{io}.
+    void commit();
+
+private:
+    std::filesystem::path path_;
+    std::filesystem::path temporary_;
+    int fd_ = -1;
+    bool overwrite_;
+    bool committed_ = false;
+};
+
+/// Throws Error{io} if `path` exists and `overwrite` is false: asked before long work begins.
+void refuseOverwrite(const std::filesystem::path& path, bool overwrite);
+
+/// Writes `text` as a whole file.
+void writeTextFile(const std::filesystem::path& path, std::string_view text, bool overwrite);
+
+} // namespace sward

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+namespace sward {
+
+/// Warnings gathered while something imperfect but usable is imported or baked.
+/// The library collects them; the program prints them and writes them into its report.
+class Diagnostics {
+public:
+    /// Adds a warning. A text that has been given already is not repeated.
+    template <typename... Args>
+    void warn(fmt::format_string<Args...> format, Args&&... args)
+    {
+        add(fmt::format(format, std::forward<Args>(args)...));
+    }
+
+    const std::vector<std::string>& warnings() const { return warnings_; }
+
+private:
+    void add(std::string text);
+
+    std::vector<std::string> warnings_;
+};
+
+} // namespace sward

@@ -1,0 +1,23 @@
+#pragma once
+
+namespace sward {
+
+// Trigonometry made of +, −, ×, ÷ and √ alone. The C library picks another implementation, with
+// other last bits, on a CPU with fused multiply-add; whatever decides where a blade stands uses these
+// instead, so that every x86-64 CPU bakes the same bytes. Errors are asserted in exact_math_test.cpp.
+
+struct SinCos {
+    double sin;
+    double cos;
+};
+
+/// Sine and cosine of `radians`, |radians| ≤ 1e6; absolute error below 1e-10.
+SinCos exactSinCos(double radians);
+
+/// Angle of (x, y) from the x axis in (−π, π] [rad]; 0 for (0, 0); absolute error below 1e-10.
+double exactAtan2(double y, double x);
+
+/// Angle in [0, π] whose cosine is `c`, clamped to [−1, 1] [rad]; absolute error below 1e-10.
+double exactAcos(double c);
+
+} // namespace sward

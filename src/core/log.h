@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include <fmt/core.h>
+
+namespace sward::log {
+
+enum class Level { debug, info, warning, error };
+
+/// Sets the lowest level that reaches stderr; info at the start.
+void setLevel(Level level);
+
+/// Writes one line to stderr. Programs log; libraries return numbers and fill Diagnostics.
+void write(Level level, const std::string& text);
+
+template <typename... Args>
+void debug(fmt::format_string<Args...> format, Args&&... args)
+{
+    write(Level::debug, fmt::format(format, std::forward<Args>(args)...));
+}
+
+template <typename... Args>
+void info(fmt::format_string<Args...> format, Args&&... args)
+{
+    write(Level::info, fmt::format(format, std::forward<Args>(args)...));
+}
+
+template <typename... Args>
+void warn(fmt::format_string<Args...> format, Args&&... args)
+{
+    write(Level::warning, fmt::format(format, std::forward<Args>(args)...));
+}
+
+template <typename... Args>
+void error(fmt::format_string<Args...> format, Args&&... args)
+{
+    write(Level::error, fmt::format(format, std::forward<Args>(args)...));
+}
+
+} // namespace sward::log

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace sward {
+
+/// A file mapped read-only into memory.
+class MappedFile {
+public:
+    /// Throws Error{io} if the file is missing, is a folder or cannot be mapped.
+    explicit MappedFile(const std::filesystem::path& path);
+    MappedFile(MappedFile&& other) noexcept;
+    MappedFile& operator=(MappedFile&& other) noexcept;
+    ~MappedFile();
+
+    std::span<const std::byte> bytes() const { return {data_, size_}; }
+
+private:
+    const std::byte* data_ = nullptr;
+    std::size_t size_ = 0;
+};
+
+/// Reads a whole file of at most `limit` bytes. Throws Error{io} if it cannot, Error{input} if larger.
+std::vector<std::byte> readFile(const std::filesystem::path& path,
+                                std::size_t limit = std::size_t(4) << 30);
+
+} // namespace sward

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace sward {
+
+/// How far a long piece of work has come. The worker counts, any number of threads at once; whoever
+/// started it watches through the callback and may cancel.
+class Progress {
+public:
+    /// Called with the stage's name and the share done in [0, 1], at most about a hundred times a
+    /// stage, from whichever thread crossed the mark.
+    using Callback = std::function<void(const std::string& stage, double share)>;
+
+    explicit Progress(Callback callback = {}) : callback_(std::move(callback)) {}
+
+    /// Begins a stage of `total` steps. Throws Error{interrupted} if cancelled.
+    void begin(const std::string& stage, std::uint64_t total);
+
+    /// Counts `steps` more. Throws Error{interrupted} if cancelled.
+    void advance(std::uint64_t steps);
+
+    /// Asks the work to stop at its next count; safe from a signal handler.
+    void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+    bool isCancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
+
+private:
+    void throwIfCancelled() const;
+
+    Callback callback_;
+    std::string stage_;
+    std::uint64_t total_ = 0;
+    std::atomic<std::uint64_t> done_ = 0;
+    std::atomic<bool> cancelled_ = false;
+};
+
+} // namespace sward

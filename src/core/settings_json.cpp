@@ -1,0 +1,175 @@
+#include "core/settings_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+
+namespace sward {
+namespace {
+
+double readNumber(const nlohmann::json& value, const std::string& place, double low, double high)
+{
+    if (!value.is_number())
+        fail(ErrorKind::input, "{}: expected a number, found {}", place, value.dump());
+    const double number = value.get<double>();
+    // Written so that NaN fails too.
+    if (!(number >= low && number <= high))
+        fail(ErrorKind::input, "{}: {} is outside [{}, {}]", place, number, low, high);
+    return number;
+}
+
+template <typename Vec>
+void readVector(const nlohmann::json& value, const std::string& place, double low, double high,
+                Vec& result)
+{
+    constexpr auto size = static_cast<std::size_t>(Vec::length());
+    if (!value.is_array() || value.size() != size)
+        fail(ErrorKind::input, "{}: expected an array of {} numbers, found {}", place, size,
+             value.dump());
+    for (std::size_t i = 0; i < size; ++i)
+        result[i] = static_cast<typename Vec::value_type>(readNumber(value[i], place, low, high));
+}
+
+} // namespace
+
+SettingsReader::SettingsReader(const nlohmann::json& object, std::string place)
+    : object_(object)
+    , place_(std::move(place))
+{
+    if (!object_.is_object())
+        fail(ErrorKind::input, "{}: expected an object {{…}}, found {}", place_, object_.type_name());
+}
+
+bool SettingsReader::has(std::string_view key) const
+{
+    return object_.contains(key);
+}
+
+std::string SettingsReader::placeOf(std::string_view key) const
+{
+    return fmt::format("{}: {}", place_, key);
+}
+
+const nlohmann::json* SettingsReader::find(const char* key)
+{
+    known_.emplace_back(key);
+    const auto found = object_.find(key);
+    return found == object_.end() ? nullptr : &*found;
+}
+
+void SettingsReader::read(const char* key, double& value, double low, double high)
+{
+    if (const nlohmann::json* found = find(key))
+        value = readNumber(*found, placeOf(key), low, high);
+}
+
+void SettingsReader::read(const char* key, float& value, double low, double high)
+{
+    if (const nlohmann::json* found = find(key))
+        value = static_cast<float>(readNumber(*found, placeOf(key), low, high));
+}
+
+void SettingsReader::read(const char* key, int& value, int low, int high)
+{
+    if (const nlohmann::json* found = find(key)) {
+        const double number = readNumber(*found, placeOf(key), low, high);
+        if (number != std::floor(number))
+            fail(ErrorKind::input, "{}: {} is not a whole number", placeOf(key), number);
+        value = static_cast<int>(number);
+    }
+}
+
+void SettingsReader::read(const char* key, bool& value)
+{
+    if (const nlohmann::json* found = find(key)) {
+        if (!found->is_boolean())
+            fail(ErrorKind::input, "{}: expected true or false, found {}", placeOf(key), found->dump());
+        value = found->get<bool>();
+    }
+}
+
+void SettingsReader::read(const char* key, std::string& value)
+{
+    if (const nlohmann::json* found = find(key)) {
+        if (!found->is_string())
+            fail(ErrorKind::input, "{}: expected a text, found {}", placeOf(key), found->dump());
+        value = found->get<std::string>();
+    }
+}
+
+void SettingsReader::read(const char* key, glm::vec2& value, double low, double high)
+{
+    if (const nlohmann::json* found = find(key))
+        readVector(*found, placeOf(key), low, high, value);
+}
+
+void SettingsReader::read(const char* key, glm::vec3& value, double low, double high)
+{
+    if (const nlohmann::json* found = find(key))
+        readVector(*found, placeOf(key), low, high, value);
+}
+
+void SettingsReader::read(const char* key, glm::dvec3& value, double low, double high)
+{
+    if (const nlohmann::json* found = find(key))
+        readVector(*found, placeOf(key), low, high, value);
+}
+
+const nlohmann::json& SettingsReader::child(const char* key)
+{
+    const nlohmann::json* found = find(key);
+    if (found == nullptr)
+        fail(ErrorKind::input, "{}: missing", placeOf(key));
+    return *found;
+}
+
+void SettingsReader::finish() const
+{
+    for (const auto& [key, value] : object_.items()) {
+        if (std::find(known_.begin(), known_.end(), key) != known_.end())
+            continue;
+        const std::string near = nearestWord(key, known_);
+        fail(ErrorKind::input, "{}: unknown key \"{}\"{}", place_, key,
+             near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near));
+    }
+}
+
+nlohmann::json parseJson(std::string_view text, const std::string& place)
+{
+    try {
+        return nlohmann::json::parse(text);
+    } catch (const nlohmann::json::exception& error) {
+        fail(ErrorKind::input, "{}: not valid JSON: {}", place, error.what());
+    }
+}
+
+std::string nearestWord(std::string_view word, const std::vector<std::string>& known)
+{
+    std::string best;
+    std::size_t bestDistance = std::max<std::size_t>(2, word.size() / 3) + 1;
+    for (const std::string& candidate : known) {
+        // Levenshtein distance, one row at a time.
+        std::vector<std::size_t> row(candidate.size() + 1);
+        std::iota(row.begin(), row.end(), std::size_t(0));
+        for (std::size_t i = 0; i < word.size(); ++i) {
+            std::size_t diagonal = row[0];
+            row[0] = i + 1;
+            for (std::size_t j = 0; j < candidate.size(); ++j) {
+                const std::size_t substituted = diagonal + (word[i] == candidate[j] ? 0 : 1);
+                diagonal = row[j + 1];
+                row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, substituted});
+            }
+        }
+        if (row.back() < bestDistance) {
+            bestDistance = row.back();
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+} // namespace sward

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <nlohmann/json_fwd.hpp>
+
+namespace sward {
+
+/// Reads a JSON object strictly: every key must be asked for, every value be in its range. An unknown
+/// key is an error that proposes the nearest known one. Include from .cpp files only.
+class SettingsReader {
+public:
+    /// `place` names the object in messages: a file, then the path inside it.
+    SettingsReader(const nlohmann::json& object, std::string place);
+
+    bool has(std::string_view key) const;
+
+    /// Each leaves `value` alone when the key is absent. Throws Error{input} on a wrong type, a value
+    /// that is not finite, or one outside [low, high].
+    void read(const char* key, double& value, double low, double high);
+    void read(const char* key, float& value, double low, double high);
+    void read(const char* key, int& value, int low, int high);
+    void read(const char* key, bool& value);
+    void read(const char* key, std::string& value);
+    void read(const char* key, glm::vec2& value, double low, double high);
+    void read(const char* key, glm::vec3& value, double low, double high);
+    void read(const char* key, glm::dvec3& value, double low, double high);
+
+    /// The child under `key`; it must exist.
+    const nlohmann::json& child(const char* key);
+    std::string placeOf(std::string_view key) const;
+
+    /// Throws Error{input} if the object has a key that nobody asked for.
+    void finish() const;
+
+private:
+    const nlohmann::json* find(const char* key);
+
+    const nlohmann::json& object_;
+    std::string place_;
+    std::vector<std::string> known_;
+};
+
+/// Parses text as JSON. Throws Error{input} that names `place`, and says where the text is wrong.
+nlohmann::json parseJson(std::string_view text, const std::string& place);
+
+/// The entry of `known` nearest to `word` by edit distance, or an empty text if none is near.
+std::string nearestWord(std::string_view word, const std::vector<std::string>& known);
+
+} // namespace sward

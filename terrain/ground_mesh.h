@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "core/bounds.h"
+
+namespace sward::terrain {
+
+/// An image as it is drawn: 8 bits, red, green, blue, alpha, sRGB colour, rows from the top.
+struct GroundImage {
+    std::string name;
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::vector<std::uint8_t> rgba; ///< 4·width·height
+};
+
+struct GroundMaterial {
+    static constexpr std::uint32_t noImage = 0xffffffffU;
+
+    std::string name;
+    glm::vec4 baseColor{0.5f, 0.5f, 0.5f, 1.0f}; ///< linear, multiplies the image
+    float roughness = 1.0f;                      ///< [0, 1]
+    float metallic = 0.0f;                       ///< [0, 1]
+    std::uint32_t image = noImage;               ///< base colour image
+    bool doubleSided = false;                    ///< the back is drawn too
+};
+
+/// What ground is: an indexed triangle soup in world space, Y up, metres. It need not be manifold,
+/// closed or connected. The front of a triangle is where its corners turn anti-clockwise.
+///
+/// World position = `origin` + position. The origin is a multiple of 32 m near the middle of the
+/// bounds (0 for ground around the world's origin), so that positions keep their millimetre in single
+/// precision wherever the ground lies, and cells of a world grid of 32·2ⁿ m fall on the same lines.
+struct GroundMesh {
+    glm::dvec3 origin{0.0};
+
+    // Per vertex; `normals` (unit), `uvs` and `colors` have one entry per position.
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+    std::vector<glm::vec2> uvs;    ///< (0, 0) at the image's upper left corner
+    std::vector<glm::vec4> colors; ///< COLOR_0 as stored, [0, 1]; (1, 1, 1, 1) where the file has none
+
+    // Per triangle.
+    std::vector<glm::uvec3> triangles;
+    std::vector<std::uint32_t> materialOf; ///< index into `materials`
+    std::vector<std::uint32_t> nodeOf;     ///< index into `nodes`
+    std::vector<std::uint8_t> bears;       ///< 1: may bear grass; 0: blocks rays and is shown only
+
+    std::vector<GroundMaterial> materials; ///< at least one
+    std::vector<GroundImage> images;
+    std::vector<std::string> nodes; ///< names; the path "parent/child" for nested nodes
+    std::string copyright;          ///< glTF asset.copyright, passed on to exports
+
+    bool hasColors = false; ///< some vertex had a colour in the file
+    bool hasNormals = false; ///< every vertex had a usable normal in the file; else topology makes them
+
+    Aabb bounds() const;
+
+    /// Area of triangle `index` in double precision [m²].
+    double area(std::size_t index) const;
+
+    /// Unit normal of triangle `index` from its corners; 0 if it has no area.
+    glm::dvec3 faceNormal(std::size_t index) const;
+};
+
+/// Throws Error{input} naming `place` if arrays disagree in length, an index is out of range, a number
+/// is not finite, or there is no triangle with an area. Every importer and generator ends with it.
+void validate(const GroundMesh& mesh, const std::string& place);
+
+/// Appends `other`, bringing it to the origin of `mesh`.
+void append(GroundMesh& mesh, const GroundMesh& other);
+
+/// The origin for ground with these bounds in world space: their centre, rounded to 32 m.
+glm::dvec3 originFor(const DAabb& worldBounds);
+
+} // namespace sward::terrain
