@@ -1,14 +1,14 @@
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <vector>
+#include "core/bounds.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "core/bounds.h"
+#include <cstdint>
+#include <string>
+#include <vector>
 
 namespace sward::terrain {
 
@@ -35,16 +35,18 @@ struct GroundMaterial {
 /// closed or connected. The front of a triangle is where its corners turn anti-clockwise.
 ///
 /// World position = `origin` + position. The origin is a multiple of 32 m near the middle of the
-/// bounds (0 for ground around the world's origin), so that positions keep their millimetre in single
-/// precision wherever the ground lies, and cells of a world grid of 32·2ⁿ m fall on the same lines.
+/// bounds (0 for ground around the world's origin), so that positions keep their millimetre in
+/// single precision wherever the ground lies, and cells of a world grid of 32·2ⁿ m fall on the same
+/// lines.
 struct GroundMesh {
     glm::dvec3 origin{0.0};
 
     // Per vertex; `normals` (unit), `uvs` and `colors` have one entry per position.
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
-    std::vector<glm::vec2> uvs;    ///< (0, 0) at the image's upper left corner
-    std::vector<glm::vec4> colors; ///< COLOR_0 as stored, [0, 1]; (1, 1, 1, 1) where the file has none
+    std::vector<glm::vec2> uvs; ///< (0, 0) at the image's upper left corner
+    std::vector<glm::vec4>
+        colors; ///< COLOR_0 as stored, [0, 1]; (1, 1, 1, 1) where the file has none
 
     // Per triangle.
     std::vector<glm::uvec3> triangles;
@@ -58,7 +60,8 @@ struct GroundMesh {
     std::string copyright;          ///< glTF asset.copyright, passed on to exports
 
     bool hasColors = false; ///< some vertex had a colour in the file
-    bool hasNormals = false; ///< every vertex had a usable normal in the file; else topology makes them
+    bool hasNormals =
+        false; ///< every vertex had a usable normal in the file; else topology makes them
 
     Aabb bounds() const;
 
@@ -69,8 +72,9 @@ struct GroundMesh {
     glm::dvec3 faceNormal(std::size_t index) const;
 };
 
-/// Throws Error{input} naming `place` if arrays disagree in length, an index is out of range, a number
-/// is not finite, or there is no triangle with an area. Every importer and generator ends with it.
+/// Throws Error{input} naming `place` if arrays disagree in length, an index is out of range, a
+/// number is not finite, or there is no triangle with an area. Every importer and generator ends
+/// with it.
 void validate(const GroundMesh& mesh, const std::string& place);
 
 /// Appends `other`, bringing it to the origin of `mesh`.

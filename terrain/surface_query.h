@@ -1,16 +1,16 @@
 #pragma once
 
-#include <memory>
+#include "terrain/ground_mesh.h"
 
 #include <glm/vec3.hpp>
 
-#include "terrain/ground_mesh.h"
+#include <memory>
 
 namespace sward::terrain {
 
-/// Questions a grower may put to the ground. Embree answers them, pinned to one instruction set and in
-/// its robust mode; distances are computed again from the triangle that was hit, in double precision,
-/// so that every CPU gives the same answer. Thread-safe once built.
+/// Questions a grower may put to the ground. Embree answers them, pinned to one instruction set and
+/// in its robust mode; distances are computed again from the triangle that was hit, in double
+/// precision, so that every CPU gives the same answer. Thread-safe once built.
 class SurfaceQuery {
 public:
     struct Hit {
@@ -28,9 +28,11 @@ public:
     /// than `skin` and at most `limit` away [m].
     Hit cast(glm::dvec3 point, glm::dvec3 direction, double limit, double skin) const;
 
-    /// Free height above `point` on triangle `ownTriangle` along unit `up`, at most `limit` [m]. The own
-    /// triangle, and hits nearer than 1e-5 of `limit`, are the ground itself and do not count.
-    double clearance(glm::dvec3 point, glm::dvec3 up, double limit, std::uint32_t ownTriangle) const;
+    /// Free height above `point` on triangle `ownTriangle` along unit `up`, at most `limit` [m].
+    /// The own triangle, and hits nearer than 1e-5 of `limit`, are the ground itself and do not
+    /// count.
+    double clearance(glm::dvec3 point, glm::dvec3 up, double limit,
+                     std::uint32_t ownTriangle) const;
 
     /// The nearest point of the ground to `point`.
     struct Nearest {

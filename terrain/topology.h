@@ -1,20 +1,21 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
+#include "terrain/ground_mesh.h"
 
 #include <glm/vec3.hpp>
 
-#include "terrain/ground_mesh.h"
+#include <cstdint>
+#include <vector>
 
 namespace sward::terrain {
 
 /// What the connections between triangles say. Computed on a half-edge mesh (OpenMesh) in which
 /// vertices of equal position are one; the GroundMesh itself stays a soup.
 struct Topology {
-    std::vector<std::uint32_t> weldOf;      ///< per vertex: index of its welded vertex
+    std::vector<std::uint32_t> weldOf; ///< per vertex: index of its welded vertex
     std::uint32_t weldedVertices = 0;
-    std::vector<std::uint32_t> componentOf; ///< per triangle: connected piece, numbered by first triangle
+    std::vector<std::uint32_t>
+        componentOf; ///< per triangle: connected piece, numbered by first triangle
     std::uint32_t components = 0;
 
     /// Per triangle, bit e: the edge from corner e to corner e+1 …
@@ -29,12 +30,12 @@ struct Topology {
     std::uint64_t duplicateTriangles = 0;     ///< same three welded corners as an earlier one
 };
 
-/// Builds the half-edge view. `creaseAngle` [rad]: neighbours whose face normals differ by more do not
-/// share a normal.
+/// Builds the half-edge view. `creaseAngle` [rad]: neighbours whose face normals differ by more do
+/// not share a normal.
 Topology analyse(const GroundMesh& mesh, double creaseAngle = 0.7853981633974483);
 
-/// Angle-weighted vertex normals (Thürmer & Wüthrich 1998), not smoothed across creases; a vertex on a
-/// crease is split. Replaces the normals of `mesh` and may append vertices.
+/// Angle-weighted vertex normals (Thürmer & Wüthrich 1998), not smoothed across creases; a vertex
+/// on a crease is split. Replaces the normals of `mesh` and may append vertices.
 void computeNormals(GroundMesh& mesh, const Topology& topology);
 
 } // namespace sward::terrain

@@ -1,15 +1,15 @@
 #include "core/atomic_file.h"
 
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-#include <string>
+#include "core/error.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/error.h"
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <string>
 
 namespace sward {
 namespace {

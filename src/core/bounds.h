@@ -1,9 +1,9 @@
 #pragma once
 
-#include <limits>
-
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
+
+#include <limits>
 
 namespace sward {
 

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <fmt/core.h>
+
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <fmt/core.h>
 
 namespace sward {
 

@@ -1,21 +1,22 @@
 #pragma once
 
+#include <fmt/core.h>
+
 #include <stdexcept>
 #include <string>
 #include <utility>
-
-#include <fmt/core.h>
 
 namespace sward {
 
 /// What kind of trouble an Error reports. The value is the exit code of the programs.
 enum class ErrorKind {
-    usage = 1,       ///< the command line or a setting is wrong
-    io = 2,          ///< a file cannot be read or written, or would be overwritten
-    input = 3,       ///< a file was read, but what it says is not valid
-    runtime = 4,     ///< the device was lost, there is no display
-    unsupported = 5, ///< valid, but beyond this program: an extension, a file version, no Vulkan device
-    difference = 7,  ///< a comparison found a difference
+    usage = 1,   ///< the command line or a setting is wrong
+    io = 2,      ///< a file cannot be read or written, or would be overwritten
+    input = 3,   ///< a file was read, but what it says is not valid
+    runtime = 4, ///< the device was lost, there is no display
+    unsupported =
+        5, ///< valid, but beyond this program: an extension, a file version, no Vulkan device
+    difference = 7, ///< a comparison found a difference
     interrupted = 130,
 };
 
@@ -23,7 +24,11 @@ enum class ErrorKind {
 /// the value and the bound, for the person who must mend it.
 class Error : public std::runtime_error {
 public:
-    Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
+    Error(ErrorKind kind, const std::string& message)
+        : std::runtime_error(message)
+        , kind_(kind)
+    {
+    }
 
     ErrorKind kind() const { return kind_; }
     int exitCode() const { return static_cast<int>(kind_); }

@@ -3,8 +3,9 @@
 namespace sward {
 
 // Trigonometry made of +, −, ×, ÷ and √ alone. The C library picks another implementation, with
-// other last bits, on a CPU with fused multiply-add; whatever decides where a blade stands uses these
-// instead, so that every x86-64 CPU bakes the same bytes. Errors are asserted in exact_math_test.cpp.
+// other last bits, on a CPU with fused multiply-add; whatever decides where a blade stands uses
+// these instead, so that every x86-64 CPU bakes the same bytes. Errors are asserted in
+// exact_math_test.cpp.
 
 struct SinCos {
     double sin;

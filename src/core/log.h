@@ -1,9 +1,9 @@
 #pragma once
 
+#include <fmt/core.h>
+
 #include <string>
 #include <utility>
-
-#include <fmt/core.h>
 
 namespace sward::log {
 

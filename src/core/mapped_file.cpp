@@ -1,15 +1,15 @@
 #include "core/mapped_file.h"
 
-#include <cerrno>
-#include <cstring>
-#include <utility>
+#include "core/error.h"
 
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/error.h"
+#include <cerrno>
+#include <cstring>
+#include <utility>
 
 namespace sward {
 namespace {
@@ -47,14 +47,16 @@ MappedFile::MappedFile(const std::filesystem::path& path)
         return;
     void* const mapped = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file.fd, 0);
     if (mapped == MAP_FAILED)
-        fail(ErrorKind::io, "{}: cannot map {} bytes: {}", path.string(), size_, std::strerror(errno));
+        fail(ErrorKind::io, "{}: cannot map {} bytes: {}", path.string(), size_,
+             std::strerror(errno));
     data_ = static_cast<const std::byte*>(mapped);
 }
 
 MappedFile::MappedFile(MappedFile&& other) noexcept
     : data_(std::exchange(other.data_, nullptr))
     , size_(std::exchange(other.size_, 0))
-{}
+{
+}
 
 MappedFile& MappedFile::operator=(MappedFile&& other) noexcept
 {

@@ -23,7 +23,8 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Reads a whole file of at most `limit` bytes. Throws Error{io} if it cannot, Error{input} if larger.
+/// Reads a whole file of at most `limit` bytes. Throws Error{io} if it cannot, Error{input} if
+/// larger.
 std::vector<std::byte> readFile(const std::filesystem::path& path,
                                 std::size_t limit = std::size_t(4) << 30);
 

@@ -15,7 +15,10 @@ public:
     /// stage, from whichever thread crossed the mark.
     using Callback = std::function<void(const std::string& stage, double share)>;
 
-    explicit Progress(Callback callback = {}) : callback_(std::move(callback)) {}
+    explicit Progress(Callback callback = {})
+        : callback_(std::move(callback))
+    {
+    }
 
     /// Begins a stage of `total` steps. Throws Error{interrupted} if cancelled.
     void begin(const std::string& stage, std::uint64_t total);

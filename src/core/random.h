@@ -22,7 +22,8 @@ constexpr std::uint64_t mixBits(std::uint64_t x)
 /// 64 random bits for (key, index).
 constexpr std::uint64_t hashBits(std::uint64_t key, std::uint64_t index)
 {
-    return mixBits(mixBits(key + 0x9e3779b97f4a7c15ULL) ^ (index * 0xd1342543de82ef95ULL + 0x2545f4914f6cdd1dULL));
+    return mixBits(mixBits(key + 0x9e3779b97f4a7c15ULL) ^
+                   (index * 0xd1342543de82ef95ULL + 0x2545f4914f6cdd1dULL));
 }
 
 /// Uniform in [0, 1), a multiple of 2⁻⁵³, for (key, index, dimension).

@@ -1,12 +1,12 @@
 #include "core/settings_json.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
+#include "core/error.h"
 
 #include <nlohmann/json.hpp>
 
-#include "core/error.h"
+#include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace sward {
 namespace {
@@ -41,7 +41,8 @@ SettingsReader::SettingsReader(const nlohmann::json& object, std::string place)
     , place_(std::move(place))
 {
     if (!object_.is_object())
-        fail(ErrorKind::input, "{}: expected an object {{…}}, found {}", place_, object_.type_name());
+        fail(ErrorKind::input, "{}: expected an object {{…}}, found {}", place_,
+             object_.type_name());
 }
 
 bool SettingsReader::has(std::string_view key) const
@@ -87,7 +88,8 @@ void SettingsReader::read(const char* key, bool& value)
 {
     if (const nlohmann::json* found = find(key)) {
         if (!found->is_boolean())
-            fail(ErrorKind::input, "{}: expected true or false, found {}", placeOf(key), found->dump());
+            fail(ErrorKind::input, "{}: expected true or false, found {}", placeOf(key),
+                 found->dump());
         value = found->get<bool>();
     }
 }

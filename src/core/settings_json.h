@@ -1,17 +1,17 @@
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <nlohmann/json_fwd.hpp>
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 namespace sward {
 
-/// Reads a JSON object strictly: every key must be asked for, every value be in its range. An unknown
-/// key is an error that proposes the nearest known one. Include from .cpp files only.
+/// Reads a JSON object strictly: every key must be asked for, every value be in its range. An
+/// unknown key is an error that proposes the nearest known one. Include from .cpp files only.
 class SettingsReader {
 public:
     /// `place` names the object in messages: a file, then the path inside it.
@@ -19,8 +19,8 @@ public:
 
     bool has(std::string_view key) const;
 
-    /// Each leaves `value` alone when the key is absent. Throws Error{input} on a wrong type, a value
-    /// that is not finite, or one outside [low, high].
+    /// Each leaves `value` alone when the key is absent. Throws Error{input} on a wrong type, a
+    /// value that is not finite, or one outside [low, high].
     void read(const char* key, double& value, double low, double high);
     void read(const char* key, float& value, double low, double high);
     void read(const char* key, int& value, int low, int high);

@@ -1,0 +1,87 @@
+// Which blades are drawn: predicates without memory. Jahrmann & Wimmer, I3D 2017, section 6.
+#ifndef SWARD_SHARED_CULLING_H
+#define SWARD_SHARED_CULLING_H
+
+#include "shaders/shared/types.h"
+
+SHARED_BEGIN
+
+// Why a blade is not drawn; also the slots of the counters.
+SHARED_CONST uint fateDrawn = 0u;
+SHARED_CONST uint fatePatch = 1u;
+SHARED_CONST uint fateOrientation = 2u;
+SHARED_CONST uint fateFrustum = 3u;
+SHARED_CONST uint fateDistance = 4u;
+SHARED_CONST uint fateOcclusion = 5u;
+SHARED_CONST uint fateLod = 6u;
+SHARED_CONST uint fateCount = 7u;
+
+// Bits of Frame::cullMask.
+SHARED_CONST uint cullPatch = 1u;
+SHARED_CONST uint cullOrientation = 2u;
+SHARED_CONST uint cullFrustum = 4u;
+SHARED_CONST uint cullDistance = 8u;
+
+/// Cosine of the angle between view ray and width axis beyond which a blade is seen edge-on.
+SHARED_CONST float edgeOnCosine = 0.9f;
+
+/// Signed distance [m] of a point from a plane (unit normal, offset); positive inside.
+SHARED_FN float planeDistance(vec4 plane, vec3 point)
+{
+    return dot(vec3(plane.x, plane.y, plane.z), point) + plane.w;
+}
+
+/// Whether the curve over v0, v1, v2, as wide as 2·`margin`, lies wholly outside `plane`. The curve
+/// stays inside the triangle of its control points, so nothing visible is ever cut (the paper tests
+/// root, tip and middle, and loses large blades whose three points all lie outside).
+SHARED_FN bool curveOutside(vec4 plane, vec3 v0, vec3 v1, vec3 v2, float margin)
+{
+    return max(max(planeDistance(plane, v0), planeDistance(plane, v1)), planeDistance(plane, v2)) <
+           -margin;
+}
+
+/// Whether a box lies wholly outside `plane`.
+SHARED_FN bool boxOutside(vec4 plane, vec3 low, vec3 high)
+{
+    const vec3 farthest = vec3(plane.x >= 0.0f ? high.x : low.x, plane.y >= 0.0f ? high.y : low.y,
+                               plane.z >= 0.0f ? high.z : low.z);
+    return planeDistance(plane, farthest) < 0.0f;
+}
+
+/// Whether a blade is seen edge-on from `eye`, and so has no width to show.
+SHARED_FN bool seenEdgeOn(vec3 eye, vec3 root, vec3 axis)
+{
+    const vec3 ray = root - eye;
+    const float distance = length(ray);
+    return distance > 1e-6f && abs(dot(ray, axis)) > edgeOnCosine * distance;
+}
+
+/// Distance [m] of `eye` from a box; 0 inside.
+SHARED_FN float boxDistance(vec3 eye, vec3 low, vec3 high)
+{
+    return length(max(max(low - eye, eye - high), vec3(0.0f)));
+}
+
+/// Share of the local blades that is drawn where a typical blade is `pixels` wide at its root: all
+/// while it covers `threshold` pixels, then in proportion to its width. What is left is drawn
+/// 1/share wider, so the covered area stays. Continuous, never 0.
+SHARED_FN float lodShare(float pixels, float threshold)
+{
+    return clamp(pixels / threshold, 1.0f / 256.0f, 1.0f);
+}
+
+/// Width factor of the blade with progressive rank `rank` in [0, 1) where `share` of the blades is
+/// drawn; 0: not drawn. Blades near the end of the share fade in over a tenth of it, so nothing
+/// pops; the factor is chosen so that the mean over all ranks is 1.
+SHARED_FN float lodWidthFactor(float rank, float share)
+{
+    if (share >= 1.0f)
+        return 1.0f;
+    const float fade = 0.1f * share;
+    const float weight = clamp((share - rank) / fade, 0.0f, 1.0f);
+    // ∫ weight over ranks = share − fade/2.
+    return weight / (share - 0.5f * fade);
+}
+
+SHARED_END
+#endif

@@ -1,0 +1,83 @@
+// What one frame's passes know.
+#ifndef SWARD_SHARED_FRAME_H
+#define SWARD_SHARED_FRAME_H
+
+#include "shaders/shared/blade.h"
+#include "shaders/shared/culling.h"
+#include "shaders/shared/patch.h"
+#include "shaders/shared/physics.h"
+#include "shaders/shared/species.h"
+#include "shaders/shared/types.h"
+#include "shaders/shared/wind.h"
+
+SHARED_BEGIN
+
+/// A blade that survived culling.
+struct VisibleBlade {
+    uint blade; ///< index into the blades: the resident id
+    uint patchIndex;
+    float widthFactor; ///< 1, or more where level of detail has left blades out
+    float pixels;      ///< height on the screen [pixels]
+};
+SHARED_LAYOUT(VisibleBlade, 16)
+
+/// VkDrawIndirectCommand, and the counts by fate behind it.
+struct DrawArguments {
+    uint vertexCount; ///< one patch vertex per visible blade
+    uint instanceCount;
+    uint firstVertex;
+    uint firstInstance;
+    uint simulated; ///< blades moved in this frame
+    uint fates[7];  ///< blades by fate, fateDrawn … fateLod
+};
+SHARED_LAYOUT(DrawArguments, 48)
+
+SHARED_BUFFER(VisibleArray, VisibleBlade, )
+SHARED_BUFFER(DrawArray, DrawArguments, )
+SHARED_BUFFER(FloatArray, float, )
+SHARED_BUFFER(UintArray, uint, )
+
+/// One view of one field. All places are relative to the field's origin.
+struct Frame {
+    BladeArray blades;
+    StateArray states;
+    PatchArray patches;
+    SpeciesArray species;
+    VisibleArray visible;
+    DrawArray draw;
+    FloatArray patchTimes; ///< per patch: the time its blades were last moved to [s]
+    UintArray fates;       ///< per blade: its fate, or address 0 when nobody asks
+
+    mat4 viewProjection; ///< reversed Z: 1 near, 0 far
+    vec4 planes[6];      ///< left right bottom top near far; unit normals inward, offset
+    vec3 eye;
+    float time; ///< [s]
+    Gravity gravity;
+    Wind wind;
+    float recovery;      ///< [1/s] rate at which a stiff blade rises again
+    float drawDistance;  ///< [m]
+    float pixelsPerUnit; ///< pixels of something 1 m large at 1 m distance
+    float lodThreshold;  ///< [pixels] width below which blades are left out; 0: never
+    float lodWidth;      ///< [m] typical width of a blade
+    uint cullMask;
+    uint patchCount;
+    uint bladeCount;
+    uint visibleCapacity;
+    uint maxTessellation; ///< largest tessellation level along a blade
+    vec3 sunDirection;    ///< unit, towards the sun
+    float exposure;       ///< scale from radiance to the picture
+    vec3 sunColor;        ///< linear radiance
+    uint debugMode;       ///< 0 none, 1 lod, 2 patches
+    vec3 skyColor;        ///< linear radiance from above
+    float fogDensity;     ///< [1/m]
+    vec3 groundColor;     ///< linear radiance from below
+    uint samples;
+    vec3 skyUp;              ///< unit; where the sky is
+    float fixedTessellation; ///< > 0: this level for every blade
+};
+SHARED_LAYOUT(Frame, 424)
+
+SHARED_BUFFER(FrameArray, Frame, readonly)
+
+SHARED_END
+#endif

@@ -1,0 +1,26 @@
+// How the blades of one species look. Slots 0–7 of a field.
+#ifndef SWARD_SHARED_SPECIES_H
+#define SWARD_SHARED_SPECIES_H
+
+#include "shaders/shared/types.h"
+
+SHARED_BEGIN
+
+SHARED_CONST uint maxSpecies = 8u;
+
+struct Species {
+    vec3 rootColor;       ///< linear, at the root
+    float tipThreshold;   ///< [0, 1): where along the blade the taper to the tip begins
+    vec3 tipColor;        ///< linear, at the tip
+    float groundTint;     ///< [0, 1]: how much of the ground's colour shows at the root
+    float colorVariation; ///< [0, 1]: how much blades and clumps differ
+    float translucency;   ///< [0, 1]: share of the light that comes through
+    float gloss;          ///< [0, 1]
+    float dryness;        ///< [0, 1]: share of blades with yellowed tips
+};
+SHARED_LAYOUT(Species, 48)
+
+SHARED_BUFFER(SpeciesArray, Species, readonly)
+
+SHARED_END
+#endif

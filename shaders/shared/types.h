@@ -1,0 +1,50 @@
+// What lets one text be C++20 and GLSL 460. The only shared file with a condition on the language.
+#ifndef SWARD_SHARED_TYPES_H
+#define SWARD_SHARED_TYPES_H
+
+#ifdef __cplusplus
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cmath>
+#include <cstdint>
+
+#define SHARED_BEGIN                                                                               \
+    namespace sward::shared {                                                                      \
+    using namespace glm;                                                                           \
+    using uint = std::uint32_t;
+#define SHARED_END }
+#define SHARED_FN inline
+#define SHARED_CONST inline constexpr
+#define SHARED_INOUT(Type) Type&
+#define SHARED_LAYOUT(Type, bytes) static_assert(sizeof(Type) == (bytes));
+// A buffer reached by its device address: a number here, a typed reference in GLSL.
+#define SHARED_BUFFER(Name, Type, access) using Name = std::uint64_t;
+
+#else
+
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_buffer_reference2 : require
+
+#define SHARED_BEGIN
+#define SHARED_END
+#define SHARED_FN
+#define SHARED_CONST const
+#define SHARED_INOUT(Type) inout Type
+#define SHARED_LAYOUT(Type, bytes)
+#define SHARED_BUFFER(Name, Type, access)                                                          \
+    layout(buffer_reference, scalar, buffer_reference_align = 4) access buffer Name                \
+    {                                                                                              \
+        Type at[];                                                                                 \
+    };
+
+#endif
+#endif
