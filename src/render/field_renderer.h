@@ -1,0 +1,82 @@
+#pragma once
+
+#include "field/field.h"
+#include "render/camera.h"
+#include "render/frame_settings.h"
+
+#include <glm/vec2.hpp>
+#include <vulkan/vulkan.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace sward::gpu {
+class Device;
+class Timestamps;
+} // namespace sward::gpu
+
+namespace sward::render {
+
+/// Draws one field into the caller's pictures. Starts no threads, owns no window, submits nothing
+/// while recording; construction uploads the field and waits for it.
+class FieldRenderer {
+public:
+    struct Settings {
+        VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB; ///< of every target
+        std::uint32_t samples = 4;                      ///< 1 or 4 per pixel
+        std::uint32_t framesInFlight = 1; ///< frames recorded before one is waited for
+        bool recordFates = false; ///< keep each blade's fate for dumpBlades(); 4 bytes a blade
+    };
+
+    /// `field` may die afterwards, except that dumpBlades() needs it again. Throws Error{runtime}
+    /// when the device's memory does not hold the field, naming both sizes.
+    FieldRenderer(const gpu::Device& device, const field::FieldView& field,
+                  const Settings& settings);
+    FieldRenderer(FieldRenderer&&) noexcept;
+    ~FieldRenderer();
+
+    /// A picture to draw into: in layout COLOR_ATTACHMENT_OPTIMAL when the commands run, and left
+    /// in it.
+    struct Target {
+        VkImage image = VK_NULL_HANDLE;
+        VkImageView view = VK_NULL_HANDLE;
+        glm::uvec2 size{0};
+    };
+
+    /// Records one frame: moves the blades of visible patches to `time` [s] (monotone; any step is
+    /// safe), culls, draws ground, sky and blades. `slot` < framesInFlight, whose former commands
+    /// have completed. `jitter` [pixels]. `timestamps` may be null.
+    void record(VkCommandBuffer commands, const Target& target, const Camera& camera,
+                const FrameSettings& settings, double time, std::uint32_t slot = 0,
+                gpu::Timestamps* timestamps = nullptr, glm::vec2 jitter = glm::vec2(0.0f));
+
+    /// Moves all blades to `time` and draws nothing: frames before the first that is wanted.
+    void recordUpdateOnly(VkCommandBuffer commands, const FrameSettings& settings, double time,
+                          std::uint32_t slot = 0);
+
+    /// Counts of the frame last recorded in `slot`, after its commands have completed.
+    FrameStats stats(std::uint32_t slot = 0) const;
+
+    /// State of one blade at the last frame.
+    struct BladeRecord {
+        std::uint64_t id = 0;
+        glm::dvec3 root{0.0}, v1{0.0}, v2{0.0}; ///< world [m]
+        glm::vec3 up{0.0f};
+        float eta = 0.0f;
+        float lodWidth = 0.0f;  ///< width factor; 0 if not drawn
+        std::uint32_t fate = 0; ///< shared::fateDrawn …
+    };
+
+    /// Reads every blade's state back, in the order of the file; waits for the device.
+    std::vector<BladeRecord> dumpBlades(const field::FieldView& field) const;
+
+    std::size_t deviceBytes() const; ///< device memory held
+    Aabb content() const;            ///< what can be seen, relative to the field's origin
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+} // namespace sward::render

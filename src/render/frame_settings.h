@@ -1,0 +1,60 @@
+#pragma once
+
+#include "field/field.h"
+#include "shaders/shared/culling.h"
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace sward::render {
+
+enum class DebugMode : std::uint32_t { none = 0, lod = 1, patches = 2 };
+
+/// Everything of a frame that somebody may turn while it runs. Starts from a field's defaults.
+struct FrameSettings {
+    field::Defaults nature; ///< wind, gravity, recovery, draw distance
+
+    std::uint32_t cullMask =
+        shared::cullPatch | shared::cullOrientation | shared::cullFrustum | shared::cullDistance;
+    bool levelOfDetail = true;  ///< leave out and widen blades narrower than lodThreshold
+    float lodThreshold = 0.75f; ///< [pixels], (0, 100]
+    int tessellationLevel =
+        0; ///< segments along a blade, 1 to 64; 0: by size on the screen, at most 3
+    DebugMode debug = DebugMode::none;
+
+    glm::vec3 sunDirection{0.45f, 0.72f,
+                           0.53f};         ///< towards the sun, world space; normalised by record()
+    glm::vec3 sunColor{3.1f, 2.85f, 2.4f}; ///< linear radiance
+    glm::vec3 skyColor{0.45f, 0.62f, 0.95f};    ///< linear radiance from above
+    glm::vec3 groundColor{0.13f, 0.12f, 0.08f}; ///< linear radiance from below
+    float exposure = 1.0f;
+    float fogDensity = -1.0f; ///< [1/m]; below 0: chosen from the field's size
+
+    /// Settings that start from what is saved in the field.
+    static FrameSettings of(const field::FieldView& field)
+    {
+        FrameSettings s;
+        s.nature = *field.defaults;
+        return s;
+    }
+};
+
+/// What became of the blades of a frame. resident = drawn + lod + all of culled; total = resident +
+/// streamedOut.
+struct FrameStats {
+    std::uint64_t total = 0;
+    std::uint64_t streamedOut = 0;
+    std::uint64_t resident = 0;
+    std::uint64_t simulated = 0;
+    std::uint64_t drawn = 0;
+    std::uint64_t lod = 0;
+    std::uint64_t culledPatch = 0;
+    std::uint64_t culledOrientation = 0;
+    std::uint64_t culledFrustum = 0;
+    std::uint64_t culledDistance = 0;
+    std::uint64_t culledOcclusion = 0;
+};
+
+} // namespace sward::render
