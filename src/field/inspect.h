@@ -1,0 +1,52 @@
+#pragma once
+
+#include "field/field.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sward::field {
+
+/// Statistics of a field for people and programs.
+struct Summary {
+    std::uint64_t blades = 0;
+    std::uint64_t patches = 0;
+    std::uint64_t leaves = 0;
+    int levels = 0;
+    double bladesPerLeaf = 0.0;
+    Aabb bounds;
+    double heightLow = 0, heightMean = 0, heightHigh = 0; ///< [m]
+    double widthMean = 0;                                 ///< [m]
+    std::vector<std::uint64_t> perSpecies;
+    std::uint64_t groundTriangles = 0;
+};
+Summary summarise(const FieldView& field);
+
+/// How two fields differ after `transform` (world to world) has been applied to the first.
+struct Comparison {
+    std::uint64_t matched = 0;
+    std::uint64_t onlyFirst = 0;
+    std::uint64_t onlySecond = 0;
+    double largestRootDistance = 0.0;     ///< [m] over matched blades, less what packing explains
+    double largestUpAngle = 0.0;          ///< [rad]
+    double largestFacingAngle = 0.0;      ///< [rad] between width axes in world space
+    double largestHeightDifference = 0.0; ///< relative
+    double largestWidthDifference = 0.0;  ///< relative
+    std::uint64_t traitsDiffer = 0; ///< matched blades that differ by more than packing explains
+    std::vector<std::string>
+        reasons; ///< empty: the same within `tolerance` and the errors of packing
+};
+
+enum class Match { order, id };
+
+/// Compares blade by blade, paired by their order in the files or by id. Roots may differ by
+/// `tolerance` [m], measured on the packed roots; up, facing, height, width and stiffness by twice
+/// their packing errors (and the rotation of a facing frame by the error of up). `transform` must
+/// be a rotation with uniform scale.
+Comparison compare(const FieldView& first, const FieldView& second, const glm::dmat4& transform,
+                   Match match, double tolerance);
+
+} // namespace sward::field
