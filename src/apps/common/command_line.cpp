@@ -1,0 +1,86 @@
+#include "apps/common/command_line.h"
+
+#include "apps/common/output.h"
+#include "apps/common/version.h"
+#include "core/error.h"
+#include "core/settings_json.h"
+
+#include <CLI/CLI.hpp>
+
+#include <sstream>
+#include <vector>
+
+namespace sward::apps {
+namespace {
+
+// The innermost command that was named.
+const CLI::App& chosenApp(const CLI::App& app)
+{
+    const CLI::App* chosen = &app;
+    while (!chosen->get_subcommands().empty())
+        chosen = chosen->get_subcommands().front();
+    return *chosen;
+}
+
+// "sward bake", for messages.
+std::string nameOf(const CLI::App& app)
+{
+    const CLI::App* parent = app.get_parent();
+    return parent == nullptr ? app.get_name() : nameOf(*parent) + " " + app.get_name();
+}
+
+std::vector<std::string> knownWords(const CLI::App& app)
+{
+    std::vector<std::string> words;
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& name : option->get_lnames())
+            words.push_back("--" + name);
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        words.push_back(command->get_name());
+    return words;
+}
+
+// Proposes a known word for the first argument that was not expected.
+std::string proposal(const CLI::App& app)
+{
+    for (const std::string& argument : app.remaining(true)) {
+        const std::string word = argument.substr(0, argument.find('='));
+        const std::string near = nearestWord(word, knownWords(app));
+        if (!near.empty() && near != word)
+            return "; did you mean " + near + "?";
+    }
+    return {};
+}
+
+} // namespace
+
+void prepareApp(CLI::App& app, const std::string& program)
+{
+    app.name(program);
+    app.set_version_flag("--version", versionText(program), "Print the version and exit");
+    app.set_help_flag("-h,--help", "Print this help and exit");
+    app.get_formatter()->column_width(34);
+}
+
+std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* argv)
+{
+    try {
+        app.parse(argc, argv);
+        return std::nullopt;
+    } catch (const CLI::Success& wanted) {
+        // Help and version travel as exceptions; CLI11 knows their texts.
+        std::ostringstream out;
+        std::ostringstream err;
+        app.exit(wanted, out, err);
+        writeResult(out.str());
+        return 0;
+    } catch (const CLI::ParseError& refused) {
+        const CLI::App& chosen = chosenApp(app);
+        const bool unexpected =
+            refused.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+        fail(ErrorKind::usage, "{}{}\nRun '{} --help' to see what it takes.", refused.what(),
+             unexpected ? proposal(chosen) : "", nameOf(chosen));
+    }
+}
+
+} // namespace sward::apps

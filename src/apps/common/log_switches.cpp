@@ -1,0 +1,44 @@
+#include "apps/common/log_switches.h"
+
+#include "apps/common/terminal.h"
+#include "core/log.h"
+
+#include <CLI/CLI.hpp>
+
+#include <map>
+#include <string>
+
+namespace sward::apps {
+
+void LogSwitches::add(CLI::App& app)
+{
+    CLI::Option* quietOption =
+        app.add_flag("-q,--quiet", quiet, "Only warnings and errors")->group("Log");
+    app.add_flag("-v,--verbose", verbose, "More about what is done")
+        ->group("Log")
+        ->excludes(quietOption);
+}
+
+void LogSwitches::addBar(CLI::App& app)
+{
+    const std::map<std::string, Bar> words{
+        {"auto", Bar::automatic}, {"always", Bar::always}, {"never", Bar::never}};
+    app.add_option("--progress", bar, "Progress bar; auto shows it on a terminal only")
+        ->transform(CLI::Transformer(words).description("auto|always|never"))
+        ->type_name("")
+        ->group("Log");
+}
+
+void LogSwitches::apply() const
+{
+    log::setLevel(quiet ? log::Level::warning : verbose ? log::Level::debug : log::Level::info);
+}
+
+bool LogSwitches::showBar() const
+{
+    if (bar == Bar::automatic)
+        return !quiet && stderrIsTerminal();
+    return bar == Bar::always;
+}
+
+} // namespace sward::apps

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace sward::apps {
+
+// Texts of the command line. Each function throws Error{usage} that names `option`, the text and
+// what would be right.
+
+/// "1920x1080": width and height, each in [1, largest].
+glm::uvec2 parseSize(std::string_view option, std::string_view text, std::uint32_t largest);
+
+/// A whole text as a finite number in [low, high]; "1/60" is a number too.
+double parseNumber(std::string_view option, std::string_view text, double low, double high);
+
+/// "A:B": two finite numbers, A ≤ B.
+std::pair<double, double> parseRange(std::string_view option, std::string_view text);
+
+/// "A:B": two whole numbers, 0 ≤ A ≤ B ≤ largest.
+std::pair<std::uint64_t, std::uint64_t>
+parseWholeRange(std::string_view option, std::string_view text, std::uint64_t largest);
+
+/// The parts of `text` between `separator`s; one empty part for an empty text.
+std::vector<std::string_view> splitText(std::string_view text, char separator);
+
+} // namespace sward::apps

@@ -1,0 +1,54 @@
+#include "apps/common/program.h"
+
+#include "apps/common/interrupt.h"
+#include "core/error.h"
+#include "core/log.h"
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+namespace sward::apps {
+namespace {
+
+constexpr int runtimeCode = static_cast<int>(ErrorKind::runtime);
+
+// Says what went wrong; the exception is the one being handled.
+int reportException(std::string_view name)
+{
+    try {
+        throw;
+    } catch (const Error& error) {
+        log::error("{}", error.what());
+        return error.exitCode();
+    } catch (const std::bad_alloc&) {
+        // Formatting would ask for memory again.
+        std::fputs("error: not enough memory\n", stderr);
+        return runtimeCode;
+    } catch (const std::exception& error) {
+        log::error("{} failed: {}", name, error.what());
+        return runtimeCode;
+    } catch (...) {
+        std::fputs("error: unknown failure\n", stderr);
+        return runtimeCode;
+    }
+}
+
+} // namespace
+
+int runProgram(std::string_view name, const std::function<int()>& body) noexcept
+{
+    const InterruptFlag flag;
+    try {
+        try {
+            return body();
+        } catch (...) {
+            return reportException(name);
+        }
+    } catch (...) {
+        // The message itself could not be written; the code still says that it failed.
+        return runtimeCode;
+    }
+}
+
+} // namespace sward::apps
