@@ -1,0 +1,92 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+namespace sward::gpu {
+
+// The hazards between passes, by name: what was recorded before is done, and its writes are seen,
+// before what follows begins. They hold for buffers; images also change layout (image_use.h).
+// Waiting for the execution of earlier readers is contained in each of them.
+
+struct Access {
+    VkPipelineStageFlags2 stages;
+    VkAccessFlags2 accesses;
+};
+
+constexpr VkPipelineStageFlags2 shaderStages =
+    VK_PIPELINE_STAGE_2_ALL_GRAPHICS_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+constexpr VkAccessFlags2 readAndWrite = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
+
+constexpr Access anyAccess{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, readAndWrite};
+constexpr Access transferAccess{VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+                                VK_ACCESS_2_TRANSFER_READ_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT};
+constexpr Access computeAccess{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                               VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT};
+constexpr Access drawAccess{VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT |
+                                VK_PIPELINE_STAGE_2_ALL_GRAPHICS_BIT,
+                            VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_2_INDEX_READ_BIT |
+                                VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT};
+constexpr Access dispatchAccess{VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT |
+                                    VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                                VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT |
+                                    VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT};
+constexpr Access hostAccess{VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT};
+
+inline void memoryBarrier(VkCommandBuffer commands, const Access& before, const Access& after)
+{
+    VkMemoryBarrier2 barrier{};
+    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
+    barrier.srcStageMask = before.stages;
+    barrier.srcAccessMask = before.accesses;
+    barrier.dstStageMask = after.stages;
+    barrier.dstAccessMask = after.accesses;
+    VkDependencyInfo dependency{};
+    dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
+    dependency.memoryBarrierCount = 1;
+    dependency.pMemoryBarriers = &barrier;
+    vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+/// Whatever came before → clear, fill or copy: the first barrier of a frame that reuses its lists.
+inline void anythingToTransfer(VkCommandBuffer commands)
+{
+    memoryBarrier(commands, anyAccess, transferAccess);
+}
+
+/// Clear, fill or copy → compute shaders.
+inline void transferToCompute(VkCommandBuffer commands)
+{
+    memoryBarrier(commands, transferAccess, computeAccess);
+}
+
+/// Compute → compute shaders, indirect dispatch included.
+inline void computeToCompute(VkCommandBuffer commands)
+{
+    memoryBarrier(commands, computeAccess, dispatchAccess);
+}
+
+/// Compute → indirect arguments, indices, and what the stages of a draw read.
+inline void computeToDraw(VkCommandBuffer commands)
+{
+    memoryBarrier(commands, computeAccess, drawAccess);
+}
+
+/// Draw → compute shaders that overwrite what the draw has read, or read what it has stored.
+inline void drawToCompute(VkCommandBuffer commands)
+{
+    memoryBarrier(commands, drawAccess, computeAccess);
+}
+
+/// Compute → copy.
+inline void computeToTransfer(VkCommandBuffer commands)
+{
+    memoryBarrier(commands, computeAccess, transferAccess);
+}
+
+/// Compute or copy → the CPU, after the submission's fence.
+inline void anythingToHost(VkCommandBuffer commands)
+{
+    memoryBarrier(commands, anyAccess, hostAccess);
+}
+
+} // namespace sward::gpu

@@ -1,0 +1,50 @@
+#include "gpu/buffer.h"
+
+#include "core/error.h"
+#include "gpu/check.h"
+#include "gpu/debug.h"
+
+#include <algorithm>
+
+namespace sward::gpu {
+namespace {
+
+// Vulkan knows no empty buffer; 16 bytes hold any one element that is never read.
+constexpr VkDeviceSize smallestBuffer = 16;
+
+} // namespace
+
+Buffer::Buffer(const DeviceContext& context, const BufferSettings& settings)
+    : bytes_(settings.bytes)
+{
+    if (settings.bytes > context.maxBufferBytes)
+        fail(ErrorKind::unsupported, "'{}' needs a buffer of {} bytes; {} allows {}", settings.name,
+             settings.bytes, context.name, context.maxBufferBytes);
+
+    VkBufferCreateInfo create{};
+    create.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
+    create.size = std::max(settings.bytes, smallestBuffer);
+    create.usage = settings.usage | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+    create.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+
+    VkBuffer buffer = VK_NULL_HANDLE;
+    check(vkCreateBuffer(context.device, &create, nullptr, &buffer), "vkCreateBuffer");
+    buffer_ = {context.device, buffer};
+    setName(context, buffer, settings.name);
+    memory_ = allocateFor(context, buffer, settings.memory, settings.name);
+
+    VkBufferDeviceAddressInfo place{};
+    place.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO;
+    place.buffer = buffer;
+    address_ = vkGetBufferDeviceAddress(context.device, &place);
+
+    // Mapped for its whole life; freeing the memory ends the mapping.
+    if (settings.memory != MemoryUse::device) {
+        void* mapped = nullptr;
+        check(vkMapMemory(context.device, memory_.get(), 0, VK_WHOLE_SIZE, 0, &mapped),
+              "vkMapMemory");
+        mapped_ = static_cast<std::byte*>(mapped);
+    }
+}
+
+} // namespace sward::gpu

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "core/expect.h"
+#include "gpu/context.h"
+#include "gpu/handle.h"
+#include "gpu/memory.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace sward::gpu {
+
+struct BufferSettings {
+    std::string name;
+    VkDeviceSize bytes = 0;
+    VkBufferUsageFlags usage = 0; ///< besides being reached by its device address
+    MemoryUse memory = MemoryUse::device;
+};
+
+/// A buffer with memory of its own, reached by device address.
+class Buffer {
+public:
+    Buffer() = default;
+
+    /// A buffer of no bytes still has an address: it is given 16 that nobody uses. Throws
+    /// Error{runtime} if there is not enough memory, Error{unsupported} beyond the device's bound.
+    Buffer(const DeviceContext& context, const BufferSettings& settings);
+
+    VkBuffer get() const { return buffer_.get(); }
+    VkDeviceAddress address() const { return address_; }
+    VkDeviceSize bytes() const { return bytes_; }
+
+    /// The bytes, if the memory is for upload or readback; else empty. What the CPU writes before a
+    /// submission is seen by the device; what the device writes is seen after a barrier to the host
+    /// and a fence.
+    std::span<std::byte> mapped() const { return {mapped_, mapped_ == nullptr ? 0 : bytes_}; }
+
+    /// The same as elements.
+    template <typename T>
+    std::span<T> mappedAs() const
+    {
+        expect(mapped_ != nullptr, "the buffer is mapped");
+        expect(bytes_ % sizeof(T) == 0, "the buffer holds whole elements");
+        return {reinterpret_cast<T*>(mapped_), bytes_ / sizeof(T)};
+    }
+
+private:
+    VkDeviceSize bytes_ = 0;
+    VkDeviceAddress address_ = 0;
+    std::byte* mapped_ = nullptr;
+    Memory memory_;
+    Unique<VkBuffer, vkDestroyBuffer> buffer_;
+};
+
+} // namespace sward::gpu

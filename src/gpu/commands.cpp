@@ -1,0 +1,104 @@
+#include "gpu/commands.h"
+
+#include "gpu/check.h"
+#include "gpu/debug.h"
+
+#include <cstdint>
+#include <limits>
+
+namespace sward::gpu {
+
+CommandPool::CommandPool(const DeviceContext& context)
+    : context_(context)
+{
+    VkCommandPoolCreateInfo create{};
+    create.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
+    create.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
+    create.queueFamilyIndex = context.queueFamily;
+    VkCommandPool pool = VK_NULL_HANDLE;
+    check(vkCreateCommandPool(context.device, &create, nullptr, &pool), "vkCreateCommandPool");
+    pool_ = {context.device, pool};
+}
+
+VkCommandBuffer CommandPool::allocate(const std::string& name) const
+{
+    VkCommandBufferAllocateInfo allocate{};
+    allocate.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
+    allocate.commandPool = pool_.get();
+    allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+    allocate.commandBufferCount = 1;
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    check(vkAllocateCommandBuffers(context_.device, &allocate, &commands),
+          "vkAllocateCommandBuffers");
+    setName(context_, commands, name);
+    return commands;
+}
+
+void begin(VkCommandBuffer commands)
+{
+    VkCommandBufferBeginInfo beginning{};
+    beginning.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
+    beginning.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    check(vkBeginCommandBuffer(commands, &beginning), "vkBeginCommandBuffer");
+}
+
+void endAndSubmit(const DeviceContext& context, VkCommandBuffer commands, VkFence fence,
+                  std::span<const VkSemaphoreSubmitInfo> waits,
+                  std::span<const VkSemaphoreSubmitInfo> signals)
+{
+    check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
+
+    VkCommandBufferSubmitInfo recorded{};
+    recorded.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
+    recorded.commandBuffer = commands;
+    VkSubmitInfo2 submit{};
+    submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
+    submit.waitSemaphoreInfoCount = static_cast<std::uint32_t>(waits.size());
+    submit.pWaitSemaphoreInfos = waits.data();
+    submit.commandBufferInfoCount = 1;
+    submit.pCommandBufferInfos = &recorded;
+    submit.signalSemaphoreInfoCount = static_cast<std::uint32_t>(signals.size());
+    submit.pSignalSemaphoreInfos = signals.data();
+    check(vkQueueSubmit2(context.queue, 1, &submit, fence), "vkQueueSubmit2");
+}
+
+void submitAndWait(const DeviceContext& context, const std::function<void(VkCommandBuffer)>& record)
+{
+    const CommandPool pool(context);
+    const Fence fence = createFence(context, false);
+    VkCommandBuffer commands = pool.allocate("one-shot");
+    begin(commands);
+    record(commands);
+    endAndSubmit(context, commands, fence.get());
+    wait(context, fence.get());
+}
+
+Fence createFence(const DeviceContext& context, bool signalled)
+{
+    VkFenceCreateInfo create{};
+    create.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
+    if (signalled)
+        create.flags = VK_FENCE_CREATE_SIGNALED_BIT;
+    VkFence fence = VK_NULL_HANDLE;
+    check(vkCreateFence(context.device, &create, nullptr, &fence), "vkCreateFence");
+    return {context.device, fence};
+}
+
+Semaphore createSemaphore(const DeviceContext& context, const std::string& name)
+{
+    VkSemaphoreCreateInfo create{};
+    create.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO;
+    VkSemaphore semaphore = VK_NULL_HANDLE;
+    check(vkCreateSemaphore(context.device, &create, nullptr, &semaphore), "vkCreateSemaphore");
+    setName(context, semaphore, name);
+    return {context.device, semaphore};
+}
+
+void wait(const DeviceContext& context, VkFence fence)
+{
+    check(vkWaitForFences(context.device, 1, &fence, VK_TRUE,
+                          std::numeric_limits<std::uint64_t>::max()),
+          "vkWaitForFences");
+}
+
+} // namespace sward::gpu

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/handle.h"
+
+#include <vulkan/vulkan.h>
+
+#include <functional>
+#include <span>
+#include <string>
+
+namespace sward::gpu {
+
+/// Command buffers that may be recorded anew, one at a time.
+class CommandPool {
+public:
+    explicit CommandPool(const DeviceContext& context);
+
+    /// A command buffer that lives as long as the pool.
+    VkCommandBuffer allocate(const std::string& name) const;
+
+private:
+    const DeviceContext& context_;
+    Unique<VkCommandPool, vkDestroyCommandPool> pool_;
+};
+
+/// Begins recording what is submitted once.
+void begin(VkCommandBuffer commands);
+
+/// Ends recording and submits; the fence, if any, is signalled when all is done.
+void endAndSubmit(const DeviceContext& context, VkCommandBuffer commands, VkFence fence,
+                  std::span<const VkSemaphoreSubmitInfo> waits = {},
+                  std::span<const VkSemaphoreSubmitInfo> signals = {});
+
+/// Records, submits and waits until the device is done. Throws Error{runtime} if the device is
+/// lost.
+void submitAndWait(const DeviceContext& context,
+                   const std::function<void(VkCommandBuffer)>& record);
+
+Fence createFence(const DeviceContext& context, bool signalled);
+Semaphore createSemaphore(const DeviceContext& context, const std::string& name);
+
+/// Waits without a bound: a device that hangs is lost sooner or later, and then this throws.
+void wait(const DeviceContext& context, VkFence fence);
+
+} // namespace sward::gpu

@@ -1,0 +1,50 @@
+#include "gpu/compute_pipeline.h"
+
+#include "core/expect.h"
+#include "gpu/check.h"
+#include "gpu/debug.h"
+
+#include <algorithm>
+
+namespace sward::gpu {
+
+ComputePipeline::ComputePipeline(const DeviceContext& context, const ShaderLibrary& shaders,
+                                 const ComputePipelineSettings& settings)
+    : layout_(context, settings.name, VK_SHADER_STAGE_COMPUTE_BIT, settings.pushConstantBytes,
+              settings.setLayouts)
+{
+    const ShaderModule module = shaders.module(context, settings.shader);
+    const Specialization specialization(settings.constants);
+
+    VkComputePipelineCreateInfo create{};
+    create.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+    create.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+    create.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+    create.stage.module = module.get();
+    create.stage.pName = "main";
+    create.stage.pSpecializationInfo = specialization.get();
+    create.layout = layout_.get();
+
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    check(vkCreateComputePipelines(context.device, VK_NULL_HANDLE, 1, &create, nullptr, &pipeline),
+          "vkCreateComputePipelines");
+    pipeline_ = {context.device, pipeline};
+    setName(context, pipeline, settings.name);
+}
+
+void ComputePipeline::bind(VkCommandBuffer commands) const
+{
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_.get());
+}
+
+VkExtent2D groupGrid(const DeviceContext& context, std::uint64_t groups)
+{
+    const std::uint64_t width =
+        std::min<std::uint64_t>(groups, context.limits.maxComputeWorkGroupCount[0]);
+    const std::uint64_t height = width == 0 ? 0 : groupsFor(groups, width);
+    expect(height <= context.limits.maxComputeWorkGroupCount[1],
+           "the device takes that many work groups");
+    return {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+}
+
+} // namespace sward::gpu

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/pipeline_layout.h"
+#include "gpu/shader_library.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sward::gpu {
+
+struct ComputePipelineSettings {
+    std::string name;
+    std::string shader; ///< as the ShaderLibrary knows it
+    std::uint32_t pushConstantBytes = 0;
+    std::vector<VkDescriptorSetLayout> setLayouts;
+    std::vector<SpecializationConstant> constants;
+};
+
+class ComputePipeline {
+public:
+    ComputePipeline() = default;
+    ComputePipeline(const DeviceContext& context, const ShaderLibrary& shaders,
+                    const ComputePipelineSettings& settings);
+
+    VkPipeline get() const { return pipeline_.get(); }
+    const PipelineLayout& layout() const { return layout_; }
+
+    void bind(VkCommandBuffer commands) const;
+
+    template <typename T>
+    void push(VkCommandBuffer commands, const T& constants) const
+    {
+        layout_.push(commands, constants);
+    }
+
+private:
+    PipelineLayout layout_;
+    Pipeline pipeline_;
+};
+
+/// Work groups in x and y that together are at least `groups`, within what the device takes in one
+/// dimension (65 535 on lavapipe). The shader counts `gl_WorkGroupID.y * gl_NumWorkGroups.x +
+/// gl_WorkGroupID.x` and lets those beyond `groups` return.
+VkExtent2D groupGrid(const DeviceContext& context, std::uint64_t groups);
+
+/// ⌈count / size⌉
+constexpr std::uint64_t groupsFor(std::uint64_t count, std::uint64_t size)
+{
+    return (count + size - 1) / size;
+}
+
+} // namespace sward::gpu

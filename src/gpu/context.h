@@ -1,0 +1,67 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <string>
+
+namespace sward::gpu {
+
+/// Features that are used where a device has them. What every device must have is listed in
+/// features.cpp.
+struct OptionalFeatures {
+    bool wireframe = false;           ///< fillModeNonSolid
+    bool anisotropicSampling = false; ///< samplerAnisotropy
+    bool minmaxSampling = false;      ///< samplerFilterMinmax
+    bool bufferInt64Atomics = false;  ///< shaderBufferInt64Atomics
+    bool multiDrawIndirect = false;
+    bool drawIndirectFirstInstance = false;
+    bool drawIndirectCount = false;
+    bool drawParameters = false; ///< shaderDrawParameters
+    bool vertexStores = false;   ///< vertexPipelineStoresAndAtomics
+    bool fragmentStores = false; ///< fragmentStoresAndAtomics
+    bool sampleShading = false;  ///< sampleRateShading
+    bool hostQueryReset = false;
+};
+
+/// Debug functions of the device; null where VK_EXT_debug_utils is not there.
+struct DebugFunctions {
+    PFN_vkSetDebugUtilsObjectNameEXT setObjectName = nullptr;
+    PFN_vkCmdBeginDebugUtilsLabelEXT beginLabel = nullptr;
+    PFN_vkCmdEndDebugUtilsLabelEXT endLabel = nullptr;
+};
+
+/// All that a pass needs to know of a device. Owns nothing: the handles belong to a Device, or to
+/// the program that Sward is a guest of. Must outlive whatever was made with it.
+struct DeviceContext {
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+    VkDevice device = VK_NULL_HANDLE;
+    VkQueue queue = VK_NULL_HANDLE; ///< graphics and compute; used by one thread at a time
+    std::uint32_t queueFamily = 0;
+
+    std::string name;      ///< of the device
+    std::string driver;    ///< name and version
+    VkDriverId driverId{}; ///< VK_DRIVER_ID_MESA_LLVMPIPE on the CPU
+    VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER;
+    VkPhysicalDeviceLimits limits{};
+    VkPhysicalDeviceMemoryProperties memory{};
+    std::uint64_t maxBufferBytes = 0;
+    std::uint32_t subgroupSize = 0;
+    std::uint32_t timestampValidBits = 0; ///< of the queue; 0: no timestamps
+
+    OptionalFeatures features;
+    DebugFunctions debug;
+
+    bool isCpu() const { return type == VK_PHYSICAL_DEVICE_TYPE_CPU; }
+
+    /// Size of the largest device-local heap [bytes].
+    std::uint64_t deviceLocalBytes() const;
+};
+
+/// Describes a device that a host program made. It must have been created with the features that
+/// requiredFeatureNames() lists; `enabled` says which of the others it has. Only `hasDebugUtils`
+/// says whether the debug functions may be asked for.
+DeviceContext describeDevice(VkPhysicalDevice physical, VkDevice device, std::uint32_t queueFamily,
+                             VkQueue queue, const OptionalFeatures& enabled, bool hasDebugUtils);
+
+} // namespace sward::gpu

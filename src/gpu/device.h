@@ -1,0 +1,45 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/device_report.h"
+#include "gpu/handle.h"
+#include "gpu/instance.h"
+
+#include <vulkan/vulkan.h>
+
+#include <string>
+
+namespace sward::gpu {
+
+struct DeviceSettings {
+    /// Index, or part of the name in any case; empty takes the best (chooseDevice()).
+    std::string selection;
+
+    /// A surface that the device must be able to present to, if any.
+    VkSurfaceKHR surface = VK_NULL_HANDLE;
+};
+
+/// A device of our own with one queue for graphics, compute and, given a surface, presenting. Stays
+/// where it was made, because what is made with it refers to its context.
+class Device {
+public:
+    /// Throws Error{usage} or Error{unsupported} as chooseDevice() does.
+    explicit Device(const Instance& instance, const DeviceSettings& settings = {});
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+    ~Device();
+
+    const DeviceContext& context() const { return context_; }
+    const DeviceReport& report() const { return report_; }
+    bool isCpu() const { return context_.isCpu(); }
+
+    /// Throws Error{runtime} if the device was lost.
+    void waitIdle() const;
+
+private:
+    DeviceReport report_;
+    UniqueRoot<VkDevice, vkDestroyDevice> device_;
+    DeviceContext context_;
+};
+
+} // namespace sward::gpu

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "gpu/instance.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sward::gpu {
+
+/// What a device is and whether it will do. Plain values, so that the choice can be tested without
+/// hardware.
+struct DeviceReport {
+    std::size_t index = 0; ///< what --device takes
+    std::string name;
+    VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER;
+    std::string driver; ///< name and version
+    std::uint32_t apiVersion = 0;
+    std::uint64_t memoryBytes = 0; ///< of the largest device-local heap
+
+    bool hasQueue = false;                    ///< one family with graphics and compute
+    bool presents = true;                     ///< to the surface in question, if there is one
+    bool hasSubgroups = false;                ///< ballot and arithmetic in compute shaders
+    std::vector<std::string> missingFeatures; ///< Vulkan's names
+
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+    std::uint32_t queueFamily = 0;
+};
+
+/// All devices of the machine, in the driver's order. With a surface, `presents` speaks of it.
+std::vector<DeviceReport> listDevices(const Instance& instance,
+                                      VkSurfaceKHR surface = VK_NULL_HANDLE);
+
+/// Name and version of a driver in one text.
+std::string driverText(const VkPhysicalDeviceDriverProperties& driver);
+
+/// [bytes]
+std::uint64_t largestDeviceLocalHeap(const VkPhysicalDeviceMemoryProperties& memory);
+
+} // namespace sward::gpu

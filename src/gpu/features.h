@@ -1,0 +1,34 @@
+#pragma once
+
+#include "gpu/context.h"
+
+#include <vulkan/vulkan.h>
+
+#include <string>
+#include <vector>
+
+namespace sward::gpu {
+
+/// The feature structs of Vulkan 1.0 to 1.3, linked to each other. Stays where it was made.
+struct FeatureChain {
+    VkPhysicalDeviceFeatures2 core{};
+    VkPhysicalDeviceVulkan11Features vulkan11{};
+    VkPhysicalDeviceVulkan12Features vulkan12{};
+    VkPhysicalDeviceVulkan13Features vulkan13{};
+
+    FeatureChain();
+    FeatureChain(const FeatureChain&) = delete;
+    FeatureChain& operator=(const FeatureChain&) = delete;
+};
+
+/// Vulkan's names of the features without which a device is rejected.
+std::vector<std::string> requiredFeatureNames();
+
+/// Those of them that `supported` lacks.
+std::vector<std::string> missingFeatures(FeatureChain& supported);
+
+/// Sets in `wanted` the required features and the optional ones that are `supported`; returns the
+/// latter.
+OptionalFeatures enableFeatures(FeatureChain& supported, FeatureChain& wanted);
+
+} // namespace sward::gpu

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/pipeline_layout.h"
+#include "gpu/shader_library.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sward::gpu {
+
+enum class Blend {
+    off,
+    alpha, ///< colour · alpha + what is there · (1 − alpha)
+};
+
+/// Vertices come from device addresses, so there is no vertex input; viewport and scissor are
+/// dynamic.
+struct GraphicsPipelineSettings {
+    std::string name;
+
+    std::string vertexShader;
+    std::string tessellationControlShader;    ///< empty: none
+    std::string tessellationEvaluationShader; ///< empty: none
+    std::string fragmentShader;               ///< empty: depth alone
+    std::uint32_t patchControlPoints = 0;     ///< with tessellation: at least 1
+    VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST; ///< without tessellation
+
+    std::uint32_t pushConstantBytes = 0;
+    std::vector<VkDescriptorSetLayout> setLayouts;
+    std::vector<SpecializationConstant> constants; ///< given to every stage
+
+    std::vector<VkFormat> colorFormats;
+    VkFormat depthFormat = VK_FORMAT_UNDEFINED; ///< undefined: no depth attachment
+    std::uint32_t samples = 1;
+    bool sampleShading = false; ///< runs the fragment shader once per sample, where the device can
+
+    bool depthTest = true; ///< with a depth attachment
+    bool depthWrite = true;
+    VkCompareOp depthCompare = VK_COMPARE_OP_GREATER; ///< reversed Z: near is 1
+
+    VkCullModeFlags cullMode = VK_CULL_MODE_NONE;
+    VkFrontFace frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
+    VkPolygonMode polygonMode = VK_POLYGON_MODE_FILL; ///< lines: the device needs `wireframe`
+    Blend blend = Blend::off;
+};
+
+class GraphicsPipeline {
+public:
+    GraphicsPipeline() = default;
+    GraphicsPipeline(const DeviceContext& context, const ShaderLibrary& shaders,
+                     const GraphicsPipelineSettings& settings);
+
+    VkPipeline get() const { return pipeline_.get(); }
+    const PipelineLayout& layout() const { return layout_; }
+
+    void bind(VkCommandBuffer commands) const;
+
+    template <typename T>
+    void push(VkCommandBuffer commands, const T& constants) const
+    {
+        layout_.push(commands, constants);
+    }
+
+private:
+    PipelineLayout layout_;
+    Pipeline pipeline_;
+};
+
+} // namespace sward::gpu

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/handle.h"
+#include "gpu/memory.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sward::gpu {
+
+struct ImageSettings {
+    std::string name;
+    VkFormat format = VK_FORMAT_UNDEFINED;
+    VkExtent2D extent{};
+    VkImageUsageFlags usage = 0;
+    std::uint32_t mips = 1;
+    std::uint32_t samples = 1; ///< 1, 2, 4, …
+};
+
+/// A 2D image with memory of its own and a view of each mip level.
+class Image {
+public:
+    Image() = default;
+
+    /// Throws Error{unsupported} if the device does not take the combination of format, usage, size
+    /// and samples.
+    Image(const DeviceContext& context, const ImageSettings& settings);
+
+    VkImage get() const { return image_.get(); }
+    VkImageView view() const { return view_.get(); } ///< all mip levels
+    VkImageView mipView(std::uint32_t level) const;  ///< one of them
+
+    VkFormat format() const { return format_; }
+    VkExtent2D extent() const { return extent_; }
+    VkExtent2D extent(std::uint32_t level) const;
+    std::uint32_t mips() const { return mips_; }
+    std::uint32_t samples() const { return samples_; }
+    VkImageAspectFlags aspect() const { return aspect_; }
+    VkDeviceSize memoryBytes() const { return memoryBytes_; }
+
+private:
+    VkFormat format_ = VK_FORMAT_UNDEFINED;
+    VkExtent2D extent_{};
+    std::uint32_t mips_ = 0;
+    std::uint32_t samples_ = 0;
+    VkImageAspectFlags aspect_ = 0;
+    VkDeviceSize memoryBytes_ = 0;
+    Memory memory_;
+    Unique<VkImage, vkDestroyImage> image_;
+    ImageView view_;
+    std::vector<ImageView> mipViews_;
+};
+
+/// Levels of a complete mip chain.
+std::uint32_t completeMips(VkExtent2D extent);
+
+/// Depth or colour, by the format.
+VkImageAspectFlags aspectOf(VkFormat format);
+
+/// Bytes of one pixel. Only formats that this project reads or writes on the CPU are known; expects
+/// one.
+std::uint32_t bytesPerPixel(VkFormat format);
+
+} // namespace sward::gpu

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/embedded.h"
+#include "gpu/context.h"
+#include "gpu/handle.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace sward::gpu {
+
+using ShaderModule = Unique<VkShaderModule, vkDestroyShaderModule>;
+
+/// SPIR-V modules by the name of their source: "ground.vert" finds the file "ground.vert.spv".
+class ShaderLibrary {
+public:
+    /// `files` must outlive the library.
+    explicit ShaderLibrary(std::span<const EmbeddedFile> files)
+        : files_(files)
+    {
+    }
+
+    /// The words of a module. Throws Error{runtime} that lists the known names if there is none of
+    /// that name, or if it is not SPIR-V.
+    std::span<const std::uint32_t> code(std::string_view name) const;
+
+    ShaderModule module(const DeviceContext& context, std::string_view name) const;
+
+private:
+    std::span<const EmbeddedFile> files_;
+};
+
+} // namespace sward::gpu

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/commands.h"
+#include "gpu/context.h"
+#include "gpu/handle.h"
+#include "gpu/image.h"
+
+#include <vulkan/vulkan.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace sward::gpu {
+
+/// Brings bytes from the CPU into buffers and images through a staging buffer of bounded size,
+/// however many there are: while the device copies one half, the CPU fills the other.
+class Uploader {
+public:
+    static constexpr VkDeviceSize defaultStagingBytes = VkDeviceSize(32) << 20;
+
+    explicit Uploader(const DeviceContext& context,
+                      VkDeviceSize stagingBytes = defaultStagingBytes);
+    Uploader(const Uploader&) = delete;
+    Uploader& operator=(const Uploader&) = delete;
+    ~Uploader();
+
+    /// Copies `bytes` to `target` from byte `offset` on. The source may die afterwards.
+    void toBuffer(const Buffer& target, std::span<const std::byte> bytes, VkDeviceSize offset = 0);
+
+    template <typename T>
+    void toBuffer(const Buffer& target, std::span<const T> elements, VkDeviceSize offset = 0)
+    {
+        toBuffer(target, std::as_bytes(elements), offset);
+    }
+
+    /// Fills level 0 with tightly packed rows, makes the other levels by halving, and leaves the
+    /// image ready to be sampled. Former contents are given up.
+    void toImage(const Image& target, std::span<const std::byte> pixels);
+
+    /// Submits what is left and waits until everything is in its place. Nothing is promised before.
+    void finish();
+
+private:
+    struct Half {
+        Buffer staging;
+        VkCommandBuffer commands = VK_NULL_HANDLE;
+        Fence done;
+        VkDeviceSize used = 0;
+        bool isRecording = false;
+    };
+
+    /// The half that is being filled, recording, with room for at least `bytes`.
+    Half& halfWithRoom(VkDeviceSize bytes);
+    void flush();
+    void makeMips(const Image& target);
+
+    const DeviceContext& context_;
+    CommandPool pool_;
+    std::array<Half, 2> halves_;
+    std::size_t current_ = 0;
+};
+
+} // namespace sward::gpu
