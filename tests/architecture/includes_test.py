@@ -1,0 +1,214 @@
+"""Who may know whom: reads every #include of the libraries and fails on a forbidden arrow.
+
+The table below is the one of ARCHITECTURE.md. A library that needs a new arrow gets it here, in the
+open, or not at all.
+"""
+
+import re
+import sys
+import tempfile
+import unittest
+from fnmatch import fnmatch
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+
+# Where each of our libraries lives. The longest match counts.
+FOLDERS = {
+    "core": "src/core",
+    "shared": "shaders/shared",
+    "terrain": "terrain",
+    "field": "src/field",
+    "interchange": "src/interchange",
+    "bake": "src/bake",
+    "gpu": "src/gpu",
+    "render": "src/render",
+    "apps_common": "src/apps/common",
+    "sward": "src/apps/sward",
+    "sward_view": "src/apps/sward_view",
+}
+
+# What each library may include besides itself and the C++ library.
+MAY_USE = {
+    "core": "fmt spdlog nlohmann glm posix",
+    "shared": "glm",
+    "terrain": "core fmt glm nlohmann xxhash openmesh embree tinygltf tbb stb intrinsics",
+    "field": "core shared fmt glm nlohmann xxhash zstd stb",
+    "interchange": "core shared field fmt glm nlohmann tinygltf",
+    "bake": "core shared terrain field fmt glm nlohmann tbb meshoptimizer",
+    "gpu": "core fmt glm vulkan",
+    "render": "core shared field gpu fmt glm nlohmann vulkan",
+    "apps_common": "core fmt glm nlohmann cli11 posix",
+    "sward": "core shared terrain field interchange bake apps_common fmt glm nlohmann cli11 posix",
+    "sward_view": "core shared field gpu render apps_common fmt glm nlohmann cli11 posix "
+                  "vulkan glfw imgui stb",
+}
+
+# Third-party headers, by pattern.
+THIRD_PARTY = {
+    "fmt": ["fmt/*"],
+    "spdlog": ["spdlog/*"],
+    "nlohmann": ["nlohmann/*"],
+    "glm": ["glm/*"],
+    "cli11": ["CLI/*"],
+    "vulkan": ["vulkan/*"],
+    "glfw": ["GLFW/*"],
+    "imgui": ["imgui*", "imgui/*", "backends/imgui*"],
+    "openmesh": ["OpenMesh/*"],
+    "embree": ["embree3/*"],
+    "tinygltf": ["tiny_gltf.h"],
+    "tbb": ["tbb/*", "oneapi/tbb/*", "oneapi/tbb.h"],
+    "stb": ["stb/*", "stb_*.h"],
+    "zstd": ["zstd.h", "zstd_errors.h"],
+    "xxhash": ["xxhash.h"],
+    "meshoptimizer": ["meshoptimizer.h"],
+    "posix": ["sys/*", "unistd.h", "fcntl.h", "spawn.h", "poll.h", "dlfcn.h", "pthread.h"],
+    "intrinsics": ["*intrin.h"],
+}
+
+# Headers that only these files may see, wherever else their library would allow them.
+ONLY_IN = {
+    "tinygltf": ["terrain/gltf_*", "src/interchange/*"],
+    "openmesh": ["terrain/topology*", "terrain/mesh_import*"],
+    "embree": ["terrain/surface_query*"],
+    "intrinsics": ["terrain/surface_query*"],
+    "spdlog": ["src/core/log.cpp"],
+}
+
+# Headers that would double the build if other headers passed them on; these light ones may.
+NOT_IN_HEADERS = {"nlohmann": ["nlohmann/json_fwd.hpp"], "cli11": [], "spdlog": [], "tinygltf": []}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+
+def library_of(path):
+    """Our library that holds `path`, relative to the root; None outside all of them."""
+    holders = [name for name, folder in FOLDERS.items() if path.startswith(folder + "/")]
+    return max(holders, key=lambda name: len(FOLDERS[name]), default=None)
+
+
+def target_of(root, kind, header):
+    """What an include means: one of our libraries, a third party, "std", or None if unknown."""
+    if kind == '"':
+        for base in ("", "src/"):
+            if (root / (base + header)).is_file():
+                return library_of(base + header)
+        return None
+    for name, patterns in THIRD_PARTY.items():
+        if any(fnmatch(header, pattern) for pattern in patterns):
+            return name
+    # The headers of the C++ library have neither folder nor suffix.
+    return "std" if re.fullmatch(r"[a-z_0-9]+", header) else None
+
+
+def complaint(root, path, kind, header):
+    """Why `path` must not include `header`; None if it may."""
+    library = library_of(path)
+    target = target_of(root, kind, header)
+    if target is None:
+        return f"{header} belongs to no known library"
+    if target not in ("std", library) and target not in MAY_USE[library].split():
+        return f"{library} must not see {target} ({header})"
+    if target in ONLY_IN and not any(fnmatch(path, place) for place in ONLY_IN[target]):
+        return f"only {', '.join(ONLY_IN[target])} may see {target} ({header})"
+    if path.endswith(".h") and target in NOT_IN_HEADERS and header not in NOT_IN_HEADERS[target]:
+        return f"a header must not pass on {header}"
+    return None
+
+
+def forbidden_arrows(root):
+    """All offences below `root`, as file:line: reason; and the number of includes that were read."""
+    offences, count = [], 0
+    for top in ("terrain", "src", "shaders/shared"):
+        for file in sorted((root / top).rglob("*")):
+            if file.suffix not in (".h", ".cpp"):
+                continue
+            path = file.relative_to(root).as_posix()
+            if library_of(path) is None:
+                offences.append(f"{path}:1: belongs to no library")
+                continue
+            for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+                if found := INCLUDE.match(line):
+                    count += 1
+                    if reason := complaint(root, path, *found.groups()):
+                        offences.append(f"{path}:{number}: {reason}")
+    return offences, count
+
+
+class IncludesObeyTheTable(unittest.TestCase):
+    def test_no_forbidden_arrow(self):
+        offences, count = forbidden_arrows(ROOT)
+        self.assertEqual(offences, [], "\n" + "\n".join(offences))
+        self.assertGreater(count, 300, "the libraries have more includes than that; are they read?")
+
+    def test_table_has_no_cycle(self):
+        for name in FOLDERS:
+            reached, todo = set(), [name]
+            while todo:
+                for other in MAY_USE[todo.pop()].split():
+                    if other in FOLDERS and other not in reached:
+                        reached.add(other)
+                        todo.append(other)
+            self.assertNotIn(name, reached, f"{name} may use itself by a detour")
+
+    def test_gpu_does_not_know_the_word_blade(self):
+        for file in sorted((ROOT / "src/gpu").glob("*.*")):
+            words = re.findall(r"(?i)blade|grass|meadow", file.read_text(encoding="utf-8"))
+            self.assertEqual(words, [], f"{file.name} knows grass")
+
+
+class PlantedIncludesAreCaught(unittest.TestCase):
+    """The checker against a small house with known offences."""
+
+    def offences_of(self, files):
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder)
+            for path, text in files.items():
+                (root / path).parent.mkdir(parents=True, exist_ok=True)
+                (root / path).write_text(text, encoding="utf-8")
+            return forbidden_arrows(root)[0]
+
+    def test_each_forbidden_arrow_is_named_with_its_place(self):
+        planted = [
+            ("terrain/a.cpp", '#include "field/field.h"', "terrain must not see field"),
+            ("terrain/a.cpp", "#include <vulkan/vulkan.h>", "terrain must not see vulkan"),
+            ("src/field/a.cpp", '#include "terrain/mesh.h"', "field must not see terrain"),
+            ("src/bake/a.cpp", '#include "render/pass.h"', "bake must not see render"),
+            ("src/gpu/a.cpp", '#include "field/field.h"', "gpu must not see field"),
+            ("src/render/a.cpp", "#include <GLFW/glfw3.h>", "render must not see glfw"),
+            ("src/core/a.cpp", '#include "field/field.h"', "core must not see field"),
+            ("src/apps/sward/a.cpp", '#include "gpu/device.h"', "sward must not see gpu"),
+            ("src/apps/sward_view/a.cpp", '#include "bake/bake.h"', "sward_view must not see bake"),
+            ("src/interchange/a.cpp", '#include "bake/bake.h"', "interchange must not see bake"),
+            ("terrain/topology.cpp", "#include <embree3/rtcore.h>", "may see embree"),
+            ("terrain/recipe.cpp", "#include <tiny_gltf.h>", "may see tinygltf"),
+            ("terrain/load.cpp", "#include <OpenMesh/Core/Mesh.hh>", "may see openmesh"),
+            ("src/core/b.h", "#include <nlohmann/json.hpp>", "a header must not pass on"),
+            ("src/apps/common/b.h", "  #  include <CLI/CLI.hpp>", "a header must not pass on"),
+            ("src/core/a.cpp", "#include <boost/any.hpp>", "belongs to no known library"),
+            ("src/core/a.cpp", '#include "core/missing.h"', "belongs to no known library"),
+            ("shaders/shared/b.h", "#include <fmt/core.h>", "shared must not see fmt"),
+            ("src/elsewhere/a.cpp", "#include <vector>", "belongs to no library"),
+        ]
+        house = {path: "#pragma once\n" for path in (
+            "src/field/field.h", "terrain/mesh.h", "src/render/pass.h", "src/gpu/device.h",
+            "src/bake/bake.h")}
+        for path, line, reason in planted:
+            with self.subTest(path=path, line=line):
+                offences = self.offences_of({**house, path: "// One line before.\n" + line + "\n"})
+                self.assertEqual(len(offences), 1, offences)
+                self.assertRegex(offences[0], re.escape(path) + ":[12]: .*" + re.escape(reason))
+
+    def test_allowed_includes_pass(self):
+        self.assertEqual(self.offences_of({
+            "src/core/error.h": "#pragma once\n#include <fmt/core.h>\n",
+            "src/core/json.h": "#pragma once\n#include <nlohmann/json_fwd.hpp>\n",
+            "src/core/json.cpp": '#include "core/json.h"\n#include <nlohmann/json.hpp>\n',
+            "terrain/gltf_import.cpp": '#include "core/error.h"\n#include <tiny_gltf.h>\n',
+            "terrain/topology.cpp": "#include <OpenMesh/Core/Mesh.hh>\n#include <vector>\n",
+        }), [])
+
+
+if __name__ == "__main__":
+    print(f"Python {sys.version.split()[0]}, {ROOT.name}")
+    unittest.main()
