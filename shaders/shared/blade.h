@@ -55,7 +55,7 @@ SHARED_FN PackedBlade packBlade(Blade blade, Patch cell)
     const uint x = quantise(blade.root.x, cell.rootLow.x, cell.rootStep, 65535u);
     const uint y = quantise(blade.root.y, cell.rootLow.y, cell.rootStep, 65535u);
     const uint z = quantise(blade.root.z, cell.rootLow.z, cell.rootStep, 65535u);
-    const uint facing = uint(floor(blade.facing * (256.0f / twoPi) + 0.5f)) & 255u;
+    const uint facing = uint(int(floor(blade.facing * (256.0f / twoPi) + 0.5f))) & 255u;
     const uint height = quantise(blade.height, cell.heightLow, cell.heightStep, 255u);
     const uint width = quantise(blade.width, cell.widthLow, cell.widthStep, 63u);
     const uint stiffness = quantise(blade.stiffness, 0.0f, 1.0f / 63.0f, 63u);

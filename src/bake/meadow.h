@@ -17,7 +17,6 @@ struct SpeciesTraits {
     glm::dvec2 height{0.25, 0.55};    ///< [m]
     glm::dvec2 width{0.010, 0.018};   ///< [m] full width at the root
     glm::dvec2 stiffness{0.35, 0.75}; ///< [0, 1]
-    double clumpSize = 0.7;           ///< [m] size of clumps, cells of a jittered grid
     double clumping = 0.5;            ///< [0, 1]: how alike the blades of one clump are
     shared::Species look = {};
 };
@@ -25,6 +24,7 @@ struct SpeciesTraits {
 /// What is sown: one to eight species.
 struct Meadow {
     std::string name = "meadow";
+    double clumpSize = 0.7; ///< [m] typical distance of clumps, at blade scale 1; 0: no clumps
     std::vector<SpeciesTraits> species;
 };
 

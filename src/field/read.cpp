@@ -1,0 +1,285 @@
+#include "field/read.h"
+
+#include "core/error.h"
+#include "core/mapped_file.h"
+#include "core/settings_json.h"
+#include "field/compression.h"
+#include "field/format.h"
+#include "field/images.h"
+#include "field/texts.h"
+#include "field/verify.h"
+
+#include <nlohmann/json.hpp>
+#include <xxhash.h>
+
+#include <cstring>
+#include <limits>
+#include <optional>
+
+namespace sward::field {
+
+struct MappedField::Contents {
+    explicit Contents(const std::filesystem::path& path)
+        : file(path)
+    {
+    }
+
+    MappedFile file;
+    std::vector<BladeKey> keys;
+    std::vector<Species> species;
+    DisplayGround ground;
+    Defaults defaults;
+    std::string provenance = "{}";
+    std::string copyright;
+    FieldView view;
+};
+
+namespace {
+
+using Bytes = std::span<const std::byte>;
+
+// The file while it is read: its bytes, its header and its verified chunk table.
+class Reader {
+public:
+    Reader(Bytes bytes, std::string place)
+        : bytes_(bytes)
+        , place_(std::move(place))
+    {
+        readHeader();
+        readTable();
+    }
+
+    const format::FileHeader& header() const { return header_; }
+    const std::string& place() const { return place_; }
+
+    // An array used where it lies in the file; empty if the chunk is absent and not critical.
+    template <typename T>
+    std::span<const T> mapped(const format::ChunkId& id, bool required) const
+    {
+        const format::ChunkEntry* entry = find<T>(id, required);
+        if (entry == nullptr)
+            return {};
+        if ((entry->flags & format::compressed) != 0)
+            fail(ErrorKind::unsupported,
+                 "{}: chunk {} is compressed, which this version does not map", place_, nameOf(id));
+        return {reinterpret_cast<const T*>(bytes_.data() + entry->offset),
+                static_cast<std::size_t>(entry->elementCount)};
+    }
+
+    // A copy of an array, decompressed where it is.
+    template <typename T>
+    std::vector<T> copied(const format::ChunkId& id, bool required) const
+    {
+        const format::ChunkEntry* entry = find<T>(id, required);
+        if (entry == nullptr)
+            return {};
+        const Bytes stored = bytes_.subspan(entry->offset, entry->storedBytes);
+        std::vector<T> result(entry->elementCount);
+        if (entry->elementCount == 0)
+            return result;
+        if ((entry->flags & format::compressed) != 0) {
+            const std::vector<std::byte> raw =
+                unshuffleBytes(decompress(stored, entry->rawBytes,
+                                          fmt::format("{}: chunk {}", place_, nameOf(id))),
+                               sizeof(T));
+            std::memcpy(result.data(), raw.data(), raw.size());
+        } else {
+            std::memcpy(result.data(), stored.data(), stored.size());
+        }
+        return result;
+    }
+
+    std::string text(const format::ChunkId& id, bool required) const
+    {
+        const std::vector<char> chars = copied<char>(id, required);
+        return {chars.begin(), chars.end()};
+    }
+
+    static std::string nameOf(const format::ChunkId& id)
+    {
+        std::string name;
+        for (const char c : id)
+            name += c >= ' ' && c < '\x7f' ? c : '?';
+        return name.substr(0, name.find_last_not_of(' ') + 1);
+    }
+
+private:
+    void readHeader();
+    void readTable();
+    void checkEntry(const format::ChunkEntry& entry, std::uint64_t& at) const;
+    void checkPadding(std::uint64_t from, std::uint64_t to) const;
+
+    template <typename T>
+    const format::ChunkEntry* find(const format::ChunkId& id, bool required) const
+    {
+        for (const format::ChunkEntry& entry : table_) {
+            if (entry.id != id)
+                continue;
+            if (entry.elementBytes != sizeof(T))
+                fail(ErrorKind::input, "{}: elements of chunk {} have {} bytes instead of {}",
+                     place_, nameOf(id), entry.elementBytes, sizeof(T));
+            return &entry;
+        }
+        if (required)
+            fail(ErrorKind::input, "{}: chunk {} is missing", place_, nameOf(id));
+        return nullptr;
+    }
+
+    Bytes bytes_;
+    std::string place_;
+    format::FileHeader header_ = {};
+    std::vector<format::ChunkEntry> table_;
+};
+
+void Reader::readHeader()
+{
+    if (bytes_.size() < sizeof header_)
+        fail(ErrorKind::input, "{}: {} bytes, too short for the header of a field ({})", place_,
+             bytes_.size(), sizeof header_);
+    std::memcpy(&header_, bytes_.data(), sizeof header_);
+    if (header_.magic != format::magic)
+        fail(ErrorKind::input, "{}: not a field file (it does not begin with \"SWARD\")", place_);
+    if (header_.endianMark != format::endianMark)
+        fail(ErrorKind::input, "{}: the byte order mark is {:#010x} instead of {:#010x}", place_,
+             header_.endianMark, format::endianMark);
+    if (header_.majorVersion > format::majorVersion)
+        fail(ErrorKind::unsupported,
+             "{}: field format version {}.{}; this program reads up to version {}.{}", place_,
+             header_.majorVersion, header_.minorVersion, format::majorVersion,
+             format::minorVersion);
+    if (header_.majorVersion == 0)
+        fail(ErrorKind::input, "{}: field format version 0 does not exist", place_);
+    if (header_.fileBytes != bytes_.size())
+        fail(ErrorKind::input, "{}: {} bytes instead of {}: {}", place_, bytes_.size(),
+             header_.fileBytes,
+             bytes_.size() < header_.fileBytes ? "truncated" : "something follows");
+    if (header_.chunkCount > format::maxChunks)
+        fail(ErrorKind::input, "{}: {} chunks, more than {}", place_, header_.chunkCount,
+             format::maxChunks);
+}
+
+void Reader::readTable()
+{
+    const std::uint64_t tableBytes = header_.chunkCount * sizeof(format::ChunkEntry);
+    if (sizeof header_ + tableBytes > bytes_.size())
+        fail(ErrorKind::input, "{}: the table of {} chunks does not fit into {} bytes", place_,
+             header_.chunkCount, bytes_.size());
+    table_.resize(header_.chunkCount);
+    std::memcpy(table_.data(), bytes_.data() + sizeof header_, tableBytes);
+
+    // Header and table are hashed together.
+    std::vector<std::byte> hashed(
+        bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(sizeof header_ + tableBytes));
+    format::FileHeader cleared = header_;
+    cleared.tableHash = 0;
+    std::memcpy(hashed.data(), &cleared, sizeof cleared);
+    if (XXH3_64bits(hashed.data(), hashed.size()) != header_.tableHash)
+        fail(ErrorKind::input, "{}: header or chunk table is damaged (hash differs)", place_);
+
+    std::uint64_t at = sizeof header_ + tableBytes;
+    for (const format::ChunkEntry& entry : table_)
+        checkEntry(entry, at);
+    checkPadding(at, bytes_.size());
+}
+
+void Reader::checkEntry(const format::ChunkEntry& entry, std::uint64_t& at) const
+{
+    const std::string name = nameOf(entry.id);
+    // Chunks lie in the order of the table, with less than one alignment between them.
+    if (entry.offset % format::alignment != 0 || entry.offset < at ||
+        entry.offset - at >= format::alignment || entry.offset > bytes_.size() ||
+        entry.storedBytes > bytes_.size() - entry.offset)
+        fail(ErrorKind::input, "{}: chunk {} at {} with {} bytes does not fit", place_, name,
+             entry.offset, entry.storedBytes);
+    if ((entry.flags & ~format::knownFlags) != 0)
+        fail(ErrorKind::unsupported, "{}: chunk {} has unknown flags {:#x}", place_, name,
+             entry.flags);
+    const bool isCompressed = (entry.flags & format::compressed) != 0;
+    if (entry.elementBytes == 0 ||
+        entry.elementCount > std::numeric_limits<std::uint64_t>::max() / entry.elementBytes ||
+        entry.elementCount * entry.elementBytes != entry.rawBytes ||
+        (!isCompressed && entry.rawBytes != entry.storedBytes))
+        fail(ErrorKind::input, "{}: chunk {} has {} elements of {} bytes in {} bytes", place_, name,
+             entry.elementCount, entry.elementBytes, entry.rawBytes);
+    checkPadding(at, entry.offset);
+    if (XXH3_64bits(bytes_.data() + entry.offset, entry.storedBytes) != entry.hash)
+        fail(ErrorKind::input, "{}: chunk {} is damaged (hash differs)", place_, name);
+    static constexpr format::ChunkId known[] = {
+        format::patches,      format::blades,          format::keys,
+        format::species,      format::groundVertices,  format::groundIndices,
+        format::groundRanges, format::groundMaterials, format::groundImages,
+        format::defaults,     format::provenance};
+    if ((entry.flags & format::critical) != 0 &&
+        std::find(std::begin(known), std::end(known), entry.id) == std::end(known))
+        fail(ErrorKind::unsupported, "{}: needs chunk {}, which this version does not know", place_,
+             name);
+    at = entry.offset + entry.storedBytes;
+}
+
+void Reader::checkPadding(std::uint64_t from, std::uint64_t to) const
+{
+    for (std::uint64_t i = from; i < to; ++i)
+        if (bytes_[i] != std::byte{0})
+            fail(ErrorKind::input, "{}: byte {} between chunks is not zero", place_, i);
+}
+
+} // namespace
+
+MappedField::MappedField(std::unique_ptr<Contents> contents)
+    : contents_(std::move(contents))
+{
+}
+MappedField::MappedField(MappedField&&) noexcept = default;
+MappedField& MappedField::operator=(MappedField&&) noexcept = default;
+MappedField::~MappedField() = default;
+
+FieldView MappedField::view() const
+{
+    return contents_->view;
+}
+
+std::uint64_t MappedField::fileBytes() const
+{
+    return contents_->file.bytes().size();
+}
+
+MappedField readField(const std::filesystem::path& path)
+{
+    auto contents = std::make_unique<MappedField::Contents>(path);
+    const Reader reader(contents->file.bytes(), path.string());
+    const std::string& place = reader.place();
+
+    contents->keys = reader.copied<BladeKey>(format::keys, false);
+    contents->species =
+        parseSpecies(reader.text(format::species, true), fmt::format("{}: species", place));
+    contents->defaults = parseDefaults(reader.text(format::defaults, true),
+                                       fmt::format("{}: defaults", place), contents->copyright);
+    contents->provenance = reader.text(format::provenance, false);
+    if (contents->provenance.empty())
+        contents->provenance = "{}";
+    parseJson(contents->provenance, fmt::format("{}: provenance", place));
+
+    DisplayGround& ground = contents->ground;
+    ground.vertices = reader.copied<shared::GroundVertex>(format::groundVertices, false);
+    ground.indices = reader.copied<std::uint32_t>(format::groundIndices, false);
+    ground.ranges = reader.copied<GroundRange>(format::groundRanges, false);
+    ground.materials = reader.copied<shared::GroundMaterial>(format::groundMaterials, false);
+    const std::vector<std::byte> images = reader.copied<std::byte>(format::groundImages, false);
+    ground.images = parseImages(images, fmt::format("{}: ground images", place));
+
+    FieldView& view = contents->view;
+    const auto& origin = reader.header().origin;
+    view.origin = glm::dvec3(origin[0], origin[1], origin[2]);
+    view.patches = reader.mapped<shared::Patch>(format::patches, true);
+    view.blades = reader.mapped<shared::PackedBlade>(format::blades, true);
+    view.keys = contents->keys;
+    view.species = contents->species;
+    view.ground = &contents->ground;
+    view.defaults = &contents->defaults;
+    view.provenance = &contents->provenance;
+    view.copyright = &contents->copyright;
+    verify(view, place);
+    return MappedField(std::move(contents));
+}
+
+} // namespace sward::field

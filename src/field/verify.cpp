@@ -1,0 +1,139 @@
+#include "field/verify.h"
+
+#include "core/error.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace sward::field {
+namespace {
+
+bool isFinite(const glm::vec3& v)
+{
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool isInUnit(float x)
+{
+    return x >= 0.0f && x <= 1.0f;
+}
+
+// The numbers of one patch.
+void verifyPatchNumbers(const shared::Patch& patch, std::size_t index, const std::string& place)
+{
+    if (!isFinite(patch.boundsLow) || !isFinite(patch.boundsHigh) ||
+        patch.boundsLow.x > patch.boundsHigh.x || patch.boundsLow.y > patch.boundsHigh.y ||
+        patch.boundsLow.z > patch.boundsHigh.z)
+        fail(ErrorKind::input, "{}: patch {} has no valid bounds", place, index);
+    const float steps[] = {patch.rootStep, patch.heightLow, patch.heightStep, patch.widthLow,
+                           patch.widthStep};
+    for (const float step : steps)
+        if (!std::isfinite(step) || step < 0.0f)
+            fail(ErrorKind::input, "{}: patch {} has the quantisation step {}", place, index, step);
+    if (!isFinite(patch.rootLow))
+        fail(ErrorKind::input, "{}: patch {} has a root that is not finite", place, index);
+    if (!isFinite(patch.coneAxis) || std::abs(glm::length(patch.coneAxis) - 1.0f) > 1e-3f ||
+        !(patch.coneCosine >= -1.0f && patch.coneCosine <= 1.0f))
+        fail(ErrorKind::input, "{}: patch {} has no valid normal cone", place, index);
+    if (!isInUnit(patch.rankLow) || !isInUnit(patch.rankHigh) || patch.rankLow > patch.rankHigh)
+        fail(ErrorKind::input, "{}: patch {} has ranks {} to {}, outside 0 to 1", place, index,
+             patch.rankLow, patch.rankHigh);
+    if (patch.bladeCount > shared::maxPatchBlades)
+        fail(ErrorKind::input, "{}: patch {} owns {} blades, more than {}", place, index,
+             patch.bladeCount, shared::maxPatchBlades);
+}
+
+void verifyTree(const FieldView& field, const std::string& place)
+{
+    std::uint64_t nextBlade = 0;
+    std::uint64_t nextChild = 1;
+    for (std::size_t p = 0; p < field.patches.size(); ++p) {
+        const shared::Patch& patch = field.patches[p];
+        verifyPatchNumbers(patch, p, place);
+        // Blades follow one another without gap.
+        if (patch.firstBlade != nextBlade)
+            fail(ErrorKind::input, "{}: patch {} begins at blade {} instead of {}", place, p,
+                 patch.firstBlade, nextBlade);
+        nextBlade += patch.bladeCount;
+        // Children follow one another in the order of their parents, so each has exactly one.
+        if (p == 0 ? patch.parent != shared::noPatch || patch.level != 0 : patch.parent >= p)
+            fail(ErrorKind::input, "{}: patch {} has the parent {}", place, p, patch.parent);
+        if (patch.childCount > 8)
+            fail(ErrorKind::input, "{}: patch {} has {} children, more than 8", place, p,
+                 patch.childCount);
+        if (patch.firstChild != (patch.childCount == 0 ? shared::noPatch : nextChild))
+            fail(ErrorKind::input, "{}: patch {} has its children at {}", place, p,
+                 patch.firstChild);
+        nextChild += patch.childCount;
+        if (p > 0) {
+            const shared::Patch& parent = field.patches[patch.parent];
+            if (p < parent.firstChild || p - parent.firstChild >= parent.childCount)
+                fail(ErrorKind::input, "{}: patch {} is not a child of its parent {}", place, p,
+                     patch.parent);
+            if (patch.level != parent.level + 1)
+                fail(ErrorKind::input, "{}: patch {} has level {}", place, p, patch.level);
+        }
+    }
+    if (nextBlade != field.blades.size())
+        fail(ErrorKind::input, "{}: the patches own {} blades, the file has {}", place, nextBlade,
+             field.blades.size());
+    if (!field.patches.empty() && nextChild != field.patches.size())
+        fail(ErrorKind::input, "{}: {} patches are reached from the root, the file has {}", place,
+             nextChild, field.patches.size());
+}
+
+void verifyGround(const DisplayGround& ground, const std::string& place)
+{
+    for (std::size_t v = 0; v < ground.vertices.size(); ++v) {
+        const shared::GroundVertex& vertex = ground.vertices[v];
+        if (!isFinite(vertex.position) || !std::isfinite(vertex.uv.x) ||
+            !std::isfinite(vertex.uv.y))
+            fail(ErrorKind::input, "{}: ground vertex {} is not finite", place, v);
+    }
+    for (const std::uint32_t index : ground.indices)
+        if (index >= ground.vertices.size())
+            fail(ErrorKind::input, "{}: ground index {} has no vertex; there are {}", place, index,
+                 ground.vertices.size());
+    for (const GroundRange& range : ground.ranges) {
+        if (range.material >= ground.materials.size())
+            fail(ErrorKind::input, "{}: ground material {} is missing; there are {}", place,
+                 range.material, ground.materials.size());
+        if (range.indexCount % 3 != 0 ||
+            std::uint64_t(range.firstIndex) + range.indexCount > ground.indices.size())
+            fail(ErrorKind::input, "{}: a ground range of {} indices from {} does not fit into {}",
+                 place, range.indexCount, range.firstIndex, ground.indices.size());
+    }
+    for (const shared::GroundMaterial& material : ground.materials) {
+        if (material.image != shared::noImage && material.image >= ground.images.size())
+            fail(ErrorKind::input, "{}: ground image {} is missing; there are {}", place,
+                 material.image, ground.images.size());
+        if (!isFinite(
+                glm::vec3(material.baseColor.x, material.baseColor.y, material.baseColor.z)) ||
+            !isInUnit(material.roughness) || !isInUnit(material.metallic))
+            fail(ErrorKind::input, "{}: a ground material is out of range", place);
+    }
+}
+
+} // namespace
+
+void verify(const FieldView& field, const std::string& place)
+{
+    if (!std::isfinite(field.origin.x) || !std::isfinite(field.origin.y) ||
+        !std::isfinite(field.origin.z))
+        fail(ErrorKind::input, "{}: the origin is not finite", place);
+    if (field.species.empty() || field.species.size() > shared::maxSpecies)
+        fail(ErrorKind::input, "{}: {} species, outside 1 to {}", place, field.species.size(),
+             shared::maxSpecies);
+    if (!field.keys.empty() && field.keys.size() != field.blades.size())
+        fail(ErrorKind::input, "{}: {} keys for {} blades", place, field.keys.size(),
+             field.blades.size());
+    verifyTree(field, place);
+    for (std::size_t b = 0; b < field.blades.size(); ++b)
+        if (((field.blades[b].look >> 21) & 7) >= field.species.size())
+            fail(ErrorKind::input, "{}: blade {} has species {}; there are {}", place, b,
+                 (field.blades[b].look >> 21) & 7, field.species.size());
+    verifyGround(*field.ground, place);
+}
+
+} // namespace sward::field

@@ -1,0 +1,160 @@
+#include "field/write.h"
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "core/expect.h"
+#include "field/compression.h"
+#include "field/format.h"
+#include "field/images.h"
+#include "field/read.h"
+#include "field/texts.h"
+
+#include <xxhash.h>
+
+#include <cstring>
+#include <span>
+#include <vector>
+
+namespace sward::field {
+namespace {
+
+// A chunk ready to be written: either bytes of its own or a span of the field.
+struct Chunk {
+    format::ChunkEntry entry = {};
+    std::vector<std::byte> owned;
+    std::span<const std::byte> stored;
+};
+
+std::uint64_t aligned(std::uint64_t offset)
+{
+    return (offset + format::alignment - 1) / format::alignment * format::alignment;
+}
+
+class ChunkList {
+public:
+    // Stores an array as it lies in memory.
+    template <typename T>
+    void addPlain(format::ChunkId id, std::span<const T> elements, std::uint32_t flags)
+    {
+        Chunk& chunk = add(id, elements, flags);
+        chunk.stored = std::as_bytes(elements);
+    }
+
+    // Stores an array compressed, after regrouping the bytes of its elements.
+    template <typename T>
+    void addCompressed(format::ChunkId id, std::span<const T> elements, std::uint32_t flags)
+    {
+        Chunk& chunk = add(id, elements, flags | format::compressed);
+        chunk.owned = compress(shuffleBytes(std::as_bytes(elements), sizeof(T)));
+        chunk.stored = chunk.owned;
+    }
+
+    std::vector<Chunk>& chunks() { return chunks_; }
+
+private:
+    template <typename T>
+    Chunk& add(format::ChunkId id, std::span<const T> elements, std::uint32_t flags)
+    {
+        Chunk& chunk = chunks_.emplace_back();
+        chunk.entry.id = id;
+        chunk.entry.flags = flags;
+        chunk.entry.elementBytes = sizeof(T);
+        chunk.entry.elementCount = elements.size();
+        chunk.entry.rawBytes = elements.size_bytes();
+        return chunk;
+    }
+
+    std::vector<Chunk> chunks_;
+};
+
+// Gives each chunk its place and hash, and the header the hash of it all.
+format::FileHeader layOut(std::vector<Chunk>& chunks, const glm::dvec3& origin)
+{
+    std::uint64_t offset = sizeof(format::FileHeader) + chunks.size() * sizeof(format::ChunkEntry);
+    for (Chunk& chunk : chunks) {
+        offset = aligned(offset);
+        chunk.entry.offset = offset;
+        chunk.entry.storedBytes = chunk.stored.size();
+        chunk.entry.hash = XXH3_64bits(chunk.stored.data(), chunk.stored.size());
+        offset += chunk.stored.size();
+    }
+
+    format::FileHeader header = {};
+    header.magic = format::magic;
+    header.majorVersion = format::majorVersion;
+    header.minorVersion = format::minorVersion;
+    header.endianMark = format::endianMark;
+    header.fileBytes = aligned(offset);
+    header.chunkCount = static_cast<std::uint32_t>(chunks.size());
+    header.origin = {origin.x, origin.y, origin.z};
+
+    std::vector<std::byte> hashed(sizeof header + chunks.size() * sizeof(format::ChunkEntry));
+    std::memcpy(hashed.data(), &header, sizeof header);
+    for (std::size_t i = 0; i < chunks.size(); ++i)
+        std::memcpy(hashed.data() + sizeof header + i * sizeof(format::ChunkEntry),
+                    &chunks[i].entry, sizeof(format::ChunkEntry));
+    header.tableHash = XXH3_64bits(hashed.data(), hashed.size());
+    return header;
+}
+
+template <typename T>
+std::span<const std::byte> bytesOf(const T& value)
+{
+    return std::as_bytes(std::span(&value, 1));
+}
+
+void writePadding(AtomicFile& file, std::uint64_t& at)
+{
+    static constexpr std::byte zeros[format::alignment] = {};
+    const std::uint64_t count = aligned(at) - at;
+    file.write(std::span(zeros).first(count));
+    at += count;
+}
+
+} // namespace
+
+std::uint64_t writeField(const Field& field, const std::filesystem::path& path, bool overwrite)
+{
+    expect(field.keys.size() == field.blades.size(), "one key per blade");
+    AtomicFile file(path, overwrite);
+
+    const std::string species = speciesText(field.species);
+    const std::string defaults = defaultsText(field.defaults, field.copyright);
+    const std::vector<std::byte> images = imagesBytes(field.ground.images);
+    ChunkList list;
+    list.addPlain(format::patches, std::span<const shared::Patch>(field.patches), format::critical);
+    list.addPlain(format::blades, std::span<const shared::PackedBlade>(field.blades),
+                  format::critical);
+    list.addCompressed(format::keys, std::span<const BladeKey>(field.keys), 0);
+    list.addPlain(format::species, std::span<const char>(species), format::critical);
+    list.addCompressed(format::groundVertices,
+                       std::span<const shared::GroundVertex>(field.ground.vertices), 0);
+    list.addCompressed(format::groundIndices, std::span<const std::uint32_t>(field.ground.indices),
+                       0);
+    list.addPlain(format::groundRanges, std::span<const GroundRange>(field.ground.ranges), 0);
+    list.addPlain(format::groundMaterials,
+                  std::span<const shared::GroundMaterial>(field.ground.materials), 0);
+    list.addCompressed(format::groundImages, std::span<const std::byte>(images), 0);
+    list.addPlain(format::defaults, std::span<const char>(defaults), format::critical);
+    list.addPlain(format::provenance, std::span<const char>(field.provenance), 0);
+
+    const format::FileHeader header = layOut(list.chunks(), field.origin);
+    file.write(bytesOf(header));
+    for (const Chunk& chunk : list.chunks())
+        file.write(bytesOf(chunk.entry));
+    std::uint64_t at = sizeof header + list.chunks().size() * sizeof(format::ChunkEntry);
+    for (const Chunk& chunk : list.chunks()) {
+        writePadding(file, at);
+        file.write(chunk.stored);
+        at += chunk.stored.size();
+    }
+    writePadding(file, at);
+
+    // Trust nothing: what is on the disk must read back before it takes its name.
+    file.flush();
+    readField(file.temporaryPath());
+    file.commit();
+    return header.fileBytes;
+}
+
+} // namespace sward::field
