@@ -1,0 +1,70 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/handle.h"
+#include "gpu/pipeline_layout.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sward::gpu {
+
+struct ImageSetSettings {
+    std::string name;
+    std::uint32_t sampledCount =
+        0; ///< elements of binding 0, combined image samplers; lavapipe: ≤ 32
+    std::uint32_t storageCount = 0; ///< elements of binding 1, storage images
+    VkShaderStageFlags stages = VK_SHADER_STAGE_ALL;
+};
+
+/// What shaders see of images: an array of sampled ones at binding 0, an array of storage images at
+/// binding 1. A binding of no elements is left out.
+class ImageSetLayout {
+public:
+    ImageSetLayout() = default;
+    ImageSetLayout(const DeviceContext& context, const ImageSetSettings& settings);
+
+    VkDescriptorSetLayout get() const { return layout_.get(); }
+    std::uint32_t sampledCount() const { return sampledCount_; }
+    std::uint32_t storageCount() const { return storageCount_; }
+
+private:
+    Unique<VkDescriptorSetLayout, vkDestroyDescriptorSetLayout> layout_;
+    std::uint32_t sampledCount_ = 0;
+    std::uint32_t storageCount_ = 0;
+};
+
+/// The images themselves. Every element is set before the set is bound, since lavapipe knows no
+/// partially bound sets; and no element is set while the device uses the set.
+class ImageSet {
+public:
+    ImageSet() = default;
+    ImageSet(const DeviceContext& context, const ImageSetLayout& layout, const std::string& name);
+
+    /// `view` is of an image in ImageUse::sampled.
+    void setSampled(std::uint32_t index, VkImageView view, VkSampler sampler);
+
+    /// The same for an image that stays in ImageUse::storage while it is sampled.
+    void setSampledGeneral(std::uint32_t index, VkImageView view, VkSampler sampler);
+
+    /// `view` is of one mip level of an image in ImageUse::storage.
+    void setStorage(std::uint32_t index, VkImageView view);
+
+    void bind(VkCommandBuffer commands, VkPipelineBindPoint point, const PipelineLayout& layout,
+              std::uint32_t setIndex = 0) const;
+
+private:
+    void write(std::uint32_t binding, std::uint32_t index, VkDescriptorType type,
+               const VkDescriptorImageInfo& image);
+
+    VkDevice device_ = VK_NULL_HANDLE;
+    Unique<VkDescriptorPool, vkDestroyDescriptorPool> pool_;
+    VkDescriptorSet set_ = VK_NULL_HANDLE;
+    std::uint32_t sampledCount_ = 0;
+    std::vector<bool> isSet_; ///< the sampled ones, then the storage images
+};
+
+} // namespace sward::gpu
