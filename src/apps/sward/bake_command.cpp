@@ -1,0 +1,165 @@
+#include "apps/common/interrupt.h"
+#include "apps/common/output.h"
+#include "apps/common/progress_bar.h"
+#include "apps/sward/bake_options.h"
+#include "apps/sward/bake_summary.h"
+#include "apps/sward/effective_settings.h"
+#include "apps/sward/ground_input.h"
+#include "apps/sward/subcommand.h"
+#include "bake/bake.h"
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "core/log.h"
+#include "field/write.h"
+
+#include <fmt/ranges.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+
+namespace sward::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Seconds since it was made or last asked.
+class Stopwatch {
+public:
+    double lap()
+    {
+        const auto now = std::chrono::steady_clock::now();
+        const double seconds = std::chrono::duration<double>(now - start_).count();
+        start_ = now;
+        return seconds;
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// Largest resident size of the program so far [bytes].
+std::uint64_t peakMemory()
+{
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    // Linux counts in units of 1024 bytes.
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+bool isSameFile(const fs::path& a, const fs::path& b)
+{
+    std::error_code ignored;
+    return fs::equivalent(a, b, ignored) || fs::absolute(a, ignored).lexically_normal() ==
+                                                fs::absolute(b, ignored).lexically_normal();
+}
+
+// Refuses, before any work, an output that could not be written after it.
+void checkOutput(const std::string& output, const BakeRequest& request)
+{
+    for (const auto* sources : {&request.inputs, &request.occluders})
+        for (const std::string& source : *sources)
+            if (fs::exists(source) && isSameFile(source, output))
+                fail(ErrorKind::usage, "{}: is read and would be overwritten", output);
+    refuseOverwrite(output, request.overwrite);
+    const fs::path parent = fs::path(output).parent_path();
+    const fs::path folder = parent.empty() ? fs::path(".") : parent;
+    if (::access(folder.c_str(), W_OK) != 0)
+        fail(ErrorKind::io, "{}: the folder {} cannot be written to", output, folder.string());
+}
+
+void checkOutputs(const BakeRequest& request)
+{
+    if (!request.dryRun)
+        checkOutput(request.output, request);
+    if (!request.report.empty())
+        checkOutput(request.report, request);
+    if (!request.dryRun && !request.report.empty() && isSameFile(request.report, request.output))
+        fail(ErrorKind::usage, "{}: cannot be both field and report", request.output);
+}
+
+// Grows the field and writes it, or estimates; load time and the rest of the report are the
+// caller's.
+bake::Report grow(const BakeRequest& request, const terrain::GroundMesh& ground,
+                  Diagnostics& diagnostics, Progress& progress)
+{
+    if (request.dryRun)
+        return bake::estimateBake(ground, request.settings, request.threads, diagnostics, progress);
+
+    bake::BakeResult result =
+        bake::bakeField(ground, request.settings, request.threads, diagnostics, progress);
+    throwIfInterrupted("write");
+    Stopwatch watch;
+    result.report.output.bytes = field::writeField(result.field, request.output, request.overwrite);
+    result.report.output.path = request.output;
+    result.report.timing.write = watch.lap();
+    return std::move(result.report);
+}
+
+class Bake : public Subcommand {
+public:
+    explicit Bake(CLI::App& program)
+        : Subcommand(program, "bake", "Grow grass on ground and write a field file",
+                     "sward bake hills -o meadow.sward --density 200 --slope 0:45")
+    {
+        options_.add(app());
+    }
+
+    int run() const override
+    {
+        options_.log.apply();
+        const BakeRequest request = options_.request();
+        if (options_.printConfig) {
+            writeResult(effectiveSettings(request) + "\n");
+            return 0;
+        }
+        checkOutputs(request);
+
+        // Load the ground.
+        Stopwatch total;
+        Stopwatch watch;
+        Diagnostics diagnostics;
+        const terrain::GroundMesh ground = loadGround(request, diagnostics);
+        const double loading = watch.lap();
+
+        // Grow, while a bar shows how far it is and a signal may end it.
+        ProgressBar bar(options_.log.showBar());
+        Progress progress(bar.callback());
+        const CancelOnInterrupt cancel(progress);
+        bake::Report report = grow(request, ground, diagnostics, progress);
+        bar.clear();
+
+        // Fill in what only the program knows.
+        report.input.path = fmt::format("{}", fmt::join(request.inputs, ", "));
+        report.timing.load = loading;
+        report.timing.total = total.lap();
+        report.peakMemory = peakMemory();
+        report.warnings = diagnostics.warnings();
+        if (!request.report.empty())
+            writeTextFile(request.report, bake::toJson(report), request.overwrite);
+        tell(request, report);
+        return 0;
+    }
+
+private:
+    static void tell(const BakeRequest& request, const bake::Report& report)
+    {
+        for (const std::string& warning : report.warnings)
+            log::warn("{}", warning);
+        log::info("{}", rejectionLine(report));
+        log::debug("{}", timingLine(report.timing));
+        writeResult(resultLine(request.dryRun ? "dry run" : request.output, report) + "\n");
+    }
+
+    BakeOptions options_;
+};
+
+} // namespace
+
+std::unique_ptr<Subcommand> addBake(CLI::App& program)
+{
+    return std::make_unique<Bake>(program);
+}
+
+} // namespace sward::apps

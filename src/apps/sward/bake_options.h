@@ -1,0 +1,69 @@
+#pragma once
+
+#include "apps/common/log_switches.h"
+#include "bake/settings.h"
+#include "terrain/load.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace sward::apps {
+
+/// What `sward bake` is asked to do.
+struct BakeRequest {
+    std::vector<std::string> inputs;    ///< files or built-in names; appended to one ground
+    std::vector<std::string> occluders; ///< the same; block rays, bear nothing
+    terrain::ImportSettings import;
+    bake::BakeSettings settings;
+    int threads = 0;    ///< 0: as many as the machine has
+    std::string output; ///< empty in a dry run
+    std::string report; ///< empty: none
+    bool dryRun = false;
+    bool overwrite = false;
+};
+
+/// The options of `sward bake` as they stand on the command line.
+class BakeOptions {
+public:
+    /// Adds every option to `app`; this object must outlive the parsing.
+    void add(CLI::App& app);
+
+    /// Everything read and checked. Throws Error{usage} naming the option, Error{io, input} for a
+    /// meadow.
+    BakeRequest request() const;
+
+    bool printConfig = false;
+    LogSwitches log;
+
+private:
+    void addGround(CLI::App& app);
+    void addAmount(CLI::App& app);
+    void addPlaces(CLI::App& app);
+    void addBlades(CLI::App& app);
+    void addRun(CLI::App& app);
+
+    // What needs no second look goes straight in here, the rest is text until request().
+    BakeRequest direct_;
+    double density_ = 0.0;
+    std::uint64_t count_ = 0;
+    bool hasDensity_ = false;
+    bool hasCount_ = false;
+    std::optional<int> scene_;
+    std::string bladeScale_ = "auto";
+    std::string sampling_ = "uniform";
+    std::string sides_ = "front";
+    std::string groundUp_ = "y";
+    std::string slope_;
+    std::string altitude_;
+    std::vector<std::string> masks_;
+    std::string meadow_ = "meadow";
+    std::string align_ = "normal";
+};
+
+} // namespace sward::apps

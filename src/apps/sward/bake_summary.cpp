@@ -1,0 +1,61 @@
+#include "apps/sward/bake_summary.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace sward::apps {
+
+std::string sizeText(std::uint64_t bytes)
+{
+    constexpr std::array<const char*, 4> units{"kB", "MB", "GB", "TB"};
+    if (bytes < 1000)
+        return fmt::format("{} bytes", bytes);
+    double value = double(bytes) / 1000.0;
+    std::size_t unit = 0;
+    // 999.95 would be printed as 1000.0.
+    while (value >= 999.95 && unit + 1 < units.size()) {
+        value /= 1000.0;
+        ++unit;
+    }
+    return fmt::format("{:.1f} {}", value, units[unit]);
+}
+
+std::string resultLine(const std::string& name, const bake::Report& report)
+{
+    return fmt::format("{}: {} blades in {} patches, {}, {:.1f} s", name, report.kept,
+                       report.output.patches, sizeText(report.output.bytes), report.timing.total);
+}
+
+std::string rejectionLine(const bake::Report& report)
+{
+    std::string line = fmt::format("kept {} of {} proposed roots", report.kept, report.proposed);
+    const char* separator = "; rejected: ";
+    for (std::size_t i = 0; i < bake::rejectCount; ++i) {
+        if (report.rejected[i] == 0)
+            continue;
+        line += fmt::format("{}{} {}", separator, report.rejected[i],
+                            bake::nameOf(static_cast<bake::Reject>(i)));
+        separator = ", ";
+    }
+    return line;
+}
+
+std::string timingLine(const bake::Report::Timing& timing)
+{
+    const std::array<std::pair<const char*, double>, 8> stages{{{"load", timing.load},
+                                                                {"topology", timing.topology},
+                                                                {"rays", timing.rays},
+                                                                {"sample", timing.sample},
+                                                                {"traits", timing.traits},
+                                                                {"patches", timing.patches},
+                                                                {"write", timing.write},
+                                                                {"total", timing.total}}};
+    std::string line;
+    for (const auto& [name, seconds] : stages)
+        line += fmt::format("{}{} {:.3f} s", line.empty() ? "" : ", ", name, seconds);
+    return line;
+}
+
+} // namespace sward::apps

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "bake/report.h"
+
+#include <cstdint>
+#include <string>
+
+namespace sward::apps {
+
+/// "3.1 MB": bytes as people read them.
+std::string sizeText(std::uint64_t bytes);
+
+/// "meadow.sward: 182344 blades in 1212 patches, 3.1 MB, 2.3 s"; `name` stands in front.
+std::string resultLine(const std::string& name, const bake::Report& report);
+
+/// "kept 182344 of 200000 proposed roots; rejected: 16000 slope, 1656 clearance".
+std::string rejectionLine(const bake::Report& report);
+
+/// "load 0.1 s, topology 0.2 s, …"
+std::string timingLine(const bake::Report::Timing& timing);
+
+} // namespace sward::apps

@@ -1,0 +1,109 @@
+#include "apps/common/output.h"
+#include "apps/sward/subcommand.h"
+#include "apps/sward/transform_file.h"
+#include "core/error.h"
+#include "field/inspect.h"
+#include "field/read.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+namespace sward::apps {
+namespace {
+
+bool hasIds(const field::FieldView& field)
+{
+    return field.keys.size() == field.blades.size();
+}
+
+// The comparison as a table, then the verdict.
+std::string tableOf(const field::FieldView& first, const field::FieldView& second,
+                    const field::Comparison& found, field::Match match)
+{
+    std::string text;
+    const auto row = [&](const char* name, const std::string& value) {
+        text += fmt::format("{:<28}{}\n", name, value);
+    };
+    row("blades in A", fmt::format("{}", first.blades.size()));
+    row("blades in B", fmt::format("{}", second.blades.size()));
+    row(match == field::Match::id ? "matched by id" : "matched by order",
+        fmt::format("{}", found.matched));
+    row("only in A", fmt::format("{}", found.onlyFirst));
+    row("only in B", fmt::format("{}", found.onlySecond));
+    row("largest root distance", fmt::format("{:.6g} m", found.largestRootDistance));
+    row("largest angle of up", fmt::format("{:.6g} rad", found.largestUpAngle));
+    row("largest angle of facing", fmt::format("{:.6g} rad", found.largestFacingAngle));
+    row("largest height difference",
+        fmt::format("{:.4g} %", 100.0 * found.largestHeightDifference));
+    row("largest width difference", fmt::format("{:.4g} %", 100.0 * found.largestWidthDifference));
+    row("blades with other traits", fmt::format("{}", found.traitsDiffer));
+    return text;
+}
+
+class Compare : public Subcommand {
+public:
+    explicit Compare(CLI::App& program)
+        : Subcommand(
+              program, "compare", "Compare two fields blade by blade; exit code 7 if they differ",
+              "sward compare a.sward b.sward --transform turn.json --match id\n\n"
+              "A transform is JSON: {\"matrix\": M} or M alone, where M is four rows of four "
+              "numbers,\nthree rows of three, or sixteen numbers column by column as in "
+              "glTF; or\n{\"rotation\": [x, y, z, w], \"translation\": [x, y, z], \"scale\": "
+              "s}.")
+    {
+        app().add_option("A", first_, "Field file")->type_name("")->required();
+        app().add_option("B", second_, "Field file")->type_name("")->required();
+        app()
+            .add_option("--transform", transform_,
+                        "Move A first: a rotation with uniform scale and a translation")
+            ->type_name("FILE.json");
+        app()
+            .add_option("--match", match_,
+                        "Pair blades by their order in the files or by id (default: id)")
+            ->type_name("order|id")
+            ->check(CLI::IsMember({"order", "id"}).description(""));
+        app()
+            .add_option("--tolerance", tolerance_, "How far roots may be apart [m]")
+            ->type_name("T")
+            ->check(CLI::NonNegativeNumber.description(""))
+            ->capture_default_str();
+    }
+
+    int run() const override
+    {
+        const glm::dmat4 transform =
+            transform_.empty() ? glm::dmat4(1.0) : readTransform(transform_);
+        const field::MappedField first = field::readField(first_);
+        const field::MappedField second = field::readField(second_);
+
+        const bool byId =
+            match_.empty() ? hasIds(first.view()) && hasIds(second.view()) : match_ == "id";
+        const field::Match match = byId ? field::Match::id : field::Match::order;
+        const field::Comparison found =
+            field::compare(first.view(), second.view(), transform, match, tolerance_);
+
+        std::string text = tableOf(first.view(), second.view(), found, match);
+        for (const std::string& reason : found.reasons)
+            text += "different: " + reason + "\n";
+        if (found.reasons.empty())
+            text += "the same\n";
+        writeResult(text);
+        return found.reasons.empty() ? 0 : static_cast<int>(ErrorKind::difference);
+    }
+
+private:
+    std::string first_;
+    std::string second_;
+    std::string transform_;
+    std::string match_;
+    double tolerance_ = 1e-3;
+};
+
+} // namespace
+
+std::unique_ptr<Subcommand> addCompare(CLI::App& program)
+{
+    return std::make_unique<Compare>(program);
+}
+
+} // namespace sward::apps

@@ -1,0 +1,29 @@
+#include "apps/sward/effective_settings.h"
+
+#include <nlohmann/json.hpp>
+
+namespace sward::apps {
+
+std::string effectiveSettings(const BakeRequest& request)
+{
+    const terrain::ImportSettings& import = request.import;
+    nlohmann::ordered_json ground;
+    ground["input"] = request.inputs;
+    ground["occluder"] = request.occluders;
+    ground["up_axis"] = import.upAxis;
+    ground["units"] = import.units;
+    ground["scale"] = import.scale;
+    ground["scene"] = import.scene ? nlohmann::ordered_json(*import.scene) : nullptr;
+    ground["node"] = import.bearingNodes;
+    ground["material"] = import.bearingMaterials;
+    ground["occlude_node"] = import.occluderNodes;
+
+    nlohmann::ordered_json all;
+    all["ground"] = std::move(ground);
+    all["bake"] = nlohmann::ordered_json::parse(bake::toJson(request.settings));
+    all["max_blades"] = request.settings.maxBlades;
+    all["threads"] = request.threads;
+    return all.dump(2);
+}
+
+} // namespace sward::apps

@@ -1,0 +1,43 @@
+#include "apps/sward/ground_input.h"
+
+#include "apps/common/interrupt.h"
+#include "core/log.h"
+
+#include <algorithm>
+
+namespace sward::apps {
+namespace {
+
+terrain::GroundMesh loadOne(const std::string& input, const terrain::ImportSettings& settings,
+                            Diagnostics& diagnostics)
+{
+    throwIfInterrupted("load");
+    terrain::GroundMesh mesh = terrain::load(input, settings, diagnostics);
+    log::debug("{}: {} triangles, {} vertices, {} materials, {} nodes", input,
+               mesh.triangles.size(), mesh.positions.size(), mesh.materials.size(),
+               mesh.nodes.size());
+    return mesh;
+}
+
+} // namespace
+
+terrain::GroundMesh loadGround(const BakeRequest& request, Diagnostics& diagnostics)
+{
+    terrain::GroundMesh ground = loadOne(request.inputs.front(), request.import, diagnostics);
+    for (std::size_t i = 1; i < request.inputs.size(); ++i)
+        terrain::append(ground, loadOne(request.inputs[i], request.import, diagnostics));
+
+    // Occluders lie in the same space as the ground; what bears grass is not asked of them.
+    terrain::ImportSettings occluding = request.import;
+    occluding.bearingNodes.clear();
+    occluding.bearingMaterials.clear();
+    occluding.occluderNodes.clear();
+    for (const std::string& file : request.occluders) {
+        terrain::GroundMesh occluder = loadOne(file, occluding, diagnostics);
+        std::fill(occluder.bears.begin(), occluder.bears.end(), std::uint8_t(0));
+        terrain::append(ground, occluder);
+    }
+    return ground;
+}
+
+} // namespace sward::apps

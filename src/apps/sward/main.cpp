@@ -1,0 +1,50 @@
+// sward: grows grass on ground and keeps it in a field file.
+
+#include "apps/common/command_line.h"
+#include "apps/common/program.h"
+#include "apps/sward/subcommand.h"
+#include "core/error.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <cstdio>
+
+namespace {
+
+constexpr const char* description =
+    "Grows grass on any ground: bakes blades onto a mesh and keeps them in a field file.";
+
+constexpr const char* exitCodes =
+    "Exit codes: 0 done, 1 wrong usage, 2 cannot read or write, 3 invalid input, 4 failure while\n"
+    "running, 5 unsupported, 7 difference found, 130 interrupted.";
+
+int run(int argc, char** argv)
+{
+    using namespace sward::apps;
+
+    CLI::App program{description};
+    prepareApp(program, "sward");
+    const std::unique_ptr<Subcommand> commands[] = {addBake(program),     addInfo(program),
+                                                    addValidate(program), addCompare(program),
+                                                    addExport(program),   addTerrain(program)};
+    program.footer(exitCodes);
+    program.require_subcommand(0, 1);
+    if (const std::optional<int> done = parseCommandLine(program, argc, argv))
+        return *done;
+
+    for (const std::unique_ptr<Subcommand>& command : commands)
+        if (command->isChosen())
+            return command->run();
+
+    // Nothing was asked for: say what there is.
+    fmt::print(stderr, "{}", program.help());
+    return static_cast<int>(sward::ErrorKind::usage);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return sward::apps::runProgram("sward", [&] { return run(argc, argv); });
+}

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace sward::apps {
+
+/// One verb of the program with its options. The program owns all of them; the chosen one runs.
+class Subcommand {
+public:
+    /// Adds the verb `name` to `program`; `example` is shown at the end of its help.
+    Subcommand(CLI::App& program, const std::string& name, const std::string& description,
+               const std::string& example);
+    Subcommand(const Subcommand&) = delete;
+    Subcommand& operator=(const Subcommand&) = delete;
+    virtual ~Subcommand() = default;
+
+    bool isChosen() const;
+
+    /// Does the work and returns the exit code. Throws Error.
+    virtual int run() const = 0;
+
+protected:
+    CLI::App& app() { return *app_; }
+
+private:
+    CLI::App* app_;
+};
+
+std::unique_ptr<Subcommand> addBake(CLI::App& program);
+std::unique_ptr<Subcommand> addInfo(CLI::App& program);
+std::unique_ptr<Subcommand> addValidate(CLI::App& program);
+std::unique_ptr<Subcommand> addCompare(CLI::App& program);
+std::unique_ptr<Subcommand> addExport(CLI::App& program);
+std::unique_ptr<Subcommand> addTerrain(CLI::App& program);
+
+} // namespace sward::apps

@@ -1,0 +1,59 @@
+#include "apps/common/output.h"
+#include "apps/sward/bake_summary.h"
+#include "apps/sward/subcommand.h"
+#include "core/atomic_file.h"
+#include "core/diagnostics.h"
+#include "core/log.h"
+#include "terrain/gltf_export.h"
+#include "terrain/load.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <filesystem>
+
+namespace sward::apps {
+namespace {
+
+class Terrain : public Subcommand {
+public:
+    explicit Terrain(CLI::App& program)
+        : Subcommand(program, "terrain", "Write ground from a recipe or a built-in as .glb",
+                     "sward terrain sphere -o sphere.glb")
+    {
+        app()
+            .add_option("RECIPE", input_,
+                        "A recipe .json, or one of plane sphere hills dunes torus arch")
+            ->type_name("")
+            ->required();
+        app().add_option("-o,--output", output_, "Mesh to write")->type_name("OUT.glb")->required();
+        app().add_flag("--force", overwrite_, "Overwrite an existing file");
+    }
+
+    int run() const override
+    {
+        refuseOverwrite(output_, overwrite_);
+        Diagnostics diagnostics;
+        const terrain::GroundMesh mesh = terrain::load(input_, {}, diagnostics);
+        terrain::exportGltf(mesh, output_, overwrite_);
+        for (const std::string& warning : diagnostics.warnings())
+            log::warn("{}", warning);
+        writeResult(fmt::format("{}: {} triangles, {}\n", output_, mesh.triangles.size(),
+                                sizeText(std::filesystem::file_size(output_))));
+        return 0;
+    }
+
+private:
+    std::string input_;
+    std::string output_;
+    bool overwrite_ = false;
+};
+
+} // namespace
+
+std::unique_ptr<Subcommand> addTerrain(CLI::App& program)
+{
+    return std::make_unique<Terrain>(program);
+}
+
+} // namespace sward::apps

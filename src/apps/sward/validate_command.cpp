@@ -1,0 +1,40 @@
+#include "apps/common/output.h"
+#include "apps/sward/subcommand.h"
+#include "field/read.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+namespace sward::apps {
+namespace {
+
+class Validate : public Subcommand {
+public:
+    explicit Validate(CLI::App& program)
+        : Subcommand(program, "validate", "Check every byte of a field file",
+                     "sward validate meadow.sward")
+    {
+        app().add_option("FILE", file_, "Field file")->type_name("")->required();
+    }
+
+    int run() const override
+    {
+        // Reading is checking: it throws at the first thing that is wrong.
+        const field::MappedField field = field::readField(file_);
+        writeResult(fmt::format("{}: valid, {} blades in {} patches\n", file_,
+                                field.view().blades.size(), field.view().patches.size()));
+        return 0;
+    }
+
+private:
+    std::string file_;
+};
+
+} // namespace
+
+std::unique_ptr<Subcommand> addValidate(CLI::App& program)
+{
+    return std::make_unique<Validate>(program);
+}
+
+} // namespace sward::apps

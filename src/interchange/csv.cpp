@@ -1,0 +1,53 @@
+#include "interchange/csv.h"
+
+#include "core/atomic_file.h"
+#include "shaders/shared/blade.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <vector>
+
+namespace sward::interchange {
+namespace {
+
+constexpr std::string_view header =
+    "id,x,y,z,ux,uy,uz,facing,height,width,stiffness,species,exposure,tint_r,tint_g,tint_b,clump,"
+    "patch\n";
+
+// Rows are gathered until this many bytes, so that a million of them are few writes.
+constexpr std::size_t writeSize = std::size_t(1) << 20;
+
+void appendRow(fmt::memory_buffer& text, std::uint64_t id, const glm::dvec3& origin,
+               const shared::Blade& blade, std::uint32_t patch)
+{
+    const glm::dvec3 root = origin + glm::dvec3(blade.root);
+    fmt::format_to(std::back_inserter(text),
+                   "{},{:.9f},{:.9f},{:.9f},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},"
+                   "{:.9g},{:.9g},{:.9g},{:.9g},{},{}\n",
+                   id, root.x, root.y, root.z, blade.up.x, blade.up.y, blade.up.z, blade.facing,
+                   blade.height, blade.width, blade.stiffness, blade.species, blade.exposure,
+                   blade.tint.x, blade.tint.y, blade.tint.z, blade.clump, patch);
+}
+
+} // namespace
+
+void writeCsv(const field::FieldView& field, const std::filesystem::path& path, bool overwrite)
+{
+    AtomicFile file(path, overwrite);
+    file.write(header);
+    const std::vector<std::uint32_t> patchOf = field::patchOfBlades(field);
+    fmt::memory_buffer text;
+    for (std::size_t i = 0; i < field.blades.size(); ++i) {
+        const shared::Blade blade = shared::unpackBlade(field.blades[i], field.patches[patchOf[i]]);
+        appendRow(text, field::bladeId(field.keys[i]), field.origin, blade, patchOf[i]);
+        if (text.size() >= writeSize) {
+            file.write(std::string_view(text.data(), text.size()));
+            text.clear();
+        }
+    }
+    file.write(std::string_view(text.data(), text.size()));
+    file.commit();
+}
+
+} // namespace sward::interchange
