@@ -11,7 +11,7 @@ function(sward_add_shaders target)
     get_filename_component(name ${source} NAME)
     set(module ${CMAKE_CURRENT_BINARY_DIR}/${name}.spv)
     add_custom_command(OUTPUT ${module}
-      COMMAND ${GLSLANG_VALIDATOR} --quiet -V --target-env vulkan1.3 -g -I${CMAKE_SOURCE_DIR}
+      COMMAND ${GLSLANG_VALIDATOR} --quiet -V --target-env vulkan1.3 -g -I${CMAKE_CURRENT_FUNCTION_LIST_DIR}/..
               --depfile ${module}.d -o ${module} ${CMAKE_CURRENT_SOURCE_DIR}/${source}
       COMMAND ${SPIRV_VAL} --target-env vulkan1.3 --scalar-block-layout ${module}
       DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${source}
