@@ -1,0 +1,45 @@
+// The colours of one blade: species, ground, clump, meadow and chance.
+#ifndef SWARD_BLADE_COLORS_GLSL
+#define SWARD_BLADE_COLORS_GLSL
+
+#include "shaders/lighting.glsl"
+#include "shaders/shared/noise.h"
+
+struct BladeColors {
+    vec3 root; ///< linear
+    vec3 tip;  ///< linear
+};
+
+float chance(uint key)
+{
+    return float(mixUint(key) >> 8u) / 16777215.0;
+}
+
+/// `index` is the resident id: the same blade has the same colour in every picture.
+BladeColors bladeColors(Blade blade, Species species, uint index)
+{
+    const float clump = chance(blade.clump * 977u + 11u);
+    const float single = chance(index * 16u + blade.hash);
+    const float other = chance(index * 16u + blade.hash + 0x9e3779b9u);
+    // Wide patches of drier and lusher growth, some metres across.
+    const float meadow = 0.65 * valueNoise(blade.root / 2.3) + 0.35 * valueNoise(blade.root / 0.7);
+
+    const float amount = species.colorVariation;
+    const float light = 1.0 + amount * (0.9 * (single - 0.5) + 0.6 * (clump - 0.5) + 0.5 * (meadow - 0.5));
+    // Lush is bluer and darker, dry is yellower.
+    const float hue = amount * (0.7 * (clump - 0.5) + 0.5 * (other - 0.5) + 1.1 * (meadow - 0.5));
+    const vec3 shift = vec3(1.0 + 0.75 * hue, 1.0 + 0.10 * hue, 1.0 - 0.45 * hue);
+
+    BladeColors colors;
+    colors.root = mix(species.rootColor * shift, decodeSrgb(blade.tint), species.groundTint) * light;
+    colors.tip = species.tipColor * shift * light;
+
+    // Some blades have dried from the tip downwards.
+    const float dry = smoothstep(0.0, 0.25, species.dryness * (0.6 + 0.8 * meadow) - other);
+    const vec3 straw = vec3(0.42, 0.32, 0.13) * (0.7 + 0.6 * single);
+    colors.tip = mix(colors.tip, straw, 0.8 * dry);
+    colors.root = mix(colors.root, straw * 0.6, 0.25 * dry);
+    return colors;
+}
+
+#endif

@@ -1,0 +1,101 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_buffer_reference_uvec2 : require
+// Moves the blades of one patch, judges each, and lists those that are to be drawn. One work-group
+// per patch that owns blades; survivors gather in shared memory, so that a patch costs one atomic
+// on the list. Nothing here depends on the size of a subgroup.
+#include "shaders/shared/passes.h"
+#include "shaders/shared/visibility.h"
+
+layout(local_size_x = updateThreads) in;
+layout(push_constant, scalar) uniform Block { UpdatePush push; };
+#define FRAME push.frame.at[0]
+
+shared uint fateTally[fateCount];
+shared uint listBase;
+shared VisibleBlade survivors[maxPatchBlades];
+
+Eyepoint eyepoint()
+{
+    Eyepoint view;
+    for (uint i = 0u; i < 6u; ++i)
+        view.planes[i] = FRAME.planes[i];
+    view.eye = FRAME.eye;
+    view.drawDistance = FRAME.drawDistance;
+    view.pixelsPerUnit = FRAME.pixelsPerUnit;
+    view.lodThreshold = FRAME.lodThreshold;
+    view.lodWidth = FRAME.lodWidth;
+    view.cullMask = FRAME.cullMask;
+    return view;
+}
+
+void noteFate(uint blade, uint fate)
+{
+    if (uvec2(FRAME.fates) != uvec2(0u))
+        FRAME.fates.at[blade] = fate;
+}
+
+void main()
+{
+    const uint group = gl_WorkGroupID.x + gl_WorkGroupID.y * gl_NumWorkGroups.x;
+    const uint thread = gl_LocalInvocationIndex;
+    if (group >= push.ownerCount)
+        return;
+    const uint patchIndex = push.owners.at[group];
+    const Patch cell = FRAME.patches.at[patchIndex];
+    const Eyepoint view = eyepoint();
+
+    // Leave a patch that nobody sees as it is; its blades catch up when it is seen again.
+    if (push.onlyUpdate == 0u && patchCulled(view, cell)) {
+        for (uint i = thread; i < cell.bladeCount; i += updateThreads)
+            noteFate(cell.firstBlade + i, fatePatch);
+        if (thread == 0u)
+            atomicAdd(FRAME.draw.at[0].fates[fatePatch], cell.bladeCount);
+        return;
+    }
+
+    if (thread < fateCount)
+        fateTally[thread] = 0u;
+    const float elapsed = max(FRAME.time - FRAME.patchTimes.at[patchIndex], 0.0f);
+    barrier();
+
+    for (uint i = thread; i < cell.bladeCount; i += updateThreads) {
+        const uint index = cell.firstBlade + i;
+        const Blade blade = unpackBlade(FRAME.blades.at[index], cell);
+
+        // Move it. At a standstill the stored state stays as it is, to the bit.
+        BladeState state = FRAME.states.at[index];
+        if (elapsed > 0.0f) {
+            state = advanceBlade(blade, FRAME.gravity, FRAME.wind, FRAME.recovery, state, FRAME.time,
+                                 elapsed);
+            FRAME.states.at[index] = state;
+        }
+        if (push.onlyUpdate != 0u)
+            continue;
+
+        // Judge it, and keep it if it shall be drawn.
+        const Verdict verdict = judgeBlade(view, blade, state, bladeRank(cell, i));
+        const uint place = atomicAdd(fateTally[verdict.fate], 1u);
+        if (verdict.fate == fateDrawn)
+            survivors[place] =
+                VisibleBlade(index, patchIndex, verdict.widthFactor, verdict.pixels);
+        noteFate(index, verdict.fate);
+    }
+    barrier();
+
+    // Reserve room in the list, and report.
+    const uint kept = fateTally[fateDrawn];
+    if (thread == 0u) {
+        FRAME.patchTimes.at[patchIndex] = FRAME.time;
+        atomicAdd(FRAME.draw.at[0].simulated, cell.bladeCount);
+        listBase = kept > 0u ? atomicAdd(FRAME.draw.at[0].vertexCount, kept) : 0u;
+    }
+    if (thread < fateCount && fateTally[thread] > 0u)
+        atomicAdd(FRAME.draw.at[0].fates[thread], fateTally[thread]);
+    barrier();
+
+    // The list has room for every blade; the guard is for a frame that was filled wrongly.
+    for (uint i = thread; i < kept; i += updateThreads)
+        if (listBase + i < FRAME.visibleCapacity)
+            FRAME.visible.at[listBase + i] = survivors[i];
+}

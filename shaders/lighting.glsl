@@ -1,0 +1,74 @@
+// Light, air and film: what ground, grass and sky have in common. The including stage has a push
+// constant `push` with the frame.
+#ifndef SWARD_LIGHTING_GLSL
+#define SWARD_LIGHTING_GLSL
+
+#include "shaders/shared/passes.h"
+
+#define FRAME push.frame.at[0]
+
+float luminance(vec3 color)
+{
+    return dot(color, vec3(0.2126, 0.7152, 0.0722));
+}
+
+/// Linear colour of an sRGB-encoded one (IEC 61966-2-1).
+vec3 decodeSrgb(vec3 c)
+{
+    return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
+}
+
+/// Radiance of the sky towards unit `ray`, without the sun's disc: deep above, pale at the horizon,
+/// warm around the sun, and below the horizon the haze over far land.
+vec3 skyRadiance(vec3 ray)
+{
+    const float height = dot(ray, FRAME.skyUp);
+    const float toSun = max(dot(ray, FRAME.sunDirection), 0.0);
+    const float warmth = 1.0 - smoothstep(0.0, 0.6, dot(FRAME.sunDirection, FRAME.skyUp));
+    const vec3 zenith = FRAME.skyColor * vec3(0.50, 0.62, 0.80);
+    const vec3 pale = luminance(FRAME.skyColor) * mix(vec3(1.12, 1.17, 1.20), vec3(1.38, 1.15, 0.93), warmth);
+
+    vec3 color = mix(pale, zenith, 1.0 - exp(-3.4 * max(height, 0.0)));
+    const vec3 land = mix(pale, FRAME.groundColor, 0.35) * 0.72;
+    color = mix(color, land, 1.0 - exp(-5.0 * max(-height, 0.0)));
+
+    // Light scattered forward around the sun.
+    const float glow = 0.18 * pow(toSun, 6.0) + 0.35 * pow(toSun, 64.0);
+    return color + glow * FRAME.sunColor * mix(vec3(0.30, 0.28, 0.26), vec3(0.42, 0.30, 0.18), warmth);
+}
+
+/// Diffuse light from sky and ground on a surface with unit normal `n`.
+vec3 hemisphere(vec3 n)
+{
+    return mix(FRAME.groundColor, FRAME.skyColor, 0.5 + 0.5 * dot(n, FRAME.skyUp));
+}
+
+/// Puts air between the eye and something `position` (relative to the field's origin).
+vec3 throughAir(vec3 color, vec3 position)
+{
+    const vec3 ray = position - FRAME.eye;
+    const float distance = length(ray);
+    const float clear = exp(-FRAME.fogDensity * distance);
+    // The air is as bright as the sky just above the horizon behind it.
+    const vec3 direction = ray / max(distance, 1e-6);
+    const vec3 level = direction - FRAME.skyUp * (dot(direction, FRAME.skyUp) - 0.02);
+    return mix(skyRadiance(normalize(level)), color, clear);
+}
+
+/// From radiance to the picture: the filmic curve fitted to ACES by K. Narkowicz ("ACES Filmic Tone
+/// Mapping Curve", 2015), a little desaturated where it is bright.
+vec3 develop(vec3 radiance)
+{
+    const vec3 x = radiance * FRAME.exposure * 0.62;
+    const vec3 film = (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14);
+    return clamp(film, 0.0, 1.0);
+}
+
+/// A colour for a number, well spread, for the debug pictures.
+vec3 colorOf(uint number)
+{
+    const uint h = mixUint(number * 2654435761u + 12345u);
+    return 0.15 + 0.85 * vec3(h & 255u, (h >> 8u) & 255u, (h >> 16u) & 255u) / 255.0;
+}
+
+#endif

@@ -1,0 +1,104 @@
+// The fate of patches and blades in one view: the predicates of culling.h in their order.
+#ifndef SWARD_SHARED_VISIBILITY_H
+#define SWARD_SHARED_VISIBILITY_H
+
+#include "shaders/shared/blade.h"
+#include "shaders/shared/culling.h"
+#include "shaders/shared/patch.h"
+#include "shaders/shared/physics.h"
+#include "shaders/shared/types.h"
+
+SHARED_BEGIN
+
+/// What of a frame decides about visibility; see Frame.
+struct Eyepoint {
+    vec4 planes[6]; ///< left right bottom top near far; unit normals inward, offset
+    vec3 eye;
+    float drawDistance;  ///< [m]
+    float pixelsPerUnit; ///< pixels of something 1 m large at 1 m distance
+    float lodThreshold;  ///< [pixels]; 0: every blade is drawn
+    float lodWidth;      ///< [m] typical width of a blade
+    uint cullMask;
+};
+
+/// What becomes of a blade, and how it is drawn.
+struct Verdict {
+    uint fate;
+    float widthFactor; ///< 0 unless drawn
+    float pixels;      ///< height on the screen [pixels]
+};
+
+/// Share of the blades that is drawn at `distance` [m].
+SHARED_FN float shareAt(float pixelsPerUnit, float lodThreshold, float lodWidth, float distance)
+{
+    if (lodThreshold <= 0.0f)
+        return 1.0f;
+    return lodShare(lodWidth * pixelsPerUnit / max(distance, 1e-6f), lodThreshold);
+}
+
+/// Progressive rank in [0, 1) of blade `i` of a patch among all blades around it.
+SHARED_FN float bladeRank(Patch cell, uint i)
+{
+    return mix(cell.rankLow, cell.rankHigh, (float(i) + 0.5f) / float(cell.bladeCount));
+}
+
+/// Whether no blade of the patch can be seen: its box, grown by half the width that its widest
+/// blade can be drawn with, lies outside a plane, or beyond the draw distance where that counts.
+SHARED_FN bool patchCulled(Eyepoint view, Patch cell)
+{
+    if ((view.cullMask & cullPatch) == 0u)
+        return false;
+
+    const vec3 farthest = max(abs(cell.boundsLow - view.eye), abs(cell.boundsHigh - view.eye));
+    const float share =
+        shareAt(view.pixelsPerUnit, view.lodThreshold, view.lodWidth, length(farthest));
+    // lodWidthFactor() is at most 1/(0.95 share).
+    const float widest = (cell.widthLow + 63.0f * cell.widthStep) / (0.95f * share);
+    const vec3 low = cell.boundsLow - vec3(0.5f * widest);
+    const vec3 high = cell.boundsHigh + vec3(0.5f * widest);
+    for (uint i = 0u; i < 6u; ++i)
+        if (boxOutside(view.planes[i], low, high))
+            return true;
+    return (view.cullMask & cullDistance) != 0u &&
+           boxDistance(view.eye, cell.boundsLow, cell.boundsHigh) > view.drawDistance;
+}
+
+/// The fate of one blade of a patch that was not culled, in the order orientation, frustum,
+/// distance, level of detail.
+SHARED_FN Verdict judgeBlade(Eyepoint view, Blade blade, BladeState state, float rank)
+{
+    const vec3 axis = widthAxis(blade.up, blade.facing);
+    const float distance = length(blade.root - view.eye);
+    const float share = shareAt(view.pixelsPerUnit, view.lodThreshold, view.lodWidth, distance);
+    const float factor = lodWidthFactor(rank, share);
+
+    Verdict verdict;
+    verdict.fate = fateDrawn;
+    verdict.widthFactor = factor;
+    verdict.pixels = blade.height * view.pixelsPerUnit / max(distance, 1e-6f);
+
+    bool outside = false;
+    if ((view.cullMask & cullFrustum) != 0u) {
+        const Pose pose = poseOfState(blade.up, frontOf(blade.up, axis), state);
+        const vec3 v1 = blade.root + blade.height * pose.v1;
+        const vec3 v2 = blade.root + blade.height * pose.v2;
+        const float margin = 0.5f * blade.width * max(factor, 1.0f);
+        for (uint i = 0u; i < 6u; ++i)
+            outside = outside || curveOutside(view.planes[i], blade.root, v1, v2, margin);
+    }
+
+    if ((view.cullMask & cullOrientation) != 0u && seenEdgeOn(view.eye, blade.root, axis))
+        verdict.fate = fateOrientation;
+    else if (outside)
+        verdict.fate = fateFrustum;
+    else if ((view.cullMask & cullDistance) != 0u && distance > view.drawDistance)
+        verdict.fate = fateDistance;
+    else if (factor <= 0.0f)
+        verdict.fate = fateLod;
+    if (verdict.fate != fateDrawn)
+        verdict.widthFactor = 0.0f;
+    return verdict;
+}
+
+SHARED_END
+#endif

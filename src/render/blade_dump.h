@@ -1,0 +1,18 @@
+#pragma once
+
+#include "field/field.h"
+#include "gpu/context.h"
+#include "render/field_buffers.h"
+#include "render/field_renderer.h"
+
+#include <vector>
+
+namespace sward::render {
+
+/// The state of every blade as it was left by the last frame, in the order of the file. Waits for
+/// the device.
+std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& context,
+                                                   const FieldBuffers& buffers,
+                                                   const field::FieldView& field);
+
+} // namespace sward::render

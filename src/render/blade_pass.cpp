@@ -1,0 +1,34 @@
+#include "render/blade_pass.h"
+
+#include "shaders/shared/passes.h"
+
+namespace sward::render {
+
+BladePass::BladePass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                     const TargetSettings& target)
+{
+    gpu::GraphicsPipelineSettings settings;
+    settings.name = "blades";
+    settings.vertexShader = "blade.vert";
+    settings.tessellationControlShader = "blade.tesc";
+    settings.tessellationEvaluationShader = "blade.tese";
+    settings.fragmentShader = "blade.frag";
+    settings.patchControlPoints = 1;
+    settings.pushConstantBytes = sizeof(shared::ViewPush);
+    settings.colorFormats = {target.colorFormat};
+    settings.depthFormat = depthFormat;
+    settings.samples = target.samples;
+    pipeline_ = gpu::GraphicsPipeline(context, shaders, settings);
+}
+
+void BladePass::record(VkCommandBuffer commands, const FieldBuffers& field,
+                       VkDeviceAddress frame) const
+{
+    if (field.bladeCount() == 0)
+        return;
+    pipeline_.bind(commands);
+    pipeline_.push(commands, shared::ViewPush{frame});
+    vkCmdDrawIndirect(commands, field.draw().get(), 0, 1, sizeof(shared::DrawArguments));
+}
+
+} // namespace sward::render

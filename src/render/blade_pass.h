@@ -1,0 +1,27 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/graphics_pipeline.h"
+#include "gpu/shader_library.h"
+#include "render/field_buffers.h"
+#include "render/target_settings.h"
+
+#include <vulkan/vulkan.h>
+
+namespace sward::render {
+
+/// Draws the visible blades by tessellation: one control point per blade, as many as the list
+/// holds.
+class BladePass {
+public:
+    BladePass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+              const TargetSettings& target);
+
+    /// Inside a rendering.
+    void record(VkCommandBuffer commands, const FieldBuffers& field, VkDeviceAddress frame) const;
+
+private:
+    gpu::GraphicsPipeline pipeline_;
+};
+
+} // namespace sward::render

@@ -1,0 +1,109 @@
+#include "render/camera.h"
+
+#include "core/expect.h"
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sward::render {
+namespace {
+
+/// Orthonormal axes of the view in world space.
+struct Axes {
+    glm::dvec3 right, up, forward;
+};
+
+Axes axesOf(const Camera& camera)
+{
+    // A camera that looks at its own place looks north.
+    glm::dvec3 forward = camera.target - camera.eye;
+    const double distance = glm::length(forward);
+    forward = distance > 0.0 ? forward / distance : glm::dvec3(0.0, 0.0, -1.0);
+
+    // An up-vector along the view says nothing: take the axis that is most across it.
+    glm::dvec3 right = glm::cross(forward, glm::dvec3(camera.up));
+    if (glm::length(right) < 1e-6 * glm::length(glm::dvec3(camera.up)) ||
+        glm::length(camera.up) == 0.0f) {
+        const glm::dvec3 away = glm::abs(forward);
+        const glm::dvec3 axis = away.z <= away.x && away.z <= away.y ? glm::dvec3(0.0, 0.0, -1.0)
+                                : away.x <= away.y                   ? glm::dvec3(1.0, 0.0, 0.0)
+                                                                     : glm::dvec3(0.0, 1.0, 0.0);
+        right = glm::cross(forward, axis);
+    }
+    right = glm::normalize(right);
+    return {right, glm::cross(right, forward), forward};
+}
+
+struct DepthRange {
+    double near, far;
+};
+
+/// Near and far from the nearest and farthest place of `content`, where the camera leaves them
+/// open.
+DepthRange depthRange(const Camera& camera, const Aabb& content, glm::dvec3 eye)
+{
+    double near = 0.05;
+    double far = 1000.0;
+    if (!content.isEmpty()) {
+        const glm::dvec3 low(content.low);
+        const glm::dvec3 high(content.high);
+        const glm::dvec3 gap = glm::max(glm::max(low - eye, eye - high), glm::dvec3(0.0));
+        const double size = glm::length(high - low);
+        // Half of the way to the box, and inside it close enough for a blade before the lens.
+        near = std::max({0.5 * glm::length(gap), std::min(0.05, 1e-3 * size), 1e-6});
+        far = 1.01 * glm::length(glm::max(glm::abs(low - eye), glm::abs(high - eye)));
+    }
+    if (camera.near > 0.0f)
+        near = static_cast<double>(camera.near);
+    if (camera.far > 0.0f)
+        far = static_cast<double>(camera.far);
+    return {near, std::max(far, 1.01 * near)};
+}
+
+glm::vec4 normalisedPlane(const glm::dvec4& plane)
+{
+    return glm::vec4(plane / glm::length(glm::dvec3(plane)));
+}
+
+} // namespace
+
+ViewMatrices viewMatrices(const Camera& camera, glm::dvec3 origin, glm::uvec2 size,
+                          const Aabb& content, glm::vec2 jitter)
+{
+    expect(size.x > 0 && size.y > 0, "a picture has at least one pixel");
+    expect(camera.fovY > 0.0f && camera.fovY <= 170.0f, "the field of view is in (0, 170] degrees");
+
+    const glm::dvec3 eye = camera.eye - origin;
+    const Axes axes = axesOf(camera);
+    const DepthRange range = depthRange(camera, content, eye);
+    const double focal = 1.0 / std::tan(0.5 * glm::radians(static_cast<double>(camera.fovY)));
+    const double aspect = static_cast<double>(size.x) / static_cast<double>(size.y);
+
+    // Rows of view and projection in one: clip = row · (position, 1). Depth along the view is w.
+    const auto row = [&](const glm::dvec3& axis) { return glm::dvec4(axis, -glm::dot(axis, eye)); };
+    const glm::dvec4 depth = row(axes.forward);
+    const glm::dvec2 shift = 2.0 * glm::dvec2(jitter) /
+                             glm::dvec2(static_cast<double>(size.x), static_cast<double>(size.y));
+    const glm::dvec4 x = focal / aspect * row(axes.right) + shift.x * depth;
+    const glm::dvec4 y = -focal * row(axes.up) + shift.y * depth;
+    // Reversed Z: near·(far − w)/(far − near), so that z/w falls from 1 at near to 0 at far.
+    const double slope = range.near / (range.far - range.near);
+    const glm::dvec4 z = slope * (glm::dvec4(0.0, 0.0, 0.0, range.far) - depth);
+
+    ViewMatrices view;
+    for (std::size_t column = 0; column < 4; ++column)
+        view.viewProjection[column] =
+            glm::vec4(glm::dvec4(x[column], y[column], z[column], depth[column]));
+    // What is inside has −w ≤ x ≤ w, −w ≤ y ≤ w (y downwards), 0 ≤ z ≤ w.
+    view.planes = {normalisedPlane(depth + x), normalisedPlane(depth - x),
+                   normalisedPlane(depth - y), normalisedPlane(depth + y),
+                   normalisedPlane(depth - z), normalisedPlane(z)};
+    view.eye = glm::vec3(eye);
+    view.pixelsPerUnit = static_cast<float>(0.5 * focal * static_cast<double>(size.y));
+    return view;
+}
+
+} // namespace sward::render

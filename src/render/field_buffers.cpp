@@ -1,0 +1,138 @@
+#include "render/field_buffers.h"
+
+#include "core/error.h"
+#include "core/expect.h"
+
+#include <bit>
+#include <limits>
+#include <vector>
+
+namespace sward::render {
+namespace {
+
+/// Bytes per blade: the blade, its state, its place in the list, its fate.
+VkDeviceSize bytesPerBlade(bool recordFates)
+{
+    return sizeof(shared::PackedBlade) + sizeof(shared::BladeState) + sizeof(shared::VisibleBlade) +
+           (recordFates ? sizeof(std::uint32_t) : 0);
+}
+
+void refuseWhatCannotFit(const gpu::DeviceContext& context, const field::FieldView& field,
+                         bool recordFates)
+{
+    const VkDeviceSize needed = field.blades.size() * bytesPerBlade(recordFates) +
+                                field.patches.size() * sizeof(shared::Patch);
+    if (needed > context.deviceLocalBytes())
+        fail(ErrorKind::runtime,
+             "the field's {} blades need {} MiB of device memory; {} has {} MiB",
+             field.blades.size(), needed >> 20, context.name, context.deviceLocalBytes() >> 20);
+    if (field.blades.size() > std::numeric_limits<std::uint32_t>::max())
+        fail(ErrorKind::unsupported, "the field has {} blades; one view draws at most {}",
+             field.blades.size(), std::numeric_limits<std::uint32_t>::max());
+}
+
+/// Indices of the patches that own blades.
+std::vector<std::uint32_t> ownersOf(const field::FieldView& field)
+{
+    std::vector<std::uint32_t> owners;
+    for (std::size_t i = 0; i < field.patches.size(); ++i)
+        if (field.patches[i].bladeCount > 0)
+            owners.push_back(static_cast<std::uint32_t>(i));
+    return owners;
+}
+
+/// Mean width [m] at the root, from the middle of each patch's range.
+float meanWidth(const field::FieldView& field)
+{
+    double sum = 0.0;
+    double count = 0.0;
+    for (const shared::Patch& cell : field.patches) {
+        const double blades = cell.bladeCount;
+        sum += blades * static_cast<double>(cell.widthLow + 31.5f * cell.widthStep);
+        count += blades;
+    }
+    return count > 0.0 ? static_cast<float>(sum / count) : 0.02f;
+}
+
+} // namespace
+
+FieldBuffers::FieldBuffers(const gpu::DeviceContext& context, gpu::Uploader& uploader,
+                           const field::FieldView& field, bool recordFates)
+    : recordsFates_(recordFates)
+{
+    refuseWhatCannotFit(context, field, recordFates);
+    const std::vector<std::uint32_t> owners = ownersOf(field);
+    bladeCount_ = static_cast<std::uint32_t>(field.blades.size());
+    patchCount_ = static_cast<std::uint32_t>(field.patches.size());
+    ownerCount_ = static_cast<std::uint32_t>(owners.size());
+    bladeWidth_ = meanWidth(field);
+
+    // What the bake has written, as it lies in the file.
+    std::vector<shared::Species> species;
+    for (const field::Species& kind : field.species)
+        species.push_back(kind.look);
+    species.resize(shared::maxSpecies, species.empty() ? shared::Species{} : species.front());
+    blades_ = allocate(context, "field/blades", field.blades.size_bytes());
+    patches_ = allocate(context, "field/patches", field.patches.size_bytes());
+    owners_ = allocate(context, "field/owners", owners.size() * sizeof(std::uint32_t));
+    species_ = allocate(context, "field/species", species.size() * sizeof(shared::Species));
+    uploader.toBuffer(blades_, field.blades);
+    uploader.toBuffer(patches_, field.patches);
+    uploader.toBuffer(owners_, std::span<const std::uint32_t>(owners));
+    uploader.toBuffer(species_, std::span<const shared::Species>(species));
+
+    // What changes from frame to frame. The list has room for every blade.
+    states_ = allocate(context, "field/states", bladeCount_ * sizeof(shared::BladeState));
+    patchTimes_ = allocate(context, "field/patch times", patchCount_ * sizeof(float));
+    visible_ = allocate(context, "field/visible", bladeCount_ * sizeof(shared::VisibleBlade));
+    draw_ = allocate(context, "field/draw", sizeof(shared::DrawArguments));
+    if (recordFates)
+        fates_ = allocate(context, "field/fates", bladeCount_ * sizeof(std::uint32_t));
+}
+
+gpu::Buffer FieldBuffers::allocate(const gpu::DeviceContext& context, const char* name,
+                                   VkDeviceSize bytes)
+{
+    bytes_ += bytes;
+    return {context,
+            {.name = name,
+             .bytes = bytes,
+             .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                      VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT}};
+}
+
+void FieldBuffers::describe(shared::Frame& frame) const
+{
+    frame.blades = blades_.address();
+    frame.states = states_.address();
+    frame.patches = patches_.address();
+    frame.species = species_.address();
+    frame.visible = visible_.address();
+    frame.draw = draw_.address();
+    frame.patchTimes = patchTimes_.address();
+    frame.fates = recordsFates_ ? fates_.address() : 0;
+    frame.patchCount = patchCount_;
+    frame.bladeCount = bladeCount_;
+    frame.visibleCapacity = bladeCount_;
+}
+
+void FieldBuffers::rest(VkCommandBuffer commands, float time) const
+{
+    // A state of zeros is a blade that stands straight up.
+    vkCmdFillBuffer(commands, states_.get(), 0, VK_WHOLE_SIZE, 0);
+    vkCmdFillBuffer(commands, patchTimes_.get(), 0, VK_WHOLE_SIZE,
+                    std::bit_cast<std::uint32_t>(time));
+    if (recordsFates_)
+        vkCmdFillBuffer(commands, fates_.get(), 0, VK_WHOLE_SIZE, shared::fatePatch);
+}
+
+void FieldBuffers::clearCounts(VkCommandBuffer commands) const
+{
+    // Three fills beside each other: no vertices, one instance, all counts zero.
+    static_assert(offsetof(shared::DrawArguments, instanceCount) == 4);
+    vkCmdFillBuffer(commands, draw_.get(), 0, 4, 0);
+    vkCmdFillBuffer(commands, draw_.get(), 4, 4, 1);
+    vkCmdFillBuffer(commands, draw_.get(), 8, sizeof(shared::DrawArguments) - 8, 0);
+}
+
+} // namespace sward::render

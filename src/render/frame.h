@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/bounds.h"
+#include "render/camera.h"
+#include "render/frame_settings.h"
+#include "shaders/shared/frame.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace sward::render {
+
+/// What of a field, beside its buffers, decides about a frame.
+struct FieldShape {
+    glm::dvec3 origin{0.0};
+    Aabb content;             ///< relative to the origin
+    float bladeWidth = 0.02f; ///< [m] typical, full width at the root
+};
+
+/// Camera, settings and time as the shaders read them. The addresses and counts of buffers are left
+/// to FieldBuffers::describe().
+shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
+                      const FrameSettings& settings, double time, std::uint32_t samples);
+
+} // namespace sward::render

@@ -1,0 +1,89 @@
+#include "render/ground_buffers.h"
+
+#include "core/expect.h"
+
+#include <algorithm>
+#include <string>
+
+namespace sward::render {
+namespace {
+
+gpu::Buffer allocate(const gpu::DeviceContext& context, const char* name, VkDeviceSize bytes,
+                     VkBufferUsageFlags usage)
+{
+    return {context,
+            {.name = name, .bytes = bytes, .usage = usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT}};
+}
+
+/// What a material without an image is multiplied with.
+const field::Image& whiteImage()
+{
+    static const field::Image white{1, 1, {255, 255, 255, 255}};
+    return white;
+}
+
+} // namespace
+
+GroundBuffers::GroundBuffers(const gpu::DeviceContext& context, gpu::Uploader& uploader,
+                             const field::DisplayGround& ground)
+    : vertices_(allocate(context, "ground/vertices",
+                         ground.vertices.size() * sizeof(shared::GroundVertex),
+                         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT))
+    , indices_(allocate(context, "ground/indices", ground.indices.size() * sizeof(std::uint32_t),
+                        VK_BUFFER_USAGE_INDEX_BUFFER_BIT))
+    , materials_(allocate(context, "ground/materials",
+                          ground.materials.size() * sizeof(shared::GroundMaterial),
+                          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT))
+    , sampler_(gpu::createSampler(context, {.name = "ground", .anisotropy = 8.0f}))
+    , imageLayout_(
+          context,
+          {.name = "ground/base color", .sampledCount = 1, .stages = VK_SHADER_STAGE_FRAGMENT_BIT})
+{
+    uploader.toBuffer(vertices_, std::span<const shared::GroundVertex>(ground.vertices));
+    uploader.toBuffer(indices_, std::span<const std::uint32_t>(ground.indices));
+    uploader.toBuffer(materials_, std::span<const shared::GroundMaterial>(ground.materials));
+    bytes_ = vertices_.bytes() + indices_.bytes() + materials_.bytes();
+
+    // One set per image, so that a shader never chooses among images.
+    for (std::size_t i = 0; i < ground.images.size(); ++i)
+        addImage(context, uploader, ground.images[i], "ground/image " + std::to_string(i));
+    addImage(context, uploader, whiteImage(), "ground/white");
+
+    for (const field::GroundRange& range : ground.ranges) {
+        if (range.level != 0 || range.indexCount == 0)
+            continue;
+        expect(range.material < ground.materials.size(), "a ground range's material exists");
+        const shared::GroundMaterial& material = ground.materials[range.material];
+        const std::size_t white = images_.size() - 1;
+        expect(material.image == shared::noImage || material.image < white,
+               "a ground material's image exists");
+        parts_.push_back({range.firstIndex, range.indexCount, range.material,
+                          (material.flags & shared::groundDoubleSided) != 0,
+                          std::min(material.image, static_cast<std::uint32_t>(white))});
+    }
+    // Together what is drawn with the same pipeline.
+    std::stable_sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) {
+        return a.isDoubleSided < b.isDoubleSided;
+    });
+}
+
+void GroundBuffers::addImage(const gpu::DeviceContext& context, gpu::Uploader& uploader,
+                             const field::Image& source, const std::string& name)
+{
+    const VkExtent2D extent{source.width, source.height};
+    gpu::Image image(context,
+                     {.name = name,
+                      .format = VK_FORMAT_R8G8B8A8_SRGB,
+                      .extent = extent,
+                      .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                               VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                      .mips = gpu::completeMips(extent)});
+    uploader.toImage(image, std::as_bytes(std::span(source.rgba)));
+    gpu::ImageSet set(context, imageLayout_, name);
+    set.setSampled(0, image.view(), sampler_.get());
+    bytes_ += image.memoryBytes();
+    images_.push_back(std::move(image));
+    imageSets_.push_back(std::move(set));
+}
+
+} // namespace sward::render

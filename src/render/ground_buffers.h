@@ -1,0 +1,58 @@
+#pragma once
+
+#include "field/field.h"
+#include "gpu/buffer.h"
+#include "gpu/context.h"
+#include "gpu/image.h"
+#include "gpu/image_set.h"
+#include "gpu/sampler.h"
+#include "gpu/upload.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace sward::render {
+
+/// The display ground in device memory: corners, triangles, materials, base colour images.
+class GroundBuffers {
+public:
+    /// Begins the upload; it is complete after `uploader.finish()`.
+    GroundBuffers(const gpu::DeviceContext& context, gpu::Uploader& uploader,
+                  const field::DisplayGround& ground);
+
+    /// Triangles of one material.
+    struct Part {
+        std::uint32_t firstIndex = 0;
+        std::uint32_t indexCount = 0;
+        std::uint32_t material = 0;
+        bool isDoubleSided = false;
+        std::uint32_t image = 0; ///< place in imageSet()
+    };
+
+    std::span<const Part> parts() const { return parts_; } ///< of the finest level
+    const gpu::Buffer& indices() const { return indices_; }
+    VkDeviceAddress vertices() const { return vertices_.address(); }
+    VkDeviceAddress materials() const { return materials_.address(); }
+    VkDescriptorSetLayout imageLayout() const { return imageLayout_.get(); }
+    const gpu::ImageSet& imageSet(std::uint32_t image) const { return imageSets_[image]; }
+    VkDeviceSize bytes() const { return bytes_; }
+
+private:
+    void addImage(const gpu::DeviceContext& context, gpu::Uploader& uploader,
+                  const field::Image& source, const std::string& name);
+
+    VkDeviceSize bytes_ = 0;
+    gpu::Buffer vertices_;
+    gpu::Buffer indices_;
+    gpu::Buffer materials_;
+    gpu::Sampler sampler_;
+    gpu::ImageSetLayout imageLayout_;
+    std::vector<gpu::Image> images_; ///< a white one at the end, for materials without
+    std::vector<gpu::ImageSet> imageSets_;
+    std::vector<Part> parts_;
+};
+
+} // namespace sward::render

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+
+namespace sward::render {
+
+constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
+
+/// What the pipelines of all drawing passes have in common.
+struct TargetSettings {
+    VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB;
+    std::uint32_t samples = 4;
+};
+
+} // namespace sward::render
