@@ -212,12 +212,17 @@ Camera presetCamera(CameraPreset preset, const field::FieldView& field, glm::vec
     if (!field.bounds().isEmpty())
         scene.points.clear();
 
-    // The leaves' boxes are close around the blades; the ground is where its corners are.
+    // Boxes have room for every way a blade may bend; roots and tips tell where it stands. Some
+    // ten thousand, from all over the field, are enough.
+    const std::size_t stride = std::max<std::size_t>(field.blades.size() / 20'000, 1);
     for (const shared::Patch& cell : field.patches) {
-        if (cell.childCount != 0 || cell.bladeCount == 0)
-            continue;
-        for (const glm::vec3& point : sceneOf({cell.boundsLow, cell.boundsHigh}, groundUp).points)
-            scene.points.push_back(point);
+        const std::size_t end = std::size_t(cell.firstBlade) + cell.bladeCount;
+        for (std::size_t i = (cell.firstBlade + stride - 1) / stride * stride; i < end;
+             i += stride) {
+            const shared::Blade blade = shared::unpackBlade(field.blades[i], cell);
+            scene.points.push_back(blade.root);
+            scene.points.push_back(blade.root + blade.height * blade.up);
+        }
     }
     for (const shared::GroundVertex& vertex : field.ground->vertices)
         scene.points.push_back(vertex.position);
