@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <map>
 #include <string>
 
 namespace sward::apps {
@@ -21,10 +20,12 @@ void LogSwitches::add(CLI::App& app)
 
 void LogSwitches::addBar(CLI::App& app)
 {
-    const std::map<std::string, Bar> words{
-        {"auto", Bar::automatic}, {"always", Bar::always}, {"never", Bar::never}};
-    app.add_option("--progress", bar, "Progress bar; auto shows it on a terminal only")
-        ->transform(CLI::Transformer(words).description("auto|always|never"))
+    const auto choose = [this](const std::string& word) {
+        bar = word == "always" ? Bar::always : word == "never" ? Bar::never : Bar::automatic;
+    };
+    app.add_option_function<std::string>("--progress", choose,
+                                         "Progress bar; auto shows it on a terminal only")
+        ->check(CLI::IsMember({"auto", "always", "never"}))
         ->type_name("")
         ->group("Log");
 }

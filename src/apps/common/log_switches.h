@@ -6,7 +6,7 @@ class App;
 
 namespace sward::apps {
 
-/// -q and -v, and what becomes of the progress bar.
+/// -q and -v, and what becomes of the progress bar. Stays where it is while a CLI::App knows it.
 struct LogSwitches {
     enum class Bar { automatic, always, never };
 

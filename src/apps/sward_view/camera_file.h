@@ -1,0 +1,24 @@
+#pragma once
+
+#include "field/field.h"
+#include "render/camera.h"
+
+#include <glm/vec3.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace sward::view {
+
+/// Reads {"eye": [x,y,z], "target": [x,y,z], "up": [x,y,z], "fov_y_deg": 45}; `up` and `fov_y_deg`
+/// may be left out. Throws Error{io} if it cannot be read, Error{input} that names the key when the
+/// camera looks nowhere or along its own up-vector.
+render::Camera readCamera(const std::filesystem::path& path, glm::vec3 up);
+
+/// The camera that --camera names: fit, eye, top, edge, or else a file.
+render::Camera chooseCamera(const std::string& name, const field::FieldView& field, float aspect);
+
+/// Unit vector away from the field's gravity: what its cameras take for up.
+glm::vec3 groundUpOf(const field::FieldView& field);
+
+} // namespace sward::view

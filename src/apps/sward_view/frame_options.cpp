@@ -1,0 +1,130 @@
+#include "apps/sward_view/frame_options.h"
+
+#include "apps/common/parse_text.h"
+#include "apps/sward_view/cull_list.h"
+#include "core/error.h"
+
+#include <CLI/CLI.hpp>
+
+namespace sward::view {
+namespace {
+
+// The rasteriser is a later version's; asking for it by name must not be silently ignored.
+void checkGeometry(const std::string& word)
+{
+    if (word == "raster")
+        fail(ErrorKind::unsupported, "--geometry raster: not in this version; tessellation is");
+    if (word != "auto" && word != "tessellation")
+        fail(ErrorKind::usage, "--geometry: '{}' is not one of auto, tessellation, raster", word);
+}
+
+render::DebugMode parseDebug(const std::string& word)
+{
+    if (word == "none")
+        return render::DebugMode::none;
+    if (word == "lod")
+        return render::DebugMode::lod;
+    if (word == "patches")
+        return render::DebugMode::patches;
+    if (word == "wind" || word == "reason")
+        fail(ErrorKind::unsupported, "--debug {}: not in this version; lod and patches are", word);
+    fail(ErrorKind::usage, "--debug: '{}' is not one of none, wind, lod, patches, reason", word);
+}
+
+} // namespace
+
+FrameOptions::FrameOptions()
+    : cullMask(render::FrameSettings().cullMask)
+{
+}
+
+void FrameOptions::addShared(CLI::App& app)
+{
+    const auto option = [&app](const char* name, auto read, const char* type, const char* about) {
+        return app.add_option_function<std::string>(name, read, about)->type_name(type);
+    };
+    option(
+        "--size",
+        [this](const std::string& text) { size = apps::parseSize("--size", text, largestSize); },
+        "WxH", "Size of the picture in pixels [1280x720]");
+    app.add_option("--camera", camera, "fit, eye, top, edge, or a camera file [fit]")
+        ->type_name("NAME|FILE");
+    option(
+        "--samples",
+        [this](const std::string& text) {
+            if (text != "1" && text != "4")
+                fail(ErrorKind::usage, "--samples: '{}' is not 1 or 4", text);
+            samples = text == "1" ? 1u : 4u;
+        },
+        "1|4", "Samples per pixel [4; in a window on a CPU device 1]");
+    option(
+        "--draw-distance",
+        [this](const std::string& text) {
+            drawDistance =
+                static_cast<float>(apps::parseNumber("--draw-distance", text, 1e-3, 1e9));
+        },
+        "M", "Blades farther away are not drawn [the field's]");
+    option(
+        "--wind-strength",
+        [this](const std::string& text) {
+            windStrength = static_cast<float>(apps::parseNumber("--wind-strength", text, 0, 1000));
+        },
+        "X", "Blade heights per second; 0 is calm [the field's]");
+    app.add_option("--device", device, "Vulkan device, see 'sward-view devices' [best]")
+        ->type_name("N|NAME")
+        ->envname("SWARD_DEVICE");
+    app.add_flag("--validation", validation,
+                 "Run under the validation layer; any message is a failure");
+    log.add(app);
+}
+
+void FrameOptions::addMeasured(CLI::App& app)
+{
+    const auto option = [&app](const char* name, auto read, const char* type, const char* about) {
+        return app.add_option_function<std::string>(name, read, about)
+            ->type_name(type)
+            ->group("Drawing");
+    };
+    option(
+        "--fixed-dt",
+        [this](const std::string& text) {
+            fixedStep = apps::parseNumber("--fixed-dt", text, 0, 1e6);
+        },
+        "S", "Seconds from frame to frame, a fraction if you like [1/60]");
+    option("--geometry", checkGeometry, "WORD", "auto, tessellation, raster [auto]");
+    app.add_option("--tess-level", tessellationLevel,
+                   "Segments along every blade, 1 to 64; 0: by size on the screen [0]")
+        ->type_name("N")
+        ->check(CLI::Range(0, 64))
+        ->group("Drawing");
+    option(
+        "--cull", [this](const std::string& text) { cullMask = parseCullList(text); }, "LIST",
+        "all, none, or some of patch,orientation,frustum,distance,occlusion [all]");
+    option(
+        "--lod",
+        [this](const std::string& text) {
+            if (text != "on" && text != "off")
+                fail(ErrorKind::usage, "--lod: '{}' is not on or off", text);
+            levelOfDetail = text == "on";
+        },
+        "on|off", "Leave out and widen blades too thin for a pixel [on]");
+    option(
+        "--debug", [this](const std::string& text) { debug = parseDebug(text); }, "WORD",
+        "Colour by none, lod, patches [none]");
+}
+
+render::FrameSettings FrameOptions::settingsFor(const field::FieldView& view) const
+{
+    render::FrameSettings settings = render::FrameSettings::of(view);
+    settings.cullMask = cullMask;
+    settings.levelOfDetail = levelOfDetail;
+    settings.tessellationLevel = tessellationLevel;
+    settings.debug = debug;
+    if (drawDistance)
+        settings.nature.drawDistance = *drawDistance;
+    if (windStrength)
+        settings.nature.wind.strength = *windStrength;
+    return settings;
+}
+
+} // namespace sward::view

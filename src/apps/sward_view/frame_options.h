@@ -1,0 +1,51 @@
+#pragma once
+
+#include "apps/common/log_switches.h"
+#include "render/frame_settings.h"
+
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace sward::view {
+
+/// What render, bench and the window have in common on the command line: which field, on which
+/// device, from where and how it is drawn. Stays where it is while a CLI::App knows it.
+struct FrameOptions {
+    std::string field;
+    glm::uvec2 size{1280, 720};           ///< [pixels]
+    std::string camera = "fit";           ///< a preset's name or a file
+    std::optional<std::uint32_t> samples; ///< 1 or 4; unset: the command decides
+    int tessellationLevel = 0;            ///< 0: by size on the screen
+    std::uint32_t cullMask;
+    bool levelOfDetail = true;
+    render::DebugMode debug = render::DebugMode::none;
+    std::optional<float> drawDistance; ///< [m]; unset: the field's
+    std::optional<float> windStrength; ///< [1/s]; unset: the field's
+    double fixedStep = 1.0 / 60.0;     ///< [s] between frames
+    std::string device;                ///< index or part of the name; empty: the best
+    bool validation = false;
+    apps::LogSwitches log;
+
+    FrameOptions();
+
+    /// Adds the switches of every command: size, camera, device, wind, distances, log.
+    void addShared(CLI::App& app);
+
+    /// Adds the switches of render and bench alone: geometry, culling, fixed step, debug.
+    void addMeasured(CLI::App& app);
+
+    /// The frame settings that follow, starting from what the field has saved.
+    render::FrameSettings settingsFor(const field::FieldView& view) const;
+};
+
+/// Largest width and height of a picture [pixels].
+constexpr std::uint32_t largestSize = 16384;
+
+} // namespace sward::view

@@ -1,0 +1,157 @@
+#include "apps/sward_view/headless.h"
+
+#include "apps/common/interrupt.h"
+#include "apps/sward_view/camera_file.h"
+#include "apps/sward_view/graphics.h"
+#include "apps/sward_view/reference_sum.h"
+#include "gpu/image_use.h"
+#include "gpu/readback.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace sward::view {
+namespace {
+
+constexpr VkFormat pictureFormat = VK_FORMAT_R8G8B8A8_SRGB;
+constexpr std::uint32_t slot = 0; ///< one frame at a time
+
+gpu::Image createTarget(const gpu::DeviceContext& context, glm::uvec2 size)
+{
+    return {context,
+            {.name = "picture",
+             .format = pictureFormat,
+             .extent = {size.x, size.y},
+             .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}};
+}
+
+// Frame by frame. Both series have the same frames.
+std::vector<double> sumOf(std::vector<double> first, const std::vector<double>& second)
+{
+    for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i)
+        first[i] += second[i];
+    return first;
+}
+
+float aspectOf(glm::uvec2 size)
+{
+    return static_cast<float>(size.x) / static_cast<float>(size.y);
+}
+
+} // namespace
+
+Headless::Headless(const FrameOptions& options, bool recordFates)
+    : options_(options)
+    , field_(field::readField(options.field))
+    , instance_(createInstance(options.validation))
+    , device_(instance_, {.selection = options.device})
+    , samples_(options.samples.value_or(4))
+    , renderer_(device_, field_.view(),
+                {.colorFormat = pictureFormat,
+                 .samples = samples_,
+                 .framesInFlight = 1,
+                 .recordFates = recordFates})
+    , target_(createTarget(device_.context(), options.size))
+    , timestamps_(device_.context(), {.slots = 1})
+    , ring_(device_.context(), 1)
+    , settings_(options.settingsFor(field_.view()))
+    , camera_(chooseCamera(options.camera, field_.view(), aspectOf(options.size)))
+{
+}
+
+double Headless::timeOf(std::uint64_t frame) const
+{
+    return static_cast<double>(frame) * options_.fixedStep;
+}
+
+void Headless::skip(std::uint64_t frame)
+{
+    apps::throwIfInterrupted("simulation");
+    const gpu::FrameRing::Frame commands = ring_.begin();
+    renderer_.recordUpdateOnly(commands.commands, settings_, timeOf(frame), slot);
+    ring_.submit(commands);
+    ring_.finish();
+}
+
+void Headless::draw(std::uint64_t frame)
+{
+    record(settings_, timeOf(frame), glm::vec2(0.0f));
+}
+
+void Headless::record(const render::FrameSettings& settings, double time, glm::vec2 jitter)
+{
+    apps::throwIfInterrupted("drawing");
+    const gpu::FrameRing::Frame frame = ring_.begin();
+    timestamps_.beginFrame(frame.commands, slot);
+    gpu::transition(frame.commands, target_, gpu::ImageUse::undefined, gpu::ImageUse::colorTarget);
+
+    const auto begin = std::chrono::steady_clock::now();
+    {
+        const gpu::TimedScope total(timestamps_, device_.context(), frame.commands, "total");
+        renderer_.record(frame.commands, {target_.get(), target_.view(), options_.size}, camera_,
+                         settings, time, slot, &timestamps_, jitter);
+    }
+    const std::chrono::duration<double, std::milli> spent =
+        std::chrono::steady_clock::now() - begin;
+    recordTimes_.push_back(spent.count());
+
+    ring_.submit(frame);
+    ring_.finish();
+}
+
+Picture Headless::picture()
+{
+    const std::vector<std::byte> bytes =
+        gpu::readImage(device_.context(), target_, gpu::ImageUse::colorTarget);
+    const auto* first = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    return {options_.size, {first, first + bytes.size()}};
+}
+
+Picture Headless::reference(std::uint64_t frame)
+{
+    render::FrameSettings everything = settings_;
+    everything.cullMask = 0;
+    everything.levelOfDetail = false;
+    ReferenceSum sum(options_.size);
+    for (std::uint32_t i = 0; i < referencePictures; ++i) {
+        record(everything, timeOf(frame), referenceJitter(i));
+        sum.add(picture());
+    }
+    return sum.mean();
+}
+
+void Headless::forgetTimes()
+{
+    timestamps_.collect();
+    timestamps_.clearHistory();
+    recordTimes_.clear();
+}
+
+RunStats Headless::stats()
+{
+    timestamps_.collect();
+    RunStats stats;
+    stats.device = device_.context().name;
+    stats.driver = device_.context().driver;
+    stats.size = options_.size;
+    stats.samples = samples_;
+    stats.geometry = "tessellation";
+    stats.geometryReason = "the only way of drawing in this version";
+    stats.blades = renderer_.stats(slot);
+    for (const std::string& name : timestamps_.names())
+        stats.gpuTimes[name] = timestamps_.statistics(name);
+    // Updating and culling are one pass here; the grass is that pass and the drawing of blades.
+    stats.gpuTimes["grass"] =
+        gpu::statisticsOf(sumOf(timestamps_.history("update"), timestamps_.history("blades")));
+    stats.recordTime = gpu::statisticsOf(recordTimes_);
+    stats.deviceBytes = renderer_.deviceBytes();
+    stats.validationMessages = instance_.validationLog().count();
+    return stats;
+}
+
+std::vector<render::FieldRenderer::BladeRecord> Headless::blades() const
+{
+    return renderer_.dumpBlades(field_.view());
+}
+
+} // namespace sward::view
