@@ -13,6 +13,8 @@
 
 #include <cstring>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace sward::field {
@@ -50,6 +52,7 @@ public:
     }
 
     std::vector<Chunk>& chunks() { return chunks_; }
+    const std::vector<Chunk>& chunks() const { return chunks_; }
 
 private:
     template <typename T>
@@ -111,39 +114,56 @@ void writePadding(AtomicFile& file, std::uint64_t& at)
     at += count;
 }
 
+// All chunks of a field. Texts and images are made here, arrays stay where they are.
+struct Encoded {
+    std::string species;
+    std::string defaults;
+    std::vector<std::byte> images;
+    ChunkList list;
+    format::FileHeader header;
+
+    explicit Encoded(const Field& field)
+        : species(speciesText(field.species))
+        , defaults(defaultsText(field.defaults, field.copyright))
+        , images(imagesBytes(field.ground.images))
+    {
+        const DisplayGround& ground = field.ground;
+        list.addPlain(format::patches, std::span(field.patches), format::critical);
+        list.addPlain(format::blades, std::span(field.blades), format::critical);
+        list.addCompressed(format::keys, std::span(field.keys), 0);
+        list.addPlain(format::species, std::span(std::as_const(species)), format::critical);
+        list.addCompressed(format::groundVertices, std::span(ground.vertices), 0);
+        list.addCompressed(format::groundIndices, std::span(ground.indices), 0);
+        list.addPlain(format::groundRanges, std::span(ground.ranges), 0);
+        list.addPlain(format::groundMaterials, std::span(ground.materials), 0);
+        list.addCompressed(format::groundImages, std::span(std::as_const(images)), 0);
+        list.addPlain(format::defaults, std::span(std::as_const(defaults)), format::critical);
+        list.addPlain(format::provenance, std::span(field.provenance), 0);
+        header = layOut(list.chunks(), field.origin);
+    }
+    Encoded(const Encoded&) = delete;
+    Encoded& operator=(const Encoded&) = delete;
+};
+
 } // namespace
+
+std::uint64_t fieldBytes(const Field& field)
+{
+    return Encoded(field).header.fileBytes;
+}
 
 std::uint64_t writeField(const Field& field, const std::filesystem::path& path, bool overwrite)
 {
     expect(field.keys.size() == field.blades.size(), "one key per blade");
     AtomicFile file(path, overwrite);
 
-    const std::string species = speciesText(field.species);
-    const std::string defaults = defaultsText(field.defaults, field.copyright);
-    const std::vector<std::byte> images = imagesBytes(field.ground.images);
-    ChunkList list;
-    list.addPlain(format::patches, std::span<const shared::Patch>(field.patches), format::critical);
-    list.addPlain(format::blades, std::span<const shared::PackedBlade>(field.blades),
-                  format::critical);
-    list.addCompressed(format::keys, std::span<const BladeKey>(field.keys), 0);
-    list.addPlain(format::species, std::span<const char>(species), format::critical);
-    list.addCompressed(format::groundVertices,
-                       std::span<const shared::GroundVertex>(field.ground.vertices), 0);
-    list.addCompressed(format::groundIndices, std::span<const std::uint32_t>(field.ground.indices),
-                       0);
-    list.addPlain(format::groundRanges, std::span<const GroundRange>(field.ground.ranges), 0);
-    list.addPlain(format::groundMaterials,
-                  std::span<const shared::GroundMaterial>(field.ground.materials), 0);
-    list.addCompressed(format::groundImages, std::span<const std::byte>(images), 0);
-    list.addPlain(format::defaults, std::span<const char>(defaults), format::critical);
-    list.addPlain(format::provenance, std::span<const char>(field.provenance), 0);
-
-    const format::FileHeader header = layOut(list.chunks(), field.origin);
-    file.write(bytesOf(header));
-    for (const Chunk& chunk : list.chunks())
+    const Encoded encoded(field);
+    const std::vector<Chunk>& chunks = encoded.list.chunks();
+    file.write(bytesOf(encoded.header));
+    for (const Chunk& chunk : chunks)
         file.write(bytesOf(chunk.entry));
-    std::uint64_t at = sizeof header + list.chunks().size() * sizeof(format::ChunkEntry);
-    for (const Chunk& chunk : list.chunks()) {
+    std::uint64_t at = sizeof encoded.header + chunks.size() * sizeof(format::ChunkEntry);
+    for (const Chunk& chunk : chunks) {
         writePadding(file, at);
         file.write(chunk.stored);
         at += chunk.stored.size();
@@ -154,7 +174,7 @@ std::uint64_t writeField(const Field& field, const std::filesystem::path& path, 
     file.flush();
     readField(file.temporaryPath());
     file.commit();
-    return header.fileBytes;
+    return encoded.header.fileBytes;
 }
 
 } // namespace sward::field

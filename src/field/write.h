@@ -13,4 +13,7 @@ namespace sward::field {
 /// whole.
 std::uint64_t writeField(const Field& field, const std::filesystem::path& path, bool overwrite);
 
+/// Bytes that writeField() would write.
+std::uint64_t fieldBytes(const Field& field);
+
 } // namespace sward::field

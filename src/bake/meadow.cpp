@@ -1,0 +1,148 @@
+#include "bake/meadow.h"
+
+#include "core/embedded.h"
+#include "core/error.h"
+#include "core/mapped_file.h"
+#include "core/settings_json.h"
+
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace sward::embedded {
+std::span<const EmbeddedFile> meadows();
+} // namespace sward::embedded
+
+namespace sward::bake {
+namespace {
+
+using nlohmann::json;
+
+// Reads a range [low, high] within the given bounds.
+void readRange(SettingsReader& reader, const char* key, glm::dvec2& range, double low, double high)
+{
+    glm::vec2 read(range);
+    const bool given = reader.has(key);
+    reader.read(key, read, low, high);
+    if (!given)
+        return;
+    if (read.x > read.y)
+        fail(ErrorKind::input, "{}: {} is above {}", reader.placeOf(key), read.x, read.y);
+    range = glm::dvec2(read);
+}
+
+SpeciesTraits parseSpecies(const json& object, const std::string& place)
+{
+    SpeciesTraits species;
+    shared::Species& look = species.look;
+    look.rootColor = glm::vec3(0.035f, 0.06f, 0.012f);
+    look.tipColor = glm::vec3(0.24f, 0.36f, 0.06f);
+    look.tipThreshold = 0.35f;
+    look.groundTint = 0.35f;
+    look.colorVariation = 0.4f;
+    look.translucency = 0.5f;
+    look.gloss = 0.3f;
+    look.dryness = 0.1f;
+
+    SettingsReader reader(object, place);
+    reader.read("name", species.name);
+    reader.read("share", species.share, 1e-6, 1e6);
+    readRange(reader, "height_m", species.height, 1e-6, 1e4);
+    readRange(reader, "width_m", species.width, 1e-7, 1e3);
+    readRange(reader, "stiffness", species.stiffness, 0.0, 1.0);
+    reader.read("clumping", species.clumping, 0.0, 1.0);
+    reader.read("root_color", look.rootColor, 0.0, 1.0);
+    reader.read("tip_color", look.tipColor, 0.0, 1.0);
+    reader.read("tip_threshold", look.tipThreshold, 0.0, 0.99);
+    reader.read("ground_tint", look.groundTint, 0.0, 1.0);
+    reader.read("color_variation", look.colorVariation, 0.0, 1.0);
+    reader.read("translucency", look.translucency, 0.0, 1.0);
+    reader.read("gloss", look.gloss, 0.0, 1.0);
+    reader.read("dryness", look.dryness, 0.0, 1.0);
+    reader.finish();
+    return species;
+}
+
+std::string stem(std::string_view fileName)
+{
+    return std::filesystem::path(fileName).stem().string();
+}
+
+template <typename Vec>
+json toArray(const Vec& v)
+{
+    if constexpr (Vec::length() == 2)
+        return json::array({v.x, v.y});
+    else
+        return json::array({v.x, v.y, v.z});
+}
+
+} // namespace
+
+Meadow parseMeadow(std::string_view text, const std::string& place)
+{
+    const json object = parseJson(text, place);
+    Meadow meadow;
+    SettingsReader reader(object, place);
+    reader.read("name", meadow.name);
+    reader.read("clump_size_m", meadow.clumpSize, 0.0, 1e6);
+    const json& list = reader.child("species");
+    reader.finish();
+    if (!list.is_array() || list.empty() || list.size() > shared::maxSpecies)
+        fail(ErrorKind::input, "{}: expected an array of 1 to {} species",
+             reader.placeOf("species"), shared::maxSpecies);
+    for (const json& entry : list)
+        meadow.species.push_back(parseSpecies(
+            entry, fmt::format("{}[{}]", reader.placeOf("species"), meadow.species.size())));
+    return meadow;
+}
+
+Meadow loadMeadow(const std::string& fileOrName)
+{
+    // A file of that name wins over a built-in.
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(fileOrName, ignored)) {
+        const std::vector<std::byte> bytes = readFile(fileOrName, std::size_t(1) << 24);
+        return parseMeadow({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, fileOrName);
+    }
+    for (const EmbeddedFile& file : embedded::meadows())
+        if (stem(file.name) == fileOrName)
+            return parseMeadow(file.text(), fmt::format("built-in meadow {}", fileOrName));
+    fail(ErrorKind::io, "{}: no such file, and no built-in meadow; those are {}", fileOrName,
+         fmt::join(builtInMeadows(), ", "));
+}
+
+std::string toJson(const Meadow& meadow)
+{
+    json species = json::array();
+    for (const SpeciesTraits& one : meadow.species)
+        species.push_back({{"name", one.name},
+                           {"share", one.share},
+                           {"height_m", toArray(one.height)},
+                           {"width_m", toArray(one.width)},
+                           {"stiffness", toArray(one.stiffness)},
+                           {"clumping", one.clumping},
+                           {"root_color", toArray(one.look.rootColor)},
+                           {"tip_color", toArray(one.look.tipColor)},
+                           {"tip_threshold", one.look.tipThreshold},
+                           {"ground_tint", one.look.groundTint},
+                           {"color_variation", one.look.colorVariation},
+                           {"translucency", one.look.translucency},
+                           {"gloss", one.look.gloss},
+                           {"dryness", one.look.dryness}});
+    return json{{"name", meadow.name}, {"clump_size_m", meadow.clumpSize}, {"species", species}}
+        .dump(2);
+}
+
+std::vector<std::string> builtInMeadows()
+{
+    std::vector<std::string> names;
+    for (const EmbeddedFile& file : embedded::meadows())
+        names.push_back(stem(file.name));
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+} // namespace sward::bake

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "bake/settings.h"
+#include "core/diagnostics.h"
+
+#include <cstdint>
+
+namespace sward::bake {
+
+/// How many blades of what size a ground will bear.
+struct Plan {
+    double scale = 1.0;    ///< size of blades relative to the meadow's
+    double density = 0.0;  ///< candidates per m²; 0 when a count decides
+    double expected = 0.0; ///< blades, before any filter
+};
+
+/// Blade scale of ground with so much area [m²]: 1 from 400 m² (20 m × 20 m), below that in
+/// proportion to its width, so that a table-top landscape carries table-top grass.
+double automaticScale(double area);
+
+/// Settles scale and density for `area` m². With neither density nor count, 300/m² at scale 1 (more
+/// where blades are smaller), but at most 20 million, with a warning that says what 300/m² would
+/// cost. Throws Error{input} when more than maxBlades would grow.
+Plan planBake(double area, const BakeSettings& settings, Diagnostics& diagnostics);
+
+} // namespace sward::bake

@@ -1,0 +1,198 @@
+#include "bake/settings.h"
+
+#include "core/error.h"
+
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+namespace sward::bake {
+namespace {
+
+using nlohmann::json;
+
+double parseNumber(const std::string& option, const std::string& text)
+{
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+        fail(ErrorKind::usage, "{}: \"{}\" is not a number", option, text);
+    return value;
+}
+
+std::vector<std::string> split(const std::string& text, char separator)
+{
+    std::vector<std::string> parts(1);
+    for (const char c : text)
+        if (c == separator)
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    return parts;
+}
+
+void requireRange(const char* name, double value, double low, double high)
+{
+    if (!(value >= low && value <= high))
+        fail(ErrorKind::usage, "{} is {}, outside [{}, {}]", name, value, low, high);
+}
+
+} // namespace
+
+double SoftRange::weight(double value) const
+{
+    if (value >= low && value <= high)
+        return 1.0;
+    if (soft <= 0.0)
+        return 0.0;
+    const double outside = value < low ? low - value : value - high;
+    return outside >= soft ? 0.0 : 1.0 - outside / soft;
+}
+
+glm::dvec3 GroundUp::at(glm::dvec3 place) const
+{
+    if (!radial)
+        return direction;
+    const glm::dvec3 outward = place - centre;
+    const double length = std::sqrt(glm::dot(outward, outward));
+    return length > 0.0 ? outward / length : glm::dvec3(0.0, 1.0, 0.0);
+}
+
+void validate(const BakeSettings& settings)
+{
+    if (settings.density && settings.count)
+        fail(ErrorKind::usage, "--density and --count exclude each other");
+    if (settings.density)
+        requireRange("--density", *settings.density, 0.0, 1e15);
+    if (settings.count)
+        requireRange("--count", double(*settings.count), 0.0, 4e9);
+    requireRange("--max-blades", double(settings.maxBlades), 0.0, 4e9);
+    if (settings.bladeScale)
+        requireRange("--blade-scale", *settings.bladeScale, 1e-6, 1e6);
+    requireRange("--clearance", settings.clearance, 0.0, 1e9);
+    requireRange("--exposure", settings.exposureRays, 0, 1024);
+    requireRange("--ray-length", settings.rayLength, 0.0, 1e9);
+    if (settings.meadow.species.empty())
+        fail(ErrorKind::usage, "the meadow has no species");
+}
+
+std::string toJson(const BakeSettings& settings)
+{
+    json masks = json::array();
+    for (const VertexColorMask& mask : settings.masks)
+        masks.push_back(
+            fmt::format("vertex-color:{}{}", "RGBA"[mask.channel], mask.invert ? ":invert" : ""));
+    const auto range = [](const SoftRange& r) { return json::array({r.low, r.high, r.soft}); };
+    const auto vector = [](const glm::dvec3& v) { return json::array({v.x, v.y, v.z}); };
+    const char* const sides[] = {"front", "back", "both"};
+    json object = {
+        {"density", settings.density ? json(*settings.density) : json()},
+        {"count", settings.count ? json(*settings.count) : json()},
+        {"blade_scale", settings.bladeScale ? json(*settings.bladeScale) : json("auto")},
+        {"sampling", "uniform"},
+        {"seed", settings.seed},
+        {"sides", sides[static_cast<int>(settings.sides)]},
+        {"align", settings.align.vertical},
+        {"ground_up", settings.groundUp.radial ? json{{"centre", vector(settings.groundUp.centre)}}
+                                               : vector(settings.groundUp.direction)},
+        {"slope", range(settings.slope)},
+        {"altitude", range(settings.altitude)},
+        {"clearance", settings.clearance},
+        {"exposure_rays", settings.exposureRays},
+        {"ray_length", settings.rayLength},
+        {"masks", masks},
+        {"meadow", json::parse(toJson(settings.meadow))},
+    };
+    return object.dump(2);
+}
+
+Alignment parseAlignment(const std::string& text)
+{
+    if (text == "normal")
+        return {0.0};
+    if (text == "vertical")
+        return {1.0};
+    if (text.starts_with("blend:")) {
+        const double share = parseNumber("--align", text.substr(6));
+        requireRange("--align blend", share, 0.0, 1.0);
+        return {share};
+    }
+    fail(ErrorKind::usage, "--align is \"{}\"; expected normal, vertical or blend:F", text);
+}
+
+GroundUp parseGroundUp(const std::string& text)
+{
+    GroundUp up;
+    const std::string axis = text.starts_with("-") ? text.substr(1) : text;
+    if (axis.size() == 1 && axis[0] >= 'x' && axis[0] <= 'z') {
+        up.direction = glm::dvec3(0.0);
+        up.direction[static_cast<std::size_t>(axis[0] - 'x')] = text[0] == '-' ? -1.0 : 1.0;
+        return up;
+    }
+    if (text != "radial" && !text.starts_with("radial:"))
+        fail(ErrorKind::usage,
+             "--ground-up is \"{}\"; expected x, y, z, -x, -y, -z, radial or radial:x,y,z", text);
+    up.radial = true;
+    if (text.size() > 7) {
+        const std::vector<std::string> parts = split(text.substr(7), ',');
+        if (parts.size() != 3)
+            fail(ErrorKind::usage, "--ground-up is \"{}\"; radial takes three numbers", text);
+        for (std::size_t i = 0; i < 3; ++i)
+            up.centre[i] = parseNumber("--ground-up", parts[i]);
+    }
+    return up;
+}
+
+SoftRange parseSoftRange(const std::string& option, const std::string& text, SoftRange full)
+{
+    SoftRange range = full;
+    const std::vector<std::string> soft = split(text, '~');
+    const std::vector<std::string> ends = split(soft[0], ':');
+    if (soft.size() > 2 || ends.size() != 2)
+        fail(ErrorKind::usage, "{} is \"{}\"; expected MIN:MAX or MIN:MAX~SOFT", option, text);
+    if (!ends[0].empty())
+        range.low = parseNumber(option, ends[0]);
+    if (!ends[1].empty())
+        range.high = parseNumber(option, ends[1]);
+    if (soft.size() == 2)
+        range.soft = parseNumber(option, soft[1]);
+    if (range.low > range.high)
+        fail(ErrorKind::usage, "{}: {} is above {}", option, range.low, range.high);
+    requireRange(option.c_str(), range.soft, 0.0, 1e300);
+    return range;
+}
+
+Sides parseSides(const std::string& text)
+{
+    if (text == "front")
+        return Sides::front;
+    if (text == "back")
+        return Sides::back;
+    if (text == "both")
+        return Sides::both;
+    fail(ErrorKind::usage, "--sides is \"{}\"; expected front, back or both", text);
+}
+
+VertexColorMask parseMask(const std::string& text)
+{
+    const std::vector<std::string> parts = split(text, ':');
+    if (parts[0] == "texture" || parts[0] == "material-texture")
+        fail(ErrorKind::unsupported, "--mask {}: this version masks by vertex-color only", text);
+    const std::string channels = "RGBA";
+    VertexColorMask mask;
+    const bool valid = parts[0] == "vertex-color" && (parts.size() == 2 || parts.size() == 3) &&
+                       parts[1].size() == 1 && channels.find(parts[1]) != std::string::npos &&
+                       (parts.size() == 2 || parts[2] == "invert");
+    if (!valid)
+        fail(ErrorKind::usage,
+             "--mask is \"{}\"; expected vertex-color:C or vertex-color:C:invert, C one of R G B A",
+             text);
+    mask.channel = static_cast<int>(channels.find(parts[1]));
+    mask.invert = parts.size() == 3;
+    return mask;
+}
+
+} // namespace sward::bake
