@@ -14,7 +14,7 @@
 namespace sward::gpu {
 
 struct BufferSettings {
-    std::string name;
+    std::string name{};
     VkDeviceSize bytes = 0;
     VkBufferUsageFlags usage = 0; ///< besides being reached by its device address
     MemoryUse memory = MemoryUse::device;

@@ -36,6 +36,8 @@ VkCommandBuffer CommandPool::allocate(const std::string& name) const
 
 void begin(VkCommandBuffer commands)
 {
+    // What was recorded and never submitted is dropped.
+    check(vkResetCommandBuffer(commands, 0), "vkResetCommandBuffer");
     VkCommandBufferBeginInfo beginning{};
     beginning.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
     beginning.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;

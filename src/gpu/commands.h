@@ -24,7 +24,7 @@ private:
     Unique<VkCommandPool, vkDestroyCommandPool> pool_;
 };
 
-/// Begins recording what is submitted once.
+/// Begins recording what is submitted once; the device must be done with what was recorded before.
 void begin(VkCommandBuffer commands);
 
 /// Ends recording and submits; the fence, if any, is signalled when all is done.

@@ -13,11 +13,11 @@
 namespace sward::gpu {
 
 struct ComputePipelineSettings {
-    std::string name;
-    std::string shader; ///< as the ShaderLibrary knows it
+    std::string name{};
+    std::string shader{}; ///< as the ShaderLibrary knows it
     std::uint32_t pushConstantBytes = 0;
-    std::vector<VkDescriptorSetLayout> setLayouts;
-    std::vector<SpecializationConstant> constants;
+    std::vector<VkDescriptorSetLayout> setLayouts{};
+    std::vector<SpecializationConstant> constants{};
 };
 
 class ComputePipeline {

@@ -13,7 +13,7 @@ namespace sward::gpu {
 
 struct DeviceSettings {
     /// Index, or part of the name in any case; empty takes the best (chooseDevice()).
-    std::string selection;
+    std::string selection{};
 
     /// A surface that the device must be able to present to, if any.
     VkSurfaceKHR surface = VK_NULL_HANDLE;

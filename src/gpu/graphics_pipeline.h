@@ -20,20 +20,20 @@ enum class Blend {
 /// Vertices come from device addresses, so there is no vertex input; viewport and scissor are
 /// dynamic.
 struct GraphicsPipelineSettings {
-    std::string name;
+    std::string name{};
 
-    std::string vertexShader;
-    std::string tessellationControlShader;    ///< empty: none
-    std::string tessellationEvaluationShader; ///< empty: none
-    std::string fragmentShader;               ///< empty: depth alone
-    std::uint32_t patchControlPoints = 0;     ///< with tessellation: at least 1
+    std::string vertexShader{};
+    std::string tessellationControlShader{};    ///< empty: none
+    std::string tessellationEvaluationShader{}; ///< empty: none
+    std::string fragmentShader{};               ///< empty: depth alone
+    std::uint32_t patchControlPoints = 0;       ///< with tessellation: at least 1
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST; ///< without tessellation
 
     std::uint32_t pushConstantBytes = 0;
-    std::vector<VkDescriptorSetLayout> setLayouts;
-    std::vector<SpecializationConstant> constants; ///< given to every stage
+    std::vector<VkDescriptorSetLayout> setLayouts{};
+    std::vector<SpecializationConstant> constants{}; ///< given to every stage
 
-    std::vector<VkFormat> colorFormats;
+    std::vector<VkFormat> colorFormats{};
     VkFormat depthFormat = VK_FORMAT_UNDEFINED; ///< undefined: no depth attachment
     std::uint32_t samples = 1;
     bool sampleShading = false; ///< runs the fragment shader once per sample, where the device can

@@ -13,7 +13,7 @@
 namespace sward::gpu {
 
 struct ImageSettings {
-    std::string name;
+    std::string name{};
     VkFormat format = VK_FORMAT_UNDEFINED;
     VkExtent2D extent{};
     VkImageUsageFlags usage = 0;

@@ -13,7 +13,7 @@
 namespace sward::gpu {
 
 struct ImageSetSettings {
-    std::string name;
+    std::string name{};
     std::uint32_t sampledCount =
         0; ///< elements of binding 0, combined image samplers; lavapipe: ≤ 32
     std::uint32_t storageCount = 0; ///< elements of binding 1, storage images

@@ -22,7 +22,7 @@ struct InstanceSettings {
     bool validation = false;
 
     /// Instance extensions of the window system; empty without a window.
-    std::vector<std::string> extensions;
+    std::vector<std::string> extensions{};
 };
 
 /// vkDestroyDebugUtilsMessengerEXT, which the loader does not export.

@@ -12,7 +12,7 @@ namespace sward::gpu {
 using Sampler = Unique<VkSampler, vkDestroySampler>;
 
 struct SamplerSettings {
-    std::string name;
+    std::string name{};
     VkFilter filter = VK_FILTER_LINEAR; ///< between pixels, and likewise between mip levels
     VkSamplerAddressMode address = VK_SAMPLER_ADDRESS_MODE_REPEAT;
     float anisotropy = 1.0f; ///< [1, 16]; bounded by what the device has

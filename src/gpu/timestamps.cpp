@@ -100,7 +100,7 @@ void Timestamps::collectSlot(std::uint32_t slot)
                                         ? ~std::uint64_t(0)
                                         : (std::uint64_t(1) << context_.timestampValidBits) - 1;
     for (std::uint32_t scope = 0; scope < names.size(); ++scope) {
-        // A frame that was recorded and never submitted has no answers.
+        // Without an answer there is nothing to measure; waiting for one could take for ever.
         std::array<Query, 2> queries{};
         const VkResult result =
             vkGetQueryPoolResults(context_.device, queries_.get(), firstQuery(slot) + 2 * scope, 2,

@@ -27,8 +27,8 @@ public:
     explicit Timestamps(const DeviceContext& context, const TimestampSettings& settings = {});
 
     /// Takes over what the slot's former frame measured, and makes room for the new one. The device
-    /// must be done with that frame, as it is after FrameRing::begin(). Recorded outside of any
-    /// rendering.
+    /// must be done with that frame, as it is after FrameRing::begin(), and a frame that is begun
+    /// is submitted. Recorded outside of any rendering.
     void beginFrame(VkCommandBuffer commands, std::uint32_t slot);
 
     /// Begins a part; returns what end() takes. Parts may contain each other. Beyond the settings'

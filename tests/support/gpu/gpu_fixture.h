@@ -1,0 +1,24 @@
+#pragma once
+
+#include "gpu/device.h"
+#include "gpu/instance.h"
+
+#include <gtest/gtest.h>
+
+namespace sward::test {
+
+/// A test on a headless device that is made once per program, with validation and synchronisation
+/// validation. Whatever the validation layer says fails the test. SWARD_GPU_ENVIRONMENT
+/// (tests/CMakeLists.txt) makes the device lavapipe.
+class GpuTest : public testing::Test {
+protected:
+    void SetUp() override;
+    void TearDown() override;
+
+    static const gpu::Instance& instance();
+    static const gpu::Device& device();
+    static const gpu::DeviceContext& context() { return device().context(); }
+    static gpu::ValidationLog& validationLog() { return instance().validationLog(); }
+};
+
+} // namespace sward::test
