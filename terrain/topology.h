@@ -20,7 +20,9 @@ struct Topology {
 
     /// Per triangle, bit e: the edge from corner e to corner e+1 …
     std::vector<std::uint8_t> borderEdges; ///< … has no neighbour
-    std::vector<std::uint8_t> creaseEdges; ///< … turns by more than the crease angle
+    std::vector<std::uint8_t>
+        creaseEdges; ///< … cannot share a normal: it turns by more than the crease
+                     ///< angle, has three triangles, or two fronts that disagree
 
     std::uint64_t borderEdgeCount = 0;
     std::uint64_t creaseEdgeCount = 0;

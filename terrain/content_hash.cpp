@@ -1,0 +1,73 @@
+#include "core/expect.h"
+#include "terrain/load.h"
+
+#include <fmt/core.h>
+#include <xxhash.h>
+
+#include <span>
+
+namespace sward::terrain {
+namespace {
+
+// XXH3 over a sequence of arrays; each goes in after its length, so that their borders count too.
+class Hasher {
+public:
+    Hasher() { expect(XXH3_64bits_reset(state_) == XXH_OK, "XXH3 does not start"); }
+    Hasher(const Hasher&) = delete;
+    Hasher& operator=(const Hasher&) = delete;
+    ~Hasher() { XXH3_freeState(state_); }
+
+    template <typename Value>
+    void add(std::span<const Value> values)
+    {
+        static_assert(std::is_trivially_copyable_v<Value>);
+        const std::uint64_t length = values.size();
+        XXH3_64bits_update(state_, &length, sizeof length);
+        if (!values.empty())
+            XXH3_64bits_update(state_, values.data(), values.size_bytes());
+    }
+
+    template <typename Value>
+    void add(const std::vector<Value>& values)
+    {
+        add(std::span<const Value>(values));
+    }
+
+    void add(double value) { add(std::span<const double>(&value, 1)); }
+
+    std::uint64_t digest() const { return XXH3_64bits_digest(state_); }
+
+private:
+    XXH3_state_t* state_ = XXH3_createState();
+};
+
+} // namespace
+
+std::string contentHash(const GroundMesh& mesh)
+{
+    Hasher hasher;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        hasher.add(mesh.origin[axis]);
+    hasher.add(mesh.positions);
+    hasher.add(mesh.normals);
+    hasher.add(mesh.uvs);
+    hasher.add(mesh.colors);
+    hasher.add(mesh.triangles);
+    hasher.add(mesh.materialOf);
+    hasher.add(mesh.bears);
+
+    // What a material lends a blade: its colour.
+    for (const GroundMaterial& material : mesh.materials) {
+        for (std::size_t channel = 0; channel < 4; ++channel)
+            hasher.add(static_cast<double>(material.baseColor[channel]));
+        hasher.add(static_cast<double>(material.image));
+        hasher.add(material.doubleSided ? 1.0 : 0.0);
+    }
+    for (const GroundImage& image : mesh.images) {
+        hasher.add(static_cast<double>(image.width));
+        hasher.add(image.rgba);
+    }
+    return fmt::format("{:016x}", hasher.digest());
+}
+
+} // namespace sward::terrain

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sward::terrain {
+
+/// Reads accessors of a glTF model that checkGltf() has passed, whatever their storage:
+/// interleaved, normalised integers, sparse. `place` names the accessor's use in messages.
+class GltfAccessor {
+public:
+    GltfAccessor(const tinygltf::Model& model, int index, std::string place);
+
+    std::size_t count() const { return accessor_.count; }
+    std::size_t components() const { return components_; }
+    bool isFloat() const { return accessor_.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT; }
+
+    /// Throws Error{input} unless there are `low` to `high` components.
+    void requireComponents(std::size_t low, std::size_t high) const;
+
+    /// count × components numbers; normalised integers in [0, 1] or [−1, 1].
+    std::vector<float> numbers() const;
+
+    /// Unsigned integers. Throws Error{input} for another type.
+    std::vector<std::uint32_t> indices() const;
+
+private:
+    template <typename Value, typename Read>
+    std::vector<Value> gather(Read&& read) const;
+
+    /// The byte at `offset` of a buffer view, when `size` bytes from it on exist.
+    const unsigned char* bytes(int view, std::size_t offset, std::size_t size) const;
+
+    const tinygltf::Model& model_;
+    const tinygltf::Accessor& accessor_;
+    std::string place_;
+    std::size_t components_ = 0;
+    std::size_t componentSize_ = 0;
+};
+
+} // namespace sward::terrain

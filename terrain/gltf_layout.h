@@ -1,0 +1,28 @@
+#pragma once
+
+#include "terrain/gltf_json.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace sward::terrain {
+
+/// A buffer view whose bytes are known to exist.
+struct GltfView {
+    std::uint64_t length = 0;
+    std::uint64_t stride = 0; ///< 0: packed
+};
+
+/// Bytes of one component; 0 for a type that glTF does not have.
+std::uint64_t gltfComponentSize(std::uint64_t componentType);
+
+// Parts of checkGltf(): each proves one kind of object and returns what ground needs of it.
+
+nlohmann::json checkAccessor(const GltfObject& accessor, const std::vector<GltfView>& views);
+nlohmann::json checkMaterial(const GltfObject& material, std::size_t textures);
+
+/// Copies EXT_mesh_gpu_instancing of `node` into `kept`, if it has one.
+void keepInstancing(const GltfObject& node, const std::vector<std::uint64_t>& accessorCounts,
+                    nlohmann::json& kept);
+
+} // namespace sward::terrain

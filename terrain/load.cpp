@@ -1,0 +1,95 @@
+#include "terrain/load.h"
+
+#include "core/error.h"
+#include "core/mapped_file.h"
+#include "core/settings_json.h"
+#include "terrain/gltf_import.h"
+#include "terrain/mesh_import.h"
+#include "terrain/placement.h"
+#include "terrain/recipe.h"
+#include "terrain/soup.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace sward::terrain {
+namespace {
+
+std::string lowerCase(std::string text)
+{
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z')
+            c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
+// What a generator made lies in metres with Y up; the settings apply to it as to a file.
+GroundMesh place(GroundMesh mesh, const glm::dmat4& worldFromFile, const std::string& name)
+{
+    if (worldFromFile == glm::dmat4(1.0))
+        return mesh;
+    Soup soup = soupOf(mesh);
+    transform(soup, worldFromFile);
+    return settle(std::move(soup), name);
+}
+
+GroundMesh loadFile(const std::filesystem::path& path, const ImportSettings& settings,
+                    const glm::dmat4& worldFromFile, Diagnostics& diagnostics)
+{
+    const std::string name = path.string();
+    const std::string extension = lowerCase(path.extension().string());
+    if (extension == ".glb" || extension == ".gltf")
+        return settle(importGltf(path, settings, worldFromFile, diagnostics), name);
+    if (settings.scene)
+        diagnostics.warn("{}: scene {} is ignored; only glTF has scenes", name, *settings.scene);
+    if (extension == ".obj" || extension == ".ply" || extension == ".stl" || extension == ".off") {
+        Soup soup = importMesh(path, diagnostics);
+        transform(soup, worldFromFile);
+        return settle(std::move(soup), name);
+    }
+    if (extension == ".json") {
+        constexpr std::size_t recipeLimit = 1U << 20;
+        const std::vector<std::byte> bytes = readFile(path, recipeLimit);
+        const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        return place(makeFromRecipe(text, name, path.parent_path(), diagnostics), worldFromFile,
+                     name);
+    }
+    fail(ErrorKind::unsupported,
+         "{}: files of kind \"{}\" are not read; read are .glb .gltf .obj .ply .stl .off .json",
+         name, extension);
+}
+
+GroundMesh loadBuiltIn(const std::string& name, const glm::dmat4& worldFromFile,
+                       Diagnostics& diagnostics)
+{
+    const std::string_view recipe = builtInRecipe(name);
+    if (recipe.empty()) {
+        const std::vector<std::string> known = builtInNames();
+        const std::string near = nearestWord(name, known);
+        fail(ErrorKind::io, "{}: no such file, and no built-in terrain ({}){}", name,
+             fmt::join(known, " "), near.empty() ? "" : fmt::format("; did you mean {}?", near));
+    }
+    return place(makeFromRecipe(recipe, name, {}, diagnostics), worldFromFile, name);
+}
+
+} // namespace
+
+GroundMesh load(const std::string& input, const ImportSettings& settings, Diagnostics& diagnostics)
+{
+    const glm::dmat4 worldFromFile = terrain::worldFromFile(settings);
+    try {
+        // An existing file wins over a built-in of its name.
+        std::error_code ignored;
+        const bool isFile = std::filesystem::is_regular_file(input, ignored);
+        GroundMesh mesh = isFile ? loadFile(input, settings, worldFromFile, diagnostics)
+                                 : loadBuiltIn(input, worldFromFile, diagnostics);
+        assignRoles(mesh, settings, input, diagnostics);
+        return mesh;
+    } catch (const std::bad_alloc&) {
+        fail(ErrorKind::runtime, "{}: not enough memory for it", input);
+    }
+}
+
+} // namespace sward::terrain

@@ -1,0 +1,209 @@
+#include "terrain/recipe.h"
+
+#include "core/embedded.h"
+#include "core/error.h"
+#include "core/settings_json.h"
+#include "terrain/landforms.h"
+#include "terrain/load.h"
+#include "terrain/primitives.h"
+
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace sward::embedded {
+std::span<const EmbeddedFile> terrains();
+} // namespace sward::embedded
+
+namespace sward::terrain {
+namespace {
+
+constexpr double longest = 1e6;   // [m]
+constexpr double smallest = 1e-3; // [m]
+constexpr int mostCells = 8192;   // 134 M triangles in a square grid
+
+// Reads the common types of a recipe through a SettingsReader.
+class Recipe {
+public:
+    Recipe(const nlohmann::json& object, const std::string& place)
+        : reader(object, place)
+    {
+    }
+
+    void length(const char* key, double& value) { reader.read(key, value, smallest, longest); }
+
+    void count(const char* key, std::uint32_t& value, int low)
+    {
+        int number = static_cast<int>(value);
+        reader.read(key, number, low, mostCells);
+        value = static_cast<std::uint32_t>(number);
+    }
+
+    void seed(std::uint64_t& value)
+    {
+        int number = static_cast<int>(value);
+        reader.read("seed", number, 0, 0x7fffffff);
+        value = static_cast<std::uint64_t>(number);
+    }
+
+    // A pair of lengths and of cell numbers, along x and z.
+    void grid(const char* sizeKey, glm::dvec2& size, glm::uvec2& cells)
+    {
+        glm::vec2 extent(size);
+        reader.read(sizeKey, extent, smallest, longest);
+        size = glm::dvec2(extent);
+        glm::vec2 numbers(cells);
+        reader.read("cells", numbers, 1, mostCells);
+        cells = glm::uvec2(numbers);
+    }
+
+    void octaves(Octaves& value)
+    {
+        reader.read("octaves", value.count, 1, 12);
+        reader.read("lacunarity", value.lacunarity, 1.0, 8.0);
+        reader.read("gain", value.gain, 0.0, 1.0);
+    }
+
+    SettingsReader reader;
+};
+
+GroundMesh plane(Recipe& recipe)
+{
+    PlaneSettings s;
+    recipe.grid("size", s.size, s.cells);
+    recipe.reader.finish();
+    return makePlane(s);
+}
+
+GroundMesh sphere(Recipe& recipe)
+{
+    SphereSettings s;
+    recipe.length("radius", s.radius);
+    recipe.count("segments", s.segments, 3);
+    recipe.count("rings", s.rings, 2);
+    recipe.reader.finish();
+    if (s.rings % 2 != 0)
+        fail(ErrorKind::input, "{}: {} is odd; a sphere needs a ring on its equator",
+             recipe.reader.placeOf("rings"), s.rings);
+    return makeSphere(s);
+}
+
+GroundMesh torus(Recipe& recipe)
+{
+    TorusSettings s;
+    recipe.length("major_radius", s.majorRadius);
+    recipe.length("minor_radius", s.minorRadius);
+    recipe.count("major_segments", s.majorSegments, 3);
+    recipe.count("minor_segments", s.minorSegments, 3);
+    recipe.reader.finish();
+    if (s.minorRadius >= s.majorRadius)
+        fail(ErrorKind::input, "{}: {} is not below the major radius {}",
+             recipe.reader.placeOf("minor_radius"), s.minorRadius, s.majorRadius);
+    return makeTorus(s);
+}
+
+GroundMesh hills(Recipe& recipe)
+{
+    HillsSettings s;
+    recipe.grid("extent", s.grid.extent, s.grid.cells);
+    recipe.seed(s.seed);
+    recipe.reader.read("height", s.height, 0.0, longest);
+    recipe.length("width", s.width);
+    recipe.octaves(s.octaves);
+    recipe.reader.finish();
+    return makeHills(s);
+}
+
+GroundMesh dunes(Recipe& recipe)
+{
+    DunesSettings s;
+    recipe.grid("extent", s.grid.extent, s.grid.cells);
+    recipe.seed(s.seed);
+    recipe.reader.read("height", s.height, 0.0, longest);
+    recipe.length("spacing", s.spacing);
+    recipe.reader.read("wander", s.wander, 0.0, longest);
+    recipe.reader.finish();
+    return makeDunes(s);
+}
+
+GroundMesh arch(Recipe& recipe)
+{
+    ArchSettings s;
+    recipe.length("span", s.span);
+    recipe.length("thickness", s.thickness);
+    recipe.reader.read("roughness", s.roughness, 0.0, longest);
+    recipe.length("patch", s.patch);
+    recipe.seed(s.seed);
+    recipe.reader.finish();
+    if (s.thickness + s.roughness >= s.span)
+        fail(ErrorKind::input, "{}: {} and roughness {} leave no passage in a span of {}",
+             recipe.reader.placeOf("thickness"), s.thickness, s.roughness, s.span);
+    return makeArch(s);
+}
+
+GroundMesh mesh(Recipe& recipe, const std::string& place, const std::filesystem::path& folder,
+                Diagnostics& diagnostics)
+{
+    std::string file;
+    ImportSettings s;
+    recipe.reader.read("file", file);
+    recipe.reader.read("up_axis", s.upAxis);
+    recipe.reader.read("units", s.units);
+    recipe.reader.read("scale", s.scale, 1e-9, 1e9);
+    recipe.reader.finish();
+    if (file.empty())
+        fail(ErrorKind::input, "{}: file: missing", place);
+    // A recipe that names a recipe could name itself.
+    if (std::filesystem::path(file).extension() == ".json")
+        fail(ErrorKind::input, "{}: file: {} is a recipe; a mesh is needed", place, file);
+    return load((folder / file).string(), s, diagnostics);
+}
+
+} // namespace
+
+GroundMesh makeFromRecipe(std::string_view text, const std::string& place,
+                          const std::filesystem::path& folder, Diagnostics& diagnostics)
+{
+    const nlohmann::json object = parseJson(text, place);
+    Recipe recipe(object, place);
+    std::string kind;
+    recipe.reader.read("kind", kind);
+
+    if (kind == "plane")
+        return plane(recipe);
+    if (kind == "sphere")
+        return sphere(recipe);
+    if (kind == "torus")
+        return torus(recipe);
+    if (kind == "hills")
+        return hills(recipe);
+    if (kind == "dunes")
+        return dunes(recipe);
+    if (kind == "arch")
+        return arch(recipe);
+    if (kind == "mesh")
+        return mesh(recipe, place, folder, diagnostics);
+    fail(ErrorKind::input,
+         "{}: kind \"{}\" is not known; known are plane sphere torus hills dunes arch mesh", place,
+         kind);
+}
+
+std::string_view builtInRecipe(std::string_view name)
+{
+    for (const EmbeddedFile& file : embedded::terrains())
+        if (file.name.substr(0, file.name.rfind('.')) == name)
+            return file.text();
+    return {};
+}
+
+std::vector<std::string> builtInNames()
+{
+    std::vector<std::string> names;
+    for (const EmbeddedFile& file : embedded::terrains())
+        names.emplace_back(file.name.substr(0, file.name.rfind('.')));
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+} // namespace sward::terrain

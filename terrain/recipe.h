@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/diagnostics.h"
+#include "terrain/ground_mesh.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sward::terrain {
+
+/// Makes the ground that a recipe (JSON, see terrain/README.md) describes. `place` names the recipe
+/// in messages; a recipe of kind "mesh" finds its file in `folder`. Throws Error{input} for a key
+/// or value that is not known, and what load() throws.
+GroundMesh makeFromRecipe(std::string_view text, const std::string& place,
+                          const std::filesystem::path& folder, Diagnostics& diagnostics);
+
+/// The recipe compiled in under this name; empty if there is none.
+std::string_view builtInRecipe(std::string_view name);
+
+/// Names of the recipes compiled in.
+std::vector<std::string> builtInNames();
+
+} // namespace sward::terrain

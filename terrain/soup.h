@@ -1,0 +1,47 @@
+#pragma once
+
+#include "terrain/ground_mesh.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sward::terrain {
+
+/// Ground as an importer meets it: in the file's own space and in double precision. Arrays are as
+/// in GroundMesh; what a file does not say keeps the value named here.
+struct Soup {
+    std::vector<glm::dvec3> positions;
+    std::vector<glm::vec3> normals; ///< any length; (0, 0, 0) where the file has none
+    std::vector<glm::vec2> uvs;     ///< (0, 0)
+    std::vector<glm::vec4> colors;  ///< (1, 1, 1, 1)
+
+    std::vector<glm::uvec3> triangles;
+    std::vector<std::uint32_t> materialOf;
+    std::vector<std::uint32_t> nodeOf;
+
+    std::vector<GroundMaterial> materials;
+    std::vector<GroundImage> images;
+    std::vector<std::string> nodes;
+    std::string copyright;
+    bool hasColors = false;
+};
+
+/// A mesh as a soup in world space. Roles are not kept.
+Soup soupOf(const GroundMesh& mesh);
+
+/// Moves positions by the affine `matrix` and normals by its inverse transpose; a mirror turns the
+/// triangles round, so that fronts stay fronts.
+void transform(Soup& soup, const glm::dmat4& matrix);
+
+/// Makes ground of a soup in world space: drops vertices without a triangle, recentres in double
+/// precision before rounding, and finds normals where the file gave none. Everything bears grass.
+/// Throws Error{input} naming `place` as validate() does.
+GroundMesh settle(Soup&& soup, const std::string& place);
+
+} // namespace sward::terrain
