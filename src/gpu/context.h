@@ -21,7 +21,6 @@ struct OptionalFeatures {
     bool vertexStores = false;   ///< vertexPipelineStoresAndAtomics
     bool fragmentStores = false; ///< fragmentStoresAndAtomics
     bool sampleShading = false;  ///< sampleRateShading
-    bool hostQueryReset = false;
 };
 
 /// Debug functions of the device; null where VK_EXT_debug_utils is not there.

@@ -107,6 +107,7 @@ std::vector<DeviceReport> listDevices(const Instance& instance, VkSurfaceKHR sur
           "vkEnumeratePhysicalDevices");
 
     std::vector<DeviceReport> reports;
+    reports.reserve(devices.size());
     for (VkPhysicalDevice device : devices)
         reports.push_back(reportOn(device, reports.size(), surface));
     return reports;

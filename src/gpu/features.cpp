@@ -59,8 +59,6 @@ constexpr Optional optional[] = {
      [](FeatureChain& chain) -> VkBool32& { return chain.core.features.fragmentStoresAndAtomics; }},
     {&OptionalFeatures::sampleShading,
      [](FeatureChain& chain) -> VkBool32& { return chain.core.features.sampleRateShading; }},
-    {&OptionalFeatures::hostQueryReset,
-     [](FeatureChain& chain) -> VkBool32& { return chain.vulkan12.hostQueryReset; }},
 };
 
 } // namespace

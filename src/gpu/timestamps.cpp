@@ -77,6 +77,7 @@ void Timestamps::collect()
 std::vector<std::string> Timestamps::names() const
 {
     std::vector<std::string> names;
+    names.reserve(series_.size());
     for (const Series& series : series_)
         names.push_back(series.name);
     return names;

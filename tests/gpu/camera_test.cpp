@@ -1,0 +1,170 @@
+#include "core/random.h"
+#include "render/camera.h"
+#include "render/camera_presets.h"
+#include "shaders/shared/culling.h"
+#include "support/fields/fields.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sward::render {
+namespace {
+
+constexpr std::uint64_t seed = 8;
+constexpr glm::uvec2 size(160, 90);
+const Aabb box{glm::vec3(-5.0f), glm::vec3(5.0f)};
+
+Camera slanted()
+{
+    Camera camera;
+    camera.eye = {4.0, 7.0, 9.0};
+    camera.target = {-1.0, 0.5, 0.3};
+    camera.up = {0.2f, 1.0f, -0.1f};
+    camera.near = 0.5f;
+    camera.far = 40.0f;
+    return camera;
+}
+
+glm::vec3 randomPoint(std::uint64_t i, double reach)
+{
+    const auto at = [&](std::uint32_t d) { return reach * (2.0 * uniform(seed, i, d) - 1.0); };
+    return glm::vec3(glm::dvec3(at(0), at(1), at(2)));
+}
+
+TEST(Camera, PlanesEncloseWhatTheProjectionShows)
+{
+    const ViewMatrices view = viewMatrices(slanted(), {}, size, box);
+    int inside = 0;
+    for (std::uint64_t i = 0; i < 20'000; ++i) {
+        const glm::vec3 point = randomPoint(i, 20.0);
+        float closest = 1e9f;
+        for (const glm::vec4& plane : view.planes)
+            closest = std::min(closest, shared::planeDistance(plane, point));
+        if (std::abs(closest) < 1e-4f)
+            continue;
+        const glm::vec4 clip = view.viewProjection * glm::vec4(point, 1.0f);
+        const bool shown = std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w &&
+                           clip.z >= 0.0f && clip.z <= clip.w;
+        ASSERT_EQ(shown, closest > 0.0f) << "point " << i << ", seed " << seed;
+        inside += shown ? 1 : 0;
+    }
+    EXPECT_GT(inside, 500);
+}
+
+TEST(Camera, DepthFallsFromOneAtNearToZeroAtFar)
+{
+    const Camera camera = slanted();
+    const ViewMatrices view = viewMatrices(camera, {}, size, box);
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+    const auto depth = [&](double distance) {
+        const glm::vec4 clip =
+            view.viewProjection * glm::vec4(glm::vec3(camera.eye + distance * forward), 1.0f);
+        return clip.z / clip.w;
+    };
+    EXPECT_NEAR(depth(0.5), 1.0f, 1e-4f);
+    EXPECT_NEAR(depth(40.0), 0.0f, 1e-5f);
+    EXPECT_GT(depth(3.0), depth(3.01));
+}
+
+TEST(Camera, UpIsUpInThePictureAndRightIsRight)
+{
+    Camera camera;
+    camera.eye = {0.0, 0.0, 10.0};
+    const ViewMatrices view = viewMatrices(camera, {}, size, box);
+    const glm::vec4 above = view.viewProjection * glm::vec4(0.0f, 1.0f, 0.0f, 1.0f);
+    const glm::vec4 right = view.viewProjection * glm::vec4(1.0f, 0.0f, 0.0f, 1.0f);
+    EXPECT_LT(above.y, 0.0f);
+    EXPECT_GT(right.x, 0.0f);
+    // One metre at ten metres is a tenth of pixelsPerUnit.
+    EXPECT_NEAR(-above.y / above.w * 0.5f * 90.0f, 0.1f * view.pixelsPerUnit, 1e-3f);
+}
+
+TEST(Camera, SeesTheSameFromFarOutAsAtTheOrigin)
+{
+    const glm::dvec3 far(1048576.0, -524288.0, 2097152.0);
+    Camera camera = slanted();
+    const ViewMatrices here = viewMatrices(camera, {}, size, box);
+    camera.eye += far;
+    camera.target += far;
+    const ViewMatrices there = viewMatrices(camera, far, size, box);
+    for (std::size_t column = 0; column < 4; ++column)
+        EXPECT_LT(glm::length(here.viewProjection[column] - there.viewProjection[column]), 1e-5f);
+}
+
+TEST(Camera, LooksStraightDownWithoutLosingItsAxes)
+{
+    Camera camera;
+    camera.eye = {0.0, 10.0, 0.0};
+    camera.target = {0.0, 0.0, 0.0};
+    const ViewMatrices view = viewMatrices(camera, {}, size, box);
+    const glm::vec4 clip = view.viewProjection * glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
+    EXPECT_NEAR(clip.x, 0.0f, 1e-5f);
+    EXPECT_NEAR(clip.w, 10.0f, 1e-4f);
+}
+
+/// Largest |x| or |y| over the field's roots and tips, in halves of the picture; 0 is its middle.
+float reachOf(const field::Field& field, const Camera& camera, glm::uvec2 picture)
+{
+    const field::FieldView view = field::viewOf(field);
+    const ViewMatrices matrices = viewMatrices(camera, field.origin, picture, view.bounds());
+    float reach = 0.0f;
+    for (const shared::Patch& cell : field.patches) {
+        for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
+            const shared::Blade blade =
+                shared::unpackBlade(field.blades[cell.firstBlade + i], cell);
+            for (const float height : {0.0f, blade.height}) {
+                const glm::vec4 clip =
+                    matrices.viewProjection * glm::vec4(blade.root + height * blade.up, 1.0f);
+                EXPECT_GT(clip.z, 0.0f);
+                EXPECT_LT(clip.z, clip.w);
+                reach = std::max({reach, std::abs(clip.x / clip.w), std::abs(clip.y / clip.w)});
+            }
+        }
+    }
+    return reach;
+}
+
+TEST(Camera, PresetsShowAllOfAFieldAndFillThePicture)
+{
+    for (const test::Surface surface : {test::Surface::plane, test::Surface::sphere}) {
+        const field::Field field = test::makeField(
+            {.surface = surface, .blades = 3000, .extent = 6.0f, .origin = {1e6, 50.0, -2e6}});
+        for (const glm::uvec2 picture : {glm::uvec2(160, 90), glm::uvec2(90, 160)}) {
+            const float aspect = static_cast<float>(picture.x) / static_cast<float>(picture.y);
+            for (const CameraPreset preset : {CameraPreset::fit, CameraPreset::top}) {
+                const Camera camera =
+                    presetCamera(preset, field::viewOf(field), glm::vec3(0.0f, 1.0f, 0.0f), aspect);
+                const float reach = reachOf(field, camera, picture);
+                EXPECT_LE(reach, 0.9f);
+                EXPECT_GE(reach, 0.8f);
+            }
+        }
+    }
+}
+
+TEST(Camera, StandsAboveTheGroundWhereThePresetPutsIt)
+{
+    const field::Field field = test::makeField({.extent = 20.0f, .origin = {0.0, 300.0, 0.0}});
+    const field::FieldView view = field::viewOf(field);
+    const glm::vec3 up(0.0f, 1.0f, 0.0f);
+    EXPECT_NEAR(presetCamera(CameraPreset::eye, view, up, 1.5f).eye.y, 301.7, 1e-4);
+    EXPECT_NEAR(presetCamera(CameraPreset::edge, view, up, 1.5f).eye.y, 303.0, 1e-4);
+}
+
+TEST(Camera, HasAPlaceEvenForAnEmptyField)
+{
+    const field::Field field = test::emptyField();
+    for (const CameraPreset preset :
+         {CameraPreset::fit, CameraPreset::eye, CameraPreset::top, CameraPreset::edge}) {
+        const Camera camera =
+            presetCamera(preset, field::viewOf(field), glm::vec3(0.0f, 1.0f, 0.0f), 1.5f);
+        EXPECT_GT(glm::length(camera.target - camera.eye), 0.0);
+        EXPECT_TRUE(std::isfinite(glm::length(camera.eye)));
+    }
+}
+
+} // namespace
+} // namespace sward::render

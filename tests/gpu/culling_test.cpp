@@ -1,0 +1,231 @@
+// Who is drawn: the device against the predicates on the CPU, and against what can be seen.
+
+#include "core/random.h"
+#include "render/camera.h"
+#include "render/frame.h"
+#include "shaders/shared/visibility.h"
+#include "support/fields/fields.h"
+#include "support/gpu/gpu_fixture.h"
+#include "update_bench.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+namespace sward::render {
+namespace {
+
+constexpr std::uint64_t seed = 41;
+constexpr glm::uvec2 size(320, 180);
+
+/// Cameras in and around a cube of 10 m.
+Camera randomCamera(std::uint64_t index)
+{
+    const auto at = [index](double reach, std::uint32_t dimension) {
+        return reach * (2.0 * uniform(seed, index, dimension) - 1.0);
+    };
+    Camera camera;
+    camera.eye = {at(9.0, 0), at(9.0, 1), at(9.0, 2)};
+    camera.target = {at(5.0, 3), at(5.0, 4), at(5.0, 5)};
+    camera.up = glm::vec3(glm::dvec3(at(1.0, 6), 1.0, at(1.0, 7)));
+    camera.fovY = static_cast<float>(30.0 + 60.0 * uniform(seed, index, 8));
+    return camera;
+}
+
+class CullingTest : public test::GpuTest {
+protected:
+    CullingTest()
+        : bench_(context(), field::viewOf(field_))
+        , patches_(field::patchOfBlades(field::viewOf(field_)))
+        , states_(field_.blades.size())
+    {
+        // Bent in every direction, as a storm leaves them.
+        for (std::size_t i = 0; i < states_.size(); ++i) {
+            const auto part = [i](std::uint32_t d) {
+                return static_cast<float>(1.4 * uniform(seed, i, 50 + d) - 0.7);
+            };
+            states_[i] = shared::packState({part(0), part(1), part(2)}, 0.0f);
+        }
+    }
+
+    shared::Frame frame(const Camera& camera, std::uint32_t mask) const
+    {
+        const Aabb content = field::viewOf(field_).bounds();
+        FrameSettings settings;
+        settings.cullMask = mask;
+        settings.lodThreshold = 2.0f;
+        settings.nature.drawDistance = 8.0f;
+        return frameOf({{}, content, bench_.bladeWidth()}, viewMatrices(camera, {}, size, content),
+                       settings, 1.0, 1);
+    }
+
+    test::UpdateBench::Result run(const shared::Frame& frame)
+    {
+        return bench_.run(frame, states_, 0.0f, UpdateCullPass::Scope::visible);
+    }
+
+    shared::Blade blade(std::size_t i) const
+    {
+        return shared::unpackBlade(field_.blades[i], field_.patches[patches_[i]]);
+    }
+
+    field::Field field_ =
+        test::makeField({.surface = test::Surface::cloud, .blades = 4200, .seed = seed});
+    test::UpdateBench bench_;
+    std::vector<std::uint32_t> patches_;
+    std::vector<shared::BladeState> states_;
+};
+
+shared::Eyepoint eyepointOf(const shared::Frame& frame)
+{
+    shared::Eyepoint view = {};
+    std::copy(std::begin(frame.planes), std::end(frame.planes), view.planes);
+    view.eye = frame.eye;
+    view.drawDistance = frame.drawDistance;
+    view.pixelsPerUnit = frame.pixelsPerUnit;
+    view.lodThreshold = frame.lodThreshold;
+    view.lodWidth = frame.lodWidth;
+    view.cullMask = frame.cullMask;
+    return view;
+}
+
+/// Whether rounding may decide: a blade within `margin` of a threshold (relative, or metres for a
+/// plane). The device computes with the same formulas in the same precision, so 1e-5 is some fifty
+/// times its rounding over ten metres.
+bool isClose(const shared::Frame& frame, const shared::Blade& blade, shared::BladeState state,
+             const shared::Verdict& verdict)
+{
+    constexpr float margin = 1e-5f;
+    const glm::vec3 axis = shared::widthAxis(blade.up, blade.facing);
+    const glm::vec3 ray = blade.root - frame.eye;
+    const float distance = glm::length(ray);
+    if (std::abs(std::abs(glm::dot(ray, axis)) / distance - shared::edgeOnCosine) < margin)
+        return true;
+    if (std::abs(distance - frame.drawDistance) < margin * distance)
+        return true;
+    const shared::Pose pose = shared::poseOfState(blade.up, shared::frontOf(blade.up, axis), state);
+    for (const glm::vec4& plane : frame.planes) {
+        const float reach =
+            std::max({shared::planeDistance(plane, blade.root),
+                      shared::planeDistance(plane, blade.root + blade.height * pose.v1),
+                      shared::planeDistance(plane, blade.root + blade.height * pose.v2)});
+        if (std::abs(reach + 0.5f * blade.width * std::max(verdict.widthFactor, 1.0f)) < margin)
+            return true;
+    }
+    // The last blade of the share has next to no width left.
+    return verdict.fate == shared::fateDrawn && verdict.widthFactor < 1e-3f;
+}
+
+TEST_F(CullingTest, JudgesAsTheCpuDoesSaveWhereRoundingDecides)
+{
+    std::size_t close = 0;
+    std::size_t judged = 0;
+    std::array<std::size_t, shared::fateCount> seen{};
+    for (std::uint64_t c = 0; c < 12; ++c) {
+        const shared::Frame frame = this->frame(randomCamera(c), c % 3 == 2 ? 14u : 15u);
+        const auto result = run(frame);
+        const shared::Eyepoint view = eyepointOf(frame);
+
+        for (std::size_t p = 0; p < field_.patches.size(); ++p) {
+            const shared::Patch& cell = field_.patches[p];
+            const bool culled = shared::patchCulled(view, cell);
+            for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
+                const std::size_t index = cell.firstBlade + i;
+                const shared::Verdict verdict = shared::judgeBlade(
+                    view, blade(index), states_[index], shared::bladeRank(cell, i));
+                const std::uint32_t expected = culled ? shared::fatePatch : verdict.fate;
+                ++judged;
+                ++seen[result.fates[index]];
+                if (result.fates[index] == expected)
+                    continue;
+                ASSERT_TRUE(isClose(frame, blade(index), states_[index], verdict))
+                    << "blade " << index << " has fate " << result.fates[index] << ", expected "
+                    << expected << "; camera " << c << ", seed " << seed;
+                ++close;
+            }
+        }
+    }
+    EXPECT_LE(close, judged / 1000);
+    for (const std::uint32_t fate : {shared::fateDrawn, shared::fatePatch, shared::fateOrientation,
+                                     shared::fateFrustum, shared::fateDistance, shared::fateLod})
+        EXPECT_GT(seen[fate], 0u) << "no camera of this test gives fate " << fate;
+}
+
+TEST_F(CullingTest, ListsExactlyTheDrawnBladesEachOnce)
+{
+    for (std::uint64_t c = 0; c < 6; ++c) {
+        const auto result = run(frame(randomCamera(c), 15u));
+        std::set<std::uint32_t> listed;
+        for (const shared::VisibleBlade& visible : result.visible) {
+            ASSERT_TRUE(listed.insert(visible.blade).second) << "blade " << visible.blade;
+            ASSERT_EQ(result.fates[visible.blade], shared::fateDrawn);
+            ASSERT_EQ(visible.patchIndex, patches_[visible.blade]);
+            ASSERT_GT(visible.widthFactor, 0.0f);
+        }
+        EXPECT_EQ(listed.size(), result.draw.fates[shared::fateDrawn]) << "camera " << c;
+        EXPECT_EQ(result.draw.instanceCount, 1u);
+    }
+}
+
+TEST_F(CullingTest, CountsAddUpToAllBladesForEveryMask)
+{
+    for (std::uint32_t mask = 0; mask < 16; ++mask) {
+        const auto result = run(frame(randomCamera(mask), mask));
+        const std::uint64_t sum = std::accumulate(std::begin(result.draw.fates),
+                                                  std::end(result.draw.fates), std::uint64_t(0));
+        EXPECT_EQ(sum, field_.blades.size()) << "mask " << mask;
+        EXPECT_EQ(result.draw.simulated + result.draw.fates[shared::fatePatch],
+                  field_.blades.size());
+        // A test that is switched off removes nobody.
+        const std::array tests = {std::pair(shared::cullPatch, shared::fatePatch),
+                                  std::pair(shared::cullOrientation, shared::fateOrientation),
+                                  std::pair(shared::cullFrustum, shared::fateFrustum),
+                                  std::pair(shared::cullDistance, shared::fateDistance)};
+        for (const auto& [bit, fate] : tests)
+            EXPECT_TRUE((mask & bit) != 0 || result.draw.fates[fate] == 0)
+                << "mask " << mask << ", fate " << fate;
+        std::array<std::uint32_t, shared::fateCount> fates{};
+        for (const std::uint32_t fate : result.fates)
+            ++fates[fate];
+        for (std::uint32_t fate = 0; fate < shared::fateCount; ++fate)
+            EXPECT_EQ(fates[fate], result.draw.fates[fate]) << "mask " << mask;
+    }
+}
+
+TEST_F(CullingTest, DropsNoBladeOfWhichAPointIsInThePicture)
+{
+    for (std::uint64_t c = 0; c < 12; ++c) {
+        const shared::Frame frame =
+            this->frame(randomCamera(c), shared::cullPatch | shared::cullFrustum);
+        const auto result = run(frame);
+        for (std::size_t i = 0; i < field_.blades.size(); ++i) {
+            if (result.fates[i] != shared::fatePatch && result.fates[i] != shared::fateFrustum)
+                continue;
+            const shared::Blade blade = this->blade(i);
+            const glm::vec3 axis = shared::widthAxis(blade.up, blade.facing);
+            const shared::Pose pose =
+                shared::poseOfState(blade.up, shared::frontOf(blade.up, axis), states_[i]);
+            for (int step = 0; step <= 20; ++step) {
+                for (const float side : {-0.5f, 0.0f, 0.5f}) {
+                    const glm::vec3 point =
+                        blade.root + side * blade.width * axis +
+                        blade.height * shared::bezierPoint(glm::vec3(0.0f), pose.v1, pose.v2,
+                                                           0.05f * static_cast<float>(step));
+                    const glm::vec4 clip = frame.viewProjection * glm::vec4(point, 1.0f);
+                    const float w = clip.w * (1.0f - 1e-4f);
+                    ASSERT_FALSE(std::abs(clip.x) < w && std::abs(clip.y) < w && clip.z > 0.0f &&
+                                 clip.z < w)
+                        << "blade " << i << " is seen, but has fate " << result.fates[i]
+                        << "; camera " << c << ", seed " << seed;
+                }
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace sward::render

@@ -1,0 +1,190 @@
+// Every struct that both languages read, sent through a shader.
+
+#include "core/embedded.h"
+#include "gpu/barrier.h"
+#include "gpu/buffer.h"
+#include "gpu/commands.h"
+#include "gpu/compute_pipeline.h"
+#include "gpu/readback.h"
+#include "gpu/shader_library.h"
+#include "shaders/shared/passes.h"
+#include "support/gpu/gpu_fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cstring>
+#include <vector>
+
+namespace sward::embedded {
+std::span<const EmbeddedFile> renderTestShaders();
+} // namespace sward::embedded
+
+namespace sward::render {
+namespace {
+
+/// Numbers the scalars of structs 1, 2, 3, … in the order of their members. Each number is a float
+/// bit pattern, which neither language takes for a denormal; references take two.
+class Counter {
+public:
+    void fill(float& x) { x = ++count_; }
+    void fill(std::uint32_t& x) { x = word(++count_); }
+    void fill(std::uint64_t& x)
+    {
+        const std::uint64_t low = word(++count_);
+        x = low | std::uint64_t(word(++count_)) << 32;
+    }
+    void fill(glm::vec2& v) { fillAll(v.x, v.y); }
+    void fill(glm::vec3& v) { fillAll(v.x, v.y, v.z); }
+    void fill(glm::vec4& v) { fillAll(v.x, v.y, v.z, v.w); }
+    void fill(glm::mat4& m) { fillAll(m[0], m[1], m[2], m[3]); }
+    void fill(shared::Gravity& g) { fillAll(g.direction, g.strength, g.attractor, g.blend); }
+    void fill(shared::Wind& w)
+    {
+        fillAll(w.direction, w.strength, w.waveLength, w.speed, w.gustSize, w.gustiness);
+    }
+    template <typename T, std::size_t n>
+    void fill(T (&elements)[n])
+    {
+        for (T& element : elements)
+            fill(element);
+    }
+    template <typename... Members>
+    void fillAll(Members&... members)
+    {
+        (fill(members), ...);
+    }
+
+    static std::uint32_t word(float x) { return std::bit_cast<std::uint32_t>(x); }
+    std::size_t count() const { return static_cast<std::size_t>(count_); }
+
+private:
+    float count_ = 0.0f;
+};
+
+/// One filled value of every shared struct, in the order in which the shader echoes them.
+struct Values {
+    shared::Blade blade;
+    shared::PackedBlade packedBlade;
+    shared::BladeState state;
+    shared::Patch cell;
+    shared::Frame frame;
+    shared::VisibleBlade visible;
+    shared::DrawArguments draw;
+    shared::Species species;
+    shared::GroundVertex groundVertex;
+    shared::GroundMaterial groundMaterial;
+    shared::Wind wind;
+    shared::Gravity gravity;
+    shared::UpdatePush updatePush;
+    shared::ViewPush viewPush;
+    shared::GroundPush groundPush;
+};
+
+std::size_t fillValues(Values& v)
+{
+    Counter n;
+    n.fillAll(v.blade.root, v.blade.facing, v.blade.up, v.blade.stiffness, v.blade.height,
+              v.blade.width, v.blade.exposure, v.blade.species, v.blade.tint, v.blade.clump,
+              v.blade.hash);
+    n.fillAll(v.packedBlade.rootXY, v.packedBlade.rootZUp, v.packedBlade.shape, v.packedBlade.look);
+    n.fillAll(v.state.xy, v.state.zEta);
+    n.fillAll(v.cell.boundsLow, v.cell.firstBlade, v.cell.boundsHigh, v.cell.bladeCount,
+              v.cell.rootLow, v.cell.rootStep, v.cell.coneAxis, v.cell.coneCosine, v.cell.heightLow,
+              v.cell.heightStep, v.cell.widthLow, v.cell.widthStep, v.cell.parent,
+              v.cell.firstChild, v.cell.childCount, v.cell.level, v.cell.rankLow, v.cell.rankHigh);
+    shared::Frame& f = v.frame;
+    n.fillAll(f.blades, f.states, f.patches, f.species, f.visible, f.draw, f.patchTimes, f.fates,
+              f.viewProjection, f.planes, f.eye, f.time, f.gravity, f.wind, f.recovery,
+              f.drawDistance, f.pixelsPerUnit, f.lodThreshold, f.lodWidth, f.cullMask, f.patchCount,
+              f.bladeCount, f.visibleCapacity, f.maxTessellation, f.sunDirection, f.exposure,
+              f.sunColor, f.debugMode, f.skyColor, f.fogDensity, f.groundColor, f.samples, f.skyUp,
+              f.fixedTessellation);
+    n.fillAll(v.visible.blade, v.visible.patchIndex, v.visible.widthFactor, v.visible.pixels);
+    n.fillAll(v.draw.vertexCount, v.draw.instanceCount, v.draw.firstVertex, v.draw.firstInstance,
+              v.draw.simulated, v.draw.fates);
+    n.fillAll(v.species.rootColor, v.species.tipThreshold, v.species.tipColor, v.species.groundTint,
+              v.species.colorVariation, v.species.translucency, v.species.gloss, v.species.dryness);
+    n.fillAll(v.groundVertex.position, v.groundVertex.normal, v.groundVertex.uv,
+              v.groundVertex.color);
+    n.fillAll(v.groundMaterial.baseColor, v.groundMaterial.roughness, v.groundMaterial.metallic,
+              v.groundMaterial.image, v.groundMaterial.flags);
+    n.fillAll(v.wind, v.gravity);
+    n.fillAll(v.updatePush.frame, v.updatePush.owners, v.updatePush.ownerCount,
+              v.updatePush.onlyUpdate);
+    n.fillAll(v.viewPush.frame);
+    n.fillAll(v.groundPush.frame, v.groundPush.vertices, v.groundPush.materials,
+              v.groundPush.material, v.groundPush.reserved);
+    return n.count();
+}
+
+using LayoutTest = test::GpuTest;
+
+/// The value as the second of two elements of a buffer.
+template <typename T>
+gpu::Buffer secondElement(const gpu::DeviceContext& context, const T& value)
+{
+    gpu::Buffer buffer(context, {.name = "struct",
+                                 .bytes = 2 * sizeof(T),
+                                 .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                                 .memory = gpu::MemoryUse::upload});
+    std::memset(buffer.mapped().data(), 0, sizeof(T));
+    std::memcpy(buffer.mapped().data() + sizeof(T), &value, sizeof(T));
+    return buffer;
+}
+
+TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
+{
+    Values values = {};
+    const std::size_t words = fillValues(values);
+
+    // The frame is reached as element 0 everywhere, so here, too.
+    std::array<gpu::Buffer, 15> buffers = {secondElement(context(), values.blade),
+                                           secondElement(context(), values.packedBlade),
+                                           secondElement(context(), values.state),
+                                           secondElement(context(), values.cell),
+                                           secondElement(context(), values.frame),
+                                           secondElement(context(), values.visible),
+                                           secondElement(context(), values.draw),
+                                           secondElement(context(), values.species),
+                                           secondElement(context(), values.groundVertex),
+                                           secondElement(context(), values.groundMaterial),
+                                           secondElement(context(), values.wind),
+                                           secondElement(context(), values.gravity),
+                                           secondElement(context(), values.updatePush),
+                                           secondElement(context(), values.viewPush),
+                                           secondElement(context(), values.groundPush)};
+    std::memcpy(buffers[4].mapped().data(), &values.frame, sizeof values.frame);
+
+    const gpu::Buffer sources(context(), {.name = "sources",
+                                          .bytes = buffers.size() * sizeof(std::uint64_t),
+                                          .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                                          .memory = gpu::MemoryUse::upload});
+    for (std::size_t i = 0; i < buffers.size(); ++i)
+        sources.mappedAs<std::uint64_t>()[i] = buffers[i].address();
+    const gpu::Buffer target(context(), {.name = "target",
+                                         .bytes = (words + 64) * sizeof(std::uint32_t),
+                                         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                                  VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
+
+    const gpu::ShaderLibrary shaders(embedded::renderTestShaders());
+    const gpu::ComputePipeline pipeline(context(), shaders,
+                                        {.name = "layout echo",
+                                         .shader = "layout_echo.comp",
+                                         .pushConstantBytes = 16,
+                                         .setLayouts = {},
+                                         .constants = {}});
+    gpu::submitAndWait(context(), [&](VkCommandBuffer commands) {
+        pipeline.bind(commands);
+        pipeline.push(commands, std::array{sources.address(), target.address()});
+        vkCmdDispatch(commands, 1, 1, 1);
+    });
+
+    const auto echoed = gpu::readBufferAs<std::uint32_t>(context(), target);
+    for (std::size_t i = 0; i < words; ++i)
+        ASSERT_EQ(std::bit_cast<float>(echoed[i]), static_cast<float>(i + 1)) << "scalar " << i;
+}
+
+} // namespace
+} // namespace sward::render

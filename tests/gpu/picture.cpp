@@ -1,0 +1,44 @@
+#include "picture.h"
+
+#include "gpu/commands.h"
+#include "gpu/image_use.h"
+#include "gpu/readback.h"
+
+#include <algorithm>
+
+namespace sward::test {
+
+Picture::Picture(const gpu::DeviceContext& context, glm::uvec2 size)
+    : context_(context)
+    , size_(size)
+    , image_(context,
+             {.name = "picture",
+              .format = VK_FORMAT_R8G8B8A8_SRGB,
+              .extent = {size.x, size.y},
+              .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT})
+{
+}
+
+void Picture::draw(render::FieldRenderer& renderer, const render::Camera& camera,
+                   const render::FrameSettings& settings, double time)
+{
+    gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
+        gpu::transition(commands, image_, gpu::ImageUse::undefined, gpu::ImageUse::colorTarget);
+        renderer.record(commands, {image_.get(), image_.view(), size_}, camera, settings, time);
+    });
+}
+
+std::vector<std::byte> Picture::pixels() const
+{
+    return gpu::readImage(context_, image_, gpu::ImageUse::colorTarget);
+}
+
+std::size_t differingPixels(const std::vector<std::byte>& a, const std::vector<std::byte>& b)
+{
+    std::size_t count = 0;
+    for (std::size_t i = 0; i + 3 < std::min(a.size(), b.size()); i += 4)
+        count += std::equal(&a[i], &a[i] + 4, &b[i]) ? 0u : 1u;
+    return count;
+}
+
+} // namespace sward::test

@@ -1,0 +1,17 @@
+# The running half: shaders and passes against the CPU, and whole frames.
+if(NOT TARGET sward_gpu_test_support)
+  add_subdirectory(${CMAKE_SOURCE_DIR}/tests/support/gpu gpu_support)
+endif()
+if(NOT TARGET sward_field_test_support)
+  add_subdirectory(${CMAKE_SOURCE_DIR}/tests/support/fields field_support)
+endif()
+
+sward_add_shaders(sward_render_test_shaders shaders/layout_echo.comp)
+sward_add_tests(sward_render_tests LABEL gpu
+  SOURCES camera_test.cpp culling_test.cpp layout_test.cpp physics_test.cpp picture.cpp
+          renderer_test.cpp update_bench.cpp
+  USES sward::render sward_gpu_test_support sward_field_test_support
+  ENVIRONMENT ${SWARD_GPU_ENVIRONMENT})
+get_target_property(render_test_spirv sward_render_test_shaders SWARD_SPIRV)
+sward_embed(sward_render_tests renderTestShaders ${render_test_spirv})
+add_dependencies(sward_render_tests sward_render_test_shaders)

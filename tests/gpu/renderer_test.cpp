@@ -1,0 +1,276 @@
+// Whole frames.
+
+#include "core/error.h"
+#include "core/random.h"
+#include "gpu/commands.h"
+#include "picture.h"
+#include "render/camera_presets.h"
+#include "render/field_buffers.h"
+#include "shaders/shared/bezier.h"
+#include "support/fields/fields.h"
+#include "support/gpu/gpu_fixture.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sward::render {
+namespace {
+
+constexpr std::uint64_t seed = 5;
+constexpr glm::vec3 up(0.0f, 1.0f, 0.0f);
+
+FieldRenderer::Settings oneSample()
+{
+    FieldRenderer::Settings settings;
+    settings.samples = 1;
+    settings.recordFates = true;
+    return settings;
+}
+
+std::uint64_t sumOf(const FrameStats& s)
+{
+    return s.drawn + s.lod + s.culledPatch + s.culledOrientation + s.culledFrustum +
+           s.culledDistance + s.culledOcclusion;
+}
+
+class RendererTest : public test::GpuTest {
+protected:
+    struct Scene {
+        field::Field field;
+        FieldRenderer renderer;
+        FrameSettings settings;
+        Camera camera;
+
+        Scene(const gpu::Device& device, field::Field made, FieldRenderer::Settings wanted)
+            : field(std::move(made))
+            , renderer(device, field::viewOf(field), wanted)
+            , settings(FrameSettings::of(field::viewOf(field)))
+            , camera(presetCamera(CameraPreset::fit, field::viewOf(field), up, 1.6f))
+        {
+        }
+    };
+
+    static Scene meadow(std::size_t blades, FieldRenderer::Settings wanted = oneSample())
+    {
+        return {device(), test::makeField({.blades = blades, .extent = 3.0f, .seed = seed}),
+                wanted};
+    }
+};
+
+TEST_F(RendererTest, DrawsSkyGroundAndBladesOneAfterTheOther)
+{
+    test::Picture picture(context(), {96, 60});
+    Scene scene = meadow(1500);
+    Scene bare{device(), test::makeField({.blades = 0, .extent = 3.0f}), oneSample()};
+    Scene nothing{device(), test::emptyField(), oneSample()};
+    bare.camera = scene.camera;
+    nothing.camera = scene.camera;
+
+    picture.draw(nothing.renderer, nothing.camera, nothing.settings, 1.0);
+    const auto sky = picture.pixels();
+    picture.draw(bare.renderer, bare.camera, bare.settings, 1.0);
+    const auto ground = picture.pixels();
+    picture.draw(scene.renderer, scene.camera, scene.settings, 1.0);
+    const auto grass = picture.pixels();
+
+    // The square covers about a quarter of its picture; the blades cover most of the square.
+    const std::size_t all = 96 * 60;
+    EXPECT_GT(test::differingPixels(sky, ground), all / 8);
+    EXPECT_GT(test::differingPixels(ground, grass), all / 8);
+    // All of it is opaque.
+    for (std::size_t i = 3; i < sky.size(); i += 4)
+        ASSERT_EQ(sky[i], std::byte{255});
+    EXPECT_EQ(nothing.renderer.stats().total, 0u);
+    EXPECT_GT(scene.renderer.stats().drawn, 500u);
+    EXPECT_EQ(sumOf(scene.renderer.stats()), scene.renderer.stats().resident);
+}
+
+TEST_F(RendererTest, DrawsTheSamePictureOfTheSameMomentTwice)
+{
+    for (const std::uint32_t samples : {1u, 4u}) {
+        FieldRenderer::Settings wanted;
+        wanted.samples = samples;
+        Scene scene = meadow(1000, wanted);
+        test::Picture picture(context(), {128, 80});
+        picture.draw(scene.renderer, scene.camera, scene.settings, 2.0);
+        const auto first = picture.pixels();
+        picture.draw(scene.renderer, scene.camera, scene.settings, 2.0);
+        EXPECT_EQ(test::differingPixels(first, picture.pixels()), 0u) << samples << " samples";
+    }
+}
+
+TEST_F(RendererTest, TakesStepsOfAnyLength)
+{
+    Scene scene = meadow(600);
+    test::Picture picture(context(), {64, 40});
+    for (const double time : {1.0, 1.0, 6.0, 6.001, 3606.0, 3606.0}) {
+        picture.draw(scene.renderer, scene.camera, scene.settings, time);
+        EXPECT_EQ(sumOf(scene.renderer.stats()), 600u);
+        for (const FieldRenderer::BladeRecord& blade :
+             scene.renderer.dumpBlades(field::viewOf(scene.field))) {
+            // The tip is above the ground, and the blade as long as it is baked.
+            const double height = glm::dot(blade.v2 - blade.root, glm::dvec3(blade.up));
+            ASSERT_GE(height, -1e-4) << "at " << time << " s";
+            ASSERT_TRUE(std::isfinite(glm::length(blade.v1)));
+        }
+    }
+}
+
+TEST_F(RendererTest, KeepsEveryBladeAsLongAsItWasBaked)
+{
+    Scene scene{device(),
+                test::makeField({.surface = test::Surface::cloud, .blades = 1000, .seed = seed}),
+                oneSample()};
+    scene.settings.cullMask = 0;
+    scene.settings.nature.wind.strength = 9.0f;
+    test::Picture picture(context(), {16, 16});
+    for (int step = 0; step < 20; ++step)
+        picture.draw(scene.renderer, scene.camera, scene.settings, 0.05 * step);
+
+    const field::FieldView view = field::viewOf(scene.field);
+    const auto dump = scene.renderer.dumpBlades(view);
+    const auto patches = field::patchOfBlades(view);
+    for (std::size_t i = 0; i < dump.size(); ++i) {
+        const shared::Blade blade =
+            shared::unpackBlade(scene.field.blades[i], scene.field.patches[patches[i]]);
+        // Length by 200 chords.
+        double length = 0.0;
+        glm::dvec3 last = dump[i].root;
+        for (int k = 1; k <= 200; ++k) {
+            const double t = k / 200.0;
+            const glm::dvec3 point = (1 - t) * (1 - t) * dump[i].root +
+                                     2 * t * (1 - t) * dump[i].v1 + t * t * dump[i].v2;
+            length += glm::length(point - last);
+            last = point;
+        }
+        ASSERT_NEAR(length / static_cast<double>(blade.height), 1.0, 2e-3) << "blade " << i;
+        ASSERT_EQ(dump[i].id, field::bladeId(scene.field.keys[i]));
+        ASSERT_EQ(dump[i].lodWidth > 0.0f, dump[i].fate == shared::fateDrawn);
+    }
+}
+
+TEST_F(RendererTest, FrustumCullingChangesNoPixel)
+{
+    Scene scene{device(),
+                test::makeField({.surface = test::Surface::sphere,
+                                 .blades = 400,
+                                 .extent = 2.0f,
+                                 .heightHigh = 1.2f,
+                                 .widthHigh = 0.12f,
+                                 .seed = seed}),
+                oneSample()};
+    test::Picture picture(context(), {48, 27});
+    std::uint64_t culled = 0;
+    for (std::uint64_t c = 0; c < 120; ++c) {
+        const auto at = [c](double reach, std::uint32_t d) {
+            return reach * (2.0 * uniform(seed, c, d) - 1.0);
+        };
+        // Mostly among the blades, where they are cut by the picture's edge.
+        scene.camera.eye = {at(2.2, 0), at(2.2, 1), at(2.2, 2)};
+        scene.camera.target = {at(2.0, 3), at(2.0, 4), at(2.0, 5)};
+        scene.settings.cullMask = 0;
+        picture.draw(scene.renderer, scene.camera, scene.settings, 1.0);
+        const auto everything = picture.pixels();
+        scene.settings.cullMask = shared::cullPatch | shared::cullFrustum;
+        picture.draw(scene.renderer, scene.camera, scene.settings, 1.0);
+        ASSERT_EQ(test::differingPixels(everything, picture.pixels()), 0u)
+            << "camera " << c << ", seed " << seed;
+        culled += scene.renderer.stats().culledFrustum + scene.renderer.stats().culledPatch;
+    }
+    // About half of the blades are behind or beside each camera.
+    EXPECT_GT(culled, 120u * 400u / 4u);
+}
+
+TEST_F(RendererTest, LooksTheSameFarFromTheOrigin)
+{
+    const auto pictureAt = [&](glm::dvec3 origin) {
+        Scene scene{
+            device(),
+            test::makeField({.blades = 500, .extent = 2.0f, .origin = origin, .seed = seed}),
+            oneSample()};
+        test::Picture picture(context(), {96, 60});
+        picture.draw(scene.renderer, scene.camera, scene.settings, 1.0);
+        return picture.pixels();
+    };
+    // Powers of two, so that the camera's own place is not rounded.
+    const auto here = pictureAt(glm::dvec3(0.0));
+    const auto there = pictureAt({1048576.0, 8192.0, -4194304.0});
+    EXPECT_LE(test::differingPixels(here, there), 96u * 60u / 200u);
+}
+
+TEST_F(RendererTest, FollowsItsTargetsSize)
+{
+    FieldRenderer::Settings wanted;
+    Scene scene = meadow(200, wanted);
+    for (const glm::uvec2 size : {glm::uvec2(64, 40), glm::uvec2(1, 1), glm::uvec2(90, 31)}) {
+        test::Picture picture(context(), size);
+        picture.draw(scene.renderer, scene.camera, scene.settings, 1.0);
+        EXPECT_EQ(picture.pixels().size(), std::size_t(4) * size.x * size.y);
+    }
+}
+
+TEST_F(RendererTest, MovesWhatNobodySeesWhenOnlyUpdating)
+{
+    Scene scene = meadow(300);
+    test::Picture picture(context(), {32, 20});
+    scene.camera.target = scene.camera.eye + (scene.camera.eye - scene.camera.target);
+    picture.draw(scene.renderer, scene.camera, scene.settings, 1.0);
+    EXPECT_EQ(scene.renderer.stats().culledPatch, 300u);
+    EXPECT_EQ(scene.renderer.stats().simulated, 0u);
+    const auto view = field::viewOf(scene.field);
+    const auto before = scene.renderer.dumpBlades(view);
+    gpu::submitAndWait(context(), [&](VkCommandBuffer commands) {
+        scene.renderer.recordUpdateOnly(commands, scene.settings, 1.5);
+    });
+    const auto after = scene.renderer.dumpBlades(view);
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        EXPECT_LT(
+            glm::length(before[i].v2 - before[i].root -
+                        glm::length(before[i].v2 - before[i].root) * glm::dvec3(before[i].up)),
+            1e-3)
+            << "a blade that was never moved";
+        EXPECT_GT(glm::length(after[i].v2 - before[i].v2), 1e-4) << "blade " << i;
+    }
+}
+
+TEST_F(RendererTest, StandsInItsWindFromTheFirstPictureOn)
+{
+    // Ten seconds later nothing but the gusts has changed: the mean bend is about the same.
+    Scene scene = meadow(800);
+    scene.settings.nature.wind.strength = 0.0f;
+    test::Picture picture(context(), {32, 20});
+    const auto meanDrop = [&](double time) {
+        picture.draw(scene.renderer, scene.camera, scene.settings, time);
+        double sum = 0.0;
+        for (const auto& blade : scene.renderer.dumpBlades(field::viewOf(scene.field)))
+            sum += glm::length(blade.v2 - blade.root -
+                               glm::dot(blade.v2 - blade.root, glm::dvec3(blade.up)) *
+                                   glm::dvec3(blade.up));
+        return sum / 800.0;
+    };
+    const double first = meanDrop(0.0);
+    EXPECT_GT(first, 0.01);
+    EXPECT_NEAR(meanDrop(10.0), first, 0.02 * first);
+}
+
+TEST_F(RendererTest, RefusesAFieldThatIsLargerThanTheDevice)
+{
+    gpu::DeviceContext small = context();
+    for (VkMemoryHeap& heap : small.memory.memoryHeaps)
+        heap.size = 1024;
+    const field::Field field = test::makeField({.blades = 500});
+    gpu::Uploader uploader(context());
+    try {
+        const FieldBuffers buffers(small, uploader, field::viewOf(field), false);
+        FAIL() << "a device of 1 KiB held 500 blades";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::runtime);
+        EXPECT_NE(std::string(error.what()).find("500 blades"), std::string::npos) << error.what();
+    }
+}
+
+} // namespace
+} // namespace sward::render

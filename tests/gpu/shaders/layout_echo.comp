@@ -1,0 +1,235 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_buffer_reference_uvec2 : require
+// Reads every shared struct member by member and writes what it has read as a row of words.
+#include "shaders/shared/passes.h"
+
+layout(local_size_x = 1) in;
+
+SHARED_BUFFER(PlainBladeArray, Blade, readonly)
+SHARED_BUFFER(GravityArray, Gravity, readonly)
+SHARED_BUFFER(WindArray, Wind, readonly)
+SHARED_BUFFER(UpdatePushArray, UpdatePush, readonly)
+SHARED_BUFFER(ViewPushArray, ViewPush, readonly)
+SHARED_BUFFER(GroundPushArray, GroundPush, readonly)
+
+struct Sources {
+    PlainBladeArray blade;
+    BladeArray packedBlade;
+    StateArray state;
+    PatchArray cell;
+    FrameArray frame;
+    VisibleArray visible;
+    DrawArray draw;
+    SpeciesArray species;
+    GroundVertexArray groundVertex;
+    GroundMaterialArray groundMaterial;
+    WindArray wind;
+    GravityArray gravity;
+    UpdatePushArray updatePush;
+    ViewPushArray viewPush;
+    GroundPushArray groundPush;
+};
+SHARED_BUFFER(SourcesArray, Sources, readonly)
+
+layout(push_constant, scalar) uniform Block
+{
+    SourcesArray sources;
+    UintArray target;
+};
+
+uint next = 0u;
+
+void put(uint word)
+{
+    target.at[next++] = word;
+}
+
+void put(float x)
+{
+    put(floatBitsToUint(x));
+}
+
+void put(vec2 v)
+{
+    put(v.x);
+    put(v.y);
+}
+
+void put(vec3 v)
+{
+    put(v.x);
+    put(v.y);
+    put(v.z);
+}
+
+void put(vec4 v)
+{
+    put(v.xyz);
+    put(v.w);
+}
+
+void put(uvec2 reference)
+{
+    put(reference.x);
+    put(reference.y);
+}
+
+void put(Gravity gravity)
+{
+    put(gravity.direction);
+    put(gravity.strength);
+    put(gravity.attractor);
+    put(gravity.blend);
+}
+
+void put(Wind wind)
+{
+    put(wind.direction);
+    put(wind.strength);
+    put(wind.waveLength);
+    put(wind.speed);
+    put(wind.gustSize);
+    put(wind.gustiness);
+}
+
+void putFrame()
+{
+#define FRAME sources.at[0].frame.at[0]
+    put(uvec2(FRAME.blades));
+    put(uvec2(FRAME.states));
+    put(uvec2(FRAME.patches));
+    put(uvec2(FRAME.species));
+    put(uvec2(FRAME.visible));
+    put(uvec2(FRAME.draw));
+    put(uvec2(FRAME.patchTimes));
+    put(uvec2(FRAME.fates));
+    for (uint column = 0u; column < 4u; ++column)
+        put(FRAME.viewProjection[column]);
+    for (uint i = 0u; i < 6u; ++i)
+        put(FRAME.planes[i]);
+    put(FRAME.eye);
+    put(FRAME.time);
+    put(FRAME.gravity);
+    put(FRAME.wind);
+    put(FRAME.recovery);
+    put(FRAME.drawDistance);
+    put(FRAME.pixelsPerUnit);
+    put(FRAME.lodThreshold);
+    put(FRAME.lodWidth);
+    put(FRAME.cullMask);
+    put(FRAME.patchCount);
+    put(FRAME.bladeCount);
+    put(FRAME.visibleCapacity);
+    put(FRAME.maxTessellation);
+    put(FRAME.sunDirection);
+    put(FRAME.exposure);
+    put(FRAME.sunColor);
+    put(FRAME.debugMode);
+    put(FRAME.skyColor);
+    put(FRAME.fogDensity);
+    put(FRAME.groundColor);
+    put(FRAME.samples);
+    put(FRAME.skyUp);
+    put(FRAME.fixedTessellation);
+}
+
+void main()
+{
+    // The second element of each array, so that the stride is proven, too.
+    const Blade blade = sources.at[0].blade.at[1];
+    put(blade.root);
+    put(blade.facing);
+    put(blade.up);
+    put(blade.stiffness);
+    put(blade.height);
+    put(blade.width);
+    put(blade.exposure);
+    put(blade.species);
+    put(blade.tint);
+    put(blade.clump);
+    put(blade.hash);
+
+    const PackedBlade bits = sources.at[0].packedBlade.at[1];
+    put(bits.rootXY);
+    put(bits.rootZUp);
+    put(bits.shape);
+    put(bits.look);
+
+    put(sources.at[0].state.at[1].xy);
+    put(sources.at[0].state.at[1].zEta);
+
+    const Patch cell = sources.at[0].cell.at[1];
+    put(cell.boundsLow);
+    put(cell.firstBlade);
+    put(cell.boundsHigh);
+    put(cell.bladeCount);
+    put(cell.rootLow);
+    put(cell.rootStep);
+    put(cell.coneAxis);
+    put(cell.coneCosine);
+    put(cell.heightLow);
+    put(cell.heightStep);
+    put(cell.widthLow);
+    put(cell.widthStep);
+    put(cell.parent);
+    put(cell.firstChild);
+    put(cell.childCount);
+    put(cell.level);
+    put(cell.rankLow);
+    put(cell.rankHigh);
+
+    putFrame();
+
+    const VisibleBlade visible = sources.at[0].visible.at[1];
+    put(visible.blade);
+    put(visible.patchIndex);
+    put(visible.widthFactor);
+    put(visible.pixels);
+
+    const DrawArguments draw = sources.at[0].draw.at[1];
+    put(draw.vertexCount);
+    put(draw.instanceCount);
+    put(draw.firstVertex);
+    put(draw.firstInstance);
+    put(draw.simulated);
+    for (uint i = 0u; i < fateCount; ++i)
+        put(draw.fates[i]);
+
+    const Species species = sources.at[0].species.at[1];
+    put(species.rootColor);
+    put(species.tipThreshold);
+    put(species.tipColor);
+    put(species.groundTint);
+    put(species.colorVariation);
+    put(species.translucency);
+    put(species.gloss);
+    put(species.dryness);
+
+    const GroundVertex vertex = sources.at[0].groundVertex.at[1];
+    put(vertex.position);
+    put(vertex.normal);
+    put(vertex.uv);
+    put(vertex.color);
+
+    const GroundMaterial material = sources.at[0].groundMaterial.at[1];
+    put(material.baseColor);
+    put(material.roughness);
+    put(material.metallic);
+    put(material.image);
+    put(material.flags);
+
+    put(sources.at[0].wind.at[1]);
+    put(sources.at[0].gravity.at[1]);
+
+    put(uvec2(sources.at[0].updatePush.at[1].frame));
+    put(uvec2(sources.at[0].updatePush.at[1].owners));
+    put(sources.at[0].updatePush.at[1].ownerCount);
+    put(sources.at[0].updatePush.at[1].onlyUpdate);
+    put(uvec2(sources.at[0].viewPush.at[1].frame));
+    put(uvec2(sources.at[0].groundPush.at[1].frame));
+    put(uvec2(sources.at[0].groundPush.at[1].vertices));
+    put(uvec2(sources.at[0].groundPush.at[1].materials));
+    put(sources.at[0].groundPush.at[1].material);
+    put(sources.at[0].groundPush.at[1].reserved);
+}

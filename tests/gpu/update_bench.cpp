@@ -1,0 +1,68 @@
+#include "update_bench.h"
+
+#include "gpu/barrier.h"
+#include "gpu/commands.h"
+#include "gpu/readback.h"
+#include "gpu/upload.h"
+
+#include <cstring>
+
+namespace sward::embedded {
+std::span<const EmbeddedFile> shaders();
+} // namespace sward::embedded
+
+namespace sward::test {
+namespace {
+
+render::FieldBuffers upload(const gpu::DeviceContext& context, const field::FieldView& field)
+{
+    gpu::Uploader uploader(context);
+    render::FieldBuffers buffers(context, uploader, field, true);
+    uploader.finish();
+    return buffers;
+}
+
+} // namespace
+
+UpdateBench::UpdateBench(const gpu::DeviceContext& context, const field::FieldView& field)
+    : context_(context)
+    , shaders_(embedded::shaders())
+    , buffers_(upload(context, field))
+    , pass_(context, shaders_)
+{
+}
+
+UpdateBench::Result UpdateBench::run(shared::Frame frame,
+                                     std::span<const shared::BladeState> states, float elapsed,
+                                     render::UpdateCullPass::Scope scope)
+{
+    buffers_.describe(frame);
+    const gpu::Buffer constants(context_, {.name = "frame",
+                                           .bytes = sizeof frame,
+                                           .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                                           .memory = gpu::MemoryUse::upload});
+    std::memcpy(constants.mapped().data(), &frame, sizeof frame);
+
+    gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
+        gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
+        buffers_.rest(commands, frame.time - elapsed);
+        buffers_.clearCounts(commands);
+    });
+    gpu::Uploader uploader(context_);
+    uploader.toBuffer(buffers_.states(), states);
+    uploader.finish();
+    gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
+        gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
+        pass_.record(commands, buffers_, constants.address(), scope);
+    });
+
+    Result result;
+    result.states = gpu::readBufferAs<shared::BladeState>(context_, buffers_.states());
+    result.fates = gpu::readBufferAs<std::uint32_t>(context_, buffers_.fates());
+    result.visible = gpu::readBufferAs<shared::VisibleBlade>(context_, buffers_.visible());
+    result.draw = gpu::readBufferAs<shared::DrawArguments>(context_, buffers_.draw())[0];
+    result.visible.resize(result.draw.vertexCount);
+    return result;
+}
+
+} // namespace sward::test

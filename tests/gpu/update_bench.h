@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/embedded.h"
+#include "field/field.h"
+#include "gpu/shader_library.h"
+#include "render/field_buffers.h"
+#include "render/update_cull_pass.h"
+#include "shaders/shared/frame.h"
+
+#include <span>
+#include <vector>
+
+namespace sward::test {
+
+/// Runs the update and cull pass of the product by itself on one field.
+class UpdateBench {
+public:
+    UpdateBench(const gpu::DeviceContext& context, const field::FieldView& field);
+
+    struct Result {
+        std::vector<shared::BladeState> states;
+        std::vector<std::uint32_t> fates;
+        std::vector<shared::VisibleBlade> visible; ///< only those that are listed
+        shared::DrawArguments draw;
+    };
+
+    /// One pass at `frame.time` over blades in `states` that were last moved `elapsed` [s] before.
+    /// Addresses and counts of the frame are filled in.
+    Result run(shared::Frame frame, std::span<const shared::BladeState> states, float elapsed,
+               render::UpdateCullPass::Scope scope);
+
+    float bladeWidth() const { return buffers_.bladeWidth(); }
+
+private:
+    const gpu::DeviceContext& context_;
+    gpu::ShaderLibrary shaders_;
+    render::FieldBuffers buffers_;
+    render::UpdateCullPass pass_;
+};
+
+} // namespace sward::test
