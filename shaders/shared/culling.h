@@ -62,25 +62,33 @@ SHARED_FN float boxDistance(vec3 eye, vec3 low, vec3 high)
     return length(max(max(low - eye, eye - high), vec3(0.0f)));
 }
 
+/// Blades near the end of the drawn share fade in over this part of it.
+SHARED_CONST float lodFade = 0.1f;
+
+/// The share at which every blade has faded in.
+SHARED_CONST float lodFullShare = 1.0f / 0.9f;
+
 /// Share of the local blades that is drawn where a typical blade is `pixels` wide at its root: all
-/// while it covers `threshold` pixels, then in proportion to its width. What is left is drawn
-/// 1/share wider, so the covered area stays. Continuous, never 0.
+/// while it covers `threshold` pixels or so, then in proportion to its width. What is left is drawn
+/// wider, so the covered area stays. Continuous, in [1/256, lodFullShare].
 SHARED_FN float lodShare(float pixels, float threshold)
 {
-    return clamp(pixels / threshold, 1.0f / 256.0f, 1.0f);
+    return clamp(pixels / threshold, 1.0f / 256.0f, lodFullShare);
 }
 
 /// Width factor of the blade with progressive rank `rank` in [0, 1) where `share` of the blades is
-/// drawn; 0: not drawn. Blades near the end of the share fade in over a tenth of it, so nothing
-/// pops; the factor is chosen so that the mean over all ranks is 1.
+/// drawn; 0: not drawn. Continuous in rank and share, so nothing pops, and its mean over all ranks
+/// is 1, so the covered area stays.
 SHARED_FN float lodWidthFactor(float rank, float share)
 {
-    if (share >= 1.0f)
+    if (share >= lodFullShare)
         return 1.0f;
-    const float fade = 0.1f * share;
+    const float fade = lodFade * share;
     const float weight = clamp((share - rank) / fade, 0.0f, 1.0f);
-    // ∫ weight over ranks = share − fade/2.
-    return weight / (share - 0.5f * fade);
+    // ∫ weight over ranks from 0 to 1; what lies beyond rank 1 is missing.
+    const float beyond = max(share - 1.0f, 0.0f);
+    const float mean = share - 0.5f * fade - 0.5f * beyond * beyond / fade;
+    return weight / mean;
 }
 
 SHARED_END

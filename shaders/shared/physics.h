@@ -35,8 +35,8 @@ struct Pose {
     vec3 v2;
 };
 
-/// Half of a step of the stored displacement, in heights, per axis.
-SHARED_CONST float displacementMaxError = 3.06e-5f;
+/// Half of a step of the stored displacement and the rounding of a number near 2, in heights, per axis.
+SHARED_CONST float displacementMaxError = 3.07e-5f;
 
 SHARED_FN uint packSnorm16(float x)
 {

@@ -1,0 +1,113 @@
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "core/mapped_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace sward {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Files : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        folder = fs::temp_directory_path() / ("sward-files-" + std::to_string(::getpid()));
+        fs::create_directories(folder);
+    }
+    void TearDown() override { fs::remove_all(folder); }
+
+    std::size_t entries() const
+    {
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+    }
+
+    static std::string contents(const fs::path& path)
+    {
+        std::ifstream in(path, std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+
+    fs::path folder;
+};
+
+TEST_F(Files, AppearOnlyWhenCommitted)
+{
+    {
+        AtomicFile file(folder / "a", false);
+        file.write("half");
+        EXPECT_FALSE(fs::exists(folder / "a"));
+    }
+    EXPECT_EQ(entries(), 0U);
+    writeTextFile(folder / "a", "whole", false);
+    EXPECT_EQ(contents(folder / "a"), "whole");
+    EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(Files, AreNotOverwrittenWithoutPermission)
+{
+    writeTextFile(folder / "a", "old", false);
+    try {
+        writeTextFile(folder / "a", "new", false);
+        FAIL() << "overwrote";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::io);
+        EXPECT_NE(std::string(error.what()).find("--force"), std::string::npos);
+    }
+    EXPECT_EQ(contents(folder / "a"), "old");
+    writeTextFile(folder / "a", "new", true);
+    EXPECT_EQ(contents(folder / "a"), "new");
+}
+
+TEST_F(Files, ThatAppearMeanwhileAreNotOverwrittenEither)
+{
+    AtomicFile file(folder / "a", false);
+    file.write("mine");
+    std::ofstream(folder / "a") << "theirs";
+    EXPECT_THROW(file.commit(), Error);
+    EXPECT_EQ(contents(folder / "a"), "theirs");
+}
+
+TEST_F(Files, KeepTheOldOneWhenAForcedWriteFails)
+{
+    writeTextFile(folder / "a", "old", false);
+    // A limit on the file's size stands in for a full disk.
+    rlimit before = {};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    rlimit small = before;
+    small.rlim_cur = 100;
+    ::signal(SIGXFSZ, SIG_IGN);
+    ::setrlimit(RLIMIT_FSIZE, &small);
+    EXPECT_THROW(writeTextFile(folder / "a", std::string(1000, 'x'), true), Error);
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    EXPECT_EQ(contents(folder / "a"), "old");
+    EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(Files, InMissingFoldersAreRefused)
+{
+    EXPECT_THROW(AtomicFile(folder / "no" / "a", false), Error);
+    EXPECT_THROW(refuseOverwrite(folder, true), Error);
+}
+
+TEST_F(Files, AreMappedAsTheyAre)
+{
+    writeTextFile(folder / "a", "grass", false);
+    const MappedFile file(folder / "a");
+    ASSERT_EQ(file.bytes().size(), 5U);
+    EXPECT_EQ(file.bytes()[0], std::byte('g'));
+    writeTextFile(folder / "empty", "", false);
+    EXPECT_TRUE(MappedFile(folder / "empty").bytes().empty());
+    EXPECT_THROW(MappedFile(folder / "missing"), Error);
+    EXPECT_THROW(MappedFile{folder}, Error);
+    EXPECT_THROW(readFile(folder / "a", 4), Error);
+}
+
+} // namespace
+} // namespace sward

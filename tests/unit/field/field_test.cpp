@@ -1,0 +1,125 @@
+#include "core/error.h"
+#include "field/compression.h"
+#include "field/field.h"
+#include "field/inspect.h"
+#include "field/read.h"
+#include "field/write.h"
+#include "unit/field/sample_field.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace sward::field {
+namespace {
+
+template <typename T>
+bool sameBytes(std::span<const T> a, std::span<const T> b)
+{
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+}
+
+TEST(FieldFile, ReadsBackWhatWasWritten)
+{
+    const Field field = tests::sampleField();
+    const auto path = tests::temporaryFile("identity.sward");
+    const std::uint64_t bytes = writeField(field, path, true);
+    EXPECT_EQ(bytes, std::filesystem::file_size(path));
+    EXPECT_EQ(bytes, fieldBytes(field));
+
+    const MappedField mapped = readField(path);
+    const FieldView view = mapped.view();
+    EXPECT_EQ(mapped.fileBytes(), bytes);
+    EXPECT_EQ(view.origin, field.origin);
+    EXPECT_TRUE(sameBytes(view.patches, std::span<const shared::Patch>(field.patches)));
+    EXPECT_TRUE(sameBytes(view.blades, std::span<const shared::PackedBlade>(field.blades)));
+    EXPECT_TRUE(sameBytes(view.keys, std::span<const BladeKey>(field.keys)));
+    EXPECT_EQ(view.species.size(), 2U);
+    EXPECT_EQ(view.species[1].name, "clover");
+    EXPECT_FLOAT_EQ(view.species[0].look.tipColor.x, 0.3f);
+    EXPECT_EQ(view.ground->indices, field.ground.indices);
+    EXPECT_EQ(view.ground->images[0].rgba, field.ground.images[0].rgba);
+    EXPECT_EQ(view.defaults->cameras[0].eye, field.defaults.cameras[0].eye);
+    EXPECT_EQ(*view.provenance, field.provenance);
+    EXPECT_EQ(*view.copyright, "CC0");
+}
+
+TEST(FieldFile, LaysBladesWhereTheGpuCanTakeThem)
+{
+    const auto path = tests::temporaryFile("aligned.sward");
+    writeField(tests::sampleField(), path, true);
+    const MappedField mapped = readField(path);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(mapped.view().blades.data()) % 64, 0U);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(mapped.view().patches.data()) % 64, 0U);
+}
+
+TEST(FieldFile, WithoutBladesIsValid)
+{
+    Field field = tests::sampleField();
+    field.patches.clear();
+    field.blades.clear();
+    field.keys.clear();
+    const auto path = tests::temporaryFile("empty.sward");
+    writeField(field, path, true);
+    EXPECT_TRUE(readField(path).view().blades.empty());
+    EXPECT_FALSE(readField(path).view().bounds().isEmpty());
+}
+
+TEST(FieldFile, IsNotReplacedWithoutPermission)
+{
+    const auto path = tests::temporaryFile("kept.sward");
+    writeField(tests::sampleField(), path, true);
+    EXPECT_THROW(writeField(tests::sampleField(7), path, false), Error);
+    EXPECT_EQ(readField(path).view().blades.size(), 15U);
+}
+
+TEST(FieldFile, ThatWouldNotReadBackIsNotWritten)
+{
+    Field field = tests::sampleField();
+    field.patches[1].boundsLow.x = std::numeric_limits<float>::quiet_NaN();
+    const auto path = tests::temporaryFile("refused.sward");
+    EXPECT_THROW(writeField(field, path, true), Error);
+    EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST(Compression, RestoresBytesAndRefusesOtherSizes)
+{
+    std::vector<std::byte> raw(4096);
+    for (std::size_t i = 0; i < raw.size(); ++i)
+        raw[i] = std::byte(i * i % 251);
+    EXPECT_EQ(unshuffleBytes(shuffleBytes(raw, 8), 8), raw);
+    const std::vector<std::byte> stored = compress(raw);
+    EXPECT_EQ(decompress(stored, raw.size(), "x"), raw);
+    EXPECT_THROW(decompress(stored, raw.size() + 1, "x"), Error);
+    EXPECT_THROW(decompress(std::span(stored).first(stored.size() / 2), raw.size(), "x"), Error);
+}
+
+TEST(Summary, CountsWhatTheFieldHolds)
+{
+    const Field field = tests::sampleField();
+    const Summary summary = summarise(viewOf(field));
+    EXPECT_EQ(summary.blades, 15U);
+    EXPECT_EQ(summary.patches, 3U);
+    EXPECT_EQ(summary.leaves, 2U);
+    EXPECT_EQ(summary.levels, 2);
+    EXPECT_EQ(summary.bladesPerLeaf, 5.0);
+    EXPECT_EQ(summary.groundTriangles, 2U);
+    EXPECT_EQ(summary.perSpecies[0] + summary.perSpecies[1], 15U);
+    EXPECT_GE(summary.heightLow, 0.2 - 1e-6);
+    EXPECT_LE(summary.heightHigh, 0.6 + 1e-6);
+}
+
+TEST(BladeId, FitsIntoADoubleAndDiffersForNeighbours)
+{
+    std::vector<std::uint64_t> ids;
+    for (std::uint32_t triangle = 0; triangle < 300; ++triangle)
+        for (std::uint32_t candidate = 0; candidate < 300; ++candidate) {
+            ids.push_back(bladeId({triangle, candidate}));
+            ASSERT_LT(ids.back(), 1ULL << 53);
+        }
+    std::sort(ids.begin(), ids.end());
+    EXPECT_EQ(std::adjacent_find(ids.begin(), ids.end()), ids.end());
+}
+
+} // namespace
+} // namespace sward::field

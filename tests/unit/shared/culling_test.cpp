@@ -1,0 +1,130 @@
+#include "shaders/shared/bezier.h"
+#include "shaders/shared/culling.h"
+#include "unit/shared/random_vectors.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace sward::shared {
+namespace {
+
+// The planes of a cube of half side 1 around the origin, normals inward.
+const std::array<vec4, 6> cubePlanes{vec4(1, 0, 0, 1),  vec4(-1, 0, 0, 1), vec4(0, 1, 0, 1),
+                                     vec4(0, -1, 0, 1), vec4(0, 0, 1, 1),  vec4(0, 0, -1, 1)};
+
+TEST(FrustumCulling, EachPlaneAloneCutsWhatLiesBehindIt)
+{
+    for (std::size_t p = 0; p < 6; ++p) {
+        const vec3 inward(cubePlanes[p].x, cubePlanes[p].y, cubePlanes[p].z);
+        const vec3 outside = -1.5f * inward;
+        const vec3 inside = -0.5f * inward;
+        EXPECT_TRUE(curveOutside(cubePlanes[p], outside, outside, outside, 0.1f)) << p;
+        EXPECT_FALSE(curveOutside(cubePlanes[p], outside, outside, inside, 0.1f)) << p;
+        EXPECT_FALSE(curveOutside(cubePlanes[p], outside, inside, outside, 0.1f)) << p;
+        EXPECT_FALSE(curveOutside(cubePlanes[p], outside, outside, outside, 0.6f)) << p;
+        for (std::size_t other = 0; other < 6; ++other)
+            if (other != p) {
+                EXPECT_FALSE(curveOutside(cubePlanes[other], outside, outside, outside, 0.1f))
+                    << p << " and " << other;
+            }
+    }
+}
+
+TEST(FrustumCulling, NeverCutsACurveWithAPointInside)
+{
+    tests::Dice dice(1);
+    int cut = 0;
+    for (int i = 0; i < 200'000; ++i) {
+        const vec3 v0 = 2.0f * dice.direction();
+        const vec3 v1 = v0 + dice.direction();
+        const vec3 v2 = v1 + dice.direction();
+        const float width = dice.number(0.0f, 0.3f);
+        const vec3 axis = dice.direction();
+        bool isCut = false;
+        for (const vec4& plane : cubePlanes)
+            isCut = isCut || curveOutside(plane, v0, v1, v2, 0.5f * width);
+        cut += isCut ? 1 : 0;
+        if (!isCut)
+            continue;
+        for (float t = 0.0f; t <= 1.0f; t += 0.125f)
+            for (const float side : {-0.5f, 0.0f, 0.5f}) {
+                const vec3 p = bezierPoint(v0, v1, v2, t) + side * width * axis;
+                const float largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+                ASSERT_GE(largest, 1.0f - 1e-5f);
+            }
+    }
+    EXPECT_GT(cut, 10'000);
+}
+
+TEST(BoxCulling, IsConservativeAndCutsWhatIsClearlyOutside)
+{
+    tests::Dice dice(2);
+    for (int i = 0; i < 100'000; ++i) {
+        const vec3 low = 2.0f * dice.direction();
+        const vec3 high = low + vec3(dice.number(0, 1), dice.number(0, 1), dice.number(0, 1));
+        const vec3 inside =
+            low + (high - low) * vec3(dice.number(0, 1), dice.number(0, 1), dice.number(0, 1));
+        for (const vec4& plane : cubePlanes)
+            if (planeDistance(plane, inside) >= 0.0f) {
+                ASSERT_FALSE(boxOutside(plane, low, high));
+            }
+        ASSERT_TRUE(boxOutside(vec4(1, 0, 0, 1), low - vec3(10, 0, 0), high - vec3(10, 0, 0)));
+    }
+}
+
+TEST(OrientationCulling, CutsOnlyWhatIsSeenEdgeOn)
+{
+    const vec3 eye(0, 0, 5);
+    const vec3 root(0.0f);
+    EXPECT_TRUE(seenEdgeOn(eye, root, vec3(0, 0, 1)));
+    EXPECT_TRUE(seenEdgeOn(eye, root, vec3(0, 0, -1)));
+    EXPECT_FALSE(seenEdgeOn(eye, root, vec3(1, 0, 0)));
+    const float angle = std::acos(edgeOnCosine);
+    EXPECT_FALSE(seenEdgeOn(eye, root, vec3(std::sin(angle + 0.01f), 0, std::cos(angle + 0.01f))));
+    EXPECT_TRUE(seenEdgeOn(eye, root, vec3(std::sin(angle - 0.01f), 0, std::cos(angle - 0.01f))));
+    EXPECT_FALSE(seenEdgeOn(root, root, vec3(1, 0, 0))) << "an eye on the root sees no edge";
+}
+
+TEST(LevelOfDetail, KeepsTheCoveredAreaAtEveryShare)
+{
+    for (const float share : {lodFullShare, 1.05f, 1.0f, 0.9f, 0.5f, 0.1f, 0.01f, 1.0f / 256.0f}) {
+        double area = 0.0;
+        constexpr int ranks = 1'000'000;
+        for (int i = 0; i < ranks; ++i)
+            area += double(lodWidthFactor((float(i) + 0.5f) / float(ranks), share));
+        EXPECT_NEAR(area / ranks, 1.0, 2e-3) << "share " << share;
+    }
+}
+
+TEST(LevelOfDetail, ChangesContinuouslyAndKeepsTheCoarseOnes)
+{
+    tests::Dice dice(3);
+    for (int i = 0; i < 50'000; ++i) {
+        const float rank = dice.number(0.0f, 1.0f);
+        const float pixels = dice.number(0.005f, 1.5f);
+        const float here = lodWidthFactor(rank, lodShare(pixels, 1.0f));
+        const float near = lodWidthFactor(rank, lodShare(pixels * 1.001f, 1.0f));
+        // Covered width on the screen moves by at most a few per cent of a pixel for 0.1 % of
+        // distance.
+        ASSERT_LT(std::abs(near * pixels * 1.001f - here * pixels), 0.06f);
+        // A blade of lower rank is drawn whenever one of higher rank is.
+        if (here > 0.0f) {
+            ASSERT_GT(lodWidthFactor(0.5f * rank, lodShare(pixels, 1.0f)), 0.0f);
+        }
+    }
+    EXPECT_EQ(lodWidthFactor(0.9999f, lodShare(2.0f, 1.0f)), 1.0f);
+    EXPECT_GT(lodShare(1e-9f, 1.0f), 0.0f);
+}
+
+TEST(BoxDistance, IsZeroInsideAndEuclideanOutside)
+{
+    const vec3 low(-1.0f);
+    const vec3 high(1.0f);
+    EXPECT_EQ(boxDistance(vec3(0.5f), low, high), 0.0f);
+    EXPECT_EQ(boxDistance(vec3(4, 0, 0), low, high), 3.0f);
+    EXPECT_FLOAT_EQ(boxDistance(vec3(2, 2, 2), low, high), std::sqrt(3.0f));
+}
+
+} // namespace
+} // namespace sward::shared

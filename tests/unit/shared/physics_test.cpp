@@ -1,0 +1,249 @@
+#include "shaders/shared/physics.h"
+#include "unit/shared/random_vectors.h"
+
+#include <gtest/gtest.h>
+
+namespace sward::shared {
+namespace {
+
+Blade randomBlade(tests::Dice& dice)
+{
+    Blade blade = {};
+    blade.root = vec3(dice.number(-50, 50), dice.number(-50, 50), dice.number(-50, 50));
+    blade.facing = dice.number(0.0f, twoPi);
+    blade.up = dice.direction();
+    blade.stiffness = dice.number(0.0f, 1.0f);
+    blade.height = dice.number(0.1f, 1.0f);
+    blade.width = 0.01f;
+    return blade;
+}
+
+Gravity downward(float strength)
+{
+    return {vec3(0, -1, 0), strength, vec3(0.0f), 0.0f};
+}
+
+Wind someWind(float strength)
+{
+    return {vec3(0.6f, 0.0f, 0.8f), strength, 6.0f, 3.0f, 3.0f, 0.5f};
+}
+
+Wind still()
+{
+    return someWind(0.0f);
+}
+
+constexpr float recovery = 6.0f;
+
+vec3 frontOfBlade(const Blade& blade)
+{
+    return frontOf(blade.up, widthAxis(blade.up, blade.facing));
+}
+
+float displacementAfter(const Blade& blade, BladeState& state, Gravity gravity, Wind wind,
+                        float time, float elapsed)
+{
+    state = advanceBlade(blade, gravity, wind, recovery, state, time, elapsed);
+    return length(displacementOf(state));
+}
+
+TEST(BladeState, KeepsDisplacementAndStrengthWithinTheStatedError)
+{
+    tests::Dice dice(1);
+    for (int i = 0; i < 100'000; ++i) {
+        const vec3 displacement(dice.number(-2, 2), dice.number(-2, 2), dice.number(-2, 2));
+        const float eta = dice.number(0, 1);
+        const BladeState state = packState(displacement, eta);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            ASSERT_NEAR(displacementOf(state)[axis], displacement[axis], displacementMaxError);
+        ASSERT_NEAR(etaOf(state), eta, 1.0f / 65535.0f);
+    }
+    EXPECT_EQ(displacementOf(packState(vec3(0.0f), 0.0f)), vec3(0.0f));
+}
+
+TEST(Pose, NeverPutsTheTipBelowTheBladesGround)
+{
+    tests::Dice dice(2);
+    for (int i = 0; i < 100'000; ++i) {
+        const Blade blade = randomBlade(dice);
+        const vec3 tip = dice.direction() * dice.number(0.0f, 3.0f);
+        const Pose pose = poseBlade(blade.up, frontOfBlade(blade), tip);
+        // A few units in the last place of numbers near 1.
+        ASSERT_GE(dot(pose.v2, blade.up), -5e-6f);
+        ASSERT_GE(dot(pose.v1, blade.up), 0.0f);
+    }
+}
+
+TEST(Pose, ValidatedTwiceIsTheSame)
+{
+    tests::Dice dice(3);
+    for (int i = 0; i < 100'000; ++i) {
+        const Blade blade = randomBlade(dice);
+        const vec3 front = frontOfBlade(blade);
+        const Pose once = poseBlade(blade.up, front, dice.direction() * dice.number(0.1f, 3.0f));
+        const Pose twice = poseBlade(blade.up, front, once.v2);
+        ASSERT_LT(length(once.v1 - twice.v1), 2e-5f);
+        ASSERT_LT(length(once.v2 - twice.v2), 2e-5f);
+    }
+}
+
+TEST(Pose, IsDefinedForATipOnTheRoot)
+{
+    const vec3 up(0, 1, 0);
+    const vec3 front(1, 0, 0);
+    for (const vec3 tip : {vec3(0.0f), vec3(0, -5, 0), vec3(1e-9f, 0, 0)}) {
+        const Pose pose = poseBlade(up, front, tip);
+        EXPECT_NEAR(dot(pose.v2, up), 0.0f, 1e-6f);
+        EXPECT_GT(dot(pose.v2, front), 0.9f);
+    }
+}
+
+TEST(Physics, WithoutForceNothingMoves)
+{
+    tests::Dice dice(4);
+    for (int i = 0; i < 2000; ++i) {
+        const Blade blade = randomBlade(dice);
+        BladeState state = packState(vec3(0.0f), 0.0f);
+        for (int frame = 0; frame < 10; ++frame)
+            ASSERT_LE(
+                displacementAfter(blade, state, downward(0.0f), still(), float(frame), 0.016f),
+                displacementMaxError * 2.0f);
+    }
+}
+
+TEST(Physics, StiffnessOneDoesNotMove)
+{
+    tests::Dice dice(5);
+    for (int i = 0; i < 2000; ++i) {
+        Blade blade = randomBlade(dice);
+        blade.stiffness = 1.0f;
+        BladeState state = packState(vec3(0.0f), 0.0f);
+        for (int frame = 0; frame < 10; ++frame)
+            ASSERT_LE(
+                displacementAfter(blade, state, downward(5.0f), someWind(5.0f), float(frame), 0.1f),
+                displacementMaxError * 2.0f);
+    }
+}
+
+TEST(Physics, ABentBladeRisesAgainAndNeverSwingsBeyond)
+{
+    tests::Dice dice(6);
+    for (int i = 0; i < 2000; ++i) {
+        const Blade blade = randomBlade(dice);
+        const Pose bent = poseBlade(blade.up, frontOfBlade(blade), dice.direction());
+        BladeState state = packState(bent.v2 - blade.up, 0.0f);
+        // Energy does not grow: the tip's distance from rest never increases without forces.
+        float last = length(displacementOf(state));
+        for (int frame = 0; frame < 120; ++frame) {
+            const float now = displacementAfter(blade, state, downward(0.0f), still(),
+                                                float(frame) / 60.0f, 1.0f / 60.0f);
+            ASSERT_LE(now, last + 2e-4f) << "frame " << frame;
+            last = now;
+        }
+        ASSERT_LT(last, 0.02f);
+    }
+}
+
+TEST(Physics, CollisionStrengthSoftensRecoveryAndFades)
+{
+    tests::Dice dice(7);
+    const Blade blade = randomBlade(dice);
+    const vec3 bent = poseBlade(blade.up, frontOfBlade(blade), frontOfBlade(blade)).v2 - blade.up;
+    BladeState trampled = packState(bent, 1.0f);
+    BladeState free = packState(bent, 0.0f);
+    const float slow = displacementAfter(blade, trampled, downward(0.0f), still(), 0.1f, 0.1f);
+    const float quick = displacementAfter(blade, free, downward(0.0f), still(), 0.1f, 0.1f);
+    EXPECT_GT(slow, quick + 0.1f);
+    EXPECT_LT(etaOf(trampled), 1.0f);
+    displacementAfter(blade, trampled, downward(0.0f), still(), 100.0f, 99.9f);
+    EXPECT_EQ(etaOf(trampled), 0.0f);
+}
+
+TEST(Physics, AnyFrameTimeIsSafe)
+{
+    tests::Dice dice(8);
+    for (const float dt : {0.0f, 1e-6f, 1.0f / 240.0f, 1.0f / 10.0f, 2.0f, 60.0f, 1e5f}) {
+        for (int i = 0; i < 500; ++i) {
+            const Blade blade = randomBlade(dice);
+            BladeState state = packState(dice.direction(), dice.number(0, 1));
+            for (int frame = 1; frame <= 5; ++frame) {
+                state = advanceBlade(blade, downward(8.0f), someWind(20.0f), recovery, state,
+                                     dt * float(frame), dt);
+                const vec3 displacement = displacementOf(state);
+                ASSERT_TRUE(std::isfinite(displacement.x + displacement.y + displacement.z));
+                const Pose pose = poseOfState(blade.up, frontOfBlade(blade), state);
+                ASSERT_GE(dot(pose.v2, blade.up), -1e-4f) << "dt " << dt;
+                ASSERT_LE(length(pose.v2), 1.001f) << "dt " << dt;
+            }
+        }
+    }
+}
+
+TEST(Physics, OneLongFrameEndsWhereManyShortOnesDo)
+{
+    tests::Dice dice(9);
+    double squared = 0.0;
+    constexpr int blades = 500;
+    for (int i = 0; i < blades; ++i) {
+        const Blade blade = randomBlade(dice);
+        BladeState fine = packState(vec3(0.0f), 0.0f);
+        BladeState coarse = fine;
+        for (int frame = 1; frame <= 1200; ++frame)
+            fine = advanceBlade(blade, downward(2.0f), someWind(2.0f), recovery, fine,
+                                float(frame) / 600.0f, 1.0f / 600.0f);
+        for (int frame = 1; frame <= 60; ++frame)
+            coarse = advanceBlade(blade, downward(2.0f), someWind(2.0f), recovery, coarse,
+                                  float(frame) / 30.0f, 1.0f / 30.0f);
+        const vec3 difference = displacementOf(fine) - displacementOf(coarse);
+        squared += double(dot(difference, difference));
+    }
+    EXPECT_LT(std::sqrt(squared / blades), 0.01) << "root mean square, in heights";
+}
+
+TEST(Physics, TurnsWithTheWorld)
+{
+    // No direction is special: turning blade, gravity and wind turns the motion.
+    tests::Dice dice(10);
+    for (int i = 0; i < 1000; ++i) {
+        Blade blade = randomBlade(dice);
+        const vec3 front = frontOfBlade(blade);
+        const vec3 displacement = 0.3f * dice.direction();
+        const vec3 wind = dice.direction() * 2.0f;
+        const Gravity gravity{dice.direction(), 2.0f, vec3(0.0f), 0.0f};
+        const vec3 moved =
+            relaxDisplacement(blade, front, gravity, wind, recovery, displacement, 0.2f, 0.05f);
+        // A cyclic exchange of the axes is a rotation.
+        const auto turn = [](vec3 v) { return vec3(v.z, v.x, v.y); };
+        Blade turned = blade;
+        turned.up = turn(blade.up);
+        turned.root = turn(blade.root);
+        Gravity turnedGravity = gravity;
+        turnedGravity.direction = turn(gravity.direction);
+        const vec3 expected = relaxDisplacement(turned, turn(front), turnedGravity, turn(wind),
+                                                recovery, turn(displacement), 0.2f, 0.05f);
+        ASSERT_LT(length(turn(moved) - expected), 1e-5f);
+    }
+}
+
+TEST(Gravity, OfAnAttractorPullsToItFromEverywhere)
+{
+    const Gravity gravity{vec3(0, -1, 0), 3.0f, vec3(1, 2, 3), 1.0f};
+    tests::Dice dice(11);
+    for (int i = 0; i < 1000; ++i) {
+        const vec3 root = gravity.attractor + dice.direction() * dice.number(0.5f, 20.0f);
+        const vec3 pull = gravityAt(gravity, root, vec3(0.0f));
+        ASSERT_NEAR(length(pull), 3.0f, 1e-4f);
+        ASSERT_NEAR(dot(normalize(pull), normalize(gravity.attractor - root)), 1.0f, 1e-5f);
+    }
+    EXPECT_EQ(gravityAt(gravity, gravity.attractor, vec3(1, 0, 0)), vec3(0.0f));
+}
+
+TEST(Gravity, LeansForwardByAQuarterOfItsPull)
+{
+    const vec3 front(0, 0, 1);
+    const vec3 pull = gravityAt(downward(4.0f), vec3(0.0f), front);
+    EXPECT_EQ(pull, vec3(0, -4, 1));
+}
+
+} // namespace
+} // namespace sward::shared
