@@ -35,7 +35,8 @@ struct Pose {
     vec3 v2;
 };
 
-/// Half of a step of the stored displacement and the rounding of a number near 2, in heights, per axis.
+/// Half of a step of the stored displacement and the rounding of a number near 2, in heights, per
+/// axis.
 SHARED_CONST float displacementMaxError = 3.07e-5f;
 
 SHARED_FN uint packSnorm16(float x)
@@ -91,7 +92,9 @@ SHARED_FN Pose poseBlade(vec3 up, vec3 front, vec3 tip)
     const vec3 lifted = tip - up * min(dot(up, tip), 0.0f);
     // A tip on the root has no direction: let the blade lie down forward.
     const float distance = length(lifted);
-    const vec3 direction = distance > 1e-4f ? lifted / distance : front;
+    const vec3 towards = distance > 1e-4f ? lifted / distance : front;
+    // Division has magnified the rounding of the first step: lift again.
+    const vec3 direction = towards - up * min(dot(up, towards), 0.0f);
     const float side = length(direction - up * dot(direction, up));
     const vec3 v1 = up * max(1.0f - side, 0.05f);
     const float scale = 1.0f / bezierLength(v1, direction);
