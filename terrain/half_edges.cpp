@@ -1,9 +1,9 @@
 #include "terrain/half_edges.h"
 
 #include "core/random.h"
+#include "terrain/quiet_openmesh.h"
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
-#include <OpenMesh/Core/System/omstream.hh>
 
 #include <algorithm>
 #include <bit>
@@ -13,26 +13,6 @@ namespace sward::terrain {
 namespace {
 
 using OpenMesh::VertexHandle;
-
-// OpenMesh reports every refused face on stderr; they are counted here instead.
-class QuietOpenMesh {
-public:
-    QuietOpenMesh()
-        : wasEnabled_(omerr().is_enabled())
-    {
-        omerr().disable();
-    }
-    QuietOpenMesh(const QuietOpenMesh&) = delete;
-    QuietOpenMesh& operator=(const QuietOpenMesh&) = delete;
-    ~QuietOpenMesh()
-    {
-        if (wasEnabled_)
-            omerr().enable();
-    }
-
-private:
-    bool wasEnabled_;
-};
 
 // An edge of one triangle, and the two welded vertices it joins, the lower in the upper bits.
 struct OpenEdge {

@@ -10,6 +10,7 @@
 #include "terrain/soup.h"
 
 #include <fmt/ranges.h>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -45,7 +46,7 @@ GroundMesh loadFile(const std::filesystem::path& path, const ImportSettings& set
     if (settings.scene)
         diagnostics.warn("{}: scene {} is ignored; only glTF has scenes", name, *settings.scene);
     if (extension == ".obj" || extension == ".ply" || extension == ".stl" || extension == ".off") {
-        Soup soup = importMesh(path, diagnostics);
+        Soup soup = importMesh(path, glm::length(glm::dvec3(worldFromFile[0])), diagnostics);
         transform(soup, worldFromFile);
         return settle(std::move(soup), name);
     }

@@ -1,26 +1,142 @@
 #include "terrain/mesh_import.h"
 
 #include "core/error.h"
+#include "core/mapped_file.h"
+#include "terrain/mesh_scan.h"
 #include "terrain/openmesh_soup.h"
+#include "terrain/quiet_openmesh.h"
 
 #include <OpenMesh/Core/IO/Options.hh>
 #include <OpenMesh/Core/IO/reader/OBJReader.hh>
 #include <OpenMesh/Core/IO/reader/OFFReader.hh>
 #include <OpenMesh/Core/IO/reader/PLYReader.hh>
 #include <OpenMesh/Core/IO/reader/STLReader.hh>
-#include <OpenMesh/Core/System/omstream.hh>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
 
 namespace sward::terrain {
+namespace {
 
-Soup importMesh(const std::filesystem::path& path, Diagnostics&)
+using OpenMesh::IO::Options;
+
+struct Format {
+    std::string_view extension;
+    MeshScan (*scan)(std::string_view, const std::string&);
+    bool (*read)(std::istream&, OpenMesh::IO::BaseImporter&, Options&);
+};
+
+template <typename Reader>
+bool readWith(std::istream& stream, OpenMesh::IO::BaseImporter& importer, Options& options)
 {
-    using OpenMesh::IO::Options;
+    return Reader().read(stream, importer, options);
+}
+
+// The readers that OpenMesh registers are its own globals; these are fresh ones.
+constexpr Format formats[] = {
+    {".obj", scanObj, readWith<OpenMesh::IO::_OBJReader_>},
+    {".ply", scanPly, readWith<OpenMesh::IO::_PLYReader_>},
+    {".off", scanOff, readWith<OpenMesh::IO::_OFFReader_>},
+    {".stl", scanStl, readWith<OpenMesh::IO::_STLReader_>},
+};
+
+const Format& formatOf(const std::filesystem::path& path)
+{
+    std::string extension = path.extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z')
+            c = static_cast<char>(c - 'A' + 'a');
+    for (const Format& format : formats)
+        if (format.extension == extension)
+            return format;
+    fail(ErrorKind::unsupported, "{}: not an OBJ, PLY, OFF or STL file", path.string());
+}
+
+// Puts the positions that were read in double precision in the place of the reader's.
+void refine(Soup& soup, std::vector<glm::dvec3>&& positions, const std::string& place)
+{
+    // Copies made for texture coordinates lie behind the vertices of the file.
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const glm::dvec3& own = positions[i];
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (std::fabs(soup.positions[i][axis] - own[axis]) >
+                1e-6 * std::fabs(own[axis]) + 1e-30)
+                fail(ErrorKind::input, "{}: vertex {} cannot be made out: {} or {}?", place, i,
+                     own[axis], soup.positions[i][axis]);
+    }
+    soup.positions = std::move(positions);
+}
+
+// Single precision resolves 0.1 mm up to 2048 m.
+void warnOfCoarseness(const Soup& soup, double metresPerUnit, const std::string& place,
+                      Diagnostics& diagnostics)
+{
+    constexpr double reach = 2048.0; // [m]
+    double largest = 0.0;
+    for (const glm::dvec3& p : soup.positions)
+        largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+    largest *= metresPerUnit;
+    if (std::isfinite(largest) && largest > reach)
+        diagnostics.warn(
+            "{}: coordinates up to {:.0f} m in single precision, which resolves {:.1f} mm "
+            "there; move the mesh to its origin, or use a format with double precision",
+            place, largest, largest * 0x1p-24 * 1e3);
+}
+
+void nameParts(Soup& soup, const std::vector<std::uint32_t>& faceOf, const MeshScan& scan)
+{
+    if (scan.materials.empty())
+        return;
+    for (const std::string& name : scan.materials)
+        soup.materials.push_back({.name = name});
+    soup.nodes = scan.nodes;
+    for (const std::uint32_t face : faceOf) {
+        soup.materialOf.push_back(scan.materialOf[face]);
+        soup.nodeOf.push_back(scan.nodeOf[face]);
+    }
+}
+
+} // namespace
+
+Soup importMesh(const std::filesystem::path& path, double metresPerUnit, Diagnostics& diagnostics)
+{
+    const std::string place = path.string();
+    const Format& format = formatOf(path);
+    const MappedFile mapped(path);
+    const std::string_view file(reinterpret_cast<const char*>(mapped.bytes().data()),
+                                mapped.bytes().size());
+    if (file.empty())
+        fail(ErrorKind::input, "{}: empty", place);
+
+    // Check the numbers first, then let OpenMesh read.
+    MeshScan scan = format.scan(file, place);
+    std::istringstream stream(scan.cleaned.empty() ? std::string(file) : std::move(scan.cleaned));
     Options options(Options::VertexNormal | Options::VertexColor | Options::VertexTexCoord |
                     Options::FaceTexCoord);
-    OpenMeshSoup soup(path.string());
-    if (!OpenMesh::IO::OBJReader().read(path.string(), soup, options))
-        fail(ErrorKind::input, "{}: cannot be read", path.string());
-    return soup.take();
+    if (scan.isBinary)
+        options += Options::Binary;
+    OpenMeshSoup importer(place);
+    {
+        const QuietOpenMesh quiet;
+        if (!format.read(stream, importer, options))
+            fail(ErrorKind::input, "{}: OpenMesh's reader cannot make sense of it", place);
+    }
+    if (scan.vertices != 0 && importer.n_vertices() != scan.vertices)
+        fail(ErrorKind::input, "{}: {} of {} vertices could be read", place, importer.n_vertices(),
+             scan.vertices);
+    if (scan.faces != 0 && importer.facesSeen() != scan.faces)
+        fail(ErrorKind::input, "{}: {} of {} faces could be read", place, importer.facesSeen(),
+             scan.faces);
+    if (importer.facesSeen() == 0)
+        fail(ErrorKind::input, "{}: no faces", place);
+
+    if (scan.positions.empty())
+        warnOfCoarseness(importer.soup(), metresPerUnit, place, diagnostics);
+    else
+        refine(importer.soup(), std::move(scan.positions), place);
+    nameParts(importer.soup(), importer.faceOf(), scan);
+    return importer.take();
 }
 
 } // namespace sward::terrain

@@ -52,14 +52,14 @@ void OpenMeshSoup::set_point(OpenMesh::VertexHandle vertex, const OpenMesh::Vec3
 
 OpenMesh::FaceHandle OpenMeshSoup::add_face(const VHandles& corners)
 {
-    if (corners.size() < 3)
-        return OpenMesh::FaceHandle();
     corners_.clear();
     for (const OpenMesh::VertexHandle corner : corners)
         corners_.push_back(static_cast<std::uint32_t>(indexOf(corner)));
     firstTriangle_ = soup_.triangles.size();
-    for (std::size_t i = 1; i + 1 < corners_.size(); ++i)
+    for (std::size_t i = 1; i + 1 < corners_.size(); ++i) {
         soup_.triangles.emplace_back(corners_[0], corners_[i], corners_[i + 1]);
+        faceOf_.push_back(static_cast<std::uint32_t>(faces_));
+    }
     return OpenMesh::FaceHandle(static_cast<int>(faces_++));
 }
 
@@ -88,8 +88,14 @@ void OpenMeshSoup::add_face_texcoords(OpenMesh::FaceHandle, OpenMesh::VertexHand
 
 void OpenMeshSoup::set_normal(OpenMesh::VertexHandle vertex, const OpenMesh::Vec3f& normal)
 {
+    const std::size_t index = indexOf(vertex);
     soup_.normals.resize(soup_.positions.size(), glm::vec3(0.0f));
-    soup_.normals[indexOf(vertex)] = toGlm(normal);
+    normalsDisagree_.resize(soup_.positions.size(), false);
+    // An OBJ has a normal per corner; where those of a vertex differ there is an edge.
+    glm::vec3& own = soup_.normals[index];
+    if (own != glm::vec3(0.0f) && own != toGlm(normal))
+        normalsDisagree_[index] = true;
+    own = toGlm(normal);
 }
 
 void OpenMeshSoup::set_normal(OpenMesh::VertexHandle vertex, const OpenMesh::Vec3d& normal)
@@ -149,6 +155,9 @@ Soup OpenMeshSoup::take()
 {
     const std::size_t vertices = soup_.positions.size();
     soup_.normals.resize(vertices, glm::vec3(0.0f));
+    for (std::size_t i = 0; i < normalsDisagree_.size(); ++i)
+        if (normalsDisagree_[i])
+            soup_.normals[i] = glm::vec3(0.0f); // left to topology, which finds edges
     soup_.uvs.resize(vertices, glm::vec2(0.0f));
     soup_.colors.resize(vertices, glm::vec4(1.0f));
     if (cornerUvs_.empty())

@@ -21,7 +21,13 @@ public:
     /// left.
     Soup take();
 
+    /// What is in it already, one vertex per vertex of the file.
+    Soup& soup() { return soup_; }
+
     std::size_t facesSeen() const { return faces_; }
+
+    /// Per triangle, the number of its face in the file.
+    const std::vector<std::uint32_t>& faceOf() const { return faceOf_; }
 
     OpenMesh::VertexHandle add_vertex(const OpenMesh::Vec3f& point) override;
     OpenMesh::VertexHandle add_vertex() override;
@@ -78,6 +84,8 @@ private:
     std::string place_;
     Soup soup_;
     std::size_t faces_ = 0;
+    std::vector<std::uint32_t> faceOf_;
+    std::vector<bool> normalsDisagree_;  // per vertex, as far as its normal was set
     std::size_t firstTriangle_ = 0;      // of the last face
     std::vector<glm::vec2> cornerUvs_;   // three to a triangle; empty until the first
     std::vector<std::uint32_t> corners_; // of the last face

@@ -1,0 +1,110 @@
+#include "core/error.h"
+#include "terrain/mesh_scan.h"
+#include "terrain/text_cursor.h"
+
+namespace sward::terrain {
+namespace {
+
+// Lines without comments; OpenMesh's reader takes a comment for data.
+class OffLines {
+public:
+    OffLines(std::string_view text, const std::string& place)
+        : cursor_(text)
+        , place_(place)
+    {
+    }
+
+    // The next line that has something on it.
+    std::string_view next(const char* what)
+    {
+        while (!cursor_.atEnd()) {
+            std::string_view line = cursor_.line();
+            line = line.substr(0, line.find('#'));
+            if (line.find_first_not_of(" \t\r") != std::string_view::npos)
+                return line;
+        }
+        fail(ErrorKind::input, "{}: truncated: ends before {}", place_, what);
+    }
+
+    std::size_t lineNumber() const { return cursor_.lineNumber(); }
+
+private:
+    TextCursor cursor_;
+    const std::string& place_;
+};
+
+bool isKeyword(std::string_view word)
+{
+    return word.size() >= 3 && word.substr(word.size() - 3) == "OFF";
+}
+
+} // namespace
+
+MeshScan scanOff(std::string_view file, const std::string& place)
+{
+    OffLines lines(file, place);
+    TextCursor header(lines.next("its header"));
+    const std::string keyword(header.word());
+    if (!isKeyword(keyword))
+        fail(ErrorKind::input, "{}: begins with \"{}\", not with OFF", place,
+             keyword.substr(0, 16));
+    if (keyword.find_first_of("4n") != std::string::npos)
+        fail(ErrorKind::unsupported, "{}: {} has more than three dimensions", place, keyword);
+    std::string_view counts = header.word();
+    if (counts == "BINARY")
+        fail(ErrorKind::unsupported, "{}: binary OFF is not read; save it as text", place);
+
+    // The counts follow the keyword, on its line or on the next.
+    TextCursor countLine(counts.empty() ? lines.next("its counts") : std::string_view());
+    if (counts.empty())
+        counts = countLine.word();
+    const std::string_view faceCount = countLine.atEnd() ? header.word() : countLine.word();
+    const auto vertices = parseCount(counts);
+    const auto faces = parseCount(faceCount);
+    // No vertex or face is shorter than six bytes, line end included.
+    if (!vertices || !faces || *vertices > file.size() / 6 || *faces > file.size() / 6)
+        fail(ErrorKind::input, "{}: says {} vertices and {} faces, which {} bytes cannot hold",
+             place, counts, faceCount, file.size());
+
+    MeshScan scan;
+    scan.vertices = *vertices;
+    scan.faces = *faces;
+    scan.cleaned =
+        keyword + "\n" + std::to_string(*vertices) + " " + std::to_string(*faces) + " 0\n";
+    const auto keep = [&](std::string_view line) {
+        scan.cleaned.append(line);
+        scan.cleaned.push_back('\n');
+    };
+    for (std::size_t i = 0; i < *vertices; ++i) {
+        const std::string_view line = lines.next("its last vertex");
+        TextCursor words(line);
+        glm::dvec3 position(0.0);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto number = words.number();
+            if (!number)
+                fail(ErrorKind::input,
+                     "{}: line {}: coordinate {} of vertex {} is not a finite number", place,
+                     lines.lineNumber(), "xyz"[axis], i);
+            position[axis] = *number;
+        }
+        scan.positions.push_back(position);
+        keep(line);
+    }
+    for (std::size_t i = 0; i < *faces; ++i) {
+        const std::string_view line = lines.next("its last face");
+        TextCursor words(line);
+        const auto corners = parseCount(words.word());
+        bool whole = corners.has_value() && *corners <= line.size();
+        for (std::size_t c = 0; whole && c < *corners; ++c) {
+            const auto index = parseCount(words.word());
+            whole = index.has_value() && *index < *vertices;
+        }
+        if (!whole)
+            fail(ErrorKind::input, "{}: line {}: face {} does not name its corners below {}", place,
+                 lines.lineNumber(), i, *vertices);
+        keep(line);
+    }
+    return scan;
+}
+
+} // namespace sward::terrain
