@@ -98,10 +98,10 @@ TEST_F(PhysicsTest, MovesRandomBladesAsTheCpuDoes)
             const shared::BladeState expected = shared::advanceBlade(
                 blade, frame.gravity, frame.wind, frame.recovery, before[i], frame.time, stored);
             const int steps = difference(result.states[i], expected);
-            // A tip close above its root, or close to the ground plane, amplifies rounding: up to
-            // 2e-3 heights. Nearly all agree to the last step.
-            ASSERT_LE(steps, 32) << "blade " << i << ", run " << run << ", " << elapsed
-                                 << " s, seed " << seed;
+            // Both round the same formulas; one step is what rounding alone explains (and all that
+            // lavapipe shows), a tip close above its root may amplify it a little.
+            ASSERT_LE(steps, 4) << "blade " << i << ", run " << run << ", " << elapsed
+                                << " s, seed " << seed;
             ASSERT_LE(quanta(result.states[i].zEta >> 16, expected.zEta >> 16), 1)
                 << "blade " << i << ", run " << run;
             beyondOne += steps > 1 ? 1 : 0;
@@ -110,7 +110,7 @@ TEST_F(PhysicsTest, MovesRandomBladesAsTheCpuDoes)
     }
     RecordProperty("compared", static_cast<int>(compared));
     RecordProperty("beyond_one_step", static_cast<int>(beyondOne));
-    EXPECT_LE(beyondOne, compared / 500) << compared << " compared, seed " << seed;
+    EXPECT_LE(beyondOne, compared / 1000) << compared << " compared, seed " << seed;
 }
 
 TEST_F(PhysicsTest, LeavesAFieldAtAStandstillUntouched)
