@@ -1,6 +1,6 @@
 #include "core/error.h"
 #include "core/random.h"
-#include "gpu/barrier.h"
+#include "gpu/buffer.h"
 #include "gpu/commands.h"
 #include "gpu/compute_pipeline.h"
 #include "gpu/image.h"
@@ -64,6 +64,41 @@ TEST_F(ImageTest, GivesBackWhatWasUploaded)
         EXPECT_EQ(readImage(context(), image, ImageUse::sampled), pixels)
             << "format " << format << ", seed " << seed;
     }
+}
+
+TEST_F(ImageTest, IsUploadedTogetherWithBuffersOfAnySize)
+{
+    const VkExtent2D extent{5, 3};
+    const Image image = createTexture(VK_FORMAT_R8G8B8A8_UNORM, extent, 1);
+    const std::vector<std::byte> pixels = randomPixels(VK_FORMAT_R8G8B8A8_UNORM, extent);
+    const std::array<std::uint8_t, 3> three = {1, 2, 3};
+    const Buffer buffer(
+        context(), {.name = "three",
+                    .bytes = three.size(),
+                    .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
+    Uploader uploader(context());
+    uploader.toBuffer(buffer, std::as_bytes(std::span(three)));
+    uploader.toImage(image, pixels);
+    uploader.finish();
+    EXPECT_EQ(readImage(context(), image, ImageUse::sampled), pixels);
+    EXPECT_EQ(readBufferAs<std::uint8_t>(context(), buffer),
+              std::vector<std::uint8_t>(three.begin(), three.end()));
+}
+
+TEST_F(ImageTest, MayBeGivenUpAndFilledAnewWhileItIsStillInUse)
+{
+    const Image image = createTexture(VK_FORMAT_R8_UNORM, {4, 4}, 1);
+    const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    submitAndWait(context(), [&](VkCommandBuffer commands) {
+        for (const float shade : {0.0f, 1.0f}) {
+            transition(commands, image, ImageUse::undefined, ImageUse::transferTarget);
+            const VkClearColorValue color{{shade, 0.0f, 0.0f, 0.0f}};
+            vkCmdClearColorImage(commands, image.get(), layoutOf(ImageUse::transferTarget), &color,
+                                 1, &all);
+        }
+    });
+    EXPECT_EQ(readImage(context(), image, ImageUse::transferTarget),
+              std::vector<std::byte>(16, std::byte(0xff)));
 }
 
 TEST_F(ImageTest, HasMipLevelsThatAreAveragesOfFour)

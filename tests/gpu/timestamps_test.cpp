@@ -7,6 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <numeric>
+
 namespace sward::gpu {
 namespace {
 
@@ -30,6 +33,7 @@ protected:
 TEST_F(TimestampsTest, MeasureNamedPartsThatFitIntoTheWhole)
 {
     constexpr int frames = 6;
+    const auto start = std::chrono::steady_clock::now();
     FrameRing ring(context(), 2);
     Timestamps timestamps(context(), {.slots = ring.slots()});
     for (int i = 0; i < frames; ++i) {
@@ -47,6 +51,7 @@ TEST_F(TimestampsTest, MeasureNamedPartsThatFitIntoTheWhole)
         ring.submit(frame);
     }
     ring.finish();
+    const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
     timestamps.collect();
 
     EXPECT_THAT(timestamps.names(), ElementsAre("total", "first", "second"));
@@ -61,8 +66,9 @@ TEST_F(TimestampsTest, MeasureNamedPartsThatFitIntoTheWhole)
         EXPECT_GT(second[i], 0.0);
         // The counters are whole ticks, so sums may be off by two of them.
         EXPECT_LE(first[i] + second[i], total[i] + 2e-6 * double(context().limits.timestampPeriod));
-        EXPECT_LT(total[i], 60'000.0);
     }
+    // All of it happened while the CPU waited; the clocks may differ by a thousandth.
+    EXPECT_LE(std::accumulate(total.begin(), total.end(), 0.0), 1.001 * wall.count());
     EXPECT_EQ(timestamps.statistics("total").count, std::size_t(frames));
     EXPECT_TRUE(timestamps.history("third").empty());
 }
