@@ -43,6 +43,8 @@ float aspectOf(glm::uvec2 size)
 Headless::Headless(const FrameOptions& options, bool recordFates)
     : options_(options)
     , field_(field::readField(options.field))
+    , settings_(options.settingsFor(field_.view()))
+    , camera_(chooseCamera(options.camera, field_.view(), aspectOf(options.size)))
     , instance_(createInstance(options.validation))
     , device_(instance_, {.selection = options.device})
     , samples_(options.samples.value_or(4))
@@ -54,8 +56,6 @@ Headless::Headless(const FrameOptions& options, bool recordFates)
     , target_(createTarget(device_.context(), options.size))
     , timestamps_(device_.context(), {.slots = 1})
     , ring_(device_.context(), 1)
-    , settings_(options.settingsFor(field_.view()))
-    , camera_(chooseCamera(options.camera, field_.view(), aspectOf(options.size)))
 {
 }
 

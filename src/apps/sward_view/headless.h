@@ -56,6 +56,8 @@ private:
 
     const FrameOptions& options_;
     field::MappedField field_;
+    render::FrameSettings settings_;
+    render::Camera camera_;
     gpu::Instance instance_;
     gpu::Device device_;
     std::uint32_t samples_;
@@ -63,8 +65,6 @@ private:
     gpu::Image target_;
     gpu::Timestamps timestamps_;
     gpu::FrameRing ring_;
-    render::FrameSettings settings_;
-    render::Camera camera_;
     std::vector<double> recordTimes_; ///< [ms]
 };
 

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace sward::view {
@@ -36,12 +37,15 @@ int showWindow(const WindowOptions& options)
         fail(ErrorKind::usage, "no field or mesh is given\nRun 'sward-view --help' to see what it "
                                "takes.");
 
-    // A missing display is found out before anything long begins.
+    // What is wrong with a file or the display is found out before anything long begins.
     const std::string name = std::filesystem::path(frame.field).filename().string();
+    std::optional<field::MappedField> field;
+    if (!wantsBaking(frame.field))
+        field.emplace(field::readField(frame.field));
     Window window(frame.size, "Sward: " + name);
-    const field::MappedField field =
-        wantsBaking(frame.field) ? bakeFirst(frame.field) : field::readField(frame.field);
-    const field::FieldView view = field.view();
+    if (!field)
+        field.emplace(bakeFirst(frame.field));
+    const field::FieldView view = field->view();
     log::info("{}: {} blades in {} patches", frame.field, view.blades.size(), view.patches.size());
 
     Viewer viewer(window, view, frame, name);

@@ -1,0 +1,97 @@
+#include "golden/picture.h"
+#include "golden/programs.h"
+#include "golden/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <ostream>
+#include <string>
+
+namespace sward::golden {
+
+/// What ctest calls a scene.
+void PrintTo(const Scene& scene, std::ostream* out);
+void PrintTo(const Scene& scene, std::ostream* out)
+{
+    *out << scene.name;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* size = "320x180";
+
+std::vector<std::string> withFolders(std::vector<std::string> arguments)
+{
+    for (std::string& argument : arguments) {
+        if (argument.starts_with("MESHES/"))
+            argument = GOLDEN_MESHES + argument.substr(6);
+        else if (argument.starts_with("CAMERAS/"))
+            argument = GOLDEN_CAMERAS + argument.substr(7);
+    }
+    return arguments;
+}
+
+class GoldenPicture : public testing::TestWithParam<Scene> {};
+
+// The real programs, end to end: bake, draw, compare with the picture that a person has accepted.
+TEST_P(GoldenPicture, LooksAsItDid)
+{
+    const Scene& scene = GetParam();
+    const fs::path folder = fs::path(GOLDEN_OUTPUT) / scene.name;
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    const fs::path field = folder / "field.sward";
+    const fs::path actualPath = folder / "actual.png";
+
+    // Grow the field.
+    std::vector<std::string> bake = withFolders(scene.bake);
+    bake.insert(bake.begin(), "bake");
+    bake.insert(bake.end(), {"-o", field.string(), "-q"});
+    const Finished baked = run(GOLDEN_SWARD, bake, folder / "bake.log");
+    ASSERT_EQ(baked.code, 0) << baked.output;
+
+    // Draw it.
+    std::vector<std::string> render{"render", field.string(), "-o", actualPath.string(),
+                                    "--size", size,           "-q", "--validation"};
+    for (const std::string& argument : withFolders(scene.render))
+        render.push_back(argument);
+    const Finished drawn = run(GOLDEN_SWARD_VIEW, render, folder / "render.log");
+    ASSERT_EQ(drawn.code, 0) << drawn.output;
+
+    // Compare; scripts/accept-golden reads the line that begins with "golden".
+    const Picture actual = readPicture(actualPath);
+    const fs::path expectedPath = fs::path(GOLDEN_IMAGES) / (scene.name + ".png");
+    if (!fs::exists(expectedPath)) {
+        std::printf("golden %s: new picture\n", scene.name.c_str());
+        FAIL() << expectedPath << " does not exist yet; the new picture is " << actualPath
+               << "; scripts/accept-golden takes it over";
+    }
+    const Picture expected = readPicture(expectedPath);
+    const Difference difference = compare(expected, actual);
+    std::printf("golden %s: %zu of %zu pixels differ (%.3f %%), by at most %d of 255\n",
+                scene.name.c_str(), difference.differentPixels, difference.pixels,
+                100.0 * difference.share(), difference.largest);
+    if (difference.share() <= allowedShare)
+        return;
+
+    // Leave everything that is needed to see why.
+    writePicture(expected, folder / "expected.png");
+    writePicture(amplifiedDifference(expected, actual), folder / "difference.png");
+    ADD_FAILURE() << "more than " << 100.0 * allowedShare << " % of the pixels differ\n"
+                  << "  actual      " << actualPath.string() << "\n"
+                  << "  expected    " << (folder / "expected.png").string() << "\n"
+                  << "  difference  " << (folder / "difference.png").string() << " (16 times)\n"
+                  << "scripts/accept-golden accepts the new pictures";
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, GoldenPicture, testing::ValuesIn(scenes()),
+                         [](const testing::TestParamInfo<Scene>& scene) {
+                             return scene.param.name;
+                         });
+
+} // namespace
+} // namespace sward::golden

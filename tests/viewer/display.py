@@ -1,0 +1,142 @@
+"""An X server without a screen, and what a user does at it: look, drag, type, resize, close."""
+
+import ctypes
+import os
+import shutil
+import struct
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+PATIENCE = 60.0  # seconds; lavapipe on a busy machine is slow
+
+
+def wait_until(holds, what):
+    """Asks again and again; returns the first answer that is true."""
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
+        answer = holds()
+        if answer:
+            return answer
+        time.sleep(0.05)
+    raise AssertionError(f"waited {PATIENCE:.0f} s in vain until {what}")
+
+
+class Display:
+    """Xvfb, alive as long as this object is; its screen lies in a file that we can read."""
+
+    WIDTH, HEIGHT = 1280, 800
+
+    def __init__(self):
+        self.folder = Path(tempfile.mkdtemp(prefix="sward-display-"))
+        read_end, write_end = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write_end), "-screen", "0",
+             f"{self.WIDTH}x{self.HEIGHT}x24", "-nolisten", "tcp", "-fbdir", str(self.folder)],
+            pass_fds=[write_end], stderr=subprocess.DEVNULL)
+        os.close(write_end)
+        with os.fdopen(read_end) as answer:
+            self.name = ":" + answer.readline().strip()
+
+    def close(self):
+        self.server.terminate()
+        self.server.wait()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def xdotool(self, *arguments):
+        done = subprocess.run(["xdotool", *map(str, arguments)], capture_output=True, text=True,
+                              env={**os.environ, "DISPLAY": self.name})
+        return done.stdout.strip() if done.returncode == 0 else ""
+
+    def find(self, title):
+        """The window whose title begins so, once it is visible."""
+        windows = wait_until(
+            lambda: self.xdotool("search", "--onlyvisible", "--name", "^" + title).split(),
+            f"a window called {title} is there")
+        return Window(self, windows[0])
+
+    def picture(self, left, top, width, height):
+        """Rows of (blue, green, red) as they are on the screen now."""
+        dump = (self.folder / "Xvfb_screen0").read_bytes()
+        # The header of an XWD file: 25 numbers, the largest byte first.
+        header = struct.unpack(">25I", dump[:100])
+        header_bytes, bits_per_pixel, bytes_per_line, colors = (header[0], header[11], header[12],
+                                                                header[19])
+        assert bits_per_pixel == 32, "the screen was asked to have 24 bits of colour"
+        first = header_bytes + 12 * colors
+        rows = []
+        for y in range(top, top + height):
+            begin = first + y * bytes_per_line + 4 * left
+            row = dump[begin:begin + 4 * width]
+            rows.append(list(zip(row[0::4], row[1::4], row[2::4])))
+        return rows
+
+
+class Window:
+    """One window of a display without a window manager: at the place and size it was given."""
+
+    def __init__(self, display, number):
+        self.display = display
+        self.number = number
+
+    def title(self):
+        return self.display.xdotool("getwindowname", self.number)
+
+    def geometry(self):
+        text = self.display.xdotool("getwindowgeometry", "--shell", self.number)
+        values = dict(line.split("=", 1) for line in text.splitlines())
+        return tuple(int(values[key]) for key in ("X", "Y", "WIDTH", "HEIGHT"))
+
+    def picture(self):
+        return self.display.picture(*self.geometry())
+
+    def key(self, name):
+        self.display.xdotool("key", "--window", self.number, name)
+
+    def drag(self, begin, end, button=1):
+        self.display.xdotool("mousemove", "--window", self.number, *begin, "mousedown", button)
+        for i in range(1, 6):
+            x, y = (begin[k] + (end[k] - begin[k]) * i // 5 for k in (0, 1))
+            self.display.xdotool("mousemove", "--window", self.number, x, y)
+            time.sleep(0.05)
+        self.display.xdotool("mouseup", button)
+
+    def wheel(self, steps):
+        x, y, width, height = self.geometry()
+        self.display.xdotool("mousemove", x + width // 2, y + height // 2)
+        self.display.xdotool("click", "--repeat", abs(steps), 4 if steps > 0 else 5)
+
+    def resize(self, width, height):
+        self.display.xdotool("windowsize", self.number, width, height)
+
+    def hide(self):
+        self.display.xdotool("windowunmap", self.number)
+
+    def show(self):
+        self.display.xdotool("windowmap", self.number)
+
+    def ask_to_close(self):
+        """What the button of a window's frame does: the message WM_DELETE_WINDOW."""
+        x11 = ctypes.CDLL("libX11.so.6")
+        x11.XOpenDisplay.restype = ctypes.c_void_p
+        connection = ctypes.c_void_p(x11.XOpenDisplay(self.display.name.encode()))
+        atom = lambda name: x11.XInternAtom(connection, name, 0)
+        # An XClientMessageEvent fills the first words of the 24 longs of an XEvent.
+        event = (ctypes.c_long * 24)()
+        event[0] = 33  # ClientMessage
+        event[4] = int(self.number)
+        event[5] = atom(b"WM_PROTOCOLS")
+        event[6] = 32  # bits of each item
+        event[7] = atom(b"WM_DELETE_WINDOW")
+        x11.XSendEvent(connection, ctypes.c_ulong(int(self.number)), 0, ctypes.c_long(0),
+                       ctypes.byref(event))
+        x11.XSync(connection, 0)
+        x11.XCloseDisplay(connection)
+
+
+def share_that_differs(first, second, tolerance=3):
+    """Share of pixels that differ by more than `tolerance` in any channel."""
+    pairs = [(a, b) for rows in zip(first, second) for a, b in zip(*rows)]
+    different = sum(1 for a, b in pairs if max(abs(i - j) for i, j in zip(a, b)) > tolerance)
+    return different / len(pairs)

@@ -1,0 +1,210 @@
+"""`sward-view render`, `bench` and `devices` by their contract, without any display."""
+
+import csv
+import json
+import math
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+SWARD = os.environ["SWARD_PROGRAM"]
+VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
+BLADES = 2000
+SIZE = ["--size", "160x90"]
+PASSES = {"update", "cull", "pyramid", "blades", "resolve", "grass", "ground", "total"}
+FATES = {"drawn", "patch", "orientation", "frustum", "distance", "occlusion", "lod"}
+ENVIRONMENT = {name: value for name, value in os.environ.items()
+               if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+
+
+def png_size(path):
+    head = path.read_bytes()[:24]
+    assert head[:8] == b"\x89PNG\r\n\x1a\n", f"{path} is no PNG"
+    return int.from_bytes(head[16:20], "big"), int.from_bytes(head[20:24], "big")
+
+
+class RenderTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="sward-render-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.field = Path(folder.name) / "hills.sward"
+        subprocess.run([SWARD, "bake", "hills", "--count", str(BLADES), "-o", cls.field, "-q"],
+                       check=True)
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="sward-render-")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def viewer(self, *arguments, code=0, environment=None):
+        done = subprocess.run([VIEWER, *map(str, arguments)], cwd=self.folder, text=True,
+                              env={**ENVIRONMENT, **(environment or {})}, capture_output=True)
+        self.assertEqual(done.returncode, code,
+                         f"sward-view {' '.join(map(str, arguments))}\n{done.stdout}{done.stderr}")
+        return done
+
+    def render(self, *arguments, **how):
+        size = [] if "--size" in arguments else SIZE
+        return self.viewer("render", self.field, *size, *arguments, **how)
+
+    def refused(self, *arguments, code, says, leaves=()):
+        """What must fail with `code`, name the trouble, and leave nothing behind."""
+        done = self.render(*arguments, code=code)
+        self.assertEqual(done.stdout, "")
+        self.assertIn(says, done.stderr)
+        self.assertEqual({path.name for path in self.folder.iterdir()}, set(leaves))
+
+    def stats(self, *arguments):
+        self.render("-o", "s.png", "--stats", "s.json", "--force", *arguments)
+        return json.loads((self.folder / "s.json").read_text(encoding="utf-8"))
+
+    def test_a_picture_has_the_size_that_was_asked_for(self):
+        self.render("-o", "a.png", "--validation")
+        self.assertEqual(png_size(self.folder / "a.png"), (160, 90))
+
+    def test_the_stats_have_every_key_and_their_counts_add_up(self):
+        stats = self.stats("--validation")
+        self.assertEqual(set(stats), {"device", "driver", "size", "samples", "geometry",
+                                      "geometry_reason", "blades", "gpu_ms", "cpu_ms",
+                                      "memory_bytes", "validation_messages"})
+        self.assertEqual(stats["size"], [160, 90])
+        self.assertEqual(stats["samples"], 4)
+        self.assertEqual(stats["validation_messages"], 0)
+        self.assertEqual(set(stats["gpu_ms"]), PASSES)
+        for times in [*stats["gpu_ms"].values(), stats["cpu_ms"]["record"]]:
+            self.assertEqual(list(times), ["min", "median", "p99"])
+            self.assertLessEqual(times["min"], times["median"])
+            self.assertLessEqual(times["median"], times["p99"])
+        self.assertGreater(stats["gpu_ms"]["total"]["min"], 0)
+        self.assertGreater(stats["memory_bytes"]["device"], 16 * BLADES)
+        blades = stats["blades"]
+        self.assertEqual(blades["total"], BLADES)
+        self.assertEqual(blades["total"], blades["resident"] + blades["streamed_out"])
+        self.assertEqual(blades["resident"],
+                         blades["drawn"] + blades["lod"] + sum(blades["culled"].values()))
+
+    def test_each_kind_of_culling_counts_under_its_own_name_alone(self):
+        # From the middle of the field much is behind the camera, edge-on or far away.
+        for kind in ("orientation", "frustum", "distance"):
+            with self.subTest(kind=kind):
+                stats = self.stats("--camera", "eye", "--cull", kind, "--lod", "off",
+                                   "--draw-distance", "3")
+                culled = stats["blades"]["culled"]
+                self.assertGreater(culled.pop(kind), 0)
+                self.assertEqual(sum(culled.values()), 0)
+        stats = self.stats("--camera", "eye", "--cull", "none", "--lod", "off")
+        self.assertEqual(stats["blades"]["drawn"], BLADES)
+
+    def test_the_dump_has_one_row_per_blade_and_the_fates_of_the_stats(self):
+        stats = self.stats("--dump-blades", "d.csv", "--camera", "eye")
+        with open(self.folder / "d.csv", encoding="ascii", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(list(rows[0]), "id,x,y,z,v1x,v1y,v1z,v2x,v2y,v2z,ux,uy,uz,eta,lod_width,fate"
+                         .split(","))
+        self.assertEqual(len({row["id"] for row in rows}), BLADES)
+        counts = {fate: sum(1 for row in rows if row["fate"] == fate) for fate in FATES}
+        self.assertEqual(sum(counts.values()), BLADES)
+        self.assertEqual(counts["drawn"], stats["blades"]["drawn"])
+        self.assertEqual(counts["lod"], stats["blades"]["lod"])
+        for kind, count in stats["blades"]["culled"].items():
+            self.assertEqual(counts[kind], count, kind)
+
+    def test_after_300_frames_of_wind_no_blade_is_under_its_own_ground(self):
+        self.render("-o", "w.png", "--frames", "300:300", "--dump-blades", "d.csv")
+        with open(self.folder / "d.csv", encoding="ascii", newline="") as file:
+            for row in csv.DictReader(file):
+                root, v1, v2, up = ([float(row[p + c]) for c in "xyz"] for p in ("", "v1", "v2", "u"))
+                length = (2 * math.dist(v2, root) + math.dist(v1, root) + math.dist(v2, v1)) / 3
+                above = sum((a - b) * u for a, b, u in zip(v2, root, up))
+                self.assertGreaterEqual(above, -1e-4 * length, f"blade {row['id']}")
+
+    def test_wind_moves_blades_from_frame_to_frame_and_calm_does_not(self):
+        for strength, moved in (("4", True), ("0", False)):
+            with self.subTest(strength=strength):
+                self.render("-o", "f_%02d.png", "--frames", "3:60", "--wind-strength", strength,
+                            "--fixed-dt", "1/60", "--camera", "eye", "--force")
+                self.assertEqual(len(list(self.folder.glob("f_*.png"))), 58)
+                first, last = ((self.folder / f"f_{i:02d}.png").read_bytes() for i in (3, 60))
+                self.assertEqual(first != last, moved)
+
+    def test_without_a_number_in_the_name_the_last_frame_is_written(self):
+        self.render("-o", "one.png", "--frames", "0:4")
+        self.render("-o", "all_%d.png", "--frames", "0:4")
+        self.assertEqual((self.folder / "one.png").read_bytes(),
+                         (self.folder / "all_4.png").read_bytes())
+
+    def test_an_existing_output_is_refused_whole_and_overwritten_by_force(self):
+        for name in ("a.png", "s.json", "d.csv"):
+            with self.subTest(name=name):
+                path = self.folder / name
+                path.write_text("old")
+                outputs = ["-o", "a.png", "--stats", "s.json", "--dump-blades", "d.csv"]
+                self.refused(*outputs, code=2, says=name, leaves=[name])
+                self.assertEqual(path.read_text(), "old")
+                self.render(*outputs, "--force")
+                self.assertNotEqual(path.read_bytes(), b"old")
+                for written in self.folder.iterdir():
+                    written.unlink()
+
+    def test_wrong_command_lines_are_refused_with_their_code(self):
+        for arguments, code, says in (
+                (["-o", "a.jpg"], 1, "a.jpg"),
+                (["-o", "a_%s.png"], 1, "a_%s.png"),
+                (["-o", "nowhere/a.png"], 2, "nowhere"),
+                (["-o", "a.png", "--size", "0x5"], 1, "0x5"),
+                (["-o", "a.png", "--frames", "5:2"], 1, "5:2"),
+                (["-o", "a.png", "--samples", "3"], 1, "3"),
+                (["-o", "a.png", "--cull", "patsch"], 1, "patch?"),
+                (["-o", "a.png", "--sise", "4x4"], 1, "--size?"),
+                (["-o", "a.png", "--device", "no such device"], 1, "no such device"),
+                (["-o", "a.png", "--camera", "fitt"], 1, "fitt"),
+                (["-o", "a.png", "--camera", "./missing.json"], 2, "missing.json"),
+                (["-o", "a.png", "--geometry", "raster"], 5, "raster"),
+                (["-o", "a.png", "--debug", "wind"], 5, "wind")):
+            with self.subTest(arguments=arguments):
+                self.refused(*arguments, code=code, says=says)
+
+    def test_a_wrong_field_is_refused_with_its_code(self):
+        whole = self.field.read_bytes()
+        (self.folder / "cut.sward").write_bytes(whole[:len(whole) // 2])
+        for name, code in (("cut.sward", 3), ("missing.sward", 2)):
+            with self.subTest(name=name):
+                done = self.viewer("render", name, "-o", "a.png", code=code)
+                self.assertIn(name, done.stderr)
+        self.assertFalse((self.folder / "a.png").exists())
+
+    def test_a_reference_draws_every_blade(self):
+        stats = self.stats("--reference", "--camera", "eye", "--size", "32x18")
+        self.assertEqual(stats["blades"]["drawn"], BLADES)
+
+    def test_bench_prints_the_stats_on_stdout(self):
+        done = self.viewer("bench", self.field, *SIZE, "--frames", "5", "--warmup", "2", "--json")
+        stats = json.loads(done.stdout)
+        self.assertEqual(set(stats["gpu_ms"]), PASSES)
+        self.assertEqual(stats["blades"]["total"], BLADES)
+        self.assertGreater(stats["gpu_ms"]["grass"]["median"], 0)
+
+    def test_devices_lists_the_device_that_draws(self):
+        listed = self.viewer("devices").stdout
+        self.assertIn(self.stats()["device"], listed)
+
+    def test_without_a_driver_it_names_the_package_that_has_one(self):
+        nothing = {"VK_ICD_FILENAMES": "/nonexistent.json", "VK_DRIVER_FILES": "/nonexistent.json"}
+        for command in (["devices"], ["render", self.field, "-o", "a.png"]):
+            with self.subTest(command=command[0]):
+                done = self.viewer(*command, code=5, environment=nothing)
+                self.assertIn("mesa-vulkan-drivers", done.stderr)
+
+    def test_every_command_has_help_with_an_example(self):
+        for command in ([], ["render"], ["bench"], ["devices"]):
+            with self.subTest(command=command):
+                text = self.viewer(*command, "--help").stdout
+                self.assertIn("Example:\n  sward-view", text)
+        self.assertRegex(self.viewer("--version").stdout, r"^sward-view \d+\.\d+\.\d+\n$")
+
+
+if __name__ == "__main__":
+    unittest.main()
