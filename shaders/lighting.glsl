@@ -24,17 +24,18 @@ vec3 skyRadiance(vec3 ray)
 {
     const float height = dot(ray, FRAME.skyUp);
     const float toSun = max(dot(ray, FRAME.sunDirection), 0.0);
-    const float warmth = 1.0 - smoothstep(0.0, 0.6, dot(FRAME.sunDirection, FRAME.skyUp));
-    const vec3 zenith = FRAME.skyColor * vec3(0.50, 0.62, 0.80);
-    const vec3 pale = luminance(FRAME.skyColor) * mix(vec3(1.12, 1.17, 1.20), vec3(1.38, 1.15, 0.93), warmth);
+    const float low = 1.0 - smoothstep(0.0, 0.6, dot(FRAME.sunDirection, FRAME.skyUp));
 
-    vec3 color = mix(pale, zenith, 1.0 - exp(-3.4 * max(height, 0.0)));
-    const vec3 land = mix(pale, FRAME.groundColor, 0.35) * 0.72;
-    color = mix(color, land, 1.0 - exp(-5.0 * max(-height, 0.0)));
+    // Paler and warmer through more air; below the horizon haze, as over water.
+    const vec3 zenith = FRAME.skyColor * vec3(0.20, 0.34, 0.58);
+    const vec3 pale = FRAME.skyColor * mix(vec3(1.15, 1.02, 0.85), vec3(1.60, 1.12, 0.78), low);
+    vec3 color = mix(pale, zenith, 1.0 - exp(-3.0 * max(height, 0.0)));
+    const vec3 haze = mix(FRAME.skyColor * vec3(0.80, 0.72, 0.62), FRAME.groundColor, 0.2);
+    color = mix(color, haze, 1.0 - exp(-2.2 * max(-height, 0.0)));
 
     // Light scattered forward around the sun.
-    const float glow = 0.18 * pow(toSun, 6.0) + 0.35 * pow(toSun, 64.0);
-    return color + glow * FRAME.sunColor * mix(vec3(0.30, 0.28, 0.26), vec3(0.42, 0.30, 0.18), warmth);
+    const float glow = 0.10 * pow(toSun, 4.0) + 0.22 * pow(toSun, 32.0) + 0.5 * pow(toSun, 400.0);
+    return color + glow * FRAME.sunColor * mix(vec3(0.36, 0.34, 0.31), vec3(0.45, 0.33, 0.22), low);
 }
 
 /// Diffuse light from sky and ground on a surface with unit normal `n`.
@@ -59,9 +60,18 @@ vec3 throughAir(vec3 color, vec3 position)
 /// Mapping Curve", 2015), a little desaturated where it is bright.
 vec3 develop(vec3 radiance)
 {
-    const vec3 x = radiance * FRAME.exposure * 0.62;
+    const vec3 x = radiance * FRAME.exposure * 0.80;
     const vec3 film = (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14);
     return clamp(film, 0.0, 1.0);
+}
+
+/// Half a step of an 8-bit picture up or down, by the place alone, so that smooth gradients show no
+/// bands. `color` is linear; a step of its sRGB form is 2.2·color^(6/11) wide.
+vec3 dithered(vec3 color, vec2 place)
+{
+    const uint h = mixUint(uint(place.x) + 65536u * uint(place.y));
+    const float noise = float(h >> 8u) / 16777215.0 - 0.5;
+    return color + noise / 255.0 * 2.2 * pow(max(color, 0.0), vec3(0.5454));
 }
 
 /// A colour for a number, well spread, for the debug pictures.

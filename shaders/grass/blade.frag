@@ -28,7 +28,7 @@ vec3 bladeNormal(vec3 toEye, float distance)
     n *= dot(n, toEye) < 0.0 ? -1.0 : 1.0;
     n = normalize(n + 0.55 * inPlace.x * inAxis);
     const float smallness = smoothstep(4.0, 60.0, distance * 1000.0 / FRAME.pixelsPerUnit);
-    return normalize(mix(n, inUp, 0.25 + 0.55 * smallness));
+    return normalize(mix(n, inUp, 0.30 + 0.50 * smallness));
 }
 
 void main()
@@ -42,11 +42,13 @@ void main()
     const float distance = length(ray);
     const vec3 toEye = ray / max(distance, 1e-6);
     const vec3 n = bladeNormal(toEye, distance);
-    const vec3 albedo = mix(inRootColor, inTipColor, smoothstep(0.0, 0.9, along));
+    const vec3 albedo = mix(inRootColor, inTipColor, smoothstep(-0.15, 0.8, along));
 
     // Neighbours hide the sky from the lower part, and the sun still more so.
-    const float openness = openSky * mix(0.10, 1.0, pow(along, 1.15));
-    const float sunlit = openSky * mix(0.04, 1.0, smoothstep(0.0, 0.85, along));
+    const float openness = openSky * mix(0.28, 1.0, smoothstep(-0.1, 0.8, along));
+    // Where the sun stands below the blade's own ground, that ground is in its way.
+    const float risen = smoothstep(-0.15, 0.25, dot(inUp, sun));
+    const float sunlit = openSky * risen * mix(0.18, 1.0, smoothstep(0.0, 0.65, along));
 
     // Sky and ground.
     vec3 light = hemisphere(n) * openness;
@@ -60,7 +62,7 @@ void main()
     const float behind = max(-facing, 0.0);
     const float towards = pow(max(-dot(toEye, sun), 0.0), 4.0);
     const vec3 through = albedo * vec3(1.25, 1.15, 0.45);
-    color += FRAME.sunColor * through * (translucency * sunlit * (0.35 * behind + 0.9 * towards));
+    color += FRAME.sunColor * through * (translucency * sunlit * (0.5 * behind + 0.8 * towards));
 
     // Soft gloss: a strand shines along its tangent (Kajiya & Kay 1989), in the upper half.
     const vec3 halfway = normalize(sun + toEye);

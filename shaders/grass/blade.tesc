@@ -41,11 +41,12 @@ float levelOf(vec3 v0, vec3 v1, vec3 v2, float heightPixels, float widthPixels)
 
 void main()
 {
-    const float level = levelOf(inV0[0], inV1[0], inV2[0], inShape[0].z, inShape[0].w);
+    // A patch without a blade: level 0 ends it here.
+    const float level = inShape[0].z < 0.0 ? 0.0 : levelOf(inV0[0], inV1[0], inV2[0], inShape[0].z, inShape[0].w);
     gl_TessLevelOuter[0] = level;
-    gl_TessLevelOuter[1] = 1.0;
+    gl_TessLevelOuter[1] = min(level, 1.0);
     gl_TessLevelOuter[2] = level;
-    gl_TessLevelOuter[3] = 1.0;
+    gl_TessLevelOuter[3] = min(level, 1.0);
     gl_TessLevelInner[0] = 1.0;
     gl_TessLevelInner[1] = level;
 

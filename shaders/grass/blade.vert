@@ -18,7 +18,12 @@ layout(location = 7) out vec3 outMaterial; // open sky, translucency, gloss
 
 void main()
 {
-    const VisibleBlade visible = FRAME.visible.at[gl_VertexIndex];
+    // The last instance has room for more blades than the list holds: those have no pixels.
+    const uint place = gl_InstanceIndex * drawChunk + gl_VertexIndex;
+    outShape = vec4(0.0, 0.0, -1.0, 0.0);
+    if (place >= min(FRAME.draw.at[0].fates[fateDrawn], FRAME.visibleCapacity))
+        return;
+    const VisibleBlade visible = FRAME.visible.at[place];
     const Blade blade = unpackBlade(FRAME.blades.at[visible.blade], FRAME.patches.at[visible.patchIndex]);
     const Species species = FRAME.species.at[blade.species];
 

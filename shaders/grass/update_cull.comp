@@ -88,9 +88,10 @@ void main()
     if (thread == 0u) {
         FRAME.patchTimes.at[patchIndex] = FRAME.time;
         atomicAdd(FRAME.draw.at[0].simulated, cell.bladeCount);
-        listBase = kept > 0u ? atomicAdd(FRAME.draw.at[0].vertexCount, kept) : 0u;
+        listBase = kept > 0u ? atomicAdd(FRAME.draw.at[0].fates[fateDrawn], kept) : 0u;
+        atomicMax(FRAME.draw.at[0].instanceCount, (listBase + kept + drawChunk - 1u) / drawChunk);
     }
-    if (thread < fateCount && fateTally[thread] > 0u)
+    if (thread != fateDrawn && thread < fateCount && fateTally[thread] > 0u)
         atomicAdd(FRAME.draw.at[0].fates[thread], fateTally[thread]);
     barrier();
 

@@ -23,12 +23,12 @@ SHARED_LAYOUT(VisibleBlade, 16)
 
 /// VkDrawIndirectCommand, and the counts by fate behind it.
 struct DrawArguments {
-    uint vertexCount; ///< one patch vertex per visible blade
-    uint instanceCount;
+    uint vertexCount;   ///< drawChunk (passes.h): so many blades in one instance
+    uint instanceCount; ///< as many as the visible blades need; the last may be part empty
     uint firstVertex;
     uint firstInstance;
     uint simulated; ///< blades moved in this frame
-    uint fates[7];  ///< blades by fate, fateDrawn … fateLod
+    uint fates[7];  ///< blades by fate, fateDrawn … fateLod; fateDrawn is the list's length
 };
 SHARED_LAYOUT(DrawArguments, 48)
 

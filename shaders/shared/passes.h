@@ -8,6 +8,11 @@
 
 SHARED_BEGIN
 
+/// Visible blades are drawn as instances of so many patches each. lavapipe 22.3 numbers the
+/// tessellated vertices of a run of patches in 16 bits; 256 blades of 64 segments, 193 vertices
+/// each, stay below that.
+SHARED_CONST uint drawChunk = 256u;
+
 /// Threads of a work-group of the update; they loop over the blades of one patch.
 SHARED_CONST uint updateThreads = 64u;
 

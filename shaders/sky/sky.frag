@@ -20,5 +20,5 @@ void main()
     color += FRAME.sunColor * 6.0 * smoothstep(0.99985, 0.99997, toSun);
     if (FRAME.debugMode != 0u)
         color = vec3(0.6);
-    outColor = vec4(develop(color), 1.0);
+    outColor = vec4(dithered(develop(color), gl_FragCoord.xy), 1.0);
 }

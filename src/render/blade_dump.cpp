@@ -52,7 +52,8 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
     }
 
     // The list knows which were drawn, and how wide.
-    const std::size_t drawn = std::min<std::size_t>(draw[0].vertexCount, visible.size());
+    const std::size_t drawn =
+        std::min<std::size_t>(draw[0].fates[shared::fateDrawn], visible.size());
     for (std::size_t i = 0; i < drawn; ++i) {
         records[visible[i].blade].lodWidth = visible[i].widthFactor;
         records[visible[i].blade].fate = shared::fateDrawn;

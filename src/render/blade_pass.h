@@ -10,8 +10,8 @@
 
 namespace sward::render {
 
-/// Draws the visible blades by tessellation: one control point per blade, as many as the list
-/// holds.
+/// Draws the visible blades by tessellation: one control point per blade, drawChunk
+/// blades to an instance.
 class BladePass {
 public:
     BladePass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,

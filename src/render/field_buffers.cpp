@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/expect.h"
+#include "shaders/shared/passes.h"
 
 #include <bit>
 #include <limits>
@@ -128,11 +129,10 @@ void FieldBuffers::rest(VkCommandBuffer commands, float time) const
 
 void FieldBuffers::clearCounts(VkCommandBuffer commands) const
 {
-    // Three fills beside each other: no vertices, one instance, all counts zero.
+    // Two fills beside each other: whole chunks, of which there are none yet; all counts zero.
     static_assert(offsetof(shared::DrawArguments, instanceCount) == 4);
-    vkCmdFillBuffer(commands, draw_.get(), 0, 4, 0);
-    vkCmdFillBuffer(commands, draw_.get(), 4, 4, 1);
-    vkCmdFillBuffer(commands, draw_.get(), 8, sizeof(shared::DrawArguments) - 8, 0);
+    vkCmdFillBuffer(commands, draw_.get(), 0, 4, shared::drawChunk);
+    vkCmdFillBuffer(commands, draw_.get(), 4, sizeof(shared::DrawArguments) - 4, 0);
 }
 
 } // namespace sward::render

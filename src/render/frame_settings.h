@@ -24,10 +24,11 @@ struct FrameSettings {
         0; ///< segments along a blade, 1 to 64; 0: by size on the screen, at most 3
     DebugMode debug = DebugMode::none;
 
-    glm::vec3 sunDirection{0.45f, 0.72f,
-                           0.53f};         ///< towards the sun, world space; normalised by record()
-    glm::vec3 sunColor{3.1f, 2.85f, 2.4f}; ///< linear radiance
-    glm::vec3 skyColor{0.45f, 0.62f, 0.95f};    ///< linear radiance from above
+    /// Towards the sun, world space; normalised by record(). Half behind what the preset cameras
+    /// look at, so that light comes through the blades.
+    glm::vec3 sunDirection{0.72f, 0.62f, -0.42f};
+    glm::vec3 sunColor{3.4f, 2.85f, 2.1f};      ///< linear radiance
+    glm::vec3 skyColor{0.42f, 0.60f, 0.92f};    ///< linear radiance from above
     glm::vec3 groundColor{0.13f, 0.12f, 0.08f}; ///< linear radiance from below
     float exposure = 1.0f;
     float fogDensity = -1.0f; ///< [1/m]; below 0: chosen from the field's size

@@ -3,6 +3,7 @@
 #include "core/random.h"
 #include "render/camera.h"
 #include "render/frame.h"
+#include "shaders/shared/passes.h"
 #include "shaders/shared/visibility.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
@@ -167,7 +168,10 @@ TEST_F(CullingTest, ListsExactlyTheDrawnBladesEachOnce)
             ASSERT_GT(visible.widthFactor, 0.0f);
         }
         EXPECT_EQ(listed.size(), result.draw.fates[shared::fateDrawn]) << "camera " << c;
-        EXPECT_EQ(result.draw.instanceCount, 1u);
+        // Just as many chunks as they need.
+        EXPECT_EQ(result.draw.vertexCount, shared::drawChunk);
+        EXPECT_EQ(result.draw.instanceCount,
+                  (listed.size() + shared::drawChunk - 1) / shared::drawChunk);
     }
 }
 

@@ -61,7 +61,7 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame,
     result.fates = gpu::readBufferAs<std::uint32_t>(context_, buffers_.fates());
     result.visible = gpu::readBufferAs<shared::VisibleBlade>(context_, buffers_.visible());
     result.draw = gpu::readBufferAs<shared::DrawArguments>(context_, buffers_.draw())[0];
-    result.visible.resize(result.draw.vertexCount);
+    result.visible.resize(result.draw.fates[shared::fateDrawn]);
     return result;
 }
 
