@@ -70,7 +70,7 @@ TEST_F(CameraFile, NamesFileAndKeyOfWhatIsWrong)
     EXPECT_THAT(messageOf(R"({"eye": [0, 0, 5], "target": [0, 0, 0]})"), namesKey("up"));
     EXPECT_THAT(messageOf(R"({"eye": [1, 0, 0], "target": [0, 0, 0], "fov_y_deg": 180})"),
                 namesKey("fov_y_deg"));
-    EXPECT_THAT(messageOf(R"({"eye": [1, 0, 0], "target": [0, 0, 0], "fov": 60})"),
+    EXPECT_THAT(messageOf(R"({"eye": [1, 0, 0], "target": [0, 0, 0], "fov_y_dg": 60})"),
                 namesKey("fov_y_deg"));
     EXPECT_THAT(messageOf("{"), namesKey("JSON"));
 }

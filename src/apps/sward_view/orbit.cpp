@@ -48,7 +48,7 @@ glm::dvec3 rightOf(const glm::dvec3& arm, const glm::dvec3& up)
 
 Orbit::Orbit(const render::Camera& home, glm::vec3 axis)
     : home_(home)
-    , axis_(axis)
+    , axis_(glm::normalize(glm::dvec3(axis)))
     , camera_(home)
 {
 }
@@ -71,7 +71,10 @@ void Orbit::rotate(glm::vec2 pixels, float height)
     const double wanted =
         std::clamp(polar - static_cast<double>(pixels.y) * scale, poleMargin, pi - poleMargin);
     arm = turned(arm, wanted - polar, right);
-    camera_.eye = camera_.target + arm;
+
+    // A thousand drags later the distance is still the same.
+    const double distance = glm::length(camera_.eye - camera_.target);
+    camera_.eye = camera_.target + arm * (distance / glm::length(arm));
     camera_.up = glm::vec3(axis_);
 }
 
