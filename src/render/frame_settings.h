@@ -24,8 +24,8 @@ struct FrameSettings {
         0; ///< segments along a blade, 1 to 64; 0: by size on the screen, at most 3
     DebugMode debug = DebugMode::none;
 
-    /// Towards the sun, world space; normalised by record(). Half behind what the preset cameras
-    /// look at, so that light comes through the blades.
+    /// Towards the sun, world space; normalised by record(). It stands beside what the preset
+    /// cameras look at, so that form shows and light comes through the blades.
     glm::vec3 sunDirection{0.72f, 0.62f, -0.42f};
     glm::vec3 sunColor{3.4f, 2.85f, 2.1f};      ///< linear radiance
     glm::vec3 skyColor{0.42f, 0.60f, 0.92f};    ///< linear radiance from above

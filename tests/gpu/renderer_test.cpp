@@ -4,6 +4,7 @@
 #include "core/random.h"
 #include "gpu/commands.h"
 #include "picture.h"
+#include "render/attachments.h"
 #include "render/camera_presets.h"
 #include "render/field_buffers.h"
 #include "shaders/shared/bezier.h"
@@ -201,6 +202,26 @@ TEST_F(RendererTest, LooksTheSameFarFromTheOrigin)
     EXPECT_LE(test::differingPixels(here, there), 96u * 60u / 200u);
 }
 
+TEST_F(RendererTest, DrawsTheSameBladesHoweverFinelyTheyAreCut)
+{
+    // More blades than a driver that counts vertices in 16 bits takes at once.
+    Scene scene = meadow(6000);
+    scene.settings.cullMask = 0;
+    test::Picture picture(context(), {160, 100});
+    scene.settings.tessellationLevel = 3;
+    picture.draw(scene.renderer, scene.camera, scene.settings, 1.0);
+    const auto coarse = picture.pixels();
+    scene.settings.tessellationLevel = 12;
+    picture.draw(scene.renderer, scene.camera, scene.settings, 1.0);
+    const auto fine = picture.pixels();
+    // Edges move by fractions of a pixel, so single pixels change, but not the whole.
+    double difference = 0.0;
+    for (std::size_t i = 0; i < fine.size(); ++i)
+        difference += std::to_integer<int>(fine[i]) - std::to_integer<int>(coarse[i]);
+    EXPECT_LT(std::abs(difference) / static_cast<double>(fine.size()), 1.0);
+    EXPECT_LT(test::differingPixels(coarse, fine), 160u * 100u / 2u);
+}
+
 TEST_F(RendererTest, FollowsItsTargetsSize)
 {
     FieldRenderer::Settings wanted;
@@ -254,6 +275,19 @@ TEST_F(RendererTest, StandsInItsWindFromTheFirstPictureOn)
     const double first = meanDrop(0.0);
     EXPECT_GT(first, 0.01);
     EXPECT_NEAR(meanDrop(10.0), first, 0.02 * first);
+}
+
+TEST_F(RendererTest, RefusesSamplesThatTheDeviceDoesNotHave)
+{
+    gpu::DeviceContext plain = context();
+    plain.limits.framebufferColorSampleCounts = VK_SAMPLE_COUNT_1_BIT;
+    EXPECT_NO_THROW(Attachments(plain, {.samples = 1}));
+    try {
+        const Attachments attachments(plain, {.samples = 4});
+        FAIL() << "a device of one sample drew with four";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::unsupported);
+    }
 }
 
 TEST_F(RendererTest, RefusesAFieldThatIsLargerThanTheDevice)
