@@ -23,14 +23,15 @@ using nlohmann::json;
 // Reads a range [low, high] within the given bounds.
 void readRange(SettingsReader& reader, const char* key, glm::dvec2& range, double low, double high)
 {
-    glm::vec2 read(range);
-    const bool given = reader.has(key);
-    reader.read(key, read, low, high);
-    if (!given)
-        return;
-    if (read.x > read.y)
-        fail(ErrorKind::input, "{}: {} is above {}", reader.placeOf(key), read.x, read.y);
-    range = glm::dvec2(read);
+    reader.read(key, range, low, high);
+    if (range.x > range.y)
+        fail(ErrorKind::input, "{}: {} is above {}", reader.placeOf(key), range.x, range.y);
+}
+
+// The shortest decimal that reads back as the same float: 0.45, not 0.44999998807907104.
+double shortest(float value)
+{
+    return std::stod(fmt::format("{}", value));
 }
 
 SpeciesTraits parseSpecies(const json& object, const std::string& place)
@@ -76,7 +77,7 @@ json toArray(const Vec& v)
     if constexpr (Vec::length() == 2)
         return json::array({v.x, v.y});
     else
-        return json::array({v.x, v.y, v.z});
+        return json::array({shortest(v.x), shortest(v.y), shortest(v.z)});
 }
 
 } // namespace
@@ -126,12 +127,12 @@ std::string toJson(const Meadow& meadow)
                            {"clumping", one.clumping},
                            {"root_color", toArray(one.look.rootColor)},
                            {"tip_color", toArray(one.look.tipColor)},
-                           {"tip_threshold", one.look.tipThreshold},
-                           {"ground_tint", one.look.groundTint},
-                           {"color_variation", one.look.colorVariation},
-                           {"translucency", one.look.translucency},
-                           {"gloss", one.look.gloss},
-                           {"dryness", one.look.dryness}});
+                           {"tip_threshold", shortest(one.look.tipThreshold)},
+                           {"ground_tint", shortest(one.look.groundTint)},
+                           {"color_variation", shortest(one.look.colorVariation)},
+                           {"translucency", shortest(one.look.translucency)},
+                           {"gloss", shortest(one.look.gloss)},
+                           {"dryness", shortest(one.look.dryness)}});
     return json{{"name", meadow.name}, {"clump_size_m", meadow.clumpSize}, {"species", species}}
         .dump(2);
 }

@@ -109,6 +109,12 @@ void SettingsReader::read(const char* key, glm::vec2& value, double low, double 
         readVector(*found, placeOf(key), low, high, value);
 }
 
+void SettingsReader::read(const char* key, glm::dvec2& value, double low, double high)
+{
+    if (const nlohmann::json* found = find(key))
+        readVector(*found, placeOf(key), low, high, value);
+}
+
 void SettingsReader::read(const char* key, glm::vec3& value, double low, double high)
 {
     if (const nlohmann::json* found = find(key))

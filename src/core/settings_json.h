@@ -27,6 +27,7 @@ public:
     void read(const char* key, bool& value);
     void read(const char* key, std::string& value);
     void read(const char* key, glm::vec2& value, double low, double high);
+    void read(const char* key, glm::dvec2& value, double low, double high);
     void read(const char* key, glm::vec3& value, double low, double high);
     void read(const char* key, glm::dvec3& value, double low, double high);
 

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "bake/settings.h"
+
+namespace sward::tests {
+
+/// Settings with one plain species, no rays and a density that suits unit-sized meshes.
+inline bake::BakeSettings plainSettings(double density)
+{
+    bake::BakeSettings settings;
+    settings.density = density;
+    settings.exposureRays = 0;
+    settings.bladeScale = 1.0;
+    settings.meadow.clumpSize = 0.0;
+    settings.meadow.species.emplace_back();
+    return settings;
+}
+
+} // namespace sward::tests
