@@ -52,10 +52,10 @@ void BakeOptions::addGround(CLI::App& app)
     option("--sides", sides_, "SIDES", "Sides that bear grass: front, back or both")
         ->capture_default_str();
     option("--scene", scene_, "N", "glTF scene; else the file's default");
-    option("--node", import.bearingNodes, "GLOB...", "Only these nodes bear grass");
-    option("--material", import.bearingMaterials, "GLOB...", "Only these materials bear grass");
-    option("--occluder", direct_.occluders, "FILE...", "Blocks rays, is shown, bears nothing");
-    option("--occlude-node", import.occluderNodes, "GLOB...", "The same for nodes of the input");
+    option("--node", import.bearingNodes, "GLOB", "Only these nodes bear grass");
+    option("--material", import.bearingMaterials, "GLOB", "Only these materials bear grass");
+    option("--occluder", direct_.occluders, "FILE", "Blocks rays, is shown, bears nothing");
+    option("--occlude-node", import.occluderNodes, "GLOB", "The same for nodes of the input");
 }
 
 void BakeOptions::addAmount(CLI::App& app)

@@ -1,0 +1,99 @@
+"""How much grows: density, count, their defaults and their bounds."""
+
+import math
+import unittest
+
+from meshes import glb_bytes, square
+from support import CliTest, DONE, INPUT, USAGE
+
+
+class Amount(CliTest):
+    def setUp(self):
+        super().setUp()
+        # 400 m²
+        (self.folder / "square.glb").write_bytes(glb_bytes(square(20.0)))
+
+    def kept(self, *options):
+        return self.info(self.bake("square.glb", "--force", *options))["blades"]
+
+    def assert_poisson(self, number, expected):
+        """Within five standard deviations of a sum of independent tries."""
+        self.assertLess(abs(number - expected), 5 * math.sqrt(expected), f"expected {expected}")
+
+    def test_density_times_area_is_the_count(self):
+        for density in (1, 25, 100):
+            with self.subTest(density=density):
+                self.assert_poisson(self.kept("--density", density, "--blade-scale", "1"),
+                                    density * 400)
+
+    def test_the_default_is_300_per_square_metre(self):
+        self.assert_poisson(self.kept("--blade-scale", "1"), 300 * 400)
+
+    def test_count_is_exact(self):
+        for count in (1, 7, 1000, 12345):
+            with self.subTest(count=count):
+                self.assertEqual(self.kept("--count", count), count)
+
+    def test_count_is_exact_after_filters(self):
+        hills = self.bake("hills", "--count", "5000", "--slope", "5:30", "--force")
+        self.assertEqual(self.info(hills)["blades"], 5000)
+
+    def test_density_and_count_exclude_each_other(self):
+        self.refused("bake", "square.glb", "-o", "f.sward", "--density", "3", "--count", "3",
+                     code=USAGE, names=["--density", "--count"])
+
+    def test_more_than_max_blades_is_refused_before_sampling(self):
+        done = self.refused("bake", "square.glb", "-o", "f.sward", "--density", "1e9",
+                            code=INPUT, names=["4e+11", "--max-blades 200000000"])
+        self.assertIn("error", done.stderr)
+        self.refused("bake", "square.glb", "-o", "f.sward", "--count", "1001", "--max-blades", "1000",
+                     code=INPUT, names=["1001", "1000"])
+
+    def test_without_a_wish_the_number_is_clamped_to_20_million_with_the_price(self):
+        # 1e6 m² would take 300 million.
+        (self.folder / "large.glb").write_bytes(glb_bytes(square(1000.0)))
+        self.sward("bake", "large.glb", "--dry-run", "--report", "r.json", "--blade-scale", "1", "-q")
+        report = self.read_json("r.json")
+        self.assertLess(abs(report["roots"]["kept"] - 20e6), 0.05 * 20e6)
+        warnings = " ".join(report["warnings"])
+        self.assertRegex(warnings, r"3e\+08 blades and .* GB")
+        self.assertRegex(warnings, r"for 2e\+07 blades")
+
+    def test_a_painted_mask_multiplies_density(self):
+        # Red runs from 0 in the west to 1 in the east: half of all in the mean, nothing at the edge.
+        (self.folder / "painted.glb").write_bytes(
+            glb_bytes(square(20.0, 16, lambda x, z: (x / 20 + 0.5, 0.0, 0.0, 1.0))))
+        options = ("--density", "100", "--blade-scale", "1", "--mask")
+        blades = self.blades(self.bake("painted.glb", *options, "vertex-color:R"))
+        self.assert_poisson(len(blades), 20000)
+        # The share west of x is (x/20 + 1/2)².
+        west = sum(blade.root[0] < 0.0 for blade in blades)
+        self.assert_poisson(west, 5000)
+        inverted = self.bake("painted.glb", *options, "vertex-color:R:invert", to="inverted.sward")
+        self.assert_poisson(sum(b.root[0] < 0.0 for b in self.blades(inverted)), 15000)
+
+    def test_nothing_kept_is_a_field_with_a_warning_that_counts(self):
+        done = self.sward("bake", "square.glb", "-o", "f.sward", "--density", "10", "--slope", "50:90",
+                          code=DONE)
+        self.assertRegex(done.stderr, r"warning: .*\b\d{4} slope|warning: .*slope:? \d{4}")
+        self.assertEqual(self.info(self.folder / "f.sward")["blades"], 0)
+        self.sward("validate", "f.sward")
+
+    def test_small_ground_gets_smaller_and_denser_blades(self):
+        (self.folder / "pot.glb").write_bytes(glb_bytes(square(0.5)))
+        small = self.report("pot.glb")
+        large = self.report("square.glb")
+        self.assertLess(small["blade_scale"], 0.5)
+        self.assertAlmostEqual(large["blade_scale"], 1.0)
+        self.assertGreater(small["density_per_m2"]["reached"], 2 * large["density_per_m2"]["reached"])
+
+    def test_inputs_are_joined(self):
+        (self.folder / "far.glb").write_bytes(
+            glb_bytes(square(20.0), node={"translation": [100, 0, 0]}))
+        self.sward("bake", "square.glb", "far.glb", "-o", "f.sward", "--count", "20000", "-q")
+        blades = self.blades(self.folder / "f.sward")
+        self.assert_poisson(sum(blade.root[0] > 50 for blade in blades), 10000)
+
+
+if __name__ == "__main__":
+    unittest.main()

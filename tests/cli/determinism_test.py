@@ -1,0 +1,72 @@
+"""The same mesh, settings and seed give the same bytes, however and wherever they are baked."""
+
+import re
+import subprocess
+import unittest
+
+from meshes import bumps, glb_bytes
+from support import CliTest, ROOT, digest
+
+LOADER = "/lib64/ld-linux-x86-64.so.2"
+# Turns the C library's choice of faster code down to the x86-64 baseline (glibc 2.33 and later).
+BASELINE = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX,-AVX2,-AVX512F,-AVX512VL,-AVX512BW,-AVX512DQ,"
+                              "-FMA,-FMA4,-BMI1,-BMI2,-ERMS,-SSE4_1,-SSE4_2,-SSSE3"}
+# Every step of the bake takes part: rays, filters, traits, patches.
+OPTIONS = ("--count", "60000", "--clearance", "0.3", "--slope", "0:70~10", "--exposure", "8",
+           "--seed", "5", "--align", "blend:0.3")
+
+
+class Determinism(CliTest):
+    def test_any_number_of_threads_gives_the_same_bytes(self):
+        for ground in ("hills", "arch"):
+            with self.subTest(ground=ground):
+                digests = {threads: digest(self.bake(ground, *OPTIONS, "--threads", threads,
+                                                     to=f"{ground}{threads}.sward"))
+                           for threads in (1, 2, 7)}
+                self.assertEqual(len(set(digests.values())), 1, digests)
+
+    def test_the_sample_terrain_too(self):
+        mesh = ROOT / "assets/meshes/landscape.glb"
+        digests = {digest(self.bake(mesh, "--density", "40", "--mask", "vertex-color:R", "--threads",
+                                    threads, to=f"{threads}.sward")) for threads in (1, 2, 7)}
+        self.assertEqual(len(digests), 1)
+
+    def test_any_directory_and_name_gives_the_same_bytes(self):
+        content = glb_bytes(bumps())
+        digests = set()
+        for folder, name in (("here", "m.glb"), ("there/deeper", "other.glb")):
+            place = self.folder / folder
+            place.mkdir(parents=True)
+            (place / name).write_bytes(content)
+            digests.add(digest(self.bake(name, *OPTIONS, folder=place)))
+            digests.add(digest(self.bake(place / name, *OPTIONS, to=f"{len(digests)}.sward")))
+        self.assertEqual(len(digests), 1)
+
+    def test_any_cpu_gives_the_same_bytes(self):
+        native = digest(self.bake("arch", *OPTIONS, to="native.sward"))
+        baseline = digest(self.bake("arch", *OPTIONS, to="baseline.sward", environment=BASELINE))
+        self.assertEqual(native, baseline)
+
+    def test_the_c_library_obeys_the_tunables(self):
+        # Guards the test above against names that a newer C library would ignore.
+        def active(environment):
+            text = subprocess.run([LOADER, "--list-diagnostics"], env=environment, capture_output=True,
+                                  text=True, check=True).stdout
+            return re.findall(r"x86\.cpu_features\.features.*active.*", text)
+        self.assertNotEqual(active({}), active(BASELINE))
+
+    def test_nothing_of_the_run_is_in_the_field(self):
+        field = self.bake("hills", "--count", "100", "--threads", "1")
+        content = field.read_bytes()
+        for text in (str(self.folder), "field.sward", "thread"):
+            self.assertNotIn(text.encode(), content)
+
+    def test_another_seed_is_another_meadow(self):
+        one = self.bake("hills", "--count", "1000", "--seed", "1", to="1.sward")
+        two = self.bake("hills", "--count", "1000", "--seed", "2", to="2.sward")
+        roots = {blade.root for blade in self.blades(one)}
+        self.assertLess(len(roots & {blade.root for blade in self.blades(two)}), 5)
+
+
+if __name__ == "__main__":
+    unittest.main()

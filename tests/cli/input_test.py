@@ -1,0 +1,143 @@
+"""Input that is missing, broken or beyond the program: an exit code, a message, nothing left."""
+
+import json
+import math
+import unittest
+
+from meshes import Mesh, container, glb_bytes, obj_text, square
+from support import CliTest, DONE, INPUT, IO, ROOT, UNSUPPORTED
+
+
+class Input(CliTest):
+    def refused_ground(self, name, content, code, *words):
+        """Writes a ground and bakes it with what must be in the message; whole field names too."""
+        (self.folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
+        self.refused("bake", name, "-o", "f.sward", code=code, names=[name, *words])
+
+    def test_a_missing_file(self):
+        self.refused("bake", "none.glb", "-o", "f.sward", code=IO, names=["none.glb"])
+        self.refused("bake", "plane", "--occluder", "none.glb", "-o", "f.sward", code=IO,
+                     names=["none.glb"])
+        for command in ("info", "validate"):
+            self.refused(command, "none.sward", code=IO, names=["none.sward"])
+
+    def test_a_folder_is_not_a_mesh(self):
+        (self.folder / "folder.glb").mkdir()
+        self.refused("bake", "folder.glb", "-o", "f.sward", code=IO, names=["folder.glb"])
+
+    def test_truncated_glbs_of_any_length(self):
+        whole = glb_bytes(square(4.0))
+        for size in (1, 4, 11, 12, 19, 20, 100, len(whole) // 2, len(whole) - 4, len(whole) - 1):
+            with self.subTest(size=size):
+                self.refused_ground("cut.glb", whole[:size], INPUT)
+
+    def test_an_empty_file(self):
+        for name in ("e.glb", "e.gltf", "e.obj", "e.ply", "e.stl", "e.off", "e.json"):
+            with self.subTest(name=name):
+                self.refused_ground(name, b"", INPUT)
+
+    def test_a_required_extension_that_is_not_supported(self):
+        document = {"extensionsUsed": ["ACME_curved_space"], "extensionsRequired": ["ACME_curved_space"]}
+        self.refused_ground("curved.glb", glb_bytes(square(4.0), document=document), UNSUPPORTED,
+                            "ACME_curved_space")
+
+    def test_a_used_extension_that_is_not_required_does_no_harm(self):
+        document = {"extensionsUsed": ["ACME_curved_space"]}
+        (self.folder / "m.glb").write_bytes(glb_bytes(square(4.0), document=document))
+        self.sward("bake", "m.glb", "-o", "f.sward", "--count", "10", code=DONE)
+
+    def test_another_version_of_gltf(self):
+        self.refused_ground("v3.glb", glb_bytes(square(4.0), document={"asset": {"version": "3.0"}}),
+                            UNSUPPORTED, "3.0")
+
+    def test_a_mesh_without_triangles(self):
+        points = Mesh([(0, 0, 0), (1, 0, 0), (0, 0, 1)], [])
+        document = {"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]}]}
+        self.refused_ground("points.glb", glb_bytes(points, document=document), INPUT, "triangle")
+        self.refused_ground("empty.obj", "v 0 0 0\nv 1 0 0\n", INPUT, "triangle")
+        self.refused_ground("nothing.glb", container(json.dumps({"asset": {"version": "2.0"}}).encode(),
+                                                     b""), INPUT)
+
+    def test_triangles_without_area(self):
+        self.refused_ground("flat.glb", glb_bytes(Mesh([(0, 0, 0), (1, 0, 0), (2, 0, 0)], [(0, 1, 2)])),
+                            INPUT)
+
+    def test_positions_that_are_no_numbers(self):
+        for value in (math.nan, math.inf, -math.inf):
+            mesh = square(4.0)
+            mesh.positions[5] = (0.0, value, 0.0)
+            with self.subTest(value=value):
+                self.refused_ground("nan.glb", glb_bytes(mesh), INPUT)
+        self.refused_ground("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n", INPUT)
+
+    def test_indices_beyond_the_vertices(self):
+        mesh = square(4.0)
+        mesh.triangles[7] = (0, 1, 100000)
+        self.refused_ground("index.glb", glb_bytes(mesh), INPUT, "100000")
+
+    def test_buffers_beyond_the_file(self):
+        document = {"buffers": [{"byteLength": 1 << 40}]}
+        self.refused_ground("buffer.glb", glb_bytes(square(4.0), document=document), INPUT)
+
+    def test_files_of_an_unknown_kind(self):
+        self.refused_ground("ground.fbx", b"Kaydara FBX Binary", UNSUPPORTED, ".fbx")
+
+    def test_a_recipe_with_an_unknown_key(self):
+        self.refused_ground("r.json", '{"kind": "sphere", "radios": 3}', INPUT, "radios")
+
+    def test_a_meadow_with_an_unknown_key(self):
+        self.write_json("m.json", {"name": "m", "speceis": []})
+        self.refused("bake", "plane", "-o", "f.sward", "--meadow", "m.json", code=INPUT,
+                     names=["m.json", "speceis"])
+
+    def test_a_scene_that_does_not_exist(self):
+        (self.folder / "m.glb").write_bytes(glb_bytes(square(4.0)))
+        self.refused("bake", "m.glb", "-o", "f.sward", "--scene", "3", code=INPUT, names=["m.glb", "3"])
+
+    def test_a_count_that_no_ground_can_keep(self):
+        # No root has this slope: the field is empty, the count is not reached, and the program says so.
+        done = self.sward("bake", "plane", "-o", "f.sward", "--count", "100", "--slope", "80:90")
+        self.assertIn("warning: ", done.stderr)
+
+    def test_every_format_of_the_contract_is_read(self):
+        mesh = square(4.0)
+        corners = [[mesh.positions[i] for i in triangle] for triangle in mesh.triangles]
+        header = (f"ply\nformat ascii 1.0\nelement vertex {len(mesh.positions)}\nproperty float x\n"
+                  "property float y\nproperty float z\n"
+                  f"element face {len(mesh.triangles)}\nproperty list uchar int vertex_indices\n"
+                  "end_header\n")
+        points = "".join("{} {} {}\n".format(*p) for p in mesh.positions)
+        faces = "".join("3 {} {} {}\n".format(*t) for t in mesh.triangles)
+        facets = "".join("facet normal 0 1 0\nouter loop\n"
+                         + "".join("vertex {} {} {}\n".format(*p) for p in c)
+                         + "endloop\nendfacet\n" for c in corners)
+        texts = {
+            "m.obj": obj_text(mesh),
+            "m.ply": header + points + faces,
+            "m.off": f"OFF\n{len(mesh.positions)} {len(mesh.triangles)} 0\n" + points + faces,
+            "m.stl": f"solid m\n{facets}endsolid m\n",
+        }
+        (self.folder / "m.glb").write_bytes(glb_bytes(mesh))
+        for name, text in texts.items():
+            (self.folder / name).write_text(text)
+        for name in ("m.glb", *texts):
+            with self.subTest(name=name):
+                report = self.report(name, "--count", "10")
+                self.assertAlmostEqual(report["input"]["area_m2"], 16.0, places=5)
+                self.assertEqual(report["input"]["triangles"], len(mesh.triangles))
+
+    def test_an_existing_file_wins_over_a_built_in_of_its_name(self):
+        (self.folder / "plane").write_text("not a mesh")
+        self.refused("bake", "plane", "-o", "f.sward", code=UNSUPPORTED, names=["plane"])
+
+    def test_samples_made_by_others_are_read(self):
+        # Nothing of the project lies there; where the folder is, its files must work.
+        samples = sorted((ROOT.parent / "shared/samples").glob("**/*.gl[tb]*"))
+        for mesh in [ROOT / "assets/meshes/landscape.glb", *samples]:
+            with self.subTest(mesh=mesh.name):
+                self.bake(mesh, "--count", "1000", "--force")
+                self.sward("validate", "field.sward")
+
+
+if __name__ == "__main__":
+    unittest.main()
