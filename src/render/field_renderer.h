@@ -46,7 +46,9 @@ public:
 
     /// Records one frame: moves the blades of visible patches to `time` [s] (monotone; any step is
     /// safe), culls, draws ground, sky and blades. `slot` < framesInFlight, whose former commands
-    /// have completed. `jitter` [pixels]. `timestamps` may be null.
+    /// have completed. `jitter` [pixels]. `timestamps` may be null; else the caller has begun their
+    /// frame, and the scopes update (which culls as well), ground, blades and sky are measured.
+    /// Nothing is allocated unless the target's size has changed; then the device is waited for.
     void record(VkCommandBuffer commands, const Target& target, const Camera& camera,
                 const FrameSettings& settings, double time, std::uint32_t slot = 0,
                 gpu::Timestamps* timestamps = nullptr, glm::vec2 jitter = glm::vec2(0.0f));
