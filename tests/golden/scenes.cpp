@@ -4,35 +4,43 @@ namespace sward::golden {
 
 const std::vector<Scene>& scenes()
 {
-    // At most 10 000 blades each: lavapipe draws them on the CPU.
+    // At most 10 000 blades each: lavapipe draws them on the CPU. They are larger than in life, so
+    // that so few cover the ground and are wider than a pixel.
     static const std::vector<Scene> all{
         // Grass that stands on a surface's own normal, whichever way that points.
-        {"sphere", {"sphere", "--count", "8000"}, {"--camera", "fit"}},
-        {"hills", {"hills", "--count", "10000"}, {"--camera", "fit"}},
-        {"hills_eye", {"hills", "--count", "10000"}, {"--camera", "eye"}},
-        {"arch", {"arch", "--count", "8000"}, {"--camera", "fit"}},
+        {"sphere", {"sphere", "--count", "8000", "--blade-scale", "4"}, {"--camera", "fit"}},
+        {"hills", {"hills", "--count", "10000", "--blade-scale", "6"}, {"--camera", "fit"}},
+        {"hills_eye", {"hills", "--count", "10000", "--blade-scale", "4"}, {"--camera", "eye"}},
+        {"arch", {"arch", "--count", "8000", "--blade-scale", "4"}, {"--camera", "fit"}},
         {"arch_from_below",
-         {"arch", "--count", "8000"},
+         {"arch", "--count", "8000", "--blade-scale", "2"},
          {"--camera", "CAMERAS/arch_from_below.json"}},
-        {"landscape", {"MESHES/landscape.glb", "--count", "10000"}, {"--camera", "fit"}},
+
+        // A terrain that another program made: textures, several nodes, a painted mask.
+        {"landscape",
+         {"MESHES/landscape.glb", "--count", "10000", "--blade-scale", "6", "--mask",
+          "vertex-color:R"},
+         {"--camera", "fit"}},
 
         // The wind: the same field at rest and a second later.
         {"wind_frame_0",
-         {"plane", "--count", "3000"},
+         {"plane", "--count", "5000", "--blade-scale", "4"},
          {"--camera", "edge", "--wind-strength", "6", "--frames", "0:0"}},
         {"wind_frame_60",
-         {"plane", "--count", "3000"},
+         {"plane", "--count", "5000", "--blade-scale", "4"},
          {"--camera", "edge", "--wind-strength", "6", "--frames", "60:60"}},
 
         // No blade at all: ground and sky alone.
         {"empty", {"plane", "--slope", "45:90", "--density", "10"}, {"--camera", "fit"}},
 
         // Blades left out and widened far away, and all of them.
-        {"thinned", {"dunes", "--count", "10000"}, {"--camera", "eye", "--lod", "on"}},
-        {"not_thinned", {"dunes", "--count", "10000"}, {"--camera", "eye", "--lod", "off"}},
+        {"thinned", {"dunes", "--count", "10000"}, {"--camera", "edge", "--lod", "on"}},
+        {"not_thinned", {"dunes", "--count", "10000"}, {"--camera", "edge", "--lod", "off"}},
 
         // What the debugging colours show.
-        {"debug_patches", {"hills", "--count", "5000"}, {"--camera", "fit", "--debug", "patches"}},
+        {"debug_patches",
+         {"hills", "--count", "8000", "--blade-scale", "6"},
+         {"--camera", "fit", "--debug", "patches"}},
     };
     return all;
 }

@@ -30,6 +30,11 @@ class Display:
 
     def __init__(self):
         self.folder = Path(tempfile.mkdtemp(prefix="sward-display-"))
+        # Two servers that start at once may choose the same number; the one that loses ends.
+        self.name = wait_until(self.start, "an X server starts")
+
+    def start(self):
+        """Starts the server; returns its name, or nothing if it ended at once."""
         read_end, write_end = os.pipe()
         self.server = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write_end), "-screen", "0",
@@ -37,7 +42,10 @@ class Display:
             pass_fds=[write_end], stderr=subprocess.DEVNULL)
         os.close(write_end)
         with os.fdopen(read_end) as answer:
-            self.name = ":" + answer.readline().strip()
+            number = answer.readline().strip()
+        if not number:
+            self.server.wait()
+        return number and ":" + number
 
     def close(self):
         self.server.terminate()
@@ -50,11 +58,9 @@ class Display:
         return done.stdout.strip() if done.returncode == 0 else ""
 
     def find(self, title):
-        """The window whose title begins so, once it is visible."""
-        windows = wait_until(
-            lambda: self.xdotool("search", "--onlyvisible", "--name", "^" + title).split(),
-            f"a window called {title} is there")
-        return Window(self, windows[0])
+        """The visible window whose title begins so; nothing if there is none."""
+        windows = self.xdotool("search", "--onlyvisible", "--name", "^" + title).split()
+        return Window(self, windows[0]) if windows else None
 
     def picture(self, left, top, width, height):
         """Rows of (blue, green, red) as they are on the screen now."""

@@ -24,7 +24,8 @@ class WindowTest(unittest.TestCase):
         cls.addClassCleanup(folder.cleanup)
         cls.folder = Path(folder.name)
         cls.field = cls.folder / "hills.sward"
-        subprocess.run([SWARD, "bake", "hills", "--count", "2000", "-o", cls.field, "-q"], check=True)
+        subprocess.run([SWARD, "bake", "hills", "--count", "2000", "--blade-scale", "6", "-o",
+                        cls.field, "-q"], check=True)
 
     def setUp(self):
         self.display = Display()
@@ -43,9 +44,13 @@ class WindowTest(unittest.TestCase):
     def open(self, *arguments):
         """Starts the viewer and waits until it draws."""
         viewer = self.start(*(arguments or [self.field]))
-        window = self.display.find("Sward")
-        wait_until(lambda: "blades drawn" in window.title(), "the title tells how much is drawn")
-        return viewer, window
+
+        def drawing():
+            if viewer.poll() is not None:
+                self.fail(f"ended with {viewer.returncode}: {viewer.stderr.read()}")
+            return self.display.find("Sward.*blades drawn")
+
+        return viewer, wait_until(drawing, "the title tells how many blades are drawn")
 
     def stop_time(self, window):
         """Pauses; returns the picture once it stands still."""
@@ -69,7 +74,7 @@ class WindowTest(unittest.TestCase):
         self.assertIn(says, text)
 
     def test_grass_is_seen_and_escape_ends_it(self):
-        viewer, window = self.open()
+        viewer, window = self.open(self.field, "--camera", "eye")
         pixels = [pixel for row in window.picture() for pixel in row]
         green = sum(1 for blue, green, red in pixels if green > red + 10 and green > blue + 10)
         self.assertGreater(green / len(pixels), 0.02, "no grass is to be seen")
@@ -98,7 +103,7 @@ class WindowTest(unittest.TestCase):
         self.assert_ends(viewer)
 
     def test_the_wind_blows_until_time_is_stopped(self):
-        viewer, window = self.open()
+        viewer, window = self.open(self.field, "--camera", "eye", "--wind-strength", "8")
         before = window.picture()
         wait_until(lambda: share_that_differs(before, window.picture()) > 0.01, "blades move")
         self.stop_time(window)
@@ -131,7 +136,7 @@ class WindowTest(unittest.TestCase):
 
     def test_a_mesh_is_baked_first(self):
         mesh = self.folder / "plane.glb"
-        subprocess.run([SWARD, "terrain", "plane", "-o", mesh, "-q"], check=True)
+        subprocess.run([SWARD, "terrain", "plane", "-o", mesh], check=True)
         viewer = self.start(mesh, "--exit-after", "0.5")
         self.assert_ends(viewer, says="growing grass on it first")
 
