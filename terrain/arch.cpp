@@ -41,8 +41,8 @@ GroundMesh makeRock(const ArchSettings& settings)
         for (std::uint32_t j = 0; j < aroundSegments; ++j) {
             const std::uint32_t a = i * aroundSegments + j;
             const std::uint32_t b = i * aroundSegments + (j + 1) % aroundSegments;
-            soup.triangles.emplace_back(a, b, a + aroundSegments);
-            soup.triangles.emplace_back(b, b + aroundSegments, a + aroundSegments);
+            soup.triangles.emplace_back(a, a + aroundSegments, b);
+            soup.triangles.emplace_back(b, a + aroundSegments, b + aroundSegments);
         }
 
     // Close each foot with a fan around its middle.
@@ -57,7 +57,7 @@ GroundMesh makeRock(const ArchSettings& settings)
         for (std::uint32_t j = 0; j < aroundSegments; ++j) {
             const std::uint32_t a = first + j;
             const std::uint32_t b = first + (j + 1) % aroundSegments;
-            soup.triangles.emplace_back(centre, ring == 0 ? b : a, ring == 0 ? a : b);
+            soup.triangles.emplace_back(centre, ring == 0 ? a : b, ring == 0 ? b : a);
         }
     }
     GroundMesh rock = settle(std::move(soup), "arch");

@@ -9,18 +9,18 @@
 namespace sward::terrain {
 
 struct HillsSettings {
-    HeightGrid grid;
+    HeightGrid grid{};
     std::uint64_t seed = 1;
     double height = 12.0; ///< [m] heights stay inside ± this
     double width = 16.0;  ///< [m] of the widest hills
-    Octaves octaves;
+    Octaves octaves{};
 };
 
 /// Rolling hills: a fractal heightfield.
 GroundMesh makeHills(const HillsSettings& settings = {});
 
 struct DunesSettings {
-    HeightGrid grid;
+    HeightGrid grid{};
     std::uint64_t seed = 1;
     double height = 2.5;   ///< [m] of a crest above the foot
     double spacing = 12.0; ///< [m] from crest to crest, along x

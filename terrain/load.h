@@ -13,13 +13,13 @@ namespace sward::terrain {
 
 /// How the ground of a file is brought into Sward's world: metres, Y up.
 struct ImportSettings {
-    std::string upAxis = "y";                  ///< axis of the file that points up: x y z -x -y -z
-    std::string units = "m";                   ///< m cm mm ft: what one unit of the file is
-    double scale = 1.0;                        ///< (0, 1e9]; multiplies after the units
-    std::optional<int> scene;                  ///< glTF scene index; else the file's default scene
-    std::vector<std::string> bearingNodes;     ///< globs; if any, only these nodes bear grass
-    std::vector<std::string> bearingMaterials; ///< globs; if any, only these materials bear grass
-    std::vector<std::string> occluderNodes;    ///< globs; these block rays and bear nothing
+    std::string upAxis = "y";                ///< axis of the file that points up: x y z -x -y -z
+    std::string units = "m";                 ///< m cm mm ft: what one unit of the file is
+    double scale = 1.0;                      ///< (0, 1e9]; multiplies after the units
+    std::optional<int> scene{};              ///< glTF scene index; else the file's default scene
+    std::vector<std::string> bearingNodes{}; ///< globs; if any, only these nodes bear grass
+    std::vector<std::string> bearingMaterials{}; ///< globs; if any, only these materials bear grass
+    std::vector<std::string> occluderNodes{};    ///< globs; these block rays and bear nothing
 };
 
 /// Loads ground from `input`: an existing file by its extension (.glb .gltf .obj .ply .stl .off, or

@@ -27,18 +27,18 @@ struct Format {
     bool (*read)(std::istream&, OpenMesh::IO::BaseImporter&, Options&);
 };
 
-template <typename Reader>
+// OpenMesh's readers are globals of its own: a fresh one would stay registered after its end.
+template <auto& reader>
 bool readWith(std::istream& stream, OpenMesh::IO::BaseImporter& importer, Options& options)
 {
-    return Reader().read(stream, importer, options);
+    return reader().read(stream, importer, options);
 }
 
-// The readers that OpenMesh registers are its own globals; these are fresh ones.
 constexpr Format formats[] = {
-    {".obj", scanObj, readWith<OpenMesh::IO::_OBJReader_>},
-    {".ply", scanPly, readWith<OpenMesh::IO::_PLYReader_>},
-    {".off", scanOff, readWith<OpenMesh::IO::_OFFReader_>},
-    {".stl", scanStl, readWith<OpenMesh::IO::_STLReader_>},
+    {".obj", scanObj, readWith<OpenMesh::IO::OBJReader>},
+    {".ply", scanPly, readWith<OpenMesh::IO::PLYReader>},
+    {".off", scanOff, readWith<OpenMesh::IO::OFFReader>},
+    {".stl", scanStl, readWith<OpenMesh::IO::STLReader>},
 };
 
 const Format& formatOf(const std::filesystem::path& path)

@@ -10,28 +10,30 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <vector>
+#include <string>
 
 namespace sward::terrain {
 namespace {
 
-// The least instruction set of any x86-64 CPU: a better one would round other bits.
-constexpr const char* deviceSettings = "isa=sse2,max_isa=sse2";
+// The least instruction set of any x86-64 CPU: a better one would round other bits. Embree also
+// advises to flush denormals (FTZ, DAZ) for speed; that would change the caller's arithmetic and is
+// left alone.
+constexpr const char* deviceSettings = "isa=sse2";
 
 // How far Embree's single-precision distance may be off; whoever lies within is compared in double.
 constexpr double relativeSlack = 1e-5;
 
-void failOnError(void*, RTCError code, const char* message)
+// Called inside Embree, through which nothing may be thrown; whoever builds asks afterwards.
+void keepMessage(void* text, RTCError code, const char* message)
 {
-    // Called inside Embree, so nothing may be thrown through it; construction asks afterwards.
-    (void)code;
-    (void)message;
+    *static_cast<std::string*>(text) =
+        fmt::format("error {}: {}", static_cast<int>(code), message == nullptr ? "" : message);
 }
 
-[[noreturn]] void failEmbree(RTCDevice device, const char* doing)
+void failIf(bool failed, const char* doing, const std::string& trouble)
 {
-    const RTCError code = rtcGetDeviceError(device);
-    fail(ErrorKind::runtime, "Embree: {} failed with error {}", doing, static_cast<int>(code));
+    if (failed || !trouble.empty())
+        fail(ErrorKind::runtime, "Embree: {} failed: {}", doing, trouble);
 }
 
 glm::vec3 roundToFloat(const glm::dvec3& v)
@@ -126,9 +128,9 @@ SurfaceQuery::SurfaceQuery(const GroundMesh& mesh)
     : scene_(std::make_unique<Scene>())
 {
     scene_->device = rtcNewDevice(deviceSettings);
-    if (scene_->device == nullptr)
-        failEmbree(nullptr, "making a device");
-    rtcSetDeviceErrorFunction(scene_->device, failOnError, nullptr);
+    failIf(scene_->device == nullptr, "making a device", "");
+    std::string trouble;
+    rtcSetDeviceErrorFunction(scene_->device, keepMessage, &trouble);
 
     // Copy the mesh into Embree's buffers, which it pads as it needs.
     const RTCGeometry geometry = rtcNewGeometry(scene_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -140,7 +142,7 @@ SurfaceQuery::SurfaceQuery(const GroundMesh& mesh)
                                 sizeof(glm::uvec3), mesh.triangles.size());
     if (positions == nullptr || triangles == nullptr) {
         rtcReleaseGeometry(geometry);
-        failEmbree(scene_->device, "copying the mesh");
+        failIf(true, "making room for the mesh", trouble);
     }
     std::memcpy(positions, mesh.positions.data(), mesh.positions.size() * sizeof(glm::vec3));
     std::memcpy(triangles, mesh.triangles.data(), mesh.triangles.size() * sizeof(glm::uvec3));
@@ -160,9 +162,8 @@ SurfaceQuery::SurfaceQuery(const GroundMesh& mesh)
     rtcAttachGeometry(scene_->scene, geometry);
     rtcReleaseGeometry(geometry);
     rtcCommitScene(scene_->scene);
-    if (rtcGetDeviceError(scene_->device) != RTC_ERROR_NONE)
-        fail(ErrorKind::runtime, "Embree: no scene could be built of {} triangles",
-             mesh.triangles.size());
+    failIf(false, "building a scene", trouble);
+    rtcSetDeviceErrorFunction(scene_->device, nullptr, nullptr);
 }
 
 SurfaceQuery::SurfaceQuery(SurfaceQuery&&) noexcept = default;

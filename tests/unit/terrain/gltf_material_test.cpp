@@ -1,0 +1,139 @@
+#include "unit/terrain/glb_builder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stb/stb_image_write.h>
+
+namespace sward::terrain {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string png(int width, int height, const std::vector<std::uint8_t>& rgba)
+{
+    std::string file;
+    stbi_write_png_to_func(
+        [](void* to, void* bytes, int size) {
+            static_cast<std::string*>(to)->append(static_cast<const char*>(bytes),
+                                                  static_cast<std::size_t>(size));
+        },
+        &file, width, height, 4, rgba.data(), 4 * width);
+    return file;
+}
+
+// A triangle in a material whose image lies in the BIN chunk.
+GlbBuilder texturedGlb(const std::string& image)
+{
+    GlbBuilder builder = triangleGlb();
+    const int view = builder.view(image.data(), image.size());
+    builder.document["images"] = {
+        {{"bufferView", view}, {"mimeType", "image/png"}, {"name", "moss"}}};
+    builder.document["textures"] = {{{"source", 0}}};
+    builder.document["materials"] = {{{"name", "grass"},
+                                      {"doubleSided", true},
+                                      {"pbrMetallicRoughness",
+                                       {{"baseColorFactor", {0.5, 0.25, 0.125, 1.0}},
+                                        {"metallicFactor", 0.0},
+                                        {"roughnessFactor", 0.75},
+                                        {"baseColorTexture", {{"index", 0}}}}}}};
+    builder.document["meshes"][0]["primitives"][0]["material"] = 0;
+    return builder;
+}
+
+TEST(GltfMaterial, ReadsColorRoughnessSidesAndImage)
+{
+    const GroundMesh mesh =
+        loadContent("a.glb", texturedGlb(png(2, 1, {255, 0, 0, 255, 0, 128, 0, 255})).glb());
+    ASSERT_EQ(mesh.materials.size(), 1U);
+    const GroundMaterial& material = mesh.materials[0];
+    EXPECT_EQ(material.name, "grass");
+    EXPECT_TRUE(material.doubleSided);
+    EXPECT_EQ(material.baseColor, glm::vec4(0.5f, 0.25f, 0.125f, 1.0f));
+    EXPECT_EQ(material.roughness, 0.75f);
+    EXPECT_EQ(material.metallic, 0.0f);
+    ASSERT_EQ(material.image, 0U);
+    EXPECT_EQ(mesh.images[0].name, "moss");
+    EXPECT_EQ(mesh.images[0].width, 2U);
+    EXPECT_THAT(mesh.images[0].rgba, ElementsAre(255, 0, 0, 255, 0, 128, 0, 255));
+}
+
+TEST(GltfMaterial, KeepsTheMaterialWhenItsImageCannotBeRead)
+{
+    Diagnostics diagnostics;
+    const GroundMesh mesh =
+        loadContent("a.glb", texturedGlb("RIFFxxxxWEBPVP8 ").glb(), {}, &diagnostics);
+    EXPECT_EQ(mesh.materials[0].name, "grass");
+    EXPECT_EQ(mesh.materials[0].image, GroundMaterial::noImage);
+    EXPECT_THAT(diagnostics.warnings(), ElementsAre(HasSubstr("moss")));
+}
+
+TEST(GltfMaterial, KeepsTheMaterialWhenItsImageIsMissing)
+{
+    nlohmann::json document = nlohmann::json::parse(texturedGlb(png(1, 1, {1, 2, 3, 4})).gltf());
+    document["images"][0] = {{"uri", "not%20here.png"}};
+    Diagnostics diagnostics;
+    const GroundMesh mesh = loadContent("a.gltf", document.dump(), {}, &diagnostics);
+    EXPECT_EQ(mesh.materials[0].image, GroundMaterial::noImage);
+    EXPECT_EQ(diagnostics.warnings().size(), 1U);
+}
+
+TEST(GltfMaterial, ShrinksHugeImagesByBoxes)
+{
+    // Left half black, right half white, 4096 wide: every box of 2 x 2 is of one colour.
+    std::vector<std::uint8_t> rgba(std::size_t(4) * 4096 * 2, 255);
+    for (std::size_t y = 0; y < 2; ++y)
+        for (std::size_t x = 0; x < 2048; ++x)
+            for (std::size_t c = 0; c < 3; ++c)
+                rgba[4 * (y * 4096 + x) + c] = 0;
+    const GroundMesh mesh = loadContent("a.glb", texturedGlb(png(4096, 2, rgba)).glb());
+    ASSERT_EQ(mesh.images[0].width, 2048U);
+    ASSERT_EQ(mesh.images[0].height, 1U);
+    EXPECT_EQ(mesh.images[0].rgba[4 * 1023], 0);
+    EXPECT_EQ(mesh.images[0].rgba[4 * 1024], 255);
+}
+
+TEST(GltfMaterial, NumbersThePrimitivesOfSeveralMaterials)
+{
+    GlbBuilder builder = triangleGlb();
+    builder.document["materials"] = {{{"name", "path"}}, {{"name", "grass"}}};
+    builder.document["meshes"][0]["primitives"][0]["material"] = 1;
+    builder.primitive({{"attributes", {{"POSITION", 0}}}, {"material", 0}});
+    builder.primitive({{"attributes", {{"POSITION", 0}}}});
+    const GroundMesh mesh = loadContent("a.glb", builder.glb());
+    ASSERT_EQ(mesh.materials.size(), 3U);
+    EXPECT_THAT(mesh.materialOf, ElementsAre(1U, 0U, 2U));
+
+    const GroundMesh grassOnly = loadContent("a.glb", builder.glb(), {.bearingMaterials = {"gr*"}});
+    EXPECT_THAT(grassOnly.bears, ElementsAre(1, 0, 0));
+}
+
+TEST(GltfMaterial, AppliesTextureTransforms)
+{
+    GlbBuilder builder = texturedGlb(png(1, 1, {1, 2, 3, 4}));
+    builder.document["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] =
+        builder.floats({0, 0, 1, 0, 0, 1}, "VEC2");
+    builder.document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {
+        {"index", 0},
+        {"extensions",
+         {{"KHR_texture_transform",
+           {{"offset", {0.5, 0.25}}, {"scale", {2, 3}}, {"texCoord", 1}}}}}};
+    const GroundMesh mesh = loadContent("a.glb", builder.glb());
+    EXPECT_EQ(mesh.uvs[0], glm::vec2(0.5f, 0.25f));
+    EXPECT_EQ(mesh.uvs[1], glm::vec2(2.5f, 0.25f));
+    EXPECT_EQ(mesh.uvs[2], glm::vec2(0.5f, 3.25f));
+}
+
+TEST(GltfMaterial, WarnsOfTexturesInOtherFormats)
+{
+    GlbBuilder builder = texturedGlb(png(1, 1, {1, 2, 3, 4}));
+    builder.document["extensionsUsed"] = {"EXT_texture_webp"};
+    builder.document["textures"][0] = {{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}};
+    Diagnostics diagnostics;
+    const GroundMesh mesh = loadContent("a.glb", builder.glb(), {}, &diagnostics);
+    EXPECT_EQ(mesh.materials[0].image, GroundMaterial::noImage);
+    EXPECT_THAT(diagnostics.warnings(), ElementsAre(HasSubstr("EXT_texture_webp")));
+}
+
+} // namespace
+} // namespace sward::terrain

@@ -1,0 +1,104 @@
+#include "core/error.h"
+#include "unit/terrain/glb_builder.h"
+#include "unit/terrain/mesh_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace sward::terrain {
+namespace {
+
+using testing::HasSubstr;
+
+ErrorKind kindOf(const std::string& name, const std::string& content)
+{
+    try {
+        loadContent(name, content);
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr(name));
+        return error.kind();
+    }
+    return ErrorKind::difference;
+}
+
+TEST(MeshDamage, RefusesEveryTruncationThatLosesAFace)
+{
+    for (const CubeFile& file : cubeFiles()) {
+        // An OBJ may end after any line, and a text STL with its last word.
+        if (file.name == "cube.obj")
+            continue;
+        const std::size_t last =
+            file.name == "text.stl" ? file.content.rfind("endsolid") : file.content.size() - 2;
+        for (std::size_t length = 0; length < last; ++length)
+            EXPECT_EQ(kindOf(file.name, file.content.substr(0, length)), ErrorKind::input)
+                << file.name << " cut to " << length;
+    }
+}
+
+TEST(MeshDamage, SurvivesEveryFlippedByte)
+{
+    for (const CubeFile& file : cubeFiles())
+        for (std::size_t at = 0; at < file.content.size(); ++at)
+            for (const unsigned mask : {0x01U, 0x08U, 0x40U, 0x80U}) {
+                std::string damaged = file.content;
+                damaged[at] = static_cast<char>(static_cast<unsigned char>(damaged[at]) ^ mask);
+                kindOf(file.name, damaged);
+            }
+}
+
+TEST(MeshDamage, RefusesCountsThatTheFileCannotHold)
+{
+    EXPECT_EQ(kindOf("a.off", "OFF\n3000000000 1000000000 0\n1 2 3\n"), ErrorKind::input);
+    EXPECT_EQ(kindOf("a.ply",
+                     "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty "
+                     "float x\nproperty float y\nproperty float z\nelement face 1\nproperty list "
+                     "uchar int vertex_indices\nend_header\nabc"),
+              ErrorKind::input);
+    EXPECT_EQ(kindOf("a.ply",
+                     "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
+                     "y\nproperty float z\nelement face 1\nproperty list int int "
+                     "vertex_indices\nend_header\n0 0 0\n2000000000 0 0 0\n"),
+              ErrorKind::input);
+    std::string stl(84, '\xff');
+    EXPECT_EQ(kindOf("a.stl", stl), ErrorKind::input);
+}
+
+TEST(MeshDamage, RefusesNumbersThatAreNone)
+{
+    for (const char* wrong : {"nan", "inf", "-inf", "1e999", "x", ""}) {
+        EXPECT_EQ(kindOf("a.obj", fmt::format("v 0 0 0\nv 0 {} 1\nv 1 0 0\nf 1 2 3\n", wrong)),
+                  ErrorKind::input)
+            << wrong;
+        EXPECT_EQ(
+            kindOf("a.off", fmt::format("OFF\n3 1 0\n0 0 0\n0 {} 1\n1 0 0\n3 0 1 2\n", wrong)),
+            ErrorKind::input)
+            << wrong;
+    }
+}
+
+TEST(MeshDamage, RefusesCornersThatDoNotExist)
+{
+    EXPECT_EQ(kindOf("a.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nf 1 2 4\n"), ErrorKind::input);
+    EXPECT_EQ(kindOf("a.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nf 1 2 0\n"), ErrorKind::input);
+    EXPECT_EQ(kindOf("a.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nf 1 2 99999999999\n"), ErrorKind::input);
+    EXPECT_EQ(kindOf("a.off", "OFF\n3 1 0\n0 0 0\n0 0 1\n1 0 0\n3 0 1 3\n"), ErrorKind::input);
+}
+
+TEST(MeshDamage, SaysThatThereAreNoFaces)
+{
+    EXPECT_EQ(kindOf("a.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\n"), ErrorKind::input);
+    EXPECT_EQ(kindOf("a.obj", "\n"), ErrorKind::input);
+    EXPECT_EQ(kindOf("a.ply",
+                     "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
+                     "y\nproperty float z\nend_header\n0 0 0\n"),
+              ErrorKind::input);
+}
+
+TEST(MeshDamage, RefusesVariantsThatAreNotRead)
+{
+    EXPECT_EQ(kindOf("a.off", "OFF BINARY\nabc"), ErrorKind::unsupported);
+    EXPECT_EQ(kindOf("a.off", "4OFF\n3 1 0\n"), ErrorKind::unsupported);
+}
+
+} // namespace
+} // namespace sward::terrain
