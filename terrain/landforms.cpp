@@ -11,7 +11,7 @@ GroundMesh makeHills(const HillsSettings& settings)
         const glm::dvec3 point(x / settings.width, 0.37, z / settings.width);
         return settings.height * fractalNoise(settings.seed, point, settings.octaves);
     });
-    mesh.materials[0] = {.name = "soil", .baseColor = glm::vec4(0.16f, 0.17f, 0.07f, 1.0f)};
+    mesh.materials[0] = {.name = "soil", .baseColor = glm::vec4(0.085f, 0.078f, 0.036f, 1.0f)};
     mesh.nodes[0] = "hills";
     return mesh;
 }

@@ -66,6 +66,8 @@ public:
         for (const Element& element : elements_)
             walk(element);
         scan_.isBinary = format_ != Format::text;
+        scan_.cleaned = plainHeader();
+        scan_.cleaned.append(rest_);
         if (!keepPositions_)
             scan_.positions.clear();
         return std::move(scan_);
@@ -108,7 +110,7 @@ private:
                 Element element;
                 element.name = std::string(words.word());
                 const auto count = parseCount(words.word());
-                if (!count)
+                if (element.name.empty() || !count)
                     fail(ErrorKind::input, "{}: line {}: element \"{}\" has no count", place_,
                          cursor.lineNumber(), element.name);
                 element.count = *count;
@@ -151,7 +153,27 @@ private:
         }
         property.type = typeNamed(type, line);
         property.name = std::string(words.word());
+        if (property.name.empty())
+            fail(ErrorKind::input, "{}: line {}: a property without a name", place_, line);
         elements_.back().properties.push_back(std::move(property));
+    }
+
+    // The header in the words of the format alone; OpenMesh's reader never ends on some others.
+    std::string plainHeader() const
+    {
+        const char* const name = format_ == Format::text           ? "ascii"
+                                 : format_ == Format::littleEndian ? "binary_little_endian"
+                                                                   : "binary_big_endian";
+        std::string header = fmt::format("ply\nformat {} 1.0\n", name);
+        for (const Element& element : elements_) {
+            header += fmt::format("element {} {}\n", element.name, element.count);
+            for (const Property& property : element.properties)
+                header += property.length
+                              ? fmt::format("property list {} {} {}\n", property.length->name,
+                                            property.type.name, property.name)
+                              : fmt::format("property {} {}\n", property.type.name, property.name);
+        }
+        return header + "end_header\n";
     }
 
     [[noreturn]] void failTruncated(const Element& element, std::size_t index) const

@@ -74,7 +74,7 @@ TEST(GradientNoise, HasTheSameBitsEverywhere)
         values.push_back(fractalNoise(1, randomPoint(i), {}));
         values.push_back(ridgedNoise(1, randomPoint(i), {}));
     }
-    EXPECT_EQ(XXH3_64bits(values.data(), values.size() * sizeof(double)), 0ULL);
+    EXPECT_EQ(XXH3_64bits(values.data(), values.size() * sizeof(double)), 0x08093c7c344da95eULL);
 }
 
 } // namespace
