@@ -24,11 +24,11 @@ struct GroundMaterial {
     static constexpr std::uint32_t noImage = 0xffffffffU;
 
     std::string name;
-    glm::vec4 baseColor{0.5f, 0.5f, 0.5f, 1.0f}; ///< linear, multiplies the image
-    float roughness = 1.0f;                      ///< [0, 1]
-    float metallic = 0.0f;                       ///< [0, 1]
-    std::uint32_t image = noImage;               ///< base colour image
-    bool doubleSided = false;                    ///< the back is drawn too
+    glm::vec4 baseColor{0.085f, 0.078f, 0.036f, 1.0f}; ///< linear, multiplies the image; earth
+    float roughness = 1.0f;                            ///< [0, 1]
+    float metallic = 0.0f;                             ///< [0, 1]
+    std::uint32_t image = noImage;                     ///< base colour image
+    bool doubleSided = false;                          ///< the back is drawn too
 };
 
 /// What ground is: an indexed triangle soup in world space, Y up, metres. It need not be manifold,

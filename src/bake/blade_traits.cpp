@@ -135,7 +135,7 @@ shared::Blade growBlade(const RootSample& root, const terrain::GroundMesh& groun
         within(species.stiffness, dice.blended(Dimension::stiffness, 0.5 * species.clumping)));
     blade.exposure = root.exposure;
     blade.species = slot;
-    blade.tint = groundColor(ground, root);
+    blade.tint = groundColor(ground, root, !settings.masks.empty());
     blade.clump = dice.clumpNumber();
     blade.hash = dice.hash();
     return blade;

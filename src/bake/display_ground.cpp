@@ -28,17 +28,32 @@ shared::GroundMaterial displayMaterial(const terrain::GroundMaterial& material)
 
 } // namespace
 
+bool showsVertexColors(const terrain::GroundMesh& ground, std::uint32_t material,
+                       bool colorsAreMask)
+{
+    return ground.hasColors && !colorsAreMask &&
+           ground.materials[material].image == terrain::GroundMaterial::noImage;
+}
+
 field::DisplayGround displayGround(const terrain::GroundMesh& ground, bool colorsAreMask)
 {
     field::DisplayGround shown;
-    const bool showsColors = ground.hasColors && !colorsAreMask;
     shown.vertices.resize(ground.positions.size());
     for (std::size_t v = 0; v < ground.positions.size(); ++v) {
         shared::GroundVertex& vertex = shown.vertices[v];
         vertex.position = ground.positions[v];
         vertex.normal = shared::encodeNormal32(ground.normals[v]);
         vertex.uv = ground.uvs[v];
-        vertex.color = showsColors ? packColor(ground.colors[v]) : 0xffffffffU;
+        vertex.color = 0xffffffffU;
+    }
+
+    for (std::size_t t = 0; t < ground.triangles.size(); ++t) {
+        if (!showsVertexColors(ground, ground.materialOf[t], colorsAreMask))
+            continue;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t v = ground.triangles[t][corner];
+            shown.vertices[v].color = packColor(ground.colors[v]);
+        }
     }
 
     // Group the triangles by material, in the order of the mesh.

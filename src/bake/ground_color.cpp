@@ -1,5 +1,7 @@
 #include "bake/ground_color.h"
 
+#include "bake/display_ground.h"
+
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 
@@ -38,18 +40,23 @@ glm::vec3 imageColor(const terrain::GroundImage& image, glm::vec2 uv)
 
 } // namespace
 
-glm::vec3 groundColor(const terrain::GroundMesh& ground, const RootSample& root)
+glm::vec3 groundColor(const terrain::GroundMesh& ground, const RootSample& root, bool colorsAreMask)
 {
     const terrain::GroundMaterial& material =
         ground.materials[ground.materialOf[root.key.triangle]];
     glm::vec3 color(material.baseColor.x, material.baseColor.y, material.baseColor.z);
+    const glm::uvec3 corners = ground.triangles[root.key.triangle];
+    const float b = root.barycentric.x;
+    const float c = root.barycentric.y;
     if (material.image != terrain::GroundMaterial::noImage) {
-        const glm::uvec3 corners = ground.triangles[root.key.triangle];
-        const float b = root.barycentric.x;
-        const float c = root.barycentric.y;
         const glm::vec2 uv = (1.0f - b - c) * ground.uvs[corners.x] + b * ground.uvs[corners.y] +
                              c * ground.uvs[corners.z];
         color *= imageColor(ground.images[material.image], uv);
+    }
+    if (showsVertexColors(ground, ground.materialOf[root.key.triangle], colorsAreMask)) {
+        const glm::vec4 vertexColor = (1.0f - b - c) * ground.colors[corners.x] +
+                                      b * ground.colors[corners.y] + c * ground.colors[corners.z];
+        color *= glm::vec3(vertexColor.x, vertexColor.y, vertexColor.z);
     }
     return glm::sqrt(glm::clamp(color, 0.0f, 1.0f));
 }

@@ -10,6 +10,7 @@ namespace sward::bake {
 /// Colour of the ground at a root: its material's image, averaged over nine texels, times the base
 /// colour. As stored in images (sRGB), [0, 1]. The transfer curve is taken as a square, within 0.04
 /// of sRGB's and free of functions that differ between CPUs.
-glm::vec3 groundColor(const terrain::GroundMesh& ground, const RootSample& root);
+glm::vec3 groundColor(const terrain::GroundMesh& ground, const RootSample& root,
+                      bool colorsAreMask);
 
 } // namespace sward::bake

@@ -43,10 +43,10 @@ struct Camera {
 
 /// What a viewer starts with. Directions and attractor are in world space.
 struct Defaults {
-    shared::Wind wind{{0.8f, 0.0f, 0.6f}, 2.2f, 7.0f, 2.6f, 3.5f, 0.6f};
+    shared::Wind wind{{0.8f, 0.0f, 0.6f}, 3.0f, 7.0f, 2.6f, 3.5f, 0.6f};
     glm::vec3 gravityDirection{0.0f, -1.0f, 0.0f};
     glm::dvec3 attractor{0.0};    ///< world [m]
-    float gravityStrength = 2.5f; ///< [1/s] heights per second
+    float gravityStrength = 6.5f; ///< [1/s] heights per second
     float attractorBlend = 0.0f;  ///< [0, 1]
     float recovery = 6.0f;        ///< [1/s]
     float drawDistance = 1e9f;    ///< [m]
