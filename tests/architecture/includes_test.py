@@ -66,17 +66,19 @@ THIRD_PARTY = {
     "intrinsics": ["*intrin.h"],
 }
 
-# Headers that only these files may see, wherever else their library would allow them.
+# Headers that only these files may see, wherever else their library would allow them; neither may
+# another file see them through a header of ours.
 ONLY_IN = {
     "tinygltf": ["terrain/gltf_*", "src/interchange/*"],
-    "openmesh": ["terrain/topology*", "terrain/mesh_import*"],
+    "openmesh": ["terrain/topology*", "terrain/half_edges*", "terrain/mesh_import*",
+                 "terrain/*openmesh*"],
     "embree": ["terrain/surface_query*"],
     "intrinsics": ["terrain/surface_query*"],
     "spdlog": ["src/core/log.cpp"],
 }
 
 # Headers that would double the build if other headers passed them on; these light ones may.
-NOT_IN_HEADERS = {"nlohmann": ["nlohmann/json_fwd.hpp"], "cli11": [], "spdlog": [], "tinygltf": []}
+NOT_IN_HEADERS = {"nlohmann": ["nlohmann/json_fwd.hpp"], "cli11": [], "spdlog": []}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
@@ -90,15 +92,38 @@ def library_of(path):
 def target_of(root, kind, header):
     """What an include means: one of our libraries, a third party, "std", or None if unknown."""
     if kind == '"':
-        for base in ("", "src/"):
-            if (root / (base + header)).is_file():
-                return library_of(base + header)
-        return None
+        path = file_of(root, header)
+        return path and library_of(path)
     for name, patterns in THIRD_PARTY.items():
         if any(fnmatch(header, pattern) for pattern in patterns):
             return name
     # The headers of the C++ library have neither folder nor suffix.
     return "std" if re.fullmatch(r"[a-z_0-9]+", header) else None
+
+
+def includes_of(file):
+    """(line, kind, header) of each include of a file."""
+    for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+        if found := INCLUDE.match(line):
+            yield number, *found.groups()
+
+
+def file_of(root, header):
+    """The path of our own header, relative to the root; None if there is none."""
+    return next((base + header for base in ("", "src/") if (root / (base + header)).is_file()), None)
+
+
+def carried_by(root, header, seen=None):
+    """Third parties that our own header passes on, through other headers too."""
+    seen = set() if seen is None else seen
+    path = file_of(root, header)
+    if path is None or path in seen:
+        return set()
+    seen.add(path)
+    carried = set()
+    for _, kind, inner in includes_of(root / path):
+        carried |= carried_by(root, inner, seen) if kind == '"' else {target_of(root, kind, inner)}
+    return carried
 
 
 def complaint(root, path, kind, header):
@@ -109,8 +134,9 @@ def complaint(root, path, kind, header):
         return f"{header} belongs to no known library"
     if target not in ("std", library) and target not in MAY_USE[library].split():
         return f"{library} must not see {target} ({header})"
-    if target in ONLY_IN and not any(fnmatch(path, place) for place in ONLY_IN[target]):
-        return f"only {', '.join(ONLY_IN[target])} may see {target} ({header})"
+    for seen in {target} | (carried_by(root, header) if kind == '"' else set()):
+        if seen in ONLY_IN and not any(fnmatch(path, place) for place in ONLY_IN[seen]):
+            return f"only {', '.join(ONLY_IN[seen])} may see {seen} ({header})"
     if path.endswith(".h") and target in NOT_IN_HEADERS and header not in NOT_IN_HEADERS[target]:
         return f"a header must not pass on {header}"
     return None
@@ -127,11 +153,10 @@ def forbidden_arrows(root):
             if library_of(path) is None:
                 offences.append(f"{path}:1: belongs to no library")
                 continue
-            for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
-                if found := INCLUDE.match(line):
-                    count += 1
-                    if reason := complaint(root, path, *found.groups()):
-                        offences.append(f"{path}:{number}: {reason}")
+            for number, kind, header in includes_of(file):
+                count += 1
+                if reason := complaint(root, path, kind, header):
+                    offences.append(f"{path}:{number}: {reason}")
     return offences, count
 
 
@@ -189,10 +214,13 @@ class PlantedIncludesAreCaught(unittest.TestCase):
             ("src/core/a.cpp", '#include "core/missing.h"', "belongs to no known library"),
             ("shaders/shared/b.h", "#include <fmt/core.h>", "shared must not see fmt"),
             ("src/elsewhere/a.cpp", "#include <vector>", "belongs to no library"),
+            ("terrain/load.cpp", '#include "terrain/gltf_outer.h"', "may see tinygltf"),
         ]
         house = {path: "#pragma once\n" for path in (
             "src/field/field.h", "terrain/mesh.h", "src/render/pass.h", "src/gpu/device.h",
             "src/bake/bake.h")}
+        house["terrain/gltf_inner.h"] = "#pragma once\n#include <tiny_gltf.h>\n"
+        house["terrain/gltf_outer.h"] = '#pragma once\n#include "terrain/gltf_inner.h"\n'
         for path, line, reason in planted:
             with self.subTest(path=path, line=line):
                 offences = self.offences_of({**house, path: "// One line before.\n" + line + "\n"})

@@ -106,13 +106,14 @@ class Compare(CliTest):
         (self.folder / "a.glb").write_bytes(glb_bytes(mesh))
         (self.folder / "b.glb").write_bytes(
             glb_bytes(mesh, node={"rotation": quaternion, "translation": shift}))
-        self.bake("a.glb", *COUNT, to="a.sward")
-        self.bake("b.glb", *COUNT, to="b.sward")
+        self.bake("a.glb", *COUNT, to="level.sward")
+        self.bake("b.glb", *COUNT, to="turned.sward")
         for form in (nested, flat, {"matrix": nested}, {"matrix": flat},
                      {"rotation": quaternion, "translation": shift}):
             with self.subTest(form=form):
                 self.write_json("turn.json", form)
-                self.sward("compare", "a.sward", "b.sward", "--transform", "turn.json")
+                self.sward("compare", "level.sward", "turned.sward", "--transform",
+                           "turn.json")
 
     def test_what_is_not_a_rotation_with_uniform_scale_is_invalid(self):
         zero = [[0, 0, 0]] * 3

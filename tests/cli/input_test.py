@@ -5,7 +5,7 @@ import math
 import unittest
 
 from meshes import Mesh, container, glb_bytes, obj_text, square
-from support import CliTest, DONE, INPUT, IO, ROOT, UNSUPPORTED
+from support import CliTest, DONE, INPUT, IO, ROOT, UNSUPPORTED, USAGE
 
 
 class Input(CliTest):
@@ -86,13 +86,15 @@ class Input(CliTest):
         self.refused_ground("r.json", '{"kind": "sphere", "radios": 3}', INPUT, "radios")
 
     def test_a_meadow_with_an_unknown_key(self):
-        self.write_json("m.json", {"name": "m", "speceis": []})
+        meadow = json.loads((ROOT / "assets/meadows/meadow.json").read_text(encoding="utf-8"))
+        self.write_json("m.json", {**meadow, "speceis": []})
         self.refused("bake", "plane", "-o", "f.sward", "--meadow", "m.json", code=INPUT,
-                     names=["m.json", "speceis"])
+                     names=["m.json", "speceis", "species"])
 
     def test_a_scene_that_does_not_exist(self):
         (self.folder / "m.glb").write_bytes(glb_bytes(square(4.0)))
-        self.refused("bake", "m.glb", "-o", "f.sward", "--scene", "3", code=INPUT, names=["m.glb", "3"])
+        self.refused("bake", "m.glb", "-o", "f.sward", "--scene", "3", code=USAGE,
+                     names=["m.glb", "scene 3"])
 
     def test_a_count_that_no_ground_can_keep(self):
         # No root has this slope: the field is empty, the count is not reached, and the program says so.
