@@ -2,6 +2,7 @@
 
 #include "core/random.h"
 #include "terrain/quiet_openmesh.h"
+#include "terrain/vertex_fans.h"
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 
@@ -243,46 +244,10 @@ private:
             std::vector<std::uint32_t> fan;
             for (auto entry = first; entry != last; ++entry)
                 fan.push_back(entry->second);
-            if (countFans(fan, first->first) > 1)
+            if (countFans(fan, first->first, triangles_, result_.neighbours) > 1)
                 ++result_.splitVertexCount;
             first = last;
         }
-    }
-
-    // `fan` is sorted.
-    std::size_t countFans(const std::vector<std::uint32_t>& fan, std::uint32_t vertex) const
-    {
-        const auto placeOf = [&](std::uint32_t triangle) {
-            return static_cast<std::size_t>(std::lower_bound(fan.begin(), fan.end(), triangle) -
-                                            fan.begin());
-        };
-        std::vector<bool> seen(fan.size(), false);
-        std::size_t fans = 0;
-        // Neighbourhood at a crowded edge is a star, not a ring: go both ways.
-        std::vector<std::vector<std::size_t>> links(fan.size());
-        for (std::size_t i = 0; i < fan.size(); ++i)
-            for (std::uint32_t e = 0; e < 3; ++e) {
-                const glm::uvec3 t = triangles_[fan[i]];
-                const std::uint32_t other = result_.neighbours[fan[i]][e];
-                if (other == Adjacency::none || (t[e] != vertex && t[(e + 1) % 3] != vertex))
-                    continue;
-                links[i].push_back(placeOf(other));
-                links[placeOf(other)].push_back(i);
-            }
-        for (std::size_t i = 0; i < fan.size(); ++i) {
-            if (!seen[i])
-                ++fans;
-            std::vector<std::size_t> next = {i};
-            while (!next.empty()) {
-                const std::size_t at = next.back();
-                next.pop_back();
-                if (seen[at])
-                    continue;
-                seen[at] = true;
-                next.insert(next.end(), links[at].begin(), links[at].end());
-            }
-        }
-        return fans;
     }
 
     void copyToRepeated()

@@ -1,8 +1,10 @@
 #include "support/meshes.h"
+#include "terrain/landforms.h"
 #include "terrain/soup.h"
 #include "terrain/topology.h"
 
 #include <glm/geometric.hpp>
+#include <tbb/global_control.h>
 #include <gtest/gtest.h>
 
 namespace sward::terrain {
@@ -69,6 +71,21 @@ TEST(ComputeNormals, IsUnitEverywhereOnABookAndAMoebiusStrip)
                 EXPECT_NEAR(glm::length(normal), 1.0, 1e-6);
                 EXPECT_GT(glm::dot(normal, mesh.faceNormal(i)), 0.7);
             }
+}
+
+TEST(ComputeNormals, HasTheSameBitsForAnyNumberOfThreads)
+{
+    std::vector<GroundMesh> results;
+    for (const std::size_t threads : {1U, 2U, 7U}) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        GroundMesh mesh = makeArch();
+        computeNormals(mesh, analyse(mesh));
+        results.push_back(std::move(mesh));
+    }
+    for (const GroundMesh& other : results) {
+        EXPECT_EQ(other.normals, results[0].normals);
+        EXPECT_EQ(other.triangles, results[0].triangles);
+    }
 }
 
 TEST(ComputeNormals, TurnsWithTheMesh)
