@@ -54,7 +54,7 @@ class Input(CliTest):
         points = Mesh([(0, 0, 0), (1, 0, 0), (0, 0, 1)], [])
         document = {"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]}]}
         self.refused_ground("points.glb", glb_bytes(points, document=document), INPUT, "triangle")
-        self.refused_ground("empty.obj", "v 0 0 0\nv 1 0 0\n", INPUT, "triangle")
+        self.refused_ground("empty.obj", "v 0 0 0\nv 1 0 0\n", INPUT, "no faces")
         self.refused_ground("nothing.glb", container(json.dumps({"asset": {"version": "2.0"}}).encode(),
                                                      b""), INPUT)
 
