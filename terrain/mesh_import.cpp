@@ -56,7 +56,9 @@ const Format& formatOf(const std::filesystem::path& path)
 // Puts the positions that were read in double precision in the place of the reader's.
 void refine(Soup& soup, std::vector<glm::dvec3>&& positions, const std::string& place)
 {
-    // Copies made for texture coordinates lie behind the vertices of the file.
+    if (positions.size() != soup.positions.size())
+        fail(ErrorKind::input, "{}: {} of {} vertices could be read", place, soup.positions.size(),
+             positions.size());
     for (std::size_t i = 0; i < positions.size(); ++i) {
         const glm::dvec3& own = positions[i];
         for (std::size_t axis = 0; axis < 3; ++axis)

@@ -27,6 +27,14 @@ std::uint32_t indexOf(std::vector<std::string>& names, const std::string& name)
     return static_cast<std::uint32_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
+std::size_t countWords(TextCursor words)
+{
+    std::size_t count = 0;
+    while (!words.word().empty())
+        ++count;
+    return count;
+}
+
 glm::dvec3 readPosition(TextCursor& words, std::size_t lineNumber, const std::string& place)
 {
     glm::dvec3 position(0.0);
@@ -56,6 +64,9 @@ MeshScan scanObj(std::string_view file, const std::string& place)
         if (keyword == "v") {
             scan.positions.push_back(readPosition(words, cursor.lineNumber(), place));
         } else if (keyword == "f") {
+            // Lines and points that somebody wrote as faces.
+            if (countWords(words) < 3)
+                continue;
             if (scan.materials.empty())
                 material = indexOf(scan.materials, "ground");
             if (scan.nodes.empty())

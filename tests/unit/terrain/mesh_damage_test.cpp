@@ -94,6 +94,17 @@ TEST(MeshDamage, SaysThatThereAreNoFaces)
               ErrorKind::input);
 }
 
+TEST(MeshDamage, RefusesAPlyWithTwoKindsOfVertices)
+{
+    const std::string vertices =
+        "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+    EXPECT_EQ(
+        kindOf("a.ply", "ply\nformat ascii 1.0\n" + vertices + vertices +
+                            "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                            "0 0 0\n0 0 1\n1 0 0\n0 0 0\n0 0 1\n1 0 0\n3 0 1 2\n"),
+        ErrorKind::input);
+}
+
 TEST(MeshDamage, RefusesVariantsThatAreNotRead)
 {
     EXPECT_EQ(kindOf("a.off", "OFF BINARY\nabc"), ErrorKind::unsupported);

@@ -122,6 +122,27 @@ TEST(MeshImport, KeepsColorsNormalsAndTextureCoordinates)
     EXPECT_EQ(mesh.uvs[0], glm::vec2(0.25f, 0.25f));
 }
 
+TEST(MeshImport, PassesOverWhatGroundDoesNotNeedOfAPly)
+{
+    const std::string ply =
+        "ply\r\nformat ascii 1.0\r\ncomment as other programs write it\r\nobj_info one\r\n"
+        "element camera 1\r\nproperty float fov\r\nelement vertex 3\r\nproperty float x\r\n"
+        "property float quality\r\nproperty float y\r\nproperty float z\r\nelement face 1\r\n"
+        "property uchar flags\r\nproperty list uchar int vertex_index\r\nproperty list uchar float "
+        "texcoord\r\nelement edge 1\r\nproperty int vertex1\r\nend_header\r\n0.9\r\n0 7 0 0\r\n"
+        "0 7 0 1\r\n1 7 0 0\r\n7 3 0 1 2 6 0 0 0 1 1 0\r\n5\r\n";
+    const GroundMesh mesh = loadContent("a.ply", ply);
+    EXPECT_THAT(mesh.triangles, ElementsAre(glm::uvec3(0, 1, 2)));
+    EXPECT_DOUBLE_EQ(mesh.area(0), 0.5);
+}
+
+TEST(MeshImport, LeavesOutFacesOfTwoCorners)
+{
+    EXPECT_EQ(
+        loadContent("a.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nl 1 2\nf 1 2\nf 1 2 3\n").triangles.size(),
+        1U);
+}
+
 TEST(MeshImport, SplitsAVertexWhoseCornersHaveOtherTextureCoordinates)
 {
     const GroundMesh mesh = loadContent(
