@@ -5,6 +5,8 @@
 #include "terrain/gltf_json.h"
 #include "terrain/gltf_layout.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <string_view>
 #include <vector>

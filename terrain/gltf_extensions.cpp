@@ -3,6 +3,7 @@
 #include "terrain/gltf_json.h"
 
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,7 @@
 #include "terrain/gltf_json.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 namespace sward::terrain {

@@ -1,5 +1,7 @@
 #include "terrain/gltf_layout.h"
 
+#include <nlohmann/json.hpp>
+
 #include <string_view>
 
 namespace sward::terrain {

@@ -22,6 +22,12 @@ constexpr std::uint64_t candidatesPerBlock = 16384;
 // Bins of priority in which rejections are counted.
 constexpr std::size_t priorityBins = 512;
 
+// Candidates that are tried to learn which share is kept, and at most for a count. Ground that
+// keeps fewer than one in a million of its candidates is not worth more.
+constexpr double fewTrials = 1e5;
+constexpr double manyTrials = 4e6;
+constexpr double mostTrials = 1e8;
+
 // A candidate's number has 31 bits on each side.
 constexpr double mostCandidates = 2147483647.0;
 
@@ -240,16 +246,20 @@ Sampling SurfaceSampler::sampleCount(std::uint64_t count, Progress& progress) co
     if (count == 0 || area_ <= 0.0)
         return result;
 
-    // Learn from a small sample which share of candidates is kept.
-    constexpr double trial = 100'000.0;
-    const Sampling probe = sample(trial / area_, progress);
-    const double share = (double(probe.roots.size()) + 1.0) / (double(probe.proposed) + 2.0);
+    // Learn from a small sample which share of candidates is kept; from a larger one if it is
+    // small.
+    Sampling probe = sample(fewTrials / area_, progress);
+    if (probe.roots.empty())
+        probe = sample(manyTrials / area_, progress);
+    if (probe.roots.empty())
+        return probe;
+    const double share = double(probe.roots.size()) / double(probe.proposed);
 
     // Ask for a little more than needed, and for more again should chance be against it.
     double density =
         (double(count) * 1.02 + 6.0 * std::sqrt(double(count)) + 16.0) / (area_ * share);
-    const double densityLimit = (64.0 * double(count) / share + 1e7) / area_;
-    std::vector<Block> blocks = run(density, progress);
+    const double densityLimit = std::max(mostTrials, 4.0 * double(count)) / area_;
+    std::vector<Block> blocks = run(std::min(density, densityLimit), progress);
     const auto kept = [&] {
         std::size_t sum = 0;
         for (const Block& block : blocks)
@@ -258,7 +268,7 @@ Sampling SurfaceSampler::sampleCount(std::uint64_t count, Progress& progress) co
     };
     while (kept() < count && density < densityLimit) {
         density *= 1.5;
-        blocks = run(density, progress);
+        blocks = run(std::min(density, densityLimit), progress);
     }
 
     // The priority of the last root that is taken; ties are decided by the key.

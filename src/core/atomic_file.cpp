@@ -50,7 +50,8 @@ AtomicFile::AtomicFile(std::filesystem::path path, bool overwrite)
 {
     refuseOverwrite(path_, overwrite);
     // The temporary name is in the same folder, so that the rename stays on one file system.
-    std::string name = (folderOf(path_) / ("." + path_.filename().string() + ".XXXXXX")).string();
+    std::string name =
+        fmt::format("{}/.{}.XXXXXX", folderOf(path_).string(), path_.filename().string());
     fd_ = ::mkostemp(name.data(), O_CLOEXEC);
     if (fd_ < 0)
         fail(ErrorKind::io, "{}: cannot create a file beside it: {}", path_.string(),

@@ -27,7 +27,7 @@ namespace {
 
 /// Before its first frame a field has stood in its wind for so long [s] that no blade is still on
 /// its way from the straight pose it was baked in.
-constexpr double settlingTime = 2.0;
+constexpr double settlingTime = 12.0;
 
 /// What each frame in flight has of its own.
 struct Slot {
