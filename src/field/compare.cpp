@@ -142,7 +142,7 @@ Comparison compare(const FieldView& first, const FieldView& second, const glm::d
             ++result.traitsDiffer;
     }
 
-    // See the contract: rounding of areas may cost or gain a blade in ten thousand.
+    // See the contract: a transform changes last bits, and with them a few decisions.
     const double allowed = transform == glm::dmat4(1.0)
                                ? 0.0
                                : 1e-4 * double(std::max(first.blades.size(), second.blades.size()));
@@ -157,7 +157,7 @@ Comparison compare(const FieldView& first, const FieldView& second, const glm::d
         result.reasons.push_back(
             fmt::format("up-vectors differ by up to {:.4g} rad, more than {:.4g}",
                         result.largestUpAngle, upTolerance));
-    if (result.traitsDiffer > 0)
+    if (double(result.traitsDiffer) > allowed)
         result.reasons.push_back(
             fmt::format("{} blades differ in facing, height, width, stiffness or species",
                         result.traitsDiffer));

@@ -44,8 +44,12 @@ enum class Match { order, id };
 
 /// Compares blade by blade, paired by their order in the files or by id. Roots may differ by
 /// `tolerance` [m], measured on the packed roots; up, facing, height, width and stiffness by twice
-/// their packing errors (and the rotation of a facing frame by the error of up). `transform` must
-/// be a rotation with uniform scale.
+/// their packing errors (and the rotation of a facing frame by the error of up). Exposure and tint
+/// come from rays and images and are not compared. `transform` must be a rotation with uniform
+/// scale. Unless it is the identity, one blade in ten thousand may be missing on a side and one may
+/// have other traits: a transform changes the last bits of places and areas, and with them now and
+/// then whether a triangle gets one blade more, or which of two clumps equally far away a blade
+/// belongs to.
 Comparison compare(const FieldView& first, const FieldView& second, const glm::dmat4& transform,
                    Match match, double tolerance);
 
