@@ -5,6 +5,7 @@
 #include "bake/exposure.h"
 #include "bake/patches.h"
 #include "bake/plan.h"
+#include "bake/spatial_order.h"
 #include "bake/surface_sampler.h"
 #include "bake/warnings.h"
 #include "core/error.h"
@@ -116,6 +117,7 @@ public:
     {
         Sampling sampling = settings_.count ? sampler_->sampleCount(*settings_.count, progress_)
                                             : sampler_->sample(density, progress_);
+        sortSpatially(sampling.roots);
         report.timing.sample = watch_.lap();
         return sampling;
     }

@@ -59,7 +59,7 @@ void castExposure(std::vector<RootSample>& roots, const terrain::GroundMesh& gro
                   const terrain::SurfaceQuery& query, Progress& progress)
 {
     progress.begin("rays", roots.size());
-    // Roots lie in the order of triangles, so neighbouring rays meet neighbouring nodes.
+    // Roots lie in spatial order, so neighbouring rays meet neighbouring nodes.
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, roots.size(), 1024),
                       [&](const tbb::blocked_range<std::size_t>& range) {
                           for (std::size_t i = range.begin(); i < range.end(); ++i)

@@ -18,32 +18,61 @@ float reachOf(const shared::Blade& blade)
     return 1.02f * blade.height + 0.55f * blade.width;
 }
 
+// An up-vector is packed with an error e; cos e ≥ 1 − e²/2.
+constexpr float packedUpCosine =
+    1.0f - 0.5f * shared::octahedralMaxError * shared::octahedralMaxError;
+
+// Cosine of the sum of two angles in [0, π] given by their cosines; −1 from π on.
+float cosineOfSum(float a, float b)
+{
+    if (a <= -b)
+        return -1.0f;
+    const float sines = (1.0f - a * a) * (1.0f - b * b);
+    return a * b - std::sqrt(std::max(sines, 0.0f));
+}
+
 } // namespace
 
-void describeSubtree(shared::Patch& patch, const std::vector<shared::Blade>& blades,
-                     std::span<const std::uint32_t> subtree)
+void SubtreeDescription::addOwn(const std::vector<shared::Blade>& blades,
+                                std::span<const std::uint32_t> own)
 {
-    Aabb box;
-    glm::dvec3 sum(0.0);
-    for (const std::uint32_t index : subtree) {
+    for (const std::uint32_t index : own) {
         const shared::Blade& blade = blades[index];
         const glm::vec3 reach(reachOf(blade));
-        box.add(blade.root - reach);
-        box.add(blade.root + reach);
-        sum += glm::dvec3(blade.up);
+        box_.add(blade.root - reach);
+        box_.add(blade.root + reach);
+        sum_ += glm::dvec3(blade.up);
+        parts_.push_back({blade.up, packedUpCosine});
     }
-    patch.boundsLow = box.low;
-    patch.boundsHigh = box.high;
+    count_ += own.size();
+}
 
-    // Axis: the mean up-vector; opening: the one that leans away most.
-    const double length = std::sqrt(glm::dot(sum, sum));
-    const bool hasAxis = length > 1e-6 * double(subtree.size());
-    patch.coneAxis = hasAxis ? glm::vec3(sum / length) : glm::vec3(0.0f, 1.0f, 0.0f);
-    float cosine = 1.0f;
-    for (const std::uint32_t index : subtree)
-        cosine = std::min(cosine, glm::dot(patch.coneAxis, blades[index].up));
-    // Room for the packed up-vectors' error: cos(a + e) ≥ cos a − e.
-    patch.coneCosine = hasAxis ? std::max(cosine - shared::octahedralMaxError, -1.0f) : -1.0f;
+void SubtreeDescription::addChild(const SubtreeDescription& child)
+{
+    box_.add(child.box_);
+    sum_ += child.sum_;
+    count_ += child.count_;
+    parts_.push_back(child.cone_);
+}
+
+void SubtreeDescription::finish(shared::Patch& patch)
+{
+    // Axis: the mean up-vector; opening: the part that leans away most, and some rounding.
+    const double length = std::sqrt(glm::dot(sum_, sum_));
+    if (length > 1e-6 * double(count_)) {
+        cone_.axis = glm::vec3(sum_ / length);
+        float cosine = 1.0f;
+        for (const Cone& part : parts_)
+            cosine = std::min(
+                cosine,
+                cosineOfSum(std::clamp(glm::dot(cone_.axis, part.axis), -1.0f, 1.0f), part.cosine));
+        cone_.cosine = std::max(cosine - 1e-6f, -1.0f);
+    }
+    parts_.clear();
+    patch.boundsLow = box_.low;
+    patch.boundsHigh = box_.high;
+    patch.coneAxis = cone_.axis;
+    patch.coneCosine = cone_.cosine;
 }
 
 void describeOwn(shared::Patch& patch, const std::vector<shared::Blade>& blades,

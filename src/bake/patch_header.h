@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bounds.h"
 #include "shaders/shared/blade.h"
 #include "shaders/shared/patch.h"
 
@@ -9,10 +10,31 @@
 
 namespace sward::bake {
 
-/// Sets what a patch says of the blades of its whole subtree: bounds with the reach of every bent
-/// blade, and the cone of their up-vectors.
-void describeSubtree(shared::Patch& patch, const std::vector<shared::Blade>& blades,
-                     std::span<const std::uint32_t> subtree);
+/// What a patch says of the blades of its whole subtree, gathered from the leaves upwards: bounds
+/// with the reach of every bent blade, and a cone about all up-vectors.
+class SubtreeDescription {
+public:
+    /// Adds blades of the patch's own.
+    void addOwn(const std::vector<shared::Blade>& blades, std::span<const std::uint32_t> own);
+
+    /// Adds a finished child.
+    void addChild(const SubtreeDescription& child);
+
+    /// Settles the cone, once everything has been added, and writes it and the bounds.
+    void finish(shared::Patch& patch);
+
+private:
+    struct Cone {
+        glm::vec3 axis;
+        float cosine;
+    };
+
+    Aabb box_;
+    glm::dvec3 sum_{0.0}; ///< of all up-vectors
+    std::uint64_t count_ = 0;
+    std::vector<Cone> parts_; ///< of own blades (single directions) and children
+    Cone cone_{glm::vec3(0.0f, 1.0f, 0.0f), -1.0f};
+};
 
 /// Sets the steps by which the patch's own blades are quantised.
 void describeOwn(shared::Patch& patch, const std::vector<shared::Blade>& blades,

@@ -34,6 +34,7 @@ using Cell = std::array<std::int64_t, 3>;
 // A cell under construction.
 struct Node {
     shared::Patch patch = {};
+    SubtreeDescription subtree;
     std::vector<std::uint32_t> own;
     std::vector<std::unique_ptr<Node>> children;
 };
@@ -157,19 +158,19 @@ std::unique_ptr<Node> TreeBuilder::buildNode(std::size_t begin, std::size_t end,
                                              float rankLow)
 {
     auto node = std::make_unique<Node>();
-    const std::span<const std::uint32_t> subtree(order_.data() + begin, end - begin);
-    describeSubtree(node->patch, blades_, subtree);
-
     // A cell of at most 32 m keeps some of its blades.
     const std::size_t total = end - begin;
     if (shift <= finestDepth)
         begin += takeOwn(*node, begin, end);
     describeOwn(node->patch, blades_, node->own);
+    node->subtree.addOwn(blades_, node->own);
     node->patch.rankLow = rankLow;
     node->patch.rankHigh =
         begin == end ? 1.0f : rankLow + (1.0f - rankLow) * (float(node->own.size()) / float(total));
-    if (begin == end)
+    if (begin == end) {
+        node->subtree.finish(node->patch);
         return node;
+    }
 
     // The rest goes to the children; in a cell that cannot be divided any more, to one child in the
     // same place.
@@ -193,6 +194,9 @@ std::unique_ptr<Node> TreeBuilder::buildNode(std::size_t begin, std::size_t end,
     // A cell with nothing of its own and one child says nothing that the child does not.
     if (node->own.empty() && node->children.size() == 1)
         return std::move(node->children[0]);
+    for (const std::unique_ptr<Node>& child : node->children)
+        node->subtree.addChild(child->subtree);
+    node->subtree.finish(node->patch);
     return node;
 }
 

@@ -1,0 +1,62 @@
+#include "bake/spatial_order.h"
+
+#include "core/bounds.h"
+
+#include <glm/common.hpp>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+
+namespace sward::bake {
+namespace {
+
+// Cells of the curve on each axis: 21 bits, so that three axes fit into 63.
+constexpr float cellsPerAxis = 2097151.0f;
+
+// Spreads 21 bits so that two zeros follow each.
+std::uint64_t spreadBits(std::uint32_t x)
+{
+    std::uint64_t bits = x;
+    bits = (bits | bits << 32) & 0x001f00000000ffffULL;
+    bits = (bits | bits << 16) & 0x001f0000ff0000ffULL;
+    bits = (bits | bits << 8) & 0x100f00f00f00f00fULL;
+    bits = (bits | bits << 4) & 0x10c30c30c30c30c3ULL;
+    bits = (bits | bits << 2) & 0x1249249249249249ULL;
+    return bits;
+}
+
+struct Entry {
+    std::uint64_t code;
+    std::uint64_t key;
+    std::size_t index;
+};
+
+} // namespace
+
+void sortSpatially(std::vector<RootSample>& roots)
+{
+    Aabb box;
+    for (const RootSample& root : roots)
+        box.add(root.position);
+    const glm::vec3 size = box.size();
+    const float longest = std::max({size.x, size.y, size.z, 1e-30f});
+
+    std::vector<Entry> entries(roots.size());
+    tbb::parallel_for(std::size_t(0), roots.size(), [&](std::size_t i) {
+        const glm::vec3 cell = (roots[i].position - box.low) / longest * cellsPerAxis;
+        entries[i] = {spreadBits(static_cast<std::uint32_t>(cell.x)) |
+                          spreadBits(static_cast<std::uint32_t>(cell.y)) << 1 |
+                          spreadBits(static_cast<std::uint32_t>(cell.z)) << 2,
+                      keyBits(roots[i].key), i};
+    });
+    tbb::parallel_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+        return a.code != b.code ? a.code < b.code : a.key < b.key;
+    });
+    std::vector<RootSample> sorted(roots.size());
+    tbb::parallel_for(std::size_t(0), roots.size(),
+                      [&](std::size_t i) { sorted[i] = roots[entries[i].index]; });
+    roots = std::move(sorted);
+}
+
+} // namespace sward::bake
