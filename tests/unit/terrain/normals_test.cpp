@@ -4,8 +4,8 @@
 #include "terrain/topology.h"
 
 #include <glm/geometric.hpp>
-#include <tbb/global_control.h>
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 namespace sward::terrain {
 namespace {
