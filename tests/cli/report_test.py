@@ -37,6 +37,15 @@ class Report(CliTest):
         for key, inner in contract.items():
             self.assert_keys(value[key], inner, f"{place}.{key}")
 
+    def test_verbosely_it_says_how_the_ground_hangs_together(self):
+        # A book of three pages: one edge of three triangles, a border around each page.
+        (self.folder / "book.obj").write_text(
+            "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n")
+        done = self.sward("bake", "book.obj", "-o", "book.sward", "-v")
+        self.assertIn("5 welded vertices", done.stderr)
+        self.assertIn("6 border edges", done.stderr)
+        self.assertIn("1 non-manifold edges", done.stderr)
+
     def assert_sums(self, report):
         roots = report["roots"]
         self.assertEqual(roots["proposed"], roots["kept"] + sum(roots["rejected"].values()))

@@ -122,6 +122,10 @@ public:
         Diagnostics diagnostics;
         const terrain::GroundMesh ground = loadGround(request, diagnostics);
         const double loading = watch.lap();
+        // Who wants to know how the ground hangs together pays for the answer.
+        if (options_.log.verbose)
+            log::debug("{}", topologyLine(terrain::analyse(ground)));
+        const double connecting = watch.lap();
 
         // Grow, while a bar shows how far it is and a signal may end it.
         ProgressBar bar(options_.log.showBar());
@@ -133,6 +137,7 @@ public:
         // Fill in what only the program knows.
         report.input.path = fmt::format("{}", fmt::join(request.inputs, ", "));
         report.timing.load = loading;
+        report.timing.topology = connecting;
         report.timing.total = total.lap();
         report.peakMemory = peakMemory();
         report.warnings = diagnostics.warnings();

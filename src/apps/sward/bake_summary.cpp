@@ -58,4 +58,15 @@ std::string timingLine(const bake::Report::Timing& timing)
     return line;
 }
 
+std::string topologyLine(const terrain::Topology& topology)
+{
+    return fmt::format(
+        "topology: {} welded vertices, {} components, {} border edges, {} creases, {} "
+        "non-manifold edges, {} non-manifold vertices, {} degenerate and {} duplicate "
+        "triangles",
+        topology.weldedVertices, topology.components, topology.borderEdgeCount,
+        topology.creaseEdgeCount, topology.nonManifoldEdgeCount, topology.nonManifoldVertexCount,
+        topology.degenerateTriangles, topology.duplicateTriangles);
+}
+
 } // namespace sward::apps

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bake/report.h"
+#include "terrain/topology.h"
 
 #include <cstdint>
 #include <string>
@@ -18,5 +19,8 @@ std::string rejectionLine(const bake::Report& report);
 
 /// "load 0.1 s, topology 0.2 s, …"
 std::string timingLine(const bake::Report::Timing& timing);
+
+/// "topology: 1 component, 40 border edges, 0 creases, 3 non-manifold edges, …"
+std::string topologyLine(const terrain::Topology& topology);
 
 } // namespace sward::apps
