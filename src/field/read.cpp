@@ -161,6 +161,8 @@ void Reader::readHeader()
 void Reader::readTable()
 {
     const std::uint64_t tableBytes = header_.chunkCount * sizeof(format::ChunkEntry);
+    if (header_.chunkCount == 0)
+        fail(ErrorKind::input, "{}: no chunks", place_);
     if (sizeof header_ + tableBytes > bytes_.size())
         fail(ErrorKind::input, "{}: the table of {} chunks does not fit into {} bytes", place_,
              header_.chunkCount, bytes_.size());
