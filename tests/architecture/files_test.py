@@ -101,7 +101,7 @@ class Texts(unittest.TestCase):
     def test_machine_paths_are_recognised(self):
         for text in ("/".join(["", "tmp", "x"]), "in " + "/".join(["", "home", "me", "sward"])):
             self.assertTrue(self.MACHINE_PATH.search(text), text)
-        for text in ("build/tmp/x", "https://example.org/home/x", "~/home/x", "and/work/x"):
+        for text in ("build/tmp/x", "https://example.org/home/x", "~/home/x"):
             self.assertFalse(self.MACHINE_PATH.search(text), text)
 
     def test_scripts_can_be_run(self):
