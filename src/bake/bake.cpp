@@ -111,7 +111,6 @@ public:
     }
 
     const Plan& plan() const { return plan_; }
-    const SurfaceSampler& sampler() const { return *sampler_; }
 
     Sampling sample(double density, Report& report)
     {
@@ -233,14 +232,14 @@ Report estimateBake(const terrain::GroundMesh& ground, const BakeSettings& setti
         // Bake a thin field by the same steps …
         BakeSettings thin = settings;
         thin.count.reset();
-        Baker full(ground, settings, diagnostics, progress);
-        full.prepare(report);
-        const double area = full.sampler().area();
+        const double area = SurfaceSampler(ground, settings, nullptr).area();
+        const Plan plan = planBake(area, settings, diagnostics);
+        report.bladeScale = plan.scale;
         if (area <= 0.0)
             return;
-        const double wanted = settings.count ? sampleSize : full.plan().expected;
+        const double wanted = settings.count ? sampleSize : plan.expected;
         thin.density = std::min(wanted, sampleSize) / area;
-        thin.bladeScale = full.plan().scale;
+        thin.bladeScale = plan.scale;
         Baker baker(ground, thin, diagnostics, progress);
         baker.prepare(report);
         Sampling sampling = baker.sample(*thin.density, report);
@@ -249,8 +248,8 @@ Report estimateBake(const terrain::GroundMesh& ground, const BakeSettings& setti
         const double share = std::max(double(sampling.roots.size()), 1.0);
         const double factor = settings.count
                                   ? (sampling.roots.empty() ? 0.0 : double(*settings.count) / share)
-                                  : full.plan().density / *thin.density;
-        report.densityRequested = settings.count ? 0.0 : full.plan().density;
+                                  : plan.density / *thin.density;
+        report.densityRequested = settings.count ? 0.0 : plan.density;
         fillCounts(report, sampling, factor);
         warnAboutRoots(sampling, ground, settings, diagnostics);
         field::Field sample = baker.grow(sampling, report);

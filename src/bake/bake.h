@@ -24,7 +24,7 @@ struct BakeResult {
 BakeResult bakeField(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads,
                      Diagnostics& diagnostics, Progress& progress);
 
-/// What bakeField() would report, from a sample of at most 200 000 candidates: counts and bytes
+/// What bakeField() would report, from a sample of at most 400 000 candidates: counts and bytes
 /// within 5 %.
 Report estimateBake(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads,
                     Diagnostics& diagnostics, Progress& progress);
