@@ -53,6 +53,7 @@ struct GroundMesh {
     std::vector<std::uint32_t> materialOf; ///< index into `materials`
     std::vector<std::uint32_t> nodeOf;     ///< index into `nodes`
     std::vector<std::uint8_t> bears;       ///< 1: may bear grass; 0: blocks rays and is shown only
+    std::vector<std::uint32_t> sourceOf;   ///< number in the whole ground, rising; empty: the same
 
     std::vector<GroundMaterial> materials; ///< at least one
     std::vector<GroundImage> images;
@@ -64,6 +65,12 @@ struct GroundMesh {
         false; ///< every vertex had a usable normal in the file; else topology makes them
 
     Aabb bounds() const;
+
+    /// Number of a triangle in the ground that this one is a part of, or is.
+    std::uint32_t source(std::size_t triangle) const
+    {
+        return sourceOf.empty() ? static_cast<std::uint32_t>(triangle) : sourceOf[triangle];
+    }
 
     /// Area of triangle `index` in double precision [m²].
     double area(std::size_t index) const;

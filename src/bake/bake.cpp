@@ -105,7 +105,8 @@ public:
             query_.emplace(ground_);
         }
         report.timing.rays = watch_.lap();
-        sampler_.emplace(ground_, settings_, query_ ? &*query_ : nullptr);
+        filter_.emplace(ground_, settings_, query_ ? &*query_ : nullptr);
+        sampler_.emplace(ground_, settings_, *filter_);
         plan_ = planBake(sampler_->area(), settings_, diagnostics_);
         report.bladeScale = plan_.scale;
     }
@@ -114,10 +115,11 @@ public:
 
     Sampling sample(double density, Report& report)
     {
-        Sampling sampling = settings_.count ? sampler_->sampleCount(*settings_.count, progress_)
-                                            : sampler_->sample(density, progress_);
-        sortSpatially(sampling.roots);
+        const Amount amount =
+            settings_.count ? sampler_->amountFor(*settings_.count, progress_) : Amount{density};
+        Sampling sampling = sampler_->sample(amount, progress_);
         report.timing.sample = watch_.lap();
+        sortSpatially(ground_, sampling.roots);
         return sampling;
     }
 
@@ -127,22 +129,23 @@ public:
         field::Field field;
         field.origin = ground_.origin;
         field.copyright = ground_.copyright;
+        std::vector<float> exposure;
         if (settings_.exposureRays > 0)
-            castExposure(sampling.roots, ground_, settings_, settings_.rayLength * plan_.scale,
-                         *query_, progress_);
+            exposure = castExposure(sampling.roots, ground_, settings_,
+                                    settings_.rayLength * plan_.scale, *query_, progress_);
         report.timing.rays += watch_.lap();
         const std::vector<shared::Blade> blades =
-            growBlades(sampling.roots, ground_, settings_, plan_.scale, progress_);
+            growBlades(sampling.roots, exposure, ground_, settings_, plan_.scale, progress_);
         report.timing.traits = watch_.lap();
 
-        const PatchTree tree = buildPatches(blades, sampling.roots, ground_.origin, progress_);
+        const PatchTree tree = buildPatches(blades, ground_, sampling.roots, progress_);
         field.patches = tree.patches;
         field.blades.resize(blades.size());
         field.keys.resize(blades.size());
         for (const shared::Patch& patch : field.patches)
             for (std::uint32_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i) {
                 field.blades[i] = shared::packBlade(blades[tree.bladeOrder[i]], patch);
-                field.keys[i] = sampling.roots[tree.bladeOrder[i]].key;
+                field.keys[i] = keyOf(ground_, sampling.roots[tree.bladeOrder[i]]);
             }
         for (const SpeciesTraits& species : settings_.meadow.species)
             field.species.push_back({species.name, species.look});
@@ -160,6 +163,7 @@ private:
     Progress& progress_;
     Stopwatch watch_;
     std::optional<terrain::SurfaceQuery> query_;
+    std::optional<RootFilter> filter_;
     std::optional<SurfaceSampler> sampler_;
     Plan plan_;
 };
@@ -232,7 +236,7 @@ Report estimateBake(const terrain::GroundMesh& ground, const BakeSettings& setti
         // Bake a thin field by the same steps …
         BakeSettings thin = settings;
         thin.count.reset();
-        const double area = SurfaceSampler(ground, settings, nullptr).area();
+        const double area = bearingArea(ground, settings);
         const Plan plan = planBake(area, settings, diagnostics);
         report.bladeScale = plan.scale;
         if (area <= 0.0)

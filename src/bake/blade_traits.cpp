@@ -105,15 +105,15 @@ float facingOf(glm::vec3 up, glm::dvec3 axis)
     return static_cast<float>(angle < 0.0 ? angle + twoPi : angle);
 }
 
-shared::Blade growBlade(const RootSample& root, const terrain::GroundMesh& ground,
+shared::Blade growBlade(const RootSample& root, float exposure, const terrain::GroundMesh& ground,
                         const BakeSettings& settings, double scale, const Clumps& clumps)
 {
     const Clumps::Clump* clump = clumps.nearest(root.position);
-    const Dice dice(settings.seed, root.key, clump);
+    const Dice dice(settings.seed, keyOf(ground, root), clump);
     const std::uint32_t slot = chooseSpecies(settings.meadow, dice);
     const SpeciesTraits& species = settings.meadow.species[slot];
 
-    const glm::uvec3 corners = ground.triangles[root.key.triangle];
+    const glm::uvec3 corners = ground.triangles[root.triangle];
     const glm::dvec3 place = ground.origin + glm::dvec3(root.position);
     const glm::dvec3 up =
         upVector(glm::dvec3(root.normal), settings.groundUp.at(place), settings.align);
@@ -133,7 +133,7 @@ shared::Blade growBlade(const RootSample& root, const terrain::GroundMesh& groun
     blade.width = static_cast<float>(scale * within(species.width, dice.own(Dimension::width)));
     blade.stiffness = static_cast<float>(
         within(species.stiffness, dice.blended(Dimension::stiffness, 0.5 * species.clumping)));
-    blade.exposure = root.exposure;
+    blade.exposure = exposure;
     blade.species = slot;
     blade.tint = groundColor(ground, root, !settings.masks.empty());
     blade.clump = dice.clumpNumber();
@@ -143,7 +143,7 @@ shared::Blade growBlade(const RootSample& root, const terrain::GroundMesh& groun
 
 } // namespace
 
-std::vector<shared::Blade> growBlades(const std::vector<RootSample>& roots,
+std::vector<shared::Blade> growBlades(const Roots& roots, const std::vector<float>& exposure,
                                       const terrain::GroundMesh& ground,
                                       const BakeSettings& settings, double scale,
                                       Progress& progress)
@@ -154,7 +154,8 @@ std::vector<shared::Blade> growBlades(const std::vector<RootSample>& roots,
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, roots.size(), 4096),
                       [&](const tbb::blocked_range<std::size_t>& range) {
                           for (std::size_t i = range.begin(); i < range.end(); ++i)
-                              blades[i] = growBlade(roots[i], ground, settings, scale, clumps);
+                              blades[i] = growBlade(roots[i], exposure.empty() ? 1.0f : exposure[i],
+                                                    ground, settings, scale, clumps);
                           progress.advance(range.size());
                       });
     return blades;

@@ -13,8 +13,8 @@ namespace sward::bake {
 
 /// Gives every root the blade that stands on it: up-vector, facing, size, stiffness, species and
 /// tint, each from the root's own random numbers and those of its clump. `scale` multiplies
-/// lengths.
-std::vector<shared::Blade> growBlades(const std::vector<RootSample>& roots,
+/// lengths; an empty `exposure` is full exposure.
+std::vector<shared::Blade> growBlades(const Roots& roots, const std::vector<float>& exposure,
                                       const terrain::GroundMesh& ground,
                                       const BakeSettings& settings, double scale,
                                       Progress& progress);

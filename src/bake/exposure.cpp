@@ -25,14 +25,15 @@ double exposureOf(const RootSample& root, const terrain::GroundMesh& ground,
                   const BakeSettings& settings, double rayLength,
                   const terrain::SurfaceQuery& query)
 {
-    const glm::uvec3 corners = ground.triangles[root.key.triangle];
+    const glm::uvec3 corners = ground.triangles[root.triangle];
     const glm::dvec3 normal(root.normal);
     const glm::dvec3 tangent = surfaceTangent(normal, glm::dvec3(ground.positions[corners.x]),
                                               glm::dvec3(ground.positions[corners.y]),
                                               glm::dvec3(ground.positions[corners.z]));
     const glm::dvec3 bitangent = glm::cross(normal, tangent);
     const auto random = [&](Dimension dimension) {
-        return uniform(settings.seed, keyBits(root.key), static_cast<std::uint32_t>(dimension));
+        return uniform(settings.seed, keyBits(keyOf(ground, root)),
+                       static_cast<std::uint32_t>(dimension));
     };
     const double turn = twoPi * random(Dimension::rayTurn);
     const double shift = random(Dimension::raySlope);
@@ -54,19 +55,21 @@ double exposureOf(const RootSample& root, const terrain::GroundMesh& ground,
 
 } // namespace
 
-void castExposure(std::vector<RootSample>& roots, const terrain::GroundMesh& ground,
-                  const BakeSettings& settings, double rayLength,
-                  const terrain::SurfaceQuery& query, Progress& progress)
+std::vector<float> castExposure(const Roots& roots, const terrain::GroundMesh& ground,
+                                const BakeSettings& settings, double rayLength,
+                                const terrain::SurfaceQuery& query, Progress& progress)
 {
+    std::vector<float> exposure(roots.size());
     progress.begin("rays", roots.size());
     // Roots lie in spatial order, so neighbouring rays meet neighbouring nodes.
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, roots.size(), 1024),
                       [&](const tbb::blocked_range<std::size_t>& range) {
                           for (std::size_t i = range.begin(); i < range.end(); ++i)
-                              roots[i].exposure = static_cast<float>(
+                              exposure[i] = static_cast<float>(
                                   exposureOf(roots[i], ground, settings, rayLength, query));
                           progress.advance(range.size());
                       });
+    return exposure;
 }
 
 } // namespace sward::bake

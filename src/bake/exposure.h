@@ -10,10 +10,11 @@
 
 namespace sward::bake {
 
-/// Sets each root's exposure: the share of `settings.exposureRays` rays, spread over the hemisphere
-/// about its normal in proportion to the cosine, that meet nothing within `rayLength` [m].
-void castExposure(std::vector<RootSample>& roots, const terrain::GroundMesh& ground,
-                  const BakeSettings& settings, double rayLength,
-                  const terrain::SurfaceQuery& query, Progress& progress);
+/// Each root's exposure in [0, 1]: the share of `settings.exposureRays` rays, spread over the
+/// hemisphere about its normal in proportion to the cosine, that meet nothing within `rayLength`
+/// [m].
+std::vector<float> castExposure(const Roots& roots, const terrain::GroundMesh& ground,
+                                const BakeSettings& settings, double rayLength,
+                                const terrain::SurfaceQuery& query, Progress& progress);
 
 } // namespace sward::bake

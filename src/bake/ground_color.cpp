@@ -42,10 +42,9 @@ glm::vec3 imageColor(const terrain::GroundImage& image, glm::vec2 uv)
 
 glm::vec3 groundColor(const terrain::GroundMesh& ground, const RootSample& root, bool colorsAreMask)
 {
-    const terrain::GroundMaterial& material =
-        ground.materials[ground.materialOf[root.key.triangle]];
+    const terrain::GroundMaterial& material = ground.materials[ground.materialOf[root.triangle]];
     glm::vec3 color(material.baseColor.x, material.baseColor.y, material.baseColor.z);
-    const glm::uvec3 corners = ground.triangles[root.key.triangle];
+    const glm::uvec3 corners = ground.triangles[root.triangle];
     const float b = root.barycentric.x;
     const float c = root.barycentric.y;
     if (material.image != terrain::GroundMaterial::noImage) {
@@ -53,7 +52,7 @@ glm::vec3 groundColor(const terrain::GroundMesh& ground, const RootSample& root,
                              c * ground.uvs[corners.z];
         color *= imageColor(ground.images[material.image], uv);
     }
-    if (showsVertexColors(ground, ground.materialOf[root.key.triangle], colorsAreMask)) {
+    if (showsVertexColors(ground, ground.materialOf[root.triangle], colorsAreMask)) {
         const glm::vec4 vertexColor = (1.0f - b - c) * ground.colors[corners.x] +
                                       b * ground.colors[corners.y] + c * ground.colors[corners.z];
         color *= glm::vec3(vertexColor.x, vertexColor.y, vertexColor.z);

@@ -41,8 +41,8 @@ struct Node {
 
 class TreeBuilder {
 public:
-    TreeBuilder(const std::vector<shared::Blade>& blades, const std::vector<RootSample>& roots,
-                glm::dvec3 origin)
+    TreeBuilder(const std::vector<shared::Blade>& blades, const terrain::GroundMesh& ground,
+                const Roots& roots)
         : blades_(blades)
     {
         // Number of each blade's finest cell in the world.
@@ -50,7 +50,7 @@ public:
         tbb::parallel_for(std::size_t(0), blades.size(), [&](std::size_t i) {
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const double inTile = std::floor(double(blades[i].root[axis]) / finestCell);
-                const double tile = origin[axis] / widestPatch;
+                const double tile = ground.origin[axis] / widestPatch;
                 cells_[i][axis] = (static_cast<std::int64_t>(tile) << finestDepth) +
                                   static_cast<std::int64_t>(inTile);
             }
@@ -61,7 +61,7 @@ public:
         std::iota(order_.begin(), order_.end(), 0U);
         std::vector<std::uint64_t> priority(blades.size());
         for (std::size_t i = 0; i < roots.size(); ++i)
-            priority[i] = mixBits(keyBits(roots[i].key) + 1);
+            priority[i] = mixBits(keyBits(keyOf(ground, roots[i])) + 1);
         tbb::parallel_sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
             return priority[a] != priority[b] ? priority[a] < priority[b] : a < b;
         });
@@ -235,13 +235,13 @@ PatchTree flatten(const Node& root, std::size_t bladeCount)
 
 } // namespace
 
-PatchTree buildPatches(const std::vector<shared::Blade>& blades,
-                       const std::vector<RootSample>& roots, glm::dvec3 origin, Progress& progress)
+PatchTree buildPatches(const std::vector<shared::Blade>& blades, const terrain::GroundMesh& ground,
+                       const Roots& roots, Progress& progress)
 {
     progress.begin("patches", 1);
     if (blades.empty())
         return {};
-    const std::unique_ptr<Node> root = TreeBuilder(blades, roots, origin).build();
+    const std::unique_ptr<Node> root = TreeBuilder(blades, ground, roots).build();
     PatchTree tree = flatten(*root, blades.size());
     progress.advance(1);
     return tree;

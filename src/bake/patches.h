@@ -22,7 +22,7 @@ struct PatchTree {
 /// Groups blades into the cells of an octree fixed in the world (`origin` is a multiple of 32 m).
 /// From the top, a cell of at most 32 m takes up to 256 of its blades, evenly spread, for itself;
 /// what is left goes to its children. Cells with a single child and no blades are left out.
-PatchTree buildPatches(const std::vector<shared::Blade>& blades,
-                       const std::vector<RootSample>& roots, glm::dvec3 origin, Progress& progress);
+PatchTree buildPatches(const std::vector<shared::Blade>& blades, const terrain::GroundMesh& ground,
+                       const Roots& roots, Progress& progress);
 
 } // namespace sward::bake

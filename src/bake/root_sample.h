@@ -1,20 +1,25 @@
 #pragma once
 
+#include "core/uninitialized.h"
 #include "field/field.h"
+#include "terrain/ground_mesh.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace sward::bake {
 
-/// A point of the surface where a blade may stand.
+/// A point of the surface where a blade may stand. Left uninitialised by default: there are
+/// millions of them.
 struct RootSample {
-    field::BladeKey key;
-    glm::vec2 barycentric{0.0f}; ///< weights of the triangle's second and third corner
-    glm::vec3 position{0.0f};    ///< [m] relative to the ground's origin
-    glm::vec3 normal{0.0f};      ///< unit, of the side it grows on
-    float exposure = 1.0f;       ///< [0, 1] share of the sky that its rays reached
+    std::uint32_t triangle;  ///< of the ground at hand, which may be a part of the whole
+    std::uint32_t candidate; ///< number of the try on that triangle, and `backSide`
+    glm::vec2 barycentric;   ///< weights of the triangle's second and third corner
+    glm::vec3 position;      ///< [m] relative to the ground's origin
+    glm::vec3 normal;        ///< unit, of the side it grows on
 };
+
+using Roots = UninitializedVector<RootSample>;
 
 /// Bit of a candidate's number that says: on the back of the triangle.
 inline constexpr std::uint32_t backSide = 0x80000000U;
@@ -22,11 +27,8 @@ inline constexpr std::uint32_t backSide = 0x80000000U;
 /// What a blade's random numbers are for. Each is uniform(seed, keyBits(key), dimension).
 enum class Dimension : std::uint32_t {
     count,
-    u,
-    v,
-    mask,
-    slope,
-    altitude,
+    place,
+    chance,
     priority,
     rayTurn,
     raySlope,
@@ -42,6 +44,12 @@ enum class Dimension : std::uint32_t {
 constexpr std::uint64_t keyBits(field::BladeKey key)
 {
     return std::uint64_t(key.triangle) << 32 | key.candidate;
+}
+
+/// The root's key: it names the triangle by its number in the whole ground.
+inline field::BladeKey keyOf(const terrain::GroundMesh& ground, const RootSample& root)
+{
+    return {ground.source(root.triangle), root.candidate};
 }
 
 } // namespace sward::bake

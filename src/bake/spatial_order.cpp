@@ -34,7 +34,7 @@ struct Entry {
 
 } // namespace
 
-void sortSpatially(std::vector<RootSample>& roots)
+void sortSpatially(const terrain::GroundMesh& ground, Roots& roots)
 {
     Aabb box;
     for (const RootSample& root : roots)
@@ -42,18 +42,18 @@ void sortSpatially(std::vector<RootSample>& roots)
     const glm::vec3 size = box.size();
     const float longest = std::max({size.x, size.y, size.z, 1e-30f});
 
-    std::vector<Entry> entries(roots.size());
+    UninitializedVector<Entry> entries(roots.size());
     tbb::parallel_for(std::size_t(0), roots.size(), [&](std::size_t i) {
         const glm::vec3 cell = (roots[i].position - box.low) / longest * cellsPerAxis;
         entries[i] = {spreadBits(static_cast<std::uint32_t>(cell.x)) |
                           spreadBits(static_cast<std::uint32_t>(cell.y)) << 1 |
                           spreadBits(static_cast<std::uint32_t>(cell.z)) << 2,
-                      keyBits(roots[i].key), i};
+                      keyBits(keyOf(ground, roots[i])), i};
     });
     tbb::parallel_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
         return a.code != b.code ? a.code < b.code : a.key < b.key;
     });
-    std::vector<RootSample> sorted(roots.size());
+    Roots sorted(roots.size());
     tbb::parallel_for(std::size_t(0), roots.size(),
                       [&](std::size_t i) { sorted[i] = roots[entries[i].index]; });
     roots = std::move(sorted);

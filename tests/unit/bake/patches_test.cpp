@@ -119,16 +119,17 @@ TEST(PatchTree, DrawsTheRightNumberForEveryShare)
 TEST(PatchTree, TakesManyBladesInOnePlace)
 {
     std::vector<shared::Blade> blades(5000);
-    std::vector<RootSample> roots(5000);
+    Roots roots(5000);
     for (std::uint32_t i = 0; i < 5000; ++i) {
         blades[i].root = glm::vec3(1.0f, 2.0f, 3.0f);
         blades[i].up = glm::vec3(0, 1, 0);
         blades[i].height = 0.5f;
         blades[i].width = 0.01f;
-        roots[i].key = {0, i};
+        roots[i].triangle = 0;
+        roots[i].candidate = i;
     }
     Progress progress;
-    const PatchTree tree = buildPatches(blades, roots, glm::dvec3(0.0), progress);
+    const PatchTree tree = buildPatches(blades, {}, roots, progress);
     EXPECT_EQ(tree.bladeOrder.size(), 5000U);
     EXPECT_EQ(std::set<std::uint32_t>(tree.bladeOrder.begin(), tree.bladeOrder.end()).size(),
               5000U);

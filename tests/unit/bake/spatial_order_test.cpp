@@ -10,11 +10,17 @@
 namespace sward::bake {
 namespace {
 
-std::vector<RootSample> randomRoots(std::uint32_t count)
+std::uint64_t bitsOf(const RootSample& root)
 {
-    std::vector<RootSample> roots(count);
+    return keyBits({root.triangle, root.candidate});
+}
+
+Roots randomRoots(std::uint32_t count)
+{
+    Roots roots(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        roots[i].key = {i / 7, i % 7};
+        roots[i].triangle = i / 7;
+        roots[i].candidate = i % 7;
         roots[i].position =
             glm::vec3(10.0 * uniform(3, i, 0), uniform(3, i, 1), 10.0 * uniform(3, i, 2));
     }
@@ -23,18 +29,18 @@ std::vector<RootSample> randomRoots(std::uint32_t count)
 
 TEST(SpatialOrder, DoesNotDependOnTheOrderItIsGiven)
 {
-    std::vector<RootSample> roots = randomRoots(5000);
+    Roots roots = randomRoots(5000);
     roots[17].position = roots[4000].position; // two in one place: their keys decide
-    std::vector<RootSample> turned(roots.rbegin(), roots.rend());
-    sortSpatially(roots);
-    sortSpatially(turned);
+    Roots turned(roots.rbegin(), roots.rend());
+    sortSpatially({}, roots);
+    sortSpatially({}, turned);
     for (std::size_t i = 0; i < roots.size(); ++i)
-        ASSERT_EQ(keyBits(roots[i].key), keyBits(turned[i].key)) << i;
+        ASSERT_EQ(bitsOf(roots[i]), bitsOf(turned[i])) << i;
 }
 
 TEST(SpatialOrder, PutsNeighboursTogether)
 {
-    std::vector<RootSample> roots = randomRoots(20'000);
+    Roots roots = randomRoots(20'000);
     const auto meanStep = [&] {
         double sum = 0.0;
         for (std::size_t i = 1; i < roots.size(); ++i)
@@ -42,22 +48,22 @@ TEST(SpatialOrder, PutsNeighboursTogether)
         return sum / double(roots.size());
     };
     const double before = meanStep();
-    sortSpatially(roots);
+    sortSpatially({}, roots);
     EXPECT_LT(meanStep(), 0.1 * before);
 }
 
 TEST(SpatialOrder, TakesNoneOneAndManyInOnePlace)
 {
-    std::vector<RootSample> none;
-    sortSpatially(none);
+    Roots none;
+    sortSpatially({}, none);
     EXPECT_TRUE(none.empty());
-    std::vector<RootSample> same(100);
+    Roots same(100);
     for (std::uint32_t i = 0; i < 100; ++i)
-        same[i].key = {99 - i, 0};
-    sortSpatially(same);
+        same[i] = {99 - i, 0, {}, {}, {}};
+    sortSpatially({}, same);
     EXPECT_TRUE(
         std::is_sorted(same.begin(), same.end(), [](const RootSample& a, const RootSample& b) {
-            return keyBits(a.key) < keyBits(b.key);
+            return bitsOf(a) < bitsOf(b);
         }));
 }
 
