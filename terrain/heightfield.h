@@ -4,7 +4,10 @@
 
 #include <glm/vec2.hpp>
 
+#include <cstdint>
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace sward::terrain {
 
@@ -12,11 +15,24 @@ namespace sward::terrain {
 struct HeightGrid {
     glm::dvec2 extent{40.0};      ///< [m] along x and z
     glm::uvec2 cells{200U, 200U}; ///< along x and z, at least 1
+
+    std::size_t points() const { return (std::size_t(cells.x) + 1) * (std::size_t(cells.y) + 1); }
 };
 
+/// Most points of a grid: 4097 x 4097 fit. Each costs about 90 bytes of ground, and four times that
+/// when rays are asked.
+inline constexpr std::size_t heightPointLimit = 17'000'000;
+
 /// Ground whose height [m] above (x, z) is `height`; two triangles a cell, texture coordinates once
-/// over the whole, normals by central differences of the grid (one-sided at its borders).
+/// over the whole, normals by central differences of the grid (one-sided at its borders). `height`
+/// is called from several threads.
 GroundMesh heightfield(const HeightGrid& grid,
                        const std::function<double(double x, double z)>& height);
+
+/// The same of heights [m] at the grid's points, along x first, from the corner at −x and −z. There
+/// is no ground where a height is NaN, nor in a cell of `holes` that is not 0 (one entry per cell,
+/// in the same order; or empty). Throws Error{input} naming `place` if no triangle is left.
+GroundMesh heightfield(const HeightGrid& grid, const std::vector<double>& heights,
+                       const std::vector<std::uint8_t>& holes, const std::string& place);
 
 } // namespace sward::terrain

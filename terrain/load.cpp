@@ -3,7 +3,9 @@
 #include "core/error.h"
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
+#include "terrain/file_kind.h"
 #include "terrain/gltf_import.h"
+#include "terrain/heightmap.h"
 #include "terrain/mesh_import.h"
 #include "terrain/placement.h"
 #include "terrain/recipe.h"
@@ -17,14 +19,6 @@
 
 namespace sward::terrain {
 namespace {
-
-std::string lowerCase(std::string text)
-{
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z')
-            c = static_cast<char>(c - 'A' + 'a');
-    return text;
-}
 
 // What a generator made lies in metres with Y up; the settings apply to it as to a file.
 GroundMesh place(GroundMesh mesh, const glm::dmat4& worldFromFile, const std::string& name)
@@ -40,7 +34,7 @@ GroundMesh loadFile(const std::filesystem::path& path, const ImportSettings& set
                     const glm::dmat4& worldFromFile, Diagnostics& diagnostics)
 {
     const std::string name = path.string();
-    const std::string extension = lowerCase(path.extension().string());
+    const std::string extension = fileKind(path);
     if (extension == ".glb" || extension == ".gltf")
         return settle(importGltf(path, settings, worldFromFile, diagnostics), name);
     if (settings.scene)
@@ -50,6 +44,8 @@ GroundMesh loadFile(const std::filesystem::path& path, const ImportSettings& set
         transform(soup, worldFromFile);
         return settle(std::move(soup), name);
     }
+    if (isHeightmap(path))
+        return place(importHeightmap(path, settings.heightmap, diagnostics), worldFromFile, name);
     if (extension == ".json") {
         constexpr std::size_t recipeLimit = 1U << 20;
         const std::vector<std::byte> bytes = readFile(path, recipeLimit);
@@ -57,8 +53,14 @@ GroundMesh loadFile(const std::filesystem::path& path, const ImportSettings& set
         return place(makeFromRecipe(text, name, path.parent_path(), diagnostics), worldFromFile,
                      name);
     }
+    if (extension == ".tif" || extension == ".tiff")
+        fail(ErrorKind::unsupported,
+             "{}: TIFF is not read; make a heightmap of it: gdal_translate -ot UInt16 -of PNG "
+             "-scale MIN MAX 0 65535",
+             name);
     fail(ErrorKind::unsupported,
-         "{}: files of kind \"{}\" are not read; read are .glb .gltf .obj .ply .stl .off .json",
+         "{}: files of kind \"{}\" are not read; read are .glb .gltf .obj .ply .stl .off .png .r16 "
+         ".exr .json",
          name, extension);
 }
 
@@ -76,6 +78,15 @@ GroundMesh loadBuiltIn(const std::string& name, const glm::dmat4& worldFromFile,
 }
 
 } // namespace
+
+std::string fileKind(const std::filesystem::path& path)
+{
+    std::string extension = path.extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z')
+            c = static_cast<char>(c - 'A' + 'a');
+    return extension;
+}
 
 GroundMesh load(const std::string& input, const ImportSettings& settings, Diagnostics& diagnostics)
 {

@@ -3,6 +3,8 @@
 #include "core/diagnostics.h"
 #include "terrain/ground_mesh.h"
 
+#include <glm/vec2.hpp>
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -10,6 +12,14 @@
 #include <vector>
 
 namespace sward::terrain {
+
+/// What a heightmap's file does not say; a default comes with a warning. See terrain/README.md.
+struct HeightmapSettings {
+    std::optional<glm::uvec2> size{};   ///< samples along x and z; .r16 cannot do without
+    std::optional<glm::dvec2> extent{}; ///< [m] along x and z; else 1 m from sample to sample
+    std::optional<glm::dvec2> height{}; ///< [m] of a sample of 0 and of a full one
+    std::string holeMask{};             ///< image of any size; where it is black is no ground
+};
 
 /// How the ground of a file is brought into Sward's world: metres, Y up.
 struct ImportSettings {
@@ -20,11 +30,13 @@ struct ImportSettings {
     std::vector<std::string> bearingNodes{}; ///< globs; if any, only these nodes bear grass
     std::vector<std::string> bearingMaterials{}; ///< globs; if any, only these materials bear grass
     std::vector<std::string> occluderNodes{};    ///< globs; these block rays and bear nothing
+    HeightmapSettings heightmap{};
 };
 
-/// Loads ground from `input`: an existing file by its extension (.glb .gltf .obj .ply .stl .off, or
-/// a recipe .json), else a built-in by name (plane sphere hills dunes torus arch). The result is
-/// valid, recentred and has normals. Throws Error{io, input, unsupported}.
+/// Loads ground from `input`: an existing file by its extension (.glb .gltf .obj .ply .stl .off, a
+/// heightmap .png .r16 .exr, or a recipe .json), else a built-in by name (plane sphere hills dunes
+/// torus arch). The result is valid, recentred and has normals. Throws Error{usage} for a setting
+/// that is missing or does not fit, Error{io, input, unsupported}.
 GroundMesh load(const std::string& input, const ImportSettings& settings, Diagnostics& diagnostics);
 
 /// XXH3 over everything of the ground that can change a root (origin, positions, normals, colours,

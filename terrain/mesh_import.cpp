@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/mapped_file.h"
+#include "terrain/file_kind.h"
 #include "terrain/mesh_scan.h"
 #include "terrain/openmesh_soup.h"
 #include "terrain/quiet_openmesh.h"
@@ -43,10 +44,7 @@ constexpr Format formats[] = {
 
 const Format& formatOf(const std::filesystem::path& path)
 {
-    std::string extension = path.extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z')
-            c = static_cast<char>(c - 'A' + 'a');
+    const std::string extension = fileKind(path);
     for (const Format& format : formats)
         if (format.extension == extension)
             return format;

@@ -3,6 +3,8 @@
 #include "core/embedded.h"
 #include "core/error.h"
 #include "core/settings_json.h"
+#include "terrain/height_samples.h"
+#include "terrain/heightmap.h"
 #include "terrain/landforms.h"
 #include "terrain/load.h"
 #include "terrain/primitives.h"
@@ -11,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace sward::embedded {
 std::span<const EmbeddedFile> terrains();
@@ -21,7 +24,11 @@ namespace {
 
 constexpr double longest = 1e6;   // [m]
 constexpr double smallest = 1e-3; // [m]
-constexpr int mostCells = 8192;   // 134 M triangles in a square grid
+constexpr int mostCells = 8192;   // along one side
+
+// Cells of a sphere or torus: what fits into the 4 GB that no input may cost. A grid is built with
+// less (heightPointLimit).
+constexpr std::uint64_t surfaceCellLimit = std::uint64_t(1) << 23;
 
 // Reads the common types of a recipe through a SettingsReader.
 class Recipe {
@@ -56,6 +63,24 @@ public:
         glm::vec2 numbers(cells);
         reader.read("cells", numbers, 1, mostCells);
         cells = glm::uvec2(numbers);
+        requireCells("cells", cells.x, cells.y, heightPointLimit);
+    }
+
+    void requireCells(const char* key, std::uint64_t across, std::uint64_t along,
+                      std::uint64_t limit) const
+    {
+        if ((across + 1) * (along + 1) > limit)
+            fail(ErrorKind::input, "{}: {} x {} cells are more than {}", reader.placeOf(key),
+                 across, along, limit);
+    }
+
+    // A pair of numbers that may be left out.
+    void pair(const char* key, std::optional<glm::dvec2>& value, double low, double high)
+    {
+        glm::dvec2 numbers(0.0);
+        reader.read(key, numbers, low, high);
+        if (reader.has(key))
+            value = numbers;
     }
 
     void octaves(Octaves& value)
@@ -82,6 +107,7 @@ GroundMesh sphere(Recipe& recipe)
     recipe.length("radius", s.radius);
     recipe.count("segments", s.segments, 3);
     recipe.count("rings", s.rings, 2);
+    recipe.requireCells("rings", s.segments, s.rings, surfaceCellLimit);
     recipe.reader.finish();
     if (s.rings % 2 != 0)
         fail(ErrorKind::input, "{}: {} is odd; a sphere needs a ring on its equator",
@@ -96,6 +122,7 @@ GroundMesh torus(Recipe& recipe)
     recipe.length("minor_radius", s.minorRadius);
     recipe.count("major_segments", s.majorSegments, 3);
     recipe.count("minor_segments", s.minorSegments, 3);
+    recipe.requireCells("minor_segments", s.majorSegments, s.minorSegments, surfaceCellLimit);
     recipe.reader.finish();
     if (s.minorRadius >= s.majorRadius)
         fail(ErrorKind::input, "{}: {} is not below the major radius {}",
@@ -160,6 +187,35 @@ GroundMesh mesh(Recipe& recipe, const std::string& place, const std::filesystem:
     return load((folder / file).string(), s, diagnostics);
 }
 
+GroundMesh heightmap(Recipe& recipe, const std::string& place, const std::filesystem::path& folder,
+                     Diagnostics& diagnostics)
+{
+    std::string file;
+    std::string mask;
+    std::optional<glm::dvec2> size;
+    HeightmapSettings s;
+    recipe.reader.read("file", file);
+    recipe.pair("size", size, 2.0, heightmapSideLimit);
+    recipe.pair("extent", s.extent, smallest, longest);
+    recipe.pair("height", s.height, -longest, longest);
+    recipe.reader.read("hole_mask", mask);
+    recipe.reader.finish();
+    if (!isHeightmap(file))
+        fail(ErrorKind::input, "{}: file: \"{}\" is not a heightmap (.png .r16 .exr)", place, file);
+    if (size)
+        s.size = glm::uvec2(*size);
+    if (!mask.empty())
+        s.holeMask = (folder / mask).string();
+    try {
+        return importHeightmap(folder / file, s, diagnostics);
+    } catch (const Error& error) {
+        // What the command line would be blamed for is the recipe's fault here.
+        if (error.kind() == ErrorKind::usage)
+            fail(ErrorKind::input, "{}: {}", place, error.what());
+        throw;
+    }
+}
+
 } // namespace
 
 GroundMesh makeFromRecipe(std::string_view text, const std::string& place,
@@ -184,9 +240,12 @@ GroundMesh makeFromRecipe(std::string_view text, const std::string& place,
         return arch(recipe);
     if (kind == "mesh")
         return mesh(recipe, place, folder, diagnostics);
+    if (kind == "heightmap")
+        return heightmap(recipe, place, folder, diagnostics);
     fail(ErrorKind::input,
-         "{}: kind \"{}\" is not known; known are plane sphere torus hills dunes arch mesh", place,
-         kind);
+         "{}: kind \"{}\" is not known; known are plane sphere torus hills dunes arch mesh "
+         "heightmap",
+         place, kind);
 }
 
 std::string_view builtInRecipe(std::string_view name)

@@ -32,7 +32,7 @@ FOLDERS = {
 MAY_USE = {
     "core": "fmt spdlog nlohmann glm posix",
     "shared": "glm",
-    "terrain": "core fmt glm nlohmann xxhash openmesh embree tinygltf tbb stb intrinsics",
+    "terrain": "core fmt glm nlohmann xxhash openmesh embree tinygltf tbb stb png openexr intrinsics",
     "field": "core shared fmt glm nlohmann xxhash zstd stb",
     "interchange": "core shared field fmt glm nlohmann tinygltf",
     "bake": "core shared terrain field fmt glm nlohmann tbb meshoptimizer",
@@ -59,6 +59,8 @@ THIRD_PARTY = {
     "tinygltf": ["tiny_gltf.h"],
     "tbb": ["tbb/*", "oneapi/tbb/*", "oneapi/tbb.h"],
     "stb": ["stb/*", "stb_*.h"],
+    "png": ["png.h"],
+    "openexr": ["OpenEXR/*"],
     "zstd": ["zstd.h", "zstd_errors.h"],
     "xxhash": ["xxhash.h"],
     "meshoptimizer": ["meshoptimizer.h"],
@@ -73,6 +75,8 @@ ONLY_IN = {
     "openmesh": ["terrain/topology*", "terrain/half_edges*", "terrain/mesh_import*",
                  "terrain/*openmesh*"],
     "embree": ["terrain/surface_query*"],
+    "png": ["terrain/png_heights*"],
+    "openexr": ["terrain/exr_heights*"],
     "intrinsics": ["terrain/surface_query*"],
     "spdlog": ["src/core/log.cpp"],
 }

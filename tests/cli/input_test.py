@@ -2,9 +2,10 @@
 
 import json
 import math
+import struct
 import unittest
 
-from meshes import Mesh, container, glb_bytes, obj_text, square
+from meshes import Mesh, container, glb_bytes, grey_png, obj_text, square
 from support import CliTest, DONE, INPUT, IO, ROOT, UNSUPPORTED, USAGE
 
 
@@ -132,9 +133,59 @@ class Input(CliTest):
         (self.folder / "plane").write_text("not a mesh")
         self.refused("bake", "plane", "-o", "f.sward", code=UNSUPPORTED, names=["plane"])
 
+    def test_a_heightmap_is_ground(self):
+        samples = [(i * 977) % 65536 for i in range(9 * 5)]
+        (self.folder / "m.png").write_bytes(grey_png(9, 5, samples))
+        (self.folder / "m.r16").write_bytes(struct.pack(f"<{len(samples)}H", *samples))
+        placed = ("--extent", "16", "8", "--height", "-3:5", "--count", "500")
+        done = self.sward("bake", "m.png", "-o", "f.sward", *placed)
+        self.assertNotIn("warning", done.stderr)
+        report = self.report("m.png", *placed)
+        self.assertEqual(report["input"]["triangles"], 2 * 8 * 4)
+        low, high = report["input"]["bounds"]
+        self.assertEqual((low[0], high[0], low[2], high[2]), (-8.0, 8.0, -4.0, 4.0))
+        self.assertGreaterEqual(low[1], -3.0)
+        self.assertLessEqual(high[1], 5.0)
+        self.bake("m.r16", "--size", "9x5", *placed, to="r.sward")
+        self.sward("compare", "field.sward", "r.sward")
+
+    def test_a_heightmap_without_its_options(self):
+        (self.folder / "m.r16").write_bytes(b"\0" * 18)
+        self.refused("bake", "m.r16", "-o", "f.sward", code=USAGE, names=["m.r16", "--size"])
+        for bad in ("3", "3x", "x3", "0x9", "3x3x3", "99999999x2"):
+            self.refused("bake", "m.r16", "--size", bad, "-o", "f.sward", code=USAGE, names=["--size"])
+        self.refused("bake", "m.r16", "--size", "32768x32768", "-o", "f.sward", code=USAGE,
+                     names=["--size", "17000000"])
+        self.refused("bake", "m.r16", "--size", "4x3", "-o", "f.sward", code=INPUT,
+                     names=["m.r16", "24 bytes"])
+        for bad in ("5", "5:", "7:1", "a:b"):
+            self.refused("bake", "m.r16", "--size", "3x3", "--height", bad, "-o", "f.sward",
+                         code=USAGE, names=["--height"])
+        self.refused("bake", "m.r16", "--size", "3x3", "--extent", "10", "-o", "f.sward", code=USAGE,
+                     names=["--extent"])
+        self.refused("bake", "m.r16", "--size", "3x3", "--extent", "0", "10", "-o", "f.sward",
+                     code=USAGE, names=["--extent"])
+        self.refused("bake", "m.r16", "--size", "3x3", "--hole-mask", "none.png", "-o", "f.sward",
+                     code=IO, names=["none.png"])
+        done = self.sward("bake", "m.r16", "--size", "3x3", "-o", "f.sward", "--count", "10")
+        self.assertIn("--extent", done.stderr)
+        self.assertIn("--height", done.stderr)
+
+    def test_options_of_heightmaps_without_a_heightmap(self):
+        done = self.sward("bake", "plane", "--extent", "9", "9", "-o", "f.sward", "--count", "10")
+        self.assertIn("warning: --size, --extent", done.stderr)
+
+    def test_a_hole_mask_keeps_grass_away(self):
+        (self.folder / "m.png").write_bytes(grey_png(5, 5, [100] * 25))
+        (self.folder / "holes.png").write_bytes(grey_png(2, 1, [0, 65535]))
+        field = self.bake("m.png", "--extent", "8", "8", "--height", "0:1", "--hole-mask",
+                          "holes.png", "--count", "300")
+        self.assertTrue(all(blade.root[0] >= 0.0 for blade in self.blades(field)))
+
     def test_samples_made_by_others_are_read(self):
         # Nothing of the project lies there; where the folder is, its files must work.
         samples = sorted((ROOT.parent / "shared/samples").glob("**/*.gl[tb]*"))
+        samples += sorted((ROOT.parent / "shared/samples").glob("heightmap*.png"))
         for mesh in [ROOT / "assets/meshes/landscape.glb", *samples]:
             with self.subTest(mesh=mesh.name):
                 self.bake(mesh, "--count", "1000", "--force")

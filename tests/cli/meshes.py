@@ -3,6 +3,7 @@
 import json
 import math
 import struct
+import zlib
 
 
 class Mesh:
@@ -93,6 +94,18 @@ def container(text, binary):
     body = struct.pack("<II", len(text), 0x4E4F534A) + text
     body += struct.pack("<II", len(binary), 0x004E4942) + binary
     return struct.pack("<4sII", b"glTF", 2, 12 + len(body)) + body
+
+
+def grey_png(width, height, samples):
+    """A 16-bit greyscale PNG, samples row by row."""
+    def chunk(kind, content):
+        body = kind + content
+        return struct.pack(">I", len(content)) + body + struct.pack(">I", zlib.crc32(body))
+
+    rows = b"".join(b"\0" + struct.pack(f">{width}H", *samples[j * width:(j + 1) * width])
+                    for j in range(height))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 16, 0, 0, 0, 0))
+            + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
 
 def obj_text(mesh):

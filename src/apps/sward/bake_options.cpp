@@ -10,6 +10,7 @@ namespace {
 
 constexpr int mostThreads = 1024;
 constexpr double largestBladeScale = 1e6;
+constexpr std::uint32_t mostHeightSamples = 32768; // on a side
 
 // The text of an option, or its default; the parsers of the bake say what is wrong with it.
 bake::SoftRange softRange(const char* option, const std::string& text, bake::SoftRange full)
@@ -22,8 +23,8 @@ bake::SoftRange softRange(const char* option, const std::string& text, bake::Sof
 void BakeOptions::add(CLI::App& app)
 {
     app.add_option("INPUT", direct_.inputs,
-                   "Ground: .glb .gltf .obj .ply .stl .off, a recipe .json, or one of plane sphere "
-                   "hills dunes torus arch; several are joined")
+                   "Ground: .glb .gltf .obj .ply .stl .off, a heightmap .png .r16 .exr, a recipe "
+                   ".json, or one of plane sphere hills dunes torus arch; several are joined")
         ->type_name("");
     addGround(app);
     addAmount(app);
@@ -56,6 +57,31 @@ void BakeOptions::addGround(CLI::App& app)
     option("--material", import.bearingMaterials, "GLOB", "Only these materials bear grass");
     option("--occluder", direct_.occluders, "FILE", "Blocks rays, is shown, bears nothing");
     option("--occlude-node", import.occluderNodes, "GLOB", "The same for nodes of the input");
+
+    // What the file of a heightmap does not say.
+    terrain::HeightmapSettings& map = import.heightmap;
+    const auto parsed = [&](const char* name, const char* type, const char* text, auto&& take) {
+        app.add_option_function<std::string>(name, take, text)->type_name(type)->group("Ground");
+    };
+    parsed("--size", "WxH", "Samples of a heightmap; .r16 needs it, images know it",
+           [&map](const std::string& text) {
+               map.size = parseSize("--size", text, mostHeightSamples);
+           });
+    app.add_option_function<std::vector<double>>(
+           "--extent",
+           [&map](const std::vector<double>& sides) { map.extent = {sides.at(0), sides.at(1)}; },
+           "Metres that a heightmap covers along x and z (default 1 m from sample to sample)")
+        ->expected(2)
+        ->type_name("X Z")
+        ->group("Ground");
+    parsed("--height", "MIN:MAX",
+           "Metres of a heightmap's lowest and highest sample value (default 0 to a tenth of the "
+           "longer side; .exr: its samples are metres)",
+           [&map](const std::string& text) {
+               const auto [low, high] = parseRange("--height", text);
+               map.height = {low, high};
+           });
+    option("--hole-mask", map.holeMask, "FILE", "Image over a heightmap; no ground where black");
 }
 
 void BakeOptions::addAmount(CLI::App& app)

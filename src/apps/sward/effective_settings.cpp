@@ -17,6 +17,14 @@ std::string effectiveSettings(const BakeRequest& request)
     ground["node"] = import.bearingNodes;
     ground["material"] = import.bearingMaterials;
     ground["occlude_node"] = import.occluderNodes;
+    const terrain::HeightmapSettings& map = import.heightmap;
+    const auto pair = [](const auto& value) {
+        return value ? nlohmann::ordered_json{value->x, value->y} : nlohmann::ordered_json();
+    };
+    ground["size"] = pair(map.size);
+    ground["extent"] = pair(map.extent);
+    ground["height"] = pair(map.height);
+    ground["hole_mask"] = map.holeMask;
 
     nlohmann::ordered_json all;
     all["ground"] = std::move(ground);

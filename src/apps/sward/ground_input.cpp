@@ -2,6 +2,7 @@
 
 #include "apps/common/interrupt.h"
 #include "core/log.h"
+#include "terrain/heightmap.h"
 
 #include <algorithm>
 
@@ -19,10 +20,22 @@ terrain::GroundMesh loadOne(const std::string& input, const terrain::ImportSetti
     return mesh;
 }
 
+void warnWithoutHeightmap(const BakeRequest& request, Diagnostics& diagnostics)
+{
+    const terrain::HeightmapSettings& map = request.import.heightmap;
+    const auto isMap = [](const std::string& file) { return terrain::isHeightmap(file); };
+    if ((map.size || map.extent || map.height || !map.holeMask.empty()) &&
+        std::none_of(request.inputs.begin(), request.inputs.end(), isMap) &&
+        std::none_of(request.occluders.begin(), request.occluders.end(), isMap))
+        diagnostics.warn("--size, --extent, --height and --hole-mask are ignored: no INPUT is a "
+                         "heightmap (.png .r16 .exr)");
+}
+
 } // namespace
 
 terrain::GroundMesh loadGround(const BakeRequest& request, Diagnostics& diagnostics)
 {
+    warnWithoutHeightmap(request, diagnostics);
     terrain::GroundMesh ground = loadOne(request.inputs.front(), request.import, diagnostics);
     for (std::size_t i = 1; i < request.inputs.size(); ++i)
         terrain::append(ground, loadOne(request.inputs[i], request.import, diagnostics));
