@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
+
 namespace sward::apps {
 namespace {
 
@@ -16,19 +18,26 @@ public:
     {
         app().add_option("FILE", file_, "Field file")->type_name("")->required();
         app().add_flag("--json", json_, "As JSON, for programs");
+        app().add_flag("--histogram", histogram_,
+                       "Also how heights, widths, slopes, distances … are distributed");
     }
 
     int run() const override
     {
         const field::MappedField field = field::readField(file_);
-        writeResult(json_ ? infoJson(file_, field.view(), field.fileBytes()) + "\n"
-                          : infoText(file_, field.view(), field.fileBytes()));
+        std::optional<field::Distributions> all;
+        if (histogram_)
+            all = field::distributionsOf(field.view());
+        const field::Distributions* const shown = all ? &*all : nullptr;
+        writeResult(json_ ? infoJson(file_, field.view(), field.fileBytes(), shown) + "\n"
+                          : infoText(file_, field.view(), field.fileBytes(), shown));
         return 0;
     }
 
 private:
     std::string file_;
     bool json_ = false;
+    bool histogram_ = false;
 };
 
 } // namespace

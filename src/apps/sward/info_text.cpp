@@ -1,6 +1,7 @@
 #include "apps/sward/info_text.h"
 
 #include "apps/sward/bake_summary.h"
+#include "apps/sward/histogram_text.h"
 #include "field/inspect.h"
 
 #include <fmt/format.h>
@@ -60,7 +61,7 @@ ordered_json groundJson(const field::DisplayGround& ground, std::uint64_t triang
 } // namespace
 
 std::string infoText(const std::string& file, const field::FieldView& field,
-                     std::uint64_t fileBytes)
+                     std::uint64_t fileBytes, const field::Distributions* distributions)
 {
     const field::Summary summary = field::summarise(field);
     std::string text = file + "\n";
@@ -89,11 +90,11 @@ std::string infoText(const std::string& file, const field::FieldView& field,
     if (!field.copyright->empty())
         row("copyright", *field.copyright);
     row("provenance", *field.provenance);
-    return text;
+    return distributions == nullptr ? text : text + histogramText(*distributions);
 }
 
 std::string infoJson(const std::string& file, const field::FieldView& field,
-                     std::uint64_t fileBytes)
+                     std::uint64_t fileBytes, const field::Distributions* distributions)
 {
     const field::Summary summary = field::summarise(field);
     ordered_json all;
@@ -130,6 +131,8 @@ std::string infoJson(const std::string& file, const field::FieldView& field,
     // Provenance is JSON already; a text that is not stays a text.
     ordered_json provenance = ordered_json::parse(*field.provenance, nullptr, false);
     all["provenance"] = provenance.is_discarded() ? ordered_json(*field.provenance) : provenance;
+    if (distributions != nullptr)
+        all["histogram"] = histogramJson(*distributions);
     return all.dump(2);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/distributions.h"
 #include "field/field.h"
 
 #include <cstdint>
@@ -7,12 +8,12 @@
 
 namespace sward::apps {
 
-/// What is in a field file of `fileBytes`, for people.
+/// What is in a field file of `fileBytes`, for people; with `distributions` if there are any.
 std::string infoText(const std::string& file, const field::FieldView& field,
-                     std::uint64_t fileBytes);
+                     std::uint64_t fileBytes, const field::Distributions* distributions = nullptr);
 
-/// The same as JSON: lengths in metres, bounds in world space.
+/// The same as JSON: lengths in metres, bounds in world space; distributions under "histogram".
 std::string infoJson(const std::string& file, const field::FieldView& field,
-                     std::uint64_t fileBytes);
+                     std::uint64_t fileBytes, const field::Distributions* distributions = nullptr);
 
 } // namespace sward::apps

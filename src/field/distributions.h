@@ -1,0 +1,68 @@
+#pragma once
+
+#include "field/field.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace sward::field {
+
+/// How often values fall into bars of equal width between two edges.
+class Histogram {
+public:
+    /// `high` > `low`, or all values are the same and go into the first bar.
+    Histogram(double low, double high, std::size_t bars);
+
+    /// Values outside the edges count in the first or last bar.
+    void add(double value);
+
+    double low() const { return low_; }
+    double high() const { return high_; }
+    const std::vector<std::uint64_t>& bars() const { return bars_; }
+    std::uint64_t count() const { return count_; } ///< the sum of the bars
+
+    // Of the values themselves; 0 without any.
+    double least() const { return count_ == 0 ? 0.0 : least_; }
+    double largest() const { return count_ == 0 ? 0.0 : largest_; }
+    double mean() const { return count_ == 0 ? 0.0 : sum_ / double(count_); }
+
+private:
+    double low_;
+    double high_;
+    std::vector<std::uint64_t> bars_;
+    std::uint64_t count_ = 0;
+    double least_ = 0.0;
+    double largest_ = 0.0;
+    double sum_ = 0.0;
+};
+
+/// Roots whose nearest neighbour is looked for, at most.
+inline constexpr std::size_t neighbourSamples = 10000;
+
+/// How a field's blades are distributed.
+struct Distributions {
+    Histogram height;           ///< [m] every blade
+    Histogram width;            ///< [m] every blade
+    Histogram stiffness;        ///< [0, 1] every blade
+    Histogram exposure;         ///< [0, 1] every blade
+    Histogram slope;            ///< [degrees], 0 to 180: up-vector against gravity, every blade
+    Histogram bladesPerPatch;   ///< every patch that owns blades
+    Histogram nearestNeighbour; ///< [m] from up to neighbourSamples roots, spread evenly over the
+                                ///< file, to the nearest of all roots; at least two blades
+    Histogram density;          ///< [1/m²] every occupied cell
+    double cell;                ///< [m] edge of a cell
+};
+
+/// One pass over the blades, and a search for the sampled roots. A cell is a square column along
+/// the axis that the up-vectors in it are nearest to, as far as it is occupied without a gap of an
+/// edge's length; its blades stand on edge² / |cosine| of ground, as far as up-vectors are the
+/// ground's normals. What a border cuts off counts as ground. The edge is the power of two not
+/// below sixteen times the median distance of neighbours: some hundred blades in a full cell.
+Distributions distributionsOf(const FieldView& field);
+
+/// Distance [m] from the root of blade `index` to the nearest other root; nothing if there is none.
+std::optional<double> nearestRootDistance(const FieldView& field, std::size_t index);
+
+} // namespace sward::field
