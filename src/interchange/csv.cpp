@@ -1,12 +1,12 @@
 #include "interchange/csv.h"
 
 #include "core/atomic_file.h"
+#include "interchange/instances.h"
 #include "shaders/shared/blade.h"
 
 #include <fmt/format.h>
 
 #include <iterator>
-#include <vector>
 
 namespace sward::interchange {
 namespace {
@@ -32,19 +32,23 @@ void appendRow(fmt::memory_buffer& text, std::uint64_t id, const glm::dvec3& ori
 
 } // namespace
 
-void writeCsv(const field::FieldView& field, const std::filesystem::path& path, bool overwrite)
+void writeCsv(const field::FieldView& field, const std::filesystem::path& path,
+              const ExportSettings& settings, Progress& progress)
 {
-    AtomicFile file(path, overwrite);
+    AtomicFile file(path, settings.overwrite);
     file.write(header);
-    const std::vector<std::uint32_t> patchOf = field::patchOfBlades(field);
+    progress.begin("export", field.blades.size());
     fmt::memory_buffer text;
-    for (std::size_t i = 0; i < field.blades.size(); ++i) {
-        const shared::Blade blade = shared::unpackBlade(field.blades[i], field.patches[patchOf[i]]);
-        appendRow(text, field::bladeId(field.keys[i]), field.origin, blade, patchOf[i]);
+    for (std::uint32_t p = 0; p < field.patches.size(); ++p) {
+        const shared::Patch& patch = field.patches[p];
+        for (std::size_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i)
+            appendRow(text, idOf(field, i), field.origin,
+                      shared::unpackBlade(field.blades[i], patch), p);
         if (text.size() >= writeSize) {
             file.write(std::string_view(text.data(), text.size()));
             text.clear();
         }
+        progress.advance(patch.bladeCount);
     }
     file.write(std::string_view(text.data(), text.size()));
     file.commit();

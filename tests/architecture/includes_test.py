@@ -34,7 +34,7 @@ MAY_USE = {
     "shared": "glm",
     "terrain": "core fmt glm nlohmann xxhash openmesh embree tinygltf tbb stb png openexr intrinsics",
     "field": "core shared fmt glm nlohmann xxhash zstd stb",
-    "interchange": "core shared field fmt glm nlohmann tinygltf",
+    "interchange": "core shared field fmt glm nlohmann stb",
     "bake": "core shared terrain field fmt glm nlohmann tbb meshoptimizer",
     "gpu": "core fmt glm vulkan",
     "render": "core shared field gpu fmt glm nlohmann vulkan",
@@ -71,7 +71,7 @@ THIRD_PARTY = {
 # Headers that only these files may see, wherever else their library would allow them; neither may
 # another file see them through a header of ours.
 ONLY_IN = {
-    "tinygltf": ["terrain/gltf_*", "src/interchange/*"],
+    "tinygltf": ["terrain/gltf_*"],
     "openmesh": ["terrain/topology*", "terrain/half_edges*", "terrain/mesh_import*",
                  "terrain/*openmesh*"],
     "embree": ["terrain/surface_query*"],

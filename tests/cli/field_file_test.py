@@ -115,8 +115,9 @@ class FieldFile(CliTest):
             self.assertEqual(sum(1 for _ in file), 1000001)
 
     def test_an_unknown_extension_names_those_that_exist(self):
-        for name in ("f.usda", "f", "f.CSV2"):
-            self.refused("export", "field.sward", "-o", name, code=UNSUPPORTED, names=[name, ".csv"])
+        for name in ("f.abc", "f", "f.CSV2"):
+            self.refused("export", "field.sward", "-o", name, code=UNSUPPORTED,
+                         names=[name, ".glb", ".ply", ".usda", ".csv"])
 
     def test_an_existing_export_is_refused(self):
         (self.folder / "f.csv").write_text("precious")

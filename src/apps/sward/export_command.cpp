@@ -1,10 +1,17 @@
+#include "apps/common/interrupt.h"
+#include "apps/common/log_switches.h"
 #include "apps/common/output.h"
+#include "apps/common/progress_bar.h"
+#include "apps/common/version.h"
 #include "apps/sward/bake_summary.h"
 #include "apps/sward/subcommand.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "field/read.h"
 #include "interchange/csv.h"
+#include "interchange/gltf.h"
+#include "interchange/ply.h"
+#include "interchange/usda.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -14,14 +21,19 @@
 namespace sward::apps {
 namespace {
 
-using Writer = void (*)(const field::FieldView&, const std::filesystem::path&, bool overwrite);
+using Writer = void (*)(const field::FieldView&, const std::filesystem::path&,
+                        const interchange::ExportSettings&, Progress&);
 
 // Each format by its extension.
 struct Format {
     const char* extension;
     Writer write;
+    bool hasGround; // can take the drawn ground with it
 };
-constexpr Format formats[] = {{".csv", interchange::writeCsv}};
+constexpr Format formats[] = {{".glb", interchange::writeGlb, true},
+                              {".ply", interchange::writePly, false},
+                              {".usda", interchange::writeUsda, false},
+                              {".csv", interchange::writeCsv, false}};
 
 const Format& formatOf(const std::filesystem::path& path)
 {
@@ -39,23 +51,39 @@ class Export : public Subcommand {
 public:
     explicit Export(CLI::App& program)
         : Subcommand(program, "export", "Write a field for other programs",
-                     "sward export meadow.sward -o meadow.csv")
+                     "sward export meadow.sward -o meadow.glb")
     {
         app().add_option("FILE", file_, "Field file")->type_name("")->required();
         app()
-            .add_option("-o,--output", output_, "File to write; its extension says how: .csv")
+            .add_option("-o,--output", output_,
+                        "File to write; its extension says how: .glb .ply .usda .csv")
             ->type_name("OUT")
             ->required();
-        app().add_flag("--force", overwrite_, "Overwrite an existing file");
+        app().add_flag("--with-ground", settings_.withGround,
+                       "Also the drawn ground beneath the blades (.glb)");
+        app().add_flag("--force", settings_.overwrite, "Overwrite an existing file");
+        log_.addBar(app());
     }
 
     int run() const override
     {
         // Refuse before any work.
         const Format& format = formatOf(output_);
-        refuseOverwrite(output_, overwrite_);
+        if (settings_.withGround && !format.hasGround)
+            fail(ErrorKind::usage, "{}: --with-ground is for .glb only", output_);
+        std::error_code ignored;
+        if (std::filesystem::equivalent(file_, output_, ignored))
+            fail(ErrorKind::usage, "{}: is read and would be overwritten", output_);
+        refuseOverwrite(output_, settings_.overwrite);
+
         const field::MappedField field = field::readField(file_);
-        format.write(field.view(), output_, overwrite_);
+        interchange::ExportSettings settings = settings_;
+        settings.generator = versionText("sward");
+        ProgressBar bar(log_.showBar());
+        Progress progress(bar.callback());
+        const CancelOnInterrupt cancel(progress);
+        format.write(field.view(), output_, settings, progress);
+        bar.clear();
         writeResult(fmt::format("{}: {} blades, {}\n", output_, field.view().blades.size(),
                                 sizeText(std::filesystem::file_size(output_))));
         return 0;
@@ -64,7 +92,8 @@ public:
 private:
     std::string file_;
     std::string output_;
-    bool overwrite_ = false;
+    interchange::ExportSettings settings_;
+    LogSwitches log_;
 };
 
 } // namespace

@@ -1,0 +1,88 @@
+#include "interchange/blade_groups.h"
+
+#include <glm/common.hpp>
+
+#include <limits>
+
+namespace sward::interchange {
+namespace {
+
+constexpr std::uint32_t noGroup = std::numeric_limits<std::uint32_t>::max();
+
+// Blades of each patch and everything below it.
+std::vector<std::uint64_t> subtreeCounts(std::span<const shared::Patch> patches)
+{
+    std::vector<std::uint64_t> counts(patches.size());
+    for (std::size_t p = patches.size(); p-- > 0;) {
+        counts[p] += patches[p].bladeCount;
+        if (p > 0)
+            counts[patches[p].parent] += counts[p];
+    }
+    return counts;
+}
+
+class Grouping {
+public:
+    Grouping(const field::FieldView& field, std::uint64_t largest)
+        : patches_(field.patches)
+        , largest_(largest)
+        , counts_(subtreeCounts(field.patches))
+        , groupOf_(field.patches.size(), noGroup)
+    {
+    }
+
+    std::vector<BladeGroup> run()
+    {
+        // Parents come before children: each patch asks what has become of its parent.
+        for (std::uint32_t p = 0; p < patches_.size(); ++p) {
+            groupOf_[p] = choose(p);
+            if (groupOf_[p] == noGroup || patches_[p].bladeCount == 0)
+                continue;
+            BladeGroup& group = groups_[groupOf_[p]];
+            group.patches.push_back(p);
+            group.bladeCount += patches_[p].bladeCount;
+            group.bounds.add(patches_[p].boundsLow);
+            group.bounds.add(patches_[p].boundsHigh);
+        }
+        for (BladeGroup& group : groups_)
+            group.place = glm::round(glm::dvec3(group.bounds.centre()));
+        return std::move(groups_);
+    }
+
+private:
+    // The group of patch `p`, which may be a new one.
+    std::uint32_t choose(std::uint32_t p)
+    {
+        if (counts_[p] == 0)
+            return noGroup;
+        const std::uint32_t above = p == 0 ? noGroup : groupOf_[patches_[p].parent];
+        const bool aboveIsWhole = above != noGroup && counts_[patches_[p].parent] <= largest_;
+        if (aboveIsWhole)
+            return above;
+        // Cells too wide to own blades are in no group; theirs begin below.
+        const bool isWhole = counts_[p] <= largest_;
+        if (!isWhole && patches_[p].bladeCount == 0)
+            return noGroup;
+        // Representatives join those of the cell around them while there is room.
+        if (!isWhole && above != noGroup &&
+            groups_[above].bladeCount + patches_[p].bladeCount <= largest_)
+            return above;
+        groups_.emplace_back();
+        return static_cast<std::uint32_t>(groups_.size() - 1);
+    }
+
+    std::span<const shared::Patch> patches_;
+    std::uint64_t largest_;
+    std::vector<std::uint64_t> counts_;
+    std::vector<std::uint32_t> groupOf_;
+    std::vector<BladeGroup> groups_;
+};
+
+} // namespace
+
+std::vector<BladeGroup> groupBlades(const field::FieldView& field, std::uint64_t largest)
+{
+    return Grouping(field, largest).run();
+}
+
+} // namespace sward::interchange

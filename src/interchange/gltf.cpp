@@ -1,0 +1,180 @@
+#include "interchange/gltf.h"
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "interchange/blade_groups.h"
+#include "interchange/blade_mesh.h"
+#include "interchange/gltf_document.h"
+#include "interchange/gltf_ground.h"
+#include "interchange/instance_attributes.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace sward::interchange {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr const char* extension = "EXT_mesh_gpu_instancing";
+
+// The container's header, and those of its two chunks.
+constexpr std::uint64_t headerBytes = 12 + 2 * 8;
+
+std::size_t addBladeMesh(GltfDocument& document, const BladeMesh& mesh, const std::string& name,
+                         std::size_t material)
+{
+    Aabb bounds;
+    for (const glm::vec3& position : mesh.positions)
+        bounds.add(position);
+    const GltfAccessor vec3{.type = "VEC3"};
+    const ordered_json attributes = {
+        {"POSITION", document.addArray(std::span(mesh.positions),
+                                       {.type = "VEC3", .bounds = bounds}, gltfVertices)},
+        {"NORMAL", document.addArray(std::span(mesh.normals), vec3, gltfVertices)},
+        {"TEXCOORD_0", document.addArray(std::span(mesh.uvs), {.type = "VEC2"}, gltfVertices)},
+        {"COLOR_0", document.addArray(std::span(mesh.colors), vec3, gltfVertices)}};
+    const std::size_t indices =
+        document.addArray(std::span(mesh.indices), {.componentType = 5125}, gltfIndices);
+    return document.add("meshes",
+                        {{"name", name},
+                         {"primitives", ordered_json::array({{{"attributes", attributes},
+                                                              {"indices", indices},
+                                                              {"material", material}}})}});
+}
+
+// Mesh and material of species i get the number i.
+void addSpecies(GltfDocument& document, const field::FieldView& field)
+{
+    const std::vector<float> stiffness = meanStiffness(field);
+    for (std::size_t s = 0; s < field.species.size(); ++s) {
+        const field::Species& species = field.species[s];
+        const BladeMesh mesh = bladeMesh(species.look, *field.defaults, stiffness[s]);
+        const ordered_json pbr = {
+            {"baseColorFactor", {mesh.baseColor.x, mesh.baseColor.y, mesh.baseColor.z, 1.0}},
+            {"metallicFactor", 0.0},
+            {"roughnessFactor", 1.0 - double(species.look.gloss)}};
+        const std::size_t material = document.add(
+            "materials",
+            {{"name", species.name}, {"pbrMetallicRoughness", pbr}, {"doubleSided", true}});
+        addBladeMesh(document, mesh, species.name, material);
+    }
+}
+
+// The instances of a group, species by species.
+std::vector<std::vector<Instance>> bySpecies(const field::FieldView& field, const BladeGroup& group)
+{
+    std::vector<std::vector<Instance>> result(field.species.size());
+    for (const Instance& instance : instancesOf(field, group))
+        result[instance.blade.species].push_back(instance);
+    return result;
+}
+
+// The node of the instances of one species in one group; their bytes are reserved.
+std::size_t addInstances(GltfDocument& document, const BladeGroup& group, const std::string& name,
+                         std::uint32_t species, std::span<const Instance> instances)
+{
+    Aabb places;
+    for (const Instance& instance : instances)
+        places.add(instance.place);
+    ordered_json attributes;
+    for (const InstanceAttribute& attribute : instanceAttributes()) {
+        GltfAccessor accessor{.componentType = attribute.componentType,
+                              .type = attribute.type,
+                              .count = instances.size(),
+                              .normalized = attribute.normalized};
+        accessor.view = document.reserveView(instances.size() * attribute.bytes);
+        if (attributes.empty())
+            accessor.bounds = places;
+        attributes[attribute.name] = document.addAccessor(accessor);
+    }
+    return document.add("nodes", {{"name", name},
+                                  {"mesh", species},
+                                  {"translation", {group.place.x, group.place.y, group.place.z}},
+                                  {"extensions", {{extension, {{"attributes", attributes}}}}}});
+}
+
+// The whole JSON; the first pass over the blades.
+void describe(GltfDocument& document, const field::FieldView& field,
+              const std::vector<BladeGroup>& groups, bool withGround, Progress& progress)
+{
+    addSpecies(document, field);
+    ordered_json children = ordered_json::array();
+    if (withGround)
+        if (const std::optional<std::size_t> ground = addGround(document, *field.ground))
+            children.push_back(*ground);
+
+    if (!groups.empty())
+        document.require(extension);
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        const auto species = bySpecies(field, groups[g]);
+        for (std::uint32_t s = 0; s < species.size(); ++s)
+            if (!species[s].empty())
+                children.push_back(addInstances(
+                    document, groups[g], fmt::format("group {} {}", g, field.species[s].name), s,
+                    species[s]));
+        progress.advance(groups[g].bladeCount);
+    }
+
+    // The origin stands once more where nobody rounds it.
+    const ordered_json origin = {field.origin.x, field.origin.y, field.origin.z};
+    ordered_json root = {{"name", "field"}, {"translation", origin}};
+    if (!children.empty())
+        root["children"] = std::move(children);
+    root["extras"] = {{"origin_m", origin}, {"blades", field.blades.size()}};
+    document.setScene(document.add("nodes", std::move(root)));
+}
+
+void writeWords(AtomicFile& file, std::initializer_list<std::uint32_t> words)
+{
+    file.write(std::as_bytes(std::span(words.begin(), words.size())));
+}
+
+} // namespace
+
+void refuseLargeGlb(const std::filesystem::path& path, std::uint64_t blades, std::uint64_t bytes)
+{
+    // Lengths in the file are of 32 bits.
+    constexpr std::uint64_t largest = std::numeric_limits<std::uint32_t>::max();
+    if (bytes > largest)
+        fail(ErrorKind::unsupported,
+             "{}: {} blades need {} bytes, a .glb holds at most {} (some {} million blades); .ply "
+             "and .usda have no such limit",
+             path.string(), blades, bytes, largest, largest / glbBytesPerBlade / 1'000'000);
+}
+
+void writeGlb(const field::FieldView& field, const std::filesystem::path& path,
+              const ExportSettings& settings, Progress& progress)
+{
+    // Refuse before any work what the blades alone make too large.
+    const std::uint64_t blades = field.blades.size();
+    refuseLargeGlb(path, blades, headerBytes + blades * glbBytesPerBlade);
+
+    progress.begin("export", 2 * blades);
+    const std::vector<BladeGroup> groups = groupBlades(field);
+    GltfDocument document(settings.generator, *field.copyright);
+    describe(document, field, groups, settings.withGround, progress);
+    const std::string text = document.text();
+    const std::uint64_t bytes = headerBytes + text.size() + document.binaryBytes();
+    refuseLargeGlb(path, blades, bytes);
+
+    const auto word = [](std::uint64_t value) { return static_cast<std::uint32_t>(value); };
+    AtomicFile file(path, settings.overwrite);
+    writeWords(file, {0x46546c67U /* glTF */, 2, word(bytes)});
+    writeWords(file, {word(text.size()), 0x4e4f534aU /* JSON */});
+    file.write(text);
+    writeWords(file, {word(document.binaryBytes()), 0x004e4942U /* BIN */});
+    file.write(document.fixedBytes());
+    for (const BladeGroup& group : groups) {
+        for (const std::vector<Instance>& instances : bySpecies(field, group))
+            file.write(attributeBytes(instances));
+        progress.advance(group.bladeCount);
+    }
+    file.commit();
+}
+
+} // namespace sward::interchange

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "core/bounds.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace sward::interchange {
+
+/// What an accessor says about its numbers.
+struct GltfAccessor {
+    std::size_t view = 0;
+    int componentType = 5126;
+    std::string type = "SCALAR";
+    std::uint64_t count = 0;
+    bool normalized = false;
+    std::optional<Aabb> bounds = std::nullopt; ///< least and largest of a VEC3
+};
+
+/// The JSON of a glTF with one buffer, and the part of that buffer that is known beforehand; what
+/// is large is only given its place and follows in the order in which it was reserved.
+class GltfDocument {
+public:
+    /// `copyright` may be empty.
+    GltfDocument(const std::string& generator, const std::string& copyright);
+    GltfDocument(const GltfDocument&) = delete;
+    GltfDocument& operator=(const GltfDocument&) = delete;
+    ~GltfDocument();
+
+    /// A view of `bytes`, copied. `target`: 34962 vertices, 34963 indices, 0 anything else.
+    std::size_t addView(std::span<const std::byte> bytes, int target);
+
+    /// A view of `bytes` (a multiple of four) that come later; no addView() after it.
+    std::size_t reserveView(std::uint64_t bytes);
+
+    std::size_t addAccessor(const GltfAccessor& accessor);
+
+    /// A vertex attribute or an index array of its own view.
+    template <typename T>
+    std::size_t addArray(std::span<const T> values, GltfAccessor accessor, int target)
+    {
+        accessor.view = addView(std::as_bytes(values), target);
+        accessor.count = values.size();
+        return addAccessor(accessor);
+    }
+
+    /// Appends to the top-level array `name` and returns the place.
+    std::size_t add(const char* name, nlohmann::ordered_json element);
+
+    /// Names an extension that a reader must know.
+    void require(const char* extension);
+
+    /// Makes the node the only one of the only scene.
+    void setScene(std::size_t node);
+
+    std::span<const std::byte> fixedBytes() const { return fixed_; }
+    std::uint64_t binaryBytes() const { return binaryBytes_; }
+
+    /// The JSON, filled with spaces to a multiple of four bytes.
+    std::string text() const;
+
+private:
+    std::size_t placeView(std::uint64_t bytes, int target);
+
+    std::unique_ptr<nlohmann::ordered_json> json_;
+    std::vector<std::byte> fixed_;
+    std::uint64_t binaryBytes_ = 0;
+};
+
+inline constexpr int gltfVertices = 34962;
+inline constexpr int gltfIndices = 34963;
+
+} // namespace sward::interchange

@@ -1,0 +1,108 @@
+#include "interchange/gltf_ground.h"
+
+#include "core/error.h"
+#include "shaders/shared/ground.h"
+
+#include <nlohmann/json.hpp>
+#include <stb/stb_image_write.h>
+
+#include <vector>
+
+namespace sward::interchange {
+namespace {
+
+using nlohmann::ordered_json;
+
+// Texture i shows image i.
+void addImage(GltfDocument& document, const field::Image& image)
+{
+    std::vector<std::byte> png;
+    const auto append = [](void* to, void* bytes, int size) {
+        const auto* const first = static_cast<const std::byte*>(bytes);
+        auto& all = *static_cast<std::vector<std::byte>*>(to);
+        all.insert(all.end(), first, first + size);
+    };
+    if (stbi_write_png_to_func(append, &png, static_cast<int>(image.width),
+                               static_cast<int>(image.height), 4, image.rgba.data(),
+                               static_cast<int>(4 * image.width)) == 0)
+        fail(ErrorKind::runtime, "the ground's image of {}×{} cannot be encoded as PNG",
+             image.width, image.height);
+    const std::size_t view = document.addView(png, 0);
+    const std::size_t source =
+        document.add("images", {{"mimeType", "image/png"}, {"bufferView", view}});
+    document.add("textures", {{"source", source}});
+}
+
+std::size_t addMaterial(GltfDocument& document, const shared::GroundMaterial& material)
+{
+    const glm::vec4 color = glm::clamp(material.baseColor, 0.0f, 1.0f);
+    ordered_json pbr = {{"baseColorFactor", {color.x, color.y, color.z, color.w}},
+                        {"metallicFactor", material.metallic},
+                        {"roughnessFactor", material.roughness}};
+    if (material.image != shared::noImage)
+        pbr["baseColorTexture"] = {{"index", material.image}};
+    ordered_json entry = {{"name", "ground"}, {"pbrMetallicRoughness", pbr}};
+    if ((material.flags & shared::groundDoubleSided) != 0)
+        entry["doubleSided"] = true;
+    return document.add("materials", std::move(entry));
+}
+
+// The vertices of all levels, as accessors that every primitive shares.
+ordered_json addVertices(GltfDocument& document, const field::DisplayGround& ground)
+{
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+    std::vector<glm::vec2> uvs;
+    std::vector<std::uint32_t> colors;
+    Aabb bounds;
+    for (const shared::GroundVertex& vertex : ground.vertices) {
+        positions.push_back(vertex.position);
+        normals.push_back(shared::decodeNormal32(vertex.normal));
+        uvs.push_back(vertex.uv);
+        colors.push_back(vertex.color);
+        bounds.add(vertex.position);
+    }
+    return {
+        {"POSITION", document.addArray(std::span<const glm::vec3>(positions),
+                                       {.type = "VEC3", .bounds = bounds}, gltfVertices)},
+        {"NORMAL",
+         document.addArray(std::span<const glm::vec3>(normals), {.type = "VEC3"}, gltfVertices)},
+        {"TEXCOORD_0",
+         document.addArray(std::span<const glm::vec2>(uvs), {.type = "VEC2"}, gltfVertices)},
+        {"COLOR_0", document.addArray(std::span<const std::uint32_t>(colors),
+                                      {.componentType = 5121, .type = "VEC4", .normalized = true},
+                                      gltfVertices)}};
+}
+
+} // namespace
+
+std::optional<std::size_t> addGround(GltfDocument& document, const field::DisplayGround& ground)
+{
+    ordered_json primitives = ordered_json::array();
+    ordered_json attributes;
+    std::vector<std::size_t> materials;
+    for (const field::GroundRange& range : ground.ranges) {
+        if (range.level != 0 || range.indexCount == 0)
+            continue;
+        // What all ranges share is written before the first.
+        if (primitives.empty()) {
+            attributes = addVertices(document, ground);
+            for (const field::Image& image : ground.images)
+                addImage(document, image);
+            for (const shared::GroundMaterial& material : ground.materials)
+                materials.push_back(addMaterial(document, material));
+        }
+        const auto indices = std::span(ground.indices).subspan(range.firstIndex, range.indexCount);
+        primitives.push_back(
+            {{"attributes", attributes},
+             {"indices", document.addArray(indices, {.componentType = 5125}, gltfIndices)},
+             {"material", materials[range.material]}});
+    }
+    if (primitives.empty())
+        return std::nullopt;
+    const std::size_t mesh =
+        document.add("meshes", {{"name", "ground"}, {"primitives", std::move(primitives)}});
+    return document.add("nodes", {{"name", "ground"}, {"mesh", mesh}});
+}
+
+} // namespace sward::interchange

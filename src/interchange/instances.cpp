@@ -1,0 +1,76 @@
+#include "interchange/instances.h"
+
+#include "core/error.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+#include <cmath>
+
+namespace sward::interchange {
+namespace {
+
+bool isFinite(const shared::Blade& blade)
+{
+    return std::isfinite(blade.root.x) && std::isfinite(blade.root.y) &&
+           std::isfinite(blade.root.z) && std::isfinite(blade.height) && std::isfinite(blade.width);
+}
+
+} // namespace
+
+std::uint64_t idOf(const field::FieldView& field, std::size_t index)
+{
+    return field.keys.empty() ? index : field::bladeId(field.keys[index]);
+}
+
+glm::quat orientation(const glm::vec3& up, float facing)
+{
+    // Single precision has left the frame square to some 1e-7; make it exact before it is a turn.
+    const glm::dvec3 y = glm::normalize(glm::dvec3(up));
+    const glm::dvec3 axis(shared::widthAxis(up, facing));
+    const glm::dvec3 z = glm::normalize(glm::cross(y, axis));
+    glm::dquat turn = glm::normalize(glm::quat_cast(glm::dmat3(glm::cross(y, z), y, z)));
+    if (turn.w < 0.0)
+        turn = -turn;
+    return glm::quat(turn);
+}
+
+std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGroup& group)
+{
+    std::vector<Instance> instances;
+    instances.reserve(group.bladeCount);
+    for (const std::uint32_t p : group.patches) {
+        const shared::Patch& patch = field.patches[p];
+        for (std::size_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i) {
+            Instance instance;
+            instance.blade = shared::unpackBlade(field.blades[i], patch);
+            if (!isFinite(instance.blade))
+                fail(ErrorKind::input, "blade {} of patch {} is not finite", i, p);
+            instance.id = idOf(field, i);
+            instance.place = glm::vec3(glm::dvec3(instance.blade.root) - group.place);
+            instance.rotation = orientation(instance.blade.up, instance.blade.facing);
+            instances.push_back(instance);
+        }
+    }
+    return instances;
+}
+
+std::vector<float> meanStiffness(const field::FieldView& field)
+{
+    std::vector<double> sums(field.species.size());
+    std::vector<std::uint64_t> counts(field.species.size());
+    for (const shared::Patch& patch : field.patches)
+        for (const shared::PackedBlade& bits :
+             field.blades.subspan(patch.firstBlade, patch.bladeCount)) {
+            const shared::Blade blade = shared::unpackBlade(bits, patch);
+            sums[blade.species] += double(blade.stiffness);
+            ++counts[blade.species];
+        }
+    std::vector<float> means(field.species.size(), 0.5f);
+    for (std::size_t s = 0; s < means.size(); ++s)
+        if (counts[s] > 0)
+            means[s] = static_cast<float>(sums[s] / double(counts[s]));
+    return means;
+}
+
+} // namespace sward::interchange

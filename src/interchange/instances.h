@@ -1,0 +1,35 @@
+#pragma once
+
+#include "field/field.h"
+#include "interchange/blade_groups.h"
+
+#include <glm/gtc/quaternion.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace sward::interchange {
+
+/// A blade as an instance of its species' blade mesh.
+struct Instance {
+    shared::Blade blade;
+    std::uint64_t id;   ///< field::bladeId, or its place in the field if the file has no keys
+    glm::vec3 place;    ///< [m] relative to the group
+    glm::quat rotation; ///< see orientation()
+};
+
+/// The instances of a group, patch after patch, each in progressive order. Throws Error{input} if a
+/// number of a blade is not finite.
+std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGroup& group);
+
+/// Unit quaternion, w ≥ 0, that turns +Y to `up` and +Z to where the blade looks and leans, by the
+/// frame of shared/blade.h; +X then is the opposite of its width axis.
+glm::quat orientation(const glm::vec3& up, float facing);
+
+/// Id of blade `index`.
+std::uint64_t idOf(const field::FieldView& field, std::size_t index);
+
+/// Mean stiffness of each species' blades; 0.5 for a species without blades.
+std::vector<float> meanStiffness(const field::FieldView& field);
+
+} // namespace sward::interchange

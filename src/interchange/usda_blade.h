@@ -1,0 +1,14 @@
+#pragma once
+
+#include "interchange/blade_mesh.h"
+
+#include <string>
+
+namespace sward::interchange {
+
+/// The prim /Field/Blades/`name`: an Xform with the blade's mesh and its material, a
+/// UsdPreviewSurface whose colour is the mesh's displayColor. `name` must be an identifier.
+std::string usdBlade(const std::string& name, const BladeMesh& mesh,
+                     const shared::Species& species);
+
+} // namespace sward::interchange

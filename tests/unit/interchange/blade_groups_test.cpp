@@ -1,0 +1,106 @@
+#include "interchange/blade_groups.h"
+#include "support/fields/fields.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sward::interchange {
+namespace {
+
+using test::FieldSettings;
+using test::makeField;
+using test::Surface;
+
+const FieldSettings fields[] = {
+    {.surface = Surface::plane, .blades = 30000, .extent = 200.0f},
+    {.surface = Surface::sphere, .blades = 20000, .extent = 60.0f},
+    {.surface = Surface::cloud, .blades = 10000, .extent = 30.0f},
+    {.surface = Surface::plane, .blades = 1},
+};
+constexpr std::uint64_t limits[] = {100, 256, 1000, 7000, 1000000};
+
+TEST(BladeGroups, HaveEveryPatchWithBladesOnce)
+{
+    for (const FieldSettings& settings : fields)
+        for (const std::uint64_t largest : limits) {
+            const field::Field field = makeField(settings);
+            std::vector<int> seen(field.patches.size());
+            std::uint64_t blades = 0;
+            for (const BladeGroup& group : groupBlades(field::viewOf(field), largest)) {
+                std::uint64_t inGroup = 0;
+                for (const std::uint32_t p : group.patches) {
+                    ++seen[p];
+                    inGroup += field.patches[p].bladeCount;
+                }
+                EXPECT_EQ(inGroup, group.bladeCount);
+                EXPECT_GT(inGroup, 0U);
+                blades += inGroup;
+            }
+            EXPECT_EQ(blades, field.blades.size());
+            for (std::size_t p = 0; p < seen.size(); ++p)
+                EXPECT_EQ(seen[p], field.patches[p].bladeCount > 0 ? 1 : 0) << "patch " << p;
+        }
+}
+
+TEST(BladeGroups, AreNoLargerThanAllowed)
+{
+    for (const FieldSettings& settings : fields)
+        for (const std::uint64_t largest : limits) {
+            const field::Field field = makeField(settings);
+            for (const BladeGroup& group : groupBlades(field::viewOf(field), largest))
+                EXPECT_LE(group.bladeCount, std::max<std::uint64_t>(largest, 256));
+        }
+}
+
+TEST(BladeGroups, AreFew)
+{
+    // A subtree that is a group has an ancestor that was too large to be one: with four children a
+    // cell on a plane, groups are a quarter full on average, or fuller.
+    const field::Field field = makeField({.blades = 100000, .extent = 100.0f});
+    for (const std::uint64_t largest : {1000U, 4000U, 16000U})
+        EXPECT_LE(groupBlades(field::viewOf(field), largest).size(), 6 * 100000 / largest + 1);
+    EXPECT_EQ(groupBlades(field::viewOf(field), 100000).size(), 1U);
+}
+
+TEST(BladeGroups, KeepTheOrderFromCoarseToFine)
+{
+    const field::Field field = makeField(fields[0]);
+    for (const BladeGroup& group : groupBlades(field::viewOf(field), 2000))
+        EXPECT_TRUE(std::is_sorted(group.patches.begin(), group.patches.end()));
+}
+
+TEST(BladeGroups, StandTogether)
+{
+    // A group of whole subtrees is one cell of the tree; boxes of such groups hardly overlap.
+    const field::Field field = makeField({.blades = 30000, .extent = 100.0f});
+    double area = 0.0;
+    for (const BladeGroup& group : groupBlades(field::viewOf(field), 1000))
+        if (group.patches.front() != 0)
+            area += double(group.bounds.size().x) * double(group.bounds.size().z);
+    // Reach of bent blades and the representatives of cells above widen them.
+    EXPECT_LT(area, 3.0 * 100.0 * 100.0);
+}
+
+TEST(BladeGroups, HaveTheirPlaceOnAWholeMetreInTheirMiddle)
+{
+    for (const FieldSettings& settings : fields) {
+        const field::Field field = makeField(settings);
+        for (const BladeGroup& group : groupBlades(field::viewOf(field), 1000))
+            for (glm::length_t axis = 0; axis < 3; ++axis) {
+                EXPECT_EQ(group.place[axis], std::round(group.place[axis]));
+                EXPECT_LE(std::abs(group.place[axis] - double(group.bounds.centre()[axis])),
+                          0.5 + 1e-5);
+            }
+    }
+}
+
+TEST(BladeGroups, OfAFieldWithoutBladesAreNone)
+{
+    const field::Field field = test::emptyField();
+    EXPECT_TRUE(groupBlades(field::viewOf(field)).empty());
+}
+
+} // namespace
+} // namespace sward::interchange
