@@ -4,6 +4,7 @@
 #include "terrain/triangle_geometry.h"
 
 #include <embree3/rtcore.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -44,7 +45,7 @@ glm::vec3 roundToFloat(const glm::dvec3& v)
 } // namespace
 
 struct SurfaceQuery::Scene {
-    struct Collector;
+    struct Question;
 
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
@@ -71,13 +72,15 @@ struct SurfaceQuery::Scene {
         return {glm::dvec3(positions[t.x]), glm::dvec3(positions[t.y]), glm::dvec3(positions[t.z])};
     }
 
+    // The ray's start is rounded to single precision: by so much its distances shift.
+    double shift(double limit) const { return (extent + limit) * 4e-7 + 1e-30; }
+
     Hit firstBehind(const glm::dvec3& point, const glm::dvec3& direction, double limit, double skin,
                     std::uint32_t skipped) const;
 };
 
-// A ray that lets every triangle pass, and remembers the nearest by its distance in double
-// precision.
-struct SurfaceQuery::Scene::Collector {
+// A ray that asks, in double precision, of every triangle that Embree meets on its way.
+struct SurfaceQuery::Scene::Question {
     RTCIntersectContext context; // first: Embree gives the filter a pointer to it
     const Scene& ground;
     glm::dvec3 point;
@@ -85,21 +88,28 @@ struct SurfaceQuery::Scene::Collector {
     double above; // exclusive
     double limit;
     std::uint32_t skipped;
+    bool endsAtFirst; // else every triangle is let pass, and the nearest remembered
     Hit best;
+
+    // Whether the ray ends here.
+    bool meets(std::uint32_t index)
+    {
+        if (index == skipped)
+            return false;
+        const double distance = planeDistance(ground.triangle(index), point, direction);
+        if (!(distance > above && distance <= limit))
+            return false;
+        if (!best.isHit() || distance < best.distance ||
+            (distance == best.distance && index < best.triangle))
+            best = {.triangle = index, .distance = distance};
+        return endsAtFirst;
+    }
 
     static void filter(const RTCFilterFunctionNArguments* arguments)
     {
-        auto& own = *reinterpret_cast<Collector*>(arguments->context);
-        const std::uint32_t index = RTCHitN_primID(arguments->hit, arguments->N, 0);
-        arguments->valid[0] = 0;
-        if (index == own.skipped)
-            return;
-        const double distance = planeDistance(own.ground.triangle(index), own.point, own.direction);
-        if (!(distance > own.above && distance <= own.limit))
-            return;
-        if (!own.best.isHit() || distance < own.best.distance ||
-            (distance == own.best.distance && index < own.best.triangle))
-            own.best = {.triangle = index, .distance = distance};
+        auto& own = *reinterpret_cast<Question*>(arguments->context);
+        if (!own.meets(RTCHitN_primID(arguments->hit, arguments->N, 0)))
+            arguments->valid[0] = 0;
     }
 };
 
@@ -122,9 +132,23 @@ RTCRay rayOf(const glm::dvec3& point, const glm::dvec3& direction, double near, 
     return ray;
 }
 
+double largestCoordinate(std::span<const glm::vec3> positions)
+{
+    glm::vec3 largest(0.0f);
+    for (const glm::vec3& position : positions)
+        largest = glm::max(largest, glm::abs(position));
+    return double(std::max({largest.x, largest.y, largest.z}));
+}
+
 } // namespace
 
 SurfaceQuery::SurfaceQuery(const GroundMesh& mesh)
+    : SurfaceQuery(mesh.positions, mesh.triangles)
+{
+}
+
+SurfaceQuery::SurfaceQuery(std::span<const glm::vec3> ownPositions,
+                           std::span<const glm::uvec3> ownTriangles)
     : scene_(std::make_unique<Scene>())
 {
     scene_->device = rtcNewDevice(deviceSettings);
@@ -136,23 +160,20 @@ SurfaceQuery::SurfaceQuery(const GroundMesh& mesh)
     const RTCGeometry geometry = rtcNewGeometry(scene_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     void* const positions =
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                sizeof(glm::vec3), mesh.positions.size());
+                                sizeof(glm::vec3), ownPositions.size());
     void* const triangles =
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                sizeof(glm::uvec3), mesh.triangles.size());
+                                sizeof(glm::uvec3), ownTriangles.size());
     if (positions == nullptr || triangles == nullptr) {
         rtcReleaseGeometry(geometry);
         failIf(true, "making room for the mesh", trouble);
     }
-    std::memcpy(positions, mesh.positions.data(), mesh.positions.size() * sizeof(glm::vec3));
-    std::memcpy(triangles, mesh.triangles.data(), mesh.triangles.size() * sizeof(glm::uvec3));
+    std::memcpy(positions, ownPositions.data(), ownPositions.size_bytes());
+    std::memcpy(triangles, ownTriangles.data(), ownTriangles.size_bytes());
     scene_->positions = static_cast<const glm::vec3*>(positions);
     scene_->triangles = static_cast<const glm::uvec3*>(triangles);
-    const Aabb box = mesh.bounds();
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        scene_->extent = std::max({scene_->extent, std::fabs(static_cast<double>(box.low[axis])),
-                                   std::fabs(static_cast<double>(box.high[axis]))});
-    rtcSetGeometryOccludedFilterFunction(geometry, Scene::Collector::filter);
+    scene_->extent = largestCoordinate(ownPositions);
+    rtcSetGeometryOccludedFilterFunction(geometry, Scene::Question::filter);
     rtcCommitGeometry(geometry);
 
     // Robust: a ray never slips through the edge between two triangles.
@@ -173,23 +194,21 @@ SurfaceQuery::Hit SurfaceQuery::Scene::firstBehind(const glm::dvec3& point,
                                                    const glm::dvec3& direction, double limit,
                                                    double skin, std::uint32_t skipped) const
 {
-    // The ray's start is rounded to single precision: by so much its distances shift.
-    const double shift = (extent + limit) * 4e-7 + 1e-30;
     RTCIntersectContext plain;
     rtcInitIntersectContext(&plain);
+    Question question{.context = {},
+                      .ground = *this,
+                      .point = point,
+                      .direction = direction,
+                      .above = skin,
+                      .limit = limit,
+                      .skipped = skipped,
+                      .endsAtFirst = false,
+                      .best = {}};
+    rtcInitIntersectContext(&question.context);
 
-    Collector collector{.context = {},
-                        .ground = *this,
-                        .point = point,
-                        .direction = direction,
-                        .above = skin,
-                        .limit = limit,
-                        .skipped = skipped,
-                        .best = {}};
-    rtcInitIntersectContext(&collector.context);
-
-    double near = std::max(0.0, skin - shift);
-    const double far = limit + shift;
+    double near = std::max(0.0, skin - shift(limit));
+    const double far = limit + shift(limit);
     while (near <= far) {
         // Ask Embree for the next triangle …
         RTCRayHit found = {};
@@ -201,10 +220,10 @@ SurfaceQuery::Hit SurfaceQuery::Scene::firstBehind(const glm::dvec3& point,
 
         // … then for everything that may be as near, and let double precision decide.
         const double distance = static_cast<double>(found.ray.tfar);
-        const double slack = distance * relativeSlack + shift;
+        const double slack = distance * relativeSlack + shift(limit);
         RTCRay window = rayOf(point, direction, std::max(near, distance - slack), distance + slack);
-        rtcOccluded1(scene, &collector.context, &window);
-        if (collector.best.isHit())
+        rtcOccluded1(scene, &question.context, &window);
+        if (question.best.isHit())
             break;
 
         // Nothing there counted: go on behind it.
@@ -212,13 +231,32 @@ SurfaceQuery::Hit SurfaceQuery::Scene::firstBehind(const glm::dvec3& point,
                                                                std::numeric_limits<float>::max()));
         near = std::max(behind, near * (1.0 + 1e-6) + 1e-30);
     }
-    return collector.best;
+    return question.best;
 }
 
 SurfaceQuery::Hit SurfaceQuery::cast(glm::dvec3 point, glm::dvec3 direction, double limit,
                                      double skin) const
 {
-    return scene_->firstBehind(point, direction, limit, skin, Hit{}.triangle);
+    return scene_->firstBehind(point, direction, limit, skin, none);
+}
+
+bool SurfaceQuery::occluded(glm::dvec3 point, glm::dvec3 direction, double limit, double skin,
+                            std::uint32_t ownTriangle) const
+{
+    Scene::Question question{.context = {},
+                             .ground = *scene_,
+                             .point = point,
+                             .direction = direction,
+                             .above = skin,
+                             .limit = limit,
+                             .skipped = ownTriangle,
+                             .endsAtFirst = true,
+                             .best = {}};
+    rtcInitIntersectContext(&question.context);
+    const double shift = scene_->shift(limit);
+    RTCRay ray = rayOf(point, direction, std::max(0.0, skin - shift), limit + shift);
+    rtcOccluded1(scene_->scene, &question.context, &ray);
+    return question.best.isHit();
 }
 
 double SurfaceQuery::clearance(glm::dvec3 point, glm::dvec3 up, double limit,
@@ -229,12 +267,13 @@ double SurfaceQuery::clearance(glm::dvec3 point, glm::dvec3 up, double limit,
     return hit.isHit() ? hit.distance : limit;
 }
 
-SurfaceQuery::Nearest SurfaceQuery::nearest(glm::dvec3 point) const
+SurfaceQuery::Nearest SurfaceQuery::nearest(glm::dvec3 point, double limit) const
 {
     struct Search {
         const Scene* scene;
         glm::dvec3 point;
         double slack;
+        double limit;
         Nearest best;
 
         static bool visit(RTCPointQueryFunctionArguments* arguments)
@@ -242,7 +281,7 @@ SurfaceQuery::Nearest SurfaceQuery::nearest(glm::dvec3 point) const
             auto& own = *static_cast<Search*>(arguments->userPtr);
             const glm::dvec3 on = nearestPoint(own.scene->triangle(arguments->primID), own.point);
             const double distance = glm::length(on - own.point);
-            if (distance > own.best.distance ||
+            if (distance > own.limit || distance > own.best.distance ||
                 (distance == own.best.distance && arguments->primID > own.best.triangle))
                 return false;
             own.best = {.triangle = arguments->primID, .point = on, .distance = distance};
@@ -257,15 +296,14 @@ SurfaceQuery::Nearest SurfaceQuery::nearest(glm::dvec3 point) const
     Search search{.scene = scene_.get(),
                   .point = point,
                   .slack = reach * 4e-7 + 1e-30,
-                  .best = {.triangle = 0xffffffffU,
-                           .point = point,
-                           .distance = std::numeric_limits<double>::infinity()}};
+                  .limit = limit,
+                  .best = {}};
     const glm::vec3 at = roundToFloat(point);
     RTCPointQuery query = {};
     query.x = at.x;
     query.y = at.y;
     query.z = at.z;
-    query.radius = std::numeric_limits<float>::infinity();
+    query.radius = static_cast<float>(limit * (1.0 + relativeSlack) + search.slack);
     RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);
     rtcPointQuery(scene_->scene, &query, &context, Search::visit, &search);

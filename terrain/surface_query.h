@@ -4,7 +4,10 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstdint>
+#include <limits>
 #include <memory>
+#include <span>
 
 namespace sward::terrain {
 
@@ -13,14 +16,21 @@ namespace sward::terrain {
 /// precision, so that every CPU gives the same answer. Thread-safe once built.
 class SurfaceQuery {
 public:
+    static constexpr std::uint32_t none = 0xffffffffU;
+
     struct Hit {
-        std::uint32_t triangle = 0xffffffffU;
+        std::uint32_t triangle = none;
         double distance = 0.0; ///< [m]
-        bool isHit() const { return triangle != 0xffffffffU; }
+        bool isHit() const { return triangle != none; }
     };
 
     /// Keeps its own copy of what it needs; `mesh` may die afterwards.
     explicit SurfaceQuery(const GroundMesh& mesh);
+
+    /// The same of some triangles [m]. One whose corners lie on a line is met by no ray, but has
+    /// nearest points: so are segments asked for.
+    SurfaceQuery(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles);
+
     SurfaceQuery(SurfaceQuery&&) noexcept;
     ~SurfaceQuery();
 
@@ -28,19 +38,24 @@ public:
     /// than `skin` and at most `limit` away [m].
     Hit cast(glm::dvec3 point, glm::dvec3 direction, double limit, double skin) const;
 
+    /// Whether cast() would hit anything but `ownTriangle`. Costs one ray, whatever it meets.
+    bool occluded(glm::dvec3 point, glm::dvec3 direction, double limit, double skin,
+                  std::uint32_t ownTriangle = none) const;
+
     /// Free height above `point` on triangle `ownTriangle` along unit `up`, at most `limit` [m].
     /// The own triangle, and hits nearer than 1e-5 of `limit`, are the ground itself and do not
     /// count.
     double clearance(glm::dvec3 point, glm::dvec3 up, double limit,
                      std::uint32_t ownTriangle) const;
 
-    /// The nearest point of the ground to `point`.
+    /// The nearest point of the ground to `point` that is at most `limit` [m] away; `triangle` is
+    /// none and `distance` infinite if there is none.
     struct Nearest {
-        std::uint32_t triangle = 0xffffffffU;
+        std::uint32_t triangle = none;
         glm::dvec3 point{0.0};
-        double distance = 0.0; ///< [m]
+        double distance = std::numeric_limits<double>::infinity(); ///< [m]
     };
-    Nearest nearest(glm::dvec3 point) const;
+    Nearest nearest(glm::dvec3 point, double limit = std::numeric_limits<double>::infinity()) const;
 
 private:
     struct Scene;

@@ -152,6 +152,83 @@ TEST(SurfaceQuery, FindsTheNearestPointOfAll)
     }
 }
 
+TEST(SurfaceQuery, OneRayAndTwoAgreeWhetherSomethingIsInTheWay)
+{
+    // Hills with a box, near the origin and where floats are coarse; rays that start on triangles.
+    for (const double offset : {0.0, 900.0}) {
+        GroundMesh mesh = makeHills({.grid = {glm::dvec2(20.0), glm::uvec2(24U)}});
+        append(mesh, meshes::boxAbovePlane());
+        for (glm::vec3& position : mesh.positions)
+            position += glm::vec3(glm::dvec3(offset));
+        const SurfaceQuery query(mesh);
+        int blocked = 0;
+        for (std::uint64_t i = 0; i < 20'000; ++i) {
+            const auto own = static_cast<std::uint32_t>(i % mesh.triangles.size());
+            const Triangle t = triangleOf(mesh, own);
+            const double u = uniform(8, i, 0);
+            const glm::dvec3 from =
+                t.a + (1.0 - u) * (t.b - t.a) + u * uniform(8, i, 1) * (t.c - t.b);
+            const glm::dvec3 to = glm::normalize(randomPoint(i + 50'000, 1.0));
+            const double skin = i % 3 == 0 ? 0.0 : 1e-4;
+            const std::uint32_t skipped = i % 2 == 0 ? own : SurfaceQuery::none;
+            const bool one = query.occluded(from, to, 6.0, skin, skipped);
+            if (skipped == SurfaceQuery::none) {
+                ASSERT_EQ(one, query.cast(from, to, 6.0, skin).isHit()) << "ray " << i;
+            } else if (skin > 0.0) {
+                // clearance() has the skin 1e-5 of its limit.
+                ASSERT_EQ(query.occluded(from, to, 6.0, 6e-5, own),
+                          query.clearance(from, to, 6.0, own) < 6.0)
+                    << "ray " << i;
+            }
+            blocked += one ? 1 : 0;
+        }
+        EXPECT_GT(blocked, 2000);
+        EXPECT_LT(blocked, 18'000);
+    }
+}
+
+TEST(SurfaceQuery, WhatLiesBeyondReachChangesNoAnswer)
+{
+    const GroundMesh part = makeHills({.grid = {glm::dvec2(20.0), glm::uvec2(24U)}});
+    GroundMesh whole = part;
+    GroundMesh far = meshes::cube(50.0);
+    for (glm::vec3& position : far.positions)
+        position += glm::vec3(1000.0f, 0.0f, 0.0f);
+    append(whole, far);
+    const SurfaceQuery near(part);
+    const SurfaceQuery all(whole);
+    for (std::uint64_t i = 0; i < 5000; ++i) {
+        const glm::dvec3 from = randomPoint(i, 10.0);
+        const glm::dvec3 to = glm::normalize(randomPoint(i + 200'000, 1.0));
+        const SurfaceQuery::Hit a = near.cast(from, to, 8.0, 1e-4);
+        const SurfaceQuery::Hit b = all.cast(from, to, 8.0, 1e-4);
+        ASSERT_EQ(a.triangle, b.triangle);
+        ASSERT_EQ(a.distance, b.distance);
+        ASSERT_EQ(near.occluded(from, to, 8.0, 1e-4), all.occluded(from, to, 8.0, 1e-4));
+        ASSERT_EQ(near.nearest(from).point, all.nearest(from).point);
+    }
+}
+
+TEST(SurfaceQuery, FindsNothingNearestBeyondTheLimit)
+{
+    const SurfaceQuery query(meshes::square(2.0));
+    EXPECT_NEAR(query.nearest({0.3, 0.25, 0.1}, 0.26).distance, 0.25, 1e-12);
+    EXPECT_EQ(query.nearest({0.3, 0.25, 0.1}, 0.24).triangle, SurfaceQuery::none);
+    EXPECT_EQ(query.nearest({0.3, 0.25, 0.1}, 0.25).distance, 0.25) << "the limit counts";
+}
+
+TEST(SurfaceQuery, MeasuresTheDistanceToSegments)
+{
+    // A triangle without width is a segment.
+    const std::vector<glm::vec3> ends = {{0, 0, 0}, {4, 0, 0}, {4, 0, 3}};
+    const std::vector<glm::uvec3> segments = {{0, 1, 1}, {1, 2, 2}};
+    const SurfaceQuery query(ends, segments);
+    EXPECT_NEAR(query.nearest({1.0, 2.0, -0.5}, 9.0).distance, std::sqrt(4.25), 1e-12);
+    EXPECT_EQ(query.nearest({4.5, 0.0, 2.0}, 9.0).triangle, 1U);
+    EXPECT_NEAR(query.nearest({7.0, 0.0, 7.0}, 9.0).distance, 5.0, 1e-12);
+    EXPECT_EQ(query.nearest({7.0, 0.0, 7.0}, 4.9).triangle, SurfaceQuery::none);
+}
+
 TEST(NearestPoint, IsNeverBeatenByAPointOfTheTriangle)
 {
     for (std::uint64_t i = 0; i < 300; ++i) {
