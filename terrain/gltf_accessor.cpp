@@ -63,9 +63,9 @@ std::size_t sizeOf(int type)
 
 } // namespace
 
-GltfAccessor::GltfAccessor(const tinygltf::Model& model, int index, std::string place)
+GltfAccessor::GltfAccessor(const GltfModel& model, int index, std::string place)
     : model_(model)
-    , accessor_(model.accessors.at(static_cast<std::size_t>(index)))
+    , accessor_(model.structure.accessors.at(static_cast<std::size_t>(index)))
     , place_(std::move(place))
     , components_(static_cast<std::size_t>(std::max(
           tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor_.type)), 0)))
@@ -82,12 +82,10 @@ void GltfAccessor::requireComponents(std::size_t low, std::size_t high) const
 
 const unsigned char* GltfAccessor::bytes(int view, std::size_t offset, std::size_t size) const
 {
-    const tinygltf::BufferView& v = model_.bufferViews.at(static_cast<std::size_t>(view));
-    const auto& buffer = model_.buffers.at(static_cast<std::size_t>(v.buffer)).data;
-    if (v.byteOffset > buffer.size() || offset > buffer.size() - v.byteOffset ||
-        size > buffer.size() - v.byteOffset - offset)
-        fail(ErrorKind::input, "{}: bytes behind the end of buffer {}", place_, v.buffer);
-    return buffer.data() + v.byteOffset + offset;
+    const auto own = model_.view(static_cast<std::size_t>(view));
+    if (offset > own.size() || size > own.size() - offset)
+        fail(ErrorKind::input, "{}: bytes behind the end of bufferView {}", place_, view);
+    return reinterpret_cast<const unsigned char*>(own.data()) + offset;
 }
 
 template <typename Value, typename Read>
@@ -103,7 +101,7 @@ std::vector<Value> GltfAccessor::gather(Read&& read) const
     // The elements as they lie in the buffer.
     if (accessor_.bufferView >= 0) {
         const auto view = static_cast<std::size_t>(accessor_.bufferView);
-        const std::size_t given = model_.bufferViews.at(view).byteStride;
+        const std::size_t given = model_.structure.bufferViews.at(view).byteStride;
         const std::size_t stride = given == 0 ? elementSize : given;
         const unsigned char* const first = bytes(accessor_.bufferView, accessor_.byteOffset,
                                                  (accessor_.count - 1) * stride + elementSize);

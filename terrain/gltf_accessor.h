@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tiny_gltf.h>
+#include "terrain/gltf_model.h"
 
 #include <cstdint>
 #include <string>
@@ -12,7 +12,7 @@ namespace sward::terrain {
 /// interleaved, normalised integers, sparse. `place` names the accessor's use in messages.
 class GltfAccessor {
 public:
-    GltfAccessor(const tinygltf::Model& model, int index, std::string place);
+    GltfAccessor(const GltfModel& model, int index, std::string place);
 
     std::size_t count() const { return accessor_.count; }
     std::size_t components() const { return components_; }
@@ -34,7 +34,7 @@ private:
     /// The byte at `offset` of a buffer view, when `size` bytes from it on exist.
     const unsigned char* bytes(int view, std::size_t offset, std::size_t size) const;
 
-    const tinygltf::Model& model_;
+    const GltfModel& model_;
     const tinygltf::Accessor& accessor_;
     std::string place_;
     std::size_t components_ = 0;

@@ -1,6 +1,5 @@
 #include "terrain/gltf_check.h"
 
-#include "core/settings_json.h"
 #include "terrain/gltf_extensions.h"
 #include "terrain/gltf_json.h"
 #include "terrain/gltf_layout.h"
@@ -20,10 +19,10 @@ constexpr std::size_t depthLimit = 256; // nodes inside nodes
 
 class Checker {
 public:
-    Checker(const json& document, const GltfParts& parts, const std::string& file,
+    Checker(const json& document, const GltfBuffers& buffers, const std::string& file,
             Diagnostics& diagnostics)
         : document_(document)
-        , parts_(parts)
+        , buffers_(buffers)
         , file_(file)
         , diagnostics_(diagnostics)
     {
@@ -32,7 +31,9 @@ public:
     json run()
     {
         checkAsset();
-        each("buffers", "buffer", [&](const GltfObject& o) { return buffer(o); });
+        // GltfBuffers has proven each, decoders have added some.
+        if (buffers_.count() > 0)
+            kept_["buffers"] = json(buffers_.count(), json::object());
         each("bufferViews", "bufferView", [&](const GltfObject& o) { return bufferView(o); });
         each("accessors", "accessor", [&](const GltfObject& o) { return accessor(o); });
         each("images", "image", [&](const GltfObject& o) { return image(o); });
@@ -93,29 +94,15 @@ private:
         kept_["asset"] = asset.keep({"version", "copyright"});
     }
 
-    json buffer(const GltfObject& o)
-    {
-        const std::uint64_t length = o.requiredCount("byteLength");
-        o.text("uri");
-        if (o.find("uri") == nullptr) {
-            if (o.index != 0 || !parts_.hasBinary)
-                o.failHere("it has no uri, and there is no BIN chunk for it");
-            if (length > parts_.binary.size())
-                o.failHere("byteLength is {}, but the BIN chunk has {} bytes", length,
-                           parts_.binary.size());
-        }
-        if (length == 0)
-            o.failHere("byteLength is 0");
-        bufferLengths_.push_back(length);
-        return o.keep({"byteLength", "uri"});
-    }
-
     json bufferView(const GltfObject& o)
     {
-        const std::uint64_t buffer = o.requiredCount("buffer", bufferLengths_.size());
+        const std::uint64_t buffer = o.requiredCount("buffer", buffers_.count());
         const std::uint64_t offset = o.count("byteOffset").value_or(0);
         const std::uint64_t length = o.requiredCount("byteLength");
-        const std::uint64_t total = bufferLengths_[buffer];
+        const std::uint64_t total = buffers_.bytes(buffer).size();
+        if (total == 0)
+            o.failHere("buffer {} has no uri and no BIN chunk, and nothing is decoded into it",
+                       buffer);
         if (length == 0 || offset > total || length > total - offset)
             o.failHere("bytes {} to {} are not inside buffer {} of {} bytes", offset,
                        offset + length, buffer, total);
@@ -146,7 +133,10 @@ private:
 
     json texture(const GltfObject& o)
     {
-        o.count("source", size("images"));
+        if (!o.count("source", size("images")))
+            if (const std::string format = imageFormatOf(o); !format.empty())
+                diagnostics_.warn("{}: texture {}: {} is not read; what shows it is drawn without",
+                                  file_, o.index, format);
         return o.keep({"source"});
     }
 
@@ -244,24 +234,20 @@ private:
     }
 
     const json& document_;
-    const GltfParts& parts_;
+    const GltfBuffers& buffers_;
     const std::string& file_;
     Diagnostics& diagnostics_;
     json kept_ = json::object();
-    std::vector<std::uint64_t> bufferLengths_;
     std::vector<GltfView> views_;
     std::vector<std::uint64_t> accessorCounts_;
 };
 
 } // namespace
 
-json checkGltf(const GltfParts& parts, const std::string& place, Diagnostics& diagnostics)
+json checkGltf(const json& document, const GltfBuffers& buffers, const std::string& place,
+               Diagnostics& diagnostics)
 {
-    const json document = parseJson(parts.json, place);
-    if (!document.is_object())
-        fail(ErrorKind::input, "{}: its JSON is not an object", place);
-    checkGltfExtensions(document, place, diagnostics);
-    return Checker(document, parts, place, diagnostics).run();
+    return Checker(document, buffers, place, diagnostics).run();
 }
 
 } // namespace sward::terrain

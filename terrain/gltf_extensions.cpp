@@ -14,10 +14,10 @@ namespace sward::terrain {
 namespace {
 
 // Applied in full.
-constexpr std::array<std::string_view, 3> applied = {
-    "KHR_mesh_quantization",
-    "KHR_texture_transform",
-    "EXT_mesh_gpu_instancing",
+constexpr std::array<std::string_view, 7> applied = {
+    "KHR_mesh_quantization",      "KHR_texture_transform",   "EXT_mesh_gpu_instancing",
+    "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression",
+    "MESHOPT_compression",
 };
 
 // They change nothing of a ground that stands still; neither do those named KHR_materials_….
@@ -60,70 +60,6 @@ std::vector<std::string> namesUnder(const nlohmann::json& document, const char* 
     return names;
 }
 
-bool hasExtension(const nlohmann::json& object, const char* name)
-{
-    if (!object.is_object())
-        return false;
-    const auto extensions = object.find("extensions");
-    return extensions != object.end() && extensions->is_object() && extensions->contains(name);
-}
-
-// The entries of an array of the document; none if it is missing or something else.
-const nlohmann::json& entries(const nlohmann::json& object, const char* key)
-{
-    static const nlohmann::json none = nlohmann::json::array();
-    if (!object.is_object())
-        return none;
-    const auto found = object.find(key);
-    return found != object.end() && found->is_array() ? *found : none;
-}
-
-// A compressed buffer view may name a plain copy of its bytes; without one there is nothing to
-// read.
-void refuseMeshopt(const nlohmann::json& document, const char* name, const std::string& place)
-{
-    const nlohmann::json& buffers = entries(document, "buffers");
-    for (const nlohmann::json& view : entries(document, "bufferViews")) {
-        if (!hasExtension(view, name))
-            continue;
-        const auto buffer = view.find("buffer");
-        const bool inRange = buffer != view.end() && buffer->is_number_unsigned() &&
-                             buffer->get<std::uint64_t>() < buffers.size();
-        const bool plain = inRange && buffers[buffer->get<std::size_t>()].is_object() &&
-                           buffers[buffer->get<std::size_t>()].contains("uri");
-        if (!plain)
-            fail(ErrorKind::unsupported,
-                 "{}: its meshes are compressed with {}, which is not supported; export it "
-                 "uncompressed",
-                 place, name);
-    }
-}
-
-void refuseDraco(const nlohmann::json& document, const std::string& place)
-{
-    constexpr const char* name = "KHR_draco_mesh_compression";
-    const nlohmann::json& accessors = entries(document, "accessors");
-    const auto isPlain = [&](const nlohmann::json& index) {
-        return index.is_number_unsigned() && index.get<std::uint64_t>() < accessors.size() &&
-               accessors[index.get<std::size_t>()].is_object() &&
-               accessors[index.get<std::size_t>()].contains("bufferView");
-    };
-    for (const nlohmann::json& mesh : entries(document, "meshes"))
-        for (const nlohmann::json& primitive : entries(mesh, "primitives")) {
-            if (!hasExtension(primitive, name))
-                continue;
-            const auto attributes = primitive.find("attributes");
-            const bool plain = attributes != primitive.end() && attributes->is_object() &&
-                               attributes->contains("POSITION") &&
-                               isPlain((*attributes)["POSITION"]);
-            if (!plain)
-                fail(ErrorKind::unsupported,
-                     "{}: its meshes are compressed with {}, which is not supported; export it "
-                     "uncompressed",
-                     place, name);
-        }
-}
-
 } // namespace
 
 void checkGltfExtensions(const nlohmann::json& document, const std::string& place,
@@ -136,17 +72,18 @@ void checkGltfExtensions(const nlohmann::json& document, const std::string& plac
                  "{}: requires the glTF extension {}, which is not supported; supported are {}",
                  place, name, fmt::join(applied, ", "));
 
-    refuseMeshopt(document, "EXT_meshopt_compression", place);
-    refuseMeshopt(document, "KHR_meshopt_compression", place);
-    refuseDraco(document, place);
-
-    for (const std::string& name : namesUnder(document, "extensionsUsed", place)) {
-        if (contains(imageFormats, name))
-            diagnostics.warn("{}: textures of {} are not read; their materials are drawn without",
-                             place, name);
-        else if (name == "KHR_materials_pbrSpecularGlossiness")
+    for (const std::string& name : namesUnder(document, "extensionsUsed", place))
+        if (name == "KHR_materials_pbrSpecularGlossiness")
             diagnostics.warn("{}: the colours of {} are not read", place, name);
-    }
+}
+
+std::string imageFormatOf(const GltfObject& texture)
+{
+    if (const nlohmann::json* const extensions = texture.object("extensions"))
+        for (const std::string_view name : imageFormats)
+            if (extensions->contains(name))
+                return std::string(name);
+    return {};
 }
 
 } // namespace sward::terrain

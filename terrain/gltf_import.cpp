@@ -1,17 +1,10 @@
 #include "terrain/gltf_import.h"
 
 #include "core/error.h"
-#include "core/mapped_file.h"
-#include "terrain/gltf_check.h"
-#include "terrain/gltf_container.h"
-#include "terrain/gltf_files.h"
 #include "terrain/gltf_materials.h"
+#include "terrain/gltf_model.h"
 #include "terrain/gltf_nodes.h"
 #include "terrain/gltf_primitive.h"
-
-#include <glm/mat3x3.hpp>
-#include <nlohmann/json.hpp>
-#include <tiny_gltf.h>
 
 #include <cmath>
 #include <map>
@@ -19,8 +12,11 @@
 namespace sward::terrain {
 namespace {
 
-// More than any ground that fits into memory; a small file may ask for more by instancing.
-constexpr std::size_t triangleLimit = std::size_t(1) << 28;
+// What the soup of a scene may cost [bytes]: a small file may ask for much by instancing. 20
+// million triangles on 10 million vertices are 1 GB.
+constexpr std::uint64_t soupLimit = std::uint64_t(5) << 29;
+constexpr std::uint64_t vertexCost = 60;
+constexpr std::uint64_t triangleCost = 20;
 
 // Names node, mesh and vertex of a position that leaves the numbers.
 void requireFinite(const Soup& soup, const GltfPlacement& placement, const std::string& place)
@@ -34,20 +30,43 @@ void requireFinite(const Soup& soup, const GltfPlacement& placement, const std::
     }
 }
 
-void appendPlaced(const Soup& mesh, const GltfPlacement& placement, const glm::dmat4& worldFromFile,
+// Makes room for everything that the scene shows, if it may cost that much.
+void reserve(const GltfModel& model, const std::vector<GltfPlacement>& placements,
+             const std::string& place, Soup& soup)
+{
+    std::vector<GltfMeshSize> sizes;
+    for (std::size_t i = 0; i < model.structure.meshes.size(); ++i)
+        sizes.push_back(sizeOfGltfMesh(model, i));
+    GltfMeshSize sum;
+    for (const GltfPlacement& placement : placements) {
+        sum.vertices += sizes.at(static_cast<std::size_t>(placement.mesh)).vertices;
+        sum.triangles += sizes.at(static_cast<std::size_t>(placement.mesh)).triangles;
+        if (vertexCost * sum.vertices + triangleCost * sum.triangles > soupLimit)
+            fail(ErrorKind::input,
+                 "{}: its scene shows at least {} vertices and {} triangles, more than {} bytes of "
+                 "ground",
+                 place, sum.vertices, sum.triangles, soupLimit);
+    }
+    soup.positions.reserve(sum.vertices);
+    soup.normals.reserve(sum.vertices);
+    soup.uvs.reserve(sum.vertices);
+    soup.colors.reserve(sum.vertices);
+    soup.triangles.reserve(sum.triangles);
+    soup.materialOf.reserve(sum.triangles);
+    soup.nodeOf.reserve(sum.triangles);
+}
+
+void appendPlaced(Soup&& placed, const GltfPlacement& placement, const glm::dmat4& worldFromFile,
                   const std::string& place, Soup& soup)
 {
-    if (mesh.triangles.size() > triangleLimit - soup.triangles.size() ||
-        mesh.positions.size() > 3 * triangleLimit - soup.positions.size())
-        fail(ErrorKind::input, "{}: more than {} triangles", place, triangleLimit);
-
-    Soup placed = mesh;
     transform(placed, worldFromFile * placement.transform);
     requireFinite(placed, placement, place);
 
     const auto firstVertex = static_cast<std::uint32_t>(soup.positions.size());
-    const auto take = [](auto& to, const auto& from) {
+    // Each array goes as soon as it has been taken.
+    const auto take = [](auto& to, auto& from) {
         to.insert(to.end(), from.begin(), from.end());
+        from = {};
     };
     take(soup.positions, placed.positions);
     take(soup.normals, placed.normals);
@@ -80,15 +99,18 @@ Soup importGltf(const std::filesystem::path& path, const ImportSettings& setting
                 const glm::dmat4& worldFromFile, Diagnostics& diagnostics)
 {
     const std::string place = path.string();
-    const tinygltf::Model model = readGltfModel(path, diagnostics);
-
+    const GltfModel model = readGltfModel(path, diagnostics);
+    const auto placements = placeGltfMeshes(model, settings.scene, place);
     Soup soup;
-    soup.copyright = model.asset.copyright;
+    reserve(model, placements, place, soup);
+    soup.copyright = model.structure.asset.copyright;
     const std::vector<GltfUvSource> uvs = importGltfMaterials(model, place, soup, diagnostics);
 
-    // Read each mesh once, however many nodes show it.
+    // Read each mesh once, however many nodes show it, and keep it no longer than that.
+    std::map<int, std::size_t> uses;
+    for (const GltfPlacement& placement : placements)
+        ++uses[placement.mesh];
     std::map<int, Soup> meshes;
-    const auto placements = placeGltfMeshes(model, settings.scene, place);
     for (const GltfPlacement& placement : placements) {
         auto found = meshes.find(placement.mesh);
         if (found == meshes.end())
@@ -97,7 +119,11 @@ Soup importGltf(const std::filesystem::path& path, const ImportSettings& setting
                                  readGltfMesh(model, static_cast<std::size_t>(placement.mesh), uvs,
                                               place, diagnostics))
                         .first;
-        appendPlaced(found->second, placement, worldFromFile, place, soup);
+        const bool isLast = --uses[placement.mesh] == 0;
+        appendPlaced(isLast ? std::move(found->second) : Soup(found->second), placement,
+                     worldFromFile, place, soup);
+        if (isLast)
+            meshes.erase(found);
     }
     if (soup.triangles.empty())
         fail(ErrorKind::input, "{}: no triangles: its scene shows {} meshes with none among them",

@@ -2,8 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <string_view>
-
 namespace sward::terrain {
 namespace {
 
@@ -11,18 +9,6 @@ using nlohmann::json;
 
 // An accessor without bytes is all zeros; more of them than this are a mistake or an attack.
 constexpr std::uint64_t zeroLimit = 1U << 24;
-
-std::uint64_t componentCount(std::string_view type)
-{
-    constexpr std::pair<std::string_view, std::uint64_t> types[] = {
-        {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3},  {"VEC4", 4},
-        {"MAT2", 4},   {"MAT3", 9}, {"MAT4", 16},
-    };
-    for (const auto& [name, count] : types)
-        if (name == type)
-            return count;
-    return 0;
-}
 
 // `count` elements of `size` bytes from `offset` on must end inside the view.
 void requireInside(const GltfObject& o, std::uint64_t offset, std::uint64_t count,
@@ -71,6 +57,18 @@ json checkSparse(const GltfObject& o, std::uint64_t count, std::uint64_t element
 
 } // namespace
 
+std::uint64_t gltfComponentCount(std::string_view type)
+{
+    constexpr std::pair<std::string_view, std::uint64_t> types[] = {
+        {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3},  {"VEC4", 4},
+        {"MAT2", 4},   {"MAT3", 9}, {"MAT4", 16},
+    };
+    for (const auto& [name, count] : types)
+        if (name == type)
+            return count;
+    return 0;
+}
+
 std::uint64_t gltfComponentSize(std::uint64_t componentType)
 {
     switch (componentType) {
@@ -96,7 +94,7 @@ json checkAccessor(const GltfObject& o, const std::vector<GltfView>& views)
         o.failHere("component type {} is not known", type);
     o.text("type");
     const auto shape = o.value.value("type", std::string());
-    const std::uint64_t elementSize = componentSize * componentCount(shape);
+    const std::uint64_t elementSize = componentSize * gltfComponentCount(shape);
     if (elementSize == 0)
         o.failHere("type \"{}\" is not known", shape);
     const std::uint64_t count = o.requiredCount("count", 1ULL << 32);

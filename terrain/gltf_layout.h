@@ -3,6 +3,7 @@
 #include "terrain/gltf_json.h"
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace sward::terrain {
@@ -15,6 +16,9 @@ struct GltfView {
 
 /// Bytes of one component; 0 for a type that glTF does not have.
 std::uint64_t gltfComponentSize(std::uint64_t componentType);
+
+/// Components of an element of a type like "VEC3"; 0 for a type that glTF does not have.
+std::uint64_t gltfComponentCount(std::string_view type);
 
 // Parts of checkGltf(): each proves one kind of object and returns what ground needs of it.
 

@@ -1,6 +1,9 @@
 #include "terrain/gltf_materials.h"
 
+#include "core/error.h"
 #include "core/exact_math.h"
+#include "core/mapped_file.h"
+#include "terrain/gltf_uri.h"
 #include "terrain/image_decode.h"
 
 #include <algorithm>
@@ -43,8 +46,7 @@ GltfUvSource uvSourceOf(const tinygltf::TextureInfo& texture)
 // Decodes each image once, and only those that some material shows.
 class Images {
 public:
-    Images(const tinygltf::Model& model, const std::string& place, Soup& soup,
-           Diagnostics& diagnostics)
+    Images(const GltfModel& model, const std::string& place, Soup& soup, Diagnostics& diagnostics)
         : model_(model)
         , place_(place)
         , soup_(soup)
@@ -56,7 +58,8 @@ public:
     {
         if (textureIndex < 0)
             return GroundMaterial::noImage;
-        const int source = model_.textures.at(static_cast<std::size_t>(textureIndex)).source;
+        const int source =
+            model_.structure.textures.at(static_cast<std::size_t>(textureIndex)).source;
         // Without a source the image lies in an extension that checkGltf() has warned of.
         if (source < 0)
             return GroundMaterial::noImage;
@@ -69,27 +72,43 @@ public:
 private:
     std::uint32_t decode(int source)
     {
-        const tinygltf::Image& image = model_.images.at(static_cast<std::size_t>(source));
+        const GltfImage& image = model_.images.at(static_cast<std::size_t>(source));
         std::string place = fmt::format("{}: image {}", place_, source);
         if (!image.name.empty())
             place += " \"" + image.name + "\"";
-        if (image.image.empty()) {
-            diagnostics_.warn("{}: {} cannot be read; its material is drawn without", place,
-                              image.uri.empty() ? std::string("it") : image.uri);
-            return GroundMaterial::noImage;
-        }
-        GroundImage decoded = decodeImage(image.image, place, diagnostics_);
+        GroundImage decoded = decode(image, place);
         if (decoded.width == 0)
             return GroundMaterial::noImage;
-        decoded.name = image.name.empty() ? image.uri : image.name;
+        decoded.name = image.name.empty() && !isDataUri(image.uri) ? image.uri : image.name;
         soup_.images.push_back(std::move(decoded));
         return static_cast<std::uint32_t>(soup_.images.size() - 1);
     }
 
-    const tinygltf::Model& model_;
+    // From wherever its bytes lie.
+    GroundImage decode(const GltfImage& image, const std::string& place)
+    {
+        if (image.view)
+            return decodeImage(model_.view(*image.view), place, budget_, diagnostics_);
+        if (isDataUri(image.uri)) {
+            const auto bytes = decodeDataUri(image.uri);
+            return decodeImage(bytes.value_or(std::vector<std::byte>()), place, budget_,
+                               diagnostics_);
+        }
+        try {
+            const MappedFile file(fileBeside(model_.path, image.uri));
+            return decodeImage(file.bytes(), place, budget_, diagnostics_);
+        } catch (const Error&) {
+            diagnostics_.warn("{}: {} cannot be read; its material is drawn without", place,
+                              image.uri);
+            return {};
+        }
+    }
+
+    const GltfModel& model_;
     const std::string& place_;
     Soup& soup_;
     Diagnostics& diagnostics_;
+    ImageBudget budget_;
     std::map<int, std::uint32_t> indices_;
 };
 
@@ -100,12 +119,12 @@ float unitInterval(double value)
 
 } // namespace
 
-std::vector<GltfUvSource> importGltfMaterials(const tinygltf::Model& model,
-                                              const std::string& place, Soup& soup,
-                                              Diagnostics& diagnostics)
+std::vector<GltfUvSource> importGltfMaterials(const GltfModel& file, const std::string& place,
+                                              Soup& soup, Diagnostics& diagnostics)
 {
+    const tinygltf::Model& model = file.structure;
     std::vector<GltfUvSource> sources;
-    Images images(model, place, soup, diagnostics);
+    Images images(file, place, soup, diagnostics);
     for (std::size_t i = 0; i < model.materials.size(); ++i) {
         const tinygltf::Material& material = model.materials[i];
         const tinygltf::PbrMetallicRoughness& surface = material.pbrMetallicRoughness;

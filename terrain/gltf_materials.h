@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/diagnostics.h"
+#include "terrain/gltf_model.h"
 #include "terrain/soup.h"
 
 #include <glm/mat3x2.hpp>
-#include <tiny_gltf.h>
 
 #include <string>
 #include <vector>
@@ -20,8 +20,7 @@ struct GltfUvSource {
 /// Puts the materials of the model, with their base colour images, into `soup`: as many as the
 /// model has, and one more at the end for primitives without. The result has one entry per
 /// material.
-std::vector<GltfUvSource> importGltfMaterials(const tinygltf::Model& model,
-                                              const std::string& place, Soup& soup,
-                                              Diagnostics& diagnostics);
+std::vector<GltfUvSource> importGltfMaterials(const GltfModel& model, const std::string& place,
+                                              Soup& soup, Diagnostics& diagnostics);
 
 } // namespace sward::terrain

@@ -53,7 +53,7 @@ glm::dmat4 localTransform(const tinygltf::Node& node, const std::string& place)
 }
 
 // The transforms of EXT_mesh_gpu_instancing; none if the node does not use it.
-std::vector<glm::dmat4> instancesOf(const tinygltf::Model& model, const tinygltf::Node& node,
+std::vector<glm::dmat4> instancesOf(const GltfModel& model, const tinygltf::Node& node,
                                     const std::string& place)
 {
     const auto found = node.extensions.find("EXT_mesh_gpu_instancing");
@@ -93,7 +93,7 @@ std::vector<glm::dmat4> instancesOf(const tinygltf::Model& model, const tinygltf
 
 class Walker {
 public:
-    Walker(const tinygltf::Model& model, const std::string& place)
+    Walker(const GltfModel& model, const std::string& place)
         : model_(model)
         , place_(place)
     {
@@ -101,7 +101,7 @@ public:
 
     void visit(int index, const glm::dmat4& parent, const std::string& parentPath)
     {
-        const tinygltf::Node& node = model_.nodes.at(static_cast<std::size_t>(index));
+        const tinygltf::Node& node = model_.structure.nodes.at(static_cast<std::size_t>(index));
         std::string path = parentPath.empty() ? "" : parentPath + "/";
         path += node.name.empty() ? fmt::format("node {}", index) : node.name;
         const std::string place = fmt::format("{}: node \"{}\"", place_, path);
@@ -121,7 +121,7 @@ public:
     std::vector<GltfPlacement> take() { return std::move(placements_); }
 
 private:
-    const tinygltf::Model& model_;
+    const GltfModel& model_;
     const std::string& place_;
     std::vector<GltfPlacement> placements_;
 };
@@ -141,16 +141,17 @@ std::vector<int> rootNodes(const tinygltf::Model& model)
 
 } // namespace
 
-std::vector<GltfPlacement> placeGltfMeshes(const tinygltf::Model& model, std::optional<int> scene,
+std::vector<GltfPlacement> placeGltfMeshes(const GltfModel& file, std::optional<int> scene,
                                            const std::string& place)
 {
+    const tinygltf::Model& model = file.structure;
     const auto scenes = static_cast<int>(model.scenes.size());
     if (scene && (*scene < 0 || *scene >= scenes))
         fail(ErrorKind::usage, "{}: scene {} does not exist; the file has {}", place, *scene,
              scenes);
     const int chosen = scene.value_or(model.defaultScene >= 0 ? model.defaultScene : 0);
 
-    Walker walker(model, place);
+    Walker walker(file, place);
     const std::vector<int> roots =
         scenes == 0 ? rootNodes(model) : model.scenes[static_cast<std::size_t>(chosen)].nodes;
     for (const int root : roots)

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "terrain/gltf_model.h"
+
 #include <glm/mat4x4.hpp>
-#include <tiny_gltf.h>
 
 #include <optional>
 #include <string>
@@ -20,7 +21,7 @@ struct GltfPlacement {
 /// Every mesh of a scene, in the order of its nodes: of `scene`, else of the file's default, else
 /// of the first; of all root nodes in a file without scenes. Throws Error{usage} if there is no
 /// such scene.
-std::vector<GltfPlacement> placeGltfMeshes(const tinygltf::Model& model, std::optional<int> scene,
+std::vector<GltfPlacement> placeGltfMeshes(const GltfModel& model, std::optional<int> scene,
                                            const std::string& place);
 
 } // namespace sward::terrain

@@ -16,10 +16,17 @@ std::optional<int> attribute(const tinygltf::Primitive& primitive, const std::st
     return found == primitive.attributes.end() ? std::nullopt : std::optional(found->second);
 }
 
-// Corners, three to a triangle, of a list, strip or fan.
-std::vector<glm::uvec3> trianglesOf(const std::vector<std::uint32_t>& indices, int mode)
+// Points and lines are not.
+bool isGround(const tinygltf::Primitive& primitive)
 {
-    std::vector<glm::uvec3> triangles;
+    return primitive.mode < 0 || primitive.mode >= TINYGLTF_MODE_TRIANGLES;
+}
+
+// Appends the triangles of a list, strip or fan; `first` is the soup's number of vertex 0.
+void appendTriangles(const std::vector<std::uint32_t>& indices, int mode, std::uint32_t first,
+                     std::vector<glm::uvec3>& triangles)
+{
+    const std::size_t begin = triangles.size();
     const std::size_t n = indices.size();
     switch (mode) {
     case TINYGLTF_MODE_TRIANGLE_STRIP:
@@ -36,14 +43,15 @@ std::vector<glm::uvec3> trianglesOf(const std::vector<std::uint32_t>& indices, i
             triangles.emplace_back(indices[i], indices[i + 1], indices[i + 2]);
         break;
     }
-    return triangles;
+    for (std::size_t i = begin; i < triangles.size(); ++i)
+        triangles[i] += first;
 }
 
 // One primitive on its way into the soup of its mesh.
 class PrimitiveReader {
 public:
-    PrimitiveReader(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
-                    std::string place, Soup& soup)
+    PrimitiveReader(const GltfModel& model, const tinygltf::Primitive& primitive, std::string place,
+                    Soup& soup)
         : model_(model)
         , primitive_(primitive)
         , place_(std::move(place))
@@ -154,13 +162,11 @@ private:
         if (mode == TINYGLTF_MODE_TRIANGLES && indices.size() % 3 != 0)
             diagnostics.warn("{}: {} indices are not a multiple of 3; the last ones are left out",
                              place_, indices.size());
-        const auto offset = static_cast<std::uint32_t>(first_);
-        for (const glm::uvec3& triangle : trianglesOf(indices, mode))
-            soup_.triangles.push_back(triangle + offset);
+        appendTriangles(indices, mode, static_cast<std::uint32_t>(first_), soup_.triangles);
         soup_.materialOf.resize(soup_.triangles.size(), material);
     }
 
-    const tinygltf::Model& model_;
+    const GltfModel& model_;
     const tinygltf::Primitive& primitive_;
     std::string place_;
     Soup& soup_;
@@ -171,19 +177,39 @@ private:
 
 } // namespace
 
-Soup readGltfMesh(const tinygltf::Model& model, std::size_t mesh,
-                  const std::vector<GltfUvSource>& uvs, const std::string& place,
-                  Diagnostics& diagnostics)
+GltfMeshSize sizeOfGltfMesh(const GltfModel& model, std::size_t mesh)
+{
+    const auto countOf = [&](int accessor) {
+        return std::uint64_t(
+            model.structure.accessors.at(static_cast<std::size_t>(accessor)).count);
+    };
+    GltfMeshSize size;
+    for (const tinygltf::Primitive& primitive : model.structure.meshes.at(mesh).primitives) {
+        const auto positions = attribute(primitive, "POSITION");
+        if (!isGround(primitive) || !positions)
+            continue;
+        const std::uint64_t vertices = countOf(*positions);
+        const std::uint64_t corners =
+            primitive.indices >= 0 ? countOf(primitive.indices) : vertices;
+        size.vertices += vertices;
+        const bool isList = primitive.mode < 0 || primitive.mode == TINYGLTF_MODE_TRIANGLES;
+        size.triangles += isList ? corners / 3 : corners;
+    }
+    return size;
+}
+
+Soup readGltfMesh(const GltfModel& model, std::size_t mesh, const std::vector<GltfUvSource>& uvs,
+                  const std::string& place, Diagnostics& diagnostics)
 {
     Soup soup;
-    const tinygltf::Mesh& source = model.meshes.at(mesh);
+    const tinygltf::Mesh& source = model.structure.meshes.at(mesh);
     for (std::size_t i = 0; i < source.primitives.size(); ++i) {
         const tinygltf::Primitive& primitive = source.primitives[i];
         std::string where = fmt::format("{}: mesh {}", place, mesh);
         if (!source.name.empty())
             where += fmt::format(" \"{}\"", source.name);
         where += fmt::format(", primitive {}", i);
-        if (primitive.mode >= 0 && primitive.mode < TINYGLTF_MODE_TRIANGLES) {
+        if (!isGround(primitive)) {
             diagnostics.warn("{}: points and lines are not ground and are left out", where);
             continue;
         }

@@ -1,16 +1,22 @@
 #include "terrain/image_decode.h"
 
+#include "core/error.h"
+#include "terrain/png_pixels.h"
+
 #include <stb/stb_image.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string_view>
 
 namespace sward::terrain {
 namespace {
 
-// A side that no sensible texture exceeds; a file may claim anything.
-constexpr int decodeLimit = 16384;
+// What no sensible texture exceeds; a file may claim anything.
+constexpr std::uint32_t decodeLimit = 16384;                 // [pixels] on a side
+constexpr std::uint64_t pixelLimit = std::uint64_t(1) << 27; // in all: 0.5 GB, and thrice as a JPEG
+constexpr std::uint64_t scanLimit = std::uint64_t(1) << 32;  // pixels times scans of a JPEG
 
 struct FreePixels {
     void operator()(unsigned char* pixels) const { stbi_image_free(pixels); }
@@ -45,46 +51,123 @@ GroundImage shrink(const unsigned char* pixels, std::uint32_t width, std::uint32
     return image;
 }
 
-} // namespace
-
-GroundImage decodeImage(std::span<const unsigned char> file, const std::string& place,
-                        Diagnostics& diagnostics)
+// Formats of others by their first bytes; a TGA has none, so the rest is taken for one.
+std::string_view foreignFormat(std::span<const std::byte> file)
 {
+    const std::string_view start(reinterpret_cast<const char*>(file.data()),
+                                 std::min<std::size_t>(file.size(), 16));
+    const auto begins = [&](std::string_view text) { return start.substr(0, text.size()) == text; };
+    if (begins("RIFF") &&
+        start.substr(std::min<std::size_t>(8, start.size())).substr(0, 4) == "WEBP")
+        return "WebP";
+    if (begins("\xabKTX 20"))
+        return "KTX2";
+    if (begins("DDS "))
+        return "DDS";
+    if (begins("GIF8"))
+        return "GIF";
+    if (begins("8BPS"))
+        return "PSD";
+    if (begins("#?"))
+        return "HDR";
+    if (begins("P5") || begins("P6"))
+        return "PNM";
+    if (begins("\x53\x80\xf6\x34"))
+        return "PIC";
+    return {};
+}
+
+// A JPEG may go over all its pixels once more for each scan, and a scan may be a few bytes.
+std::uint64_t scansOf(std::span<const std::byte> file)
+{
+    std::uint64_t scans = 0;
+    for (std::size_t i = 0; i + 1 < file.size(); ++i)
+        if (file[i] == std::byte(0xff) && file[i + 1] == std::byte(0xda))
+            ++scans;
+    return scans;
+}
+
+bool isJpeg(std::span<const std::byte> file)
+{
+    return file.size() > 2 && file[0] == std::byte(0xff) && file[1] == std::byte(0xd8);
+}
+
+// Throws Error{input} saying why the image is not decoded.
+void requireSize(const glm::uvec2& size, std::uint64_t scans, ImageBudget& budget,
+                 const std::string& place)
+{
+    const std::uint64_t pixels = std::uint64_t(size.x) * size.y;
+    if (size.x > decodeLimit || size.y > decodeLimit || pixels > pixelLimit)
+        fail(ErrorKind::input, "{}: {}x{} pixels, more than {} a side or {} in all", place, size.x,
+             size.y, decodeLimit, pixelLimit);
+    if (pixels * scans > scanLimit)
+        fail(ErrorKind::input, "{}: {}x{} pixels in {} scans, more than {} steps", place, size.x,
+             size.y, scans, scanLimit);
+    if (pixels > budget.pixels)
+        fail(ErrorKind::input, "{}: {}x{} pixels, beyond what the images of a file may have", place,
+             size.x, size.y);
+    budget.pixels -= pixels;
+}
+
+GroundImage finish(const unsigned char* pixels, const glm::uvec2& size)
+{
+    const std::uint32_t factor = (std::max(size.x, size.y) + imageSizeLimit - 1) / imageSizeLimit;
+    if (factor > 1)
+        return shrink(pixels, size.x, size.y, factor);
+    return {.name = {},
+            .width = size.x,
+            .height = size.y,
+            .rgba = {pixels, pixels + std::size_t(4) * size.x * size.y}};
+}
+
+GroundImage decode(std::span<const std::byte> file, const std::string& place, ImageBudget& budget)
+{
+    if (isPng(file)) {
+        const PngPixels png = readPng(
+            file, PngForm::rgba,
+            [&](const glm::uvec2& size) { requireSize(size, 1, budget, place); }, place);
+        return finish(png.bytes.data(), png.size);
+    }
+    if (const std::string_view format = foreignFormat(file); !format.empty())
+        fail(ErrorKind::input, "{}: images of kind {} are not read (PNG, JPEG, TGA, BMP are)",
+             place, format);
+
     // Ask for the size before anything of that size is made.
     int width = 0;
     int height = 0;
     int channels = 0;
+    const auto* const bytes = reinterpret_cast<const unsigned char*>(file.data());
     const int length = static_cast<int>(std::min<std::size_t>(file.size(), 0x7fffffff));
-    if (stbi_info_from_memory(file.data(), length, &width, &height, &channels) == 0 || width < 1 ||
-        height < 1) {
-        diagnostics.warn("{}: not an image that can be decoded (PNG, JPEG, TGA, BMP); its material "
-                         "is drawn without",
-                         place);
-        return {};
-    }
-    if (width > decodeLimit || height > decodeLimit) {
-        diagnostics.warn("{}: {}x{} pixels, more than {} a side; its material is drawn without",
-                         place, width, height, decodeLimit);
-        return {};
-    }
-
+    if (length == 0 || stbi_info_from_memory(bytes, length, &width, &height, &channels) == 0 ||
+        width < 1 || height < 1)
+        fail(ErrorKind::input, "{}: not an image that can be decoded (PNG, JPEG, TGA, BMP)", place);
+    const glm::uvec2 size(static_cast<unsigned>(width), static_cast<unsigned>(height));
+    requireSize(size, isJpeg(file) ? scansOf(file) : 1, budget, place);
     const std::unique_ptr<unsigned char, FreePixels> pixels(
-        stbi_load_from_memory(file.data(), length, &width, &height, &channels, 4));
-    if (pixels == nullptr) {
-        diagnostics.warn("{}: the image is damaged ({}); its material is drawn without", place,
-                         stbi_failure_reason());
+        stbi_load_from_memory(bytes, length, &width, &height, &channels, 4));
+    if (pixels == nullptr)
+        fail(ErrorKind::input, "{}: the image is damaged ({})", place, stbi_failure_reason());
+    return finish(pixels.get(), size);
+}
+
+} // namespace
+
+GroundImage decodeImage(std::span<const std::byte> file, const std::string& place,
+                        ImageBudget& budget, Diagnostics& diagnostics)
+{
+    try {
+        return decode(file, place, budget);
+    } catch (const Error& error) {
+        diagnostics.warn("{}; its material is drawn without", error.what());
         return {};
     }
+}
 
-    const auto w = static_cast<std::uint32_t>(width);
-    const auto h = static_cast<std::uint32_t>(height);
-    const std::uint32_t factor = (std::max(w, h) + imageSizeLimit - 1) / imageSizeLimit;
-    if (factor > 1)
-        return shrink(pixels.get(), w, h, factor);
-    return {.name = {},
-            .width = w,
-            .height = h,
-            .rgba = {pixels.get(), pixels.get() + std::size_t(4) * w * h}};
+GroundImage decodeImage(std::span<const unsigned char> file, const std::string& place,
+                        Diagnostics& diagnostics)
+{
+    ImageBudget budget;
+    return decodeImage(std::as_bytes(file), place, budget, diagnostics);
 }
 
 } // namespace sward::terrain

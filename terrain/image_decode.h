@@ -3,13 +3,25 @@
 #include "core/diagnostics.h"
 #include "terrain/ground_mesh.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 
 namespace sward::terrain {
 
+/// Pixels that the images of one file may have together, before they are made smaller.
+struct ImageBudget {
+    std::uint64_t pixels = std::uint64_t(1) << 29;
+};
+
 /// Decodes a PNG, JPEG, TGA or BMP to RGBA; an image of more than `imageSizeLimit` pixels a side is
-/// made smaller by a box filter. What cannot be decoded is a warning and an empty image (width 0).
+/// made smaller by a box filter. What cannot be decoded, or is beyond the budget, is a warning and
+/// an empty image (width 0).
+GroundImage decodeImage(std::span<const std::byte> file, const std::string& place,
+                        ImageBudget& budget, Diagnostics& diagnostics);
+
+/// The same of a single image.
 GroundImage decodeImage(std::span<const unsigned char> file, const std::string& place,
                         Diagnostics& diagnostics);
 

@@ -32,7 +32,8 @@ FOLDERS = {
 MAY_USE = {
     "core": "fmt spdlog nlohmann glm posix",
     "shared": "glm",
-    "terrain": "core fmt glm nlohmann xxhash openmesh embree tinygltf tbb stb png openexr intrinsics",
+    "terrain": "core fmt glm nlohmann xxhash openmesh embree tinygltf tbb stb png openexr "
+               "draco meshoptimizer intrinsics",
     "field": "core shared fmt glm nlohmann xxhash zstd stb",
     "interchange": "core shared field fmt glm nlohmann stb",
     "bake": "core shared terrain field fmt glm nlohmann tbb meshoptimizer",
@@ -64,6 +65,7 @@ THIRD_PARTY = {
     "zstd": ["zstd.h", "zstd_errors.h"],
     "xxhash": ["xxhash.h"],
     "meshoptimizer": ["meshoptimizer.h"],
+    "draco": ["draco/*"],
     "posix": ["sys/*", "unistd.h", "fcntl.h", "spawn.h", "poll.h", "dlfcn.h", "pthread.h"],
     "intrinsics": ["*intrin.h"],
 }
@@ -75,8 +77,9 @@ ONLY_IN = {
     "openmesh": ["terrain/topology*", "terrain/half_edges*", "terrain/mesh_import*",
                  "terrain/*openmesh*"],
     "embree": ["terrain/surface_query*"],
-    "png": ["terrain/png_heights*"],
+    "png": ["terrain/png_pixels*"],
     "openexr": ["terrain/exr_heights*"],
+    "draco": ["terrain/draco_geometry*"],
     "intrinsics": ["terrain/surface_query*"],
     "spdlog": ["src/core/log.cpp"],
 }

@@ -1,0 +1,125 @@
+#include "terrain/gltf_model.h"
+
+#include "core/error.h"
+#include "core/settings_json.h"
+#include "terrain/gltf_check.h"
+#include "terrain/gltf_container.h"
+#include "terrain/gltf_draco.h"
+#include "terrain/gltf_extensions.h"
+#include "terrain/gltf_meshopt.h"
+
+#include <nlohmann/json.hpp>
+
+#include <limits>
+
+namespace sward::terrain {
+namespace {
+
+// JSON of a .gltf with everything in data URIs; what is larger belongs into a .glb.
+constexpr std::size_t jsonLimit = std::size_t(512) << 20; // [bytes]
+
+// The images of a document that has been checked.
+std::vector<GltfImage> takeImages(nlohmann::json& document)
+{
+    std::vector<GltfImage> images;
+    for (nlohmann::json& entry : document.value("images", nlohmann::json::array())) {
+        GltfImage image;
+        image.name = entry.value("name", "");
+        image.uri = entry.value("uri", "");
+        if (entry.contains("bufferView"))
+            image.view = entry["bufferView"].get<std::size_t>();
+        images.push_back(std::move(image));
+    }
+    document.erase("images");
+    return images;
+}
+
+// tinygltf wants bytes for each buffer: one is enough.
+void emptyBuffers(nlohmann::json& document)
+{
+    if (document.contains("buffers"))
+        for (nlohmann::json& buffer : document["buffers"])
+            buffer = {{"byteLength", 1}, {"uri", "data:application/octet-stream;base64,AA=="}};
+}
+
+std::string firstLine(const std::string& text)
+{
+    return text.substr(0, text.find('\n'));
+}
+
+tinygltf::Model parseStructure(const std::string& json, const std::string& place)
+{
+    if (json.size() > std::numeric_limits<std::uint32_t>::max())
+        fail(ErrorKind::unsupported, "{}: {} bytes of JSON", place, json.size());
+    tinygltf::TinyGLTF reader;
+    tinygltf::Model model;
+    std::string error;
+    std::string warning;
+    bool read = false;
+    try {
+        read = reader.LoadASCIIFromString(&model, &error, &warning, json.data(),
+                                          static_cast<unsigned>(json.size()), "");
+    } catch (const std::exception& caught) {
+        fail(ErrorKind::input, "{}: {}", place, caught.what());
+    }
+    if (!read)
+        fail(ErrorKind::input, "{}: {}", place, firstLine(error));
+    return model;
+}
+
+// Whatever tinygltf left out would move every index behind it.
+void requireSame(const nlohmann::json& document, const char* key, std::size_t count,
+                 const std::string& place)
+{
+    const auto found = document.find(key);
+    const std::size_t expected = found == document.end() ? 0 : found->size();
+    if (count != expected)
+        fail(ErrorKind::input, "{}: {} of {} {} could be read", place, count, expected, key);
+}
+
+} // namespace
+
+std::span<const std::byte> GltfModel::view(std::size_t index) const
+{
+    const tinygltf::BufferView& view = structure.bufferViews.at(index);
+    const auto bytes = buffers.bytes(static_cast<std::size_t>(view.buffer));
+    if (view.byteOffset > bytes.size() || view.byteLength > bytes.size() - view.byteOffset)
+        fail(ErrorKind::input, "{}: bufferView {} ends behind buffer {}", path.string(), index,
+             view.buffer);
+    return bytes.subspan(view.byteOffset, view.byteLength);
+}
+
+GltfModel readGltfModel(const std::filesystem::path& path, Diagnostics& diagnostics)
+{
+    const std::string place = path.string();
+    GltfModel model{
+        .path = path, .structure = {}, .buffers = {}, .images = {}, .file = MappedFile(path)};
+    const GltfParts parts = splitGltf(model.file.bytes(), place);
+    if (parts.json.size() > jsonLimit)
+        fail(ErrorKind::unsupported, "{}: {} bytes of JSON, more than {}; save it as .glb", place,
+             parts.json.size(), jsonLimit);
+    nlohmann::json document = parseJson(parts.json, place);
+    if (!document.is_object())
+        fail(ErrorKind::input, "{}: its JSON is not an object", place);
+    checkGltfExtensions(document, place, diagnostics);
+
+    // What is compressed becomes plain, then all of it is proven.
+    model.buffers = GltfBuffers(document, parts, path);
+    decompressMeshopt(document, model.buffers, place);
+    decompressDraco(document, model.buffers, place);
+    document = checkGltf(document, model.buffers, place, diagnostics);
+
+    model.images = takeImages(document);
+    emptyBuffers(document);
+    model.structure = parseStructure(document.dump(), place);
+    requireSame(document, "bufferViews", model.structure.bufferViews.size(), place);
+    requireSame(document, "accessors", model.structure.accessors.size(), place);
+    requireSame(document, "textures", model.structure.textures.size(), place);
+    requireSame(document, "materials", model.structure.materials.size(), place);
+    requireSame(document, "meshes", model.structure.meshes.size(), place);
+    requireSame(document, "nodes", model.structure.nodes.size(), place);
+    requireSame(document, "scenes", model.structure.scenes.size(), place);
+    return model;
+}
+
+} // namespace sward::terrain

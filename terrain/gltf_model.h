@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/diagnostics.h"
+#include "core/mapped_file.h"
+#include "terrain/gltf_buffers.h"
+
+#include <tiny_gltf.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sward::terrain {
+
+/// An image of a glTF, still encoded.
+struct GltfImage {
+    std::string name;
+    std::string uri;                 ///< a data URI or the name of a file; empty: see `view`
+    std::optional<std::size_t> view; ///< buffer view
+};
+
+/// A glTF that has been checked: tinygltf's view of its structure, and its bytes where they lie.
+/// tinygltf itself never sees the bytes; its buffers and images are empty.
+struct GltfModel {
+    std::filesystem::path path;
+    tinygltf::Model structure;
+    GltfBuffers buffers;
+    std::vector<GltfImage> images;
+    MappedFile file; ///< what the BIN chunk lies in
+
+    /// The bytes of a buffer view.
+    std::span<const std::byte> view(std::size_t index) const;
+};
+
+/// Reads and checks a .gltf or .glb with the buffers it names, which are looked for beside it
+/// alone; compressed meshes are plain afterwards. Throws Error{io, input, unsupported}.
+GltfModel readGltfModel(const std::filesystem::path& path, Diagnostics& diagnostics);
+
+} // namespace sward::terrain
