@@ -105,7 +105,7 @@ Topology analyse(const GroundMesh& mesh, double creaseAngle)
     for (glm::uvec3& t : triangles)
         t = {topology.weldOf[t.x], topology.weldOf[t.y], topology.weldOf[t.z]};
 
-    const Adjacency adjacency = findNeighbours(triangles, topology.weldedVertices);
+    Adjacency adjacency = findNeighbours(triangles, topology.weldedVertices);
     topology.nonManifoldEdgeCount = adjacency.crowdedEdgeCount;
     topology.nonManifoldVertexCount = adjacency.splitVertexCount;
     topology.creaseEdgeCount = adjacency.crowdedEdgeCount;
@@ -115,6 +115,7 @@ Topology analyse(const GroundMesh& mesh, double creaseAngle)
     const double smoothest = exactSinCos(creaseAngle).cos;
     topology.borderEdges.assign(triangles.size(), 0);
     topology.creaseEdges.assign(triangles.size(), 0);
+    topology.brokenEdges.assign(triangles.size(), 0);
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
         if (adjacency.collapsed[i] != 0 || normals[i] == glm::dvec3(0.0))
             ++topology.degenerateTriangles;
@@ -139,11 +140,14 @@ Topology analyse(const GroundMesh& mesh, double creaseAngle)
                                turn < smoothest;
             if (crowded || reversed || bends || repeated)
                 topology.creaseEdges[i] |= bit;
+            if (crowded || reversed)
+                topology.brokenEdges[i] |= bit;
             // Seen from both sides, counted from one.
             if ((reversed || bends) && !crowded && !repeated && i < other)
                 ++topology.creaseEdgeCount;
         }
     }
+    topology.originalOf = std::move(adjacency.originalOf);
     return topology;
 }
 

@@ -18,11 +18,14 @@ struct Topology {
         componentOf; ///< per triangle: connected piece, numbered by first triangle
     std::uint32_t components = 0;
 
+    std::vector<std::uint32_t> originalOf; ///< per triangle: first one of its corners; often itself
+
     /// Per triangle, bit e: the edge from corner e to corner e+1 …
     std::vector<std::uint8_t> borderEdges; ///< … has no neighbour
     std::vector<std::uint8_t>
         creaseEdges; ///< … cannot share a normal: it turns by more than the crease
                      ///< angle, has three triangles, or two fronts that disagree
+    std::vector<std::uint8_t> brokenEdges; ///< … has three triangles, or two fronts that disagree
 
     std::uint64_t borderEdgeCount = 0;
     std::uint64_t creaseEdgeCount = 0;

@@ -131,6 +131,45 @@ TEST(Topology, CountsTrianglesWithoutAnArea)
     EXPECT_EQ(topology.components, 1U);
 }
 
+TEST(Topology, KeepsTheTwoSheetsOfALeafApart)
+{
+    // A tenth of a millimetre between them, fronts outside.
+    GroundMesh leaf = meshes::square(0.1);
+    GroundMesh lower = meshes::square(0.1, -1e-4);
+    for (glm::uvec3& t : lower.triangles)
+        std::swap(t.y, t.z);
+    append(leaf, lower);
+    const Topology topology = analyse(leaf);
+    EXPECT_EQ(topology.components, 2U);
+    EXPECT_EQ(topology.borderEdgeCount, 8U);
+    EXPECT_EQ(topology.duplicateTriangles, 0U);
+}
+
+TEST(Topology, IsTheSameFarFromTheOrigin)
+{
+    for (const GroundMesh& mesh : {meshes::cube(), meshes::moebius(32), meshes::book()}) {
+        const Topology near = analyse(mesh);
+        const Topology far = analyse(meshes::moved(mesh, {1e6, -1e6, 1e6}));
+        EXPECT_EQ(near.components, far.components);
+        EXPECT_EQ(near.borderEdgeCount, far.borderEdgeCount);
+        EXPECT_EQ(near.creaseEdgeCount, far.creaseEdgeCount);
+        EXPECT_EQ(near.nonManifoldEdgeCount, far.nonManifoldEdgeCount);
+    }
+}
+
+TEST(Topology, TellsBrokenEdgesFromSharpOnes)
+{
+    const auto broken = [](const GroundMesh& mesh) {
+        std::size_t count = 0;
+        for (const std::uint8_t bits : analyse(mesh).brokenEdges)
+            count += static_cast<std::size_t>(__builtin_popcount(bits));
+        return count;
+    };
+    EXPECT_EQ(broken(meshes::cube()), 0U);
+    EXPECT_EQ(broken(meshes::book()), 3U) << "the spine, from each page";
+    EXPECT_EQ(broken(meshes::moebius(32)), 2U) << "the seam, from both sides";
+}
+
 TEST(Topology, DoesNotDependOnTheOrderOfTriangles)
 {
     GroundMesh mesh = meshes::book();
