@@ -38,9 +38,13 @@ std::string usdBlade(const std::string& name, const BladeMesh& mesh, const share
     Aabb bounds;
     for (const glm::vec3& position : mesh.positions)
         bounds.add(position);
+    // Few readers follow a material to a primvar: it has one colour, the mesh has all of them.
     std::vector<glm::vec3> colors;
-    for (const glm::vec3& color : mesh.colors)
+    glm::vec3 mean(0.0f);
+    for (const glm::vec3& color : mesh.colors) {
         colors.push_back(color * mesh.baseColor);
+        mean += colors.back() / static_cast<float>(mesh.colors.size());
+    }
 
     const std::string path = "/Field/Blades/" + name;
     const char* const perVertex = " (\n                    interpolation = \"vertex\"\n"
@@ -76,18 +80,9 @@ std::string usdBlade(const std::string& name, const BladeMesh& mesh, const share
     line(4, "def Shader \"surface\"");
     line(4, "{");
     line(5, "uniform token info:id = \"UsdPreviewSurface\"");
-    line(5, fmt::format("color3f inputs:diffuseColor.connect = <{}/material/color.outputs:result>",
-                        path));
+    line(5, "color3f inputs:diffuseColor = " + element(mean));
     line(5, fmt::format("float inputs:roughness = {}", 1.0f - species.gloss));
     line(5, "token outputs:surface");
-    line(4, "}");
-    line(0, "");
-    line(4, "def Shader \"color\"");
-    line(4, "{");
-    line(5, "uniform token info:id = \"UsdPrimvarReader_float3\"");
-    line(5, "float3 inputs:fallback = " + element(mesh.baseColor));
-    line(5, "string inputs:varname = \"displayColor\"");
-    line(5, "float3 outputs:result");
     line(4, "}");
     line(3, "}");
     line(2, "}");

@@ -1,7 +1,7 @@
-// Prints what Khronos' glTF validator says about a file, as JSON: node validate.js MODULE FILE
+// Prints what Khronos' glTF validator finds in a file, as JSON: node validate_gltf.js MODULES FILE
 const fs = require("fs");
-const [module_, file] = process.argv.slice(2);
-require(module_)
+const [modules, file] = process.argv.slice(2);
+require(`${modules}/gltf-validator`)
   .validateBytes(new Uint8Array(fs.readFileSync(file)), { maxIssues: 0 })
   .then((report) => console.log(JSON.stringify(report.issues)))
   .catch((error) => {
