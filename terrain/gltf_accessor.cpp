@@ -1,12 +1,20 @@
 #include "terrain/gltf_accessor.h"
 
 #include "core/error.h"
+#include "terrain/blocks.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 namespace sward::terrain {
 namespace {
+
+constexpr std::size_t mostComponents = 4;  // of what ground is made of
+constexpr std::size_t blockSize = 3 * 512; // elements that a thread reads at a time
+
+template <typename Value>
+using Block = std::array<Value, blockSize * mostComponents>;
 
 template <typename Value>
 Value load(const unsigned char* bytes)
@@ -88,60 +96,78 @@ const unsigned char* GltfAccessor::bytes(int view, std::size_t offset, std::size
     return reinterpret_cast<const unsigned char*>(own.data()) + offset;
 }
 
-template <typename Value, typename Read>
-std::vector<Value> GltfAccessor::gather(Read&& read) const
+template <typename Value, typename Read, typename Take>
+void GltfAccessor::gather(const Read& read, const Take& take) const
 {
     const std::size_t elementSize = components_ * componentSize_;
-    std::vector<Value> values(accessor_.count * components_, Value(0));
-    const auto take = [&](std::size_t element, const unsigned char* source) {
-        for (std::size_t c = 0; c < components_; ++c)
-            values[element * components_ + c] = read(source + c * componentSize_);
-    };
 
-    // The elements as they lie in the buffer.
+    // The elements as they lie in the buffer, or zeros.
+    const unsigned char* first = nullptr;
+    std::size_t stride = 0;
     if (accessor_.bufferView >= 0) {
         const auto view = static_cast<std::size_t>(accessor_.bufferView);
         const std::size_t given = model_.structure.bufferViews.at(view).byteStride;
-        const std::size_t stride = given == 0 ? elementSize : given;
-        const unsigned char* const first = bytes(accessor_.bufferView, accessor_.byteOffset,
-                                                 (accessor_.count - 1) * stride + elementSize);
-        for (std::size_t i = 0; i < accessor_.count; ++i)
-            take(i, first + i * stride);
+        stride = given == 0 ? elementSize : given;
+        first = bytes(accessor_.bufferView, accessor_.byteOffset,
+                      (accessor_.count - 1) * stride + elementSize);
     }
+    forEachBlock(accessor_.count, blockSize, [&](std::size_t begin, std::size_t end) {
+        Block<Value> values{};
+        for (std::size_t i = begin; first != nullptr && i < end; ++i)
+            for (std::size_t c = 0; c < components_; ++c)
+                values[(i - begin) * components_ + c] =
+                    read(first + i * stride + c * componentSize_);
+        take(begin, end - begin, values.data());
+    });
 
     // The elements that a sparse accessor puts in their place.
-    if (accessor_.sparse.isSparse) {
-        const auto& sparse = accessor_.sparse;
-        const auto changed = static_cast<std::size_t>(sparse.count);
-        const std::size_t indexSize = sizeOf(sparse.indices.componentType);
-        const unsigned char* const index =
-            bytes(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
-                  changed * indexSize);
-        const unsigned char* const value =
-            bytes(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset),
-                  changed * elementSize);
-        for (std::size_t i = 0; i < changed; ++i) {
-            const std::uint32_t element =
-                readIndex(index + i * indexSize, sparse.indices.componentType);
-            if (element >= accessor_.count)
-                fail(ErrorKind::input, "{}: sparse index {} of {} elements", place_, element,
-                     accessor_.count);
-            take(element, value + i * elementSize);
-        }
+    if (!accessor_.sparse.isSparse)
+        return;
+    const auto& sparse = accessor_.sparse;
+    const auto changed = static_cast<std::size_t>(sparse.count);
+    const std::size_t indexSize = sizeOf(sparse.indices.componentType);
+    const unsigned char* const index =
+        bytes(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
+              changed * indexSize);
+    const unsigned char* const value =
+        bytes(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset),
+              changed * elementSize);
+    for (std::size_t i = 0; i < changed; ++i) {
+        const std::uint32_t element =
+            readIndex(index + i * indexSize, sparse.indices.componentType);
+        if (element >= accessor_.count)
+            fail(ErrorKind::input, "{}: sparse index {} of {} elements", place_, element,
+                 accessor_.count);
+        std::array<Value, mostComponents> values{};
+        for (std::size_t c = 0; c < components_; ++c)
+            values[c] = read(value + i * elementSize + c * componentSize_);
+        take(std::size_t(element), std::size_t(1), values.data());
     }
-    return values;
+}
+
+void GltfAccessor::eachNumbers(const TakeNumbers& take) const
+{
+    requireComponents(1, mostComponents);
+    const int type = accessor_.componentType;
+    const bool normalized = accessor_.normalized;
+    if (isFloat())
+        return gather<float>(load<float>, take);
+    gather<float>([type, normalized](
+                      const unsigned char* source) { return readNumber(source, type, normalized); },
+                  take);
 }
 
 std::vector<float> GltfAccessor::numbers() const
 {
-    const int type = accessor_.componentType;
-    const bool normalized = accessor_.normalized;
-    return gather<float>([type, normalized](const unsigned char* source) {
-        return readNumber(source, type, normalized);
+    std::vector<float> numbers(accessor_.count * components_);
+    eachNumbers([&](std::size_t first, std::size_t count, const float* block) {
+        std::copy_n(block, count * components_,
+                    numbers.begin() + static_cast<std::ptrdiff_t>(first * components_));
     });
+    return numbers;
 }
 
-std::vector<std::uint32_t> GltfAccessor::indices() const
+void GltfAccessor::eachIndices(const TakeIndices& take) const
 {
     requireComponents(1, 1);
     const int type = accessor_.componentType;
@@ -149,8 +175,17 @@ std::vector<std::uint32_t> GltfAccessor::indices() const
         type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
         type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
         fail(ErrorKind::input, "{}: component type {} is not an unsigned integer", place_, type);
-    return gather<std::uint32_t>(
-        [type](const unsigned char* source) { return readIndex(source, type); });
+    gather<std::uint32_t>([type](const unsigned char* source) { return readIndex(source, type); },
+                          take);
+}
+
+std::vector<std::uint32_t> GltfAccessor::indices() const
+{
+    std::vector<std::uint32_t> indices(accessor_.count);
+    eachIndices([&](std::size_t first, std::size_t count, const std::uint32_t* block) {
+        std::copy_n(block, count, indices.begin() + static_cast<std::ptrdiff_t>(first));
+    });
+    return indices;
 }
 
 } // namespace sward::terrain

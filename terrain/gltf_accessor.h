@@ -3,6 +3,7 @@
 #include "terrain/gltf_model.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,15 +22,24 @@ public:
     /// Throws Error{input} unless there are `low` to `high` components.
     void requireComponents(std::size_t low, std::size_t high) const;
 
-    /// count × components numbers; normalised integers in [0, 1] or [−1, 1].
+    /// Gives all elements to `take(first, count, numbers)`, in blocks and from several threads;
+    /// `numbers` has count × components of them, normalised integers in [0, 1] or [−1, 1]. Elements
+    /// that a sparse accessor replaces come once more, after all others.
+    using TakeNumbers = std::function<void(std::size_t, std::size_t, const float*)>;
+    void eachNumbers(const TakeNumbers& take) const;
+
+    /// The same as one array.
     std::vector<float> numbers() const;
 
-    /// Unsigned integers. Throws Error{input} for another type.
+    /// Unsigned integers, in the same way; blocks begin at a multiple of 3. Throws Error{input} for
+    /// another type.
+    using TakeIndices = std::function<void(std::size_t, std::size_t, const std::uint32_t*)>;
+    void eachIndices(const TakeIndices& take) const;
     std::vector<std::uint32_t> indices() const;
 
 private:
-    template <typename Value, typename Read>
-    std::vector<Value> gather(Read&& read) const;
+    template <typename Value, typename Read, typename Take>
+    void gather(const Read& read, const Take& take) const;
 
     /// The byte at `offset` of a buffer view, when `size` bytes from it on exist.
     const unsigned char* bytes(int view, std::size_t offset, std::size_t size) const;

@@ -1,6 +1,7 @@
 #include "terrain/gltf_import.h"
 
 #include "core/error.h"
+#include "terrain/blocks.h"
 #include "terrain/gltf_materials.h"
 #include "terrain/gltf_model.h"
 #include "terrain/gltf_nodes.h"
@@ -19,15 +20,21 @@ constexpr std::uint64_t vertexCost = 60;
 constexpr std::uint64_t triangleCost = 20;
 
 // Names node, mesh and vertex of a position that leaves the numbers.
-void requireFinite(const Soup& soup, const GltfPlacement& placement, const std::string& place)
+void requireFinite(const Soup& soup, std::size_t first, const GltfPlacement& placement,
+                   const std::string& place)
 {
-    for (std::size_t i = 0; i < soup.positions.size(); ++i) {
-        const glm::dvec3& p = soup.positions[i];
-        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+    const auto isFinite = [&](std::size_t i) {
+        const glm::dvec3& p = soup.positions[first + i];
+        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    };
+    const std::size_t count = soup.positions.size() - first;
+    if (holdsForAll(count, isFinite))
+        return;
+    for (std::size_t i = 0; i < count; ++i)
+        if (!isFinite(i))
             fail(ErrorKind::input,
                  "{}: node \"{}\" puts vertex {} of mesh {} at no finite position", place,
                  placement.path, i, placement.mesh);
-    }
 }
 
 // Makes room for everything that the scene shows, if it may cost that much.
@@ -56,32 +63,71 @@ void reserve(const GltfModel& model, const std::vector<GltfPlacement>& placement
     soup.nodeOf.reserve(sum.triangles);
 }
 
-void appendPlaced(Soup&& placed, const GltfPlacement& placement, const glm::dmat4& worldFromFile,
-                  const std::string& place, Soup& soup)
+// Appends a mesh that has been read before.
+void append(const Soup& mesh, Soup& soup)
 {
-    transform(placed, worldFromFile * placement.transform);
-    requireFinite(placed, placement, place);
-
-    const auto firstVertex = static_cast<std::uint32_t>(soup.positions.size());
-    // Each array goes as soon as it has been taken.
-    const auto take = [](auto& to, auto& from) {
+    const std::size_t first = soup.positions.size();
+    const auto take = [first](auto& to, const auto& from, const auto& otherwise) {
+        if (from.empty())
+            return;
+        to.resize(first, otherwise);
         to.insert(to.end(), from.begin(), from.end());
-        from = {};
     };
-    take(soup.positions, placed.positions);
-    take(soup.normals, placed.normals);
-    take(soup.uvs, placed.uvs);
-    take(soup.colors, placed.colors);
-    take(soup.materialOf, placed.materialOf);
-    for (const glm::uvec3& triangle : placed.triangles)
-        soup.triangles.push_back(triangle + firstVertex);
-    soup.hasColors = soup.hasColors || placed.hasColors;
-
-    // Instances of one node share its name.
-    if (soup.nodes.empty() || soup.nodes.back() != placement.path || !placement.repeats)
-        soup.nodes.push_back(placement.path);
-    soup.nodeOf.resize(soup.triangles.size(), static_cast<std::uint32_t>(soup.nodes.size() - 1));
+    take(soup.normals, mesh.normals, glm::vec3(0.0f));
+    take(soup.uvs, mesh.uvs, glm::vec2(0.0f));
+    take(soup.colors, mesh.colors, glm::vec4(1.0f));
+    soup.positions.insert(soup.positions.end(), mesh.positions.begin(), mesh.positions.end());
+    soup.materialOf.insert(soup.materialOf.end(), mesh.materialOf.begin(), mesh.materialOf.end());
+    for (const glm::uvec3& triangle : mesh.triangles)
+        soup.triangles.push_back(triangle + static_cast<std::uint32_t>(first));
+    soup.hasColors = soup.hasColors || mesh.hasColors;
 }
+
+// Reads the meshes of a scene where they are shown.
+class SceneReader {
+public:
+    SceneReader(const GltfModel& model, const std::vector<GltfPlacement>& placements,
+                const std::string& place, Diagnostics& diagnostics)
+        : model_(model)
+        , place_(place)
+        , diagnostics_(diagnostics)
+    {
+        for (const GltfPlacement& placement : placements)
+            ++uses_[placement.mesh];
+    }
+
+    void show(const GltfPlacement& placement, const std::vector<GltfUvSource>& uvs,
+              const glm::dmat4& worldFromFile, Soup& soup)
+    {
+        const std::size_t firstVertex = soup.positions.size();
+        const std::size_t firstTriangle = soup.triangles.size();
+        const auto mesh = static_cast<std::size_t>(placement.mesh);
+        if (uses_[placement.mesh] == 1) {
+            readGltfMesh(model_, mesh, uvs, place_, soup, diagnostics_);
+        } else {
+            // What is shown again is read once, in a soup of its own.
+            const auto [found, isNew] = meshes_.try_emplace(placement.mesh);
+            if (isNew)
+                readGltfMesh(model_, mesh, uvs, place_, found->second, diagnostics_);
+            append(found->second, soup);
+        }
+        transform(soup, worldFromFile * placement.transform, firstVertex, firstTriangle);
+        requireFinite(soup, firstVertex, placement, place_);
+
+        // Instances of one node share its name.
+        if (soup.nodes.empty() || soup.nodes.back() != placement.path || !placement.repeats)
+            soup.nodes.push_back(placement.path);
+        soup.nodeOf.resize(soup.triangles.size(),
+                           static_cast<std::uint32_t>(soup.nodes.size() - 1));
+    }
+
+private:
+    const GltfModel& model_;
+    const std::string& place_;
+    Diagnostics& diagnostics_;
+    std::map<int, std::size_t> uses_;
+    std::map<int, Soup> meshes_;
+};
 
 // Leaves out the material for primitives without one, if every primitive has one.
 void dropUnusedDefault(Soup& soup)
@@ -106,25 +152,9 @@ Soup importGltf(const std::filesystem::path& path, const ImportSettings& setting
     soup.copyright = model.structure.asset.copyright;
     const std::vector<GltfUvSource> uvs = importGltfMaterials(model, place, soup, diagnostics);
 
-    // Read each mesh once, however many nodes show it, and keep it no longer than that.
-    std::map<int, std::size_t> uses;
+    SceneReader scene(model, placements, place, diagnostics);
     for (const GltfPlacement& placement : placements)
-        ++uses[placement.mesh];
-    std::map<int, Soup> meshes;
-    for (const GltfPlacement& placement : placements) {
-        auto found = meshes.find(placement.mesh);
-        if (found == meshes.end())
-            found = meshes
-                        .emplace(placement.mesh,
-                                 readGltfMesh(model, static_cast<std::size_t>(placement.mesh), uvs,
-                                              place, diagnostics))
-                        .first;
-        const bool isLast = --uses[placement.mesh] == 0;
-        appendPlaced(isLast ? std::move(found->second) : Soup(found->second), placement,
-                     worldFromFile, place, soup);
-        if (isLast)
-            meshes.erase(found);
-    }
+        scene.show(placement, uvs, worldFromFile, soup);
     if (soup.triangles.empty())
         fail(ErrorKind::input, "{}: no triangles: its scene shows {} meshes with none among them",
              place, placements.size());

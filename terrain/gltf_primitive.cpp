@@ -3,12 +3,15 @@
 #include "core/error.h"
 #include "terrain/gltf_accessor.h"
 
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <optional>
 
 namespace sward::terrain {
 namespace {
+
+constexpr std::size_t noVertex = ~std::size_t(0);
 
 std::optional<int> attribute(const tinygltf::Primitive& primitive, const std::string& name)
 {
@@ -73,23 +76,35 @@ public:
     }
 
 private:
-    // The numbers of an attribute, one element per vertex.
-    std::vector<float> numbersOf(int accessor, const std::string& name, std::size_t low,
-                                 std::size_t high)
+    // Gives an attribute's elements to `put(vertex, numbers)`, one per vertex.
+    template <typename Put>
+    void readAttribute(int accessor, const std::string& name, std::size_t low, std::size_t high,
+                       const Put& put)
     {
         const GltfAccessor reader(model_, accessor, place_ + ": " + name);
         reader.requireComponents(low, high);
-        components_ = reader.components();
-        if (name != "POSITION" && reader.count() != vertices_)
+        if (reader.count() != vertices_)
             fail(ErrorKind::input, "{}: {} has {} elements for {} vertices", place_, name,
                  reader.count(), vertices_);
-        vertices_ = reader.count();
-        std::vector<float> numbers = reader.numbers();
-        for (std::size_t i = 0; i < numbers.size(); ++i)
-            if (!std::isfinite(numbers[i]))
-                fail(ErrorKind::input, "{}: {} of vertex {} is not a finite number", place_, name,
-                     i / components_);
-        return numbers;
+        const std::size_t components = reader.components();
+        std::atomic<std::size_t> wrong = noVertex;
+        reader.eachNumbers([&](std::size_t first, std::size_t count, const float* numbers) {
+            for (std::size_t i = 0; i < count; ++i) {
+                const float* const own = numbers + i * components;
+                for (std::size_t c = 0; c < components; ++c)
+                    if (!std::isfinite(own[c]))
+                        wrong = first + i;
+                put(first_ + first + i, own, components);
+            }
+        });
+        // Several threads may have met one: name the first.
+        if (wrong != noVertex) {
+            const std::vector<float> numbers = reader.numbers();
+            for (std::size_t i = 0; i < numbers.size(); ++i)
+                if (!std::isfinite(numbers[i]))
+                    fail(ErrorKind::input, "{}: {} of vertex {} is not a finite number", place_,
+                         name, i / components);
+        }
     }
 
     void readPositions()
@@ -97,12 +112,12 @@ private:
         const auto accessor = attribute(primitive_, "POSITION");
         if (!accessor)
             fail(ErrorKind::input, "{}: no POSITION", place_);
-        const std::vector<float> p = numbersOf(*accessor, "POSITION", 3, 3);
-        for (std::size_t i = 0; i < vertices_; ++i)
-            soup_.positions.emplace_back(p[3 * i], p[3 * i + 1], p[3 * i + 2]);
-        soup_.normals.resize(first_ + vertices_, glm::vec3(0.0f));
-        soup_.uvs.resize(first_ + vertices_, glm::vec2(0.0f));
-        soup_.colors.resize(first_ + vertices_, glm::vec4(1.0f));
+        vertices_ = GltfAccessor(model_, *accessor, place_).count();
+        soup_.positions.resize(first_ + vertices_);
+        readAttribute(*accessor, "POSITION", 3, 3,
+                      [&](std::size_t vertex, const float* p, std::size_t) {
+                          soup_.positions[vertex] = glm::dvec3(p[0], p[1], p[2]);
+                      });
     }
 
     void readNormals()
@@ -110,9 +125,11 @@ private:
         const auto accessor = attribute(primitive_, "NORMAL");
         if (!accessor)
             return;
-        const std::vector<float> n = numbersOf(*accessor, "NORMAL", 3, 3);
-        for (std::size_t i = 0; i < vertices_; ++i)
-            soup_.normals[first_ + i] = {n[3 * i], n[3 * i + 1], n[3 * i + 2]};
+        soup_.normals.resize(first_ + vertices_, glm::vec3(0.0f));
+        readAttribute(*accessor, "NORMAL", 3, 3,
+                      [&](std::size_t vertex, const float* n, std::size_t) {
+                          soup_.normals[vertex] = glm::vec3(n[0], n[1], n[2]);
+                      });
     }
 
     void readUvs(const GltfUvSource& source, Diagnostics& diagnostics)
@@ -125,9 +142,10 @@ private:
                                  name);
             return;
         }
-        const std::vector<float> uv = numbersOf(*accessor, name, 2, 2);
-        for (std::size_t i = 0; i < vertices_; ++i)
-            soup_.uvs[first_ + i] = source.placing * glm::vec3(uv[2 * i], uv[2 * i + 1], 1.0f);
+        soup_.uvs.resize(first_ + vertices_, glm::vec2(0.0f));
+        readAttribute(*accessor, name, 2, 2, [&](std::size_t vertex, const float* uv, std::size_t) {
+            soup_.uvs[vertex] = source.placing * glm::vec3(uv[0], uv[1], 1.0f);
+        });
     }
 
     void readColors()
@@ -135,19 +153,68 @@ private:
         const auto accessor = attribute(primitive_, "COLOR_0");
         if (!accessor)
             return;
-        const std::vector<float> c = numbersOf(*accessor, "COLOR_0", 3, 4);
+        soup_.colors.resize(first_ + vertices_, glm::vec4(1.0f));
         const auto channel = [](float value) { return std::fmin(std::fmax(value, 0.0f), 1.0f); };
-        for (std::size_t i = 0; i < vertices_; ++i) {
-            const float* const own = c.data() + components_ * i;
-            soup_.colors[first_ + i] = {channel(own[0]), channel(own[1]), channel(own[2]),
-                                        components_ == 4 ? channel(own[3]) : 1.0f};
-        }
+        readAttribute(*accessor, "COLOR_0", 3, 4,
+                      [&](std::size_t vertex, const float* c, std::size_t components) {
+                          soup_.colors[vertex] = {channel(c[0]), channel(c[1]), channel(c[2]),
+                                                  components == 4 ? channel(c[3]) : 1.0f};
+                      });
         soup_.hasColors = true;
     }
 
     void readTriangles(std::uint32_t material, Diagnostics& diagnostics)
     {
-        // Without indices the vertices are taken in their order.
+        const int mode = primitive_.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive_.mode;
+        if (mode == TINYGLTF_MODE_TRIANGLES && primitive_.indices >= 0)
+            readTriangleList(diagnostics);
+        else
+            readOtherTriangles(mode, diagnostics);
+        soup_.materialOf.resize(soup_.triangles.size(), material);
+    }
+
+    void warnOfRest(std::size_t indices, Diagnostics& diagnostics)
+    {
+        if (indices % 3 != 0)
+            diagnostics.warn("{}: {} indices are not a multiple of 3; the last ones are left out",
+                             place_, indices);
+    }
+
+    [[noreturn]] void failIndex(std::size_t at, std::uint32_t index) const
+    {
+        fail(ErrorKind::input, "{}: index {} names vertex {}, but there are {}", place_, at, index,
+             vertices_);
+    }
+
+    // The usual kind, block by block.
+    void readTriangleList(Diagnostics& diagnostics)
+    {
+        const GltfAccessor reader(model_, primitive_.indices, place_ + ": indices");
+        warnOfRest(reader.count(), diagnostics);
+        const std::size_t begin = soup_.triangles.size();
+        const std::size_t corners = reader.count() / 3 * 3;
+        soup_.triangles.resize(begin + corners / 3);
+        std::atomic<bool> isSound = true;
+        reader.eachIndices([&](std::size_t first, std::size_t count, const std::uint32_t* indices) {
+            for (std::size_t i = 0; i < count && first + i < corners; ++i) {
+                if (indices[i] >= vertices_)
+                    isSound = false;
+                const std::size_t corner = first + i;
+                soup_.triangles[begin + corner / 3][corner % 3] =
+                    indices[i] + static_cast<std::uint32_t>(first_);
+            }
+        });
+        if (isSound)
+            return;
+        const std::vector<std::uint32_t> indices = reader.indices();
+        for (std::size_t i = 0; i < indices.size(); ++i)
+            if (indices[i] >= vertices_)
+                failIndex(i, indices[i]);
+    }
+
+    // Strips and fans, and lists of the vertices in their order.
+    void readOtherTriangles(int mode, Diagnostics& diagnostics)
+    {
         std::vector<std::uint32_t> indices(primitive_.indices >= 0 ? 0 : vertices_);
         if (primitive_.indices >= 0)
             indices = GltfAccessor(model_, primitive_.indices, place_ + ": indices").indices();
@@ -155,15 +222,10 @@ private:
             std::iota(indices.begin(), indices.end(), 0U);
         for (std::size_t i = 0; i < indices.size(); ++i)
             if (indices[i] >= vertices_)
-                fail(ErrorKind::input, "{}: index {} names vertex {}, but there are {}", place_, i,
-                     indices[i], vertices_);
-
-        const int mode = primitive_.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive_.mode;
-        if (mode == TINYGLTF_MODE_TRIANGLES && indices.size() % 3 != 0)
-            diagnostics.warn("{}: {} indices are not a multiple of 3; the last ones are left out",
-                             place_, indices.size());
+                failIndex(i, indices[i]);
+        if (mode == TINYGLTF_MODE_TRIANGLES)
+            warnOfRest(indices.size(), diagnostics);
         appendTriangles(indices, mode, static_cast<std::uint32_t>(first_), soup_.triangles);
-        soup_.materialOf.resize(soup_.triangles.size(), material);
     }
 
     const GltfModel& model_;
@@ -172,7 +234,6 @@ private:
     Soup& soup_;
     std::size_t first_;
     std::size_t vertices_ = 0;
-    std::size_t components_ = 0;
 };
 
 } // namespace
@@ -198,10 +259,9 @@ GltfMeshSize sizeOfGltfMesh(const GltfModel& model, std::size_t mesh)
     return size;
 }
 
-Soup readGltfMesh(const GltfModel& model, std::size_t mesh, const std::vector<GltfUvSource>& uvs,
-                  const std::string& place, Diagnostics& diagnostics)
+void readGltfMesh(const GltfModel& model, std::size_t mesh, const std::vector<GltfUvSource>& uvs,
+                  const std::string& place, Soup& soup, Diagnostics& diagnostics)
 {
-    Soup soup;
     const tinygltf::Mesh& source = model.structure.meshes.at(mesh);
     for (std::size_t i = 0; i < source.primitives.size(); ++i) {
         const tinygltf::Primitive& primitive = source.primitives[i];
@@ -215,7 +275,6 @@ Soup readGltfMesh(const GltfModel& model, std::size_t mesh, const std::vector<Gl
         }
         PrimitiveReader(model, primitive, std::move(where), soup).read(uvs, diagnostics);
     }
-    return soup;
 }
 
 } // namespace sward::terrain

@@ -17,10 +17,10 @@ struct GltfMeshSize {
 };
 GltfMeshSize sizeOfGltfMesh(const GltfModel& model, std::size_t mesh);
 
-/// Reads the triangles of a mesh, all its primitives in one, in the mesh's own space. Points and
-/// lines are passed over with a warning. Materials are numbered as importGltfMaterials() does.
+/// Appends the triangles of a mesh to `soup`, all its primitives, in the mesh's own space. Points
+/// and lines are passed over with a warning. Materials are numbered as importGltfMaterials() does.
 /// Throws Error{input} naming mesh, primitive and vertex.
-Soup readGltfMesh(const GltfModel& model, std::size_t mesh, const std::vector<GltfUvSource>& uvs,
-                  const std::string& place, Diagnostics& diagnostics);
+void readGltfMesh(const GltfModel& model, std::size_t mesh, const std::vector<GltfUvSource>& uvs,
+                  const std::string& place, Soup& soup, Diagnostics& diagnostics);
 
 } // namespace sward::terrain

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/expect.h"
+#include "terrain/blocks.h"
 
 #include <glm/geometric.hpp>
 
@@ -29,6 +30,8 @@ bool isFinite(const glm::vec4& v)
 template <typename Vec>
 void requireFinite(const std::vector<Vec>& values, const char* what, const std::string& place)
 {
+    if (holdsForAll(values.size(), [&](std::size_t i) { return isFinite(values[i]); }))
+        return;
     for (std::size_t i = 0; i < values.size(); ++i)
         if (!isFinite(values[i]))
             fail(ErrorKind::input, "{}: the {} of vertex {} is not a finite number", place, what,
@@ -54,6 +57,13 @@ glm::dvec3 areaVector(const GroundMesh& mesh, std::size_t index)
 void validateTriangles(const GroundMesh& mesh, const std::string& place)
 {
     const std::size_t vertices = mesh.positions.size();
+    const auto isSound = [&](std::size_t i) {
+        const glm::uvec3 t = mesh.triangles[i];
+        return t.x < vertices && t.y < vertices && t.z < vertices &&
+               mesh.materialOf[i] < mesh.materials.size() && mesh.nodeOf[i] < mesh.nodes.size();
+    };
+    if (holdsForAll(mesh.triangles.size(), isSound))
+        return;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const glm::uvec3 t = mesh.triangles[i];
         if (t.x >= vertices || t.y >= vertices || t.z >= vertices)

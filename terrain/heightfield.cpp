@@ -2,10 +2,9 @@
 
 #include "core/error.h"
 #include "core/expect.h"
+#include "terrain/blocks.h"
 
 #include <glm/geometric.hpp>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +17,7 @@ constexpr std::uint32_t unused = 0xffffffffU;
 template <typename Row>
 void forEachRow(std::size_t rows, Row&& row)
 {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows), [&](const auto& range) {
-        for (std::size_t j = range.begin(); j < range.end(); ++j)
-            row(j);
-    });
+    forEachBlock(rows, 1, [&](std::size_t j, std::size_t) { row(j); });
 }
 
 // Grid line i of `cells` lies at extent·(i/cells − 1/2).

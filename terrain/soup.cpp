@@ -1,12 +1,14 @@
 #include "terrain/soup.h"
 
 #include "core/error.h"
+#include "terrain/blocks.h"
 #include "terrain/topology.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -14,6 +16,7 @@ namespace sward::terrain {
 namespace {
 
 constexpr std::uint32_t unused = 0xffffffffU;
+constexpr std::size_t blockSize = 4096; // vertices or triangles that a thread takes at a time
 
 bool isFinite(const glm::dvec3& v)
 {
@@ -97,32 +100,50 @@ void completeNormals(GroundMesh& mesh)
         dropUnusedVertices(mesh);
 }
 
-// Copies the vertices that are used, recentred.
-void takeVertices(const Soup& soup, const std::vector<std::uint32_t>& newIndex,
+// The box of what is used.
+DAabb boundsOf(const Soup& soup, const std::vector<std::uint32_t>& newIndex,
+               const std::string& place)
+{
+    const auto isSound = [&](std::size_t i) {
+        return newIndex[i] == unused || isFinite(soup.positions[i]);
+    };
+    if (!holdsForAll(newIndex.size(), isSound))
+        for (std::size_t i = 0; i < newIndex.size(); ++i)
+            if (!isSound(i))
+                fail(ErrorKind::input, "{}: the position of vertex {} is not a finite number",
+                     place, i);
+    DAabb bounds;
+    for (std::size_t i = 0; i < newIndex.size(); ++i)
+        if (newIndex[i] != unused)
+            bounds.add(soup.positions[i]);
+    return bounds;
+}
+
+// Copies the vertices that are used, recentred in double precision before they are rounded.
+void takeVertices(Soup& soup, const std::vector<std::uint32_t>& newIndex, std::size_t used,
                   const std::string& place, GroundMesh& mesh)
 {
-    // Find the middle of what is used.
-    DAabb bounds;
-    for (std::size_t i = 0; i < newIndex.size(); ++i) {
-        if (newIndex[i] == unused)
-            continue;
-        if (!isFinite(soup.positions[i]))
-            fail(ErrorKind::input, "{}: the position of vertex {} is not a finite number", place,
-                 i);
-        bounds.add(soup.positions[i]);
-    }
-    mesh.origin = originFor(bounds);
-
-    // Recentre in double precision, then round.
-    for (std::size_t i = 0; i < newIndex.size(); ++i) {
-        if (newIndex[i] == unused)
-            continue;
-        mesh.positions.emplace_back(soup.positions[i] - mesh.origin);
-        mesh.normals.push_back(i < soup.normals.size() ? direction(glm::dvec3(soup.normals[i]))
-                                                       : glm::vec3(0.0f));
-        mesh.uvs.push_back(i < soup.uvs.size() ? soup.uvs[i] : glm::vec2(0.0f));
-        mesh.colors.push_back(i < soup.colors.size() ? soup.colors[i] : glm::vec4(1.0f));
-    }
+    mesh.origin = originFor(boundsOf(soup, newIndex, place));
+    const auto fill = [&](auto& values, const auto& valueOf) {
+        values.resize(used);
+        forEachBlock(newIndex.size(), blockSize, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                if (newIndex[i] != unused)
+                    values[newIndex[i]] = valueOf(i);
+        });
+    };
+    fill(mesh.positions, [&](std::size_t i) { return glm::vec3(soup.positions[i] - mesh.origin); });
+    soup.positions = {};
+    fill(mesh.normals, [&](std::size_t i) {
+        return i < soup.normals.size() ? direction(glm::dvec3(soup.normals[i])) : glm::vec3(0.0f);
+    });
+    soup.normals = {};
+    fill(mesh.uvs,
+         [&](std::size_t i) { return i < soup.uvs.size() ? soup.uvs[i] : glm::vec2(0.0f); });
+    soup.uvs = {};
+    fill(mesh.colors,
+         [&](std::size_t i) { return i < soup.colors.size() ? soup.colors[i] : glm::vec4(1.0f); });
+    soup.colors = {};
 }
 
 } // namespace
@@ -147,7 +168,8 @@ Soup soupOf(const GroundMesh& mesh)
     return soup;
 }
 
-void transform(Soup& soup, const glm::dmat4& matrix)
+void transform(Soup& soup, const glm::dmat4& matrix, std::size_t firstVertex,
+               std::size_t firstTriangle)
 {
     if (matrix == glm::dmat4(1.0))
         return;
@@ -155,19 +177,26 @@ void transform(Soup& soup, const glm::dmat4& matrix)
     const glm::dvec3 translation(matrix[3]);
     const bool mirrors = glm::determinant(linear) < 0.0;
 
-    for (glm::dvec3& position : soup.positions)
-        position = linear * position + translation;
+    forEachBlock(soup.positions.size() - firstVertex, blockSize,
+                 [&](std::size_t begin, std::size_t end) {
+                     for (std::size_t i = firstVertex + begin; i < firstVertex + end; ++i)
+                         soup.positions[i] = linear * soup.positions[i] + translation;
+                 });
 
     // The inverse transpose, times |determinant|, which direction() takes out again: cofactors.
     const double sign = mirrors ? -1.0 : 1.0;
     const glm::dmat3 cofactors(sign * glm::cross(linear[1], linear[2]),
                                sign * glm::cross(linear[2], linear[0]),
                                sign * glm::cross(linear[0], linear[1]));
-    for (glm::vec3& normal : soup.normals)
-        normal = direction(cofactors * glm::dvec3(normal));
+    if (soup.normals.size() > firstVertex)
+        forEachBlock(soup.normals.size() - firstVertex, blockSize,
+                     [&](std::size_t begin, std::size_t end) {
+                         for (std::size_t i = firstVertex + begin; i < firstVertex + end; ++i)
+                             soup.normals[i] = direction(cofactors * glm::dvec3(soup.normals[i]));
+                     });
     if (mirrors)
-        for (glm::uvec3& triangle : soup.triangles)
-            std::swap(triangle.y, triangle.z);
+        for (std::size_t i = firstTriangle; i < soup.triangles.size(); ++i)
+            std::swap(soup.triangles[i].y, soup.triangles[i].z);
 }
 
 GroundMesh settle(Soup&& soup, const std::string& place)
@@ -177,9 +206,14 @@ GroundMesh settle(Soup&& soup, const std::string& place)
 
     GroundMesh mesh;
     const auto newIndex = numberUsedVertices(soup.triangles, soup.positions.size(), place);
-    takeVertices(soup, newIndex, place, mesh);
+    const std::size_t used =
+        newIndex.size() -
+        static_cast<std::size_t>(std::count(newIndex.begin(), newIndex.end(), unused));
+    const bool allUsed = used == newIndex.size();
+    takeVertices(soup, newIndex, used, place, mesh);
     mesh.triangles = std::move(soup.triangles);
-    renumber(mesh.triangles, newIndex);
+    if (!allUsed)
+        renumber(mesh.triangles, newIndex);
 
     mesh.materialOf = std::move(soup.materialOf);
     mesh.nodeOf = std::move(soup.nodeOf);
@@ -197,9 +231,8 @@ GroundMesh settle(Soup&& soup, const std::string& place)
         mesh.nodes.emplace_back("ground");
     soup = {};
 
-    mesh.hasNormals = true;
-    for (const glm::vec3& normal : mesh.normals)
-        mesh.hasNormals = mesh.hasNormals && normal != glm::vec3(0.0f);
+    mesh.hasNormals = holdsForAll(
+        mesh.normals.size(), [&](std::size_t i) { return mesh.normals[i] != glm::vec3(0.0f); });
     // Before topology looks at it, every index must be sound.
     validate(mesh, place);
     if (!mesh.hasNormals)

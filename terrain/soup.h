@@ -14,10 +14,11 @@
 namespace sward::terrain {
 
 /// Ground as an importer meets it: in the file's own space and in double precision. Arrays are as
-/// in GroundMesh; what a file does not say keeps the value named here.
+/// in GroundMesh, but normals, uvs and colors may be shorter than positions: what a file does not
+/// say is the value named here.
 struct Soup {
     std::vector<glm::dvec3> positions;
-    std::vector<glm::vec3> normals; ///< any length; (0, 0, 0) where the file has none
+    std::vector<glm::vec3> normals; ///< of any length; (0, 0, 0): the file has none
     std::vector<glm::vec2> uvs;     ///< (0, 0)
     std::vector<glm::vec4> colors;  ///< (1, 1, 1, 1)
 
@@ -36,8 +37,9 @@ struct Soup {
 Soup soupOf(const GroundMesh& mesh);
 
 /// Moves positions by the affine `matrix` and normals by its inverse transpose; a mirror turns the
-/// triangles round, so that fronts stay fronts.
-void transform(Soup& soup, const glm::dmat4& matrix);
+/// triangles round, so that fronts stay fronts. Only those from the given ones on.
+void transform(Soup& soup, const glm::dmat4& matrix, std::size_t firstVertex = 0,
+               std::size_t firstTriangle = 0);
 
 /// Makes ground of a soup in world space: drops vertices without a triangle, recentres in double
 /// precision before rounding, and finds normals where the file gave none. Everything bears grass.
