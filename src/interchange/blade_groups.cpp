@@ -9,6 +9,9 @@ namespace {
 
 constexpr std::uint32_t noGroup = std::numeric_limits<std::uint32_t>::max();
 
+// A subtree of less than this part of the largest group is not worth a draw of its own.
+constexpr std::uint64_t leastShare = 32;
+
 // Blades of each patch and everything below it.
 std::vector<std::uint64_t> subtreeCounts(std::span<const shared::Patch> patches)
 {
@@ -63,10 +66,15 @@ private:
         const bool isWhole = counts_[p] <= largest_;
         if (!isWhole && patches_[p].bladeCount == 0)
             return noGroup;
-        // Representatives join those of the cell around them while there is room.
-        if (!isWhole && above != noGroup &&
-            groups_[above].bladeCount + patches_[p].bladeCount <= largest_)
+        // Representatives, and what is too little for a group, join the representatives of the
+        // cell around them while there is room.
+        const std::uint64_t joining = isWhole ? counts_[p] : patches_[p].bladeCount;
+        const bool mayJoin = !isWhole || counts_[p] < largest_ / leastShare;
+        if (mayJoin && above != noGroup && reserved_[above] + joining <= largest_) {
+            reserved_[above] += joining;
             return above;
+        }
+        reserved_.push_back(joining);
         groups_.emplace_back();
         return static_cast<std::uint32_t>(groups_.size() - 1);
     }
@@ -76,6 +84,7 @@ private:
     std::vector<std::uint64_t> counts_;
     std::vector<std::uint32_t> groupOf_;
     std::vector<BladeGroup> groups_;
+    std::vector<std::uint64_t> reserved_; // blades of each group, with those still to come
 };
 
 } // namespace

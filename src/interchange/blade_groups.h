@@ -24,10 +24,11 @@ struct BladeGroup {
 inline constexpr std::uint64_t largestGroup = 32768;
 
 /// Parts the field's blades into groups: each subtree of at most `largest` blades is one, and the
-/// representatives above such subtrees are gathered cell by cell of at most 32 m. Every patch that
-/// owns blades is in exactly one group; no group has more than max(largest, maxPatchBlades) blades.
-/// A place on a whole metre is exact in single precision up to 1.6e7 m, and so is its sum with the
-/// origin (a multiple of 32 m): groups never shift against each other, whoever adds them.
+/// representatives above such subtrees are gathered cell by cell of at most 32 m, together with
+/// subtrees too small for a group. Every patch that owns blades is in exactly one group; no group
+/// has more than max(largest, maxPatchBlades) blades. A place on a whole metre is exact in single
+/// precision up to 1.6e7 m, and so is its sum with the origin (a multiple of 32 m): groups never
+/// shift against each other, whoever adds them.
 std::vector<BladeGroup> groupBlades(const field::FieldView& field,
                                     std::uint64_t largest = largestGroup);
 

@@ -64,6 +64,31 @@ TEST(BladeGroups, AreFew)
     EXPECT_EQ(groupBlades(field::viewOf(field), 100000).size(), 1U);
 }
 
+TEST(BladeGroups, OfFewBladesJoinTheRepresentativesAroundThem)
+{
+    // A cell of 256 representatives over leaves that are a group each, but for two slivers.
+    std::vector<shared::Patch> patches(1);
+    patches[0].bladeCount = 256;
+    patches[0].parent = shared::noPatch;
+    patches[0].firstChild = 1;
+    for (const std::uint32_t blades : {5000U, 10U, 6000U, 199U, 200U}) {
+        shared::Patch& leaf = patches.emplace_back();
+        leaf.bladeCount = blades;
+        leaf.firstChild = shared::noPatch;
+    }
+    patches[0].childCount = 5;
+    field::FieldView view;
+    view.patches = patches;
+    const std::vector<BladeGroup> groups = groupBlades(view, 6400);
+    ASSERT_EQ(groups.size(), 4U);
+    EXPECT_EQ(groups[0].patches, (std::vector<std::uint32_t>{0, 2, 4}));
+    EXPECT_EQ(groups[0].bladeCount, 465U);
+    EXPECT_EQ(groups[3].patches, (std::vector<std::uint32_t>{5}));
+    // Only while there is room.
+    patches[0].bladeCount = 6395;
+    EXPECT_EQ(groupBlades(view, 6400).size(), 6U);
+}
+
 TEST(BladeGroups, KeepTheOrderFromCoarseToFine)
 {
     const field::Field field = makeField(fields[0]);
