@@ -1,6 +1,7 @@
 #include "field/distributions.h"
 
 #include "core/random.h"
+#include "field/nearest_root.h"
 
 #include <glm/geometric.hpp>
 
@@ -23,6 +24,9 @@ constexpr std::size_t slopeBars = 18;
 // Edge of a cell in median distances of neighbours. For roots at random the median is
 // 0.47/√density, for the densest blue noise about 0.9: a full cell has 57 to 830 blades.
 constexpr double cellDistances = 16.0;
+
+// Patches that all searches together look into; usually it is some forty for each.
+constexpr std::uint64_t mostVisits = 4'000'000;
 
 // A cube that holds roots whose up-vectors are nearest to one direction.
 struct Cube {
@@ -76,12 +80,13 @@ std::vector<double> sampledDistances(const FieldView& field)
     const std::size_t blades = field.blades.size();
     const std::size_t samples = std::min(blades, neighbourSamples);
     std::vector<double> distances;
-    for (std::size_t k = 0; k < samples; ++k) {
+    RootSearch search(field);
+    for (std::size_t k = 0; k < samples && search.visited() < mostVisits; ++k) {
         // One from each of equal stretches of the file.
         const double within = samples == blades ? 0.5 : uniform(0, k, 0);
         const double at = (double(k) + within) * double(blades) / double(samples);
         const std::size_t index = std::min(static_cast<std::size_t>(at), blades - 1);
-        if (const std::optional<double> distance = nearestRootDistance(field, index))
+        if (const std::optional<double> distance = search.nearest(index))
             distances.push_back(*distance);
     }
     std::sort(distances.begin(), distances.end());
@@ -109,9 +114,7 @@ public:
         const glm::length_t axis = size.y >= size.x && size.y >= size.z ? 1
                                    : size.x >= size.z                   ? 0
                                                                         : 2;
-        const auto place = [&](glm::length_t side) {
-            return static_cast<std::int64_t>(std::floor(double(blade.root[side % 3]) / edge_));
-        };
+        const auto place = [&](glm::length_t side) { return cellOf(double(blade.root[side % 3])); };
         const int direction = 2 * static_cast<int>(axis) + (blade.up[axis] < 0.0f ? 1 : 0);
         sums_[{direction, place(axis + 1), place(axis + 2), place(axis)}] += double(size[axis]);
     }
@@ -139,6 +142,15 @@ public:
     }
 
 private:
+    std::int64_t cellOf(double x) const
+    {
+        // A number beyond all cells, or none, is in the outermost.
+        constexpr double outermost = 1e18;
+        const double cell = std::floor(x / edge_);
+        return static_cast<std::int64_t>(cell > -outermost ? std::min(cell, outermost)
+                                                           : -outermost);
+    }
+
     double edge_;
     std::unordered_map<Cube, double, CubeHash> sums_;
 };
@@ -155,8 +167,9 @@ Histogram::Histogram(double low, double high, std::size_t bars)
 void Histogram::add(double value)
 {
     const double last = double(bars_.size() - 1);
-    const double share = high_ > low_ ? (value - low_) / (high_ - low_) : 0.0;
-    ++bars_[static_cast<std::size_t>(std::clamp(share * double(bars_.size()), 0.0, last))];
+    const double place = (value - low_) / (high_ - low_) * double(bars_.size());
+    // Where the edges are the same, the place is no number.
+    ++bars_[place > 0.0 ? static_cast<std::size_t>(std::min(place, last)) : 0];
     least_ = count_ == 0 ? value : std::min(least_, value);
     largest_ = count_ == 0 ? value : std::max(largest_, value);
     sum_ += value;

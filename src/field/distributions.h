@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace sward::field {
@@ -38,7 +37,8 @@ private:
     double sum_ = 0.0;
 };
 
-/// Roots whose nearest neighbour is looked for, at most.
+/// Roots whose nearest neighbour is looked for, at most: fewer where a damaged tree would make the
+/// search long.
 inline constexpr std::size_t neighbourSamples = 10000;
 
 /// How a field's blades are distributed.
@@ -61,8 +61,5 @@ struct Distributions {
 /// ground's normals. What a border cuts off counts as ground. The edge is the power of two not
 /// below sixteen times the median distance of neighbours: some hundred blades in a full cell.
 Distributions distributionsOf(const FieldView& field);
-
-/// Distance [m] from the root of blade `index` to the nearest other root; nothing if there is none.
-std::optional<double> nearestRootDistance(const FieldView& field, std::size_t index);
 
 } // namespace sward::field

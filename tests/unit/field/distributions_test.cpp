@@ -1,4 +1,5 @@
 #include "field/distributions.h"
+#include "field/nearest_root.h"
 #include "support/fields/fields.h"
 
 #include <glm/geometric.hpp>
@@ -113,12 +114,14 @@ TEST(Distributions, NearestRootIsTheNearestOfAll)
     for (const Surface surface : {Surface::cloud, Surface::plane}) {
         const Field field = makeField({.surface = surface, .blades = 3000});
         const std::vector<glm::dvec3> roots = rootsOf(field);
+        const FieldView view = viewOf(field);
+        RootSearch search(view);
         for (std::size_t i = 0; i < roots.size(); i += 37) {
             double best = std::numeric_limits<double>::max();
             for (std::size_t j = 0; j < roots.size(); ++j)
                 if (j != i)
                     best = std::min(best, glm::distance(roots[i], roots[j]));
-            EXPECT_EQ(nearestRootDistance(viewOf(field), i), best);
+            EXPECT_EQ(search.nearest(i), best);
         }
     }
 }
@@ -160,6 +163,27 @@ TEST(Distributions, TwoStoreysAreTwoCells)
     EXPECT_NEAR(all.density.mean() * 2.0 * 64.0, 20000.0, 0.1);
 }
 
+TEST(Distributions, SearchLooksIntoFewPatches)
+{
+    const Field field = makeField({.blades = 200000, .extent = 100.0f});
+    const FieldView view = viewOf(field);
+    RootSearch search(view);
+    for (std::size_t i = 0; i < 200000; i += 997)
+        search.nearest(i);
+    EXPECT_LT(search.visited(), 201U * 40U);
+}
+
+TEST(Distributions, NumbersBeyondAllBoundsDoNoHarm)
+{
+    Field field = makeField({.surface = Surface::cloud, .blades = 3000});
+    field.patches[0].rootStep = std::numeric_limits<float>::max();
+    field.patches[1].heightStep = std::numeric_limits<float>::max();
+    field.patches[2].rootLow.x = std::numeric_limits<float>::max();
+    const Distributions all = distributionsOf(viewOf(field));
+    EXPECT_EQ(sumOf(all.height), 3000U);
+    EXPECT_EQ(sumOf(all.slope), 3000U);
+}
+
 TEST(Distributions, AFieldWithoutBladesHasNone)
 {
     const Field field = test::emptyField();
@@ -173,7 +197,8 @@ TEST(Distributions, AFieldWithoutBladesHasNone)
 TEST(Distributions, ASingleBladeHasNoNeighbour)
 {
     const Field field = makeField({.blades = 1});
-    EXPECT_EQ(nearestRootDistance(viewOf(field), 0), std::nullopt);
+    const FieldView view = viewOf(field);
+    EXPECT_EQ(RootSearch(view).nearest(0), std::nullopt);
     const Distributions all = distributionsOf(viewOf(field));
     EXPECT_EQ(all.height.count(), 1U);
     EXPECT_EQ(all.nearestNeighbour.count(), 0U);
