@@ -62,6 +62,8 @@ std::string contentHash(const GroundMesh& mesh)
             hasher.add(static_cast<double>(material.baseColor[channel]));
         hasher.add(static_cast<double>(material.image));
         hasher.add(material.doubleSided ? 1.0 : 0.0);
+        hasher.add(static_cast<double>(material.wrapU));
+        hasher.add(static_cast<double>(material.wrapV));
     }
     for (const GroundImage& image : mesh.images) {
         hasher.add(static_cast<double>(image.width));

@@ -37,6 +37,7 @@ public:
         each("bufferViews", "bufferView", [&](const GltfObject& o) { return bufferView(o); });
         each("accessors", "accessor", [&](const GltfObject& o) { return accessor(o); });
         each("images", "image", [&](const GltfObject& o) { return image(o); });
+        each("samplers", "sampler", [&](const GltfObject& o) { return sampler(o); });
         each("textures", "texture", [&](const GltfObject& o) { return texture(o); });
         each("materials", "material", [&](const GltfObject& o) { return material(o); });
         each("meshes", "mesh", [&](const GltfObject& o) { return mesh(o); });
@@ -131,13 +132,21 @@ private:
         return o.keep({"name", "uri", "mimeType", "bufferView"});
     }
 
+    json sampler(const GltfObject& o)
+    {
+        o.count("wrapS", 65536);
+        o.count("wrapT", 65536);
+        return o.keep({"wrapS", "wrapT"});
+    }
+
     json texture(const GltfObject& o)
     {
         if (!o.count("source", size("images")))
             if (const std::string format = imageFormatOf(o); !format.empty())
                 diagnostics_.warn("{}: texture {}: {} is not read; what shows it is drawn without",
                                   file_, o.index, format);
-        return o.keep({"source"});
+        o.count("sampler", size("samplers"));
+        return o.keep({"source", "sampler"});
     }
 
     json material(const GltfObject& o) { return checkMaterial(o, size("textures")); }

@@ -2,13 +2,16 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "terrain/gltf_container.h"
 
+#include <nlohmann/json.hpp>
 #include <stb/stb_image_write.h>
 #include <tiny_gltf.h>
 
 #include <algorithm>
 #include <cstring>
 #include <map>
+#include <span>
 #include <sstream>
 #include <utility>
 
@@ -206,6 +209,38 @@ private:
     bool hasUvs_ = false;
 };
 
+// Gives every material whose image does not repeat a texture with a sampler. tinygltf cannot: see
+// gltf_model.cpp.
+std::string withWraps(std::string file, const GroundMesh& mesh)
+{
+    const auto repeats = [](const GroundMaterial& material) {
+        return material.image == GroundMaterial::noImage ||
+               (material.wrapU == ImageWrap::repeat && material.wrapV == ImageWrap::repeat);
+    };
+    if (std::all_of(mesh.materials.begin(), mesh.materials.end(), repeats))
+        return file;
+    const auto mode = [](ImageWrap wrap) {
+        return wrap == ImageWrap::clamp    ? TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE
+               : wrap == ImageWrap::mirror ? TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT
+                                           : TINYGLTF_TEXTURE_WRAP_REPEAT;
+    };
+    const GltfParts parts = splitGltf(std::as_bytes(std::span(file)), "export");
+    nlohmann::json document = nlohmann::json::parse(parts.json);
+    for (std::size_t i = 0; i < mesh.materials.size(); ++i) {
+        const GroundMaterial& material = mesh.materials[i];
+        if (repeats(material))
+            continue;
+        document["textures"].push_back(
+            {{"source", material.image}, {"sampler", document["samplers"].size()}});
+        document["samplers"].push_back(
+            {{"wrapS", mode(material.wrapU)}, {"wrapT", mode(material.wrapV)}});
+        document["materials"][i]["pbrMetallicRoughness"]["baseColorTexture"]["index"] =
+            document["textures"].size() - 1;
+    }
+    const std::vector<unsigned char> joined = joinGlb(document.dump(), parts.binary);
+    return {joined.begin(), joined.end()};
+}
+
 } // namespace
 
 void exportGltf(const GroundMesh& mesh, const std::filesystem::path& path, bool overwrite)
@@ -218,7 +253,7 @@ void exportGltf(const GroundMesh& mesh, const std::filesystem::path& path, bool 
     if (!writer.WriteGltfSceneToStream(&model, stream, false, true))
         fail(ErrorKind::runtime, "{}: glTF cannot be written", path.string());
     AtomicFile file(path, overwrite);
-    file.write(std::string_view(stream.str()));
+    file.write(std::string_view(withWraps(stream.str(), mesh)));
     file.commit();
 }
 

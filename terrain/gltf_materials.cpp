@@ -137,6 +137,11 @@ std::vector<GltfUvSource> importGltfMaterials(const GltfModel& file, const std::
         ground.metallic = unitInterval(surface.metallicFactor);
         ground.doubleSided = material.doubleSided;
         ground.image = images.indexOf(surface.baseColorTexture.index);
+        if (surface.baseColorTexture.index >= 0) {
+            const auto texture = static_cast<std::size_t>(surface.baseColorTexture.index);
+            ground.wrapU = file.wraps.at(texture).u;
+            ground.wrapV = file.wraps.at(texture).v;
+        }
         soup.materials.push_back(std::move(ground));
         sources.push_back(uvSourceOf(surface.baseColorTexture));
     }

@@ -18,6 +18,13 @@ namespace {
 // JSON of a .gltf with everything in data URIs; what is larger belongs into a .glb.
 constexpr std::size_t jsonLimit = std::size_t(512) << 20; // [bytes]
 
+ImageWrap wrapOf(int mode)
+{
+    if (mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE)
+        return ImageWrap::clamp;
+    return mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? ImageWrap::mirror : ImageWrap::repeat;
+}
+
 // The images of a document that has been checked.
 std::vector<GltfImage> takeImages(nlohmann::json& document)
 {
@@ -32,6 +39,27 @@ std::vector<GltfImage> takeImages(nlohmann::json& document)
     }
     document.erase("images");
     return images;
+}
+
+// How each texture goes on beyond its edges. Debian's tinygltf.so has another idea of a sampler's
+// size than its header: it never sees one.
+std::vector<GltfWrap> takeWraps(nlohmann::json& document)
+{
+    const nlohmann::json samplers = document.value("samplers", nlohmann::json::array());
+    std::vector<GltfWrap> wraps;
+    if (document.contains("textures"))
+        for (nlohmann::json& texture : document["textures"]) {
+            GltfWrap wrap;
+            if (texture.contains("sampler")) {
+                const nlohmann::json& sampler = samplers[texture["sampler"].get<std::size_t>()];
+                wrap.u = wrapOf(sampler.value("wrapS", 0));
+                wrap.v = wrapOf(sampler.value("wrapT", 0));
+                texture.erase("sampler");
+            }
+            wraps.push_back(wrap);
+        }
+    document.erase("samplers");
+    return wraps;
 }
 
 // tinygltf wants bytes for each buffer: one is enough.
@@ -92,8 +120,12 @@ std::span<const std::byte> GltfModel::view(std::size_t index) const
 GltfModel readGltfModel(const std::filesystem::path& path, Diagnostics& diagnostics)
 {
     const std::string place = path.string();
-    GltfModel model{
-        .path = path, .structure = {}, .buffers = {}, .images = {}, .file = MappedFile(path)};
+    GltfModel model{.path = path,
+                    .structure = {},
+                    .buffers = {},
+                    .images = {},
+                    .wraps = {},
+                    .file = MappedFile(path)};
     const GltfParts parts = splitGltf(model.file.bytes(), place);
     if (parts.json.size() > jsonLimit)
         fail(ErrorKind::unsupported, "{}: {} bytes of JSON, more than {}; save it as .glb", place,
@@ -110,6 +142,7 @@ GltfModel readGltfModel(const std::filesystem::path& path, Diagnostics& diagnost
     document = checkGltf(document, model.buffers, place, diagnostics);
 
     model.images = takeImages(document);
+    model.wraps = takeWraps(document);
     emptyBuffers(document);
     model.structure = parseStructure(document.dump(), place);
     requireSame(document, "bufferViews", model.structure.bufferViews.size(), place);

@@ -3,6 +3,7 @@
 #include "core/diagnostics.h"
 #include "core/mapped_file.h"
 #include "terrain/gltf_buffers.h"
+#include "terrain/ground_mesh.h"
 
 #include <tiny_gltf.h>
 
@@ -20,6 +21,11 @@ struct GltfImage {
     std::optional<std::size_t> view; ///< buffer view
 };
 
+struct GltfWrap {
+    ImageWrap u = ImageWrap::repeat;
+    ImageWrap v = ImageWrap::repeat;
+};
+
 /// A glTF that has been checked: tinygltf's view of its structure, and its bytes where they lie.
 /// tinygltf itself never sees the bytes; its buffers and images are empty.
 struct GltfModel {
@@ -27,7 +33,8 @@ struct GltfModel {
     tinygltf::Model structure;
     GltfBuffers buffers;
     std::vector<GltfImage> images;
-    MappedFile file; ///< what the BIN chunk lies in
+    std::vector<GltfWrap> wraps; ///< of each texture
+    MappedFile file;             ///< what the BIN chunk lies in
 
     /// The bytes of a buffer view.
     std::span<const std::byte> view(std::size_t index) const;

@@ -20,6 +20,13 @@ struct GroundImage {
     std::vector<std::uint8_t> rgba; ///< 4·width·height
 };
 
+/// What an image shows outside [0, 1].
+enum class ImageWrap : std::uint8_t {
+    repeat, ///< itself again
+    clamp,  ///< its edge
+    mirror  ///< itself again, every other time turned round
+};
+
 struct GroundMaterial {
     static constexpr std::uint32_t noImage = 0xffffffffU;
 
@@ -28,6 +35,8 @@ struct GroundMaterial {
     float roughness = 1.0f;                            ///< [0, 1]
     float metallic = 0.0f;                             ///< [0, 1]
     std::uint32_t image = noImage;                     ///< base colour image
+    ImageWrap wrapU = ImageWrap::repeat;               ///< along u
+    ImageWrap wrapV = ImageWrap::repeat;               ///< along v
     bool doubleSided = false;                          ///< the back is drawn too
 };
 

@@ -20,6 +20,8 @@
 namespace sward::terrain {
 namespace {
 
+constexpr std::uintmax_t sizeLimit = std::uintmax_t(4) << 30; // of any file [bytes]
+
 // What a generator made lies in metres with Y up; the settings apply to it as to a file.
 GroundMesh place(GroundMesh mesh, const glm::dmat4& worldFromFile, const std::string& name)
 {
@@ -35,6 +37,10 @@ GroundMesh loadFile(const std::filesystem::path& path, const ImportSettings& set
 {
     const std::string name = path.string();
     const std::string extension = fileKind(path);
+    const std::uintmax_t size = std::filesystem::file_size(path);
+    if (size > sizeLimit)
+        fail(ErrorKind::unsupported, "{}: {} bytes, more than the {} that are read", name, size,
+             sizeLimit);
     if (extension == ".glb" || extension == ".gltf")
         return settle(importGltf(path, settings, worldFromFile, diagnostics), name);
     if (settings.scene)

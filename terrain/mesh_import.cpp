@@ -4,6 +4,7 @@
 #include "core/mapped_file.h"
 #include "terrain/file_kind.h"
 #include "terrain/mesh_scan.h"
+#include "terrain/mtl_import.h"
 #include "terrain/openmesh_soup.h"
 #include "terrain/quiet_openmesh.h"
 
@@ -136,6 +137,8 @@ Soup importMesh(const std::filesystem::path& path, double metresPerUnit, Diagnos
     else
         refine(importer.soup(), std::move(scan.positions), place);
     nameParts(importer.soup(), importer.faceOf(), scan);
+    if (!scan.libraries.empty())
+        readMtl(path, scan.libraries, importer.soup(), diagnostics);
     return importer.take();
 }
 

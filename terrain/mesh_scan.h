@@ -22,6 +22,7 @@ struct MeshScan {
     std::vector<std::uint32_t> nodeOf;
     std::vector<std::string> materials;
     std::vector<std::string> nodes;
+    std::vector<std::string> libraries; ///< what stands behind mtllib in an OBJ
 
     std::string cleaned; ///< the text for the reader; empty: the file as it is
     bool isBinary = false;

@@ -3,6 +3,7 @@
 #include "terrain/text_cursor.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace sward::terrain {
 namespace {
@@ -18,14 +19,26 @@ std::string nameBehind(std::string_view line, std::size_t keyword)
     return std::string(name);
 }
 
-// The index of `name` in `names`, which it joins if it is new.
-std::uint32_t indexOf(std::vector<std::string>& names, const std::string& name)
-{
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-        names.push_back(name);
-    return static_cast<std::uint32_t>(std::find(names.begin(), names.end(), name) - names.begin());
-}
+// Names in the order in which they come.
+class Names {
+public:
+    // The index of `name`, which joins if it is new.
+    std::uint32_t indexOf(const std::string& name)
+    {
+        const auto [found, isNew] =
+            indices_.try_emplace(name, static_cast<std::uint32_t>(names_.size()));
+        if (isNew)
+            names_.push_back(name);
+        return found->second;
+    }
+
+    bool isEmpty() const { return names_.empty(); }
+    std::vector<std::string> take() { return std::move(names_); }
+
+private:
+    std::vector<std::string> names_;
+    std::unordered_map<std::string, std::uint32_t> indices_;
+};
 
 std::size_t countWords(TextCursor words)
 {
@@ -54,6 +67,8 @@ glm::dvec3 readPosition(TextCursor& words, std::size_t lineNumber, const std::st
 MeshScan scanObj(std::string_view file, const std::string& place)
 {
     MeshScan scan;
+    Names materials;
+    Names nodes;
     std::uint32_t material = 0;
     std::uint32_t node = 0;
     TextCursor cursor(file);
@@ -67,23 +82,27 @@ MeshScan scanObj(std::string_view file, const std::string& place)
             // Lines and points that somebody wrote as faces.
             if (countWords(words) < 3)
                 continue;
-            if (scan.materials.empty())
-                material = indexOf(scan.materials, "ground");
-            if (scan.nodes.empty())
-                node = indexOf(scan.nodes, "ground");
+            if (materials.isEmpty())
+                material = materials.indexOf("ground");
+            if (nodes.isEmpty())
+                node = nodes.indexOf("ground");
             scan.materialOf.push_back(material);
             scan.nodeOf.push_back(node);
         } else if (keyword == "usemtl") {
-            material = indexOf(scan.materials, nameBehind(line, words.offset()));
+            material = materials.indexOf(nameBehind(line, words.offset()));
+        } else if (keyword == "mtllib") {
+            scan.libraries.push_back(nameBehind(line, words.offset()));
         } else if (keyword == "o" || keyword == "g") {
-            node = indexOf(scan.nodes, nameBehind(line, words.offset()));
+            node = nodes.indexOf(nameBehind(line, words.offset()));
         }
-        // The reader would open the material library and decode nothing that ground needs.
+        // The reader would open the material library, too, and keep nothing of it.
         if (keyword == "v" || keyword == "vt" || keyword == "vn" || keyword == "f") {
             scan.cleaned.append(line);
             scan.cleaned.push_back('\n');
         }
     }
+    scan.materials = materials.take();
+    scan.nodes = nodes.take();
     scan.vertices = scan.positions.size();
     scan.faces = scan.materialOf.size();
     return scan;

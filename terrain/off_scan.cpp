@@ -1,6 +1,9 @@
 #include "core/error.h"
 #include "terrain/mesh_scan.h"
+#include "terrain/off_binary.h"
 #include "terrain/text_cursor.h"
+
+#include <algorithm>
 
 namespace sward::terrain {
 namespace {
@@ -9,7 +12,8 @@ namespace {
 class OffLines {
 public:
     OffLines(std::string_view text, const std::string& place)
-        : cursor_(text)
+        : text_(text)
+        , cursor_(text)
         , place_(place)
     {
     }
@@ -28,7 +32,11 @@ public:
 
     std::size_t lineNumber() const { return cursor_.lineNumber(); }
 
+    // What lies behind the line read last.
+    std::string_view rest() const { return text_.substr(std::min(cursor_.offset(), text_.size())); }
+
 private:
+    std::string_view text_;
     TextCursor cursor_;
     const std::string& place_;
 };
@@ -52,7 +60,7 @@ MeshScan scanOff(std::string_view file, const std::string& place)
         fail(ErrorKind::unsupported, "{}: {} has more than three dimensions", place, keyword);
     std::string_view counts = header.word();
     if (counts == "BINARY")
-        fail(ErrorKind::unsupported, "{}: binary OFF is not read; save it as text", place);
+        return scanOff(offText(keyword, lines.rest(), place), place);
 
     // The counts follow the keyword, on its line or on the next.
     TextCursor countLine(counts.empty() ? lines.next("its counts") : std::string_view());

@@ -8,6 +8,9 @@
 namespace sward::terrain {
 namespace {
 
+constexpr std::size_t mostElements = 64;
+constexpr std::size_t mostProperties = 1024; // of one element
+
 // Both generations of names.
 constexpr PlyType types[] = {
     {"char", 1, false, true},    {"int8", 1, false, true},    {"uchar", 1, false, false},
@@ -89,6 +92,9 @@ PlyHeader readPlyHeader(std::string_view file, const std::string& place)
             hasFormat = true;
         } else if (keyword == "element") {
             PlyElement element = readElement(words, cursor.lineNumber(), place);
+            if (header.elements.size() == mostElements)
+                fail(ErrorKind::input, "{}: line {}: more than {} elements", place,
+                     cursor.lineNumber(), mostElements);
             for (const PlyElement& other : header.elements)
                 if (other.name == element.name)
                     fail(ErrorKind::input, "{}: line {}: a second element \"{}\"", place,
@@ -100,6 +106,9 @@ PlyHeader readPlyHeader(std::string_view file, const std::string& place)
                      cursor.lineNumber());
             header.elements.back().properties.push_back(
                 readProperty(words, cursor.lineNumber(), place));
+            if (header.elements.back().properties.size() > mostProperties)
+                fail(ErrorKind::input, "{}: line {}: more than {} properties", place,
+                     cursor.lineNumber(), mostProperties);
         }
     }
     if (!hasFormat)

@@ -32,8 +32,12 @@ public:
         if (needed > static_cast<double>(rest_.size() + 1))
             fail(ErrorKind::input, "{}: truncated: its header needs {:.0f} bytes, {} follow it",
                  place_, needed, rest_.size());
-        for (const PlyElement& element : header_.elements)
+        for (const PlyElement& element : header_.elements) {
+            if (element.count > 0 && element.properties.empty())
+                fail(ErrorKind::input, "{}: element {} has no properties for its {} entries",
+                     place_, element.name, element.count);
             walk(element);
+        }
         scan_.isBinary = header_.format != PlyHeader::Format::text;
         scan_.cleaned = plainPlyHeader(header_) + plainBody_;
         if (!keepPositions_)

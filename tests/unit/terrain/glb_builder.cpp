@@ -14,6 +14,8 @@ void appendWord(std::string& file, std::size_t word)
         file.push_back(static_cast<char>((word >> shift) & 0xffU));
 }
 
+} // namespace
+
 std::string base64(const std::string& bytes)
 {
     constexpr const char* digits =
@@ -29,8 +31,6 @@ std::string base64(const std::string& bytes)
     }
     return text;
 }
-
-} // namespace
 
 GlbBuilder::GlbBuilder()
 {

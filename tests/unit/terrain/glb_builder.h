@@ -54,6 +54,9 @@ private:
     std::string binary_;
 };
 
+/// Bytes in base64.
+std::string base64(const std::string& bytes);
+
 /// A folder that is gone afterwards.
 class ScratchFolder {
 public:

@@ -26,9 +26,12 @@ GroundMesh fullMesh()
 {
     GroundMesh mesh = meshes::moved(meshes::boxAbovePlane(), {1e6 + 1.0 / 3.0, -2e5, 3e6});
     mesh.nodes = {"garden/lawn", "garden/box"};
-    mesh.materials = {
-        {.name = "grass", .baseColor = {0.1f, 0.7f, 0.2f, 1.0f}, .roughness = 0.3f, .image = 0},
-        {.name = "stone", .metallic = 0.25f, .doubleSided = true}};
+    mesh.materials = {{.name = "grass",
+                       .baseColor = {0.1f, 0.7f, 0.2f, 1.0f},
+                       .roughness = 0.3f,
+                       .image = 0,
+                       .wrapV = ImageWrap::mirror},
+                      {.name = "stone", .metallic = 0.25f, .doubleSided = true}};
     mesh.images = {
         {.name = "blades", .width = 2, .height = 1, .rgba = {1, 2, 3, 255, 40, 50, 60, 128}}};
     mesh.copyright = "CC0 A. Author";

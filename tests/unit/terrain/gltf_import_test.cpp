@@ -72,6 +72,35 @@ TEST(GltfImport, ReadsBuffersBesideTheFileByPercentEncodedName)
     EXPECT_EQ(load(path, {}, diagnostics).triangles.size(), 1U);
 }
 
+TEST(GltfImport, ReadsNamesInEveryWriting)
+{
+    const ScratchFolder folder;
+    nlohmann::json document = nlohmann::json::parse(triangleGlb().gltf());
+    folder.write("Täler & Höhen/50% + #1.bin", triangleGlb().binary());
+    Diagnostics diagnostics;
+    for (const char* uri :
+         {"Täler & Höhen/50% + #1.bin", "T%C3%A4ler%20%26%20H%C3%B6hen/50%25 + %231.bin",
+          "./Täler & Höhen/../Täler & Höhen/50%25 + #1.bin"}) {
+        document["buffers"][0]["uri"] = uri;
+        EXPECT_EQ(load(folder.write("草.gltf", document.dump()), {}, diagnostics).triangles.size(),
+                  1U)
+            << uri;
+    }
+    // An absolute name is looked for beside the file, too.
+    document["buffers"][0]["uri"] = "/Täler & Höhen/50% + #1.bin";
+    EXPECT_EQ(load(folder.write("a.gltf", document.dump()), {}, diagnostics).triangles.size(), 1U);
+}
+
+TEST(GltfImport, ReadsABufferThatIsLongerThanItSays)
+{
+    const ScratchFolder folder;
+    nlohmann::json document = nlohmann::json::parse(triangleGlb().gltf());
+    folder.write("long.bin", triangleGlb().binary() + "and more");
+    document["buffers"][0]["uri"] = "long.bin";
+    Diagnostics diagnostics;
+    EXPECT_EQ(load(folder.write("a.gltf", document.dump()), {}, diagnostics).triangles.size(), 1U);
+}
+
 TEST(GltfImport, NamesAMissingBuffer)
 {
     nlohmann::json document = nlohmann::json::parse(triangleGlb().gltf());

@@ -1,5 +1,7 @@
+#include "core/error.h"
 #include "unit/terrain/glb_builder.h"
 
+#include <glm/geometric.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stb/stb_image_write.h>
@@ -124,6 +126,79 @@ TEST(GltfMaterial, AppliesTextureTransforms)
     EXPECT_EQ(mesh.uvs[2], glm::vec2(0.5f, 3.25f));
 }
 
+TEST(GltfMaterial, RotatesTextureCoordinatesAsTheExtensionHasIt)
+{
+    // The example of its text: the lower left quarter of the image, turned.
+    GlbBuilder builder = texturedGlb(png(1, 1, {1, 2, 3, 4}));
+    builder.document["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] =
+        builder.floats({0, 0, 1, 0, 0, 1}, "VEC2");
+    builder.document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]
+                    ["KHR_texture_transform"] = {
+        {"offset", {0, 1}}, {"rotation", 1.57079632679}, {"scale", {0.5, 0.5}}};
+    const GroundMesh mesh = loadContent("a.glb", builder.glb());
+    const std::vector<glm::vec2> expected = {{0.0f, 1.0f}, {0.0f, 0.5f}, {0.5f, 1.0f}};
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_LT(glm::distance(mesh.uvs[i], expected[i]), 1e-6f) << i;
+}
+
+TEST(GltfMaterial, TakesTheTextureCoordinatesThatItsTextureNames)
+{
+    GlbBuilder builder = texturedGlb(png(1, 1, {1, 2, 3, 4}));
+    auto& primitive = builder.document["meshes"][0]["primitives"][0];
+    primitive["attributes"]["TEXCOORD_0"] = builder.floats({0, 0, 1, 0, 0, 1}, "VEC2");
+    primitive["attributes"]["TEXCOORD_1"] = builder.floats({0, 0, 3, 0, 0, 3}, "VEC2");
+    builder.document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 1;
+    EXPECT_EQ(loadContent("a.glb", builder.glb()).uvs[1], glm::vec2(3.0f, 0.0f));
+
+    primitive["attributes"].erase("TEXCOORD_1");
+    Diagnostics diagnostics;
+    EXPECT_EQ(loadContent("a.glb", builder.glb(), {}, &diagnostics).uvs[1], glm::vec2(0.0f));
+    EXPECT_THAT(diagnostics.warnings(), ElementsAre(HasSubstr("TEXCOORD_1")));
+}
+
+TEST(GltfMaterial, KnowsHowAnImageGoesOnBeyondItsEdges)
+{
+    GlbBuilder builder = texturedGlb(png(1, 1, {1, 2, 3, 4}));
+    GroundMaterial material = loadContent("a.glb", builder.glb()).materials[0];
+    EXPECT_EQ(material.wrapU, ImageWrap::repeat);
+    EXPECT_EQ(material.wrapV, ImageWrap::repeat);
+    builder.document["samplers"] = {{{"magFilter", 9729}}, {{"wrapS", 33071}, {"wrapT", 33648}}};
+    builder.document["textures"][0]["sampler"] = 1;
+    material = loadContent("a.glb", builder.glb()).materials[0];
+    EXPECT_EQ(material.wrapU, ImageWrap::clamp);
+    EXPECT_EQ(material.wrapV, ImageWrap::mirror);
+    builder.document["textures"][0]["sampler"] = 2;
+    EXPECT_THROW(loadContent("a.glb", builder.glb()), Error);
+}
+
+TEST(GltfMaterial, ReadsImagesFromDataUrisAndFiles)
+{
+    const std::string image = png(1, 1, {9, 8, 7, 255});
+    nlohmann::json document = nlohmann::json::parse(texturedGlb(image).gltf());
+    document["images"][0] = {{"uri", "data:image/png;base64," + base64(image)}};
+    EXPECT_THAT(loadContent("a.gltf", document.dump()).images[0].rgba, ElementsAre(9, 8, 7, 255));
+
+    const ScratchFolder folder;
+    folder.write("Bilder/grüne Wiese 100%.png", image);
+    document["images"][0] = {{"uri", "Bilder/gr%C3%BCne%20Wiese 100%.png"}};
+    Diagnostics diagnostics;
+    const GroundMesh mesh = load(folder.write("Gelände.gltf", document.dump()), {}, diagnostics);
+    EXPECT_THAT(mesh.images[0].rgba, ElementsAre(9, 8, 7, 255));
+    EXPECT_THAT(diagnostics.warnings(), testing::IsEmpty());
+}
+
+TEST(GltfMaterial, NamesFormatsThatItDoesNotRead)
+{
+    for (const auto& [bytes, name] :
+         {std::pair<std::string, std::string>("RIFFxxxxWEBPVP8 ", "WebP"),
+          {"\xabKTX 20\xbb\r\n\x1a\n", "KTX2"},
+          {"GIF89a", "GIF"}}) {
+        Diagnostics diagnostics;
+        loadContent("a.glb", texturedGlb(bytes).glb(), {}, &diagnostics);
+        EXPECT_THAT(diagnostics.warnings(), ElementsAre(HasSubstr(name)));
+    }
+}
+
 TEST(GltfMaterial, WarnsOfTexturesInOtherFormats)
 {
     GlbBuilder builder = texturedGlb(png(1, 1, {1, 2, 3, 4}));
@@ -133,6 +208,12 @@ TEST(GltfMaterial, WarnsOfTexturesInOtherFormats)
     const GroundMesh mesh = loadContent("a.glb", builder.glb(), {}, &diagnostics);
     EXPECT_EQ(mesh.materials[0].image, GroundMaterial::noImage);
     EXPECT_THAT(diagnostics.warnings(), ElementsAre(HasSubstr("EXT_texture_webp")));
+
+    // With a plain image beside it nothing is lost.
+    builder.document["textures"][0]["source"] = 0;
+    Diagnostics none;
+    EXPECT_EQ(loadContent("a.glb", builder.glb(), {}, &none).materials[0].image, 0U);
+    EXPECT_THAT(none.warnings(), testing::IsEmpty());
 }
 
 } // namespace

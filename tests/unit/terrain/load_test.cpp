@@ -53,6 +53,32 @@ TEST(Load, PrefersAFileToABuiltInOfItsName)
     EXPECT_EQ(kindOf("sphere"), ErrorKind::difference);
 }
 
+TEST(Load, RefusesFilesOfMoreThan4GiB)
+{
+    // They lie there without their bytes.
+    const ScratchFolder folder;
+    nlohmann::json document = nlohmann::json::parse(triangleGlb().gltf());
+    document["buffers"][0] = {{"uri", "huge.bin"}, {"byteLength", (4ULL << 30) + 1}};
+    folder.write("huge.bin", "");
+    std::filesystem::resize_file(folder.path("huge.bin"), (4ULL << 30) + 1);
+    const std::string outside = folder.write("outside.gltf", document.dump());
+    for (const char* name :
+         {"a.glb", "a.obj", "a.ply", "a.stl", "a.off", "a.png", "a.r16", "a.exr"}) {
+        folder.write(name, "");
+        std::filesystem::resize_file(folder.path(name), (4ULL << 30) + 1);
+    }
+    for (const char* name :
+         {"outside.gltf", "a.glb", "a.obj", "a.ply", "a.stl", "a.off", "a.png", "a.r16", "a.exr"})
+        try {
+            Diagnostics diagnostics;
+            load(folder.path(name).string(), {}, diagnostics);
+            ADD_FAILURE() << name;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::unsupported) << error.what();
+            EXPECT_THAT(error.what(), testing::HasSubstr("4294967296"));
+        }
+}
+
 TEST(Load, NamesWhatIsMissing)
 {
     std::string message;

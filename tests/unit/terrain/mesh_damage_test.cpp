@@ -105,9 +105,22 @@ TEST(MeshDamage, RefusesAPlyWithTwoKindsOfVertices)
         ErrorKind::input);
 }
 
+TEST(MeshDamage, RefusesEntriesWithoutBytes)
+{
+    EXPECT_EQ(kindOf("a.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nend_header\n"),
+              ErrorKind::input);
+    EXPECT_EQ(kindOf("a.ply", "ply\nformat binary_little_endian 1.0\nelement dust "
+                              "18446744073709551615\nend_header\n"),
+              ErrorKind::input);
+    std::string many = "ply\nformat ascii 1.0\n";
+    for (int i = 0; i < 100; ++i)
+        many += fmt::format("element e{} 0\n", i);
+    EXPECT_EQ(kindOf("a.ply", many + "end_header\n"), ErrorKind::input);
+}
+
 TEST(MeshDamage, RefusesVariantsThatAreNotRead)
 {
-    EXPECT_EQ(kindOf("a.off", "OFF BINARY\nabc"), ErrorKind::unsupported);
+    EXPECT_EQ(kindOf("a.off", "OFF BINARY\nabc"), ErrorKind::input);
     EXPECT_EQ(kindOf("a.off", "4OFF\n3 1 0\n"), ErrorKind::unsupported);
 }
 

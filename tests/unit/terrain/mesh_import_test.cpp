@@ -1,6 +1,7 @@
 #include "core/error.h"
 #include "support/meshes.h"
 #include "unit/terrain/glb_builder.h"
+#include "unit/terrain/image_files.h"
 #include "unit/terrain/mesh_text.h"
 
 #include <gmock/gmock.h>
@@ -100,6 +101,61 @@ TEST(MeshImport, NamesPartsOfAnObjByObjectAndMaterial)
     EXPECT_THAT(mesh.nodeOf, ElementsAre(0U, 1U));
     EXPECT_EQ(mesh.materials[0].name, "tall grass");
     EXPECT_THAT(mesh.materialOf, ElementsAre(0U, 1U));
+}
+
+// A triangle in each of two materials, and one in neither.
+const char* const objOfTwoMaterials = "mtllib my meadow.mtl\nv 0 0 0\nv 0 0 1\nv 1 0 0\n"
+                                      "f 1 2 3\nusemtl grass\nf 1 2 3\nusemtl bare rock\n"
+                                      "f 1 2 3\n";
+
+TEST(MeshImport, ReadsColorsAndImagesOfMaterialLibraries)
+{
+    const ScratchFolder folder;
+    const std::string obj = folder.write("a.obj", objOfTwoMaterials);
+    folder.write("my meadow.mtl", "# two of them\nnewmtl grass\nNs 10\nKd 0.25 0.5 0.125\n"
+                                  "map_Kd -s 1 1 1 -clamp on maps\\green blades.png\n"
+                                  "newmtl unused\nKd 1 0 0\nnewmtl bare rock\nKd 0.5 0.5 0.5\n");
+    folder.write("maps/green blades.png", greyPng({2, 1}, {0, 255}, 8));
+    Diagnostics diagnostics;
+    const GroundMesh mesh = load(obj, {}, diagnostics);
+    ASSERT_EQ(mesh.materials.size(), 3U);
+    EXPECT_THAT(mesh.materialOf, ElementsAre(0U, 1U, 2U));
+    EXPECT_EQ(mesh.materials[0].name, "ground");
+    EXPECT_EQ(mesh.materials[1].baseColor, glm::vec4(0.25f, 0.5f, 0.125f, 1.0f));
+    EXPECT_EQ(mesh.materials[2].baseColor, glm::vec4(0.5f, 0.5f, 0.5f, 1.0f));
+    EXPECT_EQ(mesh.materials[2].image, GroundMaterial::noImage);
+    ASSERT_EQ(mesh.materials[1].image, 0U);
+    EXPECT_EQ(mesh.materials[1].wrapU, ImageWrap::clamp);
+    EXPECT_EQ(mesh.images[0].name, "green blades.png");
+    EXPECT_THAT(mesh.images[0].rgba, ElementsAre(0, 0, 0, 255, 255, 255, 255, 255));
+    EXPECT_THAT(diagnostics.warnings(), ElementsAre(HasSubstr("-s of its image")));
+}
+
+TEST(MeshImport, WarnsOfWhatALibraryDoesNotHave)
+{
+    const ScratchFolder folder;
+    const std::string obj = folder.write("a.obj", objOfTwoMaterials);
+    Diagnostics missing;
+    EXPECT_EQ(load(obj, {}, missing).triangles.size(), 3U);
+    EXPECT_THAT(missing.warnings(), ElementsAre(HasSubstr("library my"), HasSubstr("meadow.mtl")));
+
+    folder.write("my meadow.mtl", "Kd 1 1 1\nnewmtl grass\nKd green\nmap_Kd gone.png\n");
+    Diagnostics poor;
+    const GroundMesh mesh = load(obj, {}, poor);
+    EXPECT_EQ(mesh.materials[1].image, GroundMaterial::noImage);
+    EXPECT_THAT(poor.warnings(), ElementsAre(HasSubstr("line 3: Kd"), HasSubstr("gone.png"),
+                                             HasSubstr("bare rock")));
+}
+
+TEST(MeshImport, FindsALibraryOfAnotherMachineByItsName)
+{
+    const ScratchFolder folder;
+    const std::string obj = folder.write(
+        "a.obj", "mtllib C:\\work\\a.mtl\nv 0 0 0\nv 0 0 1\nv 1 0 0\nusemtl m\nf 1 2 3\n");
+    folder.write("a.mtl", "newmtl m\nKd 0 1 0\n");
+    Diagnostics diagnostics;
+    EXPECT_EQ(load(obj, {}, diagnostics).materials[0].baseColor, glm::vec4(0, 1, 0, 1));
+    EXPECT_TRUE(diagnostics.warnings().empty());
 }
 
 TEST(MeshImport, KeepsColorsNormalsAndTextureCoordinates)

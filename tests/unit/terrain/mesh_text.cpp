@@ -50,6 +50,25 @@ std::string cubePly(bool bigEndian)
     return file;
 }
 
+// Binary OFF as Geomview writes it (big-endian, a colour count for each face) or as others do.
+std::string cubeOff(bool bigEndian, bool faceColors)
+{
+    std::string file = "OFF BINARY\n";
+    for (const std::int32_t count : {8, 12, 18})
+        append(file, count, bigEndian);
+    for (const auto& corner : corners)
+        for (const int coordinate : corner)
+            append(file, static_cast<float>(coordinate), bigEndian);
+    for (const auto& face : faces) {
+        append(file, std::int32_t(3), bigEndian);
+        for (const int index : face)
+            append(file, static_cast<std::int32_t>(index), bigEndian);
+        if (faceColors)
+            append(file, std::int32_t(0), bigEndian);
+    }
+    return file;
+}
+
 std::string cubeStl()
 {
     std::string file(80, ' ');
@@ -90,10 +109,17 @@ std::vector<CubeFile> cubeFiles()
         stl += "endloop\nendfacet\n";
     }
     stl += "endsolid cube\n";
-    return {{"cube.obj", obj},          {"cube.off", off},
-            {"cube.ply", ply},          {"little.ply", cubePly(false)},
-            {"big.ply", cubePly(true)}, {"text.stl", stl},
-            {"binary.stl", cubeStl()}};
+    return {{"cube.obj", obj},
+            {"cube.off", off},
+            {"cube.ply", ply},
+            {"little.ply", cubePly(false)},
+            {"big.ply", cubePly(true)},
+            {"text.stl", stl},
+            {"binary.stl", cubeStl()},
+            {"geomview.off", cubeOff(true, true)},
+            {"little.off", cubeOff(false, false)},
+            {"colors.off", cubeOff(false, true)},
+            {"plain.off", cubeOff(true, false)}};
 }
 
 std::string binaryPly(const std::vector<double>& coordinates)

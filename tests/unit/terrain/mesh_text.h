@@ -11,7 +11,7 @@ struct CubeFile {
 };
 
 /// The cube of side 2 around the origin, fronts outward, in OBJ, PLY (text, little and big endian),
-/// OFF and STL (text and binary).
+/// OFF and STL (each as text and binary).
 std::vector<CubeFile> cubeFiles();
 
 /// A binary PLY of one triangle with double-precision coordinates.
