@@ -5,7 +5,7 @@ import math
 import struct
 import unittest
 
-from meshes import Mesh, container, glb_bytes, grey_png, obj_text, square
+from meshes import Mesh, bumps, container, glb_bytes, grey_png, obj_text, square, stl_bytes
 from support import CliTest, DONE, INPUT, IO, ROOT, UNSUPPORTED, USAGE
 
 
@@ -181,6 +181,39 @@ class Input(CliTest):
         field = self.bake("m.png", "--extent", "8", "8", "--height", "0:1", "--hole-mask",
                           "holes.png", "--count", "300")
         self.assertTrue(all(blade.root[0] >= 0.0 for blade in self.blades(field)))
+
+    def test_a_z_up_stl_in_centimetres_equals_the_glb(self):
+        mesh = bumps()
+        (self.folder / "m.glb").write_bytes(glb_bytes(mesh))
+        # (x, y, z) lies at (x, −z, y) where z is up.
+        turned = Mesh([(100 * x, -100 * z, 100 * y) for x, y, z in mesh.positions], mesh.triangles)
+        (self.folder / "m.stl").write_bytes(stl_bytes(turned))
+        common = ("--density", "40", "--seed", "3")
+        self.bake("m.glb", *common, to="glb.sward")
+        done = self.sward("bake", "m.stl", "-o", "stl.sward", "--up-axis", "z", "--units", "cm", *common)
+        self.assertNotIn("warning: m.stl", done.stderr)
+        self.sward("compare", "glb.sward", "stl.sward", "--match", "id", "--tolerance", "1e-4")
+
+        # Without its flags the program says which to try.
+        done = self.sward("bake", "m.stl", "-o", "wrong.sward", "--count", "10")
+        self.assertIn("--up-axis z", done.stderr)
+        self.assertIn("--units cm", done.stderr)
+
+    def test_compressed_gltf_of_the_wrong_kind(self):
+        # What Draco and meshopt need is checked by unit tests; here the codes that a user sees.
+        draco = {"extensionsRequired": ["KHR_draco_mesh_compression"], "meshes": [{"primitives": [{
+            "attributes": {"POSITION": 0}, "indices": 1, "extensions": {
+                "KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {"POSITION": 0}}}}]}]}
+        self.refused_ground("draco.glb", glb_bytes(square(4.0), document=draco), INPUT, "Draco")
+        views = [{"buffer": 0, "byteLength": 972, "extensions": {"EXT_meshopt_compression": {
+            "buffer": 0, "byteLength": 900, "byteStride": 12, "count": 81, "mode": "ATTRIBUTES"}}}]
+        self.refused_ground("meshopt.glb", glb_bytes(square(4.0), document={"bufferViews": views}), INPUT,
+                            "EXT_meshopt_compression")
+
+    def test_an_obj_without_its_library_is_baked(self):
+        (self.folder / "m.obj").write_text("mtllib gone.mtl\nusemtl grass\n" + obj_text(square(4.0)))
+        done = self.sward("bake", "m.obj", "-o", "f.sward", "--count", "10")
+        self.assertIn("gone.mtl", done.stderr)
 
     def test_samples_made_by_others_are_read(self):
         # Nothing of the project lies there; where the folder is, its files must work.

@@ -114,6 +114,13 @@ def obj_text(mesh):
     return "\n".join(lines) + "\n"
 
 
+def stl_bytes(mesh):
+    """A binary STL."""
+    facets = b"".join(struct.pack("<12fH", 0, 0, 0, *(c for i in t for c in mesh.positions[i]), 0)
+                      for t in mesh.triangles)
+    return b" " * 80 + struct.pack("<I", len(mesh.triangles)) + facets
+
+
 def subtract(a, b):
     return tuple(x - y for x, y in zip(a, b))
 

@@ -2,7 +2,9 @@
 
 #include "apps/common/interrupt.h"
 #include "core/log.h"
+#include "terrain/file_kind.h"
 #include "terrain/heightmap.h"
+#include "terrain/plausibility.h"
 
 #include <algorithm>
 
@@ -18,6 +20,18 @@ terrain::GroundMesh loadOne(const std::string& input, const terrain::ImportSetti
                mesh.triangles.size(), mesh.positions.size(), mesh.materials.size(),
                mesh.nodes.size());
     return mesh;
+}
+
+// Ground that somebody modelled may lie wrong; what is generated, or only blocks rays, does not.
+terrain::GroundMesh loadBearing(const std::string& input, const BakeRequest& request,
+                                Diagnostics& diagnostics)
+{
+    terrain::GroundMesh ground = loadOne(input, request.import, diagnostics);
+    const std::string kind = terrain::fileKind(input);
+    const bool isGltf = kind == ".glb" || kind == ".gltf";
+    if (isGltf || kind == ".obj" || kind == ".ply" || kind == ".stl" || kind == ".off")
+        terrain::warnOfImplausible(ground, request.import, isGltf, input, diagnostics);
+    return ground;
 }
 
 void warnWithoutHeightmap(const BakeRequest& request, Diagnostics& diagnostics)
@@ -36,9 +50,9 @@ void warnWithoutHeightmap(const BakeRequest& request, Diagnostics& diagnostics)
 terrain::GroundMesh loadGround(const BakeRequest& request, Diagnostics& diagnostics)
 {
     warnWithoutHeightmap(request, diagnostics);
-    terrain::GroundMesh ground = loadOne(request.inputs.front(), request.import, diagnostics);
+    terrain::GroundMesh ground = loadBearing(request.inputs.front(), request, diagnostics);
     for (std::size_t i = 1; i < request.inputs.size(); ++i)
-        terrain::append(ground, loadOne(request.inputs[i], request.import, diagnostics));
+        terrain::append(ground, loadBearing(request.inputs[i], request, diagnostics));
 
     // Occluders lie in the same space as the ground; what bears grass is not asked of them.
     terrain::ImportSettings occluding = request.import;
