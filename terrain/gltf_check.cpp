@@ -17,6 +17,10 @@ using nlohmann::json;
 
 constexpr std::size_t depthLimit = 256; // nodes inside nodes
 
+// Objects of one kind: tinygltf makes some hundred bytes of each, of a material two thousand.
+constexpr std::size_t objectLimit = std::size_t(1) << 19;
+constexpr std::size_t lookLimit = std::size_t(1) << 16; // materials, textures, images
+
 class Checker {
 public:
     Checker(const json& document, const GltfBuffers& buffers, const std::string& file,
@@ -66,6 +70,11 @@ private:
             return;
         if (!found->is_array())
             fail(ErrorKind::input, "{}: {} is not an array", file_, key);
+        const std::string_view name = key;
+        const std::size_t limit =
+            name == "materials" || name == "textures" || name == "images" ? lookLimit : objectLimit;
+        if (found->size() > limit)
+            fail(ErrorKind::input, "{}: {} {}, more than {}", file_, found->size(), key, limit);
         json entries = json::array();
         for (std::size_t i = 0; i < found->size(); ++i) {
             if (!(*found)[i].is_object())
@@ -158,6 +167,10 @@ private:
         const json* const primitives = o.find("primitives");
         if (primitives == nullptr || !primitives->is_array() || primitives->empty())
             o.failHere("it has no array of primitives");
+        primitives_ += primitives->size();
+        if (primitives_ > objectLimit)
+            o.failHere("the meshes up to it have {} primitives, more than {}", primitives_,
+                       objectLimit);
         for (const json& primitive : *primitives) {
             if (!primitive.is_object())
                 o.failHere("a primitive is not an object");
@@ -201,6 +214,13 @@ private:
     {
         o.text("name");
         o.indices("nodes", size("nodes"));
+        std::vector<bool> isShown(size("nodes"), false);
+        for (const json& node : o.value.value("nodes", json::array())) {
+            const auto index = node.get<std::size_t>();
+            if (isShown[index])
+                o.failHere("it names node {} twice", index);
+            isShown[index] = true;
+        }
         return o.keep({"name", "nodes"});
     }
 
@@ -247,6 +267,7 @@ private:
     const std::string& file_;
     Diagnostics& diagnostics_;
     json kept_ = json::object();
+    std::size_t primitives_ = 0; // of all meshes so far
     std::vector<GltfView> views_;
     std::vector<std::uint64_t> accessorCounts_;
 };

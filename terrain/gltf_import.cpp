@@ -7,17 +7,22 @@
 #include "terrain/gltf_nodes.h"
 #include "terrain/gltf_primitive.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
 namespace sward::terrain {
 namespace {
 
-// What the soup of a scene may cost [bytes]: a small file may ask for much by instancing. 20
-// million triangles on 10 million vertices are 1 GB.
+// What the soup of a scene may cost [bytes]: a small file may ask for much by instances and by
+// accessors of zeros, a large one brings its size. 20 million triangles on 10 million vertices are
+// 1 GB.
 constexpr std::uint64_t soupLimit = std::uint64_t(5) << 29;
 constexpr std::uint64_t vertexCost = 60;
 constexpr std::uint64_t triangleCost = 20;
+constexpr std::uint64_t triangleLimit = 25'000'000;
+constexpr std::uint64_t costOfByte = 6; // of the file
+constexpr std::uint64_t bytesOfTriangle = 18;
 
 // Names node, mesh and vertex of a position that leaves the numbers.
 void requireFinite(const Soup& soup, std::size_t first, const GltfPlacement& placement,
@@ -44,15 +49,22 @@ void reserve(const GltfModel& model, const std::vector<GltfPlacement>& placement
     std::vector<GltfMeshSize> sizes;
     for (std::size_t i = 0; i < model.structure.meshes.size(); ++i)
         sizes.push_back(sizeOfGltfMesh(model, i));
+    std::uint64_t bytes = 0;
+    for (std::size_t i = 0; i < model.buffers.count(); ++i)
+        bytes += model.buffers.bytes(i).size();
+    const std::uint64_t costs = std::max(soupLimit, costOfByte * bytes);
+    const std::uint64_t triangles = std::max(triangleLimit, bytes / bytesOfTriangle);
     GltfMeshSize sum;
     for (const GltfPlacement& placement : placements) {
         sum.vertices += sizes.at(static_cast<std::size_t>(placement.mesh)).vertices;
         sum.triangles += sizes.at(static_cast<std::size_t>(placement.mesh)).triangles;
-        if (vertexCost * sum.vertices + triangleCost * sum.triangles > soupLimit)
+        if (sum.triangles > triangles ||
+            vertexCost * sum.vertices + triangleCost * sum.triangles > costs)
             fail(ErrorKind::input,
-                 "{}: its scene shows at least {} vertices and {} triangles, more than {} bytes of "
-                 "ground",
-                 place, sum.vertices, sum.triangles, soupLimit);
+                 "{}: its scene shows {} vertices and {} triangles or more, too many for {} bytes "
+                 "of "
+                 "buffers",
+                 place, sum.vertices, sum.triangles, bytes);
     }
     soup.positions.reserve(sum.vertices);
     soup.normals.reserve(sum.vertices);

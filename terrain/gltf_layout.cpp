@@ -10,6 +10,8 @@ using nlohmann::json;
 // An accessor without bytes is all zeros; more of them than this are a mistake or an attack.
 constexpr std::uint64_t zeroLimit = 1U << 24;
 
+constexpr std::uint64_t instanceLimit = 1U << 21; // of a node
+
 // `count` elements of `size` bytes from `offset` on must end inside the view.
 void requireInside(const GltfObject& o, std::uint64_t offset, std::uint64_t count,
                    std::uint64_t size, std::uint64_t view, const std::vector<GltfView>& views)
@@ -175,6 +177,8 @@ void keepInstancing(const GltfObject& node, const std::vector<std::uint64_t>& ac
             if (instances != 0 && count != instances)
                 node.failHere("{} has {} for {} instances", name, count, instances);
             instances = count;
+            if (instances > instanceLimit)
+                node.failHere("{} of {} instances, more than {}", name, instances, instanceLimit);
             keptAttributes[key] = *accessor;
         }
     if (instances == 0)

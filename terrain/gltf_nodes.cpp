@@ -8,11 +8,16 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace sward::terrain {
 namespace {
+
+constexpr std::size_t pathLimit = 4096;                      // [bytes]
+constexpr std::size_t visitLimit = std::size_t(1) << 20;     // nodes that a scene shows
+constexpr std::size_t placementLimit = std::size_t(1) << 29; // of meshes that it shows [bytes]
 
 // translation · rotation · scale; the quaternion (x, y, z, w) need not be of unit length.
 glm::dmat4 compose(const glm::dvec3& translation, const std::array<double, 4>& q,
@@ -104,11 +109,21 @@ public:
         const tinygltf::Node& node = model_.structure.nodes.at(static_cast<std::size_t>(index));
         std::string path = parentPath.empty() ? "" : parentPath + "/";
         path += node.name.empty() ? fmt::format("node {}", index) : node.name;
+        if (path.size() > pathLimit)
+            fail(ErrorKind::input, "{}: the path of node {} has more than {} bytes", place_, index,
+                 pathLimit);
+        if (++visits_ > visitLimit)
+            fail(ErrorKind::input, "{}: its scene shows more than {} nodes", place_, visitLimit);
         const std::string place = fmt::format("{}: node \"{}\"", place_, path);
         const glm::dmat4 transform = parent * localTransform(node, place);
 
         if (node.mesh >= 0) {
             const auto instances = instancesOf(model_, node, place);
+            const std::size_t count = std::max<std::size_t>(instances.size(), 1);
+            bytes_ += count * (sizeof(GltfPlacement) + path.size());
+            if (bytes_ > placementLimit)
+                fail(ErrorKind::input, "{}: its scene shows more meshes than {} bytes can list",
+                     place_, placementLimit);
             if (instances.empty())
                 placements_.push_back({node.mesh, path, transform, false});
             for (std::size_t i = 0; i < instances.size(); ++i)
@@ -124,6 +139,8 @@ private:
     const GltfModel& model_;
     const std::string& place_;
     std::vector<GltfPlacement> placements_;
+    std::size_t visits_ = 0;
+    std::size_t bytes_ = 0; // of placements
 };
 
 std::vector<int> rootNodes(const tinygltf::Model& model)

@@ -62,29 +62,32 @@ std::vector<std::string> namesOf(const std::string& path)
     return names;
 }
 
-// For each of `things`, whether one of its names matches one of `globs`.
+// For each of `things`, whether one of `globs` matches it; a path is matched by its parts, too.
 std::vector<bool> matchAll(const std::vector<std::string>& globs,
-                           const std::vector<std::vector<std::string>>& things, const char* kind,
+                           const std::vector<std::string>& things, bool arePaths, const char* kind,
                            const std::string& place, Diagnostics& diagnostics)
 {
     std::vector<bool> matched(things.size(), false);
-    for (const std::string& glob : globs) {
-        bool used = false;
-        for (std::size_t i = 0; i < things.size(); ++i)
-            if (std::any_of(things[i].begin(), things[i].end(),
-                            [&](const std::string& name) { return globMatches(glob, name); })) {
+    std::vector<bool> used(globs.size(), false);
+    for (std::size_t i = 0; !globs.empty() && i < things.size(); ++i) {
+        const std::vector<std::string> names =
+            arePaths ? namesOf(things[i]) : std::vector<std::string>{things[i]};
+        for (std::size_t g = 0; g < globs.size(); ++g)
+            if (std::any_of(names.begin(), names.end(),
+                            [&](const std::string& name) { return globMatches(globs[g], name); })) {
                 matched[i] = true;
-                used = true;
+                used[g] = true;
             }
-        if (!used) {
-            std::vector<std::string> known;
-            for (std::size_t i = 0; i < std::min<std::size_t>(things.size(), 12); ++i)
-                known.push_back(things[i].front());
-            diagnostics.warn("{}: \"{}\" matches none of its {} {}s: {}{}", place, glob,
-                             things.size(), kind, fmt::join(known, ", "),
-                             things.size() > known.size() ? ", …" : "");
-        }
     }
+    for (std::size_t g = 0; g < globs.size(); ++g)
+        if (!used[g]) {
+            const std::size_t shown = std::min<std::size_t>(things.size(), 12);
+            const std::vector<std::string> known(
+                things.begin(), things.begin() + static_cast<std::ptrdiff_t>(shown));
+            diagnostics.warn("{}: \"{}\" matches none of its {} {}s: {}{}", place, globs[g],
+                             things.size(), kind, fmt::join(known, ", "),
+                             things.size() > shown ? ", …" : "");
+        }
     return matched;
 }
 
@@ -103,17 +106,20 @@ glm::dmat4 worldFromFile(const ImportSettings& settings)
 void assignRoles(GroundMesh& mesh, const ImportSettings& settings, const std::string& place,
                  Diagnostics& diagnostics)
 {
-    std::vector<std::vector<std::string>> nodes;
-    for (const std::string& node : mesh.nodes)
-        nodes.push_back(namesOf(node));
-    std::vector<std::vector<std::string>> materials;
+    if (settings.bearingNodes.empty() && settings.occluderNodes.empty() &&
+        settings.bearingMaterials.empty()) {
+        std::fill(mesh.bears.begin(), mesh.bears.end(), std::uint8_t(1));
+        return;
+    }
+    std::vector<std::string> materials;
     for (const GroundMaterial& material : mesh.materials)
-        materials.push_back({material.name});
-
-    const auto bearing = matchAll(settings.bearingNodes, nodes, "node", place, diagnostics);
-    const auto occluder = matchAll(settings.occluderNodes, nodes, "node", place, diagnostics);
+        materials.push_back(material.name);
+    const auto bearing =
+        matchAll(settings.bearingNodes, mesh.nodes, true, "node", place, diagnostics);
+    const auto occluder =
+        matchAll(settings.occluderNodes, mesh.nodes, true, "node", place, diagnostics);
     const auto growing =
-        matchAll(settings.bearingMaterials, materials, "material", place, diagnostics);
+        matchAll(settings.bearingMaterials, materials, false, "material", place, diagnostics);
 
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const bool byNode = settings.bearingNodes.empty() || bearing[mesh.nodeOf[i]];

@@ -34,6 +34,43 @@ void readVector(const nlohmann::json& value, const std::string& place, double lo
         result[i] = static_cast<typename Vec::value_type>(readNumber(value[i], place, low, high));
 }
 
+// The parser makes about 100 bytes of a value of two, and some of what follows it walks down by
+// recursion: both are counted before anything is made of the text.
+void requireBounds(std::string_view text, const std::string& place)
+{
+    std::size_t depth = 0;
+    std::size_t values = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        switch (text[i]) {
+        case '"':
+            // To the end of the string; a backslash shields what follows it.
+            for (++i; i < text.size() && text[i] != '"'; ++i)
+                if (text[i] == '\\')
+                    ++i;
+            break;
+        case '[':
+        case '{':
+            ++values;
+            if (++depth > jsonDepthLimit)
+                fail(ErrorKind::input, "{}: its JSON is nested more than {} deep at byte {}", place,
+                     jsonDepthLimit, i);
+            break;
+        case ']':
+        case '}':
+            depth -= depth > 0 ? 1 : 0;
+            break;
+        case ',':
+            ++values;
+            break;
+        default:
+            break;
+        }
+    }
+    if (values > jsonValueLimit)
+        fail(ErrorKind::input, "{}: its JSON has {} values, more than {}", place, values,
+             jsonValueLimit);
+}
+
 } // namespace
 
 SettingsReader::SettingsReader(const nlohmann::json& object, std::string place)
@@ -148,6 +185,7 @@ void SettingsReader::finish() const
 
 nlohmann::json parseJson(std::string_view text, const std::string& place)
 {
+    requireBounds(text, place);
     try {
         return nlohmann::json::parse(text);
     } catch (const nlohmann::json::exception& error) {

@@ -46,7 +46,11 @@ private:
     std::vector<std::string> known_;
 };
 
-/// Parses text as JSON. Throws Error{input} that names `place`, and says where the text is wrong.
+inline constexpr std::size_t jsonDepthLimit = 128;       ///< arrays and objects inside each other
+inline constexpr std::size_t jsonValueLimit = 8'000'000; ///< arrays, objects and commas
+
+/// Parses text as JSON. Throws Error{input} that names `place`, and says where the text is wrong or
+/// beyond the limits.
 nlohmann::json parseJson(std::string_view text, const std::string& place);
 
 /// The entry of `known` nearest to `word` by edit distance, or an empty text if none is near.

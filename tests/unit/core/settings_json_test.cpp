@@ -79,6 +79,21 @@ TEST(SettingsReader, RefusesTextThatIsNotJson)
     EXPECT_NE(messageOf([&] { SettingsReader(list, "f"); }), "");
 }
 
+TEST(ParseJson, CountsDepthAndValuesBeforeItMakesThem)
+{
+    // What stands in a text does not count, nor does what a backslash shields.
+    const std::string text = R"({"a": "[[[[,,,,{{{{\"[[[[", "b": ["\\", 1]})";
+    EXPECT_EQ(parseJson(text, "f")["b"][1], 1);
+    const std::string fits = std::string(jsonDepthLimit, '[') + std::string(jsonDepthLimit, ']');
+    EXPECT_NO_THROW(parseJson(fits, "f"));
+    EXPECT_NE(messageOf([&] { parseJson("[" + fits + "]", "f"); }).find("128 deep"),
+              std::string::npos);
+    EXPECT_NE(messageOf([&] {
+                  parseJson(std::string(jsonValueLimit + 1, ','), "f");
+              }).find("8000001 values"),
+              std::string::npos);
+}
+
 TEST(NearestWord, FindsTyposAndNothingElse)
 {
     EXPECT_EQ(nearestWord("densty", {"density", "count"}), "density");

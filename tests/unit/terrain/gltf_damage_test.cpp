@@ -190,6 +190,61 @@ TEST(GltfDamage, RefusesRingsOfNodesAndTwoParents)
     EXPECT_EQ(kindOf(deep), ErrorKind::input);
 }
 
+// Files of a few kilobytes that ask for gigabytes, or for hours.
+TEST(GltfDamage, RefusesToBecomeMuchLargerThanItsFile)
+{
+    std::string message;
+    GlbBuilder twice = triangleGlb();
+    twice.document["scenes"] = {{{"nodes", {0, 0}}}};
+    EXPECT_EQ(kindOf(twice, &message), ErrorKind::input);
+    EXPECT_THAT(message, HasSubstr("twice"));
+
+    // Accessors without bytes are zeros: instances, vertices.
+    GlbBuilder instances = triangleGlb();
+    instances.document["accessors"].push_back(
+        {{"componentType", 5126}, {"type", "VEC3"}, {"count", 1 << 24}});
+    instances.document["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]
+                      ["TRANSLATION"] = 3;
+    EXPECT_EQ(kindOf(instances, &message), ErrorKind::input);
+    EXPECT_THAT(message, HasSubstr("instances"));
+    instances.document["accessors"][3]["count"] = 1 << 20;
+    instances.document["meshes"][0]["primitives"] = nlohmann::json::array();
+    for (int i = 0; i < 1000; ++i)
+        instances.primitive({{"attributes", {{"POSITION", 0}}}, {"indices", 2}});
+    EXPECT_EQ(kindOf(instances, &message), ErrorKind::input);
+    EXPECT_THAT(message, HasSubstr("too many for"));
+
+    GlbBuilder nodes = triangleGlb();
+    nodes.document["nodes"] = nlohmann::json(600'000, nlohmann::json::object());
+    nodes.document["scenes"] = nlohmann::json::array();
+    EXPECT_EQ(kindOf(nodes, &message), ErrorKind::input);
+    EXPECT_THAT(message, HasSubstr("600000 nodes"));
+
+    GlbBuilder path = triangleGlb();
+    for (int i = 0; i < 50; ++i)
+        path.node({{"children", {i}}, {"name", std::string(100, 'x')}});
+    EXPECT_EQ(kindOf(path, &message), ErrorKind::input);
+    EXPECT_THAT(message, HasSubstr("4096"));
+}
+
+TEST(GltfDamage, RefusesJsonThatIsDeepOrEndless)
+{
+    const auto messageOf = [](const std::string& content) -> std::string {
+        try {
+            loadContent("a.gltf", content);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::input);
+            return error.what();
+        }
+        return "it was read";
+    };
+    EXPECT_THAT(messageOf(std::string(1 << 24, '[')), HasSubstr("128 deep"));
+    std::string many = "{\"extras\": [0";
+    for (int i = 0; i < 8'000'000; ++i)
+        many += ",0";
+    EXPECT_THAT(messageOf(many + "]}"), HasSubstr("8000000"));
+}
+
 TEST(GltfDamage, SaysThatThereAreNoTriangles)
 {
     GlbBuilder empty;
