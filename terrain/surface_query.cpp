@@ -24,6 +24,9 @@ constexpr const char* deviceSettings = "isa=sse2";
 // How far Embree's single-precision distance may be off; whoever lies within is compared in double.
 constexpr double relativeSlack = 1e-5;
 
+// Of a clearance: what is nearer is the ground itself.
+constexpr double groundShare = 1e-5;
+
 // Called inside Embree, through which nothing may be thrown; whoever builds asks afterwards.
 void keepMessage(void* text, RTCError code, const char* message)
 {
@@ -76,7 +79,7 @@ struct SurfaceQuery::Scene {
     double shift(double limit) const { return (extent + limit) * 4e-7 + 1e-30; }
 
     Hit firstBehind(const glm::dvec3& point, const glm::dvec3& direction, double limit, double skin,
-                    std::uint32_t skipped) const;
+                    const IgnoredTriangles& ignored) const;
 };
 
 // A ray that asks, in double precision, of every triangle that Embree meets on its way.
@@ -87,14 +90,14 @@ struct SurfaceQuery::Scene::Question {
     glm::dvec3 direction;
     double above; // exclusive
     double limit;
-    std::uint32_t skipped;
+    const IgnoredTriangles& ignored;
     bool endsAtFirst; // else every triangle is let pass, and the nearest remembered
     Hit best;
 
     // Whether the ray ends here.
     bool meets(std::uint32_t index)
     {
-        if (index == skipped)
+        if (index == ignored.one || (!ignored.marked.empty() && ignored.marked[index] != 0))
             return false;
         const double distance = planeDistance(ground.triangle(index), point, direction);
         if (!(distance > above && distance <= limit))
@@ -192,7 +195,8 @@ SurfaceQuery::~SurfaceQuery() = default;
 
 SurfaceQuery::Hit SurfaceQuery::Scene::firstBehind(const glm::dvec3& point,
                                                    const glm::dvec3& direction, double limit,
-                                                   double skin, std::uint32_t skipped) const
+                                                   double skin,
+                                                   const IgnoredTriangles& ignored) const
 {
     RTCIntersectContext plain;
     rtcInitIntersectContext(&plain);
@@ -202,7 +206,7 @@ SurfaceQuery::Hit SurfaceQuery::Scene::firstBehind(const glm::dvec3& point,
                       .direction = direction,
                       .above = skin,
                       .limit = limit,
-                      .skipped = skipped,
+                      .ignored = ignored,
                       .endsAtFirst = false,
                       .best = {}};
     rtcInitIntersectContext(&question.context);
@@ -235,13 +239,13 @@ SurfaceQuery::Hit SurfaceQuery::Scene::firstBehind(const glm::dvec3& point,
 }
 
 SurfaceQuery::Hit SurfaceQuery::cast(glm::dvec3 point, glm::dvec3 direction, double limit,
-                                     double skin) const
+                                     double skin, const IgnoredTriangles& ignored) const
 {
-    return scene_->firstBehind(point, direction, limit, skin, none);
+    return scene_->firstBehind(point, direction, limit, skin, ignored);
 }
 
 bool SurfaceQuery::occluded(glm::dvec3 point, glm::dvec3 direction, double limit, double skin,
-                            std::uint32_t ownTriangle) const
+                            const IgnoredTriangles& ignored) const
 {
     Scene::Question question{.context = {},
                              .ground = *scene_,
@@ -249,7 +253,7 @@ bool SurfaceQuery::occluded(glm::dvec3 point, glm::dvec3 direction, double limit
                              .direction = direction,
                              .above = skin,
                              .limit = limit,
-                             .skipped = ownTriangle,
+                             .ignored = ignored,
                              .endsAtFirst = true,
                              .best = {}};
     rtcInitIntersectContext(&question.context);
@@ -262,9 +266,14 @@ bool SurfaceQuery::occluded(glm::dvec3 point, glm::dvec3 direction, double limit
 double SurfaceQuery::clearance(glm::dvec3 point, glm::dvec3 up, double limit,
                                std::uint32_t ownTriangle) const
 {
-    constexpr double groundShare = 1e-5; // of the limit: what is nearer is the ground itself
-    const Hit hit = scene_->firstBehind(point, up, limit, limit * groundShare, ownTriangle);
+    const Hit hit = cast(point, up, limit, limit * groundShare, {.one = ownTriangle});
     return hit.isHit() ? hit.distance : limit;
+}
+
+bool SurfaceQuery::isClear(glm::dvec3 point, glm::dvec3 up, double limit,
+                           std::uint32_t ownTriangle) const
+{
+    return !occluded(point, up, limit, limit * groundShare, {.one = ownTriangle});
 }
 
 SurfaceQuery::Nearest SurfaceQuery::nearest(glm::dvec3 point, double limit) const

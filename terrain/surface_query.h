@@ -11,6 +11,13 @@
 
 namespace sward::terrain {
 
+/// Triangles that a ray passes through: one of them, and those with a number other than 0 in an
+/// array that may be empty.
+struct IgnoredTriangles {
+    std::uint32_t one = 0xffffffffU;
+    std::span<const std::uint8_t> marked = {};
+};
+
 /// Questions a grower may put to the ground. Embree answers them, pinned to one instruction set and
 /// in its robust mode; distances are computed again from the triangle that was hit, in double
 /// precision, so that every CPU gives the same answer. Thread-safe once built.
@@ -36,17 +43,21 @@ public:
 
     /// First triangle along unit `direction` from `point` (relative to the mesh's origin), farther
     /// than `skin` and at most `limit` away [m].
-    Hit cast(glm::dvec3 point, glm::dvec3 direction, double limit, double skin) const;
+    Hit cast(glm::dvec3 point, glm::dvec3 direction, double limit, double skin,
+             const IgnoredTriangles& ignored = {}) const;
 
-    /// Whether cast() would hit anything but `ownTriangle`. Costs one ray, whatever it meets.
+    /// Whether cast() would hit anything. Costs one ray, whatever it meets.
     bool occluded(glm::dvec3 point, glm::dvec3 direction, double limit, double skin,
-                  std::uint32_t ownTriangle = none) const;
+                  const IgnoredTriangles& ignored = {}) const;
 
     /// Free height above `point` on triangle `ownTriangle` along unit `up`, at most `limit` [m].
     /// The own triangle, and hits nearer than 1e-5 of `limit`, are the ground itself and do not
     /// count.
     double clearance(glm::dvec3 point, glm::dvec3 up, double limit,
                      std::uint32_t ownTriangle) const;
+
+    /// Whether clearance() is all of `limit`, by one ray.
+    bool isClear(glm::dvec3 point, glm::dvec3 up, double limit, std::uint32_t ownTriangle) const;
 
     /// The nearest point of the ground to `point` that is at most `limit` [m] away; `triangle` is
     /// none and `distance` infinite if there is none.

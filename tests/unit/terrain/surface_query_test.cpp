@@ -171,13 +171,12 @@ TEST(SurfaceQuery, OneRayAndTwoAgreeWhetherSomethingIsInTheWay)
             const glm::dvec3 to = glm::normalize(randomPoint(i + 50'000, 1.0));
             const double skin = i % 3 == 0 ? 0.0 : 1e-4;
             const std::uint32_t skipped = i % 2 == 0 ? own : SurfaceQuery::none;
-            const bool one = query.occluded(from, to, 6.0, skin, skipped);
+            const bool one = query.occluded(from, to, 6.0, skin, {.one = skipped});
             if (skipped == SurfaceQuery::none) {
                 ASSERT_EQ(one, query.cast(from, to, 6.0, skin).isHit()) << "ray " << i;
             } else if (skin > 0.0) {
-                // clearance() has the skin 1e-5 of its limit.
-                ASSERT_EQ(query.occluded(from, to, 6.0, 6e-5, own),
-                          query.clearance(from, to, 6.0, own) < 6.0)
+                ASSERT_EQ(query.isClear(from, to, 6.0, own),
+                          query.clearance(from, to, 6.0, own) == 6.0)
                     << "ray " << i;
             }
             blocked += one ? 1 : 0;
@@ -185,6 +184,19 @@ TEST(SurfaceQuery, OneRayAndTwoAgreeWhetherSomethingIsInTheWay)
         EXPECT_GT(blocked, 2000);
         EXPECT_LT(blocked, 18'000);
     }
+}
+
+TEST(SurfaceQuery, PassesThroughWhatIsIgnored)
+{
+    const GroundMesh mesh = meshes::boxAbovePlane();
+    const SurfaceQuery query(mesh);
+    std::vector<std::uint8_t> box(mesh.triangles.size(), 1);
+    box[0] = box[1] = 0;
+    const glm::dvec3 from(0.3, 5.0, 0.2);
+    EXPECT_NEAR(query.cast(from, {0, -1, 0}, 9.0, 0.0).distance, 2.0, 1e-9);
+    EXPECT_NEAR(query.cast(from, {0, -1, 0}, 9.0, 0.0, {.marked = box}).distance, 5.0, 1e-9);
+    EXPECT_FALSE(query.occluded(from, {0, -1, 0}, 4.5, 0.0, {.marked = box}));
+    EXPECT_TRUE(query.occluded(from, {0, -1, 0}, 5.5, 0.0, {.marked = box}));
 }
 
 TEST(SurfaceQuery, WhatLiesBeyondReachChangesNoAnswer)
