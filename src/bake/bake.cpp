@@ -16,6 +16,7 @@
 #include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
 #include <chrono>
@@ -100,15 +101,15 @@ public:
 
     void prepare(Report& report)
     {
-        if (settings_.clearance > 0.0 || settings_.exposureRays > 0) {
-            progress_.begin("rays", 1);
-            query_.emplace(ground_);
-        }
-        report.timing.rays = watch_.lap();
-        filter_.emplace(ground_, settings_, query_ ? &*query_ : nullptr);
-        sampler_.emplace(ground_, settings_, *filter_);
-        plan_ = planBake(sampler_->area(), settings_, diagnostics_);
+        checkGround(ground_, settings_);
+        lookAround(report);
+        const double area = bearingArea(ground_, settings_);
+        plan_ = planBake(area, settings_, diagnostics_);
         report.bladeScale = plan_.scale;
+        const terrain::SurfaceQuery* const query = query_ ? &*query_ : nullptr;
+        filter_.emplace(ground_, settings_, query, &features_, plan_.scale);
+        grower_.emplace(ground_, settings_, BladeGrower::Whole{plan_.scale, area}, *filter_, query);
+        sampler_.emplace(ground_, settings_, *filter_);
     }
 
     const Plan& plan() const { return plan_; }
@@ -135,7 +136,7 @@ public:
                                     settings_.rayLength * plan_.scale, *query_, progress_);
         report.timing.rays += watch_.lap();
         const std::vector<shared::Blade> blades =
-            growBlades(sampling.roots, exposure, ground_, settings_, plan_.scale, progress_);
+            growBlades(sampling.roots, exposure, *grower_, progress_);
         report.timing.traits = watch_.lap();
 
         const PatchTree tree = buildPatches(blades, ground_, sampling.roots, progress_);
@@ -149,7 +150,7 @@ public:
             }
         for (const SpeciesTraits& species : settings_.meadow.species)
             field.species.push_back({species.name, species.look});
-        field.ground = displayGround(ground_, !settings_.masks.empty());
+        field.ground = displayGround(ground_, masksByVertexColor(settings_));
         field.defaults = defaultsFor(settings_, plan_.scale);
         field.provenance = provenanceOf(settings_, report);
         report.timing.patches = watch_.lap();
@@ -157,13 +158,40 @@ public:
     }
 
 private:
+    // Prepares rays, and beside it what the connections of the ground tell, each if asked for.
+    void lookAround(Report& report)
+    {
+        const terrain::FeatureChoice choice = featuresFor(settings_);
+        const bool castsRays = settings_.exposureRays > 0 || filterNeedsRays(ground_, settings_) ||
+                               growsTufts(settings_.meadow);
+        if (castsRays || choice.any())
+            progress_.begin("rays", 1);
+        double connecting = 0.0;
+        tbb::parallel_invoke(
+            [&] {
+                if (castsRays)
+                    query_.emplace(ground_);
+            },
+            [&] {
+                if (!choice.any())
+                    return;
+                Stopwatch watch;
+                features_ = findFeatures(ground_, terrain::analyse(ground_), choice);
+                connecting = watch.lap();
+            });
+        report.timing.topology = connecting;
+        report.timing.rays = std::max(watch_.lap() - connecting, 0.0);
+    }
+
     const terrain::GroundMesh& ground_;
     const BakeSettings& settings_;
     Diagnostics& diagnostics_;
     Progress& progress_;
     Stopwatch watch_;
     std::optional<terrain::SurfaceQuery> query_;
+    terrain::SurfaceFeatures features_;
     std::optional<RootFilter> filter_;
+    std::optional<BladeGrower> grower_;
     std::optional<SurfaceSampler> sampler_;
     Plan plan_;
 };

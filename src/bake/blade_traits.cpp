@@ -1,16 +1,19 @@
 #include "bake/blade_traits.h"
 
 #include "bake/ground_color.h"
+#include "bake/triangle_points.h"
 #include "bake/up_vector.h"
 #include "core/exact_math.h"
 #include "core/random.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace sward::bake {
 namespace {
@@ -58,21 +61,11 @@ private:
     std::uint64_t clump_;
 };
 
-// Species by share: neighbours in a clump are mostly of one kind.
-std::uint32_t chooseSpecies(const Meadow& meadow, const Dice& dice)
+// Species by their shares of the place: neighbours in a clump are mostly of one kind.
+std::uint32_t chooseSpecies(const Meadow& meadow, const SpeciesShares& shares, const Dice& dice)
 {
-    double total = 0.0;
-    for (const SpeciesTraits& species : meadow.species)
-        total += species.share;
     const bool followsClump = dice.own(Dimension::clump) < meadow.species[0].clumping;
-    double left =
-        total * (followsClump ? dice.clump(Dimension::species) : dice.own(Dimension::species));
-    for (std::size_t i = 0; i < meadow.species.size(); ++i) {
-        left -= meadow.species[i].share;
-        if (left < 0.0)
-            return static_cast<std::uint32_t>(i);
-    }
-    return static_cast<std::uint32_t>(meadow.species.size() - 1);
+    return shares.at(followsClump ? dice.clump(Dimension::species) : dice.own(Dimension::species));
 }
 
 double within(glm::dvec2 range, double share)
@@ -80,20 +73,36 @@ double within(glm::dvec2 range, double share)
     return range.x + share * (range.y - range.x);
 }
 
-// Direction the blade leans to: outward from its clump's middle, more or less, else anywhere.
-glm::dvec3 chooseFront(glm::dvec3 up, glm::dvec3 tangent, glm::dvec3 outward, double clumping,
-                       const Dice& dice)
+// What a vector leaves in the plane across `up`, unit; none if next to nothing.
+std::optional<glm::dvec3> flattened(glm::dvec3 vector, glm::dvec3 up)
 {
-    glm::dvec3 middle = tangent;
-    double spread = twoPi;
-    const glm::dvec3 flat = outward - up * glm::dot(up, outward);
+    const glm::dvec3 flat = vector - up * glm::dot(up, vector);
     const double squared = glm::dot(flat, flat);
-    if (squared > 1e-12 * glm::dot(outward, outward) && squared > 0.0) {
-        middle = flat / std::sqrt(squared);
-        spread = twoPi * (1.0 - 0.6 * clumping);
+    if (squared <= 1e-12 * glm::dot(vector, vector))
+        return std::nullopt;
+    return flat / std::sqrt(squared);
+}
+
+// Direction the blade leans to: as its clump has it, more or less, else anywhere.
+glm::dvec3 chooseFront(glm::dvec3 up, glm::dvec3 tangent, const SpeciesTraits& species,
+                       const Clumps::Clump* clump, glm::dvec3 place, const Dice& dice)
+{
+    // The share of a full turn that is left to chance where the clump decides all it may.
+    constexpr double outwardFreedom = 0.4;
+    constexpr double sharedFreedom = 0.1;
+    std::optional<glm::dvec3> middle;
+    double freedom = 1.0;
+    if (clump != nullptr && species.facing == Facing::outward) {
+        middle = flattened(place - glm::dvec3(clump->centre), up);
+        freedom = outwardFreedom;
+    } else if (clump != nullptr && species.facing == Facing::shared) {
+        middle = flattened(glm::dvec3(clump->direction), up);
+        freedom = sharedFreedom;
     }
+    const double spread = middle ? twoPi * (1.0 - (1.0 - freedom) * species.clumping) : twoPi;
+    const glm::dvec3 ahead = middle.value_or(tangent);
     const SinCos turn = exactSinCos((dice.own(Dimension::facing) - 0.5) * spread);
-    return turn.cos * middle + turn.sin * glm::cross(up, middle);
+    return turn.cos * ahead + turn.sin * glm::cross(up, ahead);
 }
 
 // Turn of `axis` about `up` from the tangent frame that the decoder will use, in [0, 2π).
@@ -105,60 +114,156 @@ float facingOf(glm::vec3 up, glm::dvec3 axis)
     return static_cast<float>(angle < 0.0 ? angle + twoPi : angle);
 }
 
-shared::Blade growBlade(const RootSample& root, float exposure, const terrain::GroundMesh& ground,
-                        const BakeSettings& settings, double scale, const Clumps& clumps)
+// Barycentric weights of the second and third corner at a point of a triangle's plane.
+glm::dvec2 barycentrics(glm::dvec3 p0, glm::dvec3 p1, glm::dvec3 p2, glm::dvec3 point)
 {
-    const Clumps::Clump* clump = clumps.nearest(root.position);
-    const Dice dice(settings.seed, keyOf(ground, root), clump);
-    const std::uint32_t slot = chooseSpecies(settings.meadow, dice);
-    const SpeciesTraits& species = settings.meadow.species[slot];
+    const glm::dvec3 normal = glm::cross(p1 - p0, p2 - p0);
+    const double squared = glm::dot(normal, normal);
+    if (squared <= 0.0)
+        return glm::dvec2(0.0);
+    const glm::dvec3 offset = point - p0;
+    return {glm::clamp(glm::dot(glm::cross(offset, p2 - p0), normal) / squared, 0.0, 1.0),
+            glm::clamp(glm::dot(glm::cross(p1 - p0, offset), normal) / squared, 0.0, 1.0)};
+}
 
-    const glm::uvec3 corners = ground.triangles[root.triangle];
-    const glm::dvec3 place = ground.origin + glm::dvec3(root.position);
-    const glm::dvec3 up =
-        upVector(glm::dvec3(root.normal), settings.groundUp.at(place), settings.align);
-    const glm::dvec3 tangent = surfaceTangent(up, glm::dvec3(ground.positions[corners.x]),
-                                              glm::dvec3(ground.positions[corners.y]),
-                                              glm::dvec3(ground.positions[corners.z]));
-    const glm::dvec3 outward =
-        clump != nullptr ? glm::dvec3(root.position) - glm::dvec3(clump->centre) : glm::dvec3(0.0);
-    const glm::dvec3 front = chooseFront(up, tangent, outward, species.clumping, dice);
+// Clumps of one species' tufts are drawn apart from others'.
+std::uint64_t tuftSeed(std::uint64_t seed, std::size_t slot)
+{
+    constexpr std::uint64_t tuftSalt = 0x74756674ULL;
+    return hashBits(seed ^ tuftSalt, slot);
+}
+
+} // namespace
+
+BladeGrower::BladeGrower(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                         const Whole& whole, const RootFilter& filter,
+                         const terrain::SurfaceQuery* query)
+    : ground_(ground)
+    , settings_(settings)
+    , scale_(whole.scale)
+    , filter_(filter)
+    , query_(query)
+    , colorsAreMask_(masksByVertexColor(settings))
+    , clumps_(ground, clumpSpacing(settings.meadow.clumpSize * whole.scale, whole.area),
+              settings.seed)
+    , tufts_(settings.meadow.species.size())
+{
+    for (std::size_t slot = 0; query != nullptr && slot < tufts_.size(); ++slot)
+        if (const double spacing = settings.meadow.species[slot].tuftSpacing * scale_;
+            spacing > 0.0)
+            tufts_[slot].emplace(ground, clumpSpacing(spacing, whole.area),
+                                 tuftSeed(settings.seed, slot));
+}
+
+RootSample BladeGrower::gather(const RootSample& root, const SpeciesTraits& species,
+                               const Clumps::Clump& tuft) const
+{
+    // Shrink the tuft's cell about its middle, which keeps the order among its blades, and go to
+    // the ground there.
+    const double spacing = species.tuftSpacing * scale_;
+    const double shrink = std::min(1.0, 2.0 * species.tuftRadius * scale_ / spacing);
+    const glm::dvec3 middle(tuft.centre);
+    const glm::dvec3 aim = middle + shrink * (glm::dvec3(root.position) - middle);
+    const auto found = query_->nearest(aim, 0.5 * spacing);
+    if (found.triangle == terrain::SurfaceQuery::none || ground_.bears[found.triangle] == 0)
+        return root;
+    const glm::uvec3 corners = ground_.triangles[found.triangle];
+    const glm::vec2 place(barycentrics(glm::dvec3(ground_.positions[corners.x]),
+                                       glm::dvec3(ground_.positions[corners.y]),
+                                       glm::dvec3(ground_.positions[corners.z]), found.point));
+    const RootSample moved =
+        TrianglePoints(ground_, found.triangle).at(place.x, place.y, root.candidate);
+
+    // Not to the other side of a sheet, nor to where nothing may grow.
+    constexpr double likeliest = 0.3;
+    Reject ignored = Reject::mask;
+    if (glm::dot(glm::dvec3(moved.normal), glm::dvec3(root.normal)) < likeliest ||
+        filter_.weigh(moved, 0.0, ignored) <= 0.0 || filter_.obstacle(moved))
+        return root;
+    return moved;
+}
+
+double BladeGrower::roomOver(const RootSample& root, glm::dvec3 up, double height) const
+{
+    // A little stays between a tip and what it grows under; something stays of any blade.
+    constexpr double used = 0.95;
+    constexpr double leastShare = 0.05;
+    const glm::dvec3 place(root.position);
+    const double wanted = height / used;
+    if (query_ == nullptr || !settings_.meadow.fitsOverhangs ||
+        query_->isClear(place, up, wanted, root.triangle))
+        return height;
+    return std::max(used * query_->clearance(place, up, wanted, root.triangle),
+                    leastShare * height);
+}
+
+shared::Blade BladeGrower::grow(const RootSample& root, float exposure) const
+{
+    // What kind it is, by the place and by its clump; its tuft is a closer clump.
+    const field::BladeKey key = keyOf(ground_, root);
+    const Clumps::Clump* clump = clumps_.nearest(root.position);
+    const Stand stand = filter_.standAt(root);
+    const std::uint32_t slot =
+        chooseSpecies(settings_.meadow, stand.shares, Dice(settings_.seed, key, clump));
+    const SpeciesTraits& species = settings_.meadow.species[slot];
+    RootSample place = root;
+    if (tufts_[slot])
+        if (const Clumps::Clump* const tuft = tufts_[slot]->nearest(root.position)) {
+            place = gather(root, species, *tuft);
+            clump = tuft;
+        }
+    const Dice dice(settings_.seed, key, clump);
+
+    const glm::uvec3 corners = ground_.triangles[place.triangle];
+    const glm::dvec3 groundUp = settings_.groundUp.at(ground_.origin + glm::dvec3(place.position));
+    const glm::dvec3 up = upVector(glm::dvec3(place.normal), groundUp, settings_.align);
+    const glm::dvec3 tangent = surfaceTangent(up, glm::dvec3(ground_.positions[corners.x]),
+                                              glm::dvec3(ground_.positions[corners.y]),
+                                              glm::dvec3(ground_.positions[corners.z]));
+    const glm::dvec3 front =
+        chooseFront(up, tangent, species, clump, glm::dvec3(place.position), dice);
+
+    // Where filters let little grow, it stays low.
+    const double sparse = settings_.meadow.sparseHeight;
+    const double height =
+        scale_ * (sparse + (1.0 - sparse) * stand.vigour[slot]) *
+        within(species.height, dice.blended(Dimension::height, 0.7 * species.clumping));
 
     shared::Blade blade;
-    blade.root = root.position;
+    blade.root = place.position;
     blade.up = glm::vec3(up);
     blade.facing = facingOf(blade.up, glm::cross(front, up));
-    blade.height = static_cast<float>(
-        scale * within(species.height, dice.blended(Dimension::height, 0.7 * species.clumping)));
-    blade.width = static_cast<float>(scale * within(species.width, dice.own(Dimension::width)));
+    blade.height = static_cast<float>(roomOver(place, up, height));
+    blade.width = static_cast<float>(scale_ * within(species.width, dice.own(Dimension::width)));
     blade.stiffness = static_cast<float>(
         within(species.stiffness, dice.blended(Dimension::stiffness, 0.5 * species.clumping)));
     blade.exposure = exposure;
     blade.species = slot;
-    blade.tint = groundColor(ground, root, !settings.masks.empty());
+    blade.tint = groundColor(ground_, place, colorsAreMask_);
     blade.clump = dice.clumpNumber();
     blade.hash = dice.hash();
     return blade;
 }
 
-} // namespace
-
 std::vector<shared::Blade> growBlades(const Roots& roots, const std::vector<float>& exposure,
-                                      const terrain::GroundMesh& ground,
-                                      const BakeSettings& settings, double scale,
-                                      Progress& progress)
+                                      const BladeGrower& grower, Progress& progress)
 {
-    const Clumps clumps(ground, settings.meadow.clumpSize * scale, settings.seed);
     std::vector<shared::Blade> blades(roots.size());
     progress.begin("traits", roots.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, roots.size(), 4096),
                       [&](const tbb::blocked_range<std::size_t>& range) {
                           for (std::size_t i = range.begin(); i < range.end(); ++i)
-                              blades[i] = growBlade(roots[i], exposure.empty() ? 1.0f : exposure[i],
-                                                    ground, settings, scale, clumps);
+                              blades[i] =
+                                  grower.grow(roots[i], exposure.empty() ? 1.0f : exposure[i]);
                           progress.advance(range.size());
                       });
     return blades;
+}
+
+bool growsTufts(const Meadow& meadow)
+{
+    return std::any_of(meadow.species.begin(), meadow.species.end(),
+                       [](const SpeciesTraits& species) { return species.tuftSpacing > 0.0; });
 }
 
 } // namespace sward::bake

@@ -1,11 +1,16 @@
 #include "bake/clumps.h"
 
+#include "bake/up_vector.h"
+#include "core/exact_math.h"
 #include "core/random.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
+#include <bit>
 #include <cmath>
 
 namespace sward::bake {
@@ -17,66 +22,102 @@ constexpr std::uint64_t clumpSalt = 0x636c756d70ULL;
 // More centres than this are not worth their memory: clumps grow instead.
 constexpr double mostClumps = 2e6;
 
+// A blade's clump is at most so many spacings away: around e^−7 of all places have none so near.
+constexpr double reachShare = 1.5;
+
+constexpr std::size_t trianglesPerBlock = 8192;
+constexpr double twoPi = 6.28318530717958648;
+
 glm::ivec3 cellAt(glm::vec3 place, double cellSize)
 {
     return glm::ivec3(glm::floor(glm::dvec3(place) / cellSize));
 }
 
-} // namespace
-
-Clumps::Clumps(const terrain::GroundMesh& ground, double size, std::uint64_t seed)
+Clumps::Clump clumpOn(const terrain::GroundMesh& ground, std::size_t triangle, std::uint64_t own)
 {
-    if (size <= 0.0)
-        return;
-    double area = 0.0;
-    for (std::size_t t = 0; t < ground.triangles.size(); ++t)
-        area += ground.bears[t] != 0 ? ground.area(t) : 0.0;
-    const double apart = std::max(size, std::sqrt(area / mostClumps));
-    cellSize_ = 1.5 * apart;
+    const glm::uvec3 corners = ground.triangles[triangle];
+    const glm::dvec3 p0(ground.positions[corners.x]);
+    const glm::dvec3 p1(ground.positions[corners.y]);
+    const glm::dvec3 p2(ground.positions[corners.z]);
+    const double s = std::sqrt(uniform(own, 0, 1));
+    const double v = uniform(own, 0, 2);
 
-    // Scatter centres as roots are scattered: ⌊λA + u⌋ on each triangle.
-    const std::uint64_t key = hashBits(seed, clumpSalt);
-    for (std::size_t t = 0; t < ground.triangles.size(); ++t) {
-        if (ground.bears[t] == 0)
-            continue;
-        const double share = ground.area(t) / (apart * apart);
-        const auto count = static_cast<std::uint32_t>(std::floor(share + uniform(key, t, 0)));
-        const glm::uvec3 corners = ground.triangles[t];
-        const glm::dvec3 p0(ground.positions[corners.x]);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const std::uint64_t own = hashBits(key, std::uint64_t(t) << 32 | i);
-            const double s = std::sqrt(uniform(own, 0, 1));
-            const double v = uniform(own, 0, 2);
-            const glm::dvec3 centre =
-                p0 + s * (1.0 - v) * (glm::dvec3(ground.positions[corners.y]) - p0) +
-                s * v * (glm::dvec3(ground.positions[corners.z]) - p0);
-            clumps_.push_back({glm::vec3(centre), own});
-        }
-    }
-
-    // Group them by cells of a grid.
-    std::vector<std::pair<std::uint64_t, Clump>> byCell;
-    byCell.reserve(clumps_.size());
-    for (const Clump& clump : clumps_)
-        byCell.emplace_back(cellOf(cellAt(clump.centre, cellSize_)), clump);
-    std::sort(byCell.begin(), byCell.end(), [](const auto& a, const auto& b) {
-        return a.first != b.first ? a.first < b.first : a.second.key < b.second.key;
-    });
-    for (std::size_t i = 0; i < byCell.size(); ++i) {
-        clumps_[i] = byCell[i].second;
-        const auto [cell, isNew] =
-            cells_.try_emplace(byCell[i].first, static_cast<std::uint32_t>(i), 0U);
-        ++cell->second.second;
-    }
+    const glm::dvec3 normal = ground.faceNormal(triangle);
+    const glm::dvec3 tangent = surfaceTangent(normal, p0, p1, p2);
+    const SinCos turn = exactSinCos(twoPi * uniform(own, 0, 3));
+    return {glm::vec3(p0 + s * (1.0 - v) * (p1 - p0) + s * v * (p2 - p0)),
+            glm::vec3(turn.cos * tangent + turn.sin * glm::cross(normal, tangent)), own};
 }
 
-std::uint64_t Clumps::cellOf(glm::ivec3 cell) const
+} // namespace
+
+double clumpSpacing(double size, double area)
 {
-    // Twenty-one bits per axis: more cells than a float can tell apart.
-    constexpr std::uint64_t mask = (1ULL << 21) - 1;
-    return (std::uint64_t(std::uint32_t(cell.x)) & mask) |
-           (std::uint64_t(std::uint32_t(cell.y)) & mask) << 21 |
-           (std::uint64_t(std::uint32_t(cell.z)) & mask) << 42;
+    return size <= 0.0 ? 0.0 : std::max(size, std::sqrt(area / mostClumps));
+}
+
+Clumps::Clumps(const terrain::GroundMesh& ground, double spacing, std::uint64_t seed)
+{
+    if (spacing <= 0.0)
+        return;
+    cellSize_ = reachShare * spacing;
+    scatter(ground, spacing, hashBits(seed, clumpSalt));
+    sortIntoBuckets();
+}
+
+void Clumps::scatter(const terrain::GroundMesh& ground, double spacing, std::uint64_t key)
+{
+    // As roots are scattered: ⌊λA + u⌋ on each triangle.
+    const double density = 1.0 / (spacing * spacing);
+    const std::size_t triangles = ground.triangles.size();
+    std::vector<std::vector<Clump>> blocks((triangles + trianglesPerBlock - 1) / trianglesPerBlock);
+    tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t block) {
+        const std::size_t end = std::min((block + 1) * trianglesPerBlock, triangles);
+        for (std::size_t t = block * trianglesPerBlock; t < end; ++t) {
+            if (ground.bears[t] == 0)
+                continue;
+            const std::uint64_t source = ground.source(t);
+            const auto count = static_cast<std::uint32_t>(
+                std::floor(density * ground.area(t) + uniform(key, source, 0)));
+            for (std::uint32_t i = 0; i < count; ++i)
+                blocks[block].push_back(clumpOn(ground, t, hashBits(key, source << 32 | i)));
+        }
+    });
+    std::size_t count = 0;
+    for (const std::vector<Clump>& block : blocks)
+        count += block.size();
+    clumps_.reserve(count);
+    for (const std::vector<Clump>& block : blocks)
+        clumps_.insert(clumps_.end(), block.begin(), block.end());
+}
+
+void Clumps::sortIntoBuckets()
+{
+    // A bucket holds the cells of one hash. Their order inside comes from the threads and does not
+    // matter: nearest() tells equals apart by their keys.
+    first_.assign(std::bit_ceil(clumps_.size() + 1) + 1, 0);
+    std::vector<std::uint32_t> bucket(clumps_.size());
+    tbb::parallel_for(std::size_t(0), clumps_.size(), [&](std::size_t i) {
+        const std::size_t own = bucketOf(cellAt(clumps_[i].centre, cellSize_));
+        bucket[i] = static_cast<std::uint32_t>(own);
+        std::atomic_ref(first_[own]).fetch_add(1, std::memory_order_relaxed);
+    });
+    std::uint32_t sum = 0;
+    for (std::uint32_t& count : first_)
+        count = sum += count;
+    // Now first_ is where each bucket ends; filled backward, it is where it begins.
+    std::vector<Clump> sorted(clumps_.size());
+    tbb::parallel_for(std::size_t(0), clumps_.size(), [&](std::size_t i) {
+        sorted[std::atomic_ref(first_[bucket[i]]).fetch_sub(1, std::memory_order_relaxed) - 1] =
+            clumps_[i];
+    });
+    clumps_ = std::move(sorted);
+}
+
+std::size_t Clumps::bucketOf(glm::ivec3 cell) const
+{
+    const std::uint64_t xy = std::uint64_t(std::uint32_t(cell.x)) << 32 | std::uint32_t(cell.y);
+    return hashBits(xy, std::uint32_t(cell.z)) & (first_.size() - 2);
 }
 
 const Clumps::Clump* Clumps::nearest(glm::vec3 place) const
@@ -90,14 +131,13 @@ const Clumps::Clump* Clumps::nearest(glm::vec3 place) const
     for (int z = -1; z <= 1; ++z)
         for (int y = -1; y <= 1; ++y)
             for (int x = -1; x <= 1; ++x) {
-                const auto found = cells_.find(cellOf(middle + glm::ivec3(x, y, z)));
-                if (found == cells_.end())
-                    continue;
-                for (std::uint32_t i = 0; i < found->second.second; ++i) {
-                    const Clump& clump = clumps_[found->second.first + i];
+                const std::size_t bucket = bucketOf(middle + glm::ivec3(x, y, z));
+                for (std::uint32_t i = first_[bucket]; i < first_[bucket + 1]; ++i) {
+                    const Clump& clump = clumps_[i];
                     const glm::dvec3 offset = glm::dvec3(clump.centre) - glm::dvec3(place);
                     const double squared = glm::dot(offset, offset);
-                    if (squared < bestSquared) {
+                    if (squared < bestSquared ||
+                        (squared == bestSquared && best != nullptr && clump.key < best->key)) {
                         bestSquared = squared;
                         best = &clump;
                     }

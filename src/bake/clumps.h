@@ -5,33 +5,45 @@
 #include <glm/vec3.hpp>
 
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 namespace sward::bake {
 
-/// Grass grows in tufts: points scattered over the ground, each the middle of a clump to which the
-/// nearest blades belong (a Voronoi diagram on the surface). Where they lie depends on triangles,
-/// as roots do, so clumps turn with the mesh.
+/// Grass grows in clumps: points scattered over the ground, each the middle of a clump to which the
+/// nearest blades belong (a Voronoi diagram on the surface). A centre is a function of seed,
+/// spacing and its own triangle, as a root is: clumps turn with the mesh, and a part of the ground
+/// with a halo of reach() has those of the whole.
 class Clumps {
 public:
     struct Clump {
-        glm::vec3 centre{0.0f}; ///< [m] relative to the ground's origin
-        std::uint64_t key = 0;  ///< for the clump's own random numbers
+        glm::vec3 centre{0.0f};    ///< [m] relative to the ground's origin
+        glm::vec3 direction{0.0f}; ///< unit, along its triangle: where the whole clump looks
+        std::uint64_t key = 0;     ///< for the clump's own random numbers
     };
 
-    /// Clumps about `size` [m] apart; none if `size` is 0.
-    Clumps(const terrain::GroundMesh& ground, double size, std::uint64_t seed);
+    /// Clumps about `spacing` [m] apart, from clumpSpacing(); none if it is 0.
+    Clumps(const terrain::GroundMesh& ground, double spacing, std::uint64_t seed);
 
-    /// The clump nearest to a place, or null if none is within one and a half times the size.
+    /// The clump nearest to a place, or null if none is within reach().
     const Clump* nearest(glm::vec3 place) const;
 
+    /// How far a blade's clump may be [m].
+    double reach() const { return cellSize_; }
+
+    std::size_t size() const { return clumps_.size(); }
+
 private:
-    std::uint64_t cellOf(glm::ivec3 cell) const;
+    void scatter(const terrain::GroundMesh& ground, double spacing, std::uint64_t key);
+    void sortIntoBuckets();
+    std::size_t bucketOf(glm::ivec3 cell) const;
 
     double cellSize_ = 0.0;
-    std::vector<Clump> clumps_; ///< sorted by cell
-    std::unordered_map<std::uint64_t, std::pair<std::uint32_t, std::uint32_t>> cells_;
+    std::vector<Clump> clumps_;        ///< by bucket, in any order inside
+    std::vector<std::uint32_t> first_; ///< where each bucket begins, and the end
 };
+
+/// Spacing of clumps of typical distance `size` [m] on ground of `area` [m²] that bears: larger
+/// than asked where there would be more than two million. One number for the whole ground.
+double clumpSpacing(double size, double area);
 
 } // namespace sward::bake

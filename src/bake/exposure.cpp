@@ -20,53 +20,67 @@ constexpr double twoPi = 6.28318530717958648;
 // them.
 constexpr double skinShare = 1e-4;
 
-// Share of the sky that one root sees.
-double exposureOf(const RootSample& root, const terrain::GroundMesh& ground,
-                  const BakeSettings& settings, double rayLength,
-                  const terrain::SurfaceQuery& query)
+} // namespace
+
+Exposure::Exposure(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                   double rayLength, const terrain::SurfaceQuery& query)
+    : ground_(ground)
+    , query_(query)
+    , seed_(settings.seed)
+    , rayLength_(rayLength)
 {
-    const glm::uvec3 corners = ground.triangles[root.triangle];
+    for (int i = 0; i < settings.exposureRays; ++i) {
+        const SinCos angle = exactSinCos(goldenAngle * i);
+        spiral_.push_back({angle.cos, angle.sin});
+    }
+}
+
+double Exposure::at(const RootSample& root) const
+{
+    if (spiral_.empty())
+        return 1.0;
+    const glm::uvec3 corners = ground_.triangles[root.triangle];
     const glm::dvec3 normal(root.normal);
-    const glm::dvec3 tangent = surfaceTangent(normal, glm::dvec3(ground.positions[corners.x]),
-                                              glm::dvec3(ground.positions[corners.y]),
-                                              glm::dvec3(ground.positions[corners.z]));
-    const glm::dvec3 bitangent = glm::cross(normal, tangent);
+    const glm::dvec3 along = surfaceTangent(normal, glm::dvec3(ground_.positions[corners.x]),
+                                            glm::dvec3(ground_.positions[corners.y]),
+                                            glm::dvec3(ground_.positions[corners.z]));
     const auto random = [&](Dimension dimension) {
-        return uniform(settings.seed, keyBits(keyOf(ground, root)),
-                       static_cast<std::uint32_t>(dimension));
+        return uniform(seed_, keyBits(keyOf(ground_, root)), static_cast<std::uint32_t>(dimension));
     };
-    const double turn = twoPi * random(Dimension::rayTurn);
+    const SinCos turn = exactSinCos(twoPi * random(Dimension::rayTurn));
     const double shift = random(Dimension::raySlope);
+    const glm::dvec3 tangent = turn.cos * along + turn.sin * glm::cross(normal, along);
+    const glm::dvec3 bitangent = glm::cross(normal, tangent);
 
     // A spiral of equal shares of the projected hemisphere, turned at random for each root.
     int open = 0;
-    for (int i = 0; i < settings.exposureRays; ++i) {
-        const double squared = (i + shift) / settings.exposureRays;
+    double step = shift;
+    for (const Direction& ray : spiral_) {
+        const double squared = step / double(spiral_.size());
+        step += 1.0;
         const double radius = std::sqrt(squared);
-        const SinCos angle = exactSinCos(turn + goldenAngle * i);
-        const glm::dvec3 direction = radius * angle.cos * tangent + radius * angle.sin * bitangent +
+        const glm::dvec3 direction = radius * ray.cos * tangent + radius * ray.sin * bitangent +
                                      std::sqrt(1.0 - squared) * normal;
-        const auto hit =
-            query.cast(glm::dvec3(root.position), direction, rayLength, skinShare * rayLength);
-        open += hit.isHit() ? 0 : 1;
+        open += query_.occluded(glm::dvec3(root.position), direction, rayLength_,
+                                skinShare * rayLength_, {.one = root.triangle})
+                    ? 0
+                    : 1;
     }
-    return double(open) / settings.exposureRays;
+    return double(open) / double(spiral_.size());
 }
-
-} // namespace
 
 std::vector<float> castExposure(const Roots& roots, const terrain::GroundMesh& ground,
                                 const BakeSettings& settings, double rayLength,
                                 const terrain::SurfaceQuery& query, Progress& progress)
 {
+    const Exposure sky(ground, settings, rayLength, query);
     std::vector<float> exposure(roots.size());
     progress.begin("rays", roots.size());
     // Roots lie in spatial order, so neighbouring rays meet neighbouring nodes.
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, roots.size(), 1024),
                       [&](const tbb::blocked_range<std::size_t>& range) {
                           for (std::size_t i = range.begin(); i < range.end(); ++i)
-                              exposure[i] = static_cast<float>(
-                                  exposureOf(roots[i], ground, settings, rayLength, query));
+                              exposure[i] = static_cast<float>(sky.at(roots[i]));
                           progress.advance(range.size());
                       });
     return exposure;

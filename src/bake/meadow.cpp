@@ -9,7 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <optional>
 
 namespace sward::embedded {
 std::span<const EmbeddedFile> meadows();
@@ -20,12 +22,55 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::array<const char*, 3> facingNames{"outward", "shared", "free"};
+
 // Reads a range [low, high] within the given bounds.
 void readRange(SettingsReader& reader, const char* key, glm::dvec2& range, double low, double high)
 {
     reader.read(key, range, low, high);
     if (range.x > range.y)
         fail(ErrorKind::input, "{}: {} is above {}", reader.placeOf(key), range.x, range.y);
+}
+
+// Reads a soft range from a text such as "0:30~5".
+void readSoft(SettingsReader& reader, const char* key, SoftRange& range)
+{
+    std::string text;
+    reader.read(key, text);
+    if (text.empty())
+        return;
+    const std::optional<SoftRange> read = readSoftRange(text, range);
+    if (!read)
+        fail(ErrorKind::input, "{}: \"{}\" is not MIN:MAX or MIN:MAX~SOFT", reader.placeOf(key),
+             text);
+    range = *read;
+}
+
+// Reads one mask or a list of them.
+void readMasks(SettingsReader& reader, const char* key, std::vector<Mask>& masks)
+{
+    if (!reader.has(key))
+        return;
+    const json& value = reader.child(key);
+    for (const json& entry : value.is_array() ? value : json::array({value})) {
+        const std::optional<Mask> mask =
+            entry.is_string() ? readMask(entry.get<std::string>()) : std::nullopt;
+        if (!mask)
+            fail(ErrorKind::input, "{}: {} is not a mask such as \"vertex-color:R:invert\"",
+                 reader.placeOf(key), entry.dump());
+        masks.push_back(*mask);
+    }
+}
+
+void readFacing(SettingsReader& reader, const char* key, Facing& facing)
+{
+    std::string text = facingNames[static_cast<std::size_t>(facing)];
+    reader.read(key, text);
+    const auto found = std::find(facingNames.begin(), facingNames.end(), text);
+    if (found == facingNames.end())
+        fail(ErrorKind::input, "{}: \"{}\" is none of {}", reader.placeOf(key), text,
+             fmt::join(facingNames, ", "));
+    facing = static_cast<Facing>(found - facingNames.begin());
 }
 
 // The shortest decimal that reads back as the same float: 0.45, not 0.44999998807907104.
@@ -50,10 +95,19 @@ SpeciesTraits parseSpecies(const json& object, const std::string& place)
     SettingsReader reader(object, place);
     reader.read("name", species.name);
     reader.read("share", species.share, 1e-6, 1e6);
+    reader.read("priority", species.priority, -1000, 1000);
+    reader.read("cover", species.cover, 1e-6, 1.0);
+    readSoft(reader, "slope", species.habitat.slope);
+    readSoft(reader, "altitude", species.habitat.altitude);
+    readSoft(reader, "curvature", species.habitat.curvature);
+    readMasks(reader, "mask", species.habitat.masks);
     readRange(reader, "height_m", species.height, 1e-6, 1e4);
     readRange(reader, "width_m", species.width, 1e-7, 1e3);
     readRange(reader, "stiffness", species.stiffness, 0.0, 1.0);
     reader.read("clumping", species.clumping, 0.0, 1.0);
+    readFacing(reader, "facing", species.facing);
+    reader.read("tuft_spacing_m", species.tuftSpacing, 0.0, 1e6);
+    reader.read("tuft_radius_m", species.tuftRadius, 0.0, 1e6);
     reader.read("root_color", look.rootColor, 0.0, 1.0);
     reader.read("tip_color", look.tipColor, 0.0, 1.0);
     reader.read("tip_threshold", look.tipThreshold, 0.0, 0.99);
@@ -89,6 +143,8 @@ Meadow parseMeadow(std::string_view text, const std::string& place)
     SettingsReader reader(object, place);
     reader.read("name", meadow.name);
     reader.read("clump_size_m", meadow.clumpSize, 0.0, 1e6);
+    reader.read("sparse_height", meadow.sparseHeight, 0.0, 1.0);
+    reader.read("fit_overhangs", meadow.fitsOverhangs);
     const json& list = reader.child("species");
     reader.finish();
     if (!list.is_array() || list.empty() || list.size() > shared::maxSpecies)
@@ -106,7 +162,14 @@ Meadow loadMeadow(const std::string& fileOrName)
     std::error_code ignored;
     if (std::filesystem::is_regular_file(fileOrName, ignored)) {
         const std::vector<std::byte> bytes = readFile(fileOrName, std::size_t(1) << 24);
-        return parseMeadow({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, fileOrName);
+        Meadow meadow =
+            parseMeadow({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, fileOrName);
+        const std::filesystem::path folder = std::filesystem::path(fileOrName).parent_path();
+        for (SpeciesTraits& species : meadow.species)
+            for (Mask& mask : species.habitat.masks)
+                if (!mask.file.empty())
+                    mask.file = (folder / mask.file).string();
+        return meadow;
     }
     for (const EmbeddedFile& file : embedded::meadows())
         if (stem(file.name) == fileOrName)
@@ -117,23 +180,40 @@ Meadow loadMeadow(const std::string& fileOrName)
 
 std::string toJson(const Meadow& meadow)
 {
-    json species = json::array();
-    for (const SpeciesTraits& one : meadow.species)
-        species.push_back({{"name", one.name},
-                           {"share", one.share},
-                           {"height_m", toArray(one.height)},
-                           {"width_m", toArray(one.width)},
-                           {"stiffness", toArray(one.stiffness)},
-                           {"clumping", one.clumping},
-                           {"root_color", toArray(one.look.rootColor)},
-                           {"tip_color", toArray(one.look.tipColor)},
-                           {"tip_threshold", shortest(one.look.tipThreshold)},
-                           {"ground_tint", shortest(one.look.groundTint)},
-                           {"color_variation", shortest(one.look.colorVariation)},
-                           {"translucency", shortest(one.look.translucency)},
-                           {"gloss", shortest(one.look.gloss)},
-                           {"dryness", shortest(one.look.dryness)}});
-    return json{{"name", meadow.name}, {"clump_size_m", meadow.clumpSize}, {"species", species}}
+    json list = json::array();
+    for (const SpeciesTraits& one : meadow.species) {
+        json masks = json::array();
+        for (const Mask& mask : one.habitat.masks)
+            masks.push_back(textOf(mask));
+        list.push_back({{"name", one.name},
+                        {"share", one.share},
+                        {"priority", one.priority},
+                        {"cover", one.cover},
+                        {"slope", textOf(one.habitat.slope)},
+                        {"altitude", textOf(one.habitat.altitude)},
+                        {"curvature", textOf(one.habitat.curvature)},
+                        {"mask", masks},
+                        {"height_m", toArray(one.height)},
+                        {"width_m", toArray(one.width)},
+                        {"stiffness", toArray(one.stiffness)},
+                        {"clumping", one.clumping},
+                        {"facing", facingNames[static_cast<std::size_t>(one.facing)]},
+                        {"tuft_spacing_m", one.tuftSpacing},
+                        {"tuft_radius_m", one.tuftRadius},
+                        {"root_color", toArray(one.look.rootColor)},
+                        {"tip_color", toArray(one.look.tipColor)},
+                        {"tip_threshold", shortest(one.look.tipThreshold)},
+                        {"ground_tint", shortest(one.look.groundTint)},
+                        {"color_variation", shortest(one.look.colorVariation)},
+                        {"translucency", shortest(one.look.translucency)},
+                        {"gloss", shortest(one.look.gloss)},
+                        {"dryness", shortest(one.look.dryness)}});
+    }
+    return json{{"name", meadow.name},
+                {"clump_size_m", meadow.clumpSize},
+                {"sparse_height", meadow.sparseHeight},
+                {"fit_overhangs", meadow.fitsOverhangs},
+                {"species", list}}
         .dump(2);
 }
 

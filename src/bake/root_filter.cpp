@@ -1,53 +1,106 @@
 #include "bake/root_filter.h"
 
-#include "core/exact_math.h"
+#include "bake/up_vector.h"
+#include "core/random.h"
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sward::bake {
 namespace {
 
-constexpr double degreesPerRadian = 57.29577951308232;
+bool hasOccluders(const terrain::GroundMesh& ground)
+{
+    return std::find(ground.bears.begin(), ground.bears.end(), std::uint8_t(0)) !=
+           ground.bears.end();
+}
 
-constexpr double wholeCircle = 180.0;
-constexpr double anyAltitude = 1e300;
+bool asksSky(const BakeSettings& settings)
+{
+    return !settings.sky.holds(0.0, 1.0);
+}
+
+bool asks(const SoftRange& range)
+{
+    return !range.holds(-unbounded, unbounded);
+}
 
 } // namespace
 
 RootFilter::RootFilter(const terrain::GroundMesh& ground, const BakeSettings& settings,
-                       const terrain::SurfaceQuery* query)
+                       const terrain::SurfaceQuery* query, const terrain::SurfaceFeatures* features,
+                       double scale)
     : ground_(ground)
     , settings_(settings)
     , query_(query)
-    , weighsSlope_(settings.slope.low > 0.0 || settings.slope.high < wholeCircle)
-    , weighsAltitude_(settings.altitude.low > -anyAltitude || settings.altitude.high < anyAltitude)
-    , asksRays_(settings.clearance > 0.0)
+    , features_(features)
+    , scale_(scale)
+    , everybody_({settings.slope, settings.altitude, settings.curvature, settings.masks})
+    , mix_(settings.meadow)
 {
-    weighs_ = !settings.masks.empty() || weighsSlope_ || weighsAltitude_;
+    if (asks(settings.border))
+        border_.emplace(ground, features->borders, settings.border.low);
+    for (const ExcludedArea& area : settings.excluded)
+        excluded_.emplace_back(area, ground.origin);
+    if (query != nullptr && hasOccluders(ground))
+        occluders_.emplace(ground, *query);
+    if (asksSky(settings))
+        sky_.emplace(ground, settings, settings.rayLength * scale, *query);
+
+    const Habitat& everywhere = everybody_.habitat();
+    asksSite_ = everywhere.asksSlope() || everywhere.asksAltitude() || everywhere.asksCurvature() ||
+                mix_.asksPlace() || asks(settings.water);
+    weighs_ =
+        asksSite_ || everywhere.asksAnything() || settings.leastIsland > 0.0 || border_.has_value();
+    asksObstacles_ = settings.clearance > 0.0 || !excluded_.empty() || occluders_.has_value() ||
+                     sky_.has_value();
 }
 
-double RootFilter::maskWeight(const RootSample& root) const
+glm::dvec3 RootFilter::groundUpAt(const RootSample& root) const
 {
-    const glm::uvec3 corners = ground_.triangles[root.triangle];
-    const float b = root.barycentric.x;
-    const float c = root.barycentric.y;
-    const glm::vec4 color = (1.0f - b - c) * ground_.colors[corners.x] +
-                            b * ground_.colors[corners.y] + c * ground_.colors[corners.z];
-    double weight = 1.0;
-    for (const VertexColorMask& mask : settings_.masks) {
-        const double value = double(color[static_cast<std::size_t>(mask.channel)]);
-        weight *= mask.invert ? 1.0 - value : value;
+    return settings_.groundUp.at(ground_.origin + glm::dvec3(root.position));
+}
+
+Site RootFilter::siteOf(const RootSample& root) const
+{
+    const glm::dvec3 place = ground_.origin + glm::dvec3(root.position);
+    const glm::dvec3 groundUp = settings_.groundUp.at(place);
+    Site site;
+    site.upright = glm::dot(glm::dvec3(root.normal), groundUp);
+    if (settings_.groundUp.radial) {
+        const glm::dvec3 outward = place - settings_.groundUp.centre;
+        site.altitude = std::sqrt(glm::dot(outward, outward));
+    } else {
+        site.altitude = glm::dot(place, groundUp);
     }
-    return weight;
+    if (features_ != nullptr && !features_->curvature.empty()) {
+        const glm::uvec3 corners = ground_.triangles[root.triangle];
+        const auto b = static_cast<double>(root.barycentric.x);
+        const auto c = static_cast<double>(root.barycentric.y);
+        const auto at = [&](std::uint32_t vertex) { return double(features_->curvature[vertex]); };
+        site.curvature = (1.0 - b - c) * at(corners.x) + b * at(corners.y) + c * at(corners.z);
+        // What is a ridge on the front is a groove on the back.
+        if ((root.candidate & backSide) != 0)
+            site.curvature = -site.curvature;
+    }
+    return site;
 }
 
-double RootFilter::weigh(const RootSample& root, double chance, Reject& reason) const
+double RootFilter::weighEverybody(const RootSample& root, const Site& site, double chance,
+                                  Reject& reason) const
 {
-    if (!weighs_)
-        return 1.0;
-    double weight = 1.0;
+    // An island that is too small is nothing but border.
+    if (settings_.leastIsland > 0.0 &&
+        double(features_->islandArea[root.triangle]) < settings_.leastIsland) {
+        reason = Reject::border;
+        return 0.0;
+    }
+    double weight = everybody_.at(ground_, root, site, chance, reason);
+    if (weight <= chance)
+        return weight;
     const auto falls = [&](Reject factorsReason, double factor) {
         weight *= factor;
         if (weight > chance)
@@ -55,39 +108,112 @@ double RootFilter::weigh(const RootSample& root, double chance, Reject& reason) 
         reason = factorsReason;
         return true;
     };
-
-    if (!settings_.masks.empty() && falls(Reject::mask, maskWeight(root)))
+    if (falls(Reject::water, settings_.water.weight(site.altitude)))
         return weight;
-    if (!weighsSlope_ && !weighsAltitude_)
-        return weight;
-
-    const glm::dvec3 place = ground_.origin + glm::dvec3(root.position);
-    const glm::dvec3 groundUp = settings_.groundUp.at(place);
-    if (weighsSlope_) {
-        const double slope =
-            exactAcos(glm::dot(glm::dvec3(root.normal), groundUp)) * degreesPerRadian;
-        if (falls(Reject::slope, settings_.slope.weight(slope)))
-            return weight;
-    }
-    if (weighsAltitude_) {
-        const double altitude = settings_.groundUp.radial
-                                    ? std::sqrt(glm::dot(place - settings_.groundUp.centre,
-                                                         place - settings_.groundUp.centre))
-                                    : glm::dot(place, groundUp);
-        falls(Reject::altitude, settings_.altitude.weight(altitude));
-    }
+    if (border_)
+        falls(Reject::border, settings_.border.weight(std::min(border_->at(root), unbounded)));
     return weight;
+}
+
+double RootFilter::weigh(const RootSample& root, double chance, Reject& reason) const
+{
+    if (!weighs_)
+        return 1.0;
+    const Site site = asksSite_ ? siteOf(root) : Site();
+    double weight = weighEverybody(root, site, chance, reason);
+    if (weight <= chance || !mix_.asksPlace())
+        return weight;
+    Reject own = Reject::mask;
+    weight *= mix_.shares(mix_.habitatWeights(ground_, root, site, own)).total;
+    if (weight <= chance)
+        reason = own;
+    return weight;
+}
+
+Stand RootFilter::standAt(const RootSample& root) const
+{
+    Stand stand{mix_.evenShares(), {}};
+    stand.vigour.fill(1.0);
+    if (!weighs_)
+        return stand;
+    const Site site = asksSite_ ? siteOf(root) : Site();
+    Reject ignored = Reject::mask;
+    if (mix_.asksPlace()) {
+        stand.vigour = mix_.habitatWeights(ground_, root, site, ignored);
+        stand.shares = mix_.shares(stand.vigour);
+    }
+    const double weight = weighEverybody(root, site, 0.0, ignored);
+    for (double& vigour : stand.vigour)
+        vigour *= weight;
+    return stand;
 }
 
 std::optional<Reject> RootFilter::obstacle(const RootSample& root) const
 {
+    if (!asksObstacles_)
+        return std::nullopt;
+    const glm::dvec3 place(root.position);
+    const glm::dvec3 groundUp = groundUpAt(root);
+    if (!excluded_.empty()) {
+        const glm::dvec3 outward = ground_.origin + place - settings_.groundUp.centre;
+        const double below = settings_.groundUp.radial ? std::sqrt(glm::dot(outward, outward))
+                                                       : std::numeric_limits<double>::infinity();
+        for (const Exclusion& area : excluded_)
+            if (area.holds(place, groundUp, below))
+                return Reject::excluded;
+    }
+    if (occluders_ && occluders_->buries(place, groundUp, scale_))
+        return Reject::occluder;
     if (settings_.clearance > 0.0) {
-        const double clear = query_->clearance(glm::dvec3(root.position), glm::dvec3(root.normal),
-                                               settings_.clearance, root.triangle);
-        if (clear < settings_.clearance)
+        const glm::dvec3 up = upVector(glm::dvec3(root.normal), groundUp, settings_.align);
+        if (!query_->isClear(place, up, settings_.clearance, root.triangle))
             return Reject::clearance;
     }
+    if (sky_) {
+        const double chance = uniform(settings_.seed, keyBits(keyOf(ground_, root)),
+                                      static_cast<std::uint32_t>(Dimension::sky));
+        if (settings_.sky.weight(sky_->at(root)) <= chance)
+            return Reject::exposure;
+    }
     return std::nullopt;
+}
+
+bool filterNeedsRays(const terrain::GroundMesh& ground, const BakeSettings& settings)
+{
+    return settings.clearance > 0.0 || asksSky(settings) || hasOccluders(ground);
+}
+
+terrain::FeatureChoice featuresFor(const BakeSettings& settings)
+{
+    const auto asksCurvature = [](const SpeciesTraits& one) { return one.habitat.asksCurvature(); };
+    return {.curvature = asks(settings.curvature) ||
+                         std::any_of(settings.meadow.species.begin(), settings.meadow.species.end(),
+                                     asksCurvature),
+            .islands = settings.leastIsland > 0.0,
+            .borders = asks(settings.border)};
+}
+
+void checkGround(const terrain::GroundMesh& ground, const BakeSettings& settings)
+{
+    checkMasks(settings.masks, ground);
+    for (const SpeciesTraits& species : settings.meadow.species)
+        checkMasks(species.habitat.masks, ground);
+}
+
+double reachOf(const terrain::GroundMesh& ground, const BakeSettings& settings, double scale,
+               double clumpSpacing)
+{
+    double reach = settings.clearance;
+    if (settings.exposureRays > 0)
+        reach = std::max(reach, settings.rayLength * scale);
+    if (hasOccluders(ground))
+        reach = std::max(reach, OccluderTest::reach);
+    reach = std::max(reach, 1.5 * clumpSpacing);
+    for (const SpeciesTraits& species : settings.meadow.species) {
+        reach = std::max(reach, species.height.y * scale);
+        reach = std::max(reach, 3.0 * species.tuftSpacing * scale);
+    }
+    return reach;
 }
 
 } // namespace sward::bake

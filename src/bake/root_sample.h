@@ -38,7 +38,8 @@ enum class Dimension : std::uint32_t {
     stiffness,
     facing,
     hash,
-    clump
+    clump,
+    sky
 };
 
 constexpr std::uint64_t keyBits(field::BladeKey key)

@@ -1,10 +1,12 @@
 #include "bake/settings.h"
 
 #include "core/error.h"
+#include "terrain/load.h"
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <vector>
@@ -40,17 +42,21 @@ void requireRange(const char* name, double value, double low, double high)
         fail(ErrorKind::usage, "{} is {}, outside [{}, {}]", name, value, low, high);
 }
 
-} // namespace
-
-double SoftRange::weight(double value) const
+// A file by what it says, not by where it lies.
+Mask byContent(Mask mask)
 {
-    if (value >= low && value <= high)
-        return 1.0;
-    if (soft <= 0.0)
-        return 0.0;
-    const double outside = value < low ? low - value : value - high;
-    return outside >= soft ? 0.0 : 1.0 - outside / soft;
+    if (mask.image != nullptr)
+        mask.file = terrain::contentHash(*mask.image);
+    return mask;
 }
+
+json provenanceOf(const ExcludedArea& area)
+{
+    return {{"mesh", area.mesh != nullptr ? terrain::contentHash(*area.mesh) : area.file},
+            {"margin", area.margin}};
+}
+
+} // namespace
 
 glm::dvec3 GroundUp::at(glm::dvec3 place) const
 {
@@ -75,6 +81,9 @@ void validate(const BakeSettings& settings)
     requireRange("--clearance", settings.clearance, 0.0, 1e9);
     requireRange("--exposure", settings.exposureRays, 0, 1024);
     requireRange("--ray-length", settings.rayLength, 0.0, 1e9);
+    requireRange("--min-island", settings.leastIsland, 0.0, 1e300);
+    if (!settings.sky.holds(0.0, 1.0) && settings.exposureRays == 0)
+        fail(ErrorKind::usage, "--sky asks for rays; --exposure is 0");
     if (settings.meadow.species.empty())
         fail(ErrorKind::usage, "the meadow has no species");
 }
@@ -82,9 +91,15 @@ void validate(const BakeSettings& settings)
 std::string toJson(const BakeSettings& settings)
 {
     json masks = json::array();
-    for (const VertexColorMask& mask : settings.masks)
-        masks.push_back(
-            fmt::format("vertex-color:{}{}", "RGBA"[mask.channel], mask.invert ? ":invert" : ""));
+    for (const Mask& mask : settings.masks)
+        masks.push_back(textOf(byContent(mask)));
+    Meadow named = settings.meadow;
+    for (SpeciesTraits& species : named.species)
+        for (Mask& mask : species.habitat.masks)
+            mask = byContent(mask);
+    json excluded = json::array();
+    for (const ExcludedArea& area : settings.excluded)
+        excluded.push_back(provenanceOf(area));
     const auto range = [](const SoftRange& r) { return json::array({r.low, r.high, r.soft}); };
     const auto vector = [](const glm::dvec3& v) { return json::array({v.x, v.y, v.z}); };
     const char* const sides[] = {"front", "back", "both"};
@@ -100,11 +115,17 @@ std::string toJson(const BakeSettings& settings)
                                                : vector(settings.groundUp.direction)},
         {"slope", range(settings.slope)},
         {"altitude", range(settings.altitude)},
+        {"curvature", range(settings.curvature)},
+        {"border", range(settings.border)},
+        {"above_water", range(settings.water)},
+        {"sky", range(settings.sky)},
+        {"min_island", settings.leastIsland},
         {"clearance", settings.clearance},
         {"exposure_rays", settings.exposureRays},
         {"ray_length", settings.rayLength},
         {"masks", masks},
-        {"meadow", json::parse(toJson(settings.meadow))},
+        {"excluded", excluded},
+        {"meadow", json::parse(toJson(named))},
     };
     return object.dump(2);
 }
@@ -146,25 +167,6 @@ GroundUp parseGroundUp(const std::string& text)
     return up;
 }
 
-SoftRange parseSoftRange(const std::string& option, const std::string& text, SoftRange full)
-{
-    SoftRange range = full;
-    const std::vector<std::string> soft = split(text, '~');
-    const std::vector<std::string> ends = split(soft[0], ':');
-    if (soft.size() > 2 || ends.size() != 2)
-        fail(ErrorKind::usage, "{} is \"{}\"; expected MIN:MAX or MIN:MAX~SOFT", option, text);
-    if (!ends[0].empty())
-        range.low = parseNumber(option, ends[0]);
-    if (!ends[1].empty())
-        range.high = parseNumber(option, ends[1]);
-    if (soft.size() == 2)
-        range.soft = parseNumber(option, soft[1]);
-    if (range.low > range.high)
-        fail(ErrorKind::usage, "{}: {} is above {}", option, range.low, range.high);
-    requireRange(option.c_str(), range.soft, 0.0, 1e300);
-    return range;
-}
-
 Sides parseSides(const std::string& text)
 {
     if (text == "front")
@@ -176,23 +178,22 @@ Sides parseSides(const std::string& text)
     fail(ErrorKind::usage, "--sides is \"{}\"; expected front, back or both", text);
 }
 
-VertexColorMask parseMask(const std::string& text)
+void loadMaskImages(BakeSettings& settings)
 {
-    const std::vector<std::string> parts = split(text, ':');
-    if (parts[0] == "texture" || parts[0] == "material-texture")
-        fail(ErrorKind::unsupported, "--mask {}: this version masks by vertex-color only", text);
-    const std::string channels = "RGBA";
-    VertexColorMask mask;
-    const bool valid = parts[0] == "vertex-color" && (parts.size() == 2 || parts.size() == 3) &&
-                       parts[1].size() == 1 && channels.find(parts[1]) != std::string::npos &&
-                       (parts.size() == 2 || parts[2] == "invert");
-    if (!valid)
-        fail(ErrorKind::usage,
-             "--mask is \"{}\"; expected vertex-color:C or vertex-color:C:invert, C one of R G B A",
-             text);
-    mask.channel = static_cast<int>(channels.find(parts[1]));
-    mask.invert = parts.size() == 3;
-    return mask;
+    loadImages(settings.masks);
+    for (SpeciesTraits& species : settings.meadow.species)
+        loadImages(species.habitat.masks);
+}
+
+bool masksByVertexColor(const BakeSettings& settings)
+{
+    const auto isColor = [](const Mask& mask) { return mask.source == Mask::Source::vertexColor; };
+    const auto some = [&](const std::vector<Mask>& masks) {
+        return std::any_of(masks.begin(), masks.end(), isColor);
+    };
+    return some(settings.masks) ||
+           std::any_of(settings.meadow.species.begin(), settings.meadow.species.end(),
+                       [&](const SpeciesTraits& species) { return some(species.habitat.masks); });
 }
 
 } // namespace sward::bake

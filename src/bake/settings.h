@@ -1,6 +1,9 @@
 #pragma once
 
+#include "bake/excluded_area.h"
+#include "bake/mask.h"
 #include "bake/meadow.h"
+#include "bake/soft_range.h"
 
 #include <glm/vec3.hpp>
 
@@ -10,16 +13,6 @@
 #include <vector>
 
 namespace sward::bake {
-
-/// A range with soft edges: 1 inside [low, high], falling to 0 over `soft` outside.
-struct SoftRange {
-    double low = 0.0;
-    double high = 0.0;
-    double soft = 0.0;
-
-    /// Probability of keeping what has `value`.
-    double weight(double value) const;
-};
 
 /// Which side of a triangle bears grass. The front is where its corners turn anti-clockwise.
 enum class Sides { front, back, both };
@@ -39,12 +32,6 @@ struct GroundUp {
     glm::dvec3 at(glm::dvec3 place) const;
 };
 
-/// Density multiplied by a channel of the vertices' colours.
-struct VertexColorMask {
-    int channel = 0; ///< 0 red, 1 green, 2 blue, 3 alpha
-    bool invert = false;
-};
-
 /// Everything that decides where blades grow and how they look.
 struct BakeSettings {
     std::optional<double>
@@ -57,12 +44,20 @@ struct BakeSettings {
     Sides sides = Sides::front;
     Alignment align;
     GroundUp groundUp;
-    SoftRange slope{0.0, 180.0, 0.0};       ///< [degrees] from ground-up
-    SoftRange altitude{-1e300, 1e300, 0.0}; ///< [m] along ground-up (from the centre, if radial)
-    double clearance = 0.0;                 ///< [m] free height that a root needs; 0: not asked
-    int exposureRays = 8;   ///< rays to the sky for each root; 0: all roots are fully exposed
-    double rayLength = 8.0; ///< [m] how far those rays look
-    std::vector<VertexColorMask> masks;
+
+    // Where it grows, whatever the species; each species has a Habitat of its own besides.
+    SoftRange slope{0.0, 180.0, 0.0};   ///< [degrees] from ground-up
+    SoftRange altitude;                 ///< [m] along ground-up (from the centre, if radial)
+    SoftRange curvature;                ///< [1/m] mean curvature, convex is positive
+    SoftRange border;                   ///< [m] from the nearest border of the ground
+    SoftRange water;                    ///< [m] as altitude: above the level of water
+    SoftRange sky{0.0, 1.0, 0.0};       ///< share of the sky that a root sees
+    double leastIsland = 0.0;           ///< [m²] smaller connected pieces bear nothing
+    double clearance = 0.0;             ///< [m] free height that a root needs; 0: not asked
+    int exposureRays = 8;               ///< rays to the sky; 0: all roots are fully exposed
+    double rayLength = 8.0;             ///< [m] how far those rays look, at blade scale 1
+    std::vector<Mask> masks;            ///< multiplied
+    std::vector<ExcludedArea> excluded; ///< with their meshes
     Meadow meadow;
 };
 
@@ -78,13 +73,13 @@ Alignment parseAlignment(const std::string& text);
 /// "y", "-z", "radial", "radial:x,y,z". Throws Error{usage}.
 GroundUp parseGroundUp(const std::string& text);
 
-/// "MIN:MAX" or "MIN:MAX~SOFT"; either end may be left out. Throws Error{usage} naming `option`.
-SoftRange parseSoftRange(const std::string& option, const std::string& text, SoftRange full);
-
 /// "front", "back", "both". Throws Error{usage}.
 Sides parseSides(const std::string& text);
 
-/// "vertex-color:R" or "vertex-color:R:invert" with R G B or A. Throws Error{usage, unsupported}.
-VertexColorMask parseMask(const std::string& text);
+/// Reads the images of all masks, the species' too. Throws Error{io, input}.
+void loadMaskImages(BakeSettings& settings);
+
+/// Whether vertex colours are masks and not for show.
+bool masksByVertexColor(const BakeSettings& settings);
 
 } // namespace sward::bake

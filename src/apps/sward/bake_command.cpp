@@ -4,6 +4,7 @@
 #include "apps/sward/bake_options.h"
 #include "apps/sward/bake_summary.h"
 #include "apps/sward/effective_settings.h"
+#include "apps/sward/excluded_input.h"
 #include "apps/sward/ground_input.h"
 #include "apps/sward/subcommand.h"
 #include "bake/bake.h"
@@ -109,7 +110,7 @@ public:
     int run() const override
     {
         options_.log.apply();
-        const BakeRequest request = options_.request();
+        BakeRequest request = options_.request();
         if (options_.printConfig) {
             writeResult(effectiveSettings(request) + "\n");
             return 0;
@@ -121,6 +122,7 @@ public:
         Stopwatch watch;
         Diagnostics diagnostics;
         const terrain::GroundMesh ground = loadGround(request, diagnostics);
+        loadExcluded(request, diagnostics);
         const double loading = watch.lap();
         // Who wants to know how the ground hangs together pays for the answer.
         if (options_.log.verbose)
@@ -137,7 +139,7 @@ public:
         // Fill in what only the program knows.
         report.input.path = fmt::format("{}", fmt::join(request.inputs, ", "));
         report.timing.load = loading;
-        report.timing.topology = connecting;
+        report.timing.topology += connecting;
         report.timing.total = total.lap();
         report.peakMemory = peakMemory();
         report.warnings = diagnostics.warnings();

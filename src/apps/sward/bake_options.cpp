@@ -18,6 +18,18 @@ bake::SoftRange softRange(const char* option, const std::string& text, bake::Sof
     return text.empty() ? full : bake::parseSoftRange(option, text, full);
 }
 
+// "FILE:margin" and "M" are one area, though they stand apart on the command line.
+std::vector<std::string> joinMargins(const std::vector<std::string>& words)
+{
+    std::vector<std::string> areas;
+    for (const std::string& word : words)
+        if (!areas.empty() && areas.back().ends_with(":margin"))
+            areas.back() += " " + word;
+        else
+            areas.push_back(word);
+    return areas;
+}
+
 } // namespace
 
 void BakeOptions::add(CLI::App& app)
@@ -122,6 +134,13 @@ void BakeOptions::addPlaces(CLI::App& app)
     option("--slope", slope_, "MIN:MAX[~SOFT]", "Degrees from ground-up (default 0:180)");
     option("--altitude", altitude_, "MIN:MAX[~SOFT]",
            "Metres along ground-up; either end may be left out");
+    option("--curvature", curvature_, "MIN:MAX[~SOFT]",
+           "Mean curvature in 1/m: above 0 on ridges, below 0 in hollows");
+    option("--border", border_, "M[~SOFT]", "Metres from the ground's borders that stay bare");
+    option("--min-island", settings.leastIsland, "AREA",
+           "Square metres; smaller connected pieces of the ground bear nothing")
+        ->capture_default_str();
+    option("--above-water", water_, "H[~SOFT]", "Metres along ground-up below which nothing grows");
     option("--clearance", settings.clearance, "M", "Free height that a root needs")
         ->capture_default_str();
     option("--exposure", settings.exposureRays, "N",
@@ -129,9 +148,13 @@ void BakeOptions::addPlaces(CLI::App& app)
         ->capture_default_str();
     option("--ray-length", settings.rayLength, "M", "How far those rays look")
         ->capture_default_str();
+    option("--sky", sky_, "MIN:MAX[~SOFT]", "Share of the sky, 0 to 1, that a root must see");
     option("--mask", masks_, "MASK",
-           "Multiplies density: vertex-color:R|G|B|A[:invert]; may be repeated")
+           "Multiplies density: vertex-color:C, texture:FILE:C or material-texture:C with C one of "
+           "R G B A, and perhaps :invert; may be repeated")
         ->allow_extra_args(false);
+    option("--exclude", excluded_, "FILE[:margin M]",
+           "Nothing grows above, below or nearer than M metres to these meshes");
 }
 
 void BakeOptions::addBlades(CLI::App& app)
@@ -140,6 +163,11 @@ void BakeOptions::addBlades(CLI::App& app)
         ->type_name("FILE|NAME")
         ->group("Blades")
         ->capture_default_str();
+    app.add_option("--set", assignments_,
+                   "Changes the meadow: clump_size_m=1 or species.NAME.share=0.2; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false)
+        ->group("Blades");
     app.add_option("--align", align_,
                    "Where blades grow to: normal, vertical, or blend:F between them")
         ->type_name("ALIGN")
@@ -191,10 +219,20 @@ BakeRequest BakeOptions::request() const
     settings.groundUp = bake::parseGroundUp(groundUp_);
     settings.slope = softRange("--slope", slope_, settings.slope);
     settings.altitude = softRange("--altitude", altitude_, settings.altitude);
+    settings.curvature = softRange("--curvature", curvature_, settings.curvature);
+    settings.sky = softRange("--sky", sky_, settings.sky);
+    if (!border_.empty())
+        settings.border = bake::parseSoftMinimum("--border", border_);
+    if (!water_.empty())
+        settings.water = bake::parseSoftMinimum("--above-water", water_);
     for (const std::string& mask : masks_)
         settings.masks.push_back(bake::parseMask(mask));
-    settings.meadow = bake::loadMeadow(meadow_);
+    for (const std::string& area : joinMargins(excluded_))
+        settings.excluded.push_back(bake::parseExcludedArea(area));
+    settings.meadow = bake::withAssignments(bake::loadMeadow(meadow_), assignments_);
     bake::validate(settings);
+    if (!printConfig)
+        bake::loadMaskImages(settings);
 
     // A file is needed for what is kept.
     if (!printConfig && request.inputs.empty())

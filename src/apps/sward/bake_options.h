@@ -34,8 +34,8 @@ public:
     /// Adds every option to `app`; this object must outlive the parsing.
     void add(CLI::App& app);
 
-    /// Everything read and checked. Throws Error{usage} naming the option, Error{io, input} for a
-    /// meadow.
+    /// Everything read and checked, but for the ground and the meshes of excluded areas. Throws
+    /// Error{usage} naming the option, Error{io, input} for a meadow or a mask.
     BakeRequest request() const;
 
     bool printConfig = false;
@@ -61,8 +61,14 @@ private:
     std::string groundUp_ = "y";
     std::string slope_;
     std::string altitude_;
+    std::string curvature_;
+    std::string border_;
+    std::string water_;
+    std::string sky_;
     std::vector<std::string> masks_;
+    std::vector<std::string> excluded_;
     std::string meadow_ = "meadow";
+    std::vector<std::string> assignments_;
     std::string align_ = "normal";
 };
 

@@ -162,12 +162,12 @@ TEST(VertexColorMask, ThinsInProportion)
     for (std::size_t v = 0; v < mesh.positions.size(); ++v)
         mesh.colors[v] = glm::vec4(mesh.positions[v].x > 0.0f ? 1.0f : 0.0f, 0.25f, 1.0f, 1.0f);
     BakeSettings settings = tests::plainSettings(20'000.0);
-    settings.masks = {{1, false}};
+    settings.masks = {{.channel = 1}};
     EXPECT_NEAR(double(sampleOf(mesh, settings).roots.size()), 20'000.0, 700.0);
-    settings.masks = {{1, true}};
+    settings.masks = {{.channel = 1, .invert = true}};
     EXPECT_NEAR(double(sampleOf(mesh, settings).roots.size()), 60'000.0, 700.0);
     // The red channel rises with x: the mean place moves to two thirds of the way.
-    settings.masks = {{0, false}};
+    settings.masks = {{.channel = 0}};
     double sum = 0.0;
     const Sampling sampling = sampleOf(mesh, settings);
     for (const RootSample& root : sampling.roots)

@@ -54,9 +54,44 @@ TEST(Settings, ReadAlignmentSidesAndMasks)
     EXPECT_THROW(parseSides("top"), Error);
     EXPECT_EQ(parseMask("vertex-color:G").channel, 1);
     EXPECT_TRUE(parseMask("vertex-color:A:invert").invert);
-    EXPECT_THROW(parseMask("vertex-color"), Error);
-    EXPECT_THROW(parseMask("vertex-color:Q"), Error);
-    EXPECT_THROW(parseMask("vertex-color:R:inverted"), Error);
+    EXPECT_EQ(parseMask("texture:a:b.png").channel, 0);
+    EXPECT_EQ(parseMask("texture:a:b.png").file, "a:b.png");
+    EXPECT_EQ(parseMask("texture:m.tga:B:invert").channel, 2);
+    for (const char* text : {"vertex-color:B", "texture:masks/a b.png:R:invert",
+                             "material-texture:A", "material-texture:G:invert"})
+        EXPECT_EQ(textOf(parseMask(text)), text);
+    for (const char* wrong : {"vertex-color", "vertex-color:Q", "vertex-color:R:inverted",
+                              "texture", "texture:", "material-texture", "R", ""})
+        EXPECT_THROW(parseMask(wrong), Error) << wrong;
+}
+
+TEST(Settings, ReadSoftMinimums)
+{
+    // Nothing up to 2, everything from 2.5 on.
+    const SoftRange range = parseSoftMinimum("--border", "2~0.5");
+    EXPECT_EQ(range.weight(2.0), 0.0);
+    EXPECT_EQ(range.weight(2.25), 0.5);
+    EXPECT_EQ(range.weight(2.5), 1.0);
+    EXPECT_EQ(parseSoftMinimum("--above-water", "-3").low, -3.0);
+    for (const char* wrong : {"", "a", "1:2", "1~", "1~-1", "1~2~3", "nan"})
+        EXPECT_THROW(parseSoftMinimum("--border", wrong), Error) << wrong;
+}
+
+TEST(Settings, WriteSoftRangesAsTheyAreRead)
+{
+    for (const char* text : {":", "0:30~5", "-1.5:", ":0.25", "1:2"})
+        EXPECT_EQ(textOf(*readSoftRange(text, SoftRange())), text);
+}
+
+TEST(Settings, ReadExcludedAreas)
+{
+    EXPECT_EQ(parseExcludedArea("pond.glb").margin, 0.0);
+    for (const char* text : {"pond.glb:1.5", "pond.glb:margin 1.5", "pond.glb:margin=1.5"}) {
+        EXPECT_EQ(parseExcludedArea(text).file, "pond.glb");
+        EXPECT_EQ(parseExcludedArea(text).margin, 1.5);
+    }
+    for (const char* wrong : {"pond.glb:", "pond.glb:-1", "pond.glb:margin", "pond.glb:far", ":1"})
+        EXPECT_THROW(parseExcludedArea(wrong), Error) << wrong;
 }
 
 TEST(GroundUp, PointsAwayFromThePlanetsCentre)

@@ -1,0 +1,23 @@
+#include "apps/sward/excluded_input.h"
+
+#include "apps/common/interrupt.h"
+
+#include <utility>
+
+namespace sward::apps {
+
+void loadExcluded(BakeRequest& request, Diagnostics& diagnostics)
+{
+    // Which parts of the ground bear grass is not asked of them.
+    terrain::ImportSettings placing = request.import;
+    placing.bearingNodes.clear();
+    placing.bearingMaterials.clear();
+    placing.occluderNodes.clear();
+    for (bake::ExcludedArea& area : request.settings.excluded) {
+        throwIfInterrupted("load");
+        terrain::GroundMesh mesh = terrain::load(area.file, placing, diagnostics);
+        area.mesh = std::make_shared<const terrain::GroundMesh>(std::move(mesh));
+    }
+}
+
+} // namespace sward::apps

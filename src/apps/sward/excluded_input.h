@@ -1,0 +1,12 @@
+#pragma once
+
+#include "apps/sward/bake_options.h"
+#include "core/diagnostics.h"
+
+namespace sward::apps {
+
+/// Loads the meshes of the request's excluded areas, which lie in the same space as its ground.
+/// Throws Error.
+void loadExcluded(BakeRequest& request, Diagnostics& diagnostics);
+
+} // namespace sward::apps

@@ -1,0 +1,67 @@
+#include "bake/habitat.h"
+
+#include "core/exact_math.h"
+
+#include <algorithm>
+
+namespace sward::bake {
+namespace {
+
+constexpr double degreesPerRadian = 57.29577951308232;
+
+// Cosine of degrees; beyond a half turn nothing is excluded.
+double cosineOf(double degrees)
+{
+    return exactSinCos(std::clamp(degrees, 0.0, 180.0) / degreesPerRadian).cos;
+}
+
+} // namespace
+
+HabitatWeight::HabitatWeight(const Habitat& habitat)
+    : habitat_(habitat)
+    , asksSlope_(habitat.asksSlope())
+    , asksAltitude_(habitat.asksAltitude())
+    , asksCurvature_(habitat.asksCurvature())
+    , uprightLow_(cosineOf(habitat.slope.high))
+    , uprightHigh_(cosineOf(habitat.slope.low))
+{
+    // At the ends no rounding may decide.
+    if (habitat.slope.low <= 0.0)
+        uprightHigh_ = 2.0;
+    if (habitat.slope.high >= 180.0)
+        uprightLow_ = -2.0;
+}
+
+double HabitatWeight::slopeWeight(double upright) const
+{
+    if (upright >= uprightLow_ && upright <= uprightHigh_)
+        return 1.0;
+    if (habitat_.slope.soft <= 0.0)
+        return 0.0;
+    return habitat_.slope.weight(exactAcos(upright) * degreesPerRadian);
+}
+
+double HabitatWeight::at(const terrain::GroundMesh& ground, const RootSample& root,
+                         const Site& site, double chance, Reject& reason) const
+{
+    double weight = 1.0;
+    const auto falls = [&](Reject factorsReason, double factor) {
+        weight *= factor;
+        if (weight > chance)
+            return false;
+        reason = factorsReason;
+        return true;
+    };
+    for (const Mask& mask : habitat_.masks)
+        if (falls(Reject::mask, mask.at(ground, root)))
+            return weight;
+    if (asksSlope_ && falls(Reject::slope, slopeWeight(site.upright)))
+        return weight;
+    if (asksAltitude_ && falls(Reject::altitude, habitat_.altitude.weight(site.altitude)))
+        return weight;
+    if (asksCurvature_)
+        falls(Reject::curvature, habitat_.curvature.weight(site.curvature));
+    return weight;
+}
+
+} // namespace sward::bake

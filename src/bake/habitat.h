@@ -1,0 +1,57 @@
+#pragma once
+
+#include "bake/mask.h"
+#include "bake/report.h"
+#include "bake/soft_range.h"
+
+#include <vector>
+
+namespace sward::bake {
+
+/// Where something grows, by what is asked of the place alone.
+struct Habitat {
+    SoftRange slope{0.0, 180.0, 0.0}; ///< [degrees] from ground-up
+    SoftRange altitude;               ///< [m] along ground-up (from the centre, if radial)
+    SoftRange curvature;              ///< [1/m], mean; convex is positive
+    std::vector<Mask> masks;          ///< multiplied
+
+    bool asksSlope() const { return !slope.holds(0.0, 180.0); }
+    bool asksAltitude() const { return !altitude.holds(-unbounded, unbounded); }
+    bool asksCurvature() const { return !curvature.holds(-unbounded, unbounded); }
+    bool asksAnything() const
+    {
+        return asksSlope() || asksAltitude() || asksCurvature() || !masks.empty();
+    }
+};
+
+/// What is asked about a root's place, worked out once for everybody who asks.
+struct Site {
+    double upright = 1.0;   ///< cosine of the slope
+    double altitude = 0.0;  ///< [m]
+    double curvature = 0.0; ///< [1/m], of the side the root is on
+};
+
+/// A habitat made ready for millions of questions.
+class HabitatWeight {
+public:
+    explicit HabitatWeight(const Habitat& habitat);
+
+    const Habitat& habitat() const { return habitat_; }
+
+    /// Share [0, 1] of the density that grows at a root: the product of all factors. Stops as soon
+    /// as it is `chance` or less, and sets `reason` to the factor that brought it there.
+    double at(const terrain::GroundMesh& ground, const RootSample& root, const Site& site,
+              double chance, Reject& reason) const;
+
+private:
+    double slopeWeight(double upright) const;
+
+    Habitat habitat_;
+    bool asksSlope_;
+    bool asksAltitude_;
+    bool asksCurvature_;
+    double uprightLow_;  ///< cosines between which the slope has weight 1 …
+    double uprightHigh_; ///< … without an arc cosine
+};
+
+} // namespace sward::bake

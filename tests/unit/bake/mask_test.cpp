@@ -1,0 +1,151 @@
+#include "bake/mask.h"
+#include "core/error.h"
+#include "support/meshes.h"
+#include "terrain/heightfield.h"
+#include "unit/bake/bake_settings.h"
+#include "unit/bake/place_trial.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace sward::bake {
+namespace {
+
+// A level square around the origin whose image coordinates run from 0 to `turns`.
+terrain::GroundMesh mapped(double side, double turns = 1.0)
+{
+    terrain::GroundMesh mesh = terrain::heightfield({glm::dvec2(side), glm::uvec2(8U)},
+                                                    [](double, double) { return 0.0; });
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        mesh.uvs[v] = glm::vec2(glm::dvec2(mesh.positions[v].x, mesh.positions[v].z) / side + 0.5) *
+                      float(turns);
+    return mesh;
+}
+
+std::shared_ptr<const terrain::ChannelImage> image(std::uint32_t width,
+                                                   const std::vector<double>& values)
+{
+    auto made = std::make_shared<terrain::ChannelImage>();
+    made->width = width;
+    made->height = static_cast<std::uint32_t>(values.size()) / width;
+    for (const double value : values)
+        made->values.push_back(static_cast<std::uint16_t>(std::lround(65535.0 * value)));
+    return made;
+}
+
+Mask texture(std::shared_ptr<const terrain::ChannelImage> pixels, bool invert = false)
+{
+    return {.source = Mask::Source::texture, .invert = invert, .file = "mask.png", .image = pixels};
+}
+
+TEST(TextureMask, MultipliesDensityByWhatIsPainted)
+{
+    // Four fields side by side, bare to full; v grows from the top row down.
+    BakeSettings settings = tests::plainSettings(1.0);
+    settings.masks = {texture(image(2, {0.0, 1.0, 0.25, 0.5}))};
+    const terrain::GroundMesh mesh = mapped(10.0, 1.0);
+    const tests::Trial trial = tests::tryRoots(mesh, settings, 400.0);
+    // Within half a pixel of its middle a field is mixed with its neighbours; there they are pure.
+    std::array<double, 4> counts{};
+    for (const RootSample& root : trial.kept) {
+        const double x = double(root.position.x) / 5.0;
+        const double z = double(root.position.z) / 5.0;
+        if (std::fabs(std::fabs(x) - 0.5) < 0.1 && std::fabs(std::fabs(z) - 0.5) < 0.1)
+            counts[(x > 0.0 ? 1U : 0U) + (z > 0.0 ? 2U : 0U)] += 1.0;
+    }
+    const double full = 400.0 * 1.0;
+    EXPECT_LT(counts[0], 0.15 * full);
+    EXPECT_GT(counts[1], 0.85 * full);
+    EXPECT_NEAR(counts[2], 0.27 * full, 0.1 * full);
+    EXPECT_NEAR(counts[3], 0.5 * full, 0.1 * full);
+    EXPECT_EQ(trial.count(Reject::mask), trial.tried - trial.kept.size());
+}
+
+TEST(TextureMask, IsBilinearBetweenPixels)
+{
+    const auto pixels = image(4, {0.0, 1.0, 1.0, 0.0});
+    EXPECT_NEAR(terrain::valueAt(*pixels, {0.125, 0.5}), 0.0, 1e-4);
+    EXPECT_NEAR(terrain::valueAt(*pixels, {0.25, 0.5}), 0.5, 1e-4);
+    EXPECT_NEAR(terrain::valueAt(*pixels, {0.3, 0.5}), 0.7, 1e-4);
+    EXPECT_NEAR(terrain::valueAt(*pixels, {0.5, 0.1}), 1.0, 1e-4);
+    // It repeats in both directions, to the other side of zero as well.
+    for (const double turn : {-3.0, -1.0, 2.0})
+        EXPECT_NEAR(terrain::valueAt(*pixels, {0.3 + turn, 7.0 * turn}), 0.7, 1e-4);
+    EXPECT_NEAR(terrain::valueAt(*pixels, {0.0, 0.0}), 0.0, 1e-4);
+}
+
+TEST(TextureMask, RepeatsAndIsInverted)
+{
+    BakeSettings settings = tests::plainSettings(1.0);
+    settings.masks = {texture(image(2, {0.25, 0.25, 0.25, 0.25}), true)};
+    EXPECT_NEAR(tests::tryRoots(mapped(10.0, 7.5), settings, 100.0).share(), 0.75, 0.01);
+}
+
+TEST(Masks, AreMultiplied)
+{
+    terrain::GroundMesh mesh = mapped(10.0);
+    mesh.hasColors = true;
+    for (glm::vec4& color : mesh.colors)
+        color = glm::vec4(0.5f, 0.8f, 1.0f, 1.0f);
+    BakeSettings settings = tests::plainSettings(1.0);
+    settings.masks = {texture(image(1, {0.5})), {.channel = 0}, {.channel = 1}};
+    EXPECT_NEAR(tests::tryRoots(mesh, settings, 200.0).share(), 0.2, 0.01);
+}
+
+TEST(MaterialTextureMask, IsTheMaterialsOwnImageAsStored)
+{
+    terrain::GroundMesh mesh = mapped(10.0);
+    mesh.images.push_back({"paint", 1, 1, {51, 102, 204, 255}});
+    mesh.materials[0].image = 0;
+    BakeSettings settings = tests::plainSettings(1.0);
+    // 102/255 is 0.4 as a number, and would be 0.13 as a colour.
+    for (const auto& [channel, share] : {std::pair(0, 0.2), std::pair(1, 0.4), std::pair(2, 0.8)}) {
+        settings.masks = {{.source = Mask::Source::materialTexture, .channel = channel}};
+        EXPECT_NEAR(tests::tryRoots(mesh, settings, 100.0).share(), share, 0.015);
+    }
+}
+
+TEST(CheckMasks, NamesTheMaterialThatLacksSomething)
+{
+    terrain::GroundMesh mesh = meshes::square(2.0);
+    mesh.materials[0].name = "mossy rock";
+    const auto complaint = [&](const Mask& mask) {
+        try {
+            checkMasks({mask}, mesh);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::input);
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const Mask painted = texture(image(1, {1.0}));
+    const Mask own{.source = Mask::Source::materialTexture};
+    EXPECT_NE(complaint(Mask()).find("no vertex colours"), std::string::npos);
+    EXPECT_NE(complaint(painted).find("\"mossy rock\" has no texture coordinates"),
+              std::string::npos);
+    EXPECT_NE(complaint(own).find("\"mossy rock\" has no base colour image"), std::string::npos);
+    mesh.uvs[1] = glm::vec2(0.5f, 1.0f);
+    mesh.hasColors = true;
+    EXPECT_EQ(complaint(Mask()), "");
+    EXPECT_EQ(complaint(painted), "");
+    // What bears no grass lacks nothing.
+    std::fill(mesh.bears.begin(), mesh.bears.end(), std::uint8_t(0));
+    EXPECT_EQ(complaint(own), "");
+}
+
+TEST(LoadImages, SaysWhichFileIsMissing)
+{
+    std::vector<Mask> masks = {parseMask("texture:no such mask.png:R")};
+    try {
+        loadImages(masks);
+        FAIL() << "was read";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::io);
+        EXPECT_NE(std::string(error.what()).find("no such mask.png"), std::string::npos);
+    }
+}
+
+} // namespace
+} // namespace sward::bake
