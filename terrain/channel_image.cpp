@@ -2,11 +2,11 @@
 
 #include "core/error.h"
 #include "core/mapped_file.h"
+#include "terrain/image_sampling.h"
 
 #include <stb/stb_image.h>
 #include <xxhash.h>
 
-#include <cmath>
 #include <memory>
 
 namespace sward::terrain {
@@ -19,37 +19,6 @@ constexpr std::size_t mostBytes = std::size_t(1) << 30;
 struct FreePixels {
     void operator()(unsigned short* pixels) const { stbi_image_free(pixels); }
 };
-
-// Two neighbouring pixels along one axis, and the share of the second.
-struct Pair {
-    std::size_t first;
-    std::size_t second;
-    double share;
-};
-
-Pair pairAt(double coordinate, std::uint32_t size)
-{
-    const double place = (coordinate - std::floor(coordinate)) * size - 0.5;
-    const double low = std::floor(place);
-    const auto first = static_cast<std::int64_t>(low);
-    const auto count = static_cast<std::int64_t>(size);
-    return {static_cast<std::size_t>((first + count) % count),
-            static_cast<std::size_t>((first + 1) % count), place - low};
-}
-
-// Of an image that gives pixel(x, y).
-template <typename Pixel>
-double bilinear(std::uint32_t width, std::uint32_t height, glm::dvec2 uv, Pixel pixel)
-{
-    const Pair x = pairAt(uv.x, width);
-    const Pair y = pairAt(uv.y, height);
-    const auto row = [&](std::size_t at) {
-        const double first = pixel(x.first, at);
-        return first + x.share * (pixel(x.second, at) - first);
-    };
-    const double upper = row(y.first);
-    return upper + y.share * (row(y.second) - upper);
-}
 
 } // namespace
 
@@ -96,21 +65,13 @@ std::string contentHash(const ChannelImage& image)
                                             image.values.size() * sizeof(std::uint16_t), size));
 }
 
-double valueAt(const ChannelImage& image, glm::dvec2 uv)
+double valueAt(const ChannelImage& image, const glm::dvec2& uv)
 {
     constexpr double unit = 1.0 / 65535.0;
-    return unit * bilinear(image.width, image.height, uv, [&](std::size_t x, std::size_t y) {
-               return double(image.values[y * image.width + x]);
-           });
-}
-
-double valueAt(const GroundImage& image, int channel, glm::dvec2 uv)
-{
-    constexpr double unit = 1.0 / 255.0;
-    const auto offset = static_cast<std::size_t>(channel);
-    return unit * bilinear(image.width, image.height, uv, [&](std::size_t x, std::size_t y) {
-               return double(image.rgba[4 * (y * image.width + x) + offset]);
-           });
+    const auto pixel = [&](std::size_t x, std::size_t y) {
+        return double(image.values[y * image.width + x]);
+    };
+    return unit * bilinear({image.width, image.height}, ImageWraps(), uv, pixel);
 }
 
 } // namespace sward::terrain

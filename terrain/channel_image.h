@@ -1,7 +1,5 @@
 #pragma once
 
-#include "terrain/ground_mesh.h"
-
 #include <glm/vec2.hpp>
 
 #include <cstdint>
@@ -27,9 +25,6 @@ std::string contentHash(const ChannelImage& image);
 
 /// Value [0, 1] at texture coordinates, (0, 0) the upper left corner: bilinear between the middles
 /// of pixels, the image repeated in both directions.
-double valueAt(const ChannelImage& image, glm::dvec2 uv);
-
-/// The same of one channel of a material's image, as stored.
-double valueAt(const GroundImage& image, int channel, glm::dvec2 uv);
+double valueAt(const ChannelImage& image, const glm::dvec2& uv);
 
 } // namespace sward::terrain

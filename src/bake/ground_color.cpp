@@ -1,11 +1,10 @@
 #include "bake/ground_color.h"
 
 #include "bake/display_ground.h"
+#include "terrain/image_sampling.h"
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
-
-#include <cmath>
 
 namespace sward::bake {
 namespace {
@@ -15,23 +14,18 @@ glm::vec3 linear(glm::vec3 stored)
     return stored * stored;
 }
 
-// Texel index of a coordinate in images that repeat.
-std::size_t wrapped(double coordinate, std::uint32_t size, int offset)
-{
-    const double share = coordinate - std::floor(coordinate);
-    const auto texel = static_cast<std::int64_t>(share * size) + offset;
-    const auto length = static_cast<std::int64_t>(size);
-    return static_cast<std::size_t>(((texel % length) + length) % length);
-}
-
 // Mean of the nine texels around a place, linear.
-glm::vec3 imageColor(const terrain::GroundImage& image, glm::vec2 uv)
+glm::vec3 imageColor(const terrain::GroundImage& image, const terrain::GroundMaterial& material,
+                     glm::dvec2 uv)
 {
+    const std::int64_t column = terrain::pixelAt(uv.x, image.width, material.wrapU);
+    const std::int64_t row = terrain::pixelAt(uv.y, image.height, material.wrapV);
     glm::vec3 sum(0.0f);
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) {
-            const std::size_t texel = wrapped(double(uv.y), image.height, y) * image.width +
-                                      wrapped(double(uv.x), image.width, x);
+    for (std::int64_t y = row - 1; y <= row + 1; ++y)
+        for (std::int64_t x = column - 1; x <= column + 1; ++x) {
+            const std::size_t texel =
+                terrain::wrapped(y, image.height, material.wrapV) * image.width +
+                terrain::wrapped(x, image.width, material.wrapU);
             const std::uint8_t* pixel = image.rgba.data() + 4 * texel;
             sum += linear(glm::vec3(float(pixel[0]), float(pixel[1]), float(pixel[2])) / 255.0f);
         }
@@ -50,7 +44,7 @@ glm::vec3 groundColor(const terrain::GroundMesh& ground, const RootSample& root,
     if (material.image != terrain::GroundMaterial::noImage) {
         const glm::vec2 uv = (1.0f - b - c) * ground.uvs[corners.x] + b * ground.uvs[corners.y] +
                              c * ground.uvs[corners.z];
-        color *= imageColor(ground.images[material.image], uv);
+        color *= imageColor(ground.images[material.image], material, glm::dvec2(uv));
     }
     if (showsVertexColors(ground, ground.materialOf[root.triangle], colorsAreMask)) {
         const glm::vec4 vertexColor = (1.0f - b - c) * ground.colors[corners.x] +

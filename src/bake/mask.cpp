@@ -1,6 +1,7 @@
 #include "bake/mask.h"
 
 #include "core/error.h"
+#include "terrain/image_sampling.h"
 
 #include <glm/common.hpp>
 
@@ -55,9 +56,11 @@ double Mask::at(const terrain::GroundMesh& ground, const RootSample& root) const
         value = colorAt(ground, root, static_cast<std::size_t>(channel));
     } else if (source == Source::texture) {
         value = terrain::valueAt(*image, uvAt(ground, root));
-    } else if (const std::uint32_t own = ground.materials[ground.materialOf[root.triangle]].image;
-               own != terrain::GroundMaterial::noImage) {
-        value = terrain::valueAt(ground.images[own], channel, uvAt(ground, root));
+    } else if (const terrain::GroundMaterial& own =
+                   ground.materials[ground.materialOf[root.triangle]];
+               own.image != terrain::GroundMaterial::noImage) {
+        value = terrain::valueAt(ground.images[own.image], channel, {own.wrapU, own.wrapV},
+                                 uvAt(ground, root));
     }
     return glm::clamp(invert ? 1.0 - value : value, 0.0, 1.0);
 }
