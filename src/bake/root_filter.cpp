@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace sward::bake {
@@ -67,15 +66,9 @@ glm::dvec3 RootFilter::groundUpAt(const RootSample& root) const
 Site RootFilter::siteOf(const RootSample& root) const
 {
     const glm::dvec3 place = ground_.origin + glm::dvec3(root.position);
-    const glm::dvec3 groundUp = settings_.groundUp.at(place);
     Site site;
-    site.upright = glm::dot(glm::dvec3(root.normal), groundUp);
-    if (settings_.groundUp.radial) {
-        const glm::dvec3 outward = place - settings_.groundUp.centre;
-        site.altitude = std::sqrt(glm::dot(outward, outward));
-    } else {
-        site.altitude = glm::dot(place, groundUp);
-    }
+    site.upright = glm::dot(glm::dvec3(root.normal), settings_.groundUp.at(place));
+    site.altitude = settings_.groundUp.altitude(place);
     if (features_ != nullptr && !features_->curvature.empty()) {
         const glm::uvec3 corners = ground_.triangles[root.triangle];
         const auto b = static_cast<double>(root.barycentric.x);

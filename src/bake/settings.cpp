@@ -67,6 +67,12 @@ glm::dvec3 GroundUp::at(glm::dvec3 place) const
     return length > 0.0 ? outward / length : glm::dvec3(0.0, 1.0, 0.0);
 }
 
+double GroundUp::altitude(glm::dvec3 place) const
+{
+    const glm::dvec3 outward = place - centre;
+    return radial ? std::sqrt(glm::dot(outward, outward)) : glm::dot(place, direction);
+}
+
 void validate(const BakeSettings& settings)
 {
     if (settings.density && settings.count)

@@ -30,6 +30,9 @@ struct GroundUp {
 
     /// Unit up at a place in world space.
     glm::dvec3 at(glm::dvec3 place) const;
+
+    /// Height of a place [m]: along ground-up, or from the centre.
+    double altitude(glm::dvec3 place) const;
 };
 
 /// Everything that decides where blades grow and how they look.

@@ -2,34 +2,142 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace sward::bake {
+namespace {
 
-void warnAboutRoots(const Sampling& sampling, const terrain::GroundMesh& ground,
-                    const BakeSettings& settings, Diagnostics& diagnostics)
+// Shares of roots from which something is worth a word.
+constexpr double someUndersides = 0.01;
+constexpr double mostUndersides = 0.75;
+constexpr double hardlyAny = 0.01;
+
+// The option that rejects for a reason.
+const char* optionOf(Reject reason)
 {
-    if (sampling.roots.empty()) {
-        std::string reasons;
-        for (std::size_t i = 0; i < rejectCount; ++i)
-            if (sampling.rejected[i] > 0)
-                reasons += fmt::format("{}{} {}", reasons.empty() ? "" : ", ",
-                                       nameOf(static_cast<Reject>(i)), sampling.rejected[i]);
-        diagnostics.warn("no blade grows: {} roots proposed, rejected by {}", sampling.proposed,
-                         reasons.empty() ? "no filter (no area bears grass, or none was asked for)"
-                                         : reasons);
-        return;
+    static constexpr std::array<const char*, rejectCount> options{
+        "--spacing",   "--mask",        "--material",
+        "--slope",     "--altitude",    "--border, --min-island",
+        "--curvature", "--above-water", "--clearance",
+        "--sky",       "--occluder",    "--exclude"};
+    return options[static_cast<std::size_t>(reason)];
+}
+
+std::uint64_t rejectedBy(const Sampling& sampling, Reject reason)
+{
+    return sampling.rejected[static_cast<std::size_t>(reason)];
+}
+
+// "slope 120 (--slope), mask 30 (--mask)", most first; spacing is no one's fault.
+std::string reasonsOf(const Sampling& sampling)
+{
+    std::vector<Reject> reasons;
+    for (std::size_t i = 0; i < rejectCount; ++i)
+        if (sampling.rejected[i] > 0 && static_cast<Reject>(i) != Reject::spacing)
+            reasons.push_back(static_cast<Reject>(i));
+    std::stable_sort(reasons.begin(), reasons.end(), [&](Reject a, Reject b) {
+        return rejectedBy(sampling, a) > rejectedBy(sampling, b);
+    });
+    std::string text;
+    for (const Reject reason : reasons)
+        text += fmt::format("{}{} {} ({})", text.empty() ? "" : ", ", nameOf(reason),
+                            rejectedBy(sampling, reason), optionOf(reason));
+    return text.empty() ? "no filter (no area bears grass, or none was asked for)" : text;
+}
+
+// Heights of the ground that bears, as --altitude has them.
+SoftRange altitudesOf(const terrain::GroundMesh& ground, const GroundUp& groundUp)
+{
+    SoftRange range{unbounded, -unbounded, 0.0};
+    for (std::size_t t = 0; t < ground.triangles.size(); ++t)
+        for (std::size_t corner = 0; ground.bears[t] != 0 && corner < 3; ++corner) {
+            const glm::dvec3 place =
+                ground.origin + glm::dvec3(ground.positions[ground.triangles[t][corner]]);
+            const double altitude = groundUp.altitude(place);
+            range.low = std::min(range.low, altitude);
+            range.high = std::max(range.high, altitude);
+        }
+    return range;
+}
+
+void warnAboutNone(const Sampling& sampling, const terrain::GroundMesh& ground,
+                   const BakeSettings& settings, Diagnostics& diagnostics)
+{
+    std::string where;
+    if (rejectedBy(sampling, Reject::altitude) + rejectedBy(sampling, Reject::water) > 0) {
+        const SoftRange heights = altitudesOf(ground, settings.groundUp);
+        where = fmt::format("; the ground lies from {:.6g} to {:.6g} m along ground-up",
+                            heights.low, heights.high);
     }
+    diagnostics.warn("no blade grows: {} roots proposed, rejected by {}{}", sampling.proposed,
+                     reasonsOf(sampling), where);
+}
+
+void warnAboutUndersides(const Sampling& sampling, const terrain::GroundMesh& ground,
+                         const BakeSettings& settings, Diagnostics& diagnostics)
+{
     std::size_t under = 0;
     for (const RootSample& root : sampling.roots) {
         const glm::dvec3 up = settings.groundUp.at(ground.origin + glm::dvec3(root.position));
         under += std::size_t(glm::dot(glm::dvec3(root.normal), up) < 0.0);
     }
     const double share = double(under) / double(sampling.roots.size());
-    if (share > 0.01)
+    if (share > mostUndersides)
+        diagnostics.warn("{:.1f} % of the blades grow on undersides; --sides back is for a mesh "
+                         "that is inside out, --up-axis z or -y for one that lies on its side or "
+                         "its head",
+                         100.0 * share);
+    else if (share > someUndersides)
         diagnostics.warn("{:.1f} % of the blades grow on undersides; --slope 0:90 removes them, "
                          "--ground-up radial is for planets",
                          100.0 * share);
+}
+
+// What was asked for and does nothing lies elsewhere than its author thinks.
+void warnAboutIdle(const Sampling& sampling, const terrain::GroundMesh& ground,
+                   const BakeSettings& settings, Diagnostics& diagnostics)
+{
+    if (!settings.masks.empty() && rejectedBy(sampling, Reject::mask) == 0)
+        diagnostics.warn("--mask rejects nothing: it is white wherever grass may grow");
+    if (settings.border.low > -unbounded && rejectedBy(sampling, Reject::border) == 0)
+        diagnostics.warn("--border rejects nothing: the ground that bears grass has no border "
+                         "nearer than {} m",
+                         settings.border.low);
+    if (settings.excluded.empty() || rejectedBy(sampling, Reject::excluded) > 0)
+        return;
+    const Aabb box = ground.bounds();
+    const glm::dvec3 low = ground.origin + glm::dvec3(box.low);
+    const glm::dvec3 high = ground.origin + glm::dvec3(box.high);
+    for (const ExcludedArea& area : settings.excluded) {
+        const Aabb own = area.mesh->bounds();
+        const glm::dvec3 ownLow = area.mesh->origin + glm::dvec3(own.low);
+        const glm::dvec3 ownHigh = area.mesh->origin + glm::dvec3(own.high);
+        diagnostics.warn("--exclude {}: excludes nothing; it lies from ({:.6g}, {:.6g}, {:.6g}) to "
+                         "({:.6g}, {:.6g}, {:.6g}), the ground from ({:.6g}, {:.6g}, {:.6g}) to "
+                         "({:.6g}, {:.6g}, {:.6g}); --units, --up-axis and --scale apply to both",
+                         area.file, ownLow.x, ownLow.y, ownLow.z, ownHigh.x, ownHigh.y, ownHigh.z,
+                         low.x, low.y, low.z, high.x, high.y, high.z);
+    }
+}
+
+} // namespace
+
+void warnAboutRoots(const Sampling& sampling, const terrain::GroundMesh& ground,
+                    const BakeSettings& settings, Diagnostics& diagnostics)
+{
+    if (sampling.roots.empty()) {
+        warnAboutNone(sampling, ground, settings, diagnostics);
+        return;
+    }
+    const std::uint64_t asked = sampling.proposed - rejectedBy(sampling, Reject::spacing);
+    if (double(sampling.roots.size()) < hardlyAny * double(asked))
+        diagnostics.warn("only {:.2g} % of the roots are kept; rejected by {}",
+                         100.0 * double(sampling.roots.size()) / double(asked),
+                         reasonsOf(sampling));
+    warnAboutUndersides(sampling, ground, settings, diagnostics);
+    warnAboutIdle(sampling, ground, settings, diagnostics);
 }
 
 } // namespace sward::bake

@@ -7,8 +7,8 @@
 
 namespace sward::bake {
 
-/// Warns of what users take for a defect, with the option that mends it: no root kept at all, and
-/// more than one per cent of the roots on undersides.
+/// Warns of what users take for a defect, each with the option that mends it: no root kept, or next
+/// to none; roots on undersides; a border, a mask or an excluded area that rejects nothing.
 void warnAboutRoots(const Sampling& sampling, const terrain::GroundMesh& ground,
                     const BakeSettings& settings, Diagnostics& diagnostics);
 

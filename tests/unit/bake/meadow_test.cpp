@@ -41,10 +41,78 @@ TEST(Meadow, RefusesWhatCannotGrow)
         R"({"species": [{"stiffness": [0, 2]}]})",
         R"({"species": [{}, {}, {}, {}, {}, {}, {}, {}, {}]})",
         R"({"species": [{}], "clump_size": 1})",
+        R"({"species": [{"cover": 0}]})",
+        R"({"species": [{"slope": "30"}]})",
+        R"({"species": [{"slope": [0, 30]}]})",
+        R"({"species": [{"mask": "red"}]})",
+        R"({"species": [{"mask": [1]}]})",
+        R"({"species": [{"facing": "inward"}]})",
+        R"({"species": [{"priority": 0.5}]})",
+        R"({"species": [{}], "sparse_height": 2})",
     };
     for (const char* text : wrong)
         EXPECT_THROW(parseMeadow(text, "meadow.json"), Error) << text;
     EXPECT_NO_THROW(parseMeadow(R"({"species": [{}]})", "meadow.json"));
+}
+
+TEST(Meadow, WritesEverythingThatItReads)
+{
+    const char* const text = R"({
+        "name": "all", "clump_size_m": 0.3, "sparse_height": 0.5, "fit_overhangs": false,
+        "species": [{
+            "name": "one", "share": 0.25, "priority": -2, "cover": 0.5, "slope": "5:40~2.5",
+            "altitude": ":300", "curvature": "-0.1:", "mask": ["vertex-color:G:invert",
+            "texture:splat.png:B"], "height_m": [0.1, 0.2], "width_m": [0.01, 0.02],
+            "stiffness": [0.2, 0.3], "clumping": 0.75, "facing": "shared", "tuft_spacing_m": 0.4,
+            "tuft_radius_m": 0.05}]})";
+    const Meadow meadow = parseMeadow(text, "all.json");
+    const SpeciesTraits& one = meadow.species[0];
+    EXPECT_EQ(one.priority, -2);
+    EXPECT_EQ(one.cover, 0.5);
+    EXPECT_EQ(one.habitat.slope.high, 40.0);
+    EXPECT_EQ(one.habitat.slope.soft, 2.5);
+    EXPECT_EQ(one.habitat.altitude.low, -unbounded);
+    EXPECT_EQ(one.habitat.altitude.high, 300.0);
+    EXPECT_EQ(one.habitat.curvature.low, -0.1);
+    ASSERT_EQ(one.habitat.masks.size(), 2U);
+    EXPECT_TRUE(one.habitat.masks[0].invert);
+    EXPECT_EQ(one.habitat.masks[1].file, "splat.png");
+    EXPECT_EQ(one.habitat.masks[1].channel, 2);
+    EXPECT_EQ(one.facing, Facing::shared);
+    EXPECT_EQ(one.tuftSpacing, 0.4);
+    EXPECT_FALSE(meadow.fitsOverhangs);
+    EXPECT_EQ(meadow.sparseHeight, 0.5);
+    EXPECT_EQ(toJson(parseMeadow(toJson(meadow), "again")), toJson(meadow));
+}
+
+TEST(WithAssignments, GoesByNameNumberAndAll)
+{
+    Meadow meadow;
+    meadow.species.resize(3);
+    meadow.species[0].name = "a";
+    meadow.species[2].name = "c";
+    const Meadow changed =
+        withAssignments(meadow, {"species.*.share=2", "species.c.share=3", "species.1.slope=0:30",
+                                 "meadow.clump_size_m=0.125", "name=two words"});
+    EXPECT_EQ(changed.species[0].share, 2.0);
+    EXPECT_EQ(changed.species[2].share, 3.0);
+    EXPECT_EQ(changed.species[1].habitat.slope.high, 30.0);
+    EXPECT_EQ(changed.clumpSize, 0.125);
+    EXPECT_EQ(changed.name, "two words");
+    for (const char* wrong :
+         {"", "share", "share=1", "species=[]", "species.a=1", "species.d.share=1",
+          "species.3.share=1", "species.a.share=many", "species.a.share=-1", "species.a.b.c=1",
+          "clump_size_m=\"wide\"", "=1"}) {
+        try {
+            withAssignments(meadow, {wrong});
+            FAIL() << wrong;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::usage) << wrong;
+            EXPECT_NE(std::string(error.what()).find(std::string("--set ") + wrong),
+                      std::string::npos)
+                << error.what();
+        }
+    }
 }
 
 } // namespace

@@ -1,0 +1,90 @@
+#include "bake/warnings.h"
+#include "support/meshes.h"
+#include "unit/bake/bake_settings.h"
+#include "unit/bake/place_trial.h"
+
+#include <gtest/gtest.h>
+
+namespace sward::bake {
+namespace {
+
+// All warnings of a bake, as one text.
+std::string warningsOf(const terrain::GroundMesh& mesh, const BakeSettings& settings)
+{
+    const tests::Trial trial = tests::tryRoots(mesh, settings, 20.0);
+    Sampling sampling;
+    sampling.roots.assign(trial.kept.begin(), trial.kept.end());
+    sampling.proposed = trial.tried;
+    sampling.rejected = trial.rejected;
+    Diagnostics diagnostics;
+    warnAboutRoots(sampling, mesh, settings, diagnostics);
+    std::string all;
+    for (const std::string& warning : diagnostics.warnings())
+        all += warning + "\n";
+    return all;
+}
+
+bool has(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+TEST(Warnings, AreSilentWhereNothingIsWrong)
+{
+    EXPECT_EQ(warningsOf(meshes::square(10.0), tests::plainSettings(1.0)), "");
+}
+
+TEST(Warnings, NameTheOptionThatLeavesNothing)
+{
+    BakeSettings settings = tests::plainSettings(1.0);
+    settings.slope = {20.0, 90.0, 0.0};
+    EXPECT_TRUE(has(warningsOf(meshes::square(10.0), settings), "slope 2000 (--slope)"));
+    settings = tests::plainSettings(1.0);
+    settings.altitude = {5.0, 9.0, 0.0};
+    const std::string text = warningsOf(meshes::square(10.0, 2.5), settings);
+    EXPECT_TRUE(has(text, "altitude 2000 (--altitude)")) << text;
+    EXPECT_TRUE(has(text, "from 2.5 to 2.5 m")) << text;
+}
+
+TEST(Warnings, SayWhyHardlyAnythingGrows)
+{
+    BakeSettings settings = tests::plainSettings(1.0);
+    settings.border = parseSoftMinimum("--border", "4.8");
+    const std::string text = warningsOf(meshes::square(10.0), settings);
+    EXPECT_TRUE(has(text, "only 0.")) << text;
+    EXPECT_TRUE(has(text, "--border")) << text;
+}
+
+TEST(Warnings, TellUndersidesFromAMeshInsideOut)
+{
+    const BakeSettings settings = tests::plainSettings(1.0);
+    EXPECT_TRUE(has(warningsOf(meshes::sphere(64, 2.0), settings), "--slope 0:90"));
+    terrain::GroundMesh turned = meshes::square(10.0);
+    for (glm::uvec3& t : turned.triangles)
+        std::swap(t.y, t.z);
+    for (glm::vec3& normal : turned.normals)
+        normal = -normal;
+    EXPECT_TRUE(has(warningsOf(turned, settings), "--sides back"));
+}
+
+TEST(Warnings, PointOutWhatDoesNothing)
+{
+    BakeSettings settings = tests::plainSettings(1.0);
+    settings.excluded = {{"pond.glb", 0.0,
+                          std::make_shared<terrain::GroundMesh>(
+                              meshes::moved(meshes::cube(2.0), {0.0, 0.0, 4000.0}))}};
+    settings.border = parseSoftMinimum("--border", "2");
+    const std::string text = warningsOf(meshes::cube(4.0), settings);
+    EXPECT_TRUE(has(text, "--exclude pond.glb: excludes nothing")) << text;
+    EXPECT_TRUE(has(text, "3999")) << text;
+    EXPECT_TRUE(has(text, "--border rejects nothing")) << text;
+
+    terrain::GroundMesh white = meshes::square(10.0);
+    white.hasColors = true;
+    settings = tests::plainSettings(1.0);
+    settings.masks = {Mask()};
+    EXPECT_TRUE(has(warningsOf(white, settings), "--mask rejects nothing"));
+}
+
+} // namespace
+} // namespace sward::bake
