@@ -1,9 +1,10 @@
 """What every command line of the program keeps to."""
 
+import json
 import re
 import unittest
 
-from support import CliTest, IO, UNSUPPORTED, USAGE, ROOT
+from support import CliTest, INPUT, IO, USAGE, ROOT
 
 COMMANDS = ("bake", "info", "validate", "compare", "export", "terrain")
 
@@ -35,7 +36,7 @@ class CommandLine(CliTest):
         self.refused("bkae", code=USAGE, names=["bkae", "bake"])
 
     def test_options_of_later_versions_are_unknown_now(self):
-        for option in ("--spacing", "--border", "--curvature", "--above-water", "--exclude", "--set"):
+        for option in ("--spacing",):
             with self.subTest(option=option):
                 self.refused("bake", "plane", "-o", "f.sward", option, "1", code=USAGE, names=[option])
         self.refused("bake", "plane", "-o", "f.sward", "--sampling", "poisson", code=USAGE,
@@ -45,7 +46,12 @@ class CommandLine(CliTest):
         cases = [("--slope", "10"), ("--slope", "60:20"), ("--density", "-1"), ("--density", "many"),
                  ("--count", "-5"), ("--align", "sideways"), ("--ground-up", "w"), ("--units", "miles"),
                  ("--up-axis", "q"), ("--scale", "0"), ("--sides", "left"), ("--threads", "-1"),
-                 ("--blade-scale", "small"), ("--mask", "vertex-color:X"), ("--progress", "maybe")]
+                 ("--blade-scale", "small"), ("--mask", "vertex-color:X"), ("--progress", "maybe"),
+                 ("--mask", "texture:"), ("--mask", "material-texture"), ("--curvature", "0"),
+                 ("--border", "1:2"), ("--above-water", "wet"), ("--min-island", "-1"),
+                 ("--sky", "1:0"), ("--exclude", "pond.glb:margin -1"), ("--set", "clump_size_m"),
+                 ("--set", "clump_size=1"), ("--set", "species.oak.share=1"),
+                 ("--set", "species.bent.share=-1"), ("--set", "species.bent.slope=steep")]
         for option, value in cases:
             with self.subTest(option=option, value=value):
                 # "unit" in the message is as good as "--units".
@@ -54,9 +60,43 @@ class CommandLine(CliTest):
                                     names=[])
                 self.assertRegex(done.stderr, word)
 
-    def test_masks_of_later_versions_are_unsupported(self):
-        self.refused("bake", "plane", "-o", "f.sward", "--mask", "texture:m.png:R", code=UNSUPPORTED,
-                     names=["texture"])
+    def test_a_mask_that_is_not_there_is_named(self):
+        self.refused("bake", "plane", "-o", "f.sward", "--mask", "texture:m.png:R", code=IO,
+                     names=["m.png"])
+        self.refused("bake", "plane", "-o", "f.sward", "--mask", "vertex-color:R", code=INPUT,
+                     names=["vertex colours"])
+
+    def test_an_excluded_area_that_is_not_there_is_named(self):
+        self.refused("bake", "plane", "-o", "f.sward", "--exclude", "pond.glb:margin", "2", code=IO,
+                     names=["pond.glb"])
+
+    def test_assignments_change_the_meadow_and_name_what_they_do_not_know(self):
+        def meadow(*options):
+            done = self.sward("bake", "plane", "--print-config", *options)
+            return json.loads(done.stdout)["bake"]["meadow"]
+
+        plain = meadow()
+        changed = meadow("--set", "clump_size_m=0.25", "--set", "species.bent.height_m=[0.1,0.2]",
+                         "--set", "species.0.share=5", "--set", "species.*.facing=shared",
+                         "--set", "species.bent.slope=:30~5", "--set", "name=mine")
+        self.assertEqual(changed["clump_size_m"], 0.25)
+        self.assertEqual(changed["name"], "mine")
+        by_name = {species["name"]: species for species in changed["species"]}
+        self.assertEqual(by_name["bent"]["height_m"], [0.1, 0.2])
+        self.assertEqual(by_name["bent"]["slope"], "0:30~5")
+        self.assertEqual(changed["species"][0]["share"], 5)
+        self.assertEqual({s["facing"] for s in changed["species"]}, {"shared"})
+        self.assertEqual(by_name["fescue"]["height_m"], plain["species"][1]["height_m"])
+        self.refused("bake", "plane", "-o", "f.sward", "--set", "clump_size=1", code=USAGE,
+                     names=["clump_size", "clump_size_m"])
+        self.refused("bake", "plane", "-o", "f.sward", "--set", "species.oak.share=1", code=USAGE,
+                     names=["oak", "ryegrass"])
+
+    def test_a_meadow_reads_what_was_printed(self):
+        done = self.sward("bake", "plane", "--print-config", "--set", "species.*.clumping=0.125")
+        self.write_json("mine.json", json.loads(done.stdout)["bake"]["meadow"])
+        again = self.sward("bake", "plane", "--print-config", "--meadow", "mine.json")
+        self.assertEqual(json.loads(again.stdout)["bake"], json.loads(done.stdout)["bake"])
 
     def test_unknown_names_list_the_known_ones(self):
         self.refused("bake", "hilz", "-o", "f.sward", code=IO, names=["hilz", "hills"])

@@ -3,8 +3,8 @@
 import math
 import unittest
 
-from meshes import Mesh, glb_bytes, obj_text, square
-from support import CliTest
+from meshes import Mesh, glb_bytes, grey_png, obj_text, square
+from support import CliTest, INPUT
 
 
 def ramp(degrees, side=10.0):
@@ -151,6 +151,106 @@ class Places(CliTest):
         near = [float(b.row["exposure"]) for b in blades if abs(b.root[0]) < 0.5]
         far = [float(b.row["exposure"]) for b in blades if abs(b.root[0]) > 4.0]
         self.assertLess(sum(near) / len(near), sum(far) / len(far) - 0.05)
+
+    def test_a_texture_paints_where_grass_grows(self):
+        # Black at the west, white at the east; a heightmap carries the image over all of it.
+        self.write("flat.png", grey_png(9, 9, [0] * 81))
+        self.write("mask.png", grey_png(2, 1, [0, 65535]))
+        ground = ("flat.png", "--extent", "20", "20", "--height", "0:1", "--blade-scale", "1")
+        blades = self.blades(self.bake(*ground, "--density", "10", "--mask", "texture:mask.png"))
+        west = sum(-6 < b.root[0] < -4 for b in blades)
+        east = sum(4 < b.root[0] < 6 for b in blades)
+        self.assertGreater(east, 300)
+        self.assertLess(west, east / 8)
+        inverted = self.blades(self.bake(*ground, "--density", "10", "--force", "--mask",
+                                         "texture:mask.png:R:invert"))
+        self.assertLess(abs(len(blades) + len(inverted) - 4000), 300)
+
+    def test_a_material_without_an_image_is_named(self):
+        self.write("two.glb", scene([("moss", square(4.0))]))
+        done = self.refused("bake", "two.glb", "-o", "f.sward", "--mask", "material-texture:R",
+                            code=INPUT, names=["moss_material", "image", "--material"])
+        self.assertIn("moss_material", done.stderr)
+
+    def test_a_border_stays_bare(self):
+        self.write("ground.glb", glb_bytes(square(10.0)))
+        for blade in self.grown("ground.glb", "--border", "1.5"):
+            self.assertLessEqual(max(abs(blade.root[0]), abs(blade.root[2])), 3.501)
+        self.assertGreater(self.kept("ground.glb", "--border", "2")["rejected"]["border"], 1000)
+
+    def test_a_closed_ground_has_no_border(self):
+        roots = self.kept("sphere", "--border", "3", "--ground-up", "radial")
+        self.assertEqual(roots["rejected"]["border"], 0)
+
+    def test_small_islands_bear_nothing(self):
+        self.write("two.glb", scene([("large", lifted(square(8.0), x=-10)),
+                                     ("small", lifted(square(2.0), x=10))]))
+        self.assertTrue(all(b.root[0] < 0 for b in self.grown("two.glb", "--min-island", "5")))
+        self.assertTrue(any(b.root[0] > 0 for b in self.grown("two.glb", "--min-island", "3")))
+
+    def test_nothing_grows_below_water(self):
+        self.write("ramp.glb", glb_bytes(ramp(30)))
+        for blade in self.grown("ramp.glb", "--above-water", "0.5~1"):
+            self.assertGreaterEqual(blade.root[1], 0.499)
+        self.assertGreater(self.kept("ramp.glb", "--above-water", "0.5")["rejected"]["water"], 1000)
+
+    def test_curvature_is_one_over_the_radius(self):
+        # The built-in sphere has a radius of 10 m.
+        for limits, share in (("0.09:0.11", 1.0), (":0.09", 0.0), ("-0.11:-0.09", 0.0)):
+            with self.subTest(limits=limits):
+                roots = self.kept("sphere", "--curvature", limits, "--ground-up", "radial")
+                self.assertLess(abs(roots["kept"] / roots["proposed"] - share), 0.01)
+        roots = self.kept("sphere", "--curvature", "-0.11:-0.09", "--sides", "back")
+        self.assertEqual(roots["kept"], roots["proposed"])
+
+    def test_excluded_areas_keep_their_margin(self):
+        self.write("ground.glb", glb_bytes(square(10.0)))
+        self.write("pond.glb", glb_bytes(lifted(square(4.0), y=-0.5)))
+        for margin, half in (((), 2.0), (("margin", "1"), 2.8)):
+            with self.subTest(margin=margin):
+                area = ":".join(["pond.glb", *margin[:1]])
+                blades = self.grown("ground.glb", "--exclude", area, *margin[1:])
+                inside = [b for b in blades if abs(b.root[0]) < half - 0.01 and
+                          abs(b.root[2]) < 1.99]
+                self.assertEqual(inside, [])
+        self.assertGreater(self.kept("ground.glb", "--exclude", "pond.glb")["rejected"]["excluded"], 250)
+
+    def test_an_occluder_buries_what_is_inside_it(self):
+        self.write("ground.glb", glb_bytes(square(10.0)))
+        low, high = -1.0, 1.0
+        corners = [(x, y, z) for x in (low, high) for y in (low, high) for z in (low, high)]
+        faces = [(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1), (2, 3, 7),
+                 (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)]
+        self.write("rock.glb", glb_bytes(Mesh(corners, faces)))
+        roots = self.kept("ground.glb", "--occluder", "rock.glb")
+        self.assertGreater(roots["rejected"]["occluder"], 50)
+        for blade in self.grown("ground.glb", "--occluder", "rock.glb"):
+            self.assertFalse(max(abs(blade.root[0]), abs(blade.root[2])) < 0.999, blade.root)
+
+    def test_the_sky_is_asked_for_by_its_share(self):
+        self.write("ground.glb", glb_bytes(square(10.0)))
+        self.write("roof.glb", glb_bytes(lifted(square(6.0), y=0.4)))
+        options = ("--occluder", "roof.glb", "--exposure", "16")
+        for blade in self.grown("ground.glb", *options, "--sky", "0.5:"):
+            self.assertFalse(max(abs(blade.root[0]), abs(blade.root[2])) < 2.4, blade.root)
+        shade = self.kept("ground.glb", *options, "--sky", ":0.5")
+        self.assertGreater(shade["rejected"]["exposure"], 900)
+
+    def test_species_keep_to_their_habitats(self):
+        self.write("ramp.glb", glb_bytes(ramp(30)))
+        self.write_json("meadow.json", {"species": [
+            {"name": "dry"}, {"name": "wet", "priority": 1, "altitude": ":0~1"}]})
+        blades = self.grown("ramp.glb", "--meadow", "meadow.json")
+        kinds = {kind: [b.root[1] for b in blades if b.row["species"] == kind] for kind in "01"}
+        self.assertLessEqual(max(kinds["1"]), 1.0)
+        self.assertGreaterEqual(min(kinds["0"]), 0.0)
+        self.assertGreater(len(kinds["1"]), 1500)
+
+    def test_what_no_species_takes_stays_bare(self):
+        self.write("ground.glb", glb_bytes(square(10.0)))
+        roots = self.kept("ground.glb", "--set", "species.*.cover=0.125")
+        # Three species, an eighth each.
+        self.assertLess(abs(roots["kept"] / roots["proposed"] - 0.375), 0.06)
 
 
 if __name__ == "__main__":
