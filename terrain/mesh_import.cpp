@@ -3,13 +3,13 @@
 #include "core/error.h"
 #include "core/mapped_file.h"
 #include "terrain/file_kind.h"
+#include "terrain/mesh_import_obj.h"
 #include "terrain/mesh_scan.h"
 #include "terrain/mtl_import.h"
 #include "terrain/openmesh_soup.h"
 #include "terrain/quiet_openmesh.h"
 
 #include <OpenMesh/Core/IO/Options.hh>
-#include <OpenMesh/Core/IO/reader/OBJReader.hh>
 #include <OpenMesh/Core/IO/reader/OFFReader.hh>
 #include <OpenMesh/Core/IO/reader/PLYReader.hh>
 #include <OpenMesh/Core/IO/reader/STLReader.hh>
@@ -37,7 +37,6 @@ bool readWith(std::istream& stream, OpenMesh::IO::BaseImporter& importer, Option
 }
 
 constexpr Format formats[] = {
-    {".obj", scanObj, readWith<OpenMesh::IO::OBJReader>},
     {".ply", scanPly, readWith<OpenMesh::IO::PLYReader>},
     {".off", scanOff, readWith<OpenMesh::IO::OFFReader>},
     {".stl", scanStl, readWith<OpenMesh::IO::STLReader>},
@@ -85,32 +84,26 @@ void warnOfCoarseness(const Soup& soup, double metresPerUnit, const std::string&
             place, largest, largest * 0x1p-24 * 1e3);
 }
 
-void nameParts(Soup& soup, const std::vector<std::uint32_t>& faceOf, const MeshScan& scan)
-{
-    if (scan.materials.empty())
-        return;
-    for (const std::string& name : scan.materials)
-        soup.materials.push_back({.name = name});
-    soup.nodes = scan.nodes;
-    for (const std::uint32_t face : faceOf) {
-        soup.materialOf.push_back(scan.materialOf[face]);
-        soup.nodeOf.push_back(scan.nodeOf[face]);
-    }
-}
-
 } // namespace
 
 Soup importMesh(const std::filesystem::path& path, double metresPerUnit, Diagnostics& diagnostics)
 {
     const std::string place = path.string();
-    const Format& format = formatOf(path);
     const MappedFile mapped(path);
     const std::string_view file(reinterpret_cast<const char*>(mapped.bytes().data()),
                                 mapped.bytes().size());
     if (file.empty())
         fail(ErrorKind::input, "{}: empty", place);
+    if (fileKind(path) == ".obj") {
+        std::vector<std::string> libraries;
+        Soup soup = readObj(file, place, libraries);
+        if (!libraries.empty())
+            readMtl(path, libraries, soup, diagnostics);
+        return soup;
+    }
 
     // Check the numbers first, then let OpenMesh read.
+    const Format& format = formatOf(path);
     MeshScan scan = format.scan(file, place);
     std::istringstream stream(scan.cleaned.empty() ? std::string(file) : std::move(scan.cleaned));
     Options options(Options::VertexNormal | Options::VertexColor | Options::VertexTexCoord |
@@ -136,9 +129,6 @@ Soup importMesh(const std::filesystem::path& path, double metresPerUnit, Diagnos
         warnOfCoarseness(importer.soup(), metresPerUnit, place, diagnostics);
     else
         refine(importer.soup(), std::move(scan.positions), place);
-    nameParts(importer.soup(), importer.faceOf(), scan);
-    if (!scan.libraries.empty())
-        readMtl(path, scan.libraries, importer.soup(), diagnostics);
     return importer.take();
 }
 

@@ -17,13 +17,6 @@ struct MeshScan {
     std::size_t vertices = 0;          ///< that the reader must find; 0 if it may join some
     std::size_t faces = 0;             ///< that the reader must find
 
-    // Per face; empty where the format has no names.
-    std::vector<std::uint32_t> materialOf;
-    std::vector<std::uint32_t> nodeOf;
-    std::vector<std::string> materials;
-    std::vector<std::string> nodes;
-    std::vector<std::string> libraries; ///< what stands behind mtllib in an OBJ
-
     std::string cleaned; ///< the text for the reader; empty: the file as it is
     bool isBinary = false;
 };
@@ -31,7 +24,6 @@ struct MeshScan {
 // Each throws Error{input} for a file that is cut off, numbers that are none, or counts that the
 // file is too small for; Error{unsupported} for a variant that is not read. `place` names the file.
 
-MeshScan scanObj(std::string_view file, const std::string& place);
 MeshScan scanPly(std::string_view file, const std::string& place);
 MeshScan scanOff(std::string_view file, const std::string& place);
 MeshScan scanStl(std::string_view file, const std::string& place);

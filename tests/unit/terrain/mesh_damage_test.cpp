@@ -105,6 +105,15 @@ TEST(MeshDamage, RefusesAPlyWithTwoKindsOfVertices)
         ErrorKind::input);
 }
 
+TEST(MeshDamage, RefusesCornersThatAreNoCorners)
+{
+    const std::string vertices = "v 0 0 0\nv 0 0 1\nv 1 0 0\nvt 0 0\nvn 0 1 0\n";
+    EXPECT_EQ(kindOf("a.obj", vertices + "f 1/1/1 2//1 \\\n 3/1\n"), ErrorKind::difference);
+    for (const char* corner : {"/1", "0", "4", "-4", "a", "1.5", "1/2", "1//2", "1/0", "/", "1/x",
+                               "99999999999999999999"})
+        EXPECT_EQ(kindOf("a.obj", vertices + "f 1 2 " + corner + "\n"), ErrorKind::input) << corner;
+}
+
 TEST(MeshDamage, RefusesEntriesWithoutBytes)
 {
     EXPECT_EQ(kindOf("a.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nend_header\n"),
