@@ -33,11 +33,9 @@ float cosineOfSum(float a, float b)
 
 } // namespace
 
-void SubtreeDescription::addOwn(const std::vector<shared::Blade>& blades,
-                                std::span<const std::uint32_t> own)
+void SubtreeDescription::addOwn(std::span<const shared::Blade> own)
 {
-    for (const std::uint32_t index : own) {
-        const shared::Blade& blade = blades[index];
+    for (const shared::Blade& blade : own) {
         const glm::vec3 reach(reachOf(blade));
         box_.add(blade.root - reach);
         box_.add(blade.root + reach);
@@ -47,46 +45,46 @@ void SubtreeDescription::addOwn(const std::vector<shared::Blade>& blades,
     count_ += own.size();
 }
 
-void SubtreeDescription::addChild(const SubtreeDescription& child)
+void SubtreeDescription::addChild(const Summary& child)
 {
-    box_.add(child.box_);
-    sum_ += child.sum_;
-    count_ += child.count_;
-    parts_.push_back(child.cone_);
+    box_.add(child.boundsLow);
+    box_.add(child.boundsHigh);
+    sum_ += child.upSum;
+    count_ += child.count;
+    parts_.push_back({child.coneAxis, child.coneCosine});
 }
 
-void SubtreeDescription::finish(shared::Patch& patch)
+SubtreeDescription::Summary SubtreeDescription::finish(shared::Patch& patch)
 {
     // Axis: the mean up-vector; opening: the part that leans away most, and some rounding.
+    Cone cone{glm::vec3(0.0f, 1.0f, 0.0f), -1.0f};
     const double length = std::sqrt(glm::dot(sum_, sum_));
     if (length > 1e-6 * double(count_)) {
-        cone_.axis = glm::vec3(sum_ / length);
+        cone.axis = glm::vec3(sum_ / length);
         float cosine = 1.0f;
         for (const Cone& part : parts_)
             cosine = std::min(
                 cosine,
-                cosineOfSum(std::clamp(glm::dot(cone_.axis, part.axis), -1.0f, 1.0f), part.cosine));
-        cone_.cosine = std::max(cosine - 1e-6f, -1.0f);
+                cosineOfSum(std::clamp(glm::dot(cone.axis, part.axis), -1.0f, 1.0f), part.cosine));
+        cone.cosine = std::max(cosine - 1e-6f, -1.0f);
     }
-    parts_.clear();
     patch.boundsLow = box_.low;
     patch.boundsHigh = box_.high;
-    patch.coneAxis = cone_.axis;
-    patch.coneCosine = cone_.cosine;
+    patch.coneAxis = cone.axis;
+    patch.coneCosine = cone.cosine;
+    return {box_.low, box_.high, sum_, count_, cone.axis, cone.cosine};
 }
 
-void describeOwn(shared::Patch& patch, const std::vector<shared::Blade>& blades,
-                 std::span<const std::uint32_t> own)
+void describeOwn(shared::Patch& patch, std::span<const shared::Blade> own)
 {
     if (own.empty())
         return;
     Aabb roots;
     float heightHigh = 0.0f;
     float widthHigh = 0.0f;
-    patch.heightLow = blades[own[0]].height;
-    patch.widthLow = blades[own[0]].width;
-    for (const std::uint32_t index : own) {
-        const shared::Blade& blade = blades[index];
+    patch.heightLow = own[0].height;
+    patch.widthLow = own[0].width;
+    for (const shared::Blade& blade : own) {
         roots.add(blade.root);
         patch.heightLow = std::min(patch.heightLow, blade.height);
         patch.widthLow = std::min(patch.widthLow, blade.width);

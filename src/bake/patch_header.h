@@ -14,14 +14,23 @@ namespace sward::bake {
 /// with the reach of every bent blade, and a cone about all up-vectors.
 class SubtreeDescription {
 public:
+    /// What a finished subtree says to the patch above it; plain data.
+    struct Summary {
+        glm::vec3 boundsLow, boundsHigh;
+        glm::dvec3 upSum; ///< of all up-vectors
+        std::uint64_t count;
+        glm::vec3 coneAxis;
+        float coneCosine;
+    };
+
     /// Adds blades of the patch's own.
-    void addOwn(const std::vector<shared::Blade>& blades, std::span<const std::uint32_t> own);
+    void addOwn(std::span<const shared::Blade> own);
 
     /// Adds a finished child.
-    void addChild(const SubtreeDescription& child);
+    void addChild(const Summary& child);
 
     /// Settles the cone, once everything has been added, and writes it and the bounds.
-    void finish(shared::Patch& patch);
+    Summary finish(shared::Patch& patch);
 
 private:
     struct Cone {
@@ -33,11 +42,9 @@ private:
     glm::dvec3 sum_{0.0}; ///< of all up-vectors
     std::uint64_t count_ = 0;
     std::vector<Cone> parts_; ///< of own blades (single directions) and children
-    Cone cone_{glm::vec3(0.0f, 1.0f, 0.0f), -1.0f};
 };
 
 /// Sets the steps by which the patch's own blades are quantised.
-void describeOwn(shared::Patch& patch, const std::vector<shared::Blade>& blades,
-                 std::span<const std::uint32_t> own);
+void describeOwn(shared::Patch& patch, std::span<const shared::Blade> own);
 
 } // namespace sward::bake

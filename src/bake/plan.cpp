@@ -1,5 +1,8 @@
 #include "bake/plan.h"
 
+#include "bake/clumps.h"
+#include "bake/poisson_region.h"
+#include "bake/territory.h"
 #include "core/error.h"
 
 #include <algorithm>
@@ -13,6 +16,9 @@ constexpr double clampedBlades = 20e6;
 constexpr double fullScaleWidth = 20.0; // [m]
 constexpr double smallestScale = 1e-6;
 
+// Places in a patch have 16 bits on each axis.
+constexpr double stepsPerPatch = 65535.0;
+
 // Bytes of one blade in the file: 16 packed, about 4 of key, a share of its patch.
 constexpr double bytesPerBlade = 21.0;
 
@@ -23,12 +29,22 @@ double automaticScale(double area)
     return std::clamp(std::sqrt(area) / fullScaleWidth, smallestScale, 1.0);
 }
 
-Plan planBake(double area, const BakeSettings& settings, Diagnostics& diagnostics)
+Plan planBake(double area, double extent, const BakeSettings& settings, Diagnostics& diagnostics)
 {
     Plan plan;
+    plan.area = area;
     plan.scale = settings.bladeScale ? *settings.bladeScale : automaticScale(area);
+    const double yield = tuningOf(settings).yield;
+    if (settings.meadow.clumpSize > 0.0)
+        plan.clumpSpacing = clumpSpacing(settings.meadow.clumpSize * plan.scale, area);
     if (settings.count) {
         plan.expected = double(*settings.count);
+    } else if (settings.spacing) {
+        // Both roots of a pair may be moved by half a step along each axis.
+        plan.spacing =
+            *settings.spacing + std::sqrt(3.0) * std::min(extent, widestPatch) / stepsPerPatch;
+        plan.density = yield / (plan.spacing * plan.spacing);
+        plan.expected = plan.density * area;
     } else if (settings.density) {
         plan.density = *settings.density;
         plan.expected = plan.density * area;
@@ -47,6 +63,8 @@ Plan planBake(double area, const BakeSettings& settings, Diagnostics& diagnostic
             plan.expected = limit;
         }
     }
+    if (settings.spread != Spread::uniform && !settings.spacing && !settings.count)
+        plan.spacing = plan.density > 0.0 ? std::sqrt(yield / plan.density) : 0.0;
     if (plan.expected > double(settings.maxBlades))
         fail(ErrorKind::input,
              "{:.6g} blades would grow on {:.4g} m², more than --max-blades {}; about {:.3g} GB",

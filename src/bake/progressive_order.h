@@ -1,17 +1,24 @@
 #pragma once
 
-#include <glm/vec3.hpp>
+#include "bake/root_sample.h"
+#include "terrain/ground_mesh.h"
 
-#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace sward::bake {
 
-/// Chooses `count` of the points so that every prefix of the result is itself evenly spread: each
-/// next point is the one farthest from those before it (Gonzalez 1985), beginning with points[0].
-/// Returns indices into `points`; of equals the lowest. Cost: count × points.
-std::vector<std::uint32_t> progressiveOrder(std::span<const glm::vec3> points, std::size_t count);
+/// A number for each root by which the roots, sorted, are in progressive order: every prefix, of
+/// the whole and of any part of space, is itself evenly spread (relative radius at least 0.55 where
+/// the roots are Poisson-disk samples). Roots are chosen level by level, the radius that chosen
+/// ones keep from one another falling from 2 m by the fourth root of two; within a level by a hash
+/// of their keys.
+///
+/// The levels run over lattices of 32 m, 4 m, 0.5 m … cubes whose planes are planes of the patch
+/// tree, so the order of the roots in a 32 m cell depends on nothing farther from the cell than
+/// progressiveReach.
+std::vector<std::uint64_t> progressiveOrder(const terrain::GroundMesh& ground, const Roots& roots);
+
+inline constexpr double progressiveReach = 9.0; ///< [m]
 
 } // namespace sward::bake

@@ -38,8 +38,9 @@ std::string toJson(const Report& report)
     object["blade_scale"] = report.bladeScale;
     object["roots"] = {
         {"proposed", report.proposed}, {"kept", report.kept}, {"rejected", rejected}};
-    // Uniform sampling asks for no spacing and reaches none.
-    object["spacing"] = {{"requested_m", 0.0}, {"minimum_m", 0.0}, {"rho", 0.0}};
+    object["spacing"] = {{"requested_m", report.spacingRequested},
+                         {"minimum_m", report.spacingMinimum},
+                         {"rho", report.relativeRadius}};
     object["density_per_m2"] = {{"requested", report.densityRequested},
                                 {"reached", report.densityReached}};
     object["timing_s"] = {{"load", timing.load},     {"topology", timing.topology},

@@ -29,6 +29,14 @@ inline constexpr std::size_t rejectCount = 12;
 /// Key of a reason in the report.
 const char* nameOf(Reject reason);
 
+/// How many roots there were, and what became of them.
+struct RootCounts {
+    std::uint64_t kept = 0;
+    std::uint64_t undersides = 0; ///< kept roots that look away from ground-up
+    std::uint64_t proposed = 0;
+    std::array<std::uint64_t, rejectCount> rejected{};
+};
+
 /// What a bake did: the answer to "why is there no grass here".
 struct Report {
     struct Input {
@@ -44,6 +52,9 @@ struct Report {
     std::uint64_t proposed = 0;
     std::uint64_t kept = 0;
     std::array<std::uint64_t, rejectCount> rejected{};
+    double spacingRequested = 0.0; ///< [m]; 0 if none was
+    double spacingMinimum = 0.0;   ///< [m] of two roots of one sheet, as they are in the field
+    double relativeRadius = 0.0;   ///< minimum over that of a hexagonal packing of as many roots
     double densityRequested = 0.0; ///< [1/m²]
     double densityReached = 0.0;   ///< [1/m²] kept roots per area
     struct Timing {

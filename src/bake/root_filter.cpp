@@ -46,7 +46,7 @@ RootFilter::RootFilter(const terrain::GroundMesh& ground, const BakeSettings& se
         excluded_.emplace_back(area, ground.origin);
     if (query != nullptr && hasOccluders(ground))
         occluders_.emplace(ground, *query);
-    if (asksSky(settings))
+    if (query != nullptr && asksSky(settings))
         sky_.emplace(ground, settings, settings.rayLength * scale, *query);
 
     const Habitat& everywhere = everybody_.habitat();

@@ -36,6 +36,19 @@ std::vector<std::string> split(const std::string& text, char separator)
     return parts;
 }
 
+const char* nameOf(Spread spread)
+{
+    switch (spread) {
+    case Spread::poisson:
+        return "poisson";
+    case Spread::poissonDense:
+        return "poisson-dense";
+    case Spread::uniform:
+        break;
+    }
+    return "uniform";
+}
+
 void requireRange(const char* name, double value, double low, double high)
 {
     if (!(value >= low && value <= high))
@@ -75,8 +88,16 @@ double GroundUp::altitude(glm::dvec3 place) const
 
 void validate(const BakeSettings& settings)
 {
-    if (settings.density && settings.count)
-        fail(ErrorKind::usage, "--density and --count exclude each other");
+    if (int(settings.density.has_value()) + int(settings.count.has_value()) +
+            int(settings.spacing.has_value()) >
+        1)
+        fail(ErrorKind::usage, "--density, --spacing and --count exclude one another");
+    if (settings.spacing) {
+        requireRange("--spacing", *settings.spacing, 1e-9, 1e9);
+        if (settings.spread == Spread::uniform)
+            fail(ErrorKind::usage, "--spacing {} needs --sampling poisson or poisson-dense",
+                 *settings.spacing);
+    }
     if (settings.density)
         requireRange("--density", *settings.density, 0.0, 1e15);
     if (settings.count)
@@ -113,7 +134,8 @@ std::string toJson(const BakeSettings& settings)
         {"density", settings.density ? json(*settings.density) : json()},
         {"count", settings.count ? json(*settings.count) : json()},
         {"blade_scale", settings.bladeScale ? json(*settings.bladeScale) : json("auto")},
-        {"sampling", "uniform"},
+        {"spacing", settings.spacing ? json(*settings.spacing) : json()},
+        {"sampling", nameOf(settings.spread)},
         {"seed", settings.seed},
         {"sides", sides[static_cast<int>(settings.sides)]},
         {"align", settings.align.vertical},
@@ -171,6 +193,15 @@ GroundUp parseGroundUp(const std::string& text)
             up.centre[i] = parseNumber("--ground-up", parts[i]);
     }
     return up;
+}
+
+Spread parseSpread(const std::string& text)
+{
+    for (const Spread spread : {Spread::uniform, Spread::poisson, Spread::poissonDense})
+        if (text == nameOf(spread))
+            return spread;
+    fail(ErrorKind::usage, "--sampling is \"{}\"; expected uniform, poisson or poisson-dense",
+         text);
 }
 
 Sides parseSides(const std::string& text)

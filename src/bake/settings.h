@@ -17,6 +17,10 @@ namespace sward::bake {
 /// Which side of a triangle bears grass. The front is where its corners turn anti-clockwise.
 enum class Sides { front, back, both };
 
+/// How roots are spread: independently but for stratification; or as Poisson disks, no two nearer
+/// than a spacing; or as Poisson disks packed as densely as chance allows.
+enum class Spread { uniform, poisson, poissonDense };
+
 /// Where blades grow to: 0 along the surface's normal, 1 against gravity (ground-up), or between.
 struct Alignment {
     double vertical = 0.0; ///< [0, 1]
@@ -39,7 +43,9 @@ struct GroundUp {
 struct BakeSettings {
     std::optional<double>
         density; ///< [1/m²]; neither density nor count: 300, fewer if over 20 million
-    std::optional<std::uint64_t> count;    ///< blades kept, exactly
+    std::optional<std::uint64_t> count; ///< blades kept, exactly
+    std::optional<double> spacing; ///< [m] between roots, if Poisson disks; decides the density
+    Spread spread = Spread::uniform;
     std::uint64_t maxBlades = 200'000'000; ///< more are refused before sampling
     std::optional<double> bladeScale;      ///< size of blades; none: smaller on small ground
     std::uint64_t seed = 0;
@@ -75,6 +81,9 @@ Alignment parseAlignment(const std::string& text);
 
 /// "y", "-z", "radial", "radial:x,y,z". Throws Error{usage}.
 GroundUp parseGroundUp(const std::string& text);
+
+/// "uniform", "poisson", "poisson-dense". Throws Error{usage}.
+Spread parseSpread(const std::string& text);
 
 /// "front", "back", "both". Throws Error{usage}.
 Sides parseSides(const std::string& text);

@@ -156,34 +156,36 @@ void SurfaceSampler::forEachBlock(const Tries& tries, Progress& progress, Visit 
                       });
 }
 
-bool SurfaceSampler::takes(const RootSample& root, const Amount& amount, Block& block) const
+bool SurfaceSampler::takes(const RootSample& root, const Amount& amount, bool counts,
+                           Block& block) const
 {
     const field::BladeKey key = keyOf(ground_, root);
     if (!amount.takesAll() && std::pair(priorityOf(settings_.seed, key), keyBits(key)) >
                                   std::pair(amount.priority, amount.lastKey))
         return false;
-    ++block.proposed;
+    block.proposed += std::uint64_t(counts);
     const double chance = random(settings_.seed, key, Dimension::chance);
     Reject reason = Reject::mask;
     if (filter_.weigh(root, chance, reason) <= chance) {
-        ++block.rejected[static_cast<std::size_t>(reason)];
+        block.rejected[static_cast<std::size_t>(reason)] += std::uint64_t(counts);
         return false;
     }
     if (const std::optional<Reject> obstacle = filter_.obstacle(root)) {
-        ++block.rejected[static_cast<std::size_t>(*obstacle)];
+        block.rejected[static_cast<std::size_t>(*obstacle)] += std::uint64_t(counts);
         return false;
     }
     return true;
 }
 
-Sampling SurfaceSampler::sample(const Amount& amount, Progress& progress) const
+Sampling SurfaceSampler::sample(const Amount& amount, Progress& progress,
+                                const Territory* counted) const
 {
     const Tries tries{amount, firstCandidates(amount.density)};
     Sampling result;
     result.roots.resize(tries.count());
 
     // Where every candidate is kept, its number is its place.
-    if (amount.takesAll() && !filter_.asksAnything()) {
+    if (amount.takesAll() && !filter_.asksAnything() && counted == nullptr) {
         forEachBlock(tries, progress, [&](std::uint64_t, std::uint64_t begin, std::uint64_t end) {
             RootSample* place = result.roots.data() + begin;
             forEachCandidate(tries, begin, end, [&](const RootSample& root) { *place++ = root; });
@@ -198,7 +200,7 @@ Sampling SurfaceSampler::sample(const Amount& amount, Progress& progress) const
         Block& block = blocks[index];
         RootSample* const front = result.roots.data() + begin;
         forEachCandidate(tries, begin, end, [&](const RootSample& root) {
-            if (takes(root, amount, block))
+            if (takes(root, amount, counted == nullptr || counted->holds(root), block))
                 front[block.kept++] = root;
         });
     });
@@ -248,7 +250,7 @@ Amount SurfaceSampler::amountFor(std::uint64_t count, Progress& progress) const
             Block block;
             std::vector<std::pair<double, std::uint64_t>> own;
             forEachCandidate(tries, begin, end, [&](const RootSample& root) {
-                if (!takes(root, tries.amount, block))
+                if (!takes(root, tries.amount, true, block))
                     return;
                 const field::BladeKey key = keyOf(ground_, root);
                 const double priority = priorityOf(settings_.seed, key);

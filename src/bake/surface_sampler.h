@@ -4,6 +4,7 @@
 #include "bake/root_filter.h"
 #include "bake/root_sample.h"
 #include "bake/settings.h"
+#include "bake/territory.h"
 #include "core/progress.h"
 #include "terrain/ground_mesh.h"
 
@@ -42,8 +43,10 @@ public:
 
     double area() const { return area_; } ///< bearingArea() of the ground
 
-    /// Tries the candidates of an amount and keeps what passes the filter.
-    Sampling sample(const Amount& amount, Progress& progress) const;
+    /// Tries the candidates of an amount and keeps what passes the filter. Only candidates in
+    /// `counted` (null: everywhere) count as proposed and rejected.
+    Sampling sample(const Amount& amount, Progress& progress,
+                    const Territory* counted = nullptr) const;
 
     /// The amount by which exactly `count` roots are kept, or, if the ground does not keep so many,
     /// all that can be found (then the priority is 1): the candidates of lowest priority that pass.
@@ -55,7 +58,7 @@ private:
 
     std::vector<std::uint64_t> firstCandidates(double density) const;
     std::uint32_t candidates(std::size_t triangle, double density, bool back) const;
-    bool takes(const RootSample& root, const Amount& amount, Block& block) const;
+    bool takes(const RootSample& root, const Amount& amount, bool counts, Block& block) const;
     template <typename Visit>
     void forEachBlock(const Tries& tries, Progress& progress, Visit visit) const;
     template <typename Visit>

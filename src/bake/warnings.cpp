@@ -25,25 +25,25 @@ const char* optionOf(Reject reason)
     return options[static_cast<std::size_t>(reason)];
 }
 
-std::uint64_t rejectedBy(const Sampling& sampling, Reject reason)
+std::uint64_t rejectedBy(const RootCounts& counts, Reject reason)
 {
-    return sampling.rejected[static_cast<std::size_t>(reason)];
+    return counts.rejected[static_cast<std::size_t>(reason)];
 }
 
 // "slope 120 (--slope), mask 30 (--mask)", most first; spacing is no one's fault.
-std::string reasonsOf(const Sampling& sampling)
+std::string reasonsOf(const RootCounts& counts)
 {
     std::vector<Reject> reasons;
     for (std::size_t i = 0; i < rejectCount; ++i)
-        if (sampling.rejected[i] > 0 && static_cast<Reject>(i) != Reject::spacing)
+        if (counts.rejected[i] > 0 && static_cast<Reject>(i) != Reject::spacing)
             reasons.push_back(static_cast<Reject>(i));
     std::stable_sort(reasons.begin(), reasons.end(), [&](Reject a, Reject b) {
-        return rejectedBy(sampling, a) > rejectedBy(sampling, b);
+        return rejectedBy(counts, a) > rejectedBy(counts, b);
     });
     std::string text;
     for (const Reject reason : reasons)
         text += fmt::format("{}{} {} ({})", text.empty() ? "" : ", ", nameOf(reason),
-                            rejectedBy(sampling, reason), optionOf(reason));
+                            rejectedBy(counts, reason), optionOf(reason));
     return text.empty() ? "no filter (no area bears grass, or none was asked for)" : text;
 }
 
@@ -62,28 +62,22 @@ SoftRange altitudesOf(const terrain::GroundMesh& ground, const GroundUp& groundU
     return range;
 }
 
-void warnAboutNone(const Sampling& sampling, const terrain::GroundMesh& ground,
+void warnAboutNone(const RootCounts& counts, const terrain::GroundMesh& ground,
                    const BakeSettings& settings, Diagnostics& diagnostics)
 {
     std::string where;
-    if (rejectedBy(sampling, Reject::altitude) + rejectedBy(sampling, Reject::water) > 0) {
+    if (rejectedBy(counts, Reject::altitude) + rejectedBy(counts, Reject::water) > 0) {
         const SoftRange heights = altitudesOf(ground, settings.groundUp);
         where = fmt::format("; the ground lies from {:.6g} to {:.6g} m along ground-up",
                             heights.low, heights.high);
     }
-    diagnostics.warn("no blade grows: {} roots proposed, rejected by {}{}", sampling.proposed,
-                     reasonsOf(sampling), where);
+    diagnostics.warn("no blade grows: {} roots proposed, rejected by {}{}", counts.proposed,
+                     reasonsOf(counts), where);
 }
 
-void warnAboutUndersides(const Sampling& sampling, const terrain::GroundMesh& ground,
-                         const BakeSettings& settings, Diagnostics& diagnostics)
+void warnAboutUndersides(const RootCounts& counts, Diagnostics& diagnostics)
 {
-    std::size_t under = 0;
-    for (const RootSample& root : sampling.roots) {
-        const glm::dvec3 up = settings.groundUp.at(ground.origin + glm::dvec3(root.position));
-        under += std::size_t(glm::dot(glm::dvec3(root.normal), up) < 0.0);
-    }
-    const double share = double(under) / double(sampling.roots.size());
+    const double share = double(counts.undersides) / double(counts.kept);
     if (share > mostUndersides)
         diagnostics.warn("{:.1f} % of the blades grow on undersides; --sides back is for a mesh "
                          "that is inside out, --up-axis z or -y for one that lies on its side or "
@@ -96,16 +90,16 @@ void warnAboutUndersides(const Sampling& sampling, const terrain::GroundMesh& gr
 }
 
 // What was asked for and does nothing lies elsewhere than its author thinks.
-void warnAboutIdle(const Sampling& sampling, const terrain::GroundMesh& ground,
+void warnAboutIdle(const RootCounts& counts, const terrain::GroundMesh& ground,
                    const BakeSettings& settings, Diagnostics& diagnostics)
 {
-    if (!settings.masks.empty() && rejectedBy(sampling, Reject::mask) == 0)
+    if (!settings.masks.empty() && rejectedBy(counts, Reject::mask) == 0)
         diagnostics.warn("--mask rejects nothing: it is white wherever grass may grow");
-    if (settings.border.low > -unbounded && rejectedBy(sampling, Reject::border) == 0)
+    if (settings.border.low > -unbounded && rejectedBy(counts, Reject::border) == 0)
         diagnostics.warn("--border rejects nothing: the ground that bears grass has no border "
                          "nearer than {} m",
                          settings.border.low);
-    if (settings.excluded.empty() || rejectedBy(sampling, Reject::excluded) > 0)
+    if (settings.excluded.empty() || rejectedBy(counts, Reject::excluded) > 0)
         return;
     const Aabb box = ground.bounds();
     const glm::dvec3 low = ground.origin + glm::dvec3(box.low);
@@ -124,20 +118,19 @@ void warnAboutIdle(const Sampling& sampling, const terrain::GroundMesh& ground,
 
 } // namespace
 
-void warnAboutRoots(const Sampling& sampling, const terrain::GroundMesh& ground,
+void warnAboutRoots(const RootCounts& counts, const terrain::GroundMesh& ground,
                     const BakeSettings& settings, Diagnostics& diagnostics)
 {
-    if (sampling.roots.empty()) {
-        warnAboutNone(sampling, ground, settings, diagnostics);
+    if (counts.kept == 0) {
+        warnAboutNone(counts, ground, settings, diagnostics);
         return;
     }
-    const std::uint64_t asked = sampling.proposed - rejectedBy(sampling, Reject::spacing);
-    if (double(sampling.roots.size()) < hardlyAny * double(asked))
+    const std::uint64_t asked = counts.proposed - rejectedBy(counts, Reject::spacing);
+    if (double(counts.kept) < hardlyAny * double(asked))
         diagnostics.warn("only {:.2g} % of the roots are kept; rejected by {}",
-                         100.0 * double(sampling.roots.size()) / double(asked),
-                         reasonsOf(sampling));
-    warnAboutUndersides(sampling, ground, settings, diagnostics);
-    warnAboutIdle(sampling, ground, settings, diagnostics);
+                         100.0 * double(counts.kept) / double(asked), reasonsOf(counts));
+    warnAboutUndersides(counts, diagnostics);
+    warnAboutIdle(counts, ground, settings, diagnostics);
 }
 
 } // namespace sward::bake

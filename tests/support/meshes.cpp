@@ -1,6 +1,7 @@
 #include "support/meshes.h"
 
 #include "core/exact_math.h"
+#include "terrain/heightfield.h"
 #include "terrain/primitives.h"
 #include "terrain/soup.h"
 
@@ -43,6 +44,20 @@ GroundMesh square(double side, double height)
     const double h = side / 2.0;
     return soup({{-h, height, -h}, {-h, height, h}, {h, height, -h}, {h, height, h}},
                 {{0, 1, 2}, {2, 1, 3}});
+}
+
+GroundMesh grid(std::uint32_t cells, double side)
+{
+    return terrain::heightfield({glm::dvec2(side), glm::uvec2(cells)},
+                                [](double, double) { return 0.0; });
+}
+
+GroundMesh hills(double side, std::uint32_t cells)
+{
+    return terrain::heightfield({glm::dvec2(side), glm::uvec2(cells)}, [](double x, double z) {
+        return 5.0 * exactSinCos(0.11 * x + 0.3).sin * exactSinCos(0.07 * z).cos +
+               2.0 * exactSinCos(0.31 * z - 0.1 * x).sin;
+    });
 }
 
 GroundMesh cube(double side)

@@ -22,6 +22,12 @@ terrain::GroundMesh triangle();
 /// Level, faces up, around the origin; two triangles.
 terrain::GroundMesh square(double side = 1.0, double height = 0.0);
 
+/// Level, faces up, around the origin; cells × cells squares of two triangles, row by row.
+terrain::GroundMesh grid(std::uint32_t cells, double side);
+
+/// Gentle hills of a square of this side around the origin, on a grid of cells × cells.
+terrain::GroundMesh hills(double side, std::uint32_t cells);
+
 /// Closed, outward, around the origin; welded corners, so 8 vertices before creases split them.
 terrain::GroundMesh cube(double side = 2.0);
 

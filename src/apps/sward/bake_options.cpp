@@ -104,14 +104,22 @@ void BakeOptions::addAmount(CLI::App& app)
             ->type_name("N")
             ->group(group)
             ->each([this](const std::string&) { hasDensity_ = true; });
-    app.add_option("--count", count_, "Blades kept, exactly")
-        ->type_name("N")
+    CLI::Option* count = app.add_option("--count", count_, "Blades kept, exactly")
+                             ->type_name("N")
+                             ->group(group)
+                             ->excludes(density)
+                             ->each([this](const std::string&) { hasCount_ = true; });
+    app.add_option("--spacing", spacing_,
+                   "Metres that roots keep from one another; implies --sampling poisson")
+        ->type_name("M")
         ->group(group)
         ->excludes(density)
-        ->each([this](const std::string&) { hasCount_ = true; });
-    app.add_option("--sampling", sampling_, "How roots are spread: uniform")
+        ->excludes(count)
+        ->each([this](const std::string&) { hasSpacing_ = true; });
+    app.add_option("--sampling", sampling_,
+                   "How roots are spread: uniform, poisson, or poisson-dense (slower, tighter)")
         ->type_name("KIND")
-        ->check(CLI::IsMember({"uniform"}).description(""))
+        ->each([this](const std::string&) { hasSampling_ = true; })
         ->group(group)
         ->capture_default_str();
     app.add_option("--max-blades", direct_.settings.maxBlades, "More are refused before sampling")
@@ -210,6 +218,9 @@ BakeRequest BakeOptions::request() const
         settings.density = density_;
     if (hasCount_)
         settings.count = count_;
+    if (hasSpacing_)
+        settings.spacing = spacing_;
+    settings.spread = bake::parseSpread(hasSpacing_ && !hasSampling_ ? "poisson" : sampling_);
     if (bladeScale_ != "auto")
         settings.bladeScale = parseNumber("--blade-scale", bladeScale_, 0.0, largestBladeScale);
     request.import.scene = scene_;

@@ -51,9 +51,12 @@ private:
     // What needs no second look goes straight in here, the rest is text until request().
     BakeRequest direct_;
     double density_ = 0.0;
+    double spacing_ = 0.0;
     std::uint64_t count_ = 0;
     bool hasDensity_ = false;
     bool hasCount_ = false;
+    bool hasSpacing_ = false;
+    bool hasSampling_ = false;
     std::optional<int> scene_;
     std::string bladeScale_ = "auto";
     std::string sampling_ = "uniform";

@@ -26,6 +26,7 @@ public:
 
 protected:
     CLI::App& app() { return *app_; }
+    const CLI::App& app() const { return *app_; }
 
 private:
     CLI::App* app_;
@@ -37,5 +38,8 @@ std::unique_ptr<Subcommand> addValidate(CLI::App& program);
 std::unique_ptr<Subcommand> addCompare(CLI::App& program);
 std::unique_ptr<Subcommand> addExport(CLI::App& program);
 std::unique_ptr<Subcommand> addTerrain(CLI::App& program);
+std::unique_ptr<Subcommand> addPlan(CLI::App& program);
+std::unique_ptr<Subcommand> addTile(CLI::App& program);
+std::unique_ptr<Subcommand> addMerge(CLI::App& program);
 
 } // namespace sward::apps

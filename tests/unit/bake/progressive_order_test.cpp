@@ -1,62 +1,100 @@
+#include "bake/bake.h"
+#include "bake/local_ranks.h"
 #include "bake/progressive_order.h"
-#include "core/random.h"
+#include "shaders/shared/blade.h"
+#include "support/meshes.h"
+#include "unit/bake/bake_settings.h"
+#include "unit/bake/spread.h"
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
 namespace sward::bake {
 namespace {
 
-std::vector<glm::vec3> randomPoints(std::size_t count)
+field::Field bakeSpread(const terrain::GroundMesh& ground, Spread spread, std::uint64_t count)
 {
-    std::vector<glm::vec3> points(count);
-    for (std::size_t i = 0; i < count; ++i)
-        points[i] = glm::vec3(uniform(1, i, 0), 0.0, uniform(1, i, 1));
-    return points;
+    BakeSettings settings = tests::plainSettings(1.0);
+    settings.density.reset();
+    settings.count = count;
+    settings.spread = spread;
+    Diagnostics diagnostics;
+    Progress progress;
+    return bakeField(ground, settings, 2, diagnostics, progress).field;
 }
 
-// d_min / d_hex of the first `count` points of an order, on the unit square.
-double relativeRadius(const std::vector<glm::vec3>& points, const std::vector<std::uint32_t>& order,
-                      std::size_t count)
+// Roots of the blades with a rank below `share`, as the runtime draws them.
+std::vector<glm::dvec3> drawn(const field::Field& field, double share)
 {
-    double nearest = 1e9;
-    for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            nearest = std::min(nearest, double(glm::distance(points[order[i]], points[order[j]])));
-    return nearest / std::sqrt(2.0 / (std::sqrt(3.0) * double(count)));
+    std::vector<glm::dvec3> roots;
+    for (const shared::Patch& patch : field.patches)
+        for (std::uint32_t i = 0; i < patch.bladeCount; ++i) {
+            const double rank = double(patch.rankLow) + double(patch.rankHigh - patch.rankLow) *
+                                                            (i + 0.5) / patch.bladeCount;
+            if (rank < share)
+                roots.emplace_back(
+                    shared::unpackBlade(field.blades[patch.firstBlade + i], patch).root);
+        }
+    return roots;
 }
 
-TEST(ProgressiveOrder, EveryPrefixIsMoreEvenThanChance)
+TEST(ProgressiveOrder, EveryShareOfAPoissonFieldIsItselfEvenlySpread)
 {
-    const std::vector<glm::vec3> points = randomPoints(1024);
-    const std::vector<std::uint32_t> order = progressiveOrder(points, 256);
-    std::vector<std::uint32_t> asTheyCome(256);
-    for (std::uint32_t i = 0; i < 256; ++i)
-        asTheyCome[i] = i;
-    for (const std::size_t count : {4U, 16U, 64U, 256U}) {
-        EXPECT_GT(relativeRadius(points, order, count), 0.55) << count;
-        EXPECT_LT(relativeRadius(points, asTheyCome, count), 0.4) << count;
+    // Across patches, levels of the tree and 32 m cells alike.
+    for (const terrain::GroundMesh& ground : {meshes::square(70.0), meshes::sphere(96, 20.0)}) {
+        const field::Field field = bakeSpread(ground, Spread::poisson, 60'000);
+        const double area = meshes::totalArea(ground);
+        for (const double share : {1.0, 1.0 / 2.0, 1.0 / 8.0, 1.0 / 64.0}) {
+            const std::vector<glm::dvec3> roots = drawn(field, share);
+            EXPECT_NEAR(double(roots.size()), 60'000.0 * share, 0.01 * 60'000.0 * share) << share;
+            EXPECT_GE(tests::relativeRadius(roots, area), 0.55) << share;
+        }
     }
 }
 
-TEST(ProgressiveOrder, TakesEachPointOnce)
+TEST(ProgressiveOrder, AFewOfUniformRootsAreEvenlySpread)
 {
-    const std::vector<glm::vec3> points = randomPoints(300);
-    const std::vector<std::uint32_t> order = progressiveOrder(points, 300);
-    EXPECT_EQ(std::set<std::uint32_t>(order.begin(), order.end()).size(), 300U);
-    EXPECT_EQ(progressiveOrder(points, 1000).size(), 300U);
-    EXPECT_TRUE(progressiveOrder({}, 10).empty());
+    const terrain::GroundMesh ground = meshes::square(40.0);
+    const field::Field field = bakeSpread(ground, Spread::uniform, 60'000);
+    for (const double share : {1.0 / 8.0, 1.0 / 64.0})
+        EXPECT_GE(tests::relativeRadius(drawn(field, share), meshes::totalArea(ground)), 0.55);
+    // All of them are not.
+    EXPECT_LT(tests::relativeRadius(drawn(field, 1.0), meshes::totalArea(ground)), 0.3);
 }
 
-TEST(ProgressiveOrder, IsAPrefixOfALongerOne)
+TEST(ProgressiveOrder, ADrawnShareHasNoPeakAtThePitchOfThePatches)
 {
-    const std::vector<glm::vec3> points = randomPoints(500);
-    const std::vector<std::uint32_t> few = progressiveOrder(points, 50);
-    const std::vector<std::uint32_t> many = progressiveOrder(points, 200);
-    EXPECT_TRUE(std::equal(few.begin(), few.end(), many.begin()));
+    // Power of the drawn roots at wave lengths of 32, 16, 8, 4 and 2 m along the axes: a set of
+    // independent points has 1 on average; blue noise has less.
+    const field::Field field = bakeSpread(meshes::square(128.0), Spread::poisson, 120'000);
+    for (const double share : {1.0 / 2.0, 1.0 / 8.0, 1.0 / 64.0}) {
+        const std::vector<glm::dvec3> roots = drawn(field, share);
+        for (const double wave : {32.0, 16.0, 8.0, 4.0, 2.0})
+            for (const std::size_t axis : {std::size_t(0), std::size_t(2)}) {
+                double sine = 0.0;
+                double cosine = 0.0;
+                for (const glm::dvec3& root : roots) {
+                    const double angle = 6.283185307179586 * root[axis] / wave;
+                    sine += std::sin(angle);
+                    cosine += std::cos(angle);
+                }
+                const double power = (sine * sine + cosine * cosine) / double(roots.size());
+                EXPECT_LT(power, 4.0) << "share " << share << ", wave " << wave;
+            }
+    }
+}
+
+TEST(ProgressiveOrder, TakesPointsInOnePlaceAndNone)
+{
+    EXPECT_TRUE(progressiveOrder({}, {}).empty());
+    Roots roots(300);
+    for (std::uint32_t i = 0; i < 300; ++i)
+        roots[i] = {i, 0, {}, glm::vec3(5.0f), glm::vec3(0.0f, 1.0f, 0.0f)};
+    const std::vector<std::uint64_t> order = progressiveOrder({}, roots);
+    EXPECT_EQ(std::set<std::uint64_t>(order.begin(), order.end()).size(), 300U);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "unit/bake/bake_settings.h"
 #include "unit/bake/place_trial.h"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 namespace sward::bake {
@@ -12,12 +13,16 @@ namespace {
 std::string warningsOf(const terrain::GroundMesh& mesh, const BakeSettings& settings)
 {
     const tests::Trial trial = tests::tryRoots(mesh, settings, 20.0);
-    Sampling sampling;
-    sampling.roots.assign(trial.kept.begin(), trial.kept.end());
-    sampling.proposed = trial.tried;
-    sampling.rejected = trial.rejected;
+    RootCounts counts;
+    counts.kept = trial.kept.size();
+    counts.proposed = trial.tried;
+    counts.rejected = trial.rejected;
+    for (const RootSample& root : trial.kept) {
+        const glm::dvec3 up = settings.groundUp.at(mesh.origin + glm::dvec3(root.position));
+        counts.undersides += std::uint64_t(glm::dot(glm::dvec3(root.normal), up) < 0.0);
+    }
     Diagnostics diagnostics;
-    warnAboutRoots(sampling, mesh, settings, diagnostics);
+    warnAboutRoots(counts, mesh, settings, diagnostics);
     std::string all;
     for (const std::string& warning : diagnostics.warnings())
         all += warning + "\n";

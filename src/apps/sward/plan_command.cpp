@@ -1,0 +1,134 @@
+#include "apps/common/interrupt.h"
+#include "apps/common/output.h"
+#include "apps/common/progress_bar.h"
+#include "apps/sward/bake_arguments.h"
+#include "apps/sward/bake_options.h"
+#include "apps/sward/excluded_input.h"
+#include "apps/sward/ground_input.h"
+#include "apps/sward/subcommand.h"
+#include "bake/bake_steps.h"
+#include "bake/tile_files.h"
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "core/log.h"
+#include "core/random.h"
+#include "field/write.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+
+namespace sward::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint32_t mostTiles = 1'000'000;
+
+std::uint64_t digestOf(const std::string& text)
+{
+    std::uint64_t digest = text.size();
+    for (const char c : text)
+        digest = hashBits(digest, static_cast<unsigned char>(c));
+    return digest;
+}
+
+class PlanCommand : public Subcommand {
+public:
+    explicit PlanCommand(CLI::App& program)
+        : Subcommand(program, "plan", "Deal a bake out to tiles for any number of machines",
+                     "sward plan county.glb --tiles 64 -o county.json --density 200")
+    {
+        options_.add(app());
+        for (const char* name : {"--dry-run", "--report", "--print-config"})
+            app().remove_option(app().get_option(name));
+        app()
+            .add_option("--tiles", tiles_, "Tiles, of about the same area")
+            ->type_name("N")
+            ->check(CLI::Range(1U, mostTiles).description(""))
+            ->required()
+            ->group("Run");
+    }
+
+    int run() const override
+    {
+        options_.log.apply();
+        BakeRequest request = options_.request();
+        const fs::path output = request.output;
+        refuseOverwrite(output, request.overwrite);
+        Diagnostics diagnostics;
+        const terrain::GroundMesh ground = loadGround(request, diagnostics);
+        loadExcluded(request, diagnostics);
+
+        ProgressBar bar(options_.log.showBar());
+        Progress progress(bar.callback());
+        const CancelOnInterrupt cancel(progress);
+        bake::TilePlan plan;
+        plan.tiles = tiles_;
+        plan.arguments = bakeArguments(app());
+        plan.folder = fs::current_path().string();
+        std::size_t triangles = 0;
+        bake::withThreads(bake::threadCount(request.threads), [&] {
+            triangles = write(ground, request, plan, output, diagnostics, progress);
+        });
+        bar.clear();
+        for (const std::string& warning : diagnostics.warnings())
+            log::warn("{}", warning);
+        writeResult(
+            fmt::format("{}: {} tiles of about {:.3g} blades, {} of {} triangles in parts\n",
+                        output.string(), plan.tiles, plan.plan.plan.expected / double(plan.tiles),
+                        triangles, ground.triangles.size()));
+        return 0;
+    }
+
+private:
+    // Parts and the bare field first, the plan last: whoever sees it finds everything.
+    static std::size_t write(const terrain::GroundMesh& ground, const BakeRequest& request,
+                             bake::TilePlan& plan, const fs::path& output, Diagnostics& diagnostics,
+                             Progress& progress)
+    {
+        const bake::BakeSettings& settings = request.settings;
+        const terrain::SurfaceFeatures features = bake::featuresOf(ground, settings);
+        plan.plan = bake::planWhole({ground, features}, settings, diagnostics, progress);
+        bake::Report report = bake::reportOf(ground, settings, 0);
+        report.bladeScale = plan.plan.plan.scale;
+        plan.id = fmt::format("{}-{:016x}-{}", report.input.hash, digestOf(bake::toJson(settings)),
+                              plan.tiles);
+
+        const fs::path folder = bake::barePath(output).parent_path();
+        std::error_code trouble;
+        fs::create_directories(folder, trouble);
+        if (trouble)
+            fail(ErrorKind::io, "{}: cannot be made: {}", folder.string(), trouble.message());
+        field::writeField(bake::bareField(ground, settings, plan.plan, report),
+                          bake::barePath(output), true);
+        const std::vector<std::vector<bake::CellNumber>> tiles =
+            bake::dealTiles(ground, plan.tiles);
+        const double margin = bake::tileMargin(ground, settings, plan.plan);
+        const std::vector<std::vector<std::uint32_t>> near =
+            bake::trianglesNear(ground, tiles, margin);
+        progress.begin("plan", tiles.size());
+        std::size_t triangles = 0;
+        for (std::uint32_t i = 0; i < tiles.size(); ++i) {
+            bake::writePart(bake::partPath(output, i), plan.id,
+                            {bake::partOf(ground, near[i]),
+                             bake::partOf(ground, features, near[i], margin), tiles[i]});
+            triangles += near[i].size();
+            progress.advance(1);
+        }
+        bake::writePlan(output, plan, request.overwrite);
+        return triangles;
+    }
+
+    BakeOptions options_;
+    std::uint32_t tiles_ = 1;
+};
+
+} // namespace
+
+std::unique_ptr<Subcommand> addPlan(CLI::App& program)
+{
+    return std::make_unique<PlanCommand>(program);
+}
+
+} // namespace sward::apps

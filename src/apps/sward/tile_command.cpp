@@ -1,0 +1,113 @@
+#include "apps/common/interrupt.h"
+#include "apps/common/log_switches.h"
+#include "apps/common/output.h"
+#include "apps/common/progress_bar.h"
+#include "apps/sward/bake_arguments.h"
+#include "apps/sward/excluded_input.h"
+#include "apps/sward/subcommand.h"
+#include "bake/bake_steps.h"
+#include "bake/tile_files.h"
+#include "core/error.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+
+namespace sward::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int mostThreads = 1024;
+
+class TileCommand : public Subcommand {
+public:
+    explicit TileCommand(CLI::App& program)
+        : Subcommand(program, "tile", "Bake one tile of a plan",
+                     "sward tile county.json --index $SLURM_ARRAY_TASK_ID -o tiles")
+    {
+        app().add_option("PLAN", plan_, "What sward plan wrote")->required()->type_name("");
+        app().add_option("--index", index_, "Tile, from 0")->type_name("I")->required();
+        app().add_option("-o,--output", folder_, "Folder of results")->type_name("DIR")->required();
+        app()
+            .add_option("--threads", threads_, "0: as many as the machine has")
+            ->type_name("N")
+            ->check(CLI::Range(0, mostThreads).description(""))
+            ->capture_default_str();
+        app().add_flag("--force", force_, "Bake again what is there already");
+        log_.add(app());
+        log_.addBar(app());
+    }
+
+    int run() const override
+    {
+        log_.apply();
+        const bake::TilePlan plan = bake::readPlan(plan_);
+        if (index_ >= plan.tiles)
+            fail(ErrorKind::usage, "--index {}: {} has tiles 0 to {}", index_, plan_,
+                 plan.tiles - 1);
+        const fs::path output = fs::absolute(bake::tilePath(folder_, index_));
+        const fs::path part = fs::absolute(bake::partPath(plan_, index_));
+        // Who asks twice gets the same file; a damaged one is replaced.
+        if (!force_ && isDone(output, plan.id)) {
+            writeResult(fmt::format("{}: is there already\n", output.string()));
+            return 0;
+        }
+        std::error_code trouble;
+        fs::create_directories(folder_, trouble);
+        if (trouble)
+            fail(ErrorKind::io, "{}: cannot be made: {}", folder_, trouble.message());
+
+        // Files of the settings are named from the folder in which the plan was made.
+        fs::current_path(plan.folder, trouble);
+        BakeRequest request = requestOf(plan.arguments, plan_);
+        Diagnostics diagnostics;
+        loadExcluded(request, diagnostics);
+        const bake::TilePart ground = bake::readPart(part, plan.id);
+        ProgressBar bar(log_.showBar());
+        Progress progress(bar.callback());
+        const CancelOnInterrupt cancel(progress);
+        bake::TileResult tile;
+        if (!ground.cells.empty() && !ground.ground.triangles.empty())
+            bake::withThreads(bake::threadCount(threads_), [&] {
+                const bake::Territory territory(ground.ground.origin, ground.cells);
+                tile = bake::bakeTile({ground.ground, ground.features}, request.settings, plan.plan,
+                                      &territory, progress);
+            });
+        bar.clear();
+        bake::writeTile(output, plan.id, tile);
+        writeResult(fmt::format("{}: {} blades in {} cells\n", output.string(), tile.counts.kept,
+                                tile.cells.size()));
+        return 0;
+    }
+
+private:
+    static bool isDone(const fs::path& output, const std::string& id)
+    {
+        std::error_code ignored;
+        if (!fs::exists(output, ignored))
+            return false;
+        try {
+            bake::readTile(output, id);
+            return true;
+        } catch (const Error&) {
+            return false;
+        }
+    }
+
+    std::string plan_;
+    std::string folder_;
+    std::uint32_t index_ = 0;
+    int threads_ = 0;
+    bool force_ = false;
+    LogSwitches log_;
+};
+
+} // namespace
+
+std::unique_ptr<Subcommand> addTile(CLI::App& program)
+{
+    return std::make_unique<TileCommand>(program);
+}
+
+} // namespace sward::apps

@@ -1,0 +1,118 @@
+#include "bake/bake_tile.h"
+
+#include "bake/blade_traits.h"
+#include "bake/exposure.h"
+#include "bake/local_ranks.h"
+#include "bake/nearest_pair.h"
+#include "bake/poisson_region.h"
+#include "bake/progressive_order.h"
+#include "bake/root_filter.h"
+#include "bake/spatial_order.h"
+#include "core/stopwatch.h"
+#include "terrain/surface_query.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <optional>
+
+namespace sward::bake {
+namespace {
+
+// Roots so far from a tile decide its order and ranks [m].
+constexpr double orderReach = progressiveReach + LocalRanks::reach;
+
+// Minimum distances are looked for up to so many spacings.
+constexpr double pairLimit = 1.25;
+
+// Whether anything at all is asked of rays.
+bool needsRays(const terrain::GroundMesh& ground, const BakeSettings& settings)
+{
+    return settings.exposureRays > 0 || filterNeedsRays(ground, settings) ||
+           growsTufts(settings.meadow);
+}
+
+template <typename Keep>
+void keepIf(Roots& roots, Keep keep)
+{
+    roots.erase(std::remove_if(roots.begin(), roots.end(),
+                               [&](const RootSample& root) { return !keep(root); }),
+                roots.end());
+}
+
+} // namespace
+
+double tileMargin(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                  const BakePlan& plan)
+{
+    // Roots around the tile decide its progressive order; they depend on others around them, and
+    // those on what their filters look at.
+    return (orderReach + rootReach(settings, plan.roots) +
+            reachOf(ground, settings, plan.plan.scale, plan.plan.clumpSpacing)) *
+           1.001;
+}
+
+TileResult bakeTile(const GroundPart& part, const BakeSettings& settings, const BakePlan& plan,
+                    const Territory* tile, Progress& progress)
+{
+    TileResult result;
+    Stopwatch watch;
+    const terrain::GroundMesh& ground = part.ground;
+    std::optional<terrain::SurfaceQuery> query;
+    if (needsRays(ground, settings) && !ground.triangles.empty()) {
+        progress.begin("rays", 1);
+        query.emplace(ground);
+    }
+    const terrain::SurfaceQuery* const rays = query ? &*query : nullptr;
+    result.timing.rays = watch.lap();
+
+    // Roots of the tile, and those around it that have a say in their order.
+    const RootFilter filter(ground, settings, rays, &part.features, plan.plan.scale);
+    Sampling sampling = sampleRoots(ground, settings, filter, plan.roots, progress, tile);
+    result.counts.proposed = sampling.proposed;
+    result.counts.rejected = sampling.rejected;
+    result.timing.sample = watch.lap();
+    Roots& roots = sampling.roots;
+    if (tile != nullptr)
+        keepIf(roots,
+               [&](const RootSample& root) { return tile->isNear(root.position, orderReach); });
+    sortSpatially(ground, roots);
+    if (plan.roots.spacing > 0.0 && roots.size() > 1)
+        result.spacingMinimum = nearestPair(roots, tuningOf(settings).sheetCosine,
+                                            pairLimit * plan.roots.spacing, tile);
+    std::vector<std::uint64_t> order = progressiveOrder(ground, roots);
+    const LocalRanks ranks(ground.origin, roots, order);
+    if (tile != nullptr) {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < roots.size(); ++i)
+            if (tile->holds(roots[i])) {
+                roots[kept] = roots[i];
+                order[kept++] = order[i];
+            }
+        roots.resize(kept);
+        order.resize(kept);
+    }
+    result.counts.kept = roots.size();
+    for (const RootSample& root : roots) {
+        const glm::dvec3 up = settings.groundUp.at(ground.origin + glm::dvec3(root.position));
+        result.counts.undersides += std::uint64_t(glm::dot(glm::dvec3(root.normal), up) < 0.0);
+    }
+    result.timing.patches = watch.lap();
+
+    std::vector<float> exposure;
+    if (settings.exposureRays > 0 && query)
+        exposure = castExposure(roots, ground, settings, settings.rayLength * plan.plan.scale,
+                                *query, progress);
+    result.timing.rays += watch.lap();
+
+    const BladeGrower grower(ground, settings, {plan.plan.scale, plan.plan.area}, filter, rays);
+    result.timing.traits = watch.lap();
+    result.cells = growCells(
+        ground, roots, order, ranks,
+        [&](std::size_t i) { return grower.grow(roots[i], exposure.empty() ? 1.0f : exposure[i]); },
+        progress);
+    result.timing.traits += watch.lap();
+    return result;
+}
+
+} // namespace sward::bake

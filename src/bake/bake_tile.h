@@ -1,0 +1,48 @@
+#pragma once
+
+#include "bake/cell_tree.h"
+#include "bake/plan.h"
+#include "bake/report.h"
+#include "bake/root_source.h"
+#include "bake/settings.h"
+#include "bake/territory.h"
+#include "core/progress.h"
+#include "terrain/ground_mesh.h"
+#include "terrain/surface_features.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace sward::bake {
+
+/// Ground with what its connections tell, found once on the whole: all of it or a part.
+struct GroundPart {
+    const terrain::GroundMesh& ground;
+    const terrain::SurfaceFeatures& features;
+};
+
+/// What is settled once for a whole ground before any tile of it is baked.
+struct BakePlan {
+    Plan plan;
+    RootPlan roots;
+};
+
+/// What became of a tile.
+struct TileResult {
+    std::vector<CellTree> cells;
+    RootCounts counts;
+    double spacingMinimum = 0.0; ///< [m]; 0 unless roots are Poisson disks and there are two
+    Report::Timing timing;
+};
+
+/// Bakes the cells of a tile. `ground` is the whole ground or partOf() it with at least
+/// tileMargin(). A null `tile` means everything.
+TileResult bakeTile(const GroundPart& part, const BakeSettings& settings, const BakePlan& plan,
+                    const Territory* tile, Progress& progress);
+
+/// How far around its cells a tile must know the ground [m].
+double tileMargin(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                  const BakePlan& plan);
+
+} // namespace sward::bake

@@ -1,0 +1,125 @@
+#include "bake/poisson_disk.h"
+
+#include "core/bounds.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sward::bake {
+namespace {
+
+// Side of the lattice's cubes in units of the distance that keeps its regions apart.
+constexpr double sideInAparts = 20.0;
+
+// Where the lattice lies [sides]: not through the world's origin, where much ground is flat.
+constexpr double latticeOffset = 0.377;
+
+// Farthest that a point of a triangle lies from its centroid, in units of its longest edge.
+constexpr double fromCentroid = 2.0 / 3.0;
+
+double extentOf(const terrain::GroundMesh& ground)
+{
+    const Aabb box = ground.bounds();
+    double extent = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        extent =
+            std::max({extent, std::fabs(double(box.low[axis])), std::fabs(double(box.high[axis]))});
+    return extent;
+}
+
+// How far apart regions must be: as wide as disks are, and parts are of the region of their centre.
+double apartOf(double spacing, bool filtered, const PoissonTuning& tuning)
+{
+    const double widest = filtered ? tuning.widest : 1.0;
+    return spacing * (1.0001 * widest + 2.0 * fromCentroid * tuning.fragmentEdge);
+}
+
+PoissonLattice latticeFor(double spacing, bool filtered, const PoissonTuning& tuning, double extent)
+{
+    const double apart = apartOf(spacing, filtered, tuning);
+    return {sideInAparts * apart, latticeOffset * sideInAparts * apart, apart, extent};
+}
+
+} // namespace
+
+PoissonDisk::PoissonDisk(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                         const RootFilter& filter, double spacing, bool filtered,
+                         const PoissonTuning& tuning)
+    : ground_(ground)
+    , settings_(settings)
+    , filter_(filter)
+    , spacing_(spacing)
+    , filtered_(filtered)
+    , tuning_(tuning)
+    , lattice_(latticeFor(spacing, filtered, tuning, extentOf(ground)))
+{
+}
+
+double PoissonDisk::reach(double spacing, bool filtered, const PoissonTuning& tuning)
+{
+    return latticeFor(spacing, filtered, tuning, 0.0).reach();
+}
+
+Sampling PoissonDisk::sample(Progress& progress, const Territory* counted) const
+{
+    const std::vector<RegionPiece> pieces =
+        piecesByRegion(ground_, settings_.sides, lattice_, tuning_.fragmentEdge * spacing_);
+    progress.begin("sample", pieces.size());
+
+    // First piece of each region.
+    std::vector<std::size_t> first;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        if (i == 0 || pieces[i].region != pieces[i - 1].region)
+            first.push_back(i);
+    first.push_back(pieces.size());
+    const std::size_t regions = first.size() - 1;
+
+    tbb::enumerable_thread_specific<RegionFiller> fillers([&] {
+        return RegionFiller(ground_, settings_.seed, filter_, lattice_, spacing_, filtered_,
+                            tuning_, counted);
+    });
+    DiskIndex disks(0.5 * lattice_.side());
+    Sampling result;
+    std::vector<RegionResult> filled(regions);
+    for (std::size_t begin = 0; begin < regions;) {
+        // All regions of one kind at once.
+        const int kind = PoissonLattice::kindOf(pieces[first[begin]].region);
+        std::size_t end = begin;
+        while (end < regions && PoissonLattice::kindOf(pieces[first[end]].region) == kind)
+            ++end;
+        tbb::parallel_for(begin, end, [&](std::size_t r) {
+            const std::span<const RegionPiece> own(pieces.data() + first[r],
+                                                   first[r + 1] - first[r]);
+            filled[r] = fillers.local().fill(own, disks);
+            progress.advance(own.size());
+        });
+        if (kind != 3)
+            for (std::size_t r = begin; r < end; ++r)
+                for (std::size_t i = 0; i < filled[r].roots.size(); ++i) {
+                    const RootSample& root = filled[r].roots[i];
+                    disks.add({root.position, filled[r].radii[i], root.normal});
+                }
+        begin = end;
+    }
+
+    std::size_t total = 0;
+    for (const RegionResult& region : filled)
+        total += region.roots.size();
+    result.roots.reserve(total);
+    for (RegionResult& region : filled) {
+        result.proposed += region.thrown;
+        for (std::size_t i = 0; i < rejectCount; ++i)
+            result.rejected[i] += region.rejected[i];
+        for (std::size_t i = 0; i < region.roots.size(); ++i)
+            if (region.bears[i] != 0)
+                result.roots.push_back(region.roots[i]);
+        region = {};
+    }
+    return result;
+}
+
+} // namespace sward::bake

@@ -1,0 +1,499 @@
+#include "bake/poisson_region.h"
+
+#include "bake/triangle_points.h"
+#include "core/random.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace sward::bake {
+namespace {
+
+// Keys of the random numbers of darts and of the order of parts.
+constexpr std::uint64_t dartSalt = 0x64617274ULL;
+constexpr std::uint64_t orderSalt = 0x6f72646572ULL;
+
+constexpr std::uint64_t golden = 0x9e3779b97f4a7c15U;
+
+// Width of the cells in which a region's disks are looked up, in spacings.
+constexpr double cellWidth = 2.0;
+
+// A region is smooth if all its normals lie within 36° of their mean: no two of them can then be
+// taken for different sheets.
+constexpr double smoothCosine = 0.81;
+
+// What rounding to single precision does to a place, relative to its coordinates, with room.
+constexpr double relativeSlack = 0x1.0p-21;
+
+double largest(const glm::dvec3& v)
+{
+    return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+}
+
+} // namespace
+
+// A region while it is filled.
+class RegionFiller::Room {
+public:
+    Room(const terrain::GroundMesh& ground, std::uint64_t seed, const RootFilter& filter,
+         const PoissonLattice& lattice, double spacing, bool filtered, const PoissonTuning& tuning,
+         const Territory* counted)
+        : ground_(ground)
+        , seed_(seed)
+        , filter_(filter)
+        , lattice_(lattice)
+        , spacing_(spacing)
+        , widest_(filtered ? tuning.widest * spacing : spacing)
+        , tuning_(tuning)
+        , counted_(counted)
+    {
+    }
+
+    RegionResult fill(std::span<const RegionPiece> pieces, const DiskIndex& before)
+    {
+        RegionResult result;
+        pass_ = 0;
+        gatherParts(pieces);
+        if (parts_.empty())
+            return result;
+        gatherDisks(before);
+        for (pass_ = 0; pass_ < PoissonTuning::passes; ++pass_)
+            if (const int rounds = tuning_.rounds[std::size_t(pass_)]; rounds > 0) {
+                if (pass_ > 0)
+                    quarter();
+                for (int round = 0; round < rounds; ++round)
+                    throwRound(round, result);
+            }
+        return result;
+    }
+
+private:
+    // A triangle that has parts in the region.
+    struct Sheet {
+        glm::dvec3 corner, first, second;
+        std::uint32_t triangle;
+        std::uint32_t source;
+        int level;
+        bool back;
+        std::uint64_t key;   // of random numbers
+        std::uint64_t tries; // for one part in one round, times 2³²
+        std::array<std::uint32_t, PoissonTuning::passes> firstNumber; // of candidates in a pass
+        double slack;                                                 // of places [m]
+    };
+
+    // One of the 4^(level + pass) parts of its triangle.
+    struct Part {
+        std::uint32_t sheet;
+        std::uint16_t column;
+        std::uint16_t row;
+        bool turned;
+        bool open;
+    };
+
+    struct Entry {
+        glm::vec3 position;
+        float radius;
+        std::uint32_t next;
+        glm::vec3 normal;
+    };
+    static constexpr std::uint32_t noEntry = std::numeric_limits<std::uint32_t>::max();
+
+    void gatherParts(std::span<const RegionPiece> pieces);
+    void gatherDisks(const DiskIndex& before);
+    void quarter();
+    void throwRound(int round, RegionResult& result);
+    void throwAt(Part& part, int round, RegionResult& result);
+    void throwDart(Part& part, const Fragment& fragment, std::uint32_t candidate,
+                   RegionResult& result);
+    void insert(const glm::vec3& position, float radius, const glm::vec3& normal);
+    const Entry* blocker(const glm::vec3& position, float radius, const glm::vec3* normal) const;
+    bool covers(const Entry& disk, const Sheet& sheet, const Fragment& fragment) const;
+    Fragment fragmentOf(const Part& part) const
+    {
+        return fragmentAt(sheets_[part.sheet].level + pass_, part.column, part.row, part.turned);
+    }
+    glm::dvec3 placeOf(const Sheet& sheet, double b, double c) const
+    {
+        return sheet.corner + b * sheet.first + c * sheet.second;
+    }
+    glm::ivec3 cellOf(const glm::vec3& position) const
+    {
+        return glm::ivec3((position - low_) * perCell_);
+    }
+    std::size_t headOf(const glm::ivec3& cell) const
+    {
+        return (std::size_t(cell.z) * std::size_t(cells_.y) + std::size_t(cell.y)) *
+                   std::size_t(cells_.x) +
+               std::size_t(cell.x);
+    }
+
+    const terrain::GroundMesh& ground_;
+    std::uint64_t seed_;
+    const RootFilter& filter_;
+    const PoissonLattice& lattice_;
+    double spacing_;
+    double widest_;
+    const PoissonTuning& tuning_;
+    const Territory* counted_;
+
+    std::vector<Sheet> sheets_;
+    std::vector<Part> parts_;
+    std::vector<Part> next_;
+    std::vector<Entry> entries_;
+    std::vector<std::uint32_t> heads_;
+    glm::vec3 low_{0.0f};
+    float perCell_ = 1.0f;
+    glm::ivec3 cells_{0};
+    bool smooth_ = false;
+    int pass_ = 0;
+};
+
+void RegionFiller::Room::gatherParts(std::span<const RegionPiece> pieces)
+{
+    sheets_.clear();
+    parts_.clear();
+    for (const RegionPiece& piece : pieces) {
+        if (sheets_.empty() || sheets_.back().triangle != piece.triangle ||
+            sheets_.back().back != piece.back) {
+            const glm::uvec3 corners = ground_.triangles[piece.triangle];
+            Sheet sheet;
+            sheet.corner = glm::dvec3(ground_.positions[corners.x]);
+            sheet.first = glm::dvec3(ground_.positions[corners.y]) - sheet.corner;
+            sheet.second = glm::dvec3(ground_.positions[corners.z]) - sheet.corner;
+            sheet.triangle = piece.triangle;
+            sheet.source = ground_.source(piece.triangle);
+            sheet.back = piece.back;
+            sheet.key = hashBits(seed_ ^ orderSalt,
+                                 std::uint64_t(sheet.source) << 1 | std::uint64_t(piece.back));
+            sheet.level = fragmentLevel(ground_, piece.triangle, tuning_.fragmentEdge * spacing_);
+            const double area = ground_.area(piece.triangle) / double(1ULL << (2 * sheet.level));
+            const double tries = area / (tuning_.areaPerDart * spacing_ * spacing_);
+            sheet.tries = static_cast<std::uint64_t>(tries * 0x1.0p32);
+            // Candidates are numbered pass by pass.
+            std::uint64_t number = 0;
+            for (int pass = 0; pass < PoissonTuning::passes; ++pass) {
+                sheet.firstNumber[std::size_t(pass)] = static_cast<std::uint32_t>(number);
+                number +=
+                    static_cast<std::uint64_t>(tuning_.rounds[std::size_t(pass)] * tries + 1.0)
+                    << 2 * (sheet.level + pass);
+            }
+            sheet.slack = relativeSlack *
+                          (largest(sheet.corner) + largest(sheet.first) + largest(sheet.second));
+            sheets_.push_back(sheet);
+        }
+        const Sheet& sheet = sheets_.back();
+        const auto index = static_cast<std::uint32_t>(sheets_.size() - 1);
+        const auto place = [&](std::uint32_t column, std::uint32_t row, bool turned) {
+            if (!piece.whole) {
+                const Fragment fragment = fragmentAt(sheet.level, column, row, turned);
+                const double third = double(fragment.size) / 3.0;
+                const glm::dvec3 middle =
+                    placeOf(sheet, double(fragment.b) + third, double(fragment.c) + third);
+                if (lattice_.regionOf(middle) != piece.region)
+                    return;
+            }
+            parts_.push_back({index, static_cast<std::uint16_t>(column),
+                              static_cast<std::uint16_t>(row), turned, true});
+        };
+        forEachPart(piece, sheet.level, place);
+    }
+}
+
+void RegionFiller::Room::gatherDisks(const DiskIndex& before)
+{
+    // The box of all places that darts can hit.
+    glm::dvec3 low(std::numeric_limits<double>::max());
+    glm::dvec3 high(std::numeric_limits<double>::lowest());
+    for (const Part& part : parts_) {
+        const Sheet& sheet = sheets_[part.sheet];
+        const Fragment fragment = fragmentOf(part);
+        const auto b = double(fragment.b);
+        const auto c = double(fragment.c);
+        const auto size = double(fragment.size);
+        for (const glm::dvec3& corner :
+             {placeOf(sheet, b, c), placeOf(sheet, b + size, c), placeOf(sheet, b, c + size)}) {
+            low = glm::min(low, corner);
+            high = glm::max(high, corner);
+        }
+    }
+    // Cells reach as far around it as a disk does.
+    const double margin = widest_ + largest(glm::max(glm::abs(low), glm::abs(high))) * 1e-6;
+    low -= margin;
+    high += margin;
+    const double width = cellWidth * spacing_;
+    low_ = glm::vec3(low);
+    perCell_ = static_cast<float>(1.0 / width);
+    cells_ = glm::ivec3(glm::ceil((high - low) / width)) + 2;
+    heads_.assign(std::size_t(cells_.x) * std::size_t(cells_.y) * std::size_t(cells_.z), noEntry);
+    entries_.clear();
+
+    // Are all normals of one mind?
+    glm::dvec3 sum(0.0);
+    for (const Sheet& sheet : sheets_) {
+        const glm::dvec3 face = ground_.faceNormal(sheet.triangle);
+        sum += sheet.back ? -face : face;
+    }
+    const double length = std::sqrt(glm::dot(sum, sum));
+    smooth_ = length > 0.0;
+    const glm::dvec3 axis = smooth_ ? sum / length : sum;
+    const auto agrees = [&](const glm::dvec3& normal) {
+        return glm::dot(normal, axis) > smoothCosine;
+    };
+    for (std::size_t i = 0; i < sheets_.size() && smooth_; ++i) {
+        const Sheet& sheet = sheets_[i];
+        const double sign = sheet.back ? -1.0 : 1.0;
+        const glm::uvec3 corners = ground_.triangles[sheet.triangle];
+        smooth_ = agrees(sign * ground_.faceNormal(sheet.triangle)) &&
+                  agrees(sign * glm::dvec3(ground_.normals[corners.x])) &&
+                  agrees(sign * glm::dvec3(ground_.normals[corners.y])) &&
+                  agrees(sign * glm::dvec3(ground_.normals[corners.z]));
+    }
+
+    before.forEachIn(low, high, [&](const Disk& disk) {
+        const glm::dvec3 place(disk.position);
+        for (std::size_t i = 0; i < 3; ++i)
+            if (place[i] <= low[i] || place[i] >= high[i])
+                return;
+        smooth_ = smooth_ && agrees(glm::dvec3(disk.normal));
+        insert(disk.position, disk.radius, disk.normal);
+    });
+}
+
+// Replaces the parts that are still open by their quarters; `pass_` is that of the quarters.
+void RegionFiller::Room::quarter()
+{
+    next_.clear();
+    for (const Part& part : parts_) {
+        if (!part.open)
+            continue;
+        const std::uint32_t column = 2U * part.column;
+        const std::uint32_t row = 2U * part.row;
+        const auto add = [&](std::uint32_t i, std::uint32_t j, bool turned) {
+            next_.push_back({part.sheet, static_cast<std::uint16_t>(column + i),
+                             static_cast<std::uint16_t>(row + j), turned, true});
+        };
+        const std::uint32_t far = part.turned ? 1 : 0;
+        add(far, far, part.turned);
+        add(far, far, !part.turned);
+        add(1 - far, far, part.turned);
+        add(far, 1 - far, part.turned);
+    }
+    parts_.swap(next_);
+}
+
+// Visits the parts in an order that has nothing to do with the mesh's: strides of the golden ratio.
+void RegionFiller::Room::throwRound(int round, RegionResult& result)
+{
+    const std::size_t count = parts_.size();
+    if (count == 0)
+        return;
+    std::size_t stride =
+        std::max<std::size_t>(1, static_cast<std::size_t>(0.6180339887498949 * double(count)));
+    while (std::gcd(stride, count) != 1)
+        ++stride;
+    for (std::size_t i = 0, at = 0; i < count; ++i) {
+        if (parts_[at].open)
+            throwAt(parts_[at], round, result);
+        at += stride;
+        if (at >= count)
+            at -= count;
+    }
+}
+
+void RegionFiller::Room::throwAt(Part& part, int round, RegionResult& result)
+{
+    const Sheet& sheet = sheets_[part.sheet];
+    // As many tries as the part's area is worth, rounded by the part's own random number.
+    const std::uint32_t number =
+        partNumber(sheet.level + pass_, part.column, part.row, part.turned);
+    const std::uint64_t share = mixBits(sheet.key + number * golden +
+                                        (pass_ == 0   ? 0U
+                                         : pass_ == 1 ? 1U
+                                                      : 2U)) >>
+                                32;
+    const auto rounds = static_cast<std::uint64_t>(round);
+    const auto first = static_cast<std::uint32_t>((rounds * sheet.tries + share) >> 32);
+    const auto last = static_cast<std::uint32_t>(((rounds + 1) * sheet.tries + share) >> 32);
+    for (std::uint32_t i = first; i < last && part.open; ++i)
+        throwDart(part, fragmentOf(part),
+                  sheet.firstNumber[std::size_t(pass_)] + (i << 2 * (sheet.level + pass_)) + number,
+                  result);
+}
+
+void RegionFiller::Room::throwDart(Part& part, const Fragment& fragment, std::uint32_t candidate,
+                                   RegionResult& result)
+{
+    const Sheet& sheet = sheets_[part.sheet];
+    if (sheet.back)
+        candidate |= backSide;
+    const std::uint64_t bits =
+        hashBits(seed_ ^ dartSalt, std::uint64_t(sheet.source) << 32 | candidate);
+    double u = double(bits >> 32) * 0x1.0p-32;
+    double v = double(bits & 0xffffffffU) * 0x1.0p-32;
+    if (u + v > 1.0) {
+        u = 1.0 - u;
+        v = 1.0 - v;
+    }
+    const auto size = double(fragment.size);
+    const auto b = static_cast<float>(double(fragment.b) + size * u);
+    const auto c = static_cast<float>(double(fragment.c) + size * v);
+
+    const glm::vec3 position(placeOf(sheet, double(b), double(c)));
+    const auto counts = std::uint64_t(counted_ == nullptr || counted_->holds(position));
+    result.thrown += counts;
+    const auto reject = [&](Reject reason) {
+        result.rejected[static_cast<std::size_t>(reason)] += counts;
+    };
+
+    // Where less density is wanted, fewer darts fly and disks are wider in proportion.
+    RootSample root;
+    float radius = static_cast<float>(spacing_);
+    bool bears = true;
+    Reject whyThinned = Reject::mask;
+    const bool asks = filter_.asksAnything();
+    if (asks || !smooth_)
+        root = TrianglePoints(ground_, sheet.triangle).at(b, c, candidate);
+    if (asks) {
+        const double least = 1.0 / (tuning_.widest * tuning_.widest);
+        const std::uint64_t more = mixBits(bits ^ golden);
+        const double draw = double(more >> 32) * 0x1.0p-32;
+        const double chance = draw < least ? 0.0 : draw;
+        Reject reason = Reject::mask;
+        const double weight = filter_.weigh(root, chance, reason);
+        if (weight <= chance) {
+            reject(reason);
+            return;
+        }
+        const double wanted = std::max(weight, least);
+        const double thinning = double(more & 0xffffffffU) * 0x1.0p-32 * wanted;
+        bears = thinning < weight;
+        if (!bears)
+            filter_.weigh(root, thinning, whyThinned);
+        radius = static_cast<float>(spacing_ / std::sqrt(wanted));
+    }
+
+    if (const Entry* disk = blocker(position, radius, smooth_ ? nullptr : &root.normal)) {
+        reject(Reject::spacing);
+        if (covers(*disk, sheet, fragment))
+            part.open = false;
+        return;
+    }
+    if (asks) {
+        if (const std::optional<Reject> obstacle = filter_.obstacle(root)) {
+            reject(*obstacle);
+            return;
+        }
+    } else if (smooth_) {
+        root = TrianglePoints(ground_, sheet.triangle).at(b, c, candidate);
+    }
+    insert(position, radius, root.normal);
+    if (!bears)
+        reject(whyThinned);
+    result.roots.push_back(root);
+    result.radii.push_back(radius);
+    result.bears.push_back(bears ? 1 : 0);
+    if (covers(entries_.back(), sheet, fragment))
+        part.open = false;
+}
+
+void RegionFiller::Room::insert(const glm::vec3& position, float radius, const glm::vec3& normal)
+{
+    std::uint32_t& head = heads_[headOf(cellOf(position))];
+    entries_.push_back({position, radius, head, normal});
+    head = static_cast<std::uint32_t>(entries_.size() - 1);
+}
+
+// A disk that keeps away a root with a disk of this radius; null if there is none.
+const RegionFiller::Room::Entry*
+RegionFiller::Room::blocker(const glm::vec3& position, float radius, const glm::vec3* normal) const
+{
+    // Never nearer than the radius, whatever the last bits say.
+    constexpr float generous = 1.000002f;
+    const auto blockerIn = [&](const glm::ivec3& cell) -> const Entry* {
+        for (std::uint32_t i = heads_[headOf(cell)]; i != noEntry;) {
+            const Entry& entry = entries_[i];
+            i = entry.next;
+            const float dx = entry.position.x - position.x;
+            const float dy = entry.position.y - position.y;
+            const float dz = entry.position.z - position.z;
+            const float reach = std::min(entry.radius, radius);
+            if (dx * dx + dy * dy + dz * dz >= reach * reach * generous)
+                continue;
+            if (normal != nullptr && double(glm::dot(*normal, entry.normal)) < tuning_.sheetCosine)
+                continue;
+            return &entry;
+        }
+        return nullptr;
+    };
+    // Most likely it is in the same cell.
+    const glm::ivec3 own = cellOf(position);
+    if (const Entry* entry = blockerIn(own))
+        return entry;
+    const glm::ivec3 first = cellOf(position - radius);
+    const glm::ivec3 last = cellOf(position + radius);
+    for (int z = first.z; z <= last.z; ++z)
+        for (int y = first.y; y <= last.y; ++y)
+            for (int x = first.x; x <= last.x; ++x)
+                if (x != own.x || y != own.y || z != own.z)
+                    if (const Entry* entry = blockerIn({x, y, z}))
+                        return entry;
+    return nullptr;
+}
+
+// Whether no root can stand anywhere on the part any more because of this one disk.
+bool RegionFiller::Room::covers(const Entry& disk, const Sheet& sheet,
+                                const Fragment& fragment) const
+{
+    const double reach = spacing_ - sheet.slack; // no disk is smaller
+    if (reach <= 0.0)
+        return false;
+    const auto b = double(fragment.b);
+    const auto c = double(fragment.c);
+    const auto size = double(fragment.size);
+    const glm::dvec3 middle(disk.position);
+    const auto near = [&](const glm::dvec3& corner) {
+        const glm::dvec3 offset = corner - middle;
+        return glm::dot(offset, offset) <= reach * reach;
+    };
+    if (!near(placeOf(sheet, b, c)) || !near(placeOf(sheet, b + size, c)) ||
+        !near(placeOf(sheet, b, c + size)))
+        return false;
+    if (smooth_)
+        return true;
+    // On another sheet nothing is covered.
+    const double sign = sheet.back ? -1.0 : 1.0;
+    const glm::uvec3 corners = ground_.triangles[sheet.triangle];
+    const glm::dvec3 normal = sign * glm::dvec3(disk.normal);
+    const double least = tuning_.sheetCosine + 1e-6;
+    return glm::dot(ground_.faceNormal(sheet.triangle), normal) > least &&
+           glm::dot(glm::dvec3(ground_.normals[corners.x]), normal) > least &&
+           glm::dot(glm::dvec3(ground_.normals[corners.y]), normal) > least &&
+           glm::dot(glm::dvec3(ground_.normals[corners.z]), normal) > least;
+}
+
+PoissonTuning tuningOf(const BakeSettings& settings)
+{
+    return settings.spread == Spread::poissonDense ? PoissonTuning::dense() : PoissonTuning::fast();
+}
+
+RegionFiller::RegionFiller(const terrain::GroundMesh& ground, std::uint64_t seed,
+                           const RootFilter& filter, const PoissonLattice& lattice, double spacing,
+                           bool filtered, const PoissonTuning& tuning, const Territory* counted)
+    : room_(
+          std::make_unique<Room>(ground, seed, filter, lattice, spacing, filtered, tuning, counted))
+{
+}
+
+RegionFiller::~RegionFiller() = default;
+
+RegionResult RegionFiller::fill(std::span<const RegionPiece> pieces, const DiskIndex& before)
+{
+    return room_->fill(pieces, before);
+}
+
+} // namespace sward::bake

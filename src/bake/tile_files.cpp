@@ -1,0 +1,207 @@
+#include "bake/tile_files.h"
+
+#include "core/error.h"
+#include "core/mapped_file.h"
+#include "core/settings_json.h"
+#include "terrain/ground_file.h"
+#include "terrain/record_file.h"
+
+#include <nlohmann/json.hpp>
+
+namespace sward::bake {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+// Eight letters each; the last two are the version.
+constexpr const char* partKind = "SWPART01";
+constexpr const char* tileKind = "SWTILE01";
+constexpr const char* planFormat = "sward plan 1";
+
+constexpr std::size_t planLimit = std::size_t(16) << 20;
+constexpr std::uint32_t mostTiles = 1'000'000;
+
+struct TileNumbers {
+    RootCounts counts;
+    double spacingMinimum;
+    double rays, sample, traits, patches; // [s]
+};
+
+struct CellHeader {
+    CellNumber cell;
+    SubtreeDescription::Summary summary;
+    std::uint64_t patches;
+    std::uint64_t blades;
+};
+
+void requireId(const std::string& found, const std::string& wanted, const fs::path& path)
+{
+    if (found != wanted)
+        fail(ErrorKind::input, "{}: belongs to plan {}, not {}", path.string(), found, wanted);
+}
+
+fs::path folderOf(const fs::path& plan)
+{
+    return fs::path(plan).replace_extension(".parts");
+}
+
+} // namespace
+
+void writePlan(const fs::path& path, const TilePlan& plan, bool overwrite)
+{
+    const json object = {{"format", planFormat},
+                         {"id", plan.id},
+                         {"tiles", plan.tiles},
+                         {"arguments", plan.arguments},
+                         {"folder", plan.folder},
+                         {"resolved",
+                          {{"scale", plan.plan.plan.scale},
+                           {"density", plan.plan.plan.density},
+                           {"expected", plan.plan.plan.expected},
+                           {"spacing", plan.plan.plan.spacing},
+                           {"clump_spacing", plan.plan.plan.clumpSpacing},
+                           {"area", plan.plan.plan.area},
+                           {"root_density", plan.plan.roots.amount.density},
+                           {"root_priority", plan.plan.roots.amount.priority},
+                           {"root_last_key", plan.plan.roots.amount.lastKey},
+                           {"root_spacing", plan.plan.roots.spacing},
+                           {"root_filtered", plan.plan.roots.filtered}}}};
+    writeTextFile(path, object.dump(2) + "\n", overwrite);
+}
+
+TilePlan readPlan(const fs::path& path)
+{
+    const std::vector<std::byte> bytes = readFile(path, planLimit);
+    const std::string name = path.string();
+    const json object =
+        parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name);
+    try {
+        if (object.at("format") != planFormat)
+            fail(ErrorKind::unsupported, "{}: is \"{}\", not \"{}\"", name,
+                 object.at("format").dump(), planFormat);
+        TilePlan plan;
+        plan.id = object.at("id").get<std::string>();
+        plan.tiles = object.at("tiles").get<std::uint32_t>();
+        plan.arguments = object.at("arguments").get<std::vector<std::string>>();
+        plan.folder = object.at("folder").get<std::string>();
+        const json& resolved = object.at("resolved");
+        const auto number = [&](const char* key) { return resolved.at(key).get<double>(); };
+        plan.plan.plan.scale = number("scale");
+        plan.plan.plan.density = number("density");
+        plan.plan.plan.expected = number("expected");
+        plan.plan.plan.spacing = number("spacing");
+        plan.plan.plan.clumpSpacing = number("clump_spacing");
+        plan.plan.plan.area = number("area");
+        plan.plan.roots.amount.density = number("root_density");
+        plan.plan.roots.amount.priority = number("root_priority");
+        plan.plan.roots.amount.lastKey = resolved.at("root_last_key").get<std::uint64_t>();
+        plan.plan.roots.spacing = number("root_spacing");
+        plan.plan.roots.filtered = resolved.at("root_filtered").get<bool>();
+        if (plan.tiles == 0 || plan.tiles > mostTiles)
+            fail(ErrorKind::input, "{}: {} tiles, outside [1, {}]", name, plan.tiles, mostTiles);
+        return plan;
+    } catch (const json::exception& error) {
+        fail(ErrorKind::input, "{}: {}", name, error.what());
+    }
+}
+
+fs::path partPath(const fs::path& plan, std::uint32_t tile)
+{
+    return folderOf(plan) / fmt::format("part-{:06}.ground", tile);
+}
+
+fs::path barePath(const fs::path& plan)
+{
+    return folderOf(plan) / "bare.sward";
+}
+
+void writePart(const fs::path& path, const std::string& id, const TilePart& part)
+{
+    terrain::RecordWriter writer(path, partKind, true);
+    writer.add(std::string_view(id));
+    writer.add(part.cells);
+    writer.add(part.features.curvature);
+    writer.add(part.features.islandArea);
+    writer.add(part.features.borders);
+    terrain::write(writer, part.ground);
+    writer.commit();
+}
+
+TilePart readPart(const fs::path& path, const std::string& id)
+{
+    terrain::RecordReader reader(path, partKind);
+    std::string own;
+    reader.read(own);
+    requireId(own, id, path);
+    TilePart part;
+    reader.read(part.cells);
+    reader.read(part.features.curvature);
+    reader.read(part.features.islandArea);
+    reader.read(part.features.borders);
+    part.ground = terrain::readGround(reader, path.string());
+    const auto fits = [](std::size_t features, std::size_t all) {
+        return features == 0 || features == all;
+    };
+    if (!fits(part.features.curvature.size(), part.ground.positions.size()) ||
+        !fits(part.features.islandArea.size(), part.ground.triangles.size()))
+        fail(ErrorKind::input, "{}: what is said of the surface does not fit its mesh",
+             path.string());
+    return part;
+}
+
+fs::path tilePath(const fs::path& folder, std::uint32_t tile)
+{
+    return folder / fmt::format("tile-{:06}.blades", tile);
+}
+
+void writeTile(const fs::path& path, const std::string& id, const TileResult& tile)
+{
+    terrain::RecordWriter writer(path, tileKind, true);
+    writer.add(std::string_view(id));
+    writer.addOne(TileNumbers{tile.counts, tile.spacingMinimum, tile.timing.rays,
+                              tile.timing.sample, tile.timing.traits, tile.timing.patches});
+    writer.addOne(static_cast<std::uint64_t>(tile.cells.size()));
+    for (const CellTree& cell : tile.cells) {
+        writer.addOne(CellHeader{cell.cell, cell.summary, cell.patches.size(), cell.blades.size()});
+        writer.add(cell.patches);
+        writer.add(cell.blades);
+        writer.add(cell.keys);
+    }
+    writer.commit();
+}
+
+TileResult readTile(const fs::path& path, const std::string& id)
+{
+    terrain::RecordReader reader(path, tileKind);
+    std::string own;
+    reader.read(own);
+    requireId(own, id, path);
+    TileResult tile;
+    TileNumbers numbers = {};
+    reader.readOne(numbers);
+    tile.counts = numbers.counts;
+    tile.spacingMinimum = numbers.spacingMinimum;
+    tile.timing.rays = numbers.rays;
+    tile.timing.sample = numbers.sample;
+    tile.timing.traits = numbers.traits;
+    tile.timing.patches = numbers.patches;
+    std::uint64_t cells = 0;
+    for (reader.readOne(cells); cells > 0; --cells) {
+        CellTree& cell = tile.cells.emplace_back();
+        CellHeader header = {};
+        reader.readOne(header);
+        cell.cell = header.cell;
+        cell.summary = header.summary;
+        reader.read(cell.patches);
+        reader.read(cell.blades);
+        reader.read(cell.keys);
+        if (cell.patches.size() != header.patches || cell.blades.size() != header.blades ||
+            cell.keys.size() != header.blades)
+            fail(ErrorKind::input, "{}: a cell's arrays do not have the lengths it says",
+                 path.string());
+    }
+    return tile;
+}
+
+} // namespace sward::bake

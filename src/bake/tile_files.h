@@ -1,0 +1,52 @@
+#pragma once
+
+#include "bake/bake_steps.h"
+#include "bake/bake_tile.h"
+#include "bake/territory.h"
+#include "terrain/ground_mesh.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sward::bake {
+
+/// A bake that is spread over machines: what `plan` settles and every tile needs. Its file is JSON;
+/// beside it lie the parts of the ground, one for each tile, and a field without blades.
+struct TilePlan {
+    std::string id;                     ///< of ground, settings and tiles; tiles carry it
+    std::vector<std::string> arguments; ///< of the bake, to be read again
+    std::string folder;                 ///< in which files of the arguments are looked for
+    std::uint32_t tiles = 0;
+    BakePlan plan;
+};
+
+/// The part of the ground that a tile needs, and its cells.
+struct TilePart {
+    terrain::GroundMesh ground;
+    terrain::SurfaceFeatures features;
+    std::vector<CellNumber> cells;
+};
+
+/// Reads and writes what lies on the disk between plan, tile and merge. Every file appears whole or
+/// not at all. Reading throws Error{io} for what is missing and Error{input} for what is damaged.
+void writePlan(const std::filesystem::path& path, const TilePlan& plan, bool overwrite);
+TilePlan readPlan(const std::filesystem::path& path);
+
+/// Where the parts of a plan lie, and its field without blades.
+std::filesystem::path partPath(const std::filesystem::path& plan, std::uint32_t tile);
+std::filesystem::path barePath(const std::filesystem::path& plan);
+
+void writePart(const std::filesystem::path& path, const std::string& id, const TilePart& part);
+TilePart readPart(const std::filesystem::path& path, const std::string& id);
+
+/// Where the result of a tile lies in the folder of results.
+std::filesystem::path tilePath(const std::filesystem::path& folder, std::uint32_t tile);
+
+void writeTile(const std::filesystem::path& path, const std::string& id, const TileResult& tile);
+
+/// Throws Error{input} too if the tile belongs to another plan.
+TileResult readTile(const std::filesystem::path& path, const std::string& id);
+
+} // namespace sward::bake

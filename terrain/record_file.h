@@ -1,0 +1,90 @@
+#pragma once
+
+#include "core/atomic_file.h"
+#include "core/mapped_file.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace sward::terrain {
+
+/// Writes arrays of plain data one after another, for programs of the same build to read again:
+/// what one part of a long piece of work leaves for the next. The file appears whole or not at all
+/// and ends with a hash of everything in it.
+class RecordWriter {
+public:
+    /// `kind` (eight letters) says what is in the file. Throws Error{io}.
+    RecordWriter(const std::filesystem::path& path, std::string_view kind, bool overwrite);
+    ~RecordWriter();
+
+    template <typename T>
+    void add(std::span<const T> values)
+    {
+        static_assert(std::is_trivially_copyable_v<T>);
+        addBytes(std::as_bytes(values), sizeof(T));
+    }
+    template <typename T, typename A>
+    void add(const std::vector<T, A>& values)
+    {
+        add(std::span<const T>(values.data(), values.size()));
+    }
+    void add(std::string_view text) { add(std::span<const char>(text.data(), text.size())); }
+    template <typename T>
+        requires std::is_trivially_copyable_v<T>
+    void addOne(const T& value)
+    {
+        add(std::span<const T>(&value, 1));
+    }
+
+    /// Writes the hash and puts the file in its place. Throws Error{io}.
+    void commit();
+
+private:
+    void addBytes(std::span<const std::byte> bytes, std::size_t elementBytes);
+
+    struct Hash;
+    AtomicFile file_;
+    std::unique_ptr<Hash> hash_;
+};
+
+/// Reads what RecordWriter wrote, array by array in the same order. Everything is verified before
+/// the first: throws Error{io} if the file cannot be read and Error{input} if it is cut short,
+/// changed or of another kind.
+class RecordReader {
+public:
+    RecordReader(const std::filesystem::path& path, std::string_view kind);
+
+    template <typename T, typename A>
+    void read(std::vector<T, A>& values)
+    {
+        const std::span<const std::byte> bytes = next(sizeof(T));
+        values.resize(bytes.size() / sizeof(T));
+        copy(bytes, values.data());
+    }
+    void read(std::string& text);
+    template <typename T>
+    void readOne(T& value)
+    {
+        std::vector<T> one;
+        read(one);
+        requireOne(one.size());
+        value = one[0];
+    }
+
+private:
+    std::span<const std::byte> next(std::size_t elementBytes);
+    void requireOne(std::size_t count) const;
+    static void copy(std::span<const std::byte> from, void* to);
+
+    std::string name_;
+    MappedFile file_;
+    std::size_t at_ = 0;
+    std::size_t end_ = 0;
+};
+
+} // namespace sward::terrain
