@@ -84,8 +84,9 @@ std::optional<glm::dvec3> flattened(glm::dvec3 vector, glm::dvec3 up)
 }
 
 // Direction the blade leans to: as its clump has it, more or less, else anywhere.
-glm::dvec3 chooseFront(glm::dvec3 up, glm::dvec3 tangent, const SpeciesTraits& species,
-                       const Clumps::Clump* clump, glm::dvec3 place, const Dice& dice)
+glm::dvec3 chooseFront(const terrain::GroundMesh& ground, glm::dvec3 up, glm::dvec3 tangent,
+                       const SpeciesTraits& species, const Clumps::Clump* clump, glm::dvec3 place,
+                       const Dice& dice)
 {
     // The share of a full turn that is left to chance where the clump decides all it may.
     constexpr double outwardFreedom = 0.4;
@@ -96,7 +97,7 @@ glm::dvec3 chooseFront(glm::dvec3 up, glm::dvec3 tangent, const SpeciesTraits& s
         middle = flattened(place - glm::dvec3(clump->centre), up);
         freedom = outwardFreedom;
     } else if (clump != nullptr && species.facing == Facing::shared) {
-        middle = flattened(glm::dvec3(clump->direction), up);
+        middle = flattened(clump->direction(ground), up);
         freedom = sharedFreedom;
     }
     const double spread = middle ? twoPi * (1.0 - (1.0 - freedom) * species.clumping) : twoPi;
@@ -190,7 +191,7 @@ double BladeGrower::roomOver(const RootSample& root, glm::dvec3 up, double heigh
     constexpr double leastShare = 0.05;
     const glm::dvec3 place(root.position);
     const double wanted = height / used;
-    if (query_ == nullptr || !settings_.meadow.fitsOverhangs ||
+    if (query_ == nullptr || !settings_.meadow.fitsOverhangs || wanted <= settings_.clearance ||
         query_->isClear(place, up, wanted, root.triangle))
         return height;
     return std::max(used * query_->clearance(place, up, wanted, root.triangle),
@@ -221,7 +222,7 @@ shared::Blade BladeGrower::grow(const RootSample& root, float exposure) const
                                               glm::dvec3(ground_.positions[corners.y]),
                                               glm::dvec3(ground_.positions[corners.z]));
     const glm::dvec3 front =
-        chooseFront(up, tangent, species, clump, glm::dvec3(place.position), dice);
+        chooseFront(ground_, up, tangent, species, clump, glm::dvec3(place.position), dice);
 
     // Where filters let little grow, it stays low.
     const double sparse = settings_.meadow.sparseHeight;

@@ -28,28 +28,35 @@ constexpr double reachShare = 1.5;
 constexpr std::size_t trianglesPerBlock = 8192;
 constexpr double twoPi = 6.28318530717958648;
 
-glm::ivec3 cellAt(glm::vec3 place, double cellSize)
+// Cells are twice as wide as the reach, so that what is in reach of a place lies in two of them
+// along each axis.
+glm::ivec3 cellAt(const glm::dvec3& place, double reach)
 {
-    return glm::ivec3(glm::floor(glm::dvec3(place) / cellSize));
+    return glm::ivec3(glm::floor(place * (0.5 / reach)));
 }
 
-Clumps::Clump clumpOn(const terrain::GroundMesh& ground, std::size_t triangle, std::uint64_t own)
+glm::vec3 centreOn(const terrain::GroundMesh& ground, std::size_t triangle, std::uint64_t own)
 {
     const glm::uvec3 corners = ground.triangles[triangle];
     const glm::dvec3 p0(ground.positions[corners.x]);
-    const glm::dvec3 p1(ground.positions[corners.y]);
-    const glm::dvec3 p2(ground.positions[corners.z]);
     const double s = std::sqrt(uniform(own, 0, 1));
     const double v = uniform(own, 0, 2);
-
-    const glm::dvec3 normal = ground.faceNormal(triangle);
-    const glm::dvec3 tangent = surfaceTangent(normal, p0, p1, p2);
-    const SinCos turn = exactSinCos(twoPi * uniform(own, 0, 3));
-    return {glm::vec3(p0 + s * (1.0 - v) * (p1 - p0) + s * v * (p2 - p0)),
-            glm::vec3(turn.cos * tangent + turn.sin * glm::cross(normal, tangent)), own};
+    return glm::vec3(p0 + s * (1.0 - v) * (glm::dvec3(ground.positions[corners.y]) - p0) +
+                     s * v * (glm::dvec3(ground.positions[corners.z]) - p0));
 }
 
 } // namespace
+
+glm::dvec3 Clumps::Clump::direction(const terrain::GroundMesh& ground) const
+{
+    const glm::uvec3 corners = ground.triangles[triangle];
+    const glm::dvec3 normal = ground.faceNormal(triangle);
+    const glm::dvec3 tangent = surfaceTangent(normal, glm::dvec3(ground.positions[corners.x]),
+                                              glm::dvec3(ground.positions[corners.y]),
+                                              glm::dvec3(ground.positions[corners.z]));
+    const SinCos turn = exactSinCos(twoPi * uniform(key, 0, 3));
+    return turn.cos * tangent + turn.sin * glm::cross(normal, tangent);
+}
 
 double clumpSpacing(double size, double area)
 {
@@ -60,7 +67,7 @@ Clumps::Clumps(const terrain::GroundMesh& ground, double spacing, std::uint64_t 
 {
     if (spacing <= 0.0)
         return;
-    cellSize_ = reachShare * spacing;
+    reach_ = reachShare * spacing;
     scatter(ground, spacing, hashBits(seed, clumpSalt));
     sortIntoBuckets();
 }
@@ -79,26 +86,32 @@ void Clumps::scatter(const terrain::GroundMesh& ground, double spacing, std::uin
             const std::uint64_t source = ground.source(t);
             const auto count = static_cast<std::uint32_t>(
                 std::floor(density * ground.area(t) + uniform(key, source, 0)));
-            for (std::uint32_t i = 0; i < count; ++i)
-                blocks[block].push_back(clumpOn(ground, t, hashBits(key, source << 32 | i)));
+            for (std::uint32_t i = 0; i < count; ++i) {
+                const std::uint64_t own = hashBits(key, source << 32 | i);
+                blocks[block].push_back(
+                    {centreOn(ground, t, own), static_cast<std::uint32_t>(t), own});
+            }
         }
     });
-    std::size_t count = 0;
-    for (const std::vector<Clump>& block : blocks)
-        count += block.size();
-    clumps_.reserve(count);
-    for (const std::vector<Clump>& block : blocks)
-        clumps_.insert(clumps_.end(), block.begin(), block.end());
+    std::vector<std::size_t> first(blocks.size() + 1, 0);
+    for (std::size_t block = 0; block < blocks.size(); ++block)
+        first[block + 1] = first[block] + blocks[block].size();
+    clumps_.resize(first.back());
+    tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t block) {
+        std::copy(blocks[block].begin(), blocks[block].end(),
+                  clumps_.begin() + std::ptrdiff_t(first[block]));
+    });
 }
 
 void Clumps::sortIntoBuckets()
 {
     // A bucket holds the cells of one hash. Their order inside comes from the threads and does not
     // matter: nearest() tells equals apart by their keys.
-    first_.assign(std::bit_ceil(clumps_.size() + 1) + 1, 0);
+    constexpr std::size_t clumpsPerBucket = 8;
+    first_.assign(std::bit_ceil(clumps_.size() / clumpsPerBucket + 1) + 1, 0);
     std::vector<std::uint32_t> bucket(clumps_.size());
     tbb::parallel_for(std::size_t(0), clumps_.size(), [&](std::size_t i) {
-        const std::size_t own = bucketOf(cellAt(clumps_[i].centre, cellSize_));
+        const std::size_t own = bucketOf(cellAt(glm::dvec3(clumps_[i].centre), reach_));
         bucket[i] = static_cast<std::uint32_t>(own);
         std::atomic_ref(first_[own]).fetch_add(1, std::memory_order_relaxed);
     });
@@ -106,7 +119,7 @@ void Clumps::sortIntoBuckets()
     for (std::uint32_t& count : first_)
         count = sum += count;
     // Now first_ is where each bucket ends; filled backward, it is where it begins.
-    std::vector<Clump> sorted(clumps_.size());
+    UninitializedVector<Clump> sorted(clumps_.size());
     tbb::parallel_for(std::size_t(0), clumps_.size(), [&](std::size_t i) {
         sorted[std::atomic_ref(first_[bucket[i]]).fetch_sub(1, std::memory_order_relaxed) - 1] =
             clumps_[i];
@@ -124,25 +137,36 @@ const Clumps::Clump* Clumps::nearest(glm::vec3 place) const
 {
     if (clumps_.empty())
         return nullptr;
-    const glm::ivec3 middle = cellAt(place, cellSize_);
+    // Of its own cell and those beyond the nearer faces, whatever is nearer than the best so far.
+    const glm::dvec3 at(place);
+    const glm::dvec3 inCells = at * (0.5 / reach_);
+    const glm::dvec3 own = glm::floor(inCells);
+    glm::ivec3 beyond;
+    glm::dvec3 gap; // squared distances of those faces, not too long for rounding
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double inside = inCells[axis] - own[axis];
+        beyond[axis] = inside < 0.5 ? -1 : 1;
+        const double far = (2.0 - 1e-5) * reach_ * (inside < 0.5 ? inside : 1.0 - inside);
+        gap[axis] = far * far;
+    }
     const Clump* best = nullptr;
-    double bestSquared = cellSize_ * cellSize_;
-    // A centre within one cell's width lies in one of the 27 cells around.
-    for (int z = -1; z <= 1; ++z)
-        for (int y = -1; y <= 1; ++y)
-            for (int x = -1; x <= 1; ++x) {
-                const std::size_t bucket = bucketOf(middle + glm::ivec3(x, y, z));
-                for (std::uint32_t i = first_[bucket]; i < first_[bucket + 1]; ++i) {
-                    const Clump& clump = clumps_[i];
-                    const glm::dvec3 offset = glm::dvec3(clump.centre) - glm::dvec3(place);
-                    const double squared = glm::dot(offset, offset);
-                    if (squared < bestSquared ||
-                        (squared == bestSquared && best != nullptr && clump.key < best->key)) {
-                        bestSquared = squared;
-                        best = &clump;
-                    }
-                }
+    float bestSquared = static_cast<float>(reach_ * reach_);
+    for (unsigned i = 0; i < 8; ++i) {
+        const glm::ivec3 step(i & 1, i >> 1 & 1, i >> 2);
+        if (glm::dot(glm::dvec3(step), gap) > double(bestSquared))
+            continue;
+        const std::size_t bucket = bucketOf(glm::ivec3(own) + step * beyond);
+        for (std::uint32_t c = first_[bucket]; c < first_[bucket + 1]; ++c) {
+            const Clump& clump = clumps_[c];
+            const glm::vec3 offset = clump.centre - place;
+            const float squared = glm::dot(offset, offset);
+            if (squared < bestSquared ||
+                (squared == bestSquared && best != nullptr && clump.key < best->key)) {
+                bestSquared = squared;
+                best = &clump;
             }
+        }
+    }
     return best;
 }
 

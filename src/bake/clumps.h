@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/uninitialized.h"
 #include "terrain/ground_mesh.h"
 
 #include <glm/vec3.hpp>
@@ -16,9 +17,12 @@ namespace sward::bake {
 class Clumps {
 public:
     struct Clump {
-        glm::vec3 centre{0.0f};    ///< [m] relative to the ground's origin
-        glm::vec3 direction{0.0f}; ///< unit, along its triangle: where the whole clump looks
-        std::uint64_t key = 0;     ///< for the clump's own random numbers
+        glm::vec3 centre;       ///< [m] relative to the ground's origin
+        std::uint32_t triangle; ///< that it lies on
+        std::uint64_t key;      ///< for the clump's own random numbers
+
+        /// Unit vector along its triangle: where the whole clump looks.
+        glm::dvec3 direction(const terrain::GroundMesh& ground) const;
     };
 
     /// Clumps about `spacing` [m] apart, from clumpSpacing(); none if it is 0.
@@ -28,7 +32,7 @@ public:
     const Clump* nearest(glm::vec3 place) const;
 
     /// How far a blade's clump may be [m].
-    double reach() const { return cellSize_; }
+    double reach() const { return reach_; }
 
     std::size_t size() const { return clumps_.size(); }
 
@@ -37,9 +41,9 @@ private:
     void sortIntoBuckets();
     std::size_t bucketOf(glm::ivec3 cell) const;
 
-    double cellSize_ = 0.0;
-    std::vector<Clump> clumps_;        ///< by bucket, in any order inside
-    std::vector<std::uint32_t> first_; ///< where each bucket begins, and the end
+    double reach_ = 0.0;
+    UninitializedVector<Clump> clumps_; ///< by bucket, in any order inside
+    std::vector<std::uint32_t> first_;  ///< where each bucket begins, and the end
 };
 
 /// Spacing of clumps of typical distance `size` [m] on ground of `area` [m²] that bears: larger

@@ -58,7 +58,7 @@ TEST(Facing, IsSharedByAClumpAndNotByItsNeighbours)
     for (std::size_t i = 0; i < blades.size(); ++i)
         if (const Clumps::Clump* const clump = clumps.nearest(roots[i].position)) {
             // A tenth of a turn is left to chance: 18° to either side.
-            ASSERT_GT(glm::dot(frontOf(blades[i]), clump->direction), 0.94f);
+            ASSERT_GT(glm::dot(glm::dvec3(frontOf(blades[i])), clump->direction(mesh)), 0.94);
             sum += glm::dvec3(frontOf(blades[i]));
         }
     EXPECT_LT(glm::length(sum) / double(blades.size()), 0.15) << "clumps look everywhere";

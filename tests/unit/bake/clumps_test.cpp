@@ -58,7 +58,7 @@ TEST(Clumps, NearestIsNearest)
         const Clumps::Clump* const found = clumps.nearest(place);
         lonely += found == nullptr ? 1 : 0;
         if (found != nullptr) {
-            ASSERT_NEAR(glm::length(glm::dvec3(found->centre) - glm::dvec3(place)), best, 1e-12);
+            ASSERT_NEAR(glm::length(glm::dvec3(found->centre) - glm::dvec3(place)), best, 1e-6);
         }
     }
     EXPECT_LT(lonely, 10);
@@ -89,7 +89,7 @@ TEST(Clumps, OfAPartAreThoseOfTheWhole)
         if (a != nullptr) {
             ASSERT_EQ(a->key, b->key);
             ASSERT_EQ(a->centre, b->centre);
-            ASSERT_EQ(a->direction, b->direction);
+            ASSERT_EQ(a->direction(whole), b->direction(part));
         }
     }
 }
@@ -100,8 +100,9 @@ TEST(Clumps, LookAlongTheGround)
     const Clumps clumps(mesh, 0.4, 5);
     for (std::uint64_t i = 0; i < 500; ++i)
         if (const Clumps::Clump* found = clumps.nearest(placeOn(mesh, i))) {
-            ASSERT_NEAR(glm::length(found->direction), 1.0f, 1e-5f);
-            ASSERT_NEAR(glm::dot(found->direction, glm::normalize(found->centre)), 0.0f, 0.08f);
+            const glm::dvec3 direction = found->direction(mesh);
+            ASSERT_NEAR(glm::length(direction), 1.0, 1e-9);
+            ASSERT_NEAR(glm::dot(direction, glm::normalize(glm::dvec3(found->centre))), 0.0, 0.08);
         }
 }
 
