@@ -37,32 +37,24 @@ constexpr std::size_t moreTries = 32;
 
 // Where so many of a region's roots have been chosen, the rest follows at random: they are close
 // neighbours of others.
-constexpr double enough = 0.9;
+constexpr double enough = 0.7;
 
 // How far the distance to others is looked for, in radii of the level.
 constexpr float sight = 1.25f;
 
 constexpr std::uint8_t notChosen = 255;
+constexpr std::uint8_t lastOfAll = 254; // not chosen either, but done with
 
 // Places that keep others away, found by cells as wide as twice the radius.
 class Grid {
 public:
-    // Covers a box, with nothing in it.
-    void clear(const glm::vec3& low, const glm::vec3& high, float radius)
+    // Makes room for so many places, with nothing in it.
+    void clear(std::size_t places, float radius)
     {
         radius_ = radius;
-        low_ = low - 1.3f * radius;
         perCell_ = 0.5f / radius;
-        cells_ = glm::ivec3(glm::ceil((high + 1.3f * radius - low_) * perCell_)) + 1;
-        heads_.assign(std::size_t(cells_.x) * std::size_t(cells_.y) * std::size_t(cells_.z), none);
+        heads_.assign(std::bit_ceil(std::max<std::size_t>(places, 16)), none);
         entries_.clear();
-    }
-
-    bool holds(const glm::vec3& place) const
-    {
-        const glm::vec3 cell = (place - low_) * perCell_;
-        return cell.x >= 0.0f && cell.y >= 0.0f && cell.z >= 0.0f && cell.x < float(cells_.x) &&
-               cell.y < float(cells_.y) && cell.z < float(cells_.z);
     }
 
     // `distance` is how far the root was from others when it was chosen.
@@ -103,14 +95,16 @@ private:
 
     glm::ivec3 cellOf(const glm::vec3& place) const
     {
-        return glm::ivec3((place - low_) * perCell_);
+        return glm::ivec3(glm::floor(place * perCell_));
     }
 
+    // Cells share a list by chance; distances tell their places apart.
     std::size_t headOf(const glm::ivec3& cell) const
     {
-        return (std::size_t(cell.z) * std::size_t(cells_.y) + std::size_t(cell.y)) *
-                   std::size_t(cells_.x) +
-               std::size_t(cell.x);
+        const std::uint32_t mixed = static_cast<std::uint32_t>(cell.x) * 0x9e3779b1U ^
+                                    static_cast<std::uint32_t>(cell.y) * 0x85ebca77U ^
+                                    static_cast<std::uint32_t>(cell.z) * 0xc2b2ae3dU;
+        return (mixed ^ mixed >> 15) & (heads_.size() - 1);
     }
 
     // Lowers `squared` to the squared distance of what is in a cell; false if that is below the
@@ -130,9 +124,7 @@ private:
     }
 
     float radius_ = 1.0f;
-    glm::vec3 low_{0.0f};
     float perCell_ = 1.0f;
-    glm::ivec3 cells_{0};
     std::vector<std::uint32_t> heads_;
     std::vector<Entry> entries_;
 };
@@ -222,12 +214,14 @@ struct Chooser {
         std::size_t chosen = 0;
         double radius = firstRadius;
         for (int level = 0; level < levelsPerLattice && !open.empty(); ++level) {
-            if (level > 0 && double(chosen) >= enough * double(places.size()))
+            if (double(chosen) >= enough * double(places.size())) {
+                for (std::uint8_t& own : levels)
+                    own = own == notChosen ? lastOfAll : own;
                 return;
-            grid.clear(box.low, box.high, static_cast<float>(radius));
+            }
+            grid.clear(triesPerChoice * (around.size() + chosen) / 2, static_cast<float>(radius));
             for (const Chosen& other : around)
-                if (grid.holds(other.place))
-                    grid.add(other.place, other.distance);
+                grid.add(other.place, other.distance);
             for (std::size_t i = 0; i < places.size(); ++i)
                 if (levels[i] < level)
                     grid.add(places[i], distances[i]);
@@ -309,7 +303,7 @@ std::vector<std::uint64_t> progressiveOrder(const terrain::GroundMesh& ground, c
                 first.push_back(i);
         first.push_back(open.size());
 
-        ChosenIndex index(0.25 * side);
+        ChosenIndex index(0.6 * side);
         for (const Chosen& chosen : all)
             index.add(chosen);
         std::vector<std::uint8_t> levelOf(open.size(), notChosen);
@@ -336,7 +330,7 @@ std::vector<std::uint64_t> progressiveOrder(const terrain::GroundMesh& ground, c
                           levelOf.begin() + static_cast<std::ptrdiff_t>(first[region]));
             });
             for (std::size_t i = first[begin]; i < first[end]; ++i)
-                if (levelOf[i] != notChosen) {
+                if (levelOf[i] < lastOfAll) {
                     const glm::vec3 place = roots[open[i].root].position;
                     all.push_back({place, distanceOf[i]});
                     if (kind < 3)
