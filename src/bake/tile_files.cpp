@@ -22,10 +22,10 @@ constexpr const char* planFormat = "sward plan 1";
 constexpr std::size_t planLimit = std::size_t(16) << 20;
 constexpr std::uint32_t mostTiles = 1'000'000;
 
+// How long it took is left out: a tile has the same bytes whenever and wherever it is baked.
 struct TileNumbers {
     RootCounts counts;
     double spacingMinimum;
-    double rays, sample, traits, patches; // [s]
 };
 
 struct CellHeader {
@@ -159,8 +159,7 @@ void writeTile(const fs::path& path, const std::string& id, const TileResult& ti
 {
     terrain::RecordWriter writer(path, tileKind, true);
     writer.add(std::string_view(id));
-    writer.addOne(TileNumbers{tile.counts, tile.spacingMinimum, tile.timing.rays,
-                              tile.timing.sample, tile.timing.traits, tile.timing.patches});
+    writer.addOne(TileNumbers{tile.counts, tile.spacingMinimum});
     writer.addOne(static_cast<std::uint64_t>(tile.cells.size()));
     for (const CellTree& cell : tile.cells) {
         writer.addOne(CellHeader{cell.cell, cell.summary, cell.patches.size(), cell.blades.size()});
@@ -169,6 +168,14 @@ void writeTile(const fs::path& path, const std::string& id, const TileResult& ti
         writer.add(cell.keys);
     }
     writer.commit();
+}
+
+std::string planOfTile(const fs::path& path)
+{
+    terrain::RecordReader reader(path, tileKind);
+    std::string id;
+    reader.read(id);
+    return id;
 }
 
 TileResult readTile(const fs::path& path, const std::string& id)
@@ -182,10 +189,6 @@ TileResult readTile(const fs::path& path, const std::string& id)
     reader.readOne(numbers);
     tile.counts = numbers.counts;
     tile.spacingMinimum = numbers.spacingMinimum;
-    tile.timing.rays = numbers.rays;
-    tile.timing.sample = numbers.sample;
-    tile.timing.traits = numbers.traits;
-    tile.timing.patches = numbers.patches;
     std::uint64_t cells = 0;
     for (reader.readOne(cells); cells > 0; --cells) {
         CellTree& cell = tile.cells.emplace_back();

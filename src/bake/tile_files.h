@@ -46,6 +46,9 @@ std::filesystem::path tilePath(const std::filesystem::path& folder, std::uint32_
 
 void writeTile(const std::filesystem::path& path, const std::string& id, const TileResult& tile);
 
+/// Id of the plan that a tile belongs to; the whole file is verified.
+std::string planOfTile(const std::filesystem::path& path);
+
 /// Throws Error{input} too if the tile belongs to another plan.
 TileResult readTile(const std::filesystem::path& path, const std::string& id);
 

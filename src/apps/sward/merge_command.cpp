@@ -77,20 +77,23 @@ public:
         std::vector<std::uint32_t> damaged;
         std::vector<bake::CellTree> cells;
         for (std::uint32_t i = 0; i < plan.tiles; ++i) {
-            throwIfInterrupted("merge");
-            const fs::path path = bake::tilePath(folder_, i);
             std::error_code ignored;
-            if (!fs::exists(path, ignored)) {
+            if (!fs::exists(bake::tilePath(folder_, i), ignored))
                 missing.push_back(i);
+        }
+        // Every tile is verified; blades are kept only while a field can come of them.
+        for (std::uint32_t i = 0; i < plan.tiles; ++i) {
+            throwIfInterrupted("merge");
+            if (std::binary_search(missing.begin(), missing.end(), i))
                 continue;
-            }
             try {
-                bake::TileResult tile = bake::readTile(path, plan.id);
+                bake::TileResult tile = bake::readTile(bake::tilePath(folder_, i), plan.id);
                 if (missing.empty() && damaged.empty())
                     std::move(tile.cells.begin(), tile.cells.end(), std::back_inserter(cells));
             } catch (const Error& error) {
                 log::warn("{}", error.what());
                 damaged.push_back(i);
+                cells = {};
             }
         }
         if (!missing.empty() || !damaged.empty()) {

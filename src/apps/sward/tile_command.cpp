@@ -82,17 +82,22 @@ public:
     }
 
 private:
+    // Whether the tile is there. A damaged one is not; the work of another plan stays whole.
     static bool isDone(const fs::path& output, const std::string& id)
     {
         std::error_code ignored;
         if (!fs::exists(output, ignored))
             return false;
+        std::string found;
         try {
-            bake::readTile(output, id);
-            return true;
+            found = bake::planOfTile(output);
         } catch (const Error&) {
             return false;
         }
+        if (found != id)
+            fail(ErrorKind::input, "{}: belongs to plan {}, not {}; --force replaces it",
+                 output.string(), found, id);
+        return true;
     }
 
     std::string plan_;
