@@ -159,6 +159,26 @@ class Tiles(ClusterTest):
                 self.refused(*command, code=code, names=["bad.json"])
         self.refused("tile", "none.json", "--index", "0", "-o", "t", code=IO, names=["none.json"])
 
+    def test_a_tile_needs_no_more_memory_in_a_larger_world(self):
+        # Tiles of 128 m in worlds of 0.13 and 0.52 million triangles; half of those are 20 MB.
+        peaks = {}
+        for side in (512, 1024):
+            self.ground = self.write_json(f"{side}.json", {**HILLS, "extent": [side, side],
+                                                           "cells": [side // 2, side // 2]}).name
+            self.plan("--density", "0.5", tiles=side * side // 16384, to=f"{side}-plan.json")
+            peaks[side] = max(self.peak("tile", f"{side}-plan.json", "--index", index, "-o", str(side),
+                                        "--threads", "1") for index in (5, 9))
+        self.assertLess(peaks[1024], 1.1 * peaks[512] + 2e6)
+
+    def peak(self, *arguments):
+        """Most memory that a run held [bytes]."""
+        process = subprocess.Popen([str(PROGRAM), *map(str, arguments)], cwd=self.folder,
+                                   stdout=subprocess.DEVNULL)
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(process.returncode, DONE)
+        return usage.ru_maxrss * 1024
+
     def test_an_interrupted_tile_leaves_no_half(self):
         self.plan("--density", "3000", "--exposure", "64", tiles=2)
         for number in (signal.SIGINT, signal.SIGTERM):
