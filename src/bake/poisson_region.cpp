@@ -1,5 +1,6 @@
 #include "bake/poisson_region.h"
 
+#include "bake/disk_grid.h"
 #include "bake/triangle_points.h"
 #include "core/random.h"
 
@@ -95,14 +96,6 @@ private:
         bool open;
     };
 
-    struct Entry {
-        glm::vec3 position;
-        float radius;
-        std::uint32_t next;
-        glm::vec3 normal;
-    };
-    static constexpr std::uint32_t noEntry = std::numeric_limits<std::uint32_t>::max();
-
     void gatherParts(std::span<const RegionPiece> pieces);
     void gatherDisks(const DiskIndex& before);
     void quarter();
@@ -110,9 +103,7 @@ private:
     void throwAt(Part& part, int round, RegionResult& result);
     void throwDart(Part& part, const Fragment& fragment, std::uint32_t candidate,
                    RegionResult& result);
-    void insert(const glm::vec3& position, float radius, const glm::vec3& normal);
-    const Entry* blocker(const glm::vec3& position, float radius, const glm::vec3* normal) const;
-    bool covers(const Entry& disk, const Sheet& sheet, const Fragment& fragment) const;
+    bool covers(const Disk& disk, const Sheet& sheet, const Fragment& fragment) const;
     Fragment fragmentOf(const Part& part) const
     {
         return fragmentAt(sheets_[part.sheet].level + pass_, part.column, part.row, part.turned);
@@ -121,17 +112,6 @@ private:
     {
         return sheet.corner + b * sheet.first + c * sheet.second;
     }
-    glm::ivec3 cellOf(const glm::vec3& position) const
-    {
-        return glm::ivec3((position - low_) * perCell_);
-    }
-    std::size_t headOf(const glm::ivec3& cell) const
-    {
-        return (std::size_t(cell.z) * std::size_t(cells_.y) + std::size_t(cell.y)) *
-                   std::size_t(cells_.x) +
-               std::size_t(cell.x);
-    }
-
     const terrain::GroundMesh& ground_;
     std::uint64_t seed_;
     const RootFilter& filter_;
@@ -144,11 +124,7 @@ private:
     std::vector<Sheet> sheets_;
     std::vector<Part> parts_;
     std::vector<Part> next_;
-    std::vector<Entry> entries_;
-    std::vector<std::uint32_t> heads_;
-    glm::vec3 low_{0.0f};
-    float perCell_ = 1.0f;
-    glm::ivec3 cells_{0};
+    DiskGrid grid_;
     bool smooth_ = false;
     int pass_ = 0;
 };
@@ -225,12 +201,7 @@ void RegionFiller::Room::gatherDisks(const DiskIndex& before)
     const double margin = widest_ + largest(glm::max(glm::abs(low), glm::abs(high))) * 1e-6;
     low -= margin;
     high += margin;
-    const double width = cellWidth * spacing_;
-    low_ = glm::vec3(low);
-    perCell_ = static_cast<float>(1.0 / width);
-    cells_ = glm::ivec3(glm::ceil((high - low) / width)) + 2;
-    heads_.assign(std::size_t(cells_.x) * std::size_t(cells_.y) * std::size_t(cells_.z), noEntry);
-    entries_.clear();
+    grid_.clear(low, high, cellWidth * spacing_);
 
     // Are all normals of one mind?
     glm::dvec3 sum(0.0);
@@ -260,7 +231,7 @@ void RegionFiller::Room::gatherDisks(const DiskIndex& before)
             if (place[i] <= low[i] || place[i] >= high[i])
                 return;
         smooth_ = smooth_ && agrees(glm::dvec3(disk.normal));
-        insert(disk.position, disk.radius, disk.normal);
+        grid_.insert(disk);
     });
 }
 
@@ -377,7 +348,8 @@ void RegionFiller::Room::throwDart(Part& part, const Fragment& fragment, std::ui
         radius = static_cast<float>(spacing_ / std::sqrt(wanted));
     }
 
-    if (const Entry* disk = blocker(position, radius, smooth_ ? nullptr : &root.normal)) {
+    if (const Disk* disk = grid_.blocker(position, radius, smooth_ ? nullptr : &root.normal,
+                                         tuning_.sheetCosine)) {
         reject(Reject::spacing);
         if (covers(*disk, sheet, fragment))
             part.open = false;
@@ -391,62 +363,18 @@ void RegionFiller::Room::throwDart(Part& part, const Fragment& fragment, std::ui
     } else if (smooth_) {
         root = TrianglePoints(ground_, sheet.triangle).at(b, c, candidate);
     }
-    insert(position, radius, root.normal);
+    grid_.insert({position, radius, root.normal});
     if (!bears)
         reject(whyThinned);
     result.roots.push_back(root);
     result.radii.push_back(radius);
     result.bears.push_back(bears ? 1 : 0);
-    if (covers(entries_.back(), sheet, fragment))
+    if (covers(grid_.last(), sheet, fragment))
         part.open = false;
 }
 
-void RegionFiller::Room::insert(const glm::vec3& position, float radius, const glm::vec3& normal)
-{
-    std::uint32_t& head = heads_[headOf(cellOf(position))];
-    entries_.push_back({position, radius, head, normal});
-    head = static_cast<std::uint32_t>(entries_.size() - 1);
-}
-
-// A disk that keeps away a root with a disk of this radius; null if there is none.
-const RegionFiller::Room::Entry*
-RegionFiller::Room::blocker(const glm::vec3& position, float radius, const glm::vec3* normal) const
-{
-    // Never nearer than the radius, whatever the last bits say.
-    constexpr float generous = 1.000002f;
-    const auto blockerIn = [&](const glm::ivec3& cell) -> const Entry* {
-        for (std::uint32_t i = heads_[headOf(cell)]; i != noEntry;) {
-            const Entry& entry = entries_[i];
-            i = entry.next;
-            const float dx = entry.position.x - position.x;
-            const float dy = entry.position.y - position.y;
-            const float dz = entry.position.z - position.z;
-            const float reach = std::min(entry.radius, radius);
-            if (dx * dx + dy * dy + dz * dz >= reach * reach * generous)
-                continue;
-            if (normal != nullptr && double(glm::dot(*normal, entry.normal)) < tuning_.sheetCosine)
-                continue;
-            return &entry;
-        }
-        return nullptr;
-    };
-    // Most likely it is in the same cell.
-    const glm::ivec3 own = cellOf(position);
-    if (const Entry* entry = blockerIn(own))
-        return entry;
-    const glm::ivec3 first = cellOf(position - radius);
-    const glm::ivec3 last = cellOf(position + radius);
-    for (int z = first.z; z <= last.z; ++z)
-        for (int y = first.y; y <= last.y; ++y)
-            for (int x = first.x; x <= last.x; ++x)
-                if (x != own.x || y != own.y || z != own.z)
-                    if (const Entry* entry = blockerIn({x, y, z}))
-                        return entry;
-    return nullptr;
-}
-
 // Whether no root can stand anywhere on the part any more because of this one disk.
-bool RegionFiller::Room::covers(const Entry& disk, const Sheet& sheet,
+bool RegionFiller::Room::covers(const Disk& disk, const Sheet& sheet,
                                 const Fragment& fragment) const
 {
     const double reach = spacing_ - sheet.slack; // no disk is smaller

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 namespace sward::bake {
@@ -14,13 +15,14 @@ namespace {
 
 constexpr std::size_t mostCells = 50'000'000;
 
-// Place of a cell along a Z-order curve.
-std::uint64_t curveOf(const CellNumber& cell)
+// Place of a cell along a Z-order curve that begins at the lowest cell: from zero on, ground that
+// crosses height 0 would be dealt as two sheets over one another.
+std::uint64_t curveOf(const CellNumber& cell, const CellNumber& lowest)
 {
     std::uint64_t code = 0;
     for (std::uint64_t bit = 0; bit < 21; ++bit)
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto number = static_cast<std::uint64_t>(cell[axis] + (1 << 20));
+            const auto number = static_cast<std::uint64_t>(cell[axis] - lowest[axis]);
             code |= (number >> bit & 1) << (3 * bit + axis);
         }
     return code;
@@ -128,10 +130,16 @@ std::vector<std::vector<CellNumber>> dealTiles(const terrain::GroundMesh& ground
     }
     std::vector<Cell> sorted;
     double total = 0.0;
-    for (const auto& [key, cell] : cells)
+    CellNumber lowest;
+    lowest.fill(std::numeric_limits<std::int64_t>::max());
+    for (const auto& [key, cell] : cells) {
         sorted.push_back(cell);
-    std::sort(sorted.begin(), sorted.end(),
-              [](const Cell& a, const Cell& b) { return curveOf(a.number) < curveOf(b.number); });
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            lowest[axis] = std::min(lowest[axis], cell.number[axis]);
+    }
+    std::sort(sorted.begin(), sorted.end(), [&](const Cell& a, const Cell& b) {
+        return curveOf(a.number, lowest) < curveOf(b.number, lowest);
+    });
     for (const Cell& cell : sorted)
         total += cell.area;
 
