@@ -17,7 +17,7 @@ namespace {
 // What the soup of a scene may cost [bytes]: a small file may ask for much by instances and by
 // accessors of zeros, a large one brings its size. 20 million triangles on 10 million vertices are
 // 1 GB.
-constexpr std::uint64_t soupLimit = std::uint64_t(5) << 29;
+constexpr std::uint64_t soupLimit = std::uint64_t(3) << 29;
 constexpr std::uint64_t vertexCost = 60;
 constexpr std::uint64_t triangleCost = 20;
 constexpr std::uint64_t triangleLimit = 25'000'000;

@@ -8,7 +8,7 @@ namespace {
 using nlohmann::json;
 
 // An accessor without bytes is all zeros; more of them than this are a mistake or an attack.
-constexpr std::uint64_t zeroLimit = 1U << 24;
+constexpr std::uint64_t zeroLimit = 1U << 20;
 
 constexpr std::uint64_t instanceLimit = 1U << 21; // of a node
 

@@ -63,7 +63,12 @@ public:
         // Without a source the image lies in an extension that checkGltf() has warned of.
         if (source < 0)
             return GroundMaterial::noImage;
-        const auto [known, isNew] = indices_.try_emplace(source, GroundMaterial::noImage);
+        // Images of one name or view are one image, however often they are listed.
+        const GltfImage& image = model_.images.at(static_cast<std::size_t>(source));
+        const std::string key = image.view             ? fmt::format("view {}", *image.view)
+                                : isDataUri(image.uri) ? fmt::format("image {}", source)
+                                                       : "uri " + image.uri;
+        const auto [known, isNew] = indices_.try_emplace(key, GroundMaterial::noImage);
         if (isNew)
             known->second = decode(source);
         return known->second;
@@ -109,7 +114,7 @@ private:
     Soup& soup_;
     Diagnostics& diagnostics_;
     ImageBudget budget_;
-    std::map<int, std::uint32_t> indices_;
+    std::map<std::string, std::uint32_t> indices_;
 };
 
 float unitInterval(double value)

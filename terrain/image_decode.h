@@ -10,7 +10,9 @@
 
 namespace sward::terrain {
 
-/// Pixels that the images of one file may have together, before they are made smaller.
+/// What decoding the images of one file may cost together: pixels before they are made smaller, a
+/// JPEG's eight scans over each for one, and as many as a quarter of a megapixel for the smallest
+/// image.
 struct ImageBudget {
     std::uint64_t pixels = std::uint64_t(1) << 29;
 };

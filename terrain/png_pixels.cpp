@@ -13,6 +13,8 @@ namespace {
 
 constexpr png_uint_32 sideLimit = 1U << 20; // the caller has a bound of his own
 
+constexpr std::size_t tailLimit = 16384; // [bytes]
+
 // libpng's memory for what it keeps of text, profiles and the like; ground needs none of them.
 constexpr png_alloc_size_t chunkLimit = 1U << 20;
 
@@ -74,7 +76,9 @@ public:
         if (setjmp(png_jmpbuf(png_)) != 0)
             return false;
         png_read_image(png_, rows.data());
-        png_read_end(png_, nullptr);
+        // What lies behind the last row may be unpacked without end: only a little is looked at.
+        if (file_.size() - at_ <= tailLimit)
+            png_read_end(png_, nullptr);
         return true;
     }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,7 +13,11 @@ namespace sward {
 /// The library collects them; the program prints them and writes them into its report.
 class Diagnostics {
 public:
-    /// Adds a warning. A text that has been given already is not repeated.
+    /// Nobody reads more, and a file may give cause for as many as it has bytes.
+    static constexpr std::size_t warningLimit = 1000;
+
+    /// Adds a warning. A text that has been given already is not repeated; behind the limit comes
+    /// one that says so.
     template <typename... Args>
     void warn(fmt::format_string<Args...> format, Args&&... args)
     {

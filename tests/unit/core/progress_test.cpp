@@ -35,6 +35,16 @@ TEST(Progress, StopsTheWorkOnceCancelled)
     }
 }
 
+TEST(Diagnostics, EndWhereNobodyReadsOn)
+{
+    Diagnostics diagnostics;
+    for (int i = 0; i < 100'000; ++i)
+        diagnostics.warn("{} is odd", i);
+    ASSERT_EQ(diagnostics.warnings().size(), Diagnostics::warningLimit + 1);
+    EXPECT_EQ(diagnostics.warnings()[Diagnostics::warningLimit - 1], "999 is odd");
+    EXPECT_EQ(diagnostics.warnings().back(), "further warnings are left out");
+}
+
 TEST(Diagnostics, SayEachThingOnce)
 {
     Diagnostics diagnostics;

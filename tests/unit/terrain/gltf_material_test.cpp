@@ -199,6 +199,30 @@ TEST(GltfMaterial, NamesFormatsThatItDoesNotRead)
     }
 }
 
+TEST(GltfMaterial, DecodesNoMoreThanTheImagesOfAFileMayCost)
+{
+    // Ten thousand images in one view are one image.
+    GlbBuilder same = texturedGlb(png(1, 1, {1, 2, 3, 4}));
+    // Each of these is its own, and counts as a quarter of a megapixel: 2048 of them are decoded.
+    GlbBuilder many = texturedGlb(png(1, 1, {1, 2, 3, 4}));
+    const std::string uri = "data:image/png;base64," + base64(png(1, 1, {1, 2, 3, 4}));
+    for (GlbBuilder* const builder : {&same, &many}) {
+        for (std::size_t i = 1; i < 2050; ++i) {
+            builder->document["images"].push_back(builder == &same ? same.document["images"][0]
+                                                                   : nlohmann::json{{"uri", uri}});
+            builder->document["textures"].push_back({{"source", i}});
+            builder->document["materials"].push_back(
+                {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", i}}}}}});
+        }
+    }
+    Diagnostics none;
+    EXPECT_EQ(loadContent("a.glb", same.glb(), {}, &none).images.size(), 1U);
+    EXPECT_THAT(none.warnings(), testing::IsEmpty());
+    Diagnostics two;
+    EXPECT_EQ(loadContent("a.glb", many.glb(), {}, &two).images.size(), 2048U);
+    EXPECT_THAT(two.warnings(), ElementsAre(HasSubstr("image 2048"), HasSubstr("image 2049")));
+}
+
 TEST(GltfMaterial, WarnsOfTexturesInOtherFormats)
 {
     GlbBuilder builder = texturedGlb(png(1, 1, {1, 2, 3, 4}));
