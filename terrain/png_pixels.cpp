@@ -13,7 +13,7 @@ namespace {
 
 constexpr png_uint_32 sideLimit = 1U << 20; // the caller has a bound of his own
 
-constexpr std::size_t tailLimit = 16384; // [bytes]
+constexpr std::size_t tailLimit = 65536; // behind the last row [bytes]
 
 // libpng's memory for what it keeps of text, profiles and the like; ground needs none of them.
 constexpr png_alloc_size_t chunkLimit = 1U << 20;
@@ -63,7 +63,7 @@ public:
             png_set_strip_alpha(png_);
             png_set_swap(png_);
         }
-        png_set_interlace_handling(png_);
+        passes_ = png_set_interlace_handling(png_);
         png_read_update_info(png_, info_);
         return true;
     }
@@ -75,8 +75,13 @@ public:
     {
         if (setjmp(png_jmpbuf(png_)) != 0)
             return false;
-        png_read_image(png_, rows.data());
-        // What lies behind the last row may be unpacked without end: only a little is looked at.
+        for (int pass = 0; pass < passes_; ++pass)
+            for (std::size_t j = 0; j < rows.size(); ++j) {
+                // With its last row libpng unpacks whatever comes behind it, if need be gigabytes.
+                if (pass + 1 == passes_ && j + 1 == rows.size())
+                    limit_ = at_ + 2 * rowBytes() + tailLimit;
+                png_read_row(png_, rows[j], nullptr);
+            }
         if (file_.size() - at_ <= tailLimit)
             png_read_end(png_, nullptr);
         return true;
@@ -99,12 +104,16 @@ private:
         auto& own = *static_cast<PngReader*>(png_get_io_ptr(png));
         if (size > own.file_.size() - own.at_)
             png_error(png, "truncated");
+        if (own.at_ + size > own.limit_)
+            png_error(png, "it goes on behind its last row");
         std::memcpy(to, own.file_.data() + own.at_, size);
         own.at_ += size;
     }
 
     std::span<const std::byte> file_;
     std::size_t at_ = 0;
+    std::size_t limit_ = ~std::size_t(0); // of what may be read
+    int passes_ = 1;
     std::array<char, 128> reason_{};
     png_structp png_;
     png_infop info_;

@@ -266,6 +266,31 @@ TEST(Heightmap, RefusesSizesOutOfBoundsBeforeAnythingIsMade)
     EXPECT_THAT(messageOf("m.exr", exr, ErrorKind::input), HasSubstr("30000x30000"));
 }
 
+TEST(Heightmap, DoesNotUnpackWhatLiesBehindTheLastRow)
+{
+    // Two rows of three samples, then 256 MB of zeros, in 260 kB.
+    std::vector<unsigned char> rows(std::size_t(1) << 28, 0);
+    uLongf size = compressBound(static_cast<uLong>(rows.size()));
+    std::string packed(size, '\0');
+    ASSERT_EQ(compress2(reinterpret_cast<Bytef*>(packed.data()), &size, rows.data(),
+                        static_cast<uLong>(rows.size()), 1),
+              Z_OK);
+    packed.resize(size);
+    const auto word = [](std::size_t value) {
+        std::string bytes;
+        for (unsigned shift = 32; shift > 0; shift -= 8)
+            bytes.push_back(static_cast<char>((value >> (shift - 8)) & 0xffU));
+        return bytes;
+    };
+    const std::string body = "IDAT" + packed;
+    const std::string sound = greyPng({3, 2}, six, 16);
+    const std::string png = sound.substr(0, sound.find("IDAT") - 4) + word(packed.size()) + body +
+                            word(crc32(0, reinterpret_cast<const Bytef*>(body.data()),
+                                       static_cast<uInt>(body.size()))) +
+                            sound.substr(sound.find("IEND") - 4);
+    EXPECT_THAT(messageOf("m.png", png, ErrorKind::input), HasSubstr("behind its last row"));
+}
+
 TEST(Heightmap, RefusesEveryTruncation)
 {
     const std::vector<std::string> files = {
