@@ -145,6 +145,8 @@ BladeGrower::BladeGrower(const terrain::GroundMesh& ground, const BakeSettings& 
     , filter_(filter)
     , query_(query)
     , colorsAreMask_(masksByVertexColor(settings))
+    , fitsOverhangs_(settings.meadow.fitsOverhangs &&
+                     (settings.exposureRays > 0 || settings.clearance > 0.0))
     , clumps_(ground, clumpSpacing(settings.meadow.clumpSize * whole.scale, whole.area),
               settings.seed)
     , tufts_(settings.meadow.species.size())
@@ -191,7 +193,7 @@ double BladeGrower::roomOver(const RootSample& root, glm::dvec3 up, double heigh
     constexpr double leastShare = 0.05;
     const glm::dvec3 place(root.position);
     const double wanted = height / used;
-    if (query_ == nullptr || !settings_.meadow.fitsOverhangs || wanted <= settings_.clearance ||
+    if (query_ == nullptr || !fitsOverhangs_ || wanted <= settings_.clearance ||
         query_->isClear(place, up, wanted, root.triangle))
         return height;
     return std::max(used * query_->clearance(place, up, wanted, root.triangle),

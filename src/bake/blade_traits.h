@@ -26,8 +26,8 @@ public:
         double area = 0.0;  ///< [m²] bearingArea()
     };
 
-    /// All must outlive it. `query` is of the whole scene and may be null: then no blade is cut to
-    /// the room over it, and no blade moves into a tuft.
+    /// All must outlive it. `query` is of the whole scene and may be null unless settings ask for
+    /// exposure or clearance (blades are then cut to the room over them) or growsTufts().
     BladeGrower(const terrain::GroundMesh& ground, const BakeSettings& settings, const Whole& whole,
                 const RootFilter& filter, const terrain::SurfaceQuery* query);
 
@@ -44,6 +44,7 @@ private:
     const RootFilter& filter_;
     const terrain::SurfaceQuery* query_;
     bool colorsAreMask_;
+    bool fitsOverhangs_; ///< by the settings alone: a part may have no need of rays
     Clumps clumps_;
     std::vector<std::optional<Clumps>> tufts_; ///< per species
 };

@@ -40,7 +40,7 @@ struct Meadow {
     std::string name = "meadow";
     double clumpSize = 0.7;    ///< [m] typical distance of clumps, at blade scale 1; 0: no clumps
     double sparseHeight = 0.6; ///< height, relative to full, where filters let hardly a blade grow
-    bool fitsOverhangs = true; ///< blades are cut to the room over them, where rays are cast at all
+    bool fitsOverhangs = true; ///< blades are cut to the room over them, if rays are asked for
     std::vector<SpeciesTraits> species;
 };
 

@@ -197,6 +197,8 @@ double reachOf(const terrain::GroundMesh& ground, const BakeSettings& settings, 
                double clumpSpacing)
 {
     double reach = settings.clearance;
+    if (asks(settings.border))
+        reach = std::max(reach, settings.border.low);
     if (settings.exposureRays > 0)
         reach = std::max(reach, settings.rayLength * scale);
     if (hasOccluders(ground))

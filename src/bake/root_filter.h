@@ -82,8 +82,8 @@ terrain::FeatureChoice featuresFor(const BakeSettings& settings);
 /// coordinates. To be asked of the whole ground.
 void checkGround(const terrain::GroundMesh& ground, const BakeSettings& settings);
 
-/// How far from a root what stands there may matter to it or its blade, [m]: rays, clumps, tufts.
-/// A part of the ground needs a halo of so much. `clumpSpacing` is the resolved one.
+/// How far from a root what stands there may matter to it or its blade, [m]: rays, borders, clumps,
+/// tufts. A part of the ground needs a halo of so much. `clumpSpacing` is the resolved one.
 double reachOf(const terrain::GroundMesh& ground, const BakeSettings& settings, double scale,
                double clumpSpacing);
 

@@ -171,6 +171,7 @@ TEST(Height, IsCutToTheRoomUnderAnOverhang)
     std::fill(roof.bears.begin(), roof.bears.end(), std::uint8_t(0));
     append(mesh, roof);
     BakeSettings settings = alike();
+    settings.exposureRays = 1;
     const std::vector<RootSample> roots = tests::evenRoots(mesh, 20.0);
     const auto check = [&](bool fits) {
         settings.meadow.fitsOverhangs = fits;
