@@ -35,13 +35,6 @@ class CommandLine(CliTest):
                      names=["--densty", "--density"])
         self.refused("bkae", code=USAGE, names=["bkae", "bake"])
 
-    def test_options_of_later_versions_are_unknown_now(self):
-        for option in ("--spacing",):
-            with self.subTest(option=option):
-                self.refused("bake", "plane", "-o", "f.sward", option, "1", code=USAGE, names=[option])
-        self.refused("bake", "plane", "-o", "f.sward", "--sampling", "poisson", code=USAGE,
-                     names=["poisson"])
-
     def test_values_that_make_no_sense_are_wrong_usage(self):
         cases = [("--slope", "10"), ("--slope", "60:20"), ("--density", "-1"), ("--density", "many"),
                  ("--count", "-5"), ("--align", "sideways"), ("--ground-up", "w"), ("--units", "miles"),
