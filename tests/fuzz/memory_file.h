@@ -1,34 +1,32 @@
 #pragma once
 
-#include "core/expect.h"
+#include "fuzz/entries.h"
 
-#include <sys/mman.h>
-#include <unistd.h>
-
-#include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <string>
 
-namespace sward::tests {
+namespace sward::fuzz {
 
-/// Bytes under a path that readers can open, without touching a disk.
+/// A file in memory under names that readers can open and judge by: "input" with any extension, in
+/// a folder that holds nothing else.
 class MemoryFile {
 public:
-    MemoryFile(const std::uint8_t* bytes, std::size_t size)
-        : fd_(::memfd_create("fuzz", 0))
-    {
-        expect(fd_ >= 0 && ::write(fd_, bytes, size) == static_cast<ssize_t>(size),
-               "a file in memory");
-    }
+    MemoryFile();
     MemoryFile(const MemoryFile&) = delete;
     MemoryFile& operator=(const MemoryFile&) = delete;
-    ~MemoryFile() { ::close(fd_); }
+    ~MemoryFile();
 
-    std::filesystem::path path() const { return "/proc/self/fd/" + std::to_string(fd_); }
+    /// Puts `bytes` in the place of what it held; returns its path with this extension.
+    std::filesystem::path hold(Bytes bytes, const std::string& extension);
+
+    const std::filesystem::path& folder() const { return folder_; }
 
 private:
     int fd_;
+    std::filesystem::path folder_;
 };
 
-} // namespace sward::tests
+/// The one file of a process: names are made once, not for every input.
+MemoryFile& memoryFile();
+
+} // namespace sward::fuzz

@@ -1,5 +1,5 @@
-// Whatever bytes a field file holds, reading it yields a verified view or an Error, nothing else.
-// Hashes are mended first, or no change would ever come past them.
+// Reading a field file yields a verified view or an Error. Hashes are mended first, or no change
+// would ever come past them.
 
 #include "core/error.h"
 #include "field/format.h"
@@ -12,9 +12,10 @@
 #include <cstring>
 #include <vector>
 
+namespace sward::fuzz {
 namespace {
 
-namespace format = sward::field::format;
+namespace format = field::format;
 
 void mendHashes(std::vector<std::uint8_t>& bytes)
 {
@@ -42,16 +43,15 @@ void mendHashes(std::vector<std::uint8_t>& bytes)
 
 } // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+void fieldReader(Bytes bytes)
 {
-    std::vector<std::uint8_t> bytes(data, data + size);
-    mendHashes(bytes);
-    const sward::tests::MemoryFile file(bytes.data(), bytes.size());
+    std::vector<std::uint8_t> mended(bytes.begin(), bytes.end());
+    mendHashes(mended);
     try {
-        const sward::field::MappedField field = sward::field::readField(file.path());
-        sward::field::summarise(field.view());
-    } catch (const sward::Error&) {
-        // The one way in which a bad file may end.
+        const field::MappedField field = field::readField(memoryFile().hold(mended, ".sward"));
+        field::summarise(field.view());
+    } catch (const Error&) {
     }
-    return 0;
 }
+
+} // namespace sward::fuzz

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+/// What the fuzzers call, and what the corpora are replayed through: a function for each kind of
+/// input that comes from outside. Whatever the bytes are, it returns: with something valid, or
+/// after an sward::Error, the one way in which a bad file may end.
+namespace sward::fuzz {
+
+using Bytes = std::span<const std::uint8_t>;
+
+void fieldReader(Bytes bytes);     ///< a field file; its hashes are mended first
+void gltfImport(Bytes bytes);      ///< a .glb or .gltf
+void heightmapImport(Bytes bytes); ///< the first bytes choose format, size and a mask
+void meadow(Bytes bytes);          ///< a meadow file
+void meshImport(Bytes bytes);      ///< the first byte chooses among OBJ, PLY, STL and OFF
+void recipe(Bytes bytes);          ///< a terrain recipe
+
+/// A corpus in tests/fuzz/corpus and the function for it.
+struct Entry {
+    const char* name;
+    void (*call)(Bytes bytes);
+};
+
+inline constexpr Entry entries[] = {
+    {"field_reader", fieldReader},         {"gltf_import", gltfImport},
+    {"heightmap_import", heightmapImport}, {"meadow", meadow},
+    {"mesh_import", meshImport},           {"recipe", recipe},
+};
+
+} // namespace sward::fuzz

@@ -1,0 +1,57 @@
+// Every input that a fuzzer starts from or has found goes through its entry in the ordinary build.
+
+#include "core/mapped_file.h"
+#include "fuzz/entries.h"
+#include "fuzz/samples.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace sward::fuzz {
+namespace {
+
+constexpr std::chrono::seconds patience{60}; // that any input may cost
+
+Bytes bytesOf(const auto& container)
+{
+    return {reinterpret_cast<const std::uint8_t*>(container.data()), container.size()};
+}
+
+class FuzzReplay : public testing::TestWithParam<Entry> {};
+
+TEST_P(FuzzReplay, EveryFileOfTheCorpusEndsWell)
+{
+    std::vector<std::filesystem::path> files;
+    for (const auto& file :
+         std::filesystem::directory_iterator(std::filesystem::path(SWARD_CORPUS) / GetParam().name))
+        files.push_back(file.path());
+    std::sort(files.begin(), files.end());
+    EXPECT_FALSE(files.empty());
+    for (const std::filesystem::path& file : files) {
+        SCOPED_TRACE(file.filename());
+        const auto start = std::chrono::steady_clock::now();
+        const std::vector<std::byte> bytes = readFile(file);
+        GetParam().call(bytesOf(bytes));
+        EXPECT_LT(std::chrono::steady_clock::now() - start, patience);
+    }
+}
+
+TEST_P(FuzzReplay, EverySampleEndsWell)
+{
+    std::size_t count = 0;
+    for (const Sample& sample : samples())
+        if (sample.entry == GetParam().name) {
+            SCOPED_TRACE(sample.name);
+            GetParam().call(bytesOf(sample.bytes));
+            ++count;
+        }
+    EXPECT_GT(count, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Entries, FuzzReplay, testing::ValuesIn(entries),
+                         [](const auto& entry) { return std::string(entry.param.name); });
+
+} // namespace
+} // namespace sward::fuzz

@@ -1,0 +1,145 @@
+#include "fuzz/samples.h"
+
+#include "bake/meadow.h"
+#include "core/mapped_file.h"
+#include "field/write.h"
+#include "fuzz/memory_file.h"
+#include "support/fields/fields.h"
+#include "terrain/recipe.h"
+#include "unit/terrain/compressed_glb.h"
+#include "unit/terrain/image_files.h"
+#include "unit/terrain/mesh_text.h"
+
+namespace sward::fuzz {
+namespace {
+
+// A triangle with everything that a glTF can say of it.
+terrain::GlbBuilder richGlb()
+{
+    terrain::GlbBuilder builder = terrain::triangleGlb();
+    auto& primitive = builder.document["meshes"][0]["primitives"][0];
+    primitive["attributes"]["COLOR_0"] =
+        builder.bytes({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}, "VEC4", true);
+    primitive["attributes"]["TEXCOORD_0"] =
+        builder.shorts({0, 0, 65535, 0, 0, 65535}, "VEC2", true);
+    primitive["material"] = 0;
+    const std::string png = terrain::greyPng({2, 1}, {0, 255}, 8);
+    const int image = builder.view(png.data(), png.size());
+    builder.document["images"] = {{{"bufferView", image}, {"mimeType", "image/png"}}};
+    builder.document["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}}};
+    builder.document["textures"] = {{{"source", 0}, {"sampler", 0}}};
+    auto& material = builder.document["materials"][0];
+    material = {{"name", "grass"}, {"doubleSided", true}};
+    material["pbrMetallicRoughness"] = {{"baseColorFactor", {0.5, 0.25, 0.125, 1.0}},
+                                        {"baseColorTexture", {{"index", 0}}}};
+    material["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"] = {
+        {"offset", {0.5, 0.25}}, {"scale", {2, 3}}, {"rotation", 1}};
+    const std::vector<std::uint16_t> index = {1};
+    const std::vector<float> value = {2, 0, 0};
+    const int indexView = builder.view(index.data(), 2);
+    const int valueView = builder.view(value.data(), 12);
+    builder.document["accessors"][0]["sparse"] = {
+        {"count", 1},
+        {"indices", {{"bufferView", indexView}, {"componentType", 5123}}},
+        {"values", {{"bufferView", valueView}}}};
+    builder.document["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {
+        {"TRANSLATION", builder.floats({1, 0, 0, 2, 0, 0}, "VEC3")},
+        {"ROTATION", builder.floats({0, 0, 0, 1, 0, 1, 0, 1}, "VEC4")}};
+    builder.node({{"children", {0}}, {"rotation", {0, 0, 0, 1}}, {"scale", {1, -2, 1}}});
+    return builder;
+}
+
+void addGltf(std::vector<Sample>& all)
+{
+    const auto add = [&](const char* name, const std::string& bytes) {
+        all.push_back({"gltf_import", name, bytes});
+    };
+    add("triangle.glb", terrain::triangleGlb().glb());
+    add("triangle.gltf", terrain::triangleGlb().gltf());
+    add("rich.glb", richGlb().glb());
+    add("rich.gltf", richGlb().gltf());
+    add("meshopt.glb", terrain::meshoptGrid(4).glb());
+    add("meshopt_filters.glb",
+        terrain::meshoptGrid(4, {.indexMode = "INDICES", .shortIndices = true, .filters = true})
+            .glb());
+    add("draco.glb", terrain::dracoGrid(4, {.bits = 11}).glb());
+    add("draco_sequential.glb", terrain::dracoGrid(4, {.edgebreaker = false, .bits = 11}).glb());
+    terrain::GlbBuilder strip = terrain::plainGrid(2);
+    strip.document["meshes"][0]["primitives"][0]["mode"] = 5;
+    add("strip.glb", strip.glb());
+}
+
+void addMeshes(std::vector<Sample>& all)
+{
+    const std::string kinds[] = {"obj", "ply", "stl", "off"};
+    for (const terrain::CubeFile& file : terrain::cubeFiles())
+        for (std::size_t i = 0; i < std::size(kinds); ++i)
+            if (file.name.substr(file.name.size() - 3) == kinds[i])
+                all.push_back({"mesh_import", file.name, static_cast<char>(i) + file.content});
+    all.push_back({"mesh_import", "corners.obj",
+                   std::string(1, '\0') +
+                       "mtllib a.mtl\no a\nusemtl b\nv 0 0 0 1 0 0\nv 0 0 1\nv 1 0 "
+                       "0\nvt 0 0\nvn 0 1 0\nf 1/1/1 2//1 -1/1\n"});
+    all.push_back({"mesh_import", "double.ply",
+                   std::string(1, '\1') + terrain::binaryPly({0, 0, 0, 0, 0, 1, 1, 0, 0})});
+}
+
+void addHeightmaps(std::vector<Sample>& all)
+{
+    const std::vector<std::uint16_t> heights = {0, 65535, 13107, 26214, 39321, 52428};
+    const std::vector<float> metres = {0.0f, 1.0f, -9999.0f, 2.5f, 3.0f, 4.0f};
+    const auto add = [&](const char* name, int choice, const std::string& bytes) {
+        all.push_back(
+            {"heightmap_import", name, std::string({static_cast<char>(choice), 3, 2}) + bytes});
+    };
+    add("grey16.png", 0, terrain::greyPng({3, 2}, heights, 16));
+    add("own_mask.png", 0x42, terrain::greyPng({3, 2}, {0, 255, 9, 80, 3, 7}, 8, true));
+    add("heights.r16", 0x81, terrain::rawHeights(heights));
+    add("float.exr", 2, terrain::floatExr({3, 2}, metres));
+    add("half_tiles.exr", 0x82,
+        terrain::floatExr({3, 2}, metres, {.isHalf = true, .isTiled = true}));
+}
+
+void addTexts(std::vector<Sample>& all)
+{
+    for (const std::string& name : terrain::builtInNames())
+        all.push_back({"recipe", name + ".json", std::string(terrain::builtInRecipe(name))});
+    all.push_back(
+        {"recipe", "small.json",
+         R"({"kind": "hills", "extent": [4, 4], "cells": [8, 8], "octaves": 2, "gain": 0.4})"});
+    all.push_back({"recipe", "map.json",
+                   R"({"kind": "heightmap", "file": "a.r16", "size": [3, 2], "height": [0, 9]})"});
+    all.push_back({"recipe", "mesh.json", R"({"kind": "mesh", "file": "a.obj", "up_axis": "z"})"});
+    for (const std::string& name : bake::builtInMeadows())
+        all.push_back({"meadow", name + ".json", bake::toJson(bake::loadMeadow(name))});
+}
+
+void addFields(std::vector<Sample>& all)
+{
+    const std::filesystem::path path = memoryFile().folder() / "sample.sward";
+    const auto add = [&](const char* name, const field::Field& field) {
+        field::writeField(field, path, true);
+        const std::vector<std::byte> bytes = readFile(path);
+        all.push_back({"field_reader", name,
+                       std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size())});
+    };
+    add("empty.sward", test::emptyField());
+    add("cloud.sward", test::makeField({.surface = test::Surface::cloud, .blades = 40}));
+    add("sphere.sward", test::makeField({.surface = test::Surface::sphere, .blades = 300}));
+    std::filesystem::remove(path);
+}
+
+} // namespace
+
+std::vector<Sample> samples()
+{
+    std::vector<Sample> all;
+    addGltf(all);
+    addMeshes(all);
+    addHeightmaps(all);
+    addTexts(all);
+    addFields(all);
+    return all;
+}
+
+} // namespace sward::fuzz
