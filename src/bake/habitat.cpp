@@ -45,12 +45,13 @@ double HabitatWeight::at(const terrain::GroundMesh& ground, const RootSample& ro
                          const Site& site, double chance, Reject& reason) const
 {
     double weight = 1.0;
+    double least = 1.0;
     const auto falls = [&](Reject factorsReason, double factor) {
         weight *= factor;
-        if (weight > chance)
-            return false;
-        reason = factorsReason;
-        return true;
+        if (factor < least || weight <= chance)
+            reason = factorsReason;
+        least = std::min(least, factor);
+        return weight <= chance;
     };
     for (const Mask& mask : habitat_.masks)
         if (falls(Reject::mask, mask.at(ground, root)))

@@ -39,7 +39,8 @@ public:
     const Habitat& habitat() const { return habitat_; }
 
     /// Share [0, 1] of the density that grows at a root: the product of all factors. Stops as soon
-    /// as it is `chance` or less, and sets `reason` to the factor that brought it there.
+    /// as it is `chance` or less, and sets `reason` to the factor that brought it there; else to
+    /// the lowest one below 1.
     double at(const terrain::GroundMesh& ground, const RootSample& root, const Site& site,
               double chance, Reject& reason) const;
 

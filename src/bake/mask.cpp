@@ -1,6 +1,7 @@
 #include "bake/mask.h"
 
 #include "core/error.h"
+#include "core/expect.h"
 #include "terrain/image_sampling.h"
 
 #include <glm/common.hpp>
@@ -134,6 +135,8 @@ void checkMasks(const std::vector<Mask>& masks, const terrain::GroundMesh& groun
     }
 
     for (const Mask& mask : masks) {
+        expect(mask.source != Mask::Source::texture || mask.image != nullptr,
+               "loadImages() was not called");
         if (mask.source == Mask::Source::vertexColor && !ground.hasColors)
             fail(ErrorKind::input, "--mask {}: the ground has no vertex colours (glTF COLOR_0)",
                  textOf(mask));

@@ -1,6 +1,7 @@
 #include "bake/root_filter.h"
 
 #include "bake/up_vector.h"
+#include "core/expect.h"
 #include "core/random.h"
 
 #include <glm/geometric.hpp>
@@ -188,6 +189,8 @@ terrain::FeatureChoice featuresFor(const BakeSettings& settings)
 
 void checkGround(const terrain::GroundMesh& ground, const BakeSettings& settings)
 {
+    for (const ExcludedArea& area : settings.excluded)
+        expect(area.mesh != nullptr, "an excluded area has no mesh");
     checkMasks(settings.masks, ground);
     for (const SpeciesTraits& species : settings.meadow.species)
         checkMasks(species.habitat.masks, ground);

@@ -149,6 +149,19 @@ TEST(Species, KeepToTheirHabitats)
     EXPECT_GT(two, 100);
 }
 
+TEST(Species, AreMissingForTheReasonOfTheLikeliest)
+{
+    const terrain::GroundMesh mesh = terrain::heightfield({glm::dvec2(20.0), glm::uvec2(64U)},
+                                                          [](double x, double) { return x; });
+    BakeSettings settings = tests::plainSettings(1.0);
+    settings.meadow = meadowOf({species("low", 1.0), species("flat", 1.0)});
+    settings.meadow.species[0].habitat.altitude = {-unbounded, -5.0, 10.0};
+    settings.meadow.species[1].habitat.slope = {0.0, 20.0, 0.0};
+    const tests::Trial trial = tests::tryRoots(mesh, settings, 20.0);
+    EXPECT_EQ(trial.count(Reject::altitude), trial.tried - trial.kept.size());
+    EXPECT_NEAR(trial.share(), 0.25 + 0.25, 0.02);
+}
+
 TEST(Species, ThinOutWhereNoneOfThemThrives)
 {
     BakeSettings settings = tests::plainSettings(1.0);
