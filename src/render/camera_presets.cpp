@@ -27,6 +27,9 @@ struct Scene {
     std::function<std::optional<double>(glm::dvec3)> groundHeight;
 };
 
+// By so much a side must be longer to count: the tips of a few blades turn no view.
+constexpr double clearlyLonger = 1.02;
+
 /// The longer and the shorter horizontal direction of the box.
 struct Sides {
     glm::dvec3 longer, shorter;
@@ -45,7 +48,7 @@ Sides sidesOf(const Scene& scene)
             continue;
         axis = glm::normalize(axis);
         const double length = glm::dot(glm::abs(axis), size);
-        if (length > best.length * 1.0001)
+        if (length > best.length * clearlyLonger)
             best = {axis, glm::cross(axis, scene.up), length};
     }
     return best;
