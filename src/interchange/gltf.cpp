@@ -66,10 +66,11 @@ void addSpecies(GltfDocument& document, const field::FieldView& field)
 }
 
 // The instances of a group, species by species.
-std::vector<std::vector<Instance>> bySpecies(const field::FieldView& field, const BladeGroup& group)
+std::vector<std::vector<Instance>> bySpecies(const field::FieldView& field, const BladeGroup& group,
+                                             const std::string& source)
 {
     std::vector<std::vector<Instance>> result(field.species.size());
-    for (const Instance& instance : instancesOf(field, group))
+    for (const Instance& instance : instancesOf(field, group, source))
         result[instance.blade.species].push_back(instance);
     return result;
 }
@@ -100,18 +101,19 @@ std::size_t addInstances(GltfDocument& document, const BladeGroup& group, const 
 
 // The whole JSON; the first pass over the blades.
 void describe(GltfDocument& document, const field::FieldView& field,
-              const std::vector<BladeGroup>& groups, bool withGround, Progress& progress)
+              const std::vector<BladeGroup>& groups, const ExportSettings& settings,
+              Progress& progress)
 {
     addSpecies(document, field);
     ordered_json children = ordered_json::array();
-    if (withGround)
+    if (settings.withGround)
         if (const std::optional<std::size_t> ground = addGround(document, *field.ground))
             children.push_back(*ground);
 
     if (!groups.empty())
         document.require(extension);
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        const auto species = bySpecies(field, groups[g]);
+        const auto species = bySpecies(field, groups[g], settings.source);
         for (std::uint32_t s = 0; s < species.size(); ++s)
             if (!species[s].empty())
                 children.push_back(addInstances(
@@ -157,7 +159,7 @@ void writeGlb(const field::FieldView& field, const std::filesystem::path& path,
     progress.begin("export", 2 * blades);
     const std::vector<BladeGroup> groups = groupBlades(field);
     GltfDocument document(settings.generator, *field.copyright);
-    describe(document, field, groups, settings.withGround, progress);
+    describe(document, field, groups, settings, progress);
     const std::string text = document.text();
     const std::uint64_t bytes = headerBytes + text.size() + document.binaryBytes();
     refuseLargeGlb(path, blades, bytes);
@@ -170,7 +172,7 @@ void writeGlb(const field::FieldView& field, const std::filesystem::path& path,
     writeWords(file, {word(document.binaryBytes()), 0x004e4942U /* BIN */});
     file.write(document.fixedBytes());
     for (const BladeGroup& group : groups) {
-        for (const std::vector<Instance>& instances : bySpecies(field, group))
+        for (const std::vector<Instance>& instances : bySpecies(field, group, settings.source))
             file.write(attributeBytes(instances));
         progress.advance(group.bladeCount);
     }

@@ -35,7 +35,17 @@ glm::quat orientation(const glm::vec3& up, float facing)
     return glm::quat(turn);
 }
 
-std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGroup& group)
+shared::Blade bladeOf(const field::FieldView& field, std::uint32_t patch, std::size_t index,
+                      const std::string& source)
+{
+    const shared::Blade blade = shared::unpackBlade(field.blades[index], field.patches[patch]);
+    if (!isFinite(blade))
+        fail(ErrorKind::input, "{}: blade {} of patch {} is not finite", source, index, patch);
+    return blade;
+}
+
+std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGroup& group,
+                                  const std::string& source)
 {
     std::vector<Instance> instances;
     instances.reserve(group.bladeCount);
@@ -43,9 +53,7 @@ std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGrou
         const shared::Patch& patch = field.patches[p];
         for (std::size_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i) {
             Instance instance;
-            instance.blade = shared::unpackBlade(field.blades[i], patch);
-            if (!isFinite(instance.blade))
-                fail(ErrorKind::input, "blade {} of patch {} is not finite", i, p);
+            instance.blade = bladeOf(field, p, i, source);
             instance.id = idOf(field, i);
             instance.place = glm::vec3(glm::dvec3(instance.blade.root) - group.place);
             instance.rotation = orientation(instance.blade.up, instance.blade.facing);

@@ -6,6 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace sward::interchange {
@@ -18,9 +19,15 @@ struct Instance {
     glm::quat rotation; ///< see orientation()
 };
 
-/// The instances of a group, patch after patch, each in progressive order. Throws Error{input} if a
-/// number of a blade is not finite.
-std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGroup& group);
+/// Blade `index`, which is of patch `patch`. Throws Error{input} that names `source` if a number of
+/// it is not finite.
+shared::Blade bladeOf(const field::FieldView& field, std::uint32_t patch, std::size_t index,
+                      const std::string& source);
+
+/// The instances of a group, patch after patch, each in progressive order. Throws as bladeOf()
+/// does.
+std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGroup& group,
+                                  const std::string& source);
 
 /// Unit quaternion, w ≥ 0, that turns +Y to `up` and +Z to where the blade looks and leans, by the
 /// frame of shared/blade.h; +X then is the opposite of its width axis.

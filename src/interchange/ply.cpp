@@ -101,10 +101,10 @@ void writePly(const field::FieldView& field, const std::filesystem::path& path,
     file.write(headerOf(field, settings));
     progress.begin("export", field.blades.size());
     Points points;
-    for (const shared::Patch& patch : field.patches) {
+    for (std::uint32_t p = 0; p < field.patches.size(); ++p) {
+        const shared::Patch& patch = field.patches[p];
         for (std::size_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i)
-            points.addBlade(shared::unpackBlade(field.blades[i], patch), field.origin,
-                            idOf(field, i));
+            points.addBlade(bladeOf(field, p, i, settings.source), field.origin, idOf(field, i));
         if (points.size() >= writeSize)
             points.writeTo(file);
         progress.advance(patch.bladeCount);

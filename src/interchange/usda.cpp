@@ -190,7 +190,7 @@ void writeUsda(const field::FieldView& field, const std::filesystem::path& path,
 
     const std::vector<BladeGroup> groups = groupBlades(field);
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        appendGroup(out, groups[g], g, prototypes, instancesOf(field, groups[g]));
+        appendGroup(out, groups[g], g, prototypes, instancesOf(field, groups[g], settings.source));
         writeAndClear(file, text);
         progress.advance(groups[g].bladeCount);
     }

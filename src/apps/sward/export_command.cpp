@@ -78,6 +78,7 @@ public:
 
         const field::MappedField field = field::readField(file_);
         interchange::ExportSettings settings = settings_;
+        settings.source = file_;
         settings.generator = versionText("sward");
         ProgressBar bar(log_.showBar());
         Progress progress(bar.callback());

@@ -12,6 +12,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <limits>
 
 namespace sward::interchange {
 namespace {
@@ -97,6 +98,24 @@ TEST_F(ExportFiles, LeaveNothingWhenCancelled)
             ADD_FAILURE() << format.name << " was not interrupted";
         } catch (const Error& error) {
             EXPECT_EQ(error.kind(), ErrorKind::interrupted);
+        }
+    }
+    EXPECT_EQ(fileCount(), 0U);
+}
+
+TEST_F(ExportFiles, OfNumbersBeyondAllBoundsAreRefusedByTheFieldsName)
+{
+    field::Field field = test::makeField({.blades = 600});
+    field.patches[0].heightStep = std::numeric_limits<float>::max();
+    for (const Format& format : formats) {
+        Progress progress;
+        try {
+            format.write(field::viewOf(field), file(format.name), {.source = "hills.sward"},
+                         progress);
+            ADD_FAILURE() << format.name << " took it";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::input);
+            EXPECT_THAT(error.what(), HasSubstr("hills.sward: blade "));
         }
     }
     EXPECT_EQ(fileCount(), 0U);

@@ -57,7 +57,7 @@ TEST(Instances, StandWhereTheBladesStand)
     const field::FieldView view = field::viewOf(field);
     std::set<std::uint64_t> ids;
     for (const BladeGroup& group : groupBlades(view, 1000)) {
-        const std::vector<Instance> instances = instancesOf(view, group);
+        const std::vector<Instance> instances = instancesOf(view, group, "f");
         EXPECT_EQ(instances.size(), group.bladeCount);
         for (const Instance& instance : instances) {
             ids.insert(instance.id);
@@ -75,7 +75,7 @@ TEST(Instances, HaveTheirPlaceInAFileWithoutKeysAsTheirId)
     field::Field field = makeField({.blades = 600});
     field.keys.clear();
     const field::FieldView view = field::viewOf(field);
-    const std::vector<Instance> instances = instancesOf(view, groupBlades(view)[0]);
+    const std::vector<Instance> instances = instancesOf(view, groupBlades(view)[0], "f");
     for (std::size_t i = 0; i < instances.size(); ++i)
         EXPECT_EQ(instances[i].id, i);
 }
@@ -85,7 +85,7 @@ TEST(Instances, OfNumbersBeyondAllBoundsAreRefused)
     field::Field field = makeField({.blades = 600});
     field.patches[0].heightStep = std::numeric_limits<float>::max();
     const field::FieldView view = field::viewOf(field);
-    EXPECT_THROW(instancesOf(view, groupBlades(view)[0]), Error);
+    EXPECT_THROW(instancesOf(view, groupBlades(view)[0], "f"), Error);
 }
 
 TEST(Instances, MeanStiffnessIsTheSpeciesOwn)
