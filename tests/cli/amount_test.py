@@ -1,9 +1,10 @@
 """How much grows: density, count, their defaults and their bounds."""
 
+import json
 import math
 import unittest
 
-from meshes import glb_bytes, square
+from meshes import bumps, glb_bytes, square
 from support import CliTest, DONE, INPUT, USAGE
 
 
@@ -86,6 +87,30 @@ class Amount(CliTest):
         self.assertLess(small["blade_scale"], 0.5)
         self.assertAlmostEqual(large["blade_scale"], 1.0)
         self.assertGreater(small["density_per_m2"]["reached"], 2 * large["density_per_m2"]["reached"])
+
+    def test_one_ground_at_any_size_bears_a_meadow_of_its_size(self):
+        # 12 mm, 12 m and 12 km wide; the last is not grown here, since it bears millions.
+        for name, scale in (("ant", 0.001), ("garden", 1.0), ("county", 1000.0)):
+            mesh = bumps()
+            mesh.positions = [tuple(scale * c for c in p) for p in mesh.positions]
+            (self.folder / f"{name}.glb").write_bytes(glb_bytes(mesh))
+        ant, garden = self.report("ant.glb", to="ant.sward"), self.report("garden.glb", to="garden.sward")
+        self.assertAlmostEqual(garden["blade_scale"], garden["input"]["area_m2"]**0.5 / 20, places=3)
+        self.assertAlmostEqual(ant["blade_scale"] / garden["blade_scale"], 0.001, places=6)
+        self.assert_poisson(ant["roots"]["kept"], garden["roots"]["kept"])
+        self.assertGreater(garden["roots"]["kept"], 300 * 144)
+        ratio = self.mean_height("ant.sward") / self.mean_height("garden.sward")
+        self.assertAlmostEqual(ratio / 0.001, 1.0, delta=0.02)
+        for report in (ant, garden):
+            self.assertEqual(report["warnings"], [])
+        county = self.report("county.glb", dry=True)
+        self.assertEqual(county["blade_scale"], 1.0)
+        self.assertTrue(19e6 < county["roots"]["kept"] < 21e6, county["roots"])
+        self.assertTrue(any("300" in warning for warning in county["warnings"]))
+
+    def mean_height(self, field):
+        told = self.sward("info", field, "--histogram", "--json").stdout
+        return json.loads(told)["histogram"]["height_m"]["mean"]
 
     def test_inputs_are_joined(self):
         (self.folder / "far.glb").write_bytes(
