@@ -13,6 +13,8 @@ struct MaterialRecord {
     float roughness;
     float metallic;
     std::uint32_t image;
+    std::uint32_t wrapU;
+    std::uint32_t wrapV;
     std::uint32_t doubleSided;
 };
 
@@ -20,6 +22,13 @@ struct ImageRecord {
     std::uint32_t width;
     std::uint32_t height;
 };
+
+ImageWrap wrapOf(std::uint32_t number, const std::string& place)
+{
+    if (number > static_cast<std::uint32_t>(ImageWrap::mirror))
+        fail(ErrorKind::input, "{}: {} is no way to wrap an image", place, number);
+    return static_cast<ImageWrap>(number);
+}
 
 } // namespace
 
@@ -39,13 +48,14 @@ void write(RecordWriter& writer, const GroundMesh& ground)
     for (const GroundMaterial& material : ground.materials) {
         writer.add(std::string_view(material.name));
         writer.addOne(MaterialRecord{material.baseColor, material.roughness, material.metallic,
-                                     material.image, material.doubleSided ? 1U : 0U});
+                                     material.image, static_cast<std::uint32_t>(material.wrapU),
+                                     static_cast<std::uint32_t>(material.wrapV),
+                                     material.doubleSided ? 1U : 0U});
     }
     writer.addOne(static_cast<std::uint64_t>(ground.images.size()));
     for (const GroundImage& image : ground.images) {
         writer.add(std::string_view(image.name));
         writer.addOne(ImageRecord{image.width, image.height});
-        writer.add(image.rgba);
     }
     writer.addOne(static_cast<std::uint64_t>(ground.nodes.size()));
     for (const std::string& node : ground.nodes)
@@ -78,6 +88,8 @@ GroundMesh readGround(RecordReader& reader, const std::string& place)
         material.roughness = record.roughness;
         material.metallic = record.metallic;
         material.image = record.image;
+        material.wrapU = wrapOf(record.wrapU, place);
+        material.wrapV = wrapOf(record.wrapV, place);
         material.doubleSided = record.doubleSided != 0;
     }
     for (reader.readOne(count); count > 0; --count) {
@@ -87,11 +99,11 @@ GroundMesh readGround(RecordReader& reader, const std::string& place)
         reader.readOne(record);
         image.width = record.width;
         image.height = record.height;
-        reader.read(image.rgba);
-        if (image.rgba.size() != std::size_t(4) * image.width * image.height)
-            fail(ErrorKind::input, "{}: an image of {} x {} has {} bytes", place, image.width,
-                 image.height, image.rgba.size());
     }
+    for (const GroundMaterial& material : ground.materials)
+        if (material.image != GroundMaterial::noImage && material.image >= ground.images.size())
+            fail(ErrorKind::input, "{}: material \"{}\" names image {}, but there are {}", place,
+                 material.name, material.image, ground.images.size());
     for (reader.readOne(count); count > 0; --count)
         reader.read(ground.nodes.emplace_back());
     reader.read(ground.copyright);
@@ -103,6 +115,23 @@ GroundMesh readGround(RecordReader& reader, const std::string& place)
     if (!ground.triangles.empty())
         validate(ground, place);
     return ground;
+}
+
+void writePixels(RecordWriter& writer, const GroundImage& image)
+{
+    writer.addOne(ImageRecord{image.width, image.height});
+    writer.add(image.rgba);
+}
+
+void readPixels(RecordReader& reader, GroundImage& image, const std::string& place)
+{
+    ImageRecord record = {};
+    reader.readOne(record);
+    reader.read(image.rgba);
+    if (record.width != image.width || record.height != image.height ||
+        image.rgba.size() != std::size_t(4) * image.width * image.height)
+        fail(ErrorKind::input, "{}: {} bytes of {} x {} pixels, where the ground has {} x {}",
+             place, image.rgba.size(), record.width, record.height, image.width, image.height);
 }
 
 } // namespace sward::terrain

@@ -67,7 +67,7 @@ BakeResult bakeField(const terrain::GroundMesh& ground, const BakeSettings& sett
         report.timing.sample = watch.lap();
         Totals totals;
         std::vector<CellTree> cells = bakeTiles(whole, settings, plan, totals, progress);
-        finishReport(report, totals, ground, settings, plan, diagnostics);
+        finishReport(report, totals, settings, plan, diagnostics);
         watch.lap();
         result.field = bareField(ground, settings, plan, report);
         joinCells(std::move(cells), result.field);
@@ -111,7 +111,7 @@ Report estimateBake(const terrain::GroundMesh& ground, const BakeSettings& setti
         Totals totals;
         totals.add(tile);
         totals.fill(report, factor);
-        warnAboutRoots(tile.counts, ground, settings, diagnostics);
+        warnAboutRoots(tile.counts, report.input, settings, diagnostics);
         field::Field sample = bareField(ground, settings, plan, report);
         const double withoutBlades = double(field::fieldBytes(sample));
         joinCells(std::move(tile.cells), sample);

@@ -66,6 +66,30 @@ void fillSpacing(Report& report, double minimum, const BakeSettings& settings, c
                                                     (std::sqrt(3.0) * double(report.kept)));
 }
 
+bool asksAltitude(const BakeSettings& settings)
+{
+    const auto asks = [](const SoftRange& range) { return !range.holds(-unbounded, unbounded); };
+    bool any = asks(settings.altitude) || asks(settings.water);
+    for (const SpeciesTraits& species : settings.meadow.species)
+        any = any || species.habitat.asksAltitude();
+    return any;
+}
+
+// Heights of the ground that bears, as --altitude has them.
+SoftRange altitudesOf(const terrain::GroundMesh& ground, const GroundUp& groundUp)
+{
+    SoftRange range{unbounded, -unbounded, 0.0};
+    for (std::size_t t = 0; t < ground.triangles.size(); ++t)
+        for (glm::length_t corner = 0; ground.bears[t] != 0 && corner < 3; ++corner) {
+            const glm::dvec3 place =
+                ground.origin + glm::dvec3(ground.positions[ground.triangles[t][corner]]);
+            const double altitude = groundUp.altitude(place);
+            range.low = std::min(range.low, altitude);
+            range.high = std::max(range.high, altitude);
+        }
+    return range;
+}
+
 void add(Report::Timing& sum, const Report::Timing& more)
 {
     sum.rays += more.rays;
@@ -132,8 +156,8 @@ void Totals::fill(Report& report, double factor) const
     bake::add(report.timing, timing);
 }
 
-void finishReport(Report& report, const Totals& totals, const terrain::GroundMesh& ground,
-                  const BakeSettings& settings, const BakePlan& plan, Diagnostics& diagnostics)
+void finishReport(Report& report, const Totals& totals, const BakeSettings& settings,
+                  const BakePlan& plan, Diagnostics& diagnostics)
 {
     if (settings.count && totals.counts.kept < *settings.count && totals.counts.kept > 0)
         fail(ErrorKind::input, "--count {}: the ground keeps only {} of its candidates",
@@ -142,7 +166,7 @@ void finishReport(Report& report, const Totals& totals, const terrain::GroundMes
     report.densityRequested = settings.count ? 0.0 : plan.plan.density;
     totals.fill(report, 1.0);
     fillSpacing(report, totals.spacingMinimum, settings, plan);
-    warnAboutRoots(totals.counts, ground, settings, diagnostics);
+    warnAboutRoots(totals.counts, report.input, settings, diagnostics);
 }
 
 Report reportOf(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads)
@@ -154,6 +178,8 @@ Report reportOf(const terrain::GroundMesh& ground, const BakeSettings& settings,
         report.input.area += ground.bears[t] != 0 ? ground.area(t) : 0.0;
     report.input.low = ground.origin + glm::dvec3(box.low);
     report.input.high = ground.origin + glm::dvec3(box.high);
+    if (asksAltitude(settings))
+        report.input.altitudes = altitudesOf(ground, settings.groundUp);
     report.input.hash = terrain::contentHash(ground);
     report.seed = settings.seed;
     report.threads = threads;

@@ -38,9 +38,10 @@ struct Totals {
 /// A report that says what went in.
 Report reportOf(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads);
 
-/// Adds what is known once all tiles are baked: counts, distances, warnings.
-void finishReport(Report& report, const Totals& totals, const terrain::GroundMesh& ground,
-                  const BakeSettings& settings, const BakePlan& plan, Diagnostics& diagnostics);
+/// Adds what is known once all tiles are baked: counts, distances, warnings. Throws Error{input} if
+/// the ground keeps fewer roots than were counted on.
+void finishReport(Report& report, const Totals& totals, const BakeSettings& settings,
+                  const BakePlan& plan, Diagnostics& diagnostics);
 
 /// Everything of a field but its patches and blades.
 field::Field bareField(const terrain::GroundMesh& ground, const BakeSettings& settings,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "bake/soft_range.h"
+
 #include <glm/vec3.hpp>
 
 #include <array>
@@ -44,6 +46,7 @@ struct Report {
         std::uint64_t triangles = 0;
         double area = 0.0;              ///< [m²] of triangles that may bear grass, one side
         glm::dvec3 low{0.0}, high{0.0}; ///< world bounds [m]
+        SoftRange altitudes; ///< [m] of triangles that may bear grass; unbounded if none asked
         std::string hash;
     } input;
     std::uint64_t seed = 0;

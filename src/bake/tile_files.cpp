@@ -15,9 +15,10 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 // Eight letters each; the last two are the version.
-constexpr const char* partKind = "SWPART01";
+constexpr const char* partKind = "SWPART02";
+constexpr const char* imageKind = "SWIMAG01";
 constexpr const char* tileKind = "SWTILE01";
-constexpr const char* planFormat = "sward plan 1";
+constexpr const char* planFormat = "sward plan 2";
 
 constexpr std::size_t planLimit = std::size_t(16) << 20;
 constexpr std::uint32_t mostTiles = 1'000'000;
@@ -41,9 +42,64 @@ void requireId(const std::string& found, const std::string& wanted, const fs::pa
         fail(ErrorKind::input, "{}: belongs to plan {}, not {}", path.string(), found, wanted);
 }
 
-fs::path folderOf(const fs::path& plan)
+json vectorJson(const glm::dvec3& v)
 {
-    return fs::path(plan).replace_extension(".parts");
+    return json::array({v.x, v.y, v.z});
+}
+
+glm::dvec3 vectorOf(const json& array)
+{
+    return {array.at(0).get<double>(), array.at(1).get<double>(), array.at(2).get<double>()};
+}
+
+json groundJson(const Report& report)
+{
+    return {{"path", report.input.path},
+            {"triangles", report.input.triangles},
+            {"area", report.input.area},
+            {"low", vectorJson(report.input.low)},
+            {"high", vectorJson(report.input.high)},
+            {"altitudes", {report.input.altitudes.low, report.input.altitudes.high}},
+            {"hash", report.input.hash},
+            {"seed", report.seed},
+            {"warnings", report.warnings}};
+}
+
+Report groundReport(const json& ground)
+{
+    Report report;
+    ground.at("path").get_to(report.input.path);
+    ground.at("triangles").get_to(report.input.triangles);
+    ground.at("area").get_to(report.input.area);
+    report.input.low = vectorOf(ground.at("low"));
+    report.input.high = vectorOf(ground.at("high"));
+    ground.at("altitudes").at(0).get_to(report.input.altitudes.low);
+    ground.at("altitudes").at(1).get_to(report.input.altitudes.high);
+    ground.at("hash").get_to(report.input.hash);
+    ground.at("seed").get_to(report.seed);
+    ground.at("warnings").get_to(report.warnings);
+    return report;
+}
+
+// Reads the pixels that are looked at where grass may grow.
+void readImages(const fs::path& folder, const std::string& id, terrain::GroundMesh& ground)
+{
+    std::vector<bool> isShown(ground.images.size(), false);
+    for (std::size_t t = 0; t < ground.triangles.size(); ++t) {
+        const std::uint32_t image = ground.materials[ground.materialOf[t]].image;
+        if (ground.bears[t] != 0 && image != terrain::GroundMaterial::noImage)
+            isShown[image] = true;
+    }
+    for (std::size_t i = 0; i < ground.images.size(); ++i) {
+        if (!isShown[i])
+            continue;
+        const fs::path path = imagePath(folder, i);
+        terrain::RecordReader reader(path, imageKind);
+        std::string own;
+        reader.read(own);
+        requireId(own, id, path);
+        terrain::readPixels(reader, ground.images[i], path.string());
+    }
 }
 
 } // namespace
@@ -55,6 +111,7 @@ void writePlan(const fs::path& path, const TilePlan& plan, bool overwrite)
                          {"tiles", plan.tiles},
                          {"arguments", plan.arguments},
                          {"folder", plan.folder},
+                         {"ground", groundJson(plan.report)},
                          {"resolved",
                           {{"scale", plan.plan.plan.scale},
                            {"density", plan.plan.plan.density},
@@ -85,6 +142,7 @@ TilePlan readPlan(const fs::path& path)
         plan.tiles = object.at("tiles").get<std::uint32_t>();
         plan.arguments = object.at("arguments").get<std::vector<std::string>>();
         plan.folder = object.at("folder").get<std::string>();
+        plan.report = groundReport(object.at("ground"));
         const json& resolved = object.at("resolved");
         const auto number = [&](const char* key) { return resolved.at(key).get<double>(); };
         plan.plan.plan.scale = number("scale");
@@ -106,14 +164,24 @@ TilePlan readPlan(const fs::path& path)
     }
 }
 
-fs::path partPath(const fs::path& plan, std::uint32_t tile)
+fs::path partsFolder(const fs::path& plan)
 {
-    return folderOf(plan) / fmt::format("part-{:06}.ground", tile);
+    return fs::path(plan).replace_extension(".parts");
 }
 
-fs::path barePath(const fs::path& plan)
+fs::path partPath(const fs::path& folder, std::uint32_t tile)
 {
-    return folderOf(plan) / "bare.sward";
+    return folder / fmt::format("part-{:06}.ground", tile);
+}
+
+fs::path imagePath(const fs::path& folder, std::size_t image)
+{
+    return folder / fmt::format("image-{:03}.pixels", image);
+}
+
+fs::path barePath(const fs::path& folder)
+{
+    return folder / "bare.sward";
 }
 
 void writePart(const fs::path& path, const std::string& id, const TilePart& part)
@@ -128,8 +196,19 @@ void writePart(const fs::path& path, const std::string& id, const TilePart& part
     writer.commit();
 }
 
-TilePart readPart(const fs::path& path, const std::string& id)
+void writeImages(const fs::path& folder, const std::string& id, const terrain::GroundMesh& ground)
 {
+    for (std::size_t i = 0; i < ground.images.size(); ++i) {
+        terrain::RecordWriter writer(imagePath(folder, i), imageKind, true);
+        writer.add(std::string_view(id));
+        terrain::writePixels(writer, ground.images[i]);
+        writer.commit();
+    }
+}
+
+TilePart readPart(const fs::path& folder, std::uint32_t tile, const std::string& id)
+{
+    const fs::path path = partPath(folder, tile);
     terrain::RecordReader reader(path, partKind);
     std::string own;
     reader.read(own);
@@ -147,6 +226,7 @@ TilePart readPart(const fs::path& path, const std::string& id)
         !fits(part.features.islandArea.size(), part.ground.triangles.size()))
         fail(ErrorKind::input, "{}: what is said of the surface does not fit its mesh",
              path.string());
+    readImages(folder, id, part.ground);
     return part;
 }
 

@@ -47,30 +47,12 @@ std::string reasonsOf(const RootCounts& counts)
     return text.empty() ? "no filter (no area bears grass, or none was asked for)" : text;
 }
 
-// Heights of the ground that bears, as --altitude has them.
-SoftRange altitudesOf(const terrain::GroundMesh& ground, const GroundUp& groundUp)
-{
-    SoftRange range{unbounded, -unbounded, 0.0};
-    for (std::size_t t = 0; t < ground.triangles.size(); ++t)
-        for (std::size_t corner = 0; ground.bears[t] != 0 && corner < 3; ++corner) {
-            const glm::dvec3 place =
-                ground.origin + glm::dvec3(ground.positions[ground.triangles[t][corner]]);
-            const double altitude = groundUp.altitude(place);
-            range.low = std::min(range.low, altitude);
-            range.high = std::max(range.high, altitude);
-        }
-    return range;
-}
-
-void warnAboutNone(const RootCounts& counts, const terrain::GroundMesh& ground,
-                   const BakeSettings& settings, Diagnostics& diagnostics)
+void warnAboutNone(const RootCounts& counts, const Report::Input& ground, Diagnostics& diagnostics)
 {
     std::string where;
-    if (rejectedBy(counts, Reject::altitude) + rejectedBy(counts, Reject::water) > 0) {
-        const SoftRange heights = altitudesOf(ground, settings.groundUp);
+    if (rejectedBy(counts, Reject::altitude) + rejectedBy(counts, Reject::water) > 0)
         where = fmt::format("; the ground lies from {:.6g} to {:.6g} m along ground-up",
-                            heights.low, heights.high);
-    }
+                            ground.altitudes.low, ground.altitudes.high);
     diagnostics.warn("no blade grows: {} roots proposed, rejected by {}{}", counts.proposed,
                      reasonsOf(counts), where);
 }
@@ -90,7 +72,7 @@ void warnAboutUndersides(const RootCounts& counts, Diagnostics& diagnostics)
 }
 
 // What was asked for and does nothing lies elsewhere than its author thinks.
-void warnAboutIdle(const RootCounts& counts, const terrain::GroundMesh& ground,
+void warnAboutIdle(const RootCounts& counts, const Report::Input& ground,
                    const BakeSettings& settings, Diagnostics& diagnostics)
 {
     if (!settings.masks.empty() && rejectedBy(counts, Reject::mask) == 0)
@@ -101,10 +83,11 @@ void warnAboutIdle(const RootCounts& counts, const terrain::GroundMesh& ground,
                          settings.border.low);
     if (settings.excluded.empty() || rejectedBy(counts, Reject::excluded) > 0)
         return;
-    const Aabb box = ground.bounds();
-    const glm::dvec3 low = ground.origin + glm::dvec3(box.low);
-    const glm::dvec3 high = ground.origin + glm::dvec3(box.high);
+    const glm::dvec3 low = ground.low;
+    const glm::dvec3 high = ground.high;
     for (const ExcludedArea& area : settings.excluded) {
+        if (area.mesh == nullptr)
+            continue;
         const Aabb own = area.mesh->bounds();
         const glm::dvec3 ownLow = area.mesh->origin + glm::dvec3(own.low);
         const glm::dvec3 ownHigh = area.mesh->origin + glm::dvec3(own.high);
@@ -118,11 +101,11 @@ void warnAboutIdle(const RootCounts& counts, const terrain::GroundMesh& ground,
 
 } // namespace
 
-void warnAboutRoots(const RootCounts& counts, const terrain::GroundMesh& ground,
+void warnAboutRoots(const RootCounts& counts, const Report::Input& ground,
                     const BakeSettings& settings, Diagnostics& diagnostics)
 {
     if (counts.kept == 0) {
-        warnAboutNone(counts, ground, settings, diagnostics);
+        warnAboutNone(counts, ground, diagnostics);
         return;
     }
     const std::uint64_t asked = counts.proposed - rejectedBy(counts, Reject::spacing);

@@ -1,28 +1,21 @@
 """A bake dealt out to tiles gives the bytes of one bake, whatever happens to the tiles on the way."""
 
 import os
-import re
+import random
 import shutil
 import signal
 import subprocess
-import time
 import unittest
-from pathlib import Path
 
-from loopback_slurm import LoopbackSlurm, search_path
+from meshes import color_png, square, textured_gltf
 from output_test import small_files_only
-from support import CliTest, DONE, INPUT, INTERRUPTED, IO, PROGRAM, ROOT, USAGE, digest
+from support import CliTest, DONE, INPUT, INTERRUPTED, IO, PROGRAM, USAGE, digest
 
-EXAMPLES = ROOT / "examples/cluster"
 # Hills over 6 x 5 cells of 32 m, so that every tile has cells and neighbours.
 HILLS = {"kind": "hills", "extent": [192, 160], "cells": [96, 80], "seed": 3, "height": 6, "width": 40,
          "octaves": 3}
 TILES = 6
 OPTIONS = ("--density", "1", "--seed", "7", "--clearance", "0.3", "--exposure", "2")
-# Enough to be at work for a second or so in each tile.
-LONG = ("--density", "5", "--seed", "7", "--exposure", "8")
-# [s] of CPU time after which a tile is in the middle of its work.
-WORKING = 0.1
 
 
 class ClusterTest(CliTest):
@@ -202,164 +195,103 @@ class Tiles(ClusterTest):
         whole = self.files()
         self.sward("merge", "plan.json", "tiles", "-o", "f.sward", code=IO, before=small_files_only)
         self.assertEqual(self.files(), whole)
-        # A plan that is not finished is not there; what lies in its parts is whole.
         self.plan(*OPTIONS, to="full.json", code=IO, before=small_files_only)
-        self.assertFalse({name for name in self.files() - whole if not name.startswith("full.parts")})
-        self.assertFalse([name for name in self.files() if "/." in name])
+        self.assertEqual(self.files(), whole)
 
+    def test_a_plan_that_fails_leaves_what_was_there(self):
+        self.plan(*OPTIONS)
+        before = {name: digest(self.folder / name) for name in self.files()
+                  if (self.folder / name).is_file()}
+        self.plan("--density", "2", "--force", code=IO, before=small_files_only)
+        self.plan("--density", "2", code=IO)
+        self.assertEqual(before, {name: digest(self.folder / name) for name in self.files()
+                                  if (self.folder / name).is_file()})
+        self.plan("--density", "2", "--force")
+        self.assertNotEqual(before["plan.json"], digest(self.folder / "plan.json"))
+        self.assertEqual(set(before), {name for name in self.files() if (self.folder / name).is_file()})
 
-def cpu_seconds(process):
-    """CPU time of a process [s]; 0 when it has ended."""
-    try:
-        fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
-    except OSError:
-        return 0.0
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+    def test_the_folder_that_files_are_named_from_must_be_there(self):
+        (self.folder / "there").mkdir()
+        self.sward("plan", f"../{self.ground}", "--tiles", "2", "-o", "../plan.json", "-q",
+                   folder=self.folder / "there")
+        (self.folder / "there").rmdir()
+        for command in (("tile", "plan.json", "--index", "0", "-o", "tiles"),
+                        ("merge", "plan.json", "tiles", "-o", "out.sward")):
+            self.refused(*command, code=IO, names=["plan.json", self.folder / "there"])
 
+    def test_a_plan_without_its_parts_names_their_folder(self):
+        self.plan(*OPTIONS)
+        for index in range(TILES):
+            self.tile(index)
+        bare = self.folder / "plan.parts/bare.sward"
+        bare.write_bytes(bare.read_bytes()[:-1])
+        self.refused("merge", "plan.json", "tiles", "-o", "out.sward", code=INPUT, names=["plan.parts"])
+        shutil.rmtree(self.folder / "plan.parts")
+        self.refused("merge", "plan.json", "tiles", "-o", "out.sward", code=IO, names=["plan.parts"])
+        self.refused("tile", "plan.json", "--index", "1", "-o", "others", code=IO, names=["plan.parts"],
+                     leaves=["others"])
 
-def tile_at_work(folder, index):
-    """Process of `sward tile` for this tile of a plan in `folder` once it is at work, or None."""
-    for path in Path("/proc").glob("[0-9]*"):
-        try:
-            words = (path / "cmdline").read_bytes().decode(errors="replace").split("\0")
-            program = (path / "exe").readlink()
-        except OSError:
-            continue
-        if program == PROGRAM and words[1] == "tile" and str(folder) in words[2] and \
-                words[words.index("--index") + 1] == str(index) and cpu_seconds(path.name) > WORKING:
-            return int(path.name)
-    return None
+    def test_merge_reports_and_tells_what_bake_does(self):
+        options = (*OPTIONS, "--slope", "0:20~10", "--altitude", "-1:", "--sampling", "poisson")
+        whole = self.report(self.ground, *options)
+        told = self.sward("bake", self.ground, "-o", "again.sward", *options)
+        self.plan(*options)
+        for index in range(TILES):
+            self.tile(index)
+        done = self.sward("merge", "plan.json", "tiles", "-o", "merged.sward", "--report", "m.json")
+        merged = self.read_json("m.json")
+        self.assertEqual(set(merged), set(whole))
+        for key in ("tool", "input", "seed", "blade_scale", "roots", "spacing", "density_per_m2",
+                    "warnings"):
+            self.assertEqual(merged[key], whole[key], key)
+        self.assertEqual(merged["output"]["bytes"], whole["output"]["bytes"])
+        self.assertEqual(merged["output"]["path"], "merged.sward")
+        for stage in ("load", "patches", "write", "total"):
+            self.assertGreater(merged["timing_s"][stage], 0.0, stage)
+        self.assertRegex(done.stdout, r"^merged\.sward: \d+ blades in \d+ patches, [\d.]+ [kM]B, [\d.]+ s\n$")
+        kept = next(line for line in told.stderr.splitlines() if "kept" in line)
+        self.assertIn(kept, done.stderr)
+        self.refused("merge", "plan.json", "tiles", "-o", "x.sward", "--report", "m.json", code=IO,
+                     names=["m.json"])
+        self.refused("merge", "plan.json", "tiles", "-o", "x.sward", "--report", "x.sward", code=USAGE,
+                     names=["x.sward"])
 
+    def test_merge_says_why_nothing_grows(self):
+        done = self.sward("bake", self.ground, "-o", "none.sward", "--density", "1", "--altitude", "900:")
+        self.plan("--density", "1", "--altitude", "900:")
+        for index in range(TILES):
+            self.tile(index)
+        merged = self.sward("merge", "plan.json", "tiles", "-o", "merged.sward")
+        warnings = [line for line in done.stderr.splitlines() if "no blade grows" in line]
+        self.assertEqual(len(warnings), 1)
+        self.assertIn(warnings[0], merged.stderr)
 
-class Scripts(ClusterTest):
-    """The example scripts, with a tile killed in the middle of its work."""
-
-    VICTIM = 2
-
-    def run_script(self, name, *, environment, wait=True, code=DONE):
-        # A folder and a file with spaces, since engineers have them.
-        place = self.folder / "our county"
-        place.mkdir(exist_ok=True)
-        command = [str(EXAMPLES / name), "our county/hills field.sward", str(TILES), self.ground, *LONG]
-        running = subprocess.Popen(command, cwd=self.folder, env={**environment, "SWARD": str(PROGRAM)},
-                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                   stderr=subprocess.STDOUT, text=True, start_new_session=True)
-        self.addCleanup(self.end, running)
-        return self.finish(running, code) if wait else running
-
-    def finish(self, running, code):
-        out, _ = running.communicate(timeout=60)
-        self.assertEqual(running.returncode, code, out)
-        return out
-
-    @staticmethod
-    def end(running):
-        if running.poll() is None:
-            os.killpg(running.pid, signal.SIGKILL)
-        running.communicate()
-
-    def kill_the_victim(self, running=None):
-        """SIGKILL for a tile that has begun and not ended."""
-        deadline = time.monotonic() + 40
-        while (process := tile_at_work(self.folder, self.VICTIM)) is None:
-            self.assertLess(time.monotonic(), deadline, "the tile never ran")
-            time.sleep(0.005)
-        os.kill(process, signal.SIGKILL)
-
-    @property
-    def output(self):
-        return self.folder / "our county/hills field.sward"
-
-    @property
-    def work(self):
-        return self.folder / "our county/hills field.sward.tiles"
-
-    def tiles_there(self):
-        return sorted(int(path.stem[5:]) for path in (self.work / "tiles").glob("tile-*.blades"))
-
-    def require_the_victim_is_missing(self):
-        self.assertFalse(self.output.exists())
-        self.assertEqual(self.tiles_there(), [i for i in range(TILES) if i != self.VICTIM])
-
-    def require_the_bytes_of_one_bake(self):
-        self.assertEqual(digest(self.output), digest(self.bake(self.ground, *LONG)))
-
-
-class Parallel(Scripts):
-    def test_gnu_parallel_goes_on_where_a_killed_tile_stopped(self):
-        if shutil.which("parallel") is None:
-            self.fail("GNU parallel is not installed; scripts/install-dependencies installs it")
-        how = {"environment": {**os.environ, "JOBS": "2"}}
-        running = self.run_script("bake-parallel.sh", wait=False, **how)
-        self.kill_the_victim()
-        self.assertIn(f"missing ({self.VICTIM})", self.finish(running, IO))
-        self.require_the_victim_is_missing()
-        jobs = self.jobs()
-        self.assertEqual(sorted(jobs), [(i, 9 if i == self.VICTIM else 0) for i in range(TILES)])
-
-        self.run_script("bake-parallel.sh", **how)
-        self.assertEqual(self.jobs()[len(jobs):], [(self.VICTIM, 0)])
-        self.require_the_bytes_of_one_bake()
-        # A third time there is nothing left to do; another bake in its folder is refused.
-        self.assertIn("there already", self.run_script("bake-parallel.sh", **how))
-        self.output.unlink()
-        self.write_json("plane.json", {"kind": "plane"})
-        self.ground = "plane.json"
-        self.assertIn("another bake", self.run_script("bake-parallel.sh", code=USAGE, **how))
-
-    def jobs(self):
-        """(tile, signal) of each job that GNU parallel has run."""
-        rows = (self.work / "jobs.log").read_text().splitlines()
-        rows = [row.split("\t") for row in rows if not row.startswith("Seq")]
-        return [(int(re.search(r"--index (\d+)", row[8])[1]), int(row[7])) for row in rows]
-
-
-class Slurm(Scripts):
-    def test_a_slurm_array_goes_on_where_a_killed_task_stopped(self):
-        slurm = LoopbackSlurm()
-        self.addCleanup(slurm.close)
-        try:
-            self.bake_with(slurm)
-        except AssertionError as failure:
-            raise AssertionError(f"{failure}\n{self.job_logs()}\n{slurm.logs()}") from failure
-        slurm.close()
-        self.assertEqual(slurm.processes(), [])
-
-    def bake_with(self, slurm):
-        how = {"environment": slurm.environment}
-        self.run_script("bake-slurm.sh", **how)
-        self.assertIn("in the queue", self.run_script("bake-slurm.sh", code=USAGE, **how))
-        self.kill_the_victim()
-        self.wait_until_the_queue_is_empty(slurm)
-        self.require_the_victim_is_missing()
-        self.assertIn(f"missing ({self.VICTIM})", (self.work / "logs/merge.log").read_text())
-
-        before = {path.name: path.stat().st_mtime_ns for path in (self.work / "tiles").iterdir()}
-        out = self.run_script("bake-slurm.sh", **how)
-        self.assertIn(f"tiles {self.VICTIM},", out)
-        self.wait_until_the_queue_is_empty(slurm)
-        self.require_the_bytes_of_one_bake()
-        for path in (self.work / "tiles").glob("tile-*.blades"):
-            self.assertEqual(before.get(path.name, path.stat().st_mtime_ns), path.stat().st_mtime_ns)
-        self.assertIn("there already", self.run_script("bake-slurm.sh", **how))
-
-    def wait_until_the_queue_is_empty(self, slurm):
-        deadline = time.monotonic() + 60
-        while queue := slurm.ask("squeue", "--noheader"):
-            self.assertLess(time.monotonic(), deadline, f"jobs wait for ever:\n{queue}")
-            time.sleep(0.1)
-
-    def job_logs(self):
-        return "\n".join(f"--- {path.name}\n{path.read_text()}"
-                         for path in sorted((self.work / "logs").glob("*.log")))
-
-
-class Examples(unittest.TestCase):
-    def test_scripts_are_short_and_parse(self):
-        for script in sorted(EXAMPLES.glob("*.sh")):
-            self.assertLessEqual(len(script.read_text().splitlines()), 60, script)
-            subprocess.run(["bash", "-n", str(script)], check=True)
-            self.assertTrue(os.access(script, os.X_OK), script)
+    def test_images_are_there_once_and_wrap_as_their_material_says(self):
+        # A texture that is clamped: beyond it the ground keeps the colour of its edge.
+        noise = random.Random(5).randbytes(3 * 256 * 256)
+        (self.folder / "paint.png").write_bytes(color_png(256, 256, noise))
+        mesh = square(160.0, cells=40)
+        (self.folder / "painted.gltf").write_text(textured_gltf(
+            mesh, [(x / 80.0, z / 80.0) for x, _, z in mesh.positions], "paint.png",
+            {"wrapS": 33071, "wrapT": 33648}))
+        self.ground = "painted.gltf"
+        options = ("--density", "1", "--mask", "material-texture:G")
+        whole = digest(self.bake(self.ground, *options))
+        self.plan(*options)
+        for index in range(TILES):
+            self.tile(index)
+        self.assertEqual(digest(self.merge()), whole)
+        pixels = 4 * 256 * 256
+        images = list((self.folder / "plan.parts").glob("image-*"))
+        self.assertEqual(len(images), 1)
+        self.assertGreater(images[0].stat().st_size, pixels)
+        for part in (self.folder / "plan.parts").glob("part-*"):
+            self.assertLess(part.stat().st_size, pixels)
+        content = bytearray(images[0].read_bytes())
+        content[5000] ^= 1
+        images[0].write_bytes(content)
+        self.refused("tile", "plan.json", "--index", "0", "-o", "other", code=INPUT,
+                     names=[images[0].name], leaves=["other"])
 
 
 if __name__ == "__main__":

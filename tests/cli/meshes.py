@@ -1,5 +1,6 @@
 """Meshes made in the test, written as the formats a user brings."""
 
+import base64
 import json
 import math
 import struct
@@ -98,14 +99,55 @@ def container(text, binary):
 
 def grey_png(width, height, samples):
     """A 16-bit greyscale PNG, samples row by row."""
-    def chunk(kind, content):
-        body = kind + content
+    return png(width, height, 16, 0, struct.pack(f">{width * height}H", *samples))
+
+
+def color_png(width, height, pixels):
+    """An 8-bit RGB PNG of 3·width·height bytes."""
+    return png(width, height, 8, 2, pixels)
+
+
+def png(width, height, depth, kind, pixels):
+    def chunk(name, content):
+        body = name + content
         return struct.pack(">I", len(content)) + body + struct.pack(">I", zlib.crc32(body))
 
-    rows = b"".join(b"\0" + struct.pack(f">{width}H", *samples[j * width:(j + 1) * width])
-                    for j in range(height))
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 16, 0, 0, 0, 0))
+    stride = len(pixels) // height
+    rows = b"".join(b"\0" + pixels[j * stride:(j + 1) * stride] for j in range(height))
+    return (b"\x89PNG\r\n\x1a\n"
+            + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, depth, kind, 0, 0, 0))
             + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
+def textured_gltf(mesh, uvs, image, sampler=None):
+    """A .gltf of one node whose material has the image of this URI as base colour."""
+    parts = [b"".join(struct.pack("<3f", *p) for p in mesh.positions),
+             b"".join(struct.pack("<2f", *uv) for uv in uvs),
+             b"".join(struct.pack("<3I", *t) for t in mesh.triangles)]
+    binary = b"".join(parts)
+    offsets = [sum(map(len, parts[:i])) for i in range(3)]
+    return json.dumps({
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0, "name": "ground"}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2,
+                                    "material": 0}]}],
+        "materials": [{"name": "painted", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+        "textures": [{"source": 0, "sampler": 0}],
+        "samplers": [sampler or {}],
+        "images": [{"uri": image}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": len(mesh.positions), "type": "VEC3",
+             "min": [min(p[i] for p in mesh.positions) for i in range(3)],
+             "max": [max(p[i] for p in mesh.positions) for i in range(3)]},
+            {"bufferView": 1, "componentType": 5126, "count": len(uvs), "type": "VEC2"},
+            {"bufferView": 2, "componentType": 5125, "count": 3 * len(mesh.triangles), "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteOffset": offset, "byteLength": len(part)}
+                        for offset, part in zip(offsets, parts)],
+        "buffers": [{"byteLength": len(binary),
+                     "uri": "data:application/octet-stream;base64," + base64.b64encode(binary).decode()}],
+    })
 
 
 def obj_text(mesh):

@@ -1,81 +1,37 @@
 #include "apps/common/interrupt.h"
 #include "apps/common/output.h"
+#include "apps/common/peak_memory.h"
 #include "apps/common/progress_bar.h"
 #include "apps/sward/bake_options.h"
 #include "apps/sward/bake_summary.h"
 #include "apps/sward/effective_settings.h"
 #include "apps/sward/excluded_input.h"
 #include "apps/sward/ground_input.h"
+#include "apps/sward/output_files.h"
 #include "apps/sward/subcommand.h"
 #include "bake/bake.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/log.h"
+#include "core/stopwatch.h"
 #include "field/write.h"
 
 #include <fmt/ranges.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
-#include <chrono>
-#include <filesystem>
+#include <string>
+#include <vector>
 
 namespace sward::apps {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// Seconds since it was made or last asked.
-class Stopwatch {
-public:
-    double lap()
-    {
-        const auto now = std::chrono::steady_clock::now();
-        const double seconds = std::chrono::duration<double>(now - start_).count();
-        start_ = now;
-        return seconds;
-    }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-// Largest resident size of the program so far [bytes].
-std::uint64_t peakMemory()
-{
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
-    // Linux counts in units of 1024 bytes.
-    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-}
-
-bool isSameFile(const fs::path& a, const fs::path& b)
-{
-    std::error_code ignored;
-    return fs::equivalent(a, b, ignored) || fs::absolute(a, ignored).lexically_normal() ==
-                                                fs::absolute(b, ignored).lexically_normal();
-}
-
-// Refuses, before any work, an output that could not be written after it.
-void checkOutput(const std::string& output, const BakeRequest& request)
-{
-    for (const auto* sources : {&request.inputs, &request.occluders})
-        for (const std::string& source : *sources)
-            if (fs::exists(source) && isSameFile(source, output))
-                fail(ErrorKind::usage, "{}: is read and would be overwritten", output);
-    refuseOverwrite(output, request.overwrite);
-    const fs::path parent = fs::path(output).parent_path();
-    const fs::path folder = parent.empty() ? fs::path(".") : parent;
-    if (::access(folder.c_str(), W_OK) != 0)
-        fail(ErrorKind::io, "{}: the folder {} cannot be written to", output, folder.string());
-}
-
 void checkOutputs(const BakeRequest& request)
 {
+    std::vector<std::string> sources = request.inputs;
+    sources.insert(sources.end(), request.occluders.begin(), request.occluders.end());
     if (!request.dryRun)
-        checkOutput(request.output, request);
+        checkOutput(request.output, sources, request.overwrite);
     if (!request.report.empty())
-        checkOutput(request.report, request);
+        checkOutput(request.report, sources, request.overwrite);
     if (!request.dryRun && !request.report.empty() && isSameFile(request.report, request.output))
         fail(ErrorKind::usage, "{}: cannot be both field and report", request.output);
 }
@@ -145,20 +101,11 @@ public:
         report.warnings = diagnostics.warnings();
         if (!request.report.empty())
             writeTextFile(request.report, bake::toJson(report), request.overwrite);
-        tell(request, report);
+        tell(request.dryRun ? "dry run" : request.output, report);
         return 0;
     }
 
 private:
-    static void tell(const BakeRequest& request, const bake::Report& report)
-    {
-        for (const std::string& warning : report.warnings)
-            log::warn("{}", warning);
-        log::info("{}", rejectionLine(report));
-        log::debug("{}", timingLine(report.timing));
-        writeResult(resultLine(request.dryRun ? "dry run" : request.output, report) + "\n");
-    }
-
     BakeOptions options_;
 };
 

@@ -1,5 +1,8 @@
 #include "apps/sward/bake_summary.h"
 
+#include "apps/common/output.h"
+#include "core/log.h"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -56,6 +59,15 @@ std::string timingLine(const bake::Report::Timing& timing)
     for (const auto& [name, seconds] : stages)
         line += fmt::format("{}{} {:.3f} s", line.empty() ? "" : ", ", name, seconds);
     return line;
+}
+
+void tell(const std::string& name, const bake::Report& report)
+{
+    for (const std::string& warning : report.warnings)
+        log::warn("{}", warning);
+    log::info("{}", rejectionLine(report));
+    log::debug("{}", timingLine(report.timing));
+    writeResult(resultLine(name, report) + "\n");
 }
 
 std::string topologyLine(const terrain::Topology& topology)

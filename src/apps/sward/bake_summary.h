@@ -20,6 +20,9 @@ std::string rejectionLine(const bake::Report& report);
 /// "load 0.1 s, topology 0.2 s, …"
 std::string timingLine(const bake::Report::Timing& timing);
 
+/// Says what a bake came to: its warnings and reasons on the log, the result line on stdout.
+void tell(const std::string& name, const bake::Report& report);
+
 /// "topology: 1 component, 40 border edges, 0 creases, 3 non-manifold edges, …"
 std::string topologyLine(const terrain::Topology& topology);
 

@@ -1,12 +1,18 @@
 #include "apps/common/interrupt.h"
 #include "apps/common/log_switches.h"
-#include "apps/common/output.h"
+#include "apps/common/peak_memory.h"
+#include "apps/sward/bake_arguments.h"
+#include "apps/sward/bake_summary.h"
+#include "apps/sward/output_files.h"
 #include "apps/sward/subcommand.h"
+#include "apps/sward/working_folder.h"
+#include "bake/bake_steps.h"
 #include "bake/patch_tree.h"
 #include "bake/tile_files.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/log.h"
+#include "core/stopwatch.h"
 #include "field/read.h"
 #include "field/write.h"
 
@@ -40,7 +46,7 @@ std::string arrayText(const std::vector<std::uint32_t>& indices)
 // The field that plan wrote without blades.
 field::Field bareField(const fs::path& plan)
 {
-    const field::MappedField mapped = field::readField(bake::barePath(plan));
+    const field::MappedField mapped = field::readField(bake::barePath(bake::partsFolder(plan)));
     const field::FieldView& view = mapped.view();
     field::Field field;
     field.origin = view.origin;
@@ -64,6 +70,9 @@ public:
             .add_option("-o,--output", output_, "Field file to write")
             ->type_name("OUT.sward")
             ->required();
+        app()
+            .add_option("--report", report_, "Write what became of the roots, as bake does")
+            ->type_name("R.json");
         app().add_flag("--force", force_, "Overwrite existing files");
         log_.add(app());
     }
@@ -71,8 +80,17 @@ public:
     int run() const override
     {
         log_.apply();
-        refuseOverwrite(output_, force_);
+        checkOutput(output_, {plan_}, force_);
+        if (!report_.empty()) {
+            checkOutput(report_, {plan_}, force_);
+            if (isSameFile(report_, output_))
+                fail(ErrorKind::usage, "{}: cannot be both field and report", output_);
+        }
+        Stopwatch total;
+        Stopwatch watch;
         const bake::TilePlan plan = bake::readPlan(plan_);
+        const bake::BakeSettings settings = settingsOf(plan);
+        bake::Totals totals;
         std::vector<std::uint32_t> missing;
         std::vector<std::uint32_t> damaged;
         std::vector<bake::CellTree> cells;
@@ -88,6 +106,7 @@ public:
                 continue;
             try {
                 bake::TileResult tile = bake::readTile(bake::tilePath(folder_, i), plan.id);
+                totals.add(tile);
                 if (missing.empty() && damaged.empty())
                     std::move(tile.cells.begin(), tile.cells.end(), std::back_inserter(cells));
             } catch (const Error& error) {
@@ -106,19 +125,38 @@ public:
                  damaged.size(), damaged.empty() ? "none" : arrayText(damaged), arrayText(again));
         }
 
+        bake::Report report = plan.report;
+        report.threads = bake::threadCount(0);
+        report.timing.load = watch.lap();
+        Diagnostics diagnostics;
+        bake::finishReport(report, totals, settings, plan.plan, diagnostics);
+        const std::vector<std::string> warnings = diagnostics.warnings();
+        report.warnings.insert(report.warnings.end(), warnings.begin(), warnings.end());
         field::Field field = bareField(plan_);
         bake::joinCells(std::move(cells), field);
-        const std::uint64_t bytes = field::writeField(field, output_, force_);
-        writeResult(fmt::format("{}: {} blades in {} patches from {} tiles, {:.1f} MB\n", output_,
-                                field.blades.size(), field.patches.size(), plan.tiles,
-                                double(bytes) * 1e-6));
+        report.timing.patches = watch.lap();
+        report.output = {output_, field::writeField(field, output_, force_), field.patches.size()};
+        report.timing.write = watch.lap();
+        report.timing.total = total.lap();
+        report.peakMemory = peakMemory();
+        if (!report_.empty())
+            writeTextFile(report_, bake::toJson(report), force_);
+        tell(output_, report);
         return 0;
     }
 
 private:
+    // What the plan was made with; files are named from its folder.
+    bake::BakeSettings settingsOf(const bake::TilePlan& plan) const
+    {
+        const WorkingFolder working(plan.folder, plan_);
+        return requestOf(plan.arguments, plan_).settings;
+    }
+
     std::string plan_;
     std::string folder_;
     std::string output_;
+    std::string report_;
     bool force_ = false;
     LogSwitches log_;
 };

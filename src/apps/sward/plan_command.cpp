@@ -5,6 +5,7 @@
 #include "apps/sward/bake_options.h"
 #include "apps/sward/excluded_input.h"
 #include "apps/sward/ground_input.h"
+#include "apps/sward/parts_folder.h"
 #include "apps/sward/subcommand.h"
 #include "bake/bake_steps.h"
 #include "bake/tile_files.h"
@@ -15,6 +16,7 @@
 #include "field/write.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 
@@ -54,10 +56,10 @@ public:
     {
         options_.log.apply();
         BakeRequest request = options_.request();
-        const fs::path output = request.output;
+        const fs::path output = fs::absolute(request.output);
         refuseOverwrite(output, request.overwrite);
         Diagnostics diagnostics;
-        const terrain::GroundMesh ground = loadGround(request, diagnostics);
+        terrain::GroundMesh ground = loadGround(request, diagnostics);
         loadExcluded(request, diagnostics);
 
         ProgressBar bar(options_.log.showBar());
@@ -83,25 +85,28 @@ public:
 
 private:
     // Parts and the bare field first, the plan last: whoever sees it finds everything.
-    static std::size_t write(const terrain::GroundMesh& ground, const BakeRequest& request,
+    static std::size_t write(terrain::GroundMesh& ground, const BakeRequest& request,
                              bake::TilePlan& plan, const fs::path& output, Diagnostics& diagnostics,
                              Progress& progress)
     {
         const bake::BakeSettings& settings = request.settings;
         const terrain::SurfaceFeatures features = bake::featuresOf(ground, settings);
         plan.plan = bake::planWhole({ground, features}, settings, diagnostics, progress);
-        bake::Report report = bake::reportOf(ground, settings, 0);
+        bake::Report& report = plan.report;
+        report = bake::reportOf(ground, settings, 0);
+        report.input.path = fmt::format("{}", fmt::join(request.inputs, ", "));
         report.bladeScale = plan.plan.plan.scale;
+        report.warnings = diagnostics.warnings();
         plan.id = fmt::format("{}-{:016x}-{}", report.input.hash, digestOf(bake::toJson(settings)),
                               plan.tiles);
 
-        const fs::path folder = bake::barePath(output).parent_path();
-        std::error_code trouble;
-        fs::create_directories(folder, trouble);
-        if (trouble)
-            fail(ErrorKind::io, "{}: cannot be made: {}", folder.string(), trouble.message());
+        PartsFolder parts(bake::partsFolder(output));
         field::writeField(bake::bareField(ground, settings, plan.plan, report),
-                          bake::barePath(output), true);
+                          bake::barePath(parts.filling()), true);
+        // All parts share the images; from here on nobody looks at a pixel.
+        bake::writeImages(parts.filling(), plan.id, ground);
+        for (terrain::GroundImage& image : ground.images)
+            image.rgba = {};
         const std::vector<std::vector<bake::CellNumber>> tiles =
             bake::dealTiles(ground, plan.tiles);
         const double margin = bake::tileMargin(ground, settings, plan.plan);
@@ -110,13 +115,15 @@ private:
         progress.begin("plan", tiles.size());
         std::size_t triangles = 0;
         for (std::uint32_t i = 0; i < tiles.size(); ++i) {
-            bake::writePart(bake::partPath(output, i), plan.id,
+            bake::writePart(bake::partPath(parts.filling(), i), plan.id,
                             {bake::partOf(ground, near[i]),
                              bake::partOf(ground, features, near[i], margin), tiles[i]});
             triangles += near[i].size();
             progress.advance(1);
         }
+        parts.put();
         bake::writePlan(output, plan, request.overwrite);
+        parts.keep();
         return triangles;
     }
 

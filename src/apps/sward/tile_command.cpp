@@ -5,6 +5,7 @@
 #include "apps/sward/bake_arguments.h"
 #include "apps/sward/excluded_input.h"
 #include "apps/sward/subcommand.h"
+#include "apps/sward/working_folder.h"
 #include "bake/bake_steps.h"
 #include "bake/tile_files.h"
 #include "core/error.h"
@@ -47,23 +48,22 @@ public:
             fail(ErrorKind::usage, "--index {}: {} has tiles 0 to {}", index_, plan_,
                  plan.tiles - 1);
         const fs::path output = fs::absolute(bake::tilePath(folder_, index_));
-        const fs::path part = fs::absolute(bake::partPath(plan_, index_));
+        const fs::path parts = fs::absolute(bake::partsFolder(plan_));
         // Who asks twice gets the same file; a damaged one is replaced.
         if (!force_ && isDone(output, plan.id)) {
             writeResult(fmt::format("{}: is there already\n", output.string()));
             return 0;
         }
+        // Files of the settings are named from the folder in which the plan was made.
+        const WorkingFolder working(plan.folder, plan_);
         std::error_code trouble;
-        fs::create_directories(folder_, trouble);
+        fs::create_directories(output.parent_path(), trouble);
         if (trouble)
             fail(ErrorKind::io, "{}: cannot be made: {}", folder_, trouble.message());
-
-        // Files of the settings are named from the folder in which the plan was made.
-        fs::current_path(plan.folder, trouble);
         BakeRequest request = requestOf(plan.arguments, plan_);
         Diagnostics diagnostics;
         loadExcluded(request, diagnostics);
-        const bake::TilePart ground = bake::readPart(part, plan.id);
+        const bake::TilePart ground = bake::readPart(parts, index_, plan.id);
         ProgressBar bar(log_.showBar());
         Progress progress(bar.callback());
         const CancelOnInterrupt cancel(progress);

@@ -1,3 +1,4 @@
+#include "bake/bake_steps.h"
 #include "bake/warnings.h"
 #include "support/meshes.h"
 #include "unit/bake/bake_settings.h"
@@ -22,7 +23,7 @@ std::string warningsOf(const terrain::GroundMesh& mesh, const BakeSettings& sett
         counts.undersides += std::uint64_t(glm::dot(glm::dvec3(root.normal), up) < 0.0);
     }
     Diagnostics diagnostics;
-    warnAboutRoots(counts, mesh, settings, diagnostics);
+    warnAboutRoots(counts, reportOf(mesh, settings, 1).input, settings, diagnostics);
     std::string all;
     for (const std::string& warning : diagnostics.warnings())
         all += warning + "\n";

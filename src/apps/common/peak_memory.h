@@ -1,0 +1,10 @@
+#pragma once
+
+#include <cstdint>
+
+namespace sward::apps {
+
+/// Largest resident size of the program so far [bytes].
+std::uint64_t peakMemory();
+
+} // namespace sward::apps
