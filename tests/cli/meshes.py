@@ -150,6 +150,41 @@ def textured_gltf(mesh, uvs, image, sampler=None):
     })
 
 
+def blender_glb(mesh, uvs):
+    """A .glb laid out as Blender 3.4 exports a landscape with a colour attribute: COLOR_0, POSITION,
+    TEXCOORD_0 and NORMAL in floats, short indices, a two-sided material without an image."""
+    count = len(mesh.positions)
+    parts = [b"".join(struct.pack("<4f", *c) for c in mesh.colors),
+             b"".join(struct.pack("<3f", *p) for p in mesh.positions),
+             b"".join(struct.pack("<2f", *uv) for uv in uvs),
+             b"".join(struct.pack("<3f", 0.0, 1.0, 0.0) for _ in mesh.positions),
+             b"".join(struct.pack("<3H", *t) for t in mesh.triangles)]
+    parts[4] += b"\0" * (-len(parts[4]) % 4)
+    bounds = {"min": [min(p[i] for p in mesh.positions) for i in range(3)],
+              "max": [max(p[i] for p in mesh.positions) for i in range(3)]}
+    floats = {"componentType": 5126, "count": count}
+    text = {
+        "asset": {"generator": "Khronos glTF Blender I/O v3.4.50", "version": "2.0"},
+        "scene": 0,
+        "scenes": [{"name": "Scene", "nodes": [0]}],
+        "nodes": [{"mesh": 0, "name": "Landscape"}],
+        "materials": [{"doubleSided": True, "name": "earth", "pbrMetallicRoughness": {
+            "baseColorFactor": [0.16, 0.1, 0.06, 1], "metallicFactor": 0, "roughnessFactor": 0.95}}],
+        "meshes": [{"name": "Landscape", "primitives": [{"attributes": {
+            "COLOR_0": 0, "POSITION": 1, "TEXCOORD_0": 2, "NORMAL": 3}, "indices": 4, "material": 0}]}],
+        "accessors": [{"bufferView": 0, "type": "VEC4", **floats},
+                      {"bufferView": 1, "type": "VEC3", **floats, **bounds},
+                      {"bufferView": 2, "type": "VEC2", **floats},
+                      {"bufferView": 3, "type": "VEC3", **floats},
+                      {"bufferView": 4, "componentType": 5123, "count": 3 * len(mesh.triangles),
+                       "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteOffset": sum(map(len, parts[:i])), "byteLength": len(part),
+                         "target": 34963 if i == 4 else 34962} for i, part in enumerate(parts)],
+        "buffers": [{"byteLength": sum(map(len, parts))}],
+    }
+    return container(json.dumps(text).encode(), b"".join(parts))
+
+
 def obj_text(mesh):
     lines = ["v {:.9g} {:.9g} {:.9g}".format(*p) for p in mesh.positions]
     lines += ["f {} {} {}".format(*(i + 1 for i in t)) for t in mesh.triangles]

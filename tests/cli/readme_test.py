@@ -8,9 +8,9 @@ import unittest
 from support import CliTest, PROGRAM, ROOT
 
 
-def commands():
-    """Lines of README's shell blocks that run the offline program, in their order."""
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
+def commands(document=ROOT / "README.md"):
+    """Lines of a document's shell blocks that run the offline program, in their order."""
+    text = document.read_text(encoding="utf-8")
     blocks = re.findall(r"(?ms)^```(?:sh|bash|shell|console)?\n(.*?)^```", text)
     lines = "\n".join(blocks).replace("\\\n", " ").splitlines()
     found = [re.match(r"\s*(?:\$ )?(?:build/\w+/bin/)?(sward (?!-).+)", line) for line in lines]
