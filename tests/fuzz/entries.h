@@ -13,9 +13,14 @@ using Bytes = std::span<const std::uint8_t>;
 void fieldReader(Bytes bytes);     ///< a field file; its hashes are mended first
 void gltfImport(Bytes bytes);      ///< a .glb or .gltf
 void heightmapImport(Bytes bytes); ///< the first bytes choose format, size and a mask
+void mask(Bytes bytes);            ///< the first bytes choose: an image and a channel, or words
 void meadow(Bytes bytes);          ///< a meadow file
 void meshImport(Bytes bytes);      ///< the first byte chooses among OBJ, PLY, STL and OFF
 void recipe(Bytes bytes);          ///< a terrain recipe
+void tileFiles(Bytes bytes);       ///< the first byte chooses: part, tile, image, plan
+
+/// Id of the plan that the files of tileFiles() belong to.
+inline constexpr const char* tileFilesId = "fuzz";
 
 /// A corpus in tests/fuzz/corpus and the function for it.
 struct Entry {
@@ -24,9 +29,14 @@ struct Entry {
 };
 
 inline constexpr Entry entries[] = {
-    {"field_reader", fieldReader},         {"gltf_import", gltfImport},
-    {"heightmap_import", heightmapImport}, {"meadow", meadow},
-    {"mesh_import", meshImport},           {"recipe", recipe},
+    {"field_reader", fieldReader},
+    {"gltf_import", gltfImport},
+    {"heightmap_import", heightmapImport},
+    {"mask", mask},
+    {"meadow", meadow},
+    {"mesh_import", meshImport},
+    {"recipe", recipe},
+    {"tile_files", tileFiles},
 };
 
 } // namespace sward::fuzz

@@ -22,12 +22,13 @@ MemoryFile::~MemoryFile()
     std::filesystem::remove_all(folder_, ignored);
 }
 
-std::filesystem::path MemoryFile::hold(Bytes bytes, const std::string& extension)
+std::filesystem::path MemoryFile::hold(Bytes bytes, const std::string& extension,
+                                       const std::string& stem)
 {
     expect(::ftruncate(fd_, 0) == 0 &&
                ::pwrite(fd_, bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size()),
            "a file in memory that takes the bytes");
-    std::filesystem::path name = folder_ / ("input" + extension);
+    std::filesystem::path name = folder_ / (stem + extension);
     if (!std::filesystem::is_symlink(name))
         std::filesystem::create_symlink("/proc/self/fd/" + std::to_string(fd_), name);
     return name;

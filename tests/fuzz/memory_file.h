@@ -7,8 +7,8 @@
 
 namespace sward::fuzz {
 
-/// A file in memory under names that readers can open and judge by: "input" with any extension, in
-/// a folder that holds nothing else.
+/// A file in memory under names that readers can open and judge by, in a folder that holds nothing
+/// else.
 class MemoryFile {
 public:
     MemoryFile();
@@ -17,7 +17,8 @@ public:
     ~MemoryFile();
 
     /// Puts `bytes` in the place of what it held; returns its path with this extension.
-    std::filesystem::path hold(Bytes bytes, const std::string& extension);
+    std::filesystem::path hold(Bytes bytes, const std::string& extension,
+                               const std::string& stem = "input");
 
     const std::filesystem::path& folder() const { return folder_; }
 

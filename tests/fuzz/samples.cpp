@@ -1,10 +1,12 @@
 #include "fuzz/samples.h"
 
 #include "bake/meadow.h"
+#include "bake/tile_files.h"
 #include "core/mapped_file.h"
 #include "field/write.h"
 #include "fuzz/memory_file.h"
 #include "support/fields/fields.h"
+#include "terrain/load.h"
 #include "terrain/recipe.h"
 #include "unit/terrain/compressed_glb.h"
 #include "unit/terrain/image_files.h"
@@ -129,6 +131,82 @@ void addFields(std::vector<Sample>& all)
     std::filesystem::remove(path);
 }
 
+std::string contentOf(const std::filesystem::path& path)
+{
+    const std::vector<std::byte> bytes = readFile(path);
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+void addMasks(std::vector<Sample>& all)
+{
+    const auto add = [&](const char* name, int kind, int channel, const std::string& bytes) {
+        all.push_back({"mask", name,
+                       std::string({static_cast<char>(kind), static_cast<char>(channel)}) + bytes});
+    };
+    add("grey16.png", 0, 0, terrain::greyPng({3, 2}, {0, 65535, 13107, 26214, 39321, 52428}, 16));
+    add("grey8.png", 0, 3, terrain::greyPng({2, 2}, {0, 255, 9, 80}, 8, true));
+    // A true-colour TGA of 2 x 1 pixels.
+    std::string tga(18, '\0');
+    tga[2] = 2;
+    tga[12] = 2;
+    tga[14] = 1;
+    tga[16] = 24;
+    add("color.tga", 2, 1, tga + std::string("\1\2\3\4\5\6", 6));
+    for (const char* text : {"vertex-color:R", "texture:a.png:G:invert", "material-texture:A"})
+        all.push_back(
+            {"mask", std::string(text).substr(0, 7) + ".txt", "\x80" + std::string(text)});
+}
+
+// A square of two triangles whose material shows an image.
+terrain::GroundMesh paintedSquare()
+{
+    Diagnostics diagnostics;
+    const std::string glb = richGlb().glb();
+    return terrain::load(
+        memoryFile().hold({reinterpret_cast<const std::uint8_t*>(glb.data()), glb.size()}, ".glb"),
+        {}, diagnostics);
+}
+
+void addTileFiles(std::vector<Sample>& all)
+{
+    const std::filesystem::path folder = memoryFile().folder() / "sample.parts";
+    std::filesystem::create_directory(folder);
+    const auto add = [&](const char* name, int kind, const std::filesystem::path& path) {
+        all.push_back(
+            {"tile_files", name, std::string(1, static_cast<char>(kind)) + contentOf(path)});
+    };
+    bake::TilePart part;
+    part.ground = paintedSquare();
+    part.cells = {{0, 0, 0}, {-1, 0, 2}};
+    part.features.curvature.assign(part.ground.positions.size(), 0.5f);
+    bake::writePart(bake::partPath(folder, 0), tileFilesId, part);
+    add("part", 0, bake::partPath(folder, 0));
+    terrain::GroundMesh drawn = part.ground;
+    drawn.images.resize(1);
+    bake::writeImages(folder, tileFilesId, drawn);
+    add("image", 2, bake::imagePath(folder, 0));
+    part.ground.materials.front().image = terrain::GroundMaterial::noImage;
+    bake::writePart(bake::partPath(folder, 0), tileFilesId, part);
+    add("part_without_image", 0, bake::partPath(folder, 0));
+
+    bake::TileResult tile;
+    tile.counts.kept = 2;
+    bake::CellTree& cell = tile.cells.emplace_back();
+    cell.patches.resize(1);
+    cell.blades.resize(2);
+    cell.keys.resize(2);
+    bake::writeTile(bake::tilePath(folder, 0), tileFilesId, tile);
+    add("tile", 1, bake::tilePath(folder, 0));
+
+    bake::TilePlan plan;
+    plan.id = tileFilesId;
+    plan.tiles = 3;
+    plan.arguments = {"--density=2", "--", "a.glb"};
+    bake::writePlan(folder / "plan.json", plan, true);
+    add("plan.json", 3, folder / "plan.json");
+    std::filesystem::remove_all(folder);
+}
+
 } // namespace
 
 std::vector<Sample> samples()
@@ -139,6 +217,8 @@ std::vector<Sample> samples()
     addHeightmaps(all);
     addTexts(all);
     addFields(all);
+    addMasks(all);
+    addTileFiles(all);
     return all;
 }
 
