@@ -210,6 +210,19 @@ class Tiles(ClusterTest):
         self.assertNotEqual(before["plan.json"], digest(self.folder / "plan.json"))
         self.assertEqual(set(before), {name for name in self.files() if (self.folder / name).is_file()})
 
+    def test_a_plan_replaces_no_folder_but_that_of_a_plan(self):
+        (self.folder / "plan.parts").mkdir()
+        mine = self.folder / "plan.parts/letters.txt"
+        mine.write_text("mine")
+        for force in ((), ("--force",)):
+            self.refused("plan", self.ground, "--tiles", "2", "-o", "plan.json", *force, code=IO,
+                         names=["plan.parts"])
+        mine.unlink()
+        self.plan(*OPTIONS)
+        # A plan that was killed at its very end has left parts and no plan.
+        (self.folder / "plan.json").unlink()
+        self.plan(*OPTIONS)
+
     def test_the_folder_that_files_are_named_from_must_be_there(self):
         (self.folder / "there").mkdir()
         self.sward("plan", f"../{self.ground}", "--tiles", "2", "-o", "../plan.json", "-q",

@@ -1,5 +1,6 @@
 #include "apps/sward/parts_folder.h"
 
+#include "bake/tile_files.h"
 #include "core/error.h"
 
 #include <fmt/format.h>
@@ -34,6 +35,9 @@ PartsFolder::PartsFolder(fs::path place)
     , before_(beside(place_, "old"))
 {
     std::error_code trouble;
+    if (fs::exists(place_, trouble) && !fs::exists(bake::barePath(place_), trouble) &&
+        (!fs::is_directory(place_) || !fs::is_empty(place_)))
+        fail(ErrorKind::io, "{}: is in the way and no folder of a plan", place_.string());
     fs::create_directories(filling_, trouble);
     if (trouble)
         fail(ErrorKind::io, "{}: cannot be made: {}", filling_.string(), trouble.message());

@@ -8,7 +8,7 @@ namespace sward::apps {
 /// beside its place, then put there. Unless keep() is called, everything is as it was before.
 class PartsFolder {
 public:
-    /// Throws Error{io}.
+    /// Throws Error{io}, also if what is in its place is no folder of a plan and not empty.
     explicit PartsFolder(std::filesystem::path place);
     PartsFolder(const PartsFolder&) = delete;
     PartsFolder& operator=(const PartsFolder&) = delete;
