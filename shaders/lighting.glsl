@@ -7,6 +7,9 @@
 
 #define FRAME push.frame.at[0]
 
+/// Whether ground and blades show the wind; known when the pipeline is made.
+layout(constant_id = 0) const bool paintsWind = false;
+
 float luminance(vec3 color)
 {
     return dot(color, vec3(0.2126, 0.7152, 0.0722));
@@ -79,6 +82,16 @@ vec3 colorOf(uint number)
 {
     const uint h = mixUint(number * 2654435761u + 12345u);
     return 0.15 + 0.85 * vec3(h & 255u, (h >> 8u) & 255u, (h >> 16u) & 255u) / 255.0;
+}
+
+/// The wind's speed at a place as a colour: dark blue where it is calm, over green to white.
+vec3 colorOfWind(vec3 position, vec3 up)
+{
+    Nature nature = FRAME.nature; // what holds references cannot be const
+    const vec3 wind = windAt(nature.wind, position, up, FRAME.time);
+    const float speed = clamp(length(wind) / max(nature.wind.sum, 1e-6), 0.0, 1.0);
+    return mix(mix(vec3(0.01, 0.03, 0.20), vec3(0.02, 0.45, 0.15), smoothstep(0.0, 0.45, speed)),
+               vec3(1.0, 0.95, 0.8), smoothstep(0.35, 1.0, speed));
 }
 
 #endif

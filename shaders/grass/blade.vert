@@ -43,6 +43,8 @@ void main()
                          clamp(log2(max(visible.widthFactor, 1.0)) / 4.0, 0.0, 1.0));
     else if (FRAME.debugMode == 2u)
         colors.tip = colorOf(visible.patchIndex);
+    if (paintsWind)
+        colors.tip = colorOfWind(blade.root, blade.up);
     if (FRAME.debugMode != 0u)
         colors.root = 0.4 * colors.tip;
     outRootColor = colors.root;

@@ -11,9 +11,15 @@ layout(local_size_x = updateThreads) in;
 layout(push_constant, scalar) uniform Block { UpdatePush push; };
 #define FRAME push.frame.at[0]
 
+// Known when the pipeline is made, so that winds that do not blow and colliders that are not there
+// cost nothing.
+layout(constant_id = 0) const uint windCounts = 0u;
+layout(constant_id = 1) const bool hasColliders = false;
+
 shared uint fateTally[fateCount];
 shared uint listBase;
 shared VisibleBlade survivors[maxPatchBlades];
+shared uint colliderBits[colliderWords];
 
 Eyepoint eyepoint()
 {
@@ -27,6 +33,24 @@ Eyepoint eyepoint()
     view.lodWidth = FRAME.lodWidth;
     view.cullMask = FRAME.cullMask;
     return view;
+}
+
+/// The colliders that may touch a blade of the patch, found by all threads together.
+ColliderMask collidersNear(Patch cell, float elapsed, uint thread)
+{
+    ColliderMask near = noColliders();
+    if (!hasColliders || elapsed <= 0.0f)
+        return near;
+    if (thread < colliderWords)
+        colliderBits[thread] = 0u;
+    barrier();
+    for (uint i = thread; i < FRAME.nature.colliderCount; i += updateThreads)
+        if (colliderNear(FRAME.nature.colliders.at[i], cell.boundsLow, cell.boundsHigh, elapsed))
+            atomicOr(colliderBits[i / 32u], 1u << (i % 32u));
+    barrier();
+    for (uint word = 0u; word < colliderWords; ++word)
+        near.words[word] = colliderBits[word];
+    return near;
 }
 
 void noteFate(uint blade, uint fate)
@@ -44,6 +68,9 @@ void main()
     const uint patchIndex = push.owners.at[group];
     const Patch cell = FRAME.patches.at[patchIndex];
     const Eyepoint view = eyepoint();
+    Nature nature = FRAME.nature; // what holds references cannot be const
+    nature.wind.counts = windCounts;
+    nature.colliderCount = hasColliders ? nature.colliderCount : 0u;
 
     // Leave a patch that nobody sees as it is; its blades catch up when it is seen again.
     if (push.onlyUpdate == 0u && patchCulled(view, cell)) {
@@ -58,6 +85,7 @@ void main()
         fateTally[thread] = 0u;
     const float elapsed = max(FRAME.time - FRAME.patchTimes.at[patchIndex], 0.0f);
     barrier();
+    const ColliderMask near = collidersNear(cell, elapsed, thread);
 
     for (uint i = thread; i < cell.bladeCount; i += updateThreads) {
         const uint index = cell.firstBlade + i;
@@ -66,8 +94,7 @@ void main()
         // Move it. At a standstill the stored state stays as it is, to the bit.
         BladeState state = FRAME.states.at[index];
         if (elapsed > 0.0f) {
-            state = advanceBlade(blade, FRAME.gravity, FRAME.wind, FRAME.recovery, state, FRAME.time,
-                                 elapsed);
+            state = advanceBlade(blade, nature, near, state, FRAME.time, elapsed);
             FRAME.states.at[index] = state;
         }
         if (push.onlyUpdate != 0u)

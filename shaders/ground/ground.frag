@@ -31,5 +31,7 @@ void main()
         color = vec3(0.35) * (0.5 + 0.5 * facing);
     else
         color = throughAir(color, inPosition);
+    if (paintsWind)
+        color = colorOfWind(inPosition, n);
     outColor = vec4(develop(color), 1.0);
 }

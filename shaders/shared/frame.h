@@ -52,9 +52,7 @@ struct Frame {
     vec4 planes[6];      ///< left right bottom top near far; unit normals inward, offset
     vec3 eye;
     float time; ///< [s]
-    Gravity gravity;
-    Wind wind;
-    float recovery;      ///< [1/s] rate at which a stiff blade rises again
+    Nature nature;
     float drawDistance;  ///< [m]
     float pixelsPerUnit; ///< pixels of something 1 m large at 1 m distance
     float lodThreshold;  ///< [pixels] width below which blades are left out; 0: never
@@ -67,7 +65,7 @@ struct Frame {
     vec3 sunDirection;    ///< unit, towards the sun
     float exposure;       ///< scale from radiance to the picture
     vec3 sunColor;        ///< linear radiance
-    uint debugMode;       ///< 0 none, 1 lod, 2 patches
+    uint debugMode;       ///< 0 none, 1 lod, 2 patches, 3 wind
     vec3 skyColor;        ///< linear radiance from above
     float fogDensity;     ///< [1/m]
     vec3 groundColor;     ///< linear radiance from below
@@ -75,7 +73,7 @@ struct Frame {
     vec3 skyUp;              ///< unit; where the sky is
     float fixedTessellation; ///< > 0: this level for every blade
 };
-SHARED_LAYOUT(Frame, 424)
+SHARED_LAYOUT(Frame, 440)
 
 SHARED_BUFFER(FrameArray, Frame, readonly)
 

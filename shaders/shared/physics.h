@@ -5,6 +5,7 @@
 
 #include "shaders/shared/bezier.h"
 #include "shaders/shared/blade.h"
+#include "shaders/shared/collision.h"
 #include "shaders/shared/types.h"
 #include "shaders/shared/wind.h"
 
@@ -26,8 +27,13 @@ struct Gravity {
     float strength; ///< [1/s] in heights per second
     vec3 attractor; ///< [m] relative to the field's origin: a planet's centre
     float blend;    ///< [0, 1]: 0 direction only, 1 attractor only
+    float
+        forward; ///< [0, 1] share of the pull that leans a blade forward; the paper's is a quarter
 };
-SHARED_LAYOUT(Gravity, 32)
+SHARED_LAYOUT(Gravity, 36)
+
+/// Gravity::forward of the paper.
+SHARED_CONST float forwardShare = 0.25f;
 
 /// A blade's control points relative to its root, in heights; v0 is the origin.
 struct Pose {
@@ -69,14 +75,15 @@ SHARED_FN float etaOf(BladeState state)
     return float(state.zEta >> 16u) / 65535.0f;
 }
 
-/// Gravity at `root` [m] with its elastic forward part: g = gE + ¼·‖gE‖·front (section 5.1).
+/// Gravity at `root` [m] with its elastic forward part: g = gE + forward·‖gE‖·front
+/// (section 5.1).
 SHARED_FN vec3 gravityAt(Gravity gravity, vec3 root, vec3 front)
 {
     const vec3 toAttractor = gravity.attractor - root;
     const float distance = length(toAttractor);
     const vec3 pull = distance > 1e-6f ? toAttractor / distance : vec3(0.0f);
     const vec3 environment = gravity.strength * mix(gravity.direction, pull, gravity.blend);
-    return environment + 0.25f * length(environment) * front;
+    return environment + gravity.forward * length(environment) * front;
 }
 
 /// The three validation steps (section 5.3) for a tip at `tip` heights from the root:
@@ -110,38 +117,115 @@ SHARED_FN Pose poseOfState(vec3 up, vec3 front, BladeState state)
     return poseBlade(up, front, up + displacementOf(state));
 }
 
-/// One step of `dt` [s] (section 5.2): δ' = δ + (recovery + gravity + wind)·dt, solved exactly for
-/// forces that stand still during the step: the displacement relaxes towards δ* = (g + w)/k with
-/// rate k, so a long step is safe. With b = 1 − stiffness, as in the authors' demo, gravity and
-/// wind count b and recovery 1 − b/4; collision strength eta softens recovery.
-SHARED_FN vec3 relaxDisplacement(Blade blade, vec3 front, Gravity gravity, vec3 wind,
-                                 float recovery, vec3 displacement, float eta, float dt)
+/// One step of `dt` [s] (section 5.2) from a valid `tip` [heights]: tip' = recovery + gravity +
+/// wind, with the length kept, solved exactly for forces that stand still. Without the length the
+/// tip would relax towards rest + (g + w)/k with rate k; on the ball of all tips it turns towards
+/// the direction of that place, and the tangent of half the angle between them falls with rate
+/// k·|place|/|tip|. So any step is safe, and the frame rate does not matter. A blade that lies
+/// turns along the ground alone. Returns a direction, unit, for poseBlade(). With b = 1 −
+/// stiffness, as in the authors' demo, gravity and wind count b and recovery 1 − b/4; collision
+/// strength eta softens recovery. `wind` is what windForce() returns.
+SHARED_FN vec3 relaxTip(Blade blade, vec3 front, Gravity gravity, vec3 wind, float recovery,
+                        vec3 tip, float eta, float dt)
 {
     const float b = 1.0f - blade.stiffness;
-    const float k = recovery * (1.0f - 0.25f * b) * max(1.0f - eta, 0.1f);
-    const vec3 tip = blade.up + displacement;
+    const float k = max(recovery * (1.0f - 0.25f * b) * max(1.0f - eta, 0.1f), 1e-3f);
+    vec3 place = blade.up + (b / k) * (gravityAt(gravity, blade.root, front) + wind);
 
-    // Wind counts for what faces it, and for a blade that stands up (section 5.1).
-    const float windLength = length(wind);
-    const float tipLength = length(tip);
-    float share = 0.0f;
-    if (windLength > 1e-6f && tipLength > 1e-6f)
-        share =
-            (1.0f - abs(dot(wind, tip)) / (windLength * tipLength)) * max(dot(tip, blade.up), 0.0f);
+    const float radius = max(length(tip), 1e-6f);
+    const vec3 direction = tip / radius;
+    const float sink = dot(place, blade.up);
+    if (sink < 0.0f && dot(direction, blade.up) < 1e-3f)
+        place -= sink * blade.up;
+    const float distance = length(place);
+    if (distance < 1e-6f)
+        return direction;
+    const vec3 target = place / distance;
 
-    const vec3 forces = b * (gravityAt(gravity, blade.root, front) + share * wind);
-    const vec3 rest = forces / max(k, 1e-3f);
-    return rest + (displacement - rest) * exp(-k * dt);
+    // With t the tangent of half the angle: cos = (1 − t²)/(1 + t²), sin = 2t/(1 + t²).
+    const float cosine = clamp(dot(direction, target), -1.0f, 1.0f);
+    const float fall = exp(-k * distance / radius * dt);
+    const float near = 1.0f + cosine;
+    const float far = (1.0f - cosine) * fall * fall;
+    // Straight away from the target nothing turns it to any side.
+    if (near + far < 1e-6f)
+        return direction;
+    return ((near - far) * target + 2.0f * fall * (direction - cosine * target)) / (near + far);
 }
+
+/// Rounds of pushing a blade out of all colliders near it. One collider takes one or two; between
+/// several a blade finds its place in some frames.
+SHARED_CONST uint contactRounds = 3u;
+
+/// How much farther than the curve's middle the tip is pushed. The paper has 4, as if only v2
+/// moved; v1 goes with it, so that the middle moves by a quarter to a half of the tip's way, and 4
+/// overshoots: some blades between two colliders then jump to and fro.
+SHARED_CONST float middleLever = 2.0f;
+
+/// The tip of a valid blade, `tipBefore` one step ago, after all colliders near it, as they were
+/// `back` [s] ago, have pushed it out at the tip and at the curve's middle, validated after each
+/// push. `pushed` grows by what the tip was moved [heights]; `resting` turns false where a collider
+/// that moves touches. Colliders that still disagree after all rounds, and rest, move it half of
+/// the way: else it could go to and fro between them for ever.
+SHARED_FN vec3 pushBlade(Blade blade, vec3 front, ColliderTable colliders, ColliderMask near,
+                         vec3 tipBefore, vec3 tip, float back, SHARED_INOUT(float) pushed,
+                         SHARED_INOUT(bool) resting)
+{
+    Pose pose = poseBlade(blade.up, front, tip);
+    vec3 result = tip;
+    bool touched = true;
+    for (uint turn = 0u; turn < contactRounds && touched; ++turn) {
+        touched = false;
+        for (uint word = 0u; word < colliderWords; ++word) {
+            for (uint bits = near.words[word]; bits != 0u; bits &= bits - 1u) {
+                const Collider collider = colliderSeenFrom(
+                    colliders.at[32u * word + uint(findLSB(bits))], blade.root, blade.height, back);
+                // Out of reach.
+                if (length(towardsSegment(collider, vec3(0.0f))) >= collider.radius + 1.0f)
+                    continue;
+                for (uint point = 0u; point < 2u; ++point) {
+                    const vec3 middle = 0.5f * pose.v1 + 0.25f * pose.v2;
+                    const vec3 push = point == 0u ? pushOut(collider, pose.v2, front)
+                                                  : middleLever * pushOut(collider, middle, front);
+                    if (dot(push, push) > 0.0f) {
+                        const vec3 before = pose.v2;
+                        pose = poseBlade(blade.up, front, before + push);
+                        result = pose.v2;
+                        pushed += length(result - before);
+                        resting = resting && dot(collider.velocity, collider.velocity) == 0.0f;
+                        touched = true;
+                    }
+                }
+            }
+        }
+    }
+    return touched && resting ? poseBlade(blade.up, front, tipBefore + result).v2 : result;
+}
+
+/// What moves every blade of a field in one frame.
+struct Nature {
+    Gravity gravity;
+    float recovery;     ///< [1/s] rate at which a stiff blade rises again
+    uint colliderCount; ///< 0: no blade asks for colliders
+    uint reserved;
+    Wind wind;
+    ColliderTable colliders;
+};
+SHARED_LAYOUT(Nature, 80)
 
 /// Longest time the forces are taken to stand still [s], and how often at most one frame is
 /// divided.
 SHARED_CONST float longestStep = 0.034f;
 SHARED_CONST uint maxSteps = 16u;
 
-/// Moves a blade by the time `elapsed` [s] up to `time`, however long. Returns its new state.
-SHARED_FN BladeState advanceBlade(Blade blade, Gravity gravity, Wind wind, float recovery,
-                                  BladeState state, float time, float elapsed)
+/// Between colliders at rest a blade sticks: slower than this [heights per second] it does not move
+/// at all. Without it blades between two overlapping colliders would tremble for ever.
+SHARED_CONST float stickingSpeed = 0.06f;
+
+/// Moves a blade by the time `elapsed` [s] up to `time`, however long. `near` are the colliders
+/// that may touch it. Returns its new state.
+SHARED_FN BladeState advanceBlade(Blade blade, Nature nature, ColliderMask near, BladeState state,
+                                  float time, float elapsed)
 {
     const vec3 front = frontOf(blade.up, widthAxis(blade.up, blade.facing));
     // Contact fades within 1/a seconds, a = (1 − b)/2 … 1/2 as in the demo.
@@ -149,16 +233,30 @@ SHARED_FN BladeState advanceBlade(Blade blade, Gravity gravity, Wind wind, float
     const uint steps = uint(clamp(ceil(elapsed / longestStep), 1.0f, float(maxSteps)));
     const float dt = elapsed / float(steps);
 
-    vec3 displacement = displacementOf(state);
+    vec3 tip = blade.up + displacementOf(state);
     float eta = etaOf(state);
+    float pushed = 0.0f;
+    bool resting = true;
     for (uint i = 0u; i < steps; ++i) {
-        const float now = time - elapsed + dt * float(i + 1u);
+        const float back = elapsed - dt * float(i + 1u);
         eta = max(eta - fade * dt, 0.0f);
-        displacement = relaxDisplacement(blade, front, gravity, windAt(wind, blade.root, now),
-                                         recovery, displacement, eta, dt);
-        const Pose pose = poseBlade(blade.up, front, blade.up + displacement);
-        displacement = pose.v2 - blade.up;
+        // The wind of the middle of the step stands for all of it.
+        const vec3 wind =
+            windForce(nature.wind, blade.root, blade.up, tip, time - back - 0.5f * dt);
+        const vec3 tipBefore = tip;
+        tip = relaxTip(blade, front, nature.gravity, wind, nature.recovery, tip, eta, dt);
+        tip = poseBlade(blade.up, front, tip).v2;
+        if (nature.colliderCount > 0u) {
+            const float before = pushed;
+            tip = pushBlade(blade, front, nature.colliders, near, tipBefore, tip, back, pushed,
+                            resting);
+            eta = min(eta + (pushed - before), 1.0f);
+        }
     }
+    const vec3 displacement = tip - blade.up;
+    if (pushed > 0.0f && resting &&
+        length(displacement - displacementOf(state)) < stickingSpeed * elapsed)
+        return state;
     return packState(displacement, eta);
 }
 

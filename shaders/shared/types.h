@@ -7,11 +7,13 @@
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <glm/integer.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <cmath>
 #include <cstdint>
@@ -27,6 +29,12 @@
 #define SHARED_LAYOUT(Type, bytes) static_assert(sizeof(Type) == (bytes));
 // A buffer reached by its device address: a number here, a typed reference in GLSL.
 #define SHARED_BUFFER(Name, Type, access) using Name = std::uint64_t;
+// A buffer that shared functions read: here the address of a device, or an array of the CPU's own.
+#define SHARED_TABLE(Name, Type)                                                                   \
+    union Name {                                                                                   \
+        std::uint64_t address;                                                                     \
+        const Type* at;                                                                            \
+    };
 
 #else
 
@@ -45,6 +53,8 @@
     {                                                                                              \
         Type at[];                                                                                 \
     };
+// Not readonly: what is passed to a function must not lose a qualifier.
+#define SHARED_TABLE(Name, Type) SHARED_BUFFER(Name, Type, )
 
 #endif
 #endif

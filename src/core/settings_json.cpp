@@ -82,8 +82,9 @@ SettingsReader::SettingsReader(const nlohmann::json& object, std::string place)
              object_.type_name());
 }
 
-bool SettingsReader::has(std::string_view key) const
+bool SettingsReader::has(std::string_view key)
 {
+    known_.emplace_back(key);
     return object_.contains(key);
 }
 

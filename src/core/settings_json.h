@@ -17,7 +17,8 @@ public:
     /// `place` names the object in messages: a file, then the path inside it.
     SettingsReader(const nlohmann::json& object, std::string place);
 
-    bool has(std::string_view key) const;
+    /// Who asks knows the key.
+    bool has(std::string_view key);
 
     /// Each leaves `value` alone when the key is absent. Throws Error{input} on a wrong type, a
     /// value that is not finite, or one outside [low, high].

@@ -6,7 +6,6 @@
 #include "shaders/shared/patch.h"
 #include "shaders/shared/physics.h"
 #include "shaders/shared/species.h"
-#include "shaders/shared/wind.h"
 
 #include <glm/vec3.hpp>
 
@@ -41,9 +40,19 @@ struct Camera {
     float fovY = 45.0f; ///< [degrees]
 };
 
+/// A breeze: waves, and gusts of noise, that travel along the ground.
+struct Wind {
+    glm::vec3 direction{0.8f, 0.0f, 0.6f}; ///< unit, world space; where it blows to
+    float strength = 3.0f;   ///< [1/s] pull on a blade across it, in its heights per second
+    float waveLength = 7.0f; ///< [m] from crest to crest of the waves
+    float speed = 2.6f;      ///< [m/s] at which waves and gusts travel
+    float gustSize = 3.5f;   ///< [m] size of gusts along the wind; twice that across
+    float gustiness = 0.6f;  ///< [0, 1] share of the strength that comes in gusts
+};
+
 /// What a viewer starts with. Directions and attractor are in world space.
 struct Defaults {
-    shared::Wind wind{{0.8f, 0.0f, 0.6f}, 3.0f, 7.0f, 2.6f, 3.5f, 0.6f};
+    Wind wind;
     glm::vec3 gravityDirection{0.0f, -1.0f, 0.0f};
     glm::dvec3 attractor{0.0};    ///< world [m]
     float gravityStrength = 6.5f; ///< [1/s] heights per second

@@ -23,10 +23,10 @@ shared::Pose restPose(const field::Defaults& defaults, float stiffness)
     shared::Gravity gravity = {};
     gravity.direction = -up;
     gravity.strength = defaults.gravityStrength;
-    const glm::vec3 displacement =
-        shared::relaxDisplacement(blade, front, gravity, glm::vec3(0.0f), defaults.recovery,
-                                  glm::vec3(0.0f), 0.0f, untilRest);
-    return shared::poseBlade(up, front, up + displacement);
+    gravity.forward = shared::forwardShare;
+    return shared::poseBlade(up, front,
+                             shared::relaxTip(blade, front, gravity, glm::vec3(0.0f),
+                                              defaults.recovery, up, 0.0f, untilRest));
 }
 
 // Triangle-tip shape of the paper (section 4.2), as the runtime draws it.

@@ -11,6 +11,7 @@
 #include "render/blade_pass.h"
 #include "render/field_buffers.h"
 #include "render/frame.h"
+#include "render/frame_tables.h"
 #include "render/ground_pass.h"
 #include "render/pass_scope.h"
 #include "render/sky_pass.h"
@@ -33,6 +34,7 @@ constexpr double settlingTime = 12.0;
 struct Slot {
     gpu::Buffer frame; ///< shared::Frame, written by the CPU
     gpu::Buffer draw;  ///< shared::DrawArguments, read by the CPU
+    FrameTables tables;
 };
 
 Slot createSlot(const gpu::DeviceContext& context)
@@ -44,7 +46,8 @@ Slot createSlot(const gpu::DeviceContext& context)
             gpu::Buffer(context, {.name = "frame/counts",
                                   .bytes = sizeof(shared::DrawArguments),
                                   .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                  .memory = gpu::MemoryUse::readback})};
+                                  .memory = gpu::MemoryUse::readback}),
+            FrameTables(context)};
 }
 
 /// Uploads all that a field brings, and waits for it.
@@ -67,7 +70,7 @@ struct FieldRenderer::Parts {
         , attachments(context, {wanted.colorFormat, wanted.samples})
         , blades(uploaded<FieldBuffers>(context, field, wanted.recordFates))
         , ground(uploaded<GroundBuffers>(context, *field.ground))
-        , updateCull(context, shaders)
+        , updateCull(context)
         , groundPass(context, shaders, {wanted.colorFormat, wanted.samples}, ground.imageLayout())
         , bladePass(context, shaders, {wanted.colorFormat, wanted.samples})
         , skyPass(context, shaders, {wanted.colorFormat, wanted.samples})
@@ -88,11 +91,22 @@ struct FieldRenderer::Parts {
     GroundPass groundPass;
     BladePass bladePass;
     SkyPass skyPass;
+
+    /// Ground and blades that show the wind, for those who ask.
+    struct WindPaint {
+        GroundPass ground;
+        BladePass blades;
+    };
+    std::unique_ptr<WindPaint> windPaint;
     FieldShape shape;
     std::vector<Slot> slots;
+    UpdateCullPass::Variant variant; ///< for the frame that is being recorded
     bool hasSettled = false;
+    double lastTime = 0.0; ///< [s] of the frame before
+    bool paintsWind = false;
 
-    void writeFrame(shared::Frame frame, std::uint32_t slot) const;
+    void writeFrame(shared::Frame frame, const FrameSettings& wishes, double time,
+                    std::uint32_t slot);
     void moveAndCull(VkCommandBuffer commands, double time, std::uint32_t slot,
                      UpdateCullPass::Scope scope);
     void draw(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
@@ -108,10 +122,25 @@ FieldRenderer::FieldRenderer(const gpu::Device& device, const field::FieldView& 
 FieldRenderer::FieldRenderer(FieldRenderer&&) noexcept = default;
 FieldRenderer::~FieldRenderer() = default;
 
-void FieldRenderer::Parts::writeFrame(shared::Frame frame, std::uint32_t slot) const
+void FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameSettings& wishes, double time,
+                                      std::uint32_t slot)
 {
     blades.describe(frame);
+    // Before the first frame nothing has moved.
+    slots[slot].tables.write(shape, wishes, time, hasSettled ? lastTime : time, frame);
+    lastTime = time;
     std::memcpy(slots[slot].frame.mapped().data(), &frame, sizeof frame);
+
+    // What is asked for the first time is made now.
+    variant = {frame.nature.wind.counts, frame.nature.colliderCount > 0};
+    updateCull.prepare(shaders, variant);
+    if (wishes.debug == DebugMode::wind && windPaint == nullptr) {
+        const TargetSettings target{settings.colorFormat, settings.samples, true};
+        windPaint = std::make_unique<WindPaint>(
+            WindPaint{GroundPass(context, shaders, target, ground.imageLayout()),
+                      BladePass(context, shaders, target)});
+    }
+    paintsWind = wishes.debug == DebugMode::wind;
 }
 
 void FieldRenderer::Parts::moveAndCull(VkCommandBuffer commands, double time, std::uint32_t slot,
@@ -125,7 +154,7 @@ void FieldRenderer::Parts::moveAndCull(VkCommandBuffer commands, double time, st
     hasSettled = true;
     gpu::transferToCompute(commands);
 
-    updateCull.record(commands, blades, slots[slot].frame.address(), scope);
+    updateCull.record(commands, blades, slots[slot].frame.address(), variant, scope);
 }
 
 void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const Camera& camera,
@@ -138,7 +167,8 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
 
     const ViewMatrices view =
         viewMatrices(camera, parts.shape.origin, target.size, parts.shape.content, jitter);
-    parts.writeFrame(frameOf(parts.shape, view, settings, time, parts.settings.samples), slot);
+    parts.writeFrame(frameOf(parts.shape, view, settings, time, parts.settings.samples), settings,
+                     time, slot);
     {
         const PassScope scope(parts.context, commands, timestamps, "update");
         parts.moveAndCull(commands, time, slot, UpdateCullPass::Scope::visible);
@@ -178,11 +208,11 @@ void FieldRenderer::Parts::draw(VkCommandBuffer commands, const Target& target, 
                                         std::span(&color, 1), depth);
     {
         const PassScope scope(context, commands, timestamps, "ground");
-        groundPass.record(commands, ground, frame);
+        (paintsWind ? windPaint->ground : groundPass).record(commands, ground, frame);
     }
     {
         const PassScope scope(context, commands, timestamps, "blades");
-        bladePass.record(commands, blades, frame);
+        (paintsWind ? windPaint->blades : bladePass).record(commands, blades, frame);
     }
     {
         const PassScope scope(context, commands, timestamps, "sky");
@@ -197,7 +227,7 @@ void FieldRenderer::recordUpdateOnly(VkCommandBuffer commands, const FrameSettin
     expect(slot < parts.slots.size(), "the slot is one of the frames in flight");
     const gpu::LabelScope label(parts.context, commands, "field/update only");
     parts.writeFrame(frameOf(parts.shape, ViewMatrices{}, settings, time, parts.settings.samples),
-                     slot);
+                     settings, time, slot);
     parts.moveAndCull(commands, time, slot, UpdateCullPass::Scope::all);
 }
 
@@ -230,7 +260,8 @@ FieldRenderer::dumpBlades(const field::FieldView& field) const
 std::size_t FieldRenderer::deviceBytes() const
 {
     return parts_->blades.bytes() + parts_->ground.bytes() + parts_->attachments.bytes() +
-           parts_->slots.size() * (sizeof(shared::Frame) + sizeof(shared::DrawArguments));
+           parts_->slots.size() *
+               (sizeof(shared::Frame) + sizeof(shared::DrawArguments) + FrameTables::bytes());
 }
 
 Aabb FieldRenderer::content() const

@@ -48,7 +48,8 @@ public:
     /// safe), culls, draws ground, sky and blades. `slot` < framesInFlight, whose former commands
     /// have completed. `jitter` [pixels]. `timestamps` may be null; else the caller has begun their
     /// frame, and the scopes update (which culls as well), ground, blades and sky are measured.
-    /// Nothing is allocated unless the target's size has changed; then the device is waited for.
+    /// Nothing is allocated unless the target's size has changed; then the device is waited for. A
+    /// mixture of winds, colliders and --debug wind have their pipelines made at their first frame.
     void record(VkCommandBuffer commands, const Target& target, const Camera& camera,
                 const FrameSettings& settings, double time, std::uint32_t slot = 0,
                 gpu::Timestamps* timestamps = nullptr, glm::vec2 jitter = glm::vec2(0.0f));

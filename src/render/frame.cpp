@@ -20,24 +20,16 @@ float chosenFog(const Aabb& content)
     return size > 0.0f ? 0.105f / size : 0.0f;
 }
 
-shared::Gravity gravityOf(const field::Defaults& nature, glm::dvec3 origin)
+shared::Gravity gravityOf(const FrameSettings& settings, glm::dvec3 origin)
 {
+    const field::Defaults& nature = settings.nature;
     shared::Gravity gravity = {};
     gravity.direction = unitOr(nature.gravityDirection, glm::vec3(0.0f, -1.0f, 0.0f));
     gravity.strength = nature.gravityStrength;
     gravity.attractor = glm::vec3(nature.attractor - origin);
     gravity.blend = std::clamp(nature.attractorBlend, 0.0f, 1.0f);
+    gravity.forward = settings.forward;
     return gravity;
-}
-
-shared::Wind windOf(const shared::Wind& wind)
-{
-    shared::Wind result = wind;
-    result.direction = unitOr(wind.direction, glm::vec3(1.0f, 0.0f, 0.0f));
-    // A wave or gust of no size would divide by zero.
-    result.waveLength = std::max(wind.waveLength, 1e-3f);
-    result.gustSize = std::max(wind.gustSize, 1e-3f);
-    return result;
 }
 
 /// The sky is where things do not fall to, seen from `eye`.
@@ -62,9 +54,8 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
 
     // Nature.
     frame.time = static_cast<float>(time);
-    frame.gravity = gravityOf(settings.nature, field.origin);
-    frame.wind = windOf(settings.nature.wind);
-    frame.recovery = settings.nature.recovery;
+    frame.nature.gravity = gravityOf(settings, field.origin);
+    frame.nature.recovery = settings.nature.recovery;
 
     // What is left out.
     frame.cullMask = settings.cullMask;
@@ -79,7 +70,7 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     frame.sunColor = settings.sunColor;
     frame.skyColor = settings.skyColor;
     frame.groundColor = settings.groundColor;
-    frame.skyUp = skyUpOf(frame.gravity, view.eye);
+    frame.skyUp = skyUpOf(frame.nature.gravity, view.eye);
     frame.exposure = settings.exposure;
     frame.fogDensity = settings.fogDensity >= 0.0f ? settings.fogDensity : chosenFog(field.content);
     frame.debugMode = static_cast<std::uint32_t>(settings.debug);

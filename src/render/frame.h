@@ -18,7 +18,7 @@ struct FieldShape {
 };
 
 /// Camera, settings and time as the shaders read them. The addresses and counts of buffers are left
-/// to FieldBuffers::describe().
+/// to FieldBuffers::describe() and FrameTables::write().
 shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
                       const FrameSettings& settings, double time, std::uint32_t samples);
 

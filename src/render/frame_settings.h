@@ -1,20 +1,27 @@
 #pragma once
 
 #include "field/field.h"
+#include "render/colliders.h"
+#include "render/wind.h"
 #include "shaders/shared/culling.h"
+#include "shaders/shared/physics.h"
 
 #include <glm/vec3.hpp>
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace sward::render {
 
-enum class DebugMode : std::uint32_t { none = 0, lod = 1, patches = 2 };
+enum class DebugMode : std::uint32_t { none = 0, lod = 1, patches = 2, wind = 3 };
 
 /// Everything of a frame that somebody may turn while it runs. Starts from a field's defaults.
 struct FrameSettings {
-    field::Defaults nature; ///< wind, gravity, recovery, draw distance
+    field::Defaults nature; ///< gravity, recovery, draw distance; its wind is not asked again
+    float forward = shared::forwardShare; ///< [0, 1] share of gravity that leans a blade forward
+    std::vector<WindSource> winds = sourcesOf(nature.wind); ///< at most shared::maxWindSources
+    std::vector<Collider> colliders;                        ///< at most shared::maxColliders
 
     std::uint32_t cullMask =
         shared::cullPatch | shared::cullOrientation | shared::cullFrustum | shared::cullDistance;
@@ -38,6 +45,7 @@ struct FrameSettings {
     {
         FrameSettings s;
         s.nature = *field.defaults;
+        s.winds = sourcesOf(s.nature.wind);
         return s;
     }
 };

@@ -19,6 +19,7 @@ gpu::GraphicsPipeline createPipeline(const gpu::DeviceContext& context,
     settings.colorFormats = {target.colorFormat};
     settings.depthFormat = depthFormat;
     settings.samples = target.samples;
+    settings.constants = {{.id = 0, .value = target.paintsWind ? 1u : 0u}};
     settings.cullMode = cullMode;
     return {context, shaders, settings};
 }

@@ -12,6 +12,7 @@ constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
 struct TargetSettings {
     VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB;
     std::uint32_t samples = 4;
+    bool paintsWind = false; ///< ground and blades show the wind's speed
 };
 
 } // namespace sward::render

@@ -7,25 +7,40 @@
 
 #include <vulkan/vulkan.h>
 
+#include <compare>
+#include <cstdint>
+#include <map>
+
 namespace sward::render {
 
 /// Moves the blades of every visible patch, judges them, and lists those that are to be drawn.
 class UpdateCullPass {
 public:
-    UpdateCullPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders);
+    explicit UpdateCullPass(const gpu::DeviceContext& context);
+
+    /// What the shader is made for.
+    struct Variant {
+        std::uint32_t windCounts = 0; ///< shared::Wind::counts
+        bool hasColliders = false;
+        auto operator<=>(const Variant&) const = default;
+    };
+
+    /// Makes the pipeline for a frame unless there is one.
+    void prepare(const gpu::ShaderLibrary& shaders, Variant variant);
 
     enum class Scope {
         visible, ///< patches that are seen; judge and count
         all,     ///< every patch; move only
     };
 
-    /// Between a barrier from the clearing of the counts and one to the draw.
+    /// Between a barrier from the clearing of the counts and one to the draw. `variant` has been
+    /// prepared.
     void record(VkCommandBuffer commands, const FieldBuffers& field, VkDeviceAddress frame,
-                Scope scope) const;
+                Variant variant, Scope scope) const;
 
 private:
     const gpu::DeviceContext* context_;
-    gpu::ComputePipeline pipeline_;
+    std::map<Variant, gpu::ComputePipeline> pipelines_;
 };
 
 } // namespace sward::render

@@ -71,7 +71,7 @@ protected:
 
     test::UpdateBench::Result run(const shared::Frame& frame)
     {
-        return bench_.run(frame, states_, 0.0f, UpdateCullPass::Scope::visible);
+        return bench_.run(frame, FrameSettings(), states_, 0.0f, UpdateCullPass::Scope::visible);
     }
 
     shared::Blade blade(std::size_t i) const

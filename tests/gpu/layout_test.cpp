@@ -39,10 +39,26 @@ public:
     void fill(glm::vec3& v) { fillAll(v.x, v.y, v.z); }
     void fill(glm::vec4& v) { fillAll(v.x, v.y, v.z, v.w); }
     void fill(glm::mat4& m) { fillAll(m[0], m[1], m[2], m[3]); }
-    void fill(shared::Gravity& g) { fillAll(g.direction, g.strength, g.attractor, g.blend); }
+    void fill(shared::Gravity& g)
+    {
+        fillAll(g.direction, g.strength, g.attractor, g.blend, g.forward);
+    }
     void fill(shared::Wind& w)
     {
-        fillAll(w.direction, w.strength, w.waveLength, w.speed, w.gustSize, w.gustiness);
+        fillAll(w.counts, w.eddySize, w.eddySpeed, w.sum, w.sources.address);
+    }
+    void fill(shared::WindSource& s)
+    {
+        fillAll(s.direction, s.strength, s.centre, s.size, s.speed, s.rate, s.turn, s.alignment,
+                s.lift, s.kind);
+    }
+    void fill(shared::Collider& c)
+    {
+        fillAll(c.from, c.radius, c.to, c.reserved, c.velocity, c.reserved2);
+    }
+    void fill(shared::Nature& n)
+    {
+        fillAll(n.gravity, n.recovery, n.colliderCount, n.reserved, n.wind, n.colliders.address);
     }
     template <typename T, std::size_t n>
     void fill(T (&elements)[n])
@@ -75,8 +91,8 @@ struct Values {
     shared::Species species;
     shared::GroundVertex groundVertex;
     shared::GroundMaterial groundMaterial;
-    shared::Wind wind;
-    shared::Gravity gravity;
+    shared::WindSource windSource;
+    shared::Collider collider;
     shared::UpdatePush updatePush;
     shared::ViewPush viewPush;
     shared::GroundPush groundPush;
@@ -96,11 +112,10 @@ std::size_t fillValues(Values& v)
               v.cell.firstChild, v.cell.childCount, v.cell.level, v.cell.rankLow, v.cell.rankHigh);
     shared::Frame& f = v.frame;
     n.fillAll(f.blades, f.states, f.patches, f.species, f.visible, f.draw, f.patchTimes, f.fates,
-              f.viewProjection, f.planes, f.eye, f.time, f.gravity, f.wind, f.recovery,
-              f.drawDistance, f.pixelsPerUnit, f.lodThreshold, f.lodWidth, f.cullMask, f.patchCount,
-              f.bladeCount, f.visibleCapacity, f.maxTessellation, f.sunDirection, f.exposure,
-              f.sunColor, f.debugMode, f.skyColor, f.fogDensity, f.groundColor, f.samples, f.skyUp,
-              f.fixedTessellation);
+              f.viewProjection, f.planes, f.eye, f.time, f.nature, f.drawDistance, f.pixelsPerUnit,
+              f.lodThreshold, f.lodWidth, f.cullMask, f.patchCount, f.bladeCount, f.visibleCapacity,
+              f.maxTessellation, f.sunDirection, f.exposure, f.sunColor, f.debugMode, f.skyColor,
+              f.fogDensity, f.groundColor, f.samples, f.skyUp, f.fixedTessellation);
     n.fillAll(v.visible.blade, v.visible.patchIndex, v.visible.widthFactor, v.visible.pixels);
     n.fillAll(v.draw.vertexCount, v.draw.instanceCount, v.draw.firstVertex, v.draw.firstInstance,
               v.draw.simulated, v.draw.fates);
@@ -110,7 +125,7 @@ std::size_t fillValues(Values& v)
               v.groundVertex.color);
     n.fillAll(v.groundMaterial.baseColor, v.groundMaterial.roughness, v.groundMaterial.metallic,
               v.groundMaterial.image, v.groundMaterial.flags);
-    n.fillAll(v.wind, v.gravity);
+    n.fillAll(v.windSource, v.collider);
     n.fillAll(v.updatePush.frame, v.updatePush.owners, v.updatePush.ownerCount,
               v.updatePush.onlyUpdate);
     n.fillAll(v.viewPush.frame);
@@ -150,8 +165,8 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
                                            secondElement(context(), values.species),
                                            secondElement(context(), values.groundVertex),
                                            secondElement(context(), values.groundMaterial),
-                                           secondElement(context(), values.wind),
-                                           secondElement(context(), values.gravity),
+                                           secondElement(context(), values.windSource),
+                                           secondElement(context(), values.collider),
                                            secondElement(context(), values.updatePush),
                                            secondElement(context(), values.viewPush),
                                            secondElement(context(), values.groundPush)};

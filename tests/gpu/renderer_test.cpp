@@ -126,7 +126,7 @@ TEST_F(RendererTest, KeepsEveryBladeAsLongAsItWasBaked)
                 test::makeField({.surface = test::Surface::cloud, .blades = 1000, .seed = seed}),
                 oneSample()};
     scene.settings.cullMask = 0;
-    scene.settings.nature.wind.strength = 9.0f;
+    scaleWind(scene.settings.winds, 9.0f);
     test::Picture picture(context(), {16, 16});
     for (int step = 0; step < 20; ++step)
         picture.draw(scene.renderer, scene.camera, scene.settings, 0.05 * step);
@@ -261,7 +261,7 @@ TEST_F(RendererTest, StandsInItsWindFromTheFirstPictureOn)
 {
     // Ten seconds later nothing but the gusts has changed: the mean bend is about the same.
     Scene scene = meadow(800);
-    scene.settings.nature.wind.strength = 0.0f;
+    scaleWind(scene.settings.winds, 0.0f);
     test::Picture picture(context(), {32, 20});
     const auto meanDrop = [&](double time) {
         picture.draw(scene.renderer, scene.camera, scene.settings, time);

@@ -28,15 +28,21 @@ UpdateBench::UpdateBench(const gpu::DeviceContext& context, const field::FieldVi
     : context_(context)
     , shaders_(embedded::shaders())
     , buffers_(upload(context, field))
-    , pass_(context, shaders_)
+    , pass_(context)
+    , tables_(context)
 {
 }
 
-UpdateBench::Result UpdateBench::run(shared::Frame frame,
+UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSettings& settings,
                                      std::span<const shared::BladeState> states, float elapsed,
                                      render::UpdateCullPass::Scope scope)
 {
     buffers_.describe(frame);
+    const double time = static_cast<double>(frame.time);
+    tables_.write({}, settings, time, time - static_cast<double>(elapsed), frame);
+    const render::UpdateCullPass::Variant variant{frame.nature.wind.counts,
+                                                  frame.nature.colliderCount > 0};
+    pass_.prepare(shaders_, variant);
     const gpu::Buffer constants(context_, {.name = "frame",
                                            .bytes = sizeof frame,
                                            .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
@@ -53,7 +59,7 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame,
     uploader.finish();
     gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
         gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
-        pass_.record(commands, buffers_, constants.address(), scope);
+        pass_.record(commands, buffers_, constants.address(), variant, scope);
     });
 
     Result result;

@@ -4,6 +4,7 @@
 #include "field/field.h"
 #include "gpu/shader_library.h"
 #include "render/field_buffers.h"
+#include "render/frame_tables.h"
 #include "render/update_cull_pass.h"
 #include "shaders/shared/frame.h"
 
@@ -24,9 +25,11 @@ public:
         shared::DrawArguments draw;
     };
 
-    /// One pass at `frame.time` over blades in `states` that were last moved `elapsed` [s] before.
-    /// Addresses and counts of the frame are filled in.
-    Result run(shared::Frame frame, std::span<const shared::BladeState> states, float elapsed,
+    /// One pass at `frame.time` over blades in `states` that were last moved `elapsed` [s] before,
+    /// in the settings' wind and among their colliders, which move from where they were `elapsed`
+    /// before. Addresses and counts of the frame are filled in.
+    Result run(shared::Frame frame, const render::FrameSettings& settings,
+               std::span<const shared::BladeState> states, float elapsed,
                render::UpdateCullPass::Scope scope);
 
     float bladeWidth() const { return buffers_.bladeWidth(); }
@@ -36,6 +39,7 @@ private:
     gpu::ShaderLibrary shaders_;
     render::FieldBuffers buffers_;
     render::UpdateCullPass pass_;
+    render::FrameTables tables_;
 };
 
 } // namespace sward::test

@@ -163,7 +163,7 @@ class RenderTest(unittest.TestCase):
                 (["-o", "a.png", "--camera", "fitt"], 1, "fitt"),
                 (["-o", "a.png", "--camera", "./missing.json"], 2, "missing.json"),
                 (["-o", "a.png", "--geometry", "raster"], 5, "raster"),
-                (["-o", "a.png", "--debug", "wind"], 5, "wind")):
+                (["-o", "a.png", "--debug", "reason"], 5, "reason")):
             with self.subTest(arguments=arguments):
                 self.refused(*arguments, code=code, says=says)
 

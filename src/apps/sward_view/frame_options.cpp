@@ -1,8 +1,10 @@
 #include "apps/sward_view/frame_options.h"
 
 #include "apps/common/parse_text.h"
+#include "apps/sward_view/collider_text.h"
 #include "apps/sward_view/cull_list.h"
 #include "core/error.h"
+#include "render/settings_file.h"
 
 #include <CLI/CLI.hpp>
 
@@ -26,8 +28,11 @@ render::DebugMode parseDebug(const std::string& word)
         return render::DebugMode::lod;
     if (word == "patches")
         return render::DebugMode::patches;
-    if (word == "wind" || word == "reason")
-        fail(ErrorKind::unsupported, "--debug {}: not in this version; lod and patches are", word);
+    if (word == "wind")
+        return render::DebugMode::wind;
+    if (word == "reason")
+        fail(ErrorKind::unsupported, "--debug {}: not in this version; wind, lod and patches are",
+             word);
     fail(ErrorKind::usage, "--debug: '{}' is not one of none, wind, lod, patches, reason", word);
 }
 
@@ -69,7 +74,17 @@ void FrameOptions::addShared(CLI::App& app)
         [this](const std::string& text) {
             windStrength = static_cast<float>(apps::parseNumber("--wind-strength", text, 0, 1000));
         },
-        "X", "Blade heights per second; 0 is calm [the field's]");
+        "X", "Blade heights per second, of all winds together; 0 is calm [the field's]");
+    app.add_option("--settings", settingsFile, "Wind, gravity, colliders: docs/settings.md")
+        ->type_name("JSON");
+    app.add_option_function<std::vector<std::string>>(
+           "--collider",
+           [this](const std::vector<std::string>& texts) {
+               for (const std::string& text : texts)
+                   colliders.push_back(parseCollider(text));
+           },
+           "sphere:x,y,z,r or capsule:x,y,z,x,y,z,r that presses blades down; may be repeated")
+        ->type_name("TEXT");
     app.add_option("--device", device, "Vulkan device, see 'sward-view devices' [best]")
         ->type_name("N|NAME")
         ->envname("SWARD_DEVICE");
@@ -110,12 +125,18 @@ void FrameOptions::addMeasured(CLI::App& app)
         "on|off", "Leave out and widen blades too thin for a pixel [on]");
     option(
         "--debug", [this](const std::string& text) { debug = parseDebug(text); }, "WORD",
-        "Colour by none, lod, patches [none]");
+        "Colour by none, wind, lod, patches [none]");
 }
 
 render::FrameSettings FrameOptions::settingsFor(const field::FieldView& view) const
 {
     render::FrameSettings settings = render::FrameSettings::of(view);
+    if (!settingsFile.empty())
+        render::readSettings(settingsFile, settings);
+    settings.colliders.insert(settings.colliders.end(), colliders.begin(), colliders.end());
+    if (settings.colliders.size() > shared::maxColliders)
+        fail(ErrorKind::usage, "--collider: {} colliders, more than {}", settings.colliders.size(),
+             shared::maxColliders);
     settings.cullMask = cullMask;
     settings.levelOfDetail = levelOfDetail;
     settings.tessellationLevel = tessellationLevel;
@@ -123,7 +144,7 @@ render::FrameSettings FrameOptions::settingsFor(const field::FieldView& view) co
     if (drawDistance)
         settings.nature.drawDistance = *drawDistance;
     if (windStrength)
-        settings.nature.wind.strength = *windStrength;
+        render::scaleWind(settings.winds, *windStrength);
     return settings;
 }
 

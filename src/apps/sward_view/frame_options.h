@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -26,10 +27,13 @@ struct FrameOptions {
     std::uint32_t cullMask;
     bool levelOfDetail = true;
     render::DebugMode debug = render::DebugMode::none;
-    std::optional<float> drawDistance; ///< [m]; unset: the field's
-    std::optional<float> windStrength; ///< [1/s]; unset: the field's
-    double fixedStep = 1.0 / 60.0;     ///< [s] between frames
-    std::string device;                ///< index or part of the name; empty: the best
+    std::optional<float> drawDistance;       ///< [m]; unset: the field's
+    std::optional<float> windStrength;       ///< [1/s]; unset: the field's or the settings'
+    std::string settingsFile;                ///< empty: none
+    bool watch = false;                      ///< the window reads it again when it changes
+    std::vector<render::Collider> colliders; ///< beside those of the settings
+    double fixedStep = 1.0 / 60.0;           ///< [s] between frames
+    std::string device;                      ///< index or part of the name; empty: the best
     bool validation = false;
     apps::LogSwitches log;
 
@@ -41,7 +45,8 @@ struct FrameOptions {
     /// Adds the switches of render and bench alone: geometry, culling, fixed step, debug.
     void addMeasured(CLI::App& app);
 
-    /// The frame settings that follow, starting from what the field has saved.
+    /// The frame settings that follow, starting from what the field has saved, then the settings
+    /// file. Throws what readSettings() throws, and Error{usage} for too many colliders.
     render::FrameSettings settingsFor(const field::FieldView& view) const;
 };
 

@@ -3,6 +3,8 @@
 #include "apps/common/interrupt.h"
 #include "apps/sward_view/camera_file.h"
 #include "apps/sward_view/graphics.h"
+#include "core/error.h"
+#include "core/log.h"
 #include "gpu/image_use.h"
 #include "render/camera_presets.h"
 
@@ -16,8 +18,9 @@ namespace sward::view {
 namespace {
 
 constexpr std::uint32_t framesInFlight = 2;
-constexpr double titleInterval = 0.5; ///< [s] faster would not be readable
-constexpr double idleWait = 0.1;      ///< [s] between looks at a window that shows nothing
+constexpr double titleInterval = 0.5;  ///< [s] faster would not be readable
+constexpr double watchInterval = 0.25; ///< [s] between looks at the settings file
+constexpr double idleWait = 0.1;       ///< [s] between looks at a window that shows nothing
 
 VkExtent2D extentOf(glm::uvec2 size)
 {
@@ -44,6 +47,7 @@ VkSemaphoreSubmitInfo semaphoreAt(VkSemaphore semaphore, VkPipelineStageFlags2 s
 Viewer::Viewer(Window& window, const field::FieldView& field, const FrameOptions& options,
                std::string name)
     : window_(window)
+    , options_(options)
     , field_(field)
     , name_(std::move(name))
     , instance_(createInstance(options.validation, window.instanceExtensions()))
@@ -78,6 +82,8 @@ void Viewer::run(double seconds)
             window_.waitForEvents(idleWait);
         steer(window_.takeInput());
         keepTime();
+        if (options_.watch)
+            watchSettings();
         drawn = draw();
     }
     device_.waitIdle();
@@ -114,6 +120,29 @@ void Viewer::keepTime()
     if (!paused_)
         time_ += secondsBetween(lastTick_, now);
     lastTick_ = now;
+}
+
+void Viewer::watchSettings()
+{
+    const Clock::time_point now = Clock::now();
+    if (secondsBetween(lastLook_, now) < watchInterval)
+        return;
+    lastLook_ = now;
+    std::error_code absent;
+    const auto written = std::filesystem::last_write_time(options_.settingsFile, absent);
+    if (absent || written == settingsWritten_)
+        return;
+    const bool isFirst = settingsWritten_ == std::filesystem::file_time_type{};
+    settingsWritten_ = written;
+    if (isFirst)
+        return;
+    // Half a sentence is no reason to close the window: the next look finds the whole one.
+    try {
+        settings_ = options_.settingsFor(field_);
+        log::info("{}: read again", options_.settingsFile);
+    } catch (const Error& error) {
+        log::warn("{}", error.what());
+    }
 }
 
 bool Viewer::draw()

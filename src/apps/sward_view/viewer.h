@@ -12,6 +12,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 
 namespace sward::view {
@@ -19,7 +20,7 @@ namespace sward::view {
 /// Shows a field in a window: steers the camera, keeps the time, draws with two frames in flight.
 class Viewer {
 public:
-    /// `window` and `field` outlive it; `name` stands in the title.
+    /// `window`, `field` and `options` outlive it; `name` stands in the title.
     Viewer(Window& window, const field::FieldView& field, const FrameOptions& options,
            std::string name);
 
@@ -33,11 +34,13 @@ private:
 
     void steer(const Input& input);
     void keepTime();
+    void watchSettings();
     bool draw();
     void tell(std::uint32_t slot);
     float aspect() const;
 
     Window& window_;
+    const FrameOptions& options_;
     field::FieldView field_;
     std::string name_;
     gpu::Instance instance_;
@@ -53,6 +56,8 @@ private:
     bool paused_ = false;
     Clock::time_point lastTick_;
     Clock::time_point lastTitle_;
+    Clock::time_point lastLook_; ///< at the settings file
+    std::filesystem::file_time_type settingsWritten_{};
     std::uint64_t frames_ = 0;
     std::uint64_t framesAtTitle_ = 0;
 };

@@ -37,6 +37,9 @@ int showWindow(const WindowOptions& options)
         fail(ErrorKind::usage, "no field or mesh is given\nRun 'sward-view --help' to see what it "
                                "takes.");
 
+    if (frame.watch && frame.settingsFile.empty())
+        fail(ErrorKind::usage, "--watch: there is no --settings to watch");
+
     // What is wrong with a file or the display is found out before anything long begins.
     const std::string name = std::filesystem::path(frame.field).filename().string();
     std::optional<field::MappedField> field;
@@ -75,13 +78,8 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
                    "A field; or a mesh, on which grass is grown first by 'sward'")
         ->type_name("");
     options->frame.addShared(app);
-    app.add_option_function<std::string>(
-           "--settings",
-           [](const std::string&) {
-               fail(ErrorKind::unsupported, "--settings: not in this version");
-           },
-           "Not in this version")
-        ->type_name("JSON");
+    app.add_flag("--watch", options->frame.watch,
+                 "Read the settings file again whenever it changes");
     app.add_option_function<std::string>(
            "--exit-after",
            [options](const std::string& text) {

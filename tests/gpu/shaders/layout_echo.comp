@@ -7,8 +7,6 @@
 layout(local_size_x = 1) in;
 
 SHARED_BUFFER(PlainBladeArray, Blade, readonly)
-SHARED_BUFFER(GravityArray, Gravity, readonly)
-SHARED_BUFFER(WindArray, Wind, readonly)
 SHARED_BUFFER(UpdatePushArray, UpdatePush, readonly)
 SHARED_BUFFER(ViewPushArray, ViewPush, readonly)
 SHARED_BUFFER(GroundPushArray, GroundPush, readonly)
@@ -24,8 +22,8 @@ struct Sources {
     SpeciesArray species;
     GroundVertexArray groundVertex;
     GroundMaterialArray groundMaterial;
-    WindArray wind;
-    GravityArray gravity;
+    WindTable windSource;
+    ColliderTable collider;
     UpdatePushArray updatePush;
     ViewPushArray viewPush;
     GroundPushArray groundPush;
@@ -81,16 +79,45 @@ void put(Gravity gravity)
     put(gravity.strength);
     put(gravity.attractor);
     put(gravity.blend);
+    put(gravity.forward);
 }
 
-void put(Wind wind)
+void put(WindSource source)
 {
-    put(wind.direction);
-    put(wind.strength);
-    put(wind.waveLength);
-    put(wind.speed);
-    put(wind.gustSize);
-    put(wind.gustiness);
+    put(source.direction);
+    put(source.strength);
+    put(source.centre);
+    put(source.size);
+    put(source.speed);
+    put(source.rate);
+    put(source.turn);
+    put(source.alignment);
+    put(source.lift);
+    put(source.kind);
+}
+
+void put(Collider collider)
+{
+    put(collider.from);
+    put(collider.radius);
+    put(collider.to);
+    put(collider.reserved);
+    put(collider.velocity);
+    put(collider.reserved2);
+}
+
+void put(Nature nature)
+{
+    put(nature.gravity);
+    put(nature.recovery);
+    put(nature.colliderCount);
+    put(nature.reserved);
+    put(nature.wind.counts);
+    put(nature.wind.eddySize);
+    put(nature.wind.eddySpeed);
+    put(nature.wind.sum);
+    put(uvec2(nature.wind.sources));
+    put(uvec2(nature.colliders));
 }
 
 void putFrame()
@@ -110,9 +137,7 @@ void putFrame()
         put(FRAME.planes[i]);
     put(FRAME.eye);
     put(FRAME.time);
-    put(FRAME.gravity);
-    put(FRAME.wind);
-    put(FRAME.recovery);
+    put(FRAME.nature);
     put(FRAME.drawDistance);
     put(FRAME.pixelsPerUnit);
     put(FRAME.lodThreshold);
@@ -219,8 +244,8 @@ void main()
     put(material.image);
     put(material.flags);
 
-    put(sources.at[0].wind.at[1]);
-    put(sources.at[0].gravity.at[1]);
+    put(sources.at[0].windSource.at[1]);
+    put(sources.at[0].collider.at[1]);
 
     put(uvec2(sources.at[0].updatePush.at[1].frame));
     put(uvec2(sources.at[0].updatePush.at[1].owners));

@@ -1,5 +1,6 @@
 #include "shaders/shared/physics.h"
 #include "unit/shared/random_vectors.h"
+#include "unit/shared/winds.h"
 
 #include <gtest/gtest.h>
 
@@ -20,17 +21,19 @@ Blade randomBlade(tests::Dice& dice)
 
 Gravity downward(float strength)
 {
-    return {vec3(0, -1, 0), strength, vec3(0.0f), 0.0f};
+    return {vec3(0, -1, 0), strength, vec3(0.0f), 0.0f, forwardShare};
 }
 
-Wind someWind(float strength)
+/// Waves and noise of this strength together.
+tests::NatureTables someWind(float strength)
 {
-    return {vec3(0.6f, 0.0f, 0.8f), strength, 6.0f, 3.0f, 3.0f, 0.5f};
+    return tests::NatureTables({tests::windSourceOf(windWave, 0.5f * strength),
+                                tests::windSourceOf(windNoise, 0.5f * strength)});
 }
 
-Wind still()
+tests::NatureTables still()
 {
-    return someWind(0.0f);
+    return tests::NatureTables();
 }
 
 constexpr float recovery = 6.0f;
@@ -40,10 +43,17 @@ vec3 frontOfBlade(const Blade& blade)
     return frontOf(blade.up, widthAxis(blade.up, blade.facing));
 }
 
-float displacementAfter(const Blade& blade, BladeState& state, Gravity gravity, Wind wind,
-                        float time, float elapsed)
+BladeState advanced(const Blade& blade, const BladeState& state, Gravity gravity,
+                    const tests::NatureTables& tables, float time, float elapsed)
 {
-    state = advanceBlade(blade, gravity, wind, recovery, state, time, elapsed);
+    return advanceBlade(blade, tables.nature(gravity, recovery), noColliders(), state, time,
+                        elapsed);
+}
+
+float displacementAfter(const Blade& blade, BladeState& state, Gravity gravity,
+                        const tests::NatureTables& tables, float time, float elapsed)
+{
+    state = advanced(blade, state, gravity, tables, time, elapsed);
     return length(displacementOf(state));
 }
 
@@ -168,8 +178,8 @@ TEST(Physics, AnyFrameTimeIsSafe)
             const Blade blade = randomBlade(dice);
             BladeState state = packState(dice.direction(), dice.number(0, 1));
             for (int frame = 1; frame <= 5; ++frame) {
-                state = advanceBlade(blade, downward(8.0f), someWind(20.0f), recovery, state,
-                                     dt * float(frame), dt);
+                state =
+                    advanced(blade, state, downward(8.0f), someWind(20.0f), dt * float(frame), dt);
                 const vec3 displacement = displacementOf(state);
                 ASSERT_TRUE(std::isfinite(displacement.x + displacement.y + displacement.z));
                 const Pose pose = poseOfState(blade.up, frontOfBlade(blade), state);
@@ -190,11 +200,11 @@ TEST(Physics, OneLongFrameEndsWhereManyShortOnesDo)
         BladeState fine = packState(vec3(0.0f), 0.0f);
         BladeState coarse = fine;
         for (int frame = 1; frame <= 1200; ++frame)
-            fine = advanceBlade(blade, downward(2.0f), someWind(2.0f), recovery, fine,
-                                float(frame) / 600.0f, 1.0f / 600.0f);
+            fine = advanced(blade, fine, downward(2.0f), someWind(2.0f), float(frame) / 600.0f,
+                            1.0f / 600.0f);
         for (int frame = 1; frame <= 60; ++frame)
-            coarse = advanceBlade(blade, downward(2.0f), someWind(2.0f), recovery, coarse,
-                                  float(frame) / 30.0f, 1.0f / 30.0f);
+            coarse = advanced(blade, coarse, downward(2.0f), someWind(2.0f), float(frame) / 30.0f,
+                              1.0f / 30.0f);
         const vec3 difference = displacementOf(fine) - displacementOf(coarse);
         squared += double(dot(difference, difference));
     }
@@ -208,11 +218,10 @@ TEST(Physics, TurnsWithTheWorld)
     for (int i = 0; i < 1000; ++i) {
         Blade blade = randomBlade(dice);
         const vec3 front = frontOfBlade(blade);
-        const vec3 displacement = 0.3f * dice.direction();
+        const vec3 tip = poseBlade(blade.up, front, dice.direction()).v2;
         const vec3 wind = dice.direction() * 2.0f;
-        const Gravity gravity{dice.direction(), 2.0f, vec3(0.0f), 0.0f};
-        const vec3 moved =
-            relaxDisplacement(blade, front, gravity, wind, recovery, displacement, 0.2f, 0.05f);
+        const Gravity gravity{dice.direction(), 2.0f, vec3(0.0f), 0.0f, forwardShare};
+        const vec3 moved = relaxTip(blade, front, gravity, wind, recovery, tip, 0.2f, 0.05f);
         // A cyclic exchange of the axes is a rotation.
         const auto turn = [](vec3 v) { return vec3(v.z, v.x, v.y); };
         Blade turned = blade;
@@ -220,15 +229,38 @@ TEST(Physics, TurnsWithTheWorld)
         turned.root = turn(blade.root);
         Gravity turnedGravity = gravity;
         turnedGravity.direction = turn(gravity.direction);
-        const vec3 expected = relaxDisplacement(turned, turn(front), turnedGravity, turn(wind),
-                                                recovery, turn(displacement), 0.2f, 0.05f);
+        const vec3 expected = relaxTip(turned, turn(front), turnedGravity, turn(wind), recovery,
+                                       turn(tip), 0.2f, 0.05f);
         ASSERT_LT(length(turn(moved) - expected), 1e-5f);
+    }
+}
+
+TEST(Physics, TwoStepsAreOne)
+{
+    // While its forces stand still and its length is kept, how time is divided does not matter.
+    tests::Dice dice(12);
+    for (int i = 0; i < 20'000; ++i) {
+        const Blade blade = randomBlade(dice);
+        const vec3 front = frontOfBlade(blade);
+        const Gravity gravity{dice.direction(), 3.0f, vec3(0.0f), 0.0f, forwardShare};
+        const auto step = [&](vec3 tip, float dt) {
+            return relaxTip(blade, front, gravity, vec3(0.0f), recovery, tip, 0.0f, dt);
+        };
+        const vec3 tip = normalize(blade.up + 0.8f * dice.direction());
+        const float dt = dice.number(0.0f, 0.5f);
+        const vec3 once = step(tip, dt);
+        const vec3 first = step(tip, 0.3f * dt);
+        // Lying down in between is another path.
+        if (dot(first, blade.up) < 2e-3f || dot(once, blade.up) < 2e-3f)
+            continue;
+        ASSERT_NEAR(length(once), 1.0f, 1e-5f);
+        ASSERT_LT(length(step(first, 0.7f * dt) - once), 2e-5f) << "blade " << i;
     }
 }
 
 TEST(Gravity, OfAnAttractorPullsToItFromEverywhere)
 {
-    const Gravity gravity{vec3(0, -1, 0), 3.0f, vec3(1, 2, 3), 1.0f};
+    const Gravity gravity{vec3(0, -1, 0), 3.0f, vec3(1, 2, 3), 1.0f, forwardShare};
     tests::Dice dice(11);
     for (int i = 0; i < 1000; ++i) {
         const vec3 root = gravity.attractor + dice.direction() * dice.number(0.5f, 20.0f);
@@ -237,6 +269,16 @@ TEST(Gravity, OfAnAttractorPullsToItFromEverywhere)
         ASSERT_NEAR(dot(normalize(pull), normalize(gravity.attractor - root)), 1.0f, 1e-5f);
     }
     EXPECT_EQ(gravityAt(gravity, gravity.attractor, vec3(1, 0, 0)), vec3(0.0f));
+}
+
+TEST(Gravity, BlendsDirectionAndAttractor)
+{
+    const vec3 root(10, 0, 0);
+    for (const float blend : {0.0f, 0.25f, 0.5f, 1.0f}) {
+        const Gravity gravity{vec3(0, -1, 0), 2.0f, vec3(0.0f), blend, 0.0f};
+        const vec3 expected = 2.0f * ((1.0f - blend) * vec3(0, -1, 0) + blend * vec3(-1, 0, 0));
+        ASSERT_LT(length(gravityAt(gravity, root, vec3(0, 0, 1)) - expected), 1e-6f);
+    }
 }
 
 TEST(Gravity, LeansForwardByAQuarterOfItsPull)

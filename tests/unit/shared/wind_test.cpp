@@ -1,73 +1,317 @@
 #include "shaders/shared/wind.h"
 #include "unit/shared/random_vectors.h"
+#include "unit/shared/winds.h"
 
 #include <gtest/gtest.h>
+
+#include <functional>
+#include <vector>
 
 namespace sward::shared {
 namespace {
 
-Wind someWind()
+constexpr vec3 levelUp(0, 1, 0);
+constexpr float pi = 3.14159265f;
+
+/// Kinds that have a direction.
+constexpr std::uint32_t alongKinds[] = {windNoise, windTurning, windWave, windGusts};
+
+/// The wind of one source of a kind over level ground.
+vec3 one(const WindSource& source, vec3 place, float time, vec3 up = levelUp)
 {
-    return {normalize(vec3(0.8f, 0.0f, 0.6f)), 2.0f, 7.0f, 2.5f, 3.0f, 0.6f};
+    const tests::NatureTables tables({source});
+    return windAt(tables.wind(), place, up, time);
 }
 
-TEST(Wind, BlowsAlongItsDirectionAndIsBounded)
+/// Speeds along a line in steps of `step`.
+std::vector<double> speedsAlong(const WindSource& source, vec3 line, float step, std::size_t count)
 {
-    const Wind wind = someWind();
+    std::vector<double> speeds;
+    for (std::size_t i = 0; i < count; ++i)
+        speeds.push_back(double(length(one(source, float(i) * step * line, 2.0f))));
+    return speeds;
+}
+
+/// Correlation of a series with itself `lag` later.
+double correlation(const std::vector<double>& series, std::size_t lag)
+{
+    double mean = 0.0;
+    for (const double x : series)
+        mean += x / double(series.size());
+    double product = 0.0;
+    double square = 0.0;
+    for (std::size_t i = 0; i + lag < series.size(); ++i) {
+        product += (series[i] - mean) * (series[i + lag] - mean);
+        square += (series[i] - mean) * (series[i] - mean);
+    }
+    return product / square;
+}
+
+/// Power of a series at each of its frequencies but 0.
+std::vector<double> spectrum(const std::vector<double>& series)
+{
+    const std::size_t n = series.size();
+    std::vector<double> power(n / 2, 0.0);
+    for (std::size_t k = 1; k < n / 2; ++k) {
+        double re = 0.0;
+        double im = 0.0;
+        for (std::size_t i = 0; i < n; ++i) {
+            const double angle = 2.0 * double(pi) * double(k * i % n) / double(n);
+            re += series[i] * std::cos(angle);
+            im += series[i] * std::sin(angle);
+        }
+        power[k] = re * re + im * im;
+    }
+    return power;
+}
+
+TEST(Wind, BlowsAlongTheGroundAndIsBounded)
+{
     tests::Dice dice(1);
-    for (int i = 0; i < 20'000; ++i) {
-        const vec3 w = windAt(wind, 40.0f * dice.direction(), dice.number(0, 100));
-        ASSERT_GE(dot(w, wind.direction), -1e-6f);
-        ASSERT_LT(length(cross(w, wind.direction)), 1e-5f);
-        ASSERT_LE(length(w), 2.0f * wind.strength);
+    for (std::uint32_t kind = 0; kind < windKinds; ++kind) {
+        const WindSource source = tests::windSourceOf(kind, 2.0f);
+        for (int i = 0; i < 5000; ++i) {
+            const vec3 up = dice.direction();
+            const vec3 w = one(source, 30.0f * dice.direction(), dice.number(0, 100), up);
+            ASSERT_LT(std::abs(dot(w, up)), 1e-5f) << "kind " << kind;
+            // Noise reaches twice its strength; eddies add up to twice as much again.
+            ASSERT_LE(length(w), 6.0f * source.strength) << "kind " << kind;
+        }
     }
 }
 
 TEST(Wind, IsContinuousInSpaceAndTime)
 {
-    const Wind wind = someWind();
     tests::Dice dice(2);
-    for (int i = 0; i < 20'000; ++i) {
-        const vec3 place = 40.0f * dice.direction();
-        const float time = dice.number(0, 100);
-        const vec3 here = windAt(wind, place, time);
-        ASSERT_LT(length(windAt(wind, place + 0.01f * dice.direction(), time) - here), 0.15f);
-        ASSERT_LT(length(windAt(wind, place, time + 0.004f) - here), 0.15f);
+    for (std::uint32_t kind = 0; kind < windKinds; ++kind) {
+        const WindSource source = tests::windSourceOf(kind, 2.0f);
+        for (int i = 0; i < 5000; ++i) {
+            const vec3 place = 30.0f * dice.direction();
+            const float time = dice.number(0, 100);
+            const vec3 here = one(source, place, time);
+            ASSERT_LT(length(one(source, place + 0.01f * dice.direction(), time) - here), 0.2f)
+                << "kind " << kind;
+            ASSERT_LT(length(one(source, place, time + 0.004f) - here), 0.2f) << "kind " << kind;
+        }
+    }
+}
+
+TEST(Wind, OfEveryKindVariesAndTogetherTheyAddUp)
+{
+    tests::Dice dice(3);
+    std::vector<WindSource> all;
+    for (std::uint32_t kind = 0; kind < windKinds; ++kind)
+        all.push_back(tests::windSourceOf(kind, 1.0f + float(kind)));
+    const tests::NatureTables mixture({all[5], all[2], all[0], all[4], all[1], all[3]});
+    std::vector<float> low(windKinds, 1e9f);
+    std::vector<float> high(windKinds, 0.0f);
+    for (int i = 0; i < 3000; ++i) {
+        const vec3 place(dice.number(-30, 30), 0.0f, dice.number(-30, 30));
+        const float time = dice.number(0, 60);
+        vec3 sum(0.0f);
+        for (std::uint32_t kind = 0; kind < windKinds; ++kind) {
+            const vec3 w = one(all[kind], place, time);
+            low[kind] = std::min(low[kind], length(w) / all[kind].strength);
+            high[kind] = std::max(high[kind], length(w) / all[kind].strength);
+            sum += w;
+        }
+        ASSERT_LT(length(windAt(mixture.wind(), place, levelUp, time) - sum), 1e-4f);
+    }
+    for (std::uint32_t kind = 0; kind < windKinds; ++kind) {
+        EXPECT_LT(low[kind], 0.25f) << "kind " << kind;
+        EXPECT_GT(high[kind], 0.6f) << "kind " << kind;
     }
 }
 
 TEST(Wind, TravelsAgainstThePlaceAtItsSpeed)
 {
-    // What is here now was upstream before: with only gusts, exactly.
-    Wind wind = someWind();
-    wind.gustiness = 1.0f;
-    tests::Dice dice(3);
-    for (int i = 0; i < 1000; ++i) {
-        const vec3 place = 10.0f * dice.direction();
-        const vec3 before = windAt(wind, place - wind.direction * wind.speed, 4.0f);
-        const vec3 now = windAt(wind, place, 5.0f);
-        ASSERT_LT(length(now - before), 2e-3f);
+    // What is here now was upstream before.
+    tests::Dice dice(4);
+    for (const std::uint32_t kind : {windNoise, windWave, windGusts}) {
+        const WindSource source = tests::windSourceOf(kind, 2.0f);
+        for (int i = 0; i < 1000; ++i) {
+            const vec3 place(dice.number(-10, 10), 0.0f, dice.number(-10, 10));
+            const vec3 before = one(source, place - source.direction * source.speed, 4.0f);
+            ASSERT_LT(length(one(source, place, 5.0f) - before), 4e-3f) << "kind " << kind;
+        }
     }
 }
 
-TEST(Wind, VariesOverTheField)
+TEST(Wind, NoiseIsFinerAlongThanAcrossAndHasNoFineGrain)
 {
-    const Wind wind = someWind();
-    tests::Dice dice(4);
-    float low = 1e9f;
-    float high = 0.0f;
-    for (int i = 0; i < 5000; ++i) {
-        const float w = length(windAt(wind, 40.0f * dice.direction(), 3.0f));
-        low = std::min(low, w);
-        high = std::max(high, w);
+    const WindSource source = tests::windSourceOf(windNoise, 2.0f);
+    const vec3 side = cross(source.direction, levelUp);
+    // Eight samples to a size, over 256 sizes.
+    const float step = source.size / 8.0f;
+    const auto along = speedsAlong(source, source.direction, step, 2048);
+    const auto across = speedsAlong(source, side, step, 2048);
+
+    // Neighbours move together, places far from each other do not.
+    EXPECT_GT(correlation(along, 1), 0.85);
+    EXPECT_LT(std::abs(correlation(along, 32)), 0.2);
+    // The same pattern is twice as long across.
+    EXPECT_GT(correlation(across, 4), correlation(along, 4) + 0.2);
+    EXPECT_NEAR(correlation(across, 6), correlation(along, 3), 0.15);
+
+    // Lattices of 1 and 2.7 cells a size hold all but a hundredth of the power below 3 per size.
+    const auto power = spectrum(along);
+    double all = 0.0;
+    double fine = 0.0;
+    for (std::size_t k = 1; k < power.size(); ++k) {
+        all += power[k];
+        fine += k > 3 * 256 ? power[k] : 0.0;
     }
-    EXPECT_LT(low, 0.2f * wind.strength);
-    EXPECT_GT(high, 0.8f * wind.strength);
+    EXPECT_LT(fine, 0.01 * all);
+}
+
+TEST(Wind, WavesHaveTheirLength)
+{
+    // Alone along the wind its three sines have 0.9, 0.55 and 0.3 waves a size; the strongest line
+    // of the spectrum is one of them, or their sums and differences that the square makes.
+    const WindSource source = tests::windSourceOf(windWave, 2.0f);
+    const auto power = spectrum(speedsAlong(source, source.direction, source.size / 8.0f, 2048));
+    double below = 0.0;
+    double all = 0.0;
+    for (std::size_t k = 1; k < power.size(); ++k) {
+        all += power[k];
+        below += k <= 2 * 256 ? power[k] : 0.0;
+    }
+    EXPECT_GT(below, 0.97 * all);
+}
+
+TEST(Wind, OnABallHasNoPlaceThatIsAlwaysCalm)
+{
+    // Where the wind meets the ball head-on it is turned aside: over a minute no place has less
+    // than half of the mean speed, nor more than twice.
+    for (const std::uint32_t kind : {windNoise, windWave, windGusts}) {
+        const WindSource source = tests::windSourceOf(kind, 2.0f);
+        const auto meanSpeed = [&](vec3 up) {
+            float sum = 0.0f;
+            for (int i = 0; i < 300; ++i)
+                sum += length(one(source, 8.0f * up, 0.4f * float(i), up)) / 300.0f;
+            return sum;
+        };
+        tests::Dice dice(5);
+        float mean = 0.0f;
+        for (int i = 0; i < 200; ++i)
+            mean += meanSpeed(dice.direction()) / 200.0f;
+        for (const float sign : {1.0f, -1.0f}) {
+            const float pole = meanSpeed(sign * source.direction);
+            EXPECT_GT(pole, 0.5f * mean) << "kind " << kind;
+            EXPECT_LT(pole, 2.0f * mean) << "kind " << kind;
+        }
+    }
+}
+
+TEST(Wind, OnABallIsAsSmoothAroundItsPolesAsElsewhere)
+{
+    tests::Dice dice(6);
+    for (const std::uint32_t kind : alongKinds) {
+        const WindSource source = tests::windSourceOf(kind, 2.0f);
+        const auto steepest = [&](const std::function<vec3()>& place) {
+            float largest = 0.0f;
+            for (int i = 0; i < 4000; ++i) {
+                const vec3 up = place();
+                const vec3 beside = normalize(up + 1e-3f * dice.direction());
+                const float time = dice.number(0, 30);
+                const vec3 difference =
+                    one(source, 8.0f * up, time, up) - one(source, 8.0f * beside, time, beside);
+                largest = std::max(largest, length(difference) / (8.0f * length(up - beside)));
+            }
+            return largest;
+        };
+        const float everywhere = steepest([&] { return dice.direction(); });
+        const float poles =
+            steepest([&] { return normalize(source.direction + 0.05f * dice.direction()); });
+        EXPECT_LT(poles, 1.3f * everywhere) << "kind " << kind;
+    }
+}
+
+TEST(Wind, TurningIsTheSineOfTheKnownSystem)
+{
+    // vec3(2, 4, 2)·sin(0.1 t)
+    WindSource source = tests::windSourceOf(windTurning, std::sqrt(24.0f));
+    source.direction = normalize(vec3(2, 4, 2));
+    source.size = 1e9f;
+    source.rate = 0.1f;
+    source.turn = 0.0f;
+    source.lift = 1.0f;
+    for (const float time : {0.0f, 3.0f, 20.0f, 50.0f})
+        EXPECT_LT(length(one(source, vec3(3, 0, 4), time) - vec3(2, 4, 2) * std::sin(0.1f * time)),
+                  1e-4f);
+    // Its direction turns about the up-vector when it is told to.
+    source.direction = vec3(1, 0, 0);
+    source.turn = 0.1f;
+    const vec3 turned = one(source, vec3(0.0f), 5.0f * pi);
+    EXPECT_GT(dot(normalize(turned), vec3(0, 0, -1)), 0.999f);
+}
+
+TEST(Wind, RadialBlowsAwayAndEndsAtItsSize)
+{
+    const WindSource source = tests::windSourceOf(windRadial, 3.0f);
+    tests::Dice dice(7);
+    for (int i = 0; i < 2000; ++i) {
+        const float angle = dice.number(0, 2.0f * pi);
+        const vec3 away(std::cos(angle), 0.0f, std::sin(angle));
+        const vec3 w = one(source, dice.number(0.1f, 39.0f) * away, dice.number(0, 20));
+        ASSERT_LT(length(cross(w, away)), 1e-4f);
+        ASSERT_GE(dot(w, away), 0.0f);
+        ASSERT_LT(length(one(source, 40.1f * away, 3.0f)), 1e-4f);
+    }
+    EXPECT_EQ(one(source, source.centre, 1.0f), vec3(0.0f));
+}
+
+TEST(Wind, SwirlGoesAroundItsCentre)
+{
+    const WindSource source = tests::windSourceOf(windSwirl, 3.0f);
+    float turning = 0.0f;
+    float along = 0.0f;
+    for (int i = 0; i < 400; ++i) {
+        const vec3 w = one(source, vec3(20, 0, 0), 0.1f * float(i));
+        turning += std::abs(w.z);
+        along += std::abs(w.x);
+    }
+    EXPECT_GT(turning, along);
+    EXPECT_GT(along, 0.0f);
+    EXPECT_EQ(one(source, source.centre, 1.0f), vec3(0.0f));
+}
+
+TEST(Wind, AGustRisesFasterThanItFalls)
+{
+    const WindSource source = tests::windSourceOf(windGusts, 3.0f);
+    float rise = 0.0f;
+    float fall = 0.0f;
+    for (int place = 0; place < 40; ++place) {
+        float before = length(one(source, vec3(float(place), 0, 0), 0.0f));
+        for (int i = 1; i < 600; ++i) {
+            const float now = length(one(source, vec3(float(place), 0, 0), 0.02f * float(i)));
+            rise = std::max(rise, now - before);
+            fall = std::max(fall, before - now);
+            before = now;
+        }
+    }
+    EXPECT_GT(rise, 3.0f * fall);
+}
+
+TEST(Wind, ABladeAlongItEscapesAndOneThatLiesFeelsNone)
+{
+    WindSource source = tests::windSourceOf(windTurning, 3.0f);
+    source.turn = 0.0f;
+    const auto force = [&](vec3 tip) {
+        const tests::NatureTables tables({source});
+        return windForce(tables.wind(), vec3(0.0f), levelUp, tip, 1.0f);
+    };
+    const float standing = length(force(levelUp));
+    const vec3 leaning = normalize(levelUp + source.direction);
+    EXPECT_NEAR(length(force(leaning)), standing * leaning.y * (1.0f - std::sqrt(0.5f)), 1e-4f);
+    EXPECT_EQ(force(vec3(0, 0, 1)), vec3(0.0f));
+    source.alignment = 0.0f;
+    EXPECT_NEAR(length(force(leaning)), standing * leaning.y, 1e-4f);
 }
 
 TEST(ValueNoise, MeetsItsLatticeAndStaysInRange)
 {
-    tests::Dice dice(5);
+    tests::Dice dice(8);
     for (int i = 0; i < 20'000; ++i) {
         const float n = valueNoise(50.0f * dice.direction());
         ASSERT_GE(n, 0.0f);

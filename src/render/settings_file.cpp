@@ -1,0 +1,31 @@
+#include "render/settings_file.h"
+
+#include "core/mapped_file.h"
+#include "core/settings_json.h"
+#include "render/nature_settings.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string_view>
+#include <vector>
+
+namespace sward::render {
+namespace {
+
+constexpr std::size_t largestFile = 1u << 22; ///< [bytes] 256 colliders with long paths take less
+
+} // namespace
+
+void readSettings(const std::filesystem::path& path, FrameSettings& settings)
+{
+    const std::vector<std::byte> bytes = readFile(path, largestFile);
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const nlohmann::json json = parseJson(text, path.string());
+    SettingsReader reader(json, path.string());
+    std::string about; // for those who read the file
+    reader.read("about", about);
+    readNature(reader, settings);
+    reader.finish();
+}
+
+} // namespace sward::render

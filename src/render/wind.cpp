@@ -1,0 +1,127 @@
+#include "render/wind.h"
+
+#include "core/expect.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sward::render {
+namespace {
+
+/// A size that makes a turning wind the same everywhere [m].
+constexpr float everywhere = 1e9f;
+
+shared::WindSource relativeTo(glm::dvec3 origin, const WindSource& wind)
+{
+    shared::WindSource result = wind.source;
+    const float length = glm::length(result.direction);
+    result.direction = length > 0.0f ? result.direction / length : glm::vec3(1.0f, 0.0f, 0.0f);
+    // A wave or gust of no size would divide by zero.
+    result.size = std::max(result.size, 1e-3f);
+    result.centre = glm::vec3(wind.centre - origin);
+    return result;
+}
+
+} // namespace
+
+WindSource windSource(std::uint32_t kind)
+{
+    expect(kind < shared::windKinds, "a wind's kind is one of windNoise … windGusts");
+    WindSource wind;
+    shared::WindSource& s = wind.source;
+    s.kind = kind;
+    s.direction = {0.8f, 0.0f, 0.6f};
+    s.strength = 3.0f;
+    s.speed = 2.6f;
+    s.alignment = 1.0f;
+    switch (kind) {
+    case shared::windTurning:
+        s.size = everywhere;
+        s.rate = 1.0f;
+        break;
+    case shared::windWave:
+        s.size = 7.0f;
+        break;
+    // The rings of the paper's helicopter pull whatever a blade's direction, and move at 10 of its
+    // lengths a second; those of its swirl at 15.
+    case shared::windRadial:
+        s.size = 75.0f;
+        s.speed = 10.0f;
+        s.alignment = 0.0f;
+        break;
+    case shared::windSwirl:
+        s.size = 30.0f;
+        s.speed = 15.0f;
+        break;
+    case shared::windGusts:
+        s.size = 12.0f;
+        s.speed = 5.0f;
+        break;
+    default:
+        s.size = 3.5f;
+        break;
+    }
+    return wind;
+}
+
+std::vector<WindSource> sourcesOf(const field::Wind& breeze)
+{
+    WindSource wave = windSource(shared::windWave);
+    WindSource noise = windSource(shared::windNoise);
+    wave.source.strength = breeze.strength * (1.0f - breeze.gustiness);
+    wave.source.size = breeze.waveLength;
+    noise.source.strength = breeze.strength * breeze.gustiness;
+    noise.source.size = breeze.gustSize;
+    for (WindSource* wind : {&wave, &noise}) {
+        wind->source.direction = breeze.direction;
+        wind->source.speed = breeze.speed;
+    }
+    return {wave, noise};
+}
+
+float windStrength(const std::vector<WindSource>& sources)
+{
+    float sum = 0.0f;
+    for (const WindSource& wind : sources)
+        sum += wind.source.strength;
+    return sum;
+}
+
+void scaleWind(std::vector<WindSource>& sources, float strength)
+{
+    const float before = windStrength(sources);
+    if (before <= 0.0f)
+        return;
+    for (WindSource& wind : sources)
+        wind.source.strength *= strength / before;
+}
+
+std::vector<shared::WindSource> blowing(const std::vector<WindSource>& sources, glm::dvec3 origin)
+{
+    std::vector<shared::WindSource> result;
+    for (const WindSource& wind : sources)
+        if (wind.source.strength > 0.0f)
+            result.push_back(relativeTo(origin, wind));
+    std::stable_sort(result.begin(), result.end(),
+                     [](const auto& a, const auto& b) { return a.kind < b.kind; });
+    return result;
+}
+
+shared::Wind together(std::span<const shared::WindSource> sources, float extent)
+{
+    shared::Wind wind = {};
+    wind.eddySize = extent > 0.0f ? 0.25f * extent : everywhere;
+    for (const shared::WindSource& source : sources) {
+        wind.counts += 1u << (4u * source.kind);
+        wind.sum += source.strength;
+        if (source.kind == shared::windRadial || source.kind == shared::windSwirl)
+            continue;
+        wind.eddySize = std::min(wind.eddySize, 2.0f * source.size);
+        wind.eddySpeed = std::max(wind.eddySpeed, std::abs(source.speed));
+    }
+    return wind;
+}
+
+} // namespace sward::render
