@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bounds.h"
+#include "field/wind.h"
 #include "shaders/shared/blade.h"
 #include "shaders/shared/ground.h"
 #include "shaders/shared/patch.h"
@@ -38,16 +39,6 @@ struct Camera {
     glm::dvec3 target{0.0}; ///< world [m]
     glm::vec3 up{0.0f, 1.0f, 0.0f};
     float fovY = 45.0f; ///< [degrees]
-};
-
-/// A breeze: waves, and gusts of noise, that travel along the ground.
-struct Wind {
-    glm::vec3 direction{0.8f, 0.0f, 0.6f}; ///< unit, world space; where it blows to
-    float strength = 3.0f;   ///< [1/s] pull on a blade across it, in its heights per second
-    float waveLength = 7.0f; ///< [m] from crest to crest of the waves
-    float speed = 2.6f;      ///< [m/s] at which waves and gusts travel
-    float gustSize = 3.5f;   ///< [m] size of gusts along the wind; twice that across
-    float gustiness = 0.6f;  ///< [0, 1] share of the strength that comes in gusts
 };
 
 /// What a viewer starts with. Directions and attractor are in world space.

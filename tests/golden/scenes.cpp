@@ -30,6 +30,12 @@ const std::vector<Scene>& scenes()
          {"plane", "--count", "5000", "--blade-scale", "4"},
          {"--camera", "edge", "--wind-strength", "6", "--frames", "60:60"}},
 
+        // A ball and a capsule press the grass down.
+        {"colliders",
+         {"plane", "--count", "10000", "--blade-scale", "4"},
+         {"--camera", "top", "--wind-strength", "0", "--collider", "sphere:-2,1,-1,3", "--collider",
+          "capsule:-5,0,6,7,0,1,1"}},
+
         // No blade at all: ground and sky alone.
         {"empty", {"plane", "--slope", "45:90", "--density", "10"}, {"--camera", "fit"}},
 
@@ -38,6 +44,9 @@ const std::vector<Scene>& scenes()
         {"not_thinned", {"dunes", "--count", "10000"}, {"--camera", "edge", "--lod", "off"}},
 
         // What the debugging colours show.
+        {"debug_wind",
+         {"sphere", "--count", "8000", "--blade-scale", "4"},
+         {"--camera", "fit", "--debug", "wind", "--frames", "60:60"}},
         {"debug_patches",
          {"hills", "--count", "8000", "--blade-scale", "6"},
          {"--camera", "fit", "--debug", "patches"}},
