@@ -1,11 +1,10 @@
 #include "bake/progressive_order.h"
 
+#include "bake/chosen_roots.h"
 #include "bake/poisson_lattice.h"
 #include "core/bounds.h"
 #include "core/random.h"
 
-#include <glm/common.hpp>
-#include <glm/vector_relational.hpp>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
@@ -13,8 +12,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
-#include <unordered_map>
+#include <cstddef>
 
 namespace sward::bake {
 namespace {
@@ -27,9 +25,14 @@ constexpr int lattices = 5;
 // Regions of a lattice are kept apart by a sixteenth of its side: its first radius.
 constexpr double sideInRadii = 16.0;
 
-// Levels of a lattice: by their end the radius has fallen to an eighth.
-constexpr int levelsPerLattice = 12;
 constexpr double radiusStep = 0.8408964152537145; // 2^(−1/4)
+
+// A region with more roots leaves those that have not been chosen when the radius has fallen to an
+// eighth to the finer lattice, whose regions are many and fit a cache. Others are chosen from to
+// the end, or until the radius is a 30 000th: what is closer together than that follows at random.
+constexpr std::size_t mostRootsToTheEnd = 32'768;
+constexpr int levelsPerLattice = 12;
+constexpr int levelsToTheEnd = 60;
 
 // So many roots are tried for each that is chosen, and some more, before the radius is lowered.
 constexpr std::size_t triesPerChoice = 5;
@@ -39,211 +42,129 @@ constexpr std::size_t moreTries = 32;
 // neighbours of others.
 constexpr double enough = 0.7;
 
-// How far the distance to others is looked for, in radii of the level.
-constexpr float sight = 1.25f;
+// Cells are made anew for every so many levels.
+constexpr int levelsPerCells = 2;
 
-constexpr std::uint8_t notChosen = 255;
-constexpr std::uint8_t lastOfAll = 254; // not chosen either, but done with
+// What has become of a root.
+enum class State : std::uint8_t { open, chosen, done };
 
-// Places that keep others away, found by cells as wide as twice the radius.
-class Grid {
+struct Candidate {
+    glm::vec3 place; // relative to a corner of the region
+    std::uint32_t root;
+    std::uint64_t priority;
+    float distance; // once chosen
+
+    bool operator<(const Candidate& other) const
+    {
+        return priority != other.priority ? priority < other.priority : root < other.root;
+    }
+};
+
+// The open roots of a region in order of priority, sorted as far as they are asked for.
+class Candidates {
 public:
-    // Makes room for so many places, with nothing in it.
-    void clear(std::size_t places, float radius)
+    std::vector<Candidate>& all() { return all_; }
+    void restart() { sorted_ = 0; }
+
+    const Candidate& at(std::size_t i)
     {
-        radius_ = radius;
-        perCell_ = 0.5f / radius;
-        heads_.assign(std::bit_ceil(std::max<std::size_t>(places, 16)), none);
-        entries_.clear();
-    }
-
-    // `distance` is how far the root was from others when it was chosen.
-    void add(const glm::vec3& place, float distance)
-    {
-        std::uint32_t& head = heads_[headOf(cellOf(place))];
-        entries_.push_back({place, distance * distance, head});
-        head = static_cast<std::uint32_t>(entries_.size() - 1);
-    }
-
-    // Distance from a place to the nearest other one that it would come too near to, at most
-    // `sight` radii; 0 if that is less than the radius.
-    float distance(const glm::vec3& place) const
-    {
-        float squared = sight * sight * radius_ * radius_;
-        const glm::ivec3 own = cellOf(place);
-        if (!look(own, place, squared))
-            return 0.0f;
-        const glm::ivec3 first = cellOf(place - sight * radius_);
-        const glm::ivec3 last = cellOf(place + sight * radius_);
-        for (int z = first.z; z <= last.z; ++z)
-            for (int y = first.y; y <= last.y; ++y)
-                for (int x = first.x; x <= last.x; ++x)
-                    if ((x != own.x || y != own.y || z != own.z) &&
-                        !look({x, y, z}, place, squared))
-                        return 0.0f;
-        return std::sqrt(squared);
-    }
-
-private:
-    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
-    struct Entry {
-        glm::vec3 place;
-        float squared; // how far it stays from others in every prefix that it is in
-        std::uint32_t next;
-    };
-
-    glm::ivec3 cellOf(const glm::vec3& place) const
-    {
-        return glm::ivec3(glm::floor(place * perCell_));
-    }
-
-    // Cells share a list by chance; distances tell their places apart.
-    std::size_t headOf(const glm::ivec3& cell) const
-    {
-        const std::uint32_t mixed = static_cast<std::uint32_t>(cell.x) * 0x9e3779b1U ^
-                                    static_cast<std::uint32_t>(cell.y) * 0x85ebca77U ^
-                                    static_cast<std::uint32_t>(cell.z) * 0xc2b2ae3dU;
-        return (mixed ^ mixed >> 15) & (heads_.size() - 1);
-    }
-
-    // Lowers `squared` to the squared distance of what is in a cell; false if that is below the
-    // radius.
-    bool look(const glm::ivec3& cell, const glm::vec3& place, float& squared) const
-    {
-        for (std::uint32_t i = heads_[headOf(cell)]; i != none; i = entries_[i].next) {
-            const glm::vec3 offset = entries_[i].place - place;
-            const float other = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
-            if (other >= entries_[i].squared)
-                continue;
-            if (other < radius_ * radius_)
-                return false;
-            squared = std::min(squared, other);
+        if (i >= sorted_) {
+            const std::size_t end =
+                std::min(all_.size(), std::max<std::size_t>(2 * sorted_, fewest));
+            const auto first = all_.begin() + static_cast<std::ptrdiff_t>(sorted_);
+            const auto last = all_.begin() + static_cast<std::ptrdiff_t>(end);
+            if (end < all_.size())
+                std::nth_element(first, last, all_.end());
+            std::sort(first, last);
+            sorted_ = end;
         }
-        return true;
-    }
-
-    float radius_ = 1.0f;
-    float perCell_ = 1.0f;
-    std::vector<std::uint32_t> heads_;
-    std::vector<Entry> entries_;
-};
-
-// A root that has been chosen.
-struct Chosen {
-    glm::vec3 place;
-    float distance; // [m] from others when it was
-};
-
-// Chosen roots by cubes of space.
-class ChosenIndex {
-public:
-    explicit ChosenIndex(double width)
-        : width_(width)
-    {
-    }
-
-    void add(const Chosen& chosen)
-    {
-        cubes_[keyOf(glm::floor(glm::dvec3(chosen.place) / width_))].push_back(chosen);
-    }
-
-    template <typename Visit>
-    void forEachIn(const glm::vec3& low, const glm::vec3& high, Visit visit) const
-    {
-        const glm::dvec3 first = glm::floor(glm::dvec3(low) / width_);
-        const glm::dvec3 last = glm::floor(glm::dvec3(high) / width_);
-        for (double z = first.z; z <= last.z; z += 1.0)
-            for (double y = first.y; y <= last.y; y += 1.0)
-                for (double x = first.x; x <= last.x; x += 1.0)
-                    if (const auto found = cubes_.find(keyOf({x, y, z})); found != cubes_.end())
-                        for (const Chosen& chosen : found->second)
-                            visit(chosen);
+        return all_[i];
     }
 
 private:
-    static std::uint64_t keyOf(const glm::dvec3& cube)
-    {
-        constexpr std::uint64_t mask = (1ULL << 21) - 1;
-        const auto bits = [](double x) {
-            return static_cast<std::uint64_t>(static_cast<std::int64_t>(x)) & mask;
-        };
-        return bits(cube.x) << 42 | bits(cube.y) << 21 | bits(cube.z);
-    }
-
-    struct Mix {
-        std::size_t operator()(std::uint64_t key) const { return mixBits(key); }
-    };
-
-    double width_;
-    std::unordered_map<std::uint64_t, std::vector<Chosen>, Mix> cubes_;
+    static constexpr std::size_t fewest = 256;
+    std::vector<Candidate> all_;
+    std::size_t sorted_ = 0;
 };
 
 // What one thread needs to choose in a region.
 struct Chooser {
-    Grid grid;
-    std::vector<glm::vec3> places;
-    std::vector<std::uint32_t> open;
-    std::vector<Chosen> around;
+    Candidates candidates;
+    NearbyRoots nearby;
+    std::vector<ChosenRoot> chosen;    // around the region and in it
+    std::vector<std::uint32_t> passed; // candidates that were tried in vain, in order
 
-    // Chooses among the places, which are in random order; sets the level of each.
-    void choose(double firstRadius, const ChosenIndex& before, std::vector<std::uint8_t>& levels,
-                std::vector<float>& distances)
+    // Chooses among the candidates, whose places are not relative yet. Calls choose(candidate) for
+    // each that is chosen; returns whether the others are done with.
+    template <typename Choose>
+    bool run(double firstRadius, const ChosenIndex& before, Choose choose)
     {
+        std::vector<Candidate>& all = candidates.all();
+        candidates.restart();
         Aabb box;
-        for (const glm::vec3& place : places)
-            box.add(place);
-        around.clear();
+        for (const Candidate& candidate : all)
+            box.add(candidate.place);
         const auto margin = static_cast<float>(firstRadius);
         const glm::vec3 low = box.low - margin;
-        const glm::vec3 high = box.high + margin;
-        std::size_t earlier = 0;
-        before.forEachIn(low, high, [&](const Chosen& other) {
-            if (glm::any(glm::lessThan(other.place, low)) ||
-                glm::any(glm::greaterThan(other.place, high)))
-                return;
-            around.push_back(other);
-            earlier += std::size_t(other.distance >= margin);
-        });
+        chosen.clear();
+        before.find(low, box.high + margin, chosen);
+        std::size_t early = 0;
+        for (ChosenRoot& other : chosen) {
+            other.place -= low;
+            early += std::size_t(other.distance >= margin);
+        }
+        for (Candidate& candidate : all)
+            candidate.place -= low;
 
-        levels.assign(places.size(), notChosen);
-        distances.assign(places.size(), 0.0f);
-        open.resize(places.size());
-        for (std::uint32_t i = 0; i < open.size(); ++i)
-            open[i] = i;
-        std::size_t chosen = 0;
+        const std::size_t around = chosen.size();
+        const bool toTheEnd = all.size() <= mostRootsToTheEnd;
+        const auto satisfied = [&] {
+            return double(chosen.size() - around) >= enough * double(all.size());
+        };
+        passed.clear();
+        std::size_t next = 0; // the first that has not been tried
         double radius = firstRadius;
-        for (int level = 0; level < levelsPerLattice && !open.empty(); ++level) {
-            if (double(chosen) >= enough * double(places.size())) {
-                for (std::uint8_t& own : levels)
-                    own = own == notChosen ? lastOfAll : own;
-                return;
+        const int levels = toTheEnd ? levelsToTheEnd : levelsPerLattice;
+        for (int level = 0; level < levels && !satisfied(); ++level) {
+            const auto least = static_cast<float>(radius);
+            if (level % levelsPerCells == 0) {
+                nearby.clear(least, triesPerChoice * chosen.size() / 2);
+                for (const ChosenRoot& other : chosen)
+                    nearby.add(other);
             }
-            grid.clear(triesPerChoice * (around.size() + chosen) / 2, static_cast<float>(radius));
-            for (const Chosen& other : around)
-                grid.add(other.place, other.distance);
-            for (std::size_t i = 0; i < places.size(); ++i)
-                if (levels[i] < level)
-                    grid.add(places[i], distances[i]);
-            // Try the first ones of those that are left.
+            const auto take = [&](std::uint32_t i) {
+                Candidate& candidate = all[i];
+                const float distance = nearby.distance(candidate.place, least);
+                if (distance <= 0.0f)
+                    return false;
+                candidate.distance = distance;
+                chosen.push_back({candidate.place, distance});
+                nearby.add(chosen.back());
+                choose(candidate);
+                return true;
+            };
+
+            // First those that were tried before, then new ones.
             std::size_t tried = 0;
+            const auto mayTry = [&] {
+                return tried < triesPerChoice * (early + chosen.size() - around) + moreTries;
+            };
             std::size_t left = 0;
-            for (; tried < open.size() && tried < triesPerChoice * (earlier + chosen) + moreTries;
-                 ++tried) {
-                const std::uint32_t i = open[tried];
-                if (const float distance = grid.distance(places[i]); distance > 0.0f) {
-                    grid.add(places[i], distance);
-                    distances[i] = distance;
-                    levels[i] = static_cast<std::uint8_t>(level);
-                    ++chosen;
-                } else {
-                    open[left++] = i;
-                }
+            for (; tried < passed.size() && mayTry(); ++tried)
+                if (!take(passed[tried]))
+                    passed[left++] = passed[tried];
+            passed.erase(passed.begin() + static_cast<std::ptrdiff_t>(left),
+                         passed.begin() + static_cast<std::ptrdiff_t>(tried));
+            for (; next < all.size() && mayTry(); ++tried, ++next) {
+                candidates.at(next);
+                if (const auto i = static_cast<std::uint32_t>(next); !take(i))
+                    passed.push_back(i);
             }
-            open.erase(open.begin() + static_cast<std::ptrdiff_t>(left),
-                       open.begin() + static_cast<std::ptrdiff_t>(tried));
+            if (passed.empty() && next == all.size())
+                break;
             radius *= radiusStep;
         }
+        return toTheEnd || satisfied();
     }
 };
 
@@ -263,91 +184,119 @@ std::uint64_t orderOf(float distance, std::uint64_t priority)
     return std::uint64_t(~std::bit_cast<std::uint32_t>(distance)) << 32 | priority >> 32;
 }
 
-struct Entry {
+float distanceOf(std::uint64_t order)
+{
+    return std::bit_cast<float>(~static_cast<std::uint32_t>(order >> 32));
+}
+
+// Neighbours in memory that are in one region.
+struct Run {
     PoissonLattice::Key region;
-    std::uint64_t priority;
-    std::uint32_t root;
+    std::size_t begin, end;
 };
+
+// The open roots by regions, sorted.
+std::vector<Run> runsOf(const Roots& roots, const std::vector<State>& states,
+                        const PoissonLattice& lattice)
+{
+    constexpr std::size_t rootsPerBlock = 16'384;
+    std::vector<std::vector<Run>> blocks((roots.size() + rootsPerBlock - 1) / rootsPerBlock);
+    tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t block) {
+        std::vector<Run>& runs = blocks[block];
+        const std::size_t end = std::min((block + 1) * rootsPerBlock, roots.size());
+        for (std::size_t i = block * rootsPerBlock; i < end; ++i) {
+            if (states[i] != State::open)
+                continue;
+            const PoissonLattice::Key region = lattice.regionOf(glm::dvec3(roots[i].position));
+            if (runs.empty() || runs.back().region != region)
+                runs.push_back({region, i, i});
+            runs.back().end = i + 1;
+        }
+    });
+    std::vector<Run> all;
+    for (const std::vector<Run>& runs : blocks)
+        all.insert(all.end(), runs.begin(), runs.end());
+    tbb::parallel_sort(all.begin(), all.end(), [](const Run& a, const Run& b) {
+        return a.region != b.region ? a.region < b.region : a.begin < b.begin;
+    });
+    return all;
+}
 
 } // namespace
 
 std::vector<std::uint64_t> progressiveOrder(const terrain::GroundMesh& ground, const Roots& roots)
 {
+    const auto priorityOf = [&](std::size_t i) {
+        return mixBits(keyBits(keyOf(ground, roots[i])) + 1);
+    };
     std::vector<std::uint64_t> order(roots.size());
-    std::vector<Entry> open(roots.size());
-    tbb::parallel_for(std::size_t(0), roots.size(), [&](std::size_t i) {
-        const std::uint64_t priority = mixBits(keyBits(keyOf(ground, roots[i])) + 1);
-        order[i] = orderOf(0.0f, priority);
-        open[i] = {0, priority, static_cast<std::uint32_t>(i)};
-    });
+    tbb::parallel_for(std::size_t(0), roots.size(),
+                      [&](std::size_t i) { order[i] = orderOf(0.0f, priorityOf(i)); });
 
     const double extent = extentOf(roots);
-    std::vector<Chosen> all;
+    std::vector<State> states(roots.size(), State::open);
+    ChosenIndex index;
     double side = widestSide;
-    for (int lattice = 0; lattice < lattices && !open.empty(); ++lattice, side /= finerBy) {
+    for (int lattice = 0; lattice < lattices; ++lattice, side /= finerBy) {
         if (extent / side > 5e5)
             break;
         const double radius = side / sideInRadii;
         const PoissonLattice regions(side, 0.0, radius, extent);
-        tbb::parallel_for(std::size_t(0), open.size(), [&](std::size_t i) {
-            open[i].region = regions.regionOf(glm::dvec3(roots[open[i].root].position));
-        });
-        tbb::parallel_sort(open.begin(), open.end(), [](const Entry& a, const Entry& b) {
-            if (a.region != b.region)
-                return a.region < b.region;
-            return a.priority != b.priority ? a.priority < b.priority : a.root < b.root;
-        });
+        const std::vector<Run> runs = runsOf(roots, states, regions);
+        if (runs.empty())
+            break;
         std::vector<std::size_t> first;
-        for (std::size_t i = 0; i < open.size(); ++i)
-            if (i == 0 || open[i].region != open[i - 1].region)
+        for (std::size_t i = 0; i < runs.size(); ++i)
+            if (i == 0 || runs[i].region != runs[i - 1].region)
                 first.push_back(i);
-        first.push_back(open.size());
+        first.push_back(runs.size());
 
-        ChosenIndex index(0.6 * side);
-        for (const Chosen& chosen : all)
-            index.add(chosen);
-        std::vector<std::uint8_t> levelOf(open.size(), notChosen);
-        std::vector<float> distanceOf(open.size());
+        index.sortInto(0.6 * side, roots.size() / 8);
+        std::vector<std::uint8_t> isDone(first.size() - 1);
         tbb::enumerable_thread_specific<Chooser> choosers;
+        bool isLast = true;
         for (std::size_t begin = 0; begin + 1 < first.size();) {
             // All regions of one kind at once.
-            const int kind = PoissonLattice::kindOf(open[first[begin]].region);
+            const int kind = PoissonLattice::kindOf(runs[first[begin]].region);
             std::size_t end = begin;
             while (end + 1 < first.size() &&
-                   PoissonLattice::kindOf(open[first[end]].region) == kind)
+                   PoissonLattice::kindOf(runs[first[end]].region) == kind)
                 ++end;
             tbb::parallel_for(begin, end, [&](std::size_t region) {
                 Chooser& chooser = choosers.local();
-                chooser.places.clear();
-                for (std::size_t i = first[region]; i < first[region + 1]; ++i)
-                    chooser.places.push_back(roots[open[i].root].position);
-                std::vector<std::uint8_t> levels;
-                std::vector<float> distances;
-                chooser.choose(radius, index, levels, distances);
-                std::copy(distances.begin(), distances.end(),
-                          distanceOf.begin() + static_cast<std::ptrdiff_t>(first[region]));
-                std::copy(levels.begin(), levels.end(),
-                          levelOf.begin() + static_cast<std::ptrdiff_t>(first[region]));
+                std::vector<Candidate>& candidates = chooser.candidates.all();
+                candidates.clear();
+                for (std::size_t run = first[region]; run < first[region + 1]; ++run)
+                    for (std::size_t i = runs[run].begin; i < runs[run].end; ++i)
+                        if (states[i] == State::open)
+                            candidates.push_back({roots[i].position, static_cast<std::uint32_t>(i),
+                                                  priorityOf(i), 0.0f});
+                isDone[region] =
+                    std::uint8_t(chooser.run(radius, index, [&](const Candidate& candidate) {
+                        states[candidate.root] = State::chosen;
+                        order[candidate.root] = orderOf(candidate.distance, candidate.priority);
+                    }));
             });
-            for (std::size_t i = first[begin]; i < first[end]; ++i)
-                if (levelOf[i] < lastOfAll) {
-                    const glm::vec3 place = roots[open[i].root].position;
-                    all.push_back({place, distanceOf[i]});
-                    if (kind < 3)
-                        index.add(all.back());
-                }
+            // Later regions keep away from what was chosen.
+            for (std::size_t region = begin; region < end; ++region)
+                isLast = isLast && isDone[region] != 0;
+            for (std::size_t region = begin; region < end && (kind < 3 || !isLast); ++region)
+                for (std::size_t run = first[region]; run < first[region + 1]; ++run)
+                    for (std::size_t i = runs[run].begin; i < runs[run].end; ++i)
+                        if (states[i] == State::chosen)
+                            index.add({roots[i].position, distanceOf(order[i])});
             begin = end;
         }
 
-        // What has been chosen is done with.
-        std::size_t left = 0;
-        for (std::size_t i = 0; i < open.size(); ++i)
-            if (levelOf[i] == notChosen) {
-                open[left++] = open[i];
-            } else {
-                order[open[i].root] = orderOf(distanceOf[i], open[i].priority);
-            }
-        open.resize(left);
+        // What is done with is not looked at again.
+        tbb::parallel_for(std::size_t(0), isDone.size(), [&](std::size_t region) {
+            for (std::size_t run = first[region]; run < first[region + 1]; ++run)
+                for (std::size_t i = runs[run].begin; i < runs[run].end; ++i)
+                    if (isDone[region] != 0 || states[i] == State::chosen)
+                        states[i] = State::done;
+        });
+        if (isLast)
+            break;
     }
     return order;
 }
