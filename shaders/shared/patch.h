@@ -29,8 +29,9 @@ struct Patch {
     uint firstChild; ///< its children follow one another in the array; noPatch if it has none
     uint childCount; ///< ≤ 8
     uint level;      ///< depth below the root of the tree
-    float rankLow;  ///< share of the blades around that come before this patch's own, coarse to fine
-    float rankHigh; ///< the same for its last one; blade i of n has the rank low + (high − low)·(i + ½)/n
+    float rankLow; ///< share of the blades around that come before this patch's own, coarse to fine
+    float rankHigh; ///< the same for its last one; blade i of n has the rank low + (high − low)·(i
+                    ///< + ½)/n
 };
 SHARED_LAYOUT(Patch, 104)
 

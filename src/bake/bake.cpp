@@ -16,7 +16,7 @@ namespace sward::bake {
 namespace {
 
 // Blades that are baked at once: what bounds the memory of a large bake.
-constexpr double bladesPerTile = 16e6;
+constexpr double bladesPerTile = 4e6;
 
 // Bakes all tiles one after another.
 std::vector<CellTree> bakeTiles(const GroundPart& whole, const BakeSettings& settings,

@@ -3,6 +3,7 @@
 #include "bake/display_ground.h"
 #include "bake/plan.h"
 #include "bake/root_source.h"
+#include "bake/surface_sampler.h"
 #include "bake/warnings.h"
 #include "core/error.h"
 #include "terrain/load.h"
@@ -174,8 +175,8 @@ Report reportOf(const terrain::GroundMesh& ground, const BakeSettings& settings,
     Report report;
     const Aabb box = ground.bounds();
     report.input.triangles = ground.triangles.size();
-    for (std::size_t t = 0; t < ground.triangles.size(); ++t)
-        report.input.area += ground.bears[t] != 0 ? ground.area(t) : 0.0;
+    BakeSettings oneSide;
+    report.input.area = bearingArea(ground, oneSide);
     report.input.low = ground.origin + glm::dvec3(box.low);
     report.input.high = ground.origin + glm::dvec3(box.high);
     if (asksAltitude(settings))

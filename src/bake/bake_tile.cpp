@@ -12,8 +12,11 @@
 #include "terrain/surface_query.h"
 
 #include <glm/geometric.hpp>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 
 namespace sward::bake {
@@ -38,6 +41,22 @@ void keepIf(Roots& roots, Keep keep)
     roots.erase(std::remove_if(roots.begin(), roots.end(),
                                [&](const RootSample& root) { return !keep(root); }),
                 roots.end());
+}
+
+std::uint64_t countUndersides(const terrain::GroundMesh& ground, const Roots& roots,
+                              const GroundUp& groundUp)
+{
+    using Range = tbb::blocked_range<std::size_t>;
+    return tbb::parallel_reduce(
+        Range(0, roots.size(), 4096), std::uint64_t(0),
+        [&](const Range& range, std::uint64_t count) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                const glm::dvec3 up = groundUp.at(ground.origin + glm::dvec3(roots[i].position));
+                count += std::uint64_t(glm::dot(glm::dvec3(roots[i].normal), up) < 0.0);
+            }
+            return count;
+        },
+        std::plus<>());
 }
 
 } // namespace
@@ -93,10 +112,7 @@ TileResult bakeTile(const GroundPart& part, const BakeSettings& settings, const 
         order.resize(kept);
     }
     result.counts.kept = roots.size();
-    for (const RootSample& root : roots) {
-        const glm::dvec3 up = settings.groundUp.at(ground.origin + glm::dvec3(root.position));
-        result.counts.undersides += std::uint64_t(glm::dot(glm::dvec3(root.normal), up) < 0.0);
-    }
+    result.counts.undersides = countUndersides(ground, roots, settings.groundUp);
     result.timing.patches = watch.lap();
 
     std::vector<float> exposure;
@@ -107,11 +123,10 @@ TileResult bakeTile(const GroundPart& part, const BakeSettings& settings, const 
 
     const BladeGrower grower(ground, settings, {plan.plan.scale, plan.plan.area}, filter, rays);
     result.timing.traits = watch.lap();
-    result.cells = growCells(
-        ground, roots, order, ranks,
-        [&](std::size_t i) { return grower.grow(roots[i], exposure.empty() ? 1.0f : exposure[i]); },
-        progress);
+    const UninitializedVector<shared::Blade> blades = growBlades(roots, exposure, grower, progress);
     result.timing.traits += watch.lap();
+    result.cells = growCells(ground, roots, blades, order, ranks, progress);
+    result.timing.patches += watch.lap();
     return result;
 }
 

@@ -248,10 +248,11 @@ shared::Blade BladeGrower::grow(const RootSample& root, float exposure) const
     return blade;
 }
 
-std::vector<shared::Blade> growBlades(const Roots& roots, const std::vector<float>& exposure,
-                                      const BladeGrower& grower, Progress& progress)
+UninitializedVector<shared::Blade> growBlades(const Roots& roots,
+                                              const std::vector<float>& exposure,
+                                              const BladeGrower& grower, Progress& progress)
 {
-    std::vector<shared::Blade> blades(roots.size());
+    UninitializedVector<shared::Blade> blades(roots.size());
     progress.begin("traits", roots.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, roots.size(), 4096),
                       [&](const tbb::blocked_range<std::size_t>& range) {

@@ -5,6 +5,7 @@
 #include "bake/root_sample.h"
 #include "bake/settings.h"
 #include "core/progress.h"
+#include "core/uninitialized.h"
 #include "shaders/shared/blade.h"
 #include "terrain/ground_mesh.h"
 #include "terrain/surface_query.h"
@@ -50,8 +51,9 @@ private:
 };
 
 /// Grows all blades. An empty `exposure` is full exposure.
-std::vector<shared::Blade> growBlades(const Roots& roots, const std::vector<float>& exposure,
-                                      const BladeGrower& grower, Progress& progress);
+UninitializedVector<shared::Blade> growBlades(const Roots& roots,
+                                              const std::vector<float>& exposure,
+                                              const BladeGrower& grower, Progress& progress);
 
 /// Whether some species grows in tufts, which asks for a SurfaceQuery.
 bool growsTufts(const Meadow& meadow);

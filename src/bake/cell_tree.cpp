@@ -1,11 +1,14 @@
 #include "bake/cell_tree.h"
 
+#include "core/floor.h"
+#include "core/spread_bits.h"
+
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <bit>
 #include <deque>
 #include <memory>
 #include <span>
@@ -13,16 +16,18 @@
 namespace sward::bake {
 namespace {
 
-// Cells are halved down to 32 m / 2²⁴ ≈ 2 µm. Finer cells would not divide what floats hold.
-constexpr int finestDepth = 24;
+// Cells are halved down to 32 m / 2²¹ ≈ 15 µm: three such numbers fill 63 bits.
+constexpr int finestDepth = 21;
 constexpr double finestPerMetre = double(1 << finestDepth) / widestPatch;
 
 // Subtrees with fewer roots are built by one thread.
 constexpr std::size_t parallelFrom = 20'000;
 
-// A root in its cell: its place in the progressive order and its index.
+// A root in its cell: its place in the progressive order, the octants that it lies in, three bits
+// each from the widest, and its index.
 struct Ranked {
     std::uint64_t order;
+    std::uint64_t octants;
     std::uint32_t root;
 
     bool operator<(const Ranked& other) const
@@ -41,9 +46,8 @@ struct Node {
 class CellBuilder {
 public:
     // `ranked` is sorted; it is put into the order of the tree.
-    CellBuilder(const Roots& roots, std::span<Ranked> ranked)
-        : roots_(roots)
-        , ranked_(ranked)
+    explicit CellBuilder(std::span<Ranked> ranked)
+        : ranked_(ranked)
         , scratch_(ranked.size())
     {
     }
@@ -51,31 +55,17 @@ public:
     std::unique_ptr<Node> build()
     {
         // The smallest cell that holds all roots.
-        int shift = finestDepth;
-        while (shift > 0 && isInOneOctant(shift))
-            --shift;
-        return buildNode(0, ranked_.size(), shift);
+        std::uint64_t differing = 0;
+        for (const Ranked& ranked : ranked_)
+            differing |= ranked.octants ^ ranked_[0].octants;
+        return buildNode(0, ranked_.size(), (int(std::bit_width(differing)) + 2) / 3);
     }
 
 private:
     // Octant, below a cell of 2^shift finest ones, that a root lies in.
-    std::size_t octant(const Ranked& ranked, int shift) const
+    static std::size_t octant(const Ranked& ranked, int shift)
     {
-        const glm::vec3 place = roots_[ranked.root].position;
-        std::size_t bits = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto cell =
-                static_cast<std::int64_t>(std::floor(double(place[axis]) * finestPerMetre));
-            bits |= static_cast<std::size_t>(cell >> (shift - 1) & 1) << axis;
-        }
-        return bits;
-    }
-
-    bool isInOneOctant(int shift) const
-    {
-        const std::size_t first = octant(ranked_[0], shift);
-        return std::all_of(ranked_.begin(), ranked_.end(),
-                           [&](const Ranked& ranked) { return octant(ranked, shift) == first; });
+        return ranked.octants >> (3 * (shift - 1)) & 7;
     }
 
     // Sorts a range by octant, keeping order inside; returns the nine borders.
@@ -131,9 +121,8 @@ private:
         return node;
     }
 
-    const Roots& roots_;
     std::span<Ranked> ranked_;
-    std::vector<Ranked> scratch_;
+    UninitializedVector<Ranked> scratch_;
 };
 
 // The patches level by level, and for each the first of its roots in the order of the tree.
@@ -167,32 +156,60 @@ void flatten(const Node& root, CellTree& tree, std::vector<std::size_t>& firstOw
     }
 }
 
-CellTree growCell(const terrain::GroundMesh& ground, const Roots& roots, std::span<Ranked> ranked,
-                  const LocalRanks& ranks, const GrowBlade& grow, Progress& progress)
+// Three bits for each halving of a 32 m cell, the widest first.
+std::uint64_t octantsOf(const glm::vec3& place)
+{
+    std::uint64_t octants = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        octants |= spreadBits(static_cast<std::uint32_t>(
+                       floorOf(double(place[axis]) * finestPerMetre) & ((1 << finestDepth) - 1)))
+                   << axis;
+    return octants;
+}
+
+// Share of sorted orders that come before one.
+float shareBefore(const std::vector<std::uint64_t>& orders, std::uint64_t order)
+{
+    const auto before = std::lower_bound(orders.begin(), orders.end(), order) - orders.begin();
+    return static_cast<float>(double(before) / double(orders.size()));
+}
+
+CellTree growCell(const terrain::GroundMesh& ground, const Roots& roots,
+                  const UninitializedVector<shared::Blade>& blades, std::span<Ranked> ranked,
+                  const LocalRanks& ranks, Progress& progress)
 {
     CellTree tree;
     tree.cell = cellOf(ground.origin, roots[ranked[0].root].position);
     tbb::parallel_sort(ranked.begin(), ranked.end());
+    std::vector<std::uint64_t> own;
+    const std::vector<std::uint64_t>* orders = ranks.around(tree.cell);
+    if (orders == nullptr) {
+        own.reserve(ranked.size());
+        for (const Ranked& root : ranked)
+            own.push_back(root.order);
+        orders = &own;
+    }
     std::vector<std::size_t> firstOwn;
-    flatten(*CellBuilder(roots, ranked).build(), tree, firstOwn);
+    flatten(*CellBuilder(ranked).build(), tree, firstOwn);
 
-    // Blades grow patch by patch and are packed at once.
+    // Blades are packed patch by patch.
     tree.blades.resize(ranked.size());
     tree.keys.resize(ranked.size());
     std::vector<SubtreeDescription> subtrees(tree.patches.size());
     tbb::parallel_for(std::size_t(0), tree.patches.size(), [&](std::size_t i) {
         shared::Patch& patch = tree.patches[i];
+        const std::span<const Ranked> chosen = ranked.subspan(firstOwn[i], patch.bladeCount);
         std::array<shared::Blade, shared::maxPatchBlades> room;
-        const std::span<shared::Blade> own(room.data(), patch.bladeCount);
-        for (std::uint32_t b = 0; b < patch.bladeCount; ++b)
-            own[b] = grow(ranked[firstOwn[i] + b].root);
-        patch.rankLow = ranks.rank(tree.cell, ranked[firstOwn[i]].order);
-        patch.rankHigh = ranks.rank(tree.cell, ranked[firstOwn[i] + patch.bladeCount - 1].order);
-        describeOwn(patch, own);
-        subtrees[i].addOwn(own);
-        for (std::uint32_t b = 0; b < patch.bladeCount; ++b) {
-            tree.blades[patch.firstBlade + b] = shared::packBlade(own[b], patch);
-            tree.keys[patch.firstBlade + b] = keyOf(ground, roots[ranked[firstOwn[i] + b].root]);
+        const std::span<shared::Blade> held(room.data(), patch.bladeCount);
+        for (std::size_t b = 0; b < held.size(); ++b)
+            held[b] = blades[chosen[b].root];
+        patch.rankLow = shareBefore(*orders, chosen.front().order);
+        patch.rankHigh = shareBefore(*orders, chosen.back().order);
+        describeOwn(patch, held);
+        subtrees[i].addOwn(held);
+        for (std::size_t b = 0; b < held.size(); ++b) {
+            tree.blades[patch.firstBlade + b] = shared::packBlade(held[b], patch);
+            tree.keys[patch.firstBlade + b] = keyOf(ground, roots[chosen[b].root]);
         }
         progress.advance(patch.bladeCount);
     });
@@ -210,8 +227,9 @@ CellTree growCell(const terrain::GroundMesh& ground, const Roots& roots, std::sp
 } // namespace
 
 std::vector<CellTree> growCells(const terrain::GroundMesh& ground, const Roots& roots,
+                                const UninitializedVector<shared::Blade>& blades,
                                 const std::vector<std::uint64_t>& order, const LocalRanks& ranks,
-                                const GrowBlade& grow, Progress& progress)
+                                Progress& progress)
 {
     progress.begin("patches", roots.size());
 
@@ -239,17 +257,18 @@ std::vector<CellTree> growCells(const terrain::GroundMesh& ground, const Roots& 
         ++first[cell + 1];
     for (std::size_t i = 0; i < cells.size(); ++i)
         first[i + 1] += first[i];
-    std::vector<Ranked> ranked(roots.size());
+    UninitializedVector<Ranked> ranked(roots.size());
     std::vector<std::size_t> next(first.begin(), first.end());
     for (std::size_t i = 0; i < roots.size(); ++i)
-        ranked[next[cellOfRoot[i]]++] = {order[i], static_cast<std::uint32_t>(i)};
+        ranked[next[cellOfRoot[i]]++] = {order[i], octantsOf(roots[i].position),
+                                         static_cast<std::uint32_t>(i)};
     cellOfRoot = {};
 
     std::vector<CellTree> trees(cells.size());
     tbb::parallel_for(std::size_t(0), cells.size(), [&](std::size_t i) {
         trees[i] =
-            growCell(ground, roots, std::span(ranked).subspan(first[i], first[i + 1] - first[i]),
-                     ranks, grow, progress);
+            growCell(ground, roots, blades,
+                     std::span(ranked).subspan(first[i], first[i + 1] - first[i]), ranks, progress);
     });
     return trees;
 }

@@ -12,7 +12,6 @@
 #include "terrain/ground_mesh.h"
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace sward::bake {
@@ -22,20 +21,18 @@ namespace sward::bake {
 struct CellTree {
     CellNumber cell = {};
     std::vector<shared::Patch> patches; ///< level by level; [0] is the cell's own
-    std::vector<shared::PackedBlade> blades;
-    std::vector<field::BladeKey> keys; ///< one per blade
+    UninitializedVector<shared::PackedBlade> blades;
+    UninitializedVector<field::BladeKey> keys; ///< one per blade
     SubtreeDescription::Summary summary = {};
 };
 
-/// Grows the blade of a root, given its index; called from several threads.
-using GrowBlade = std::function<shared::Blade(std::size_t root)>;
-
 /// Groups roots into the cells of an octree fixed in the world. From the top, a cell takes up to
 /// 256 of its roots, the first ones in `order` (see progressive_order.h), for itself; what is left
-/// goes to its children. One tree for each 32 m cell, sorted by cell. Roots in cells for which
-/// `wanted` is false are left out.
+/// goes to its children. One tree for each 32 m cell, sorted by cell. `blades` has the blade of
+/// each root, which may stand beside it.
 std::vector<CellTree> growCells(const terrain::GroundMesh& ground, const Roots& roots,
+                                const UninitializedVector<shared::Blade>& blades,
                                 const std::vector<std::uint64_t>& order, const LocalRanks& ranks,
-                                const GrowBlade& grow, Progress& progress);
+                                Progress& progress);
 
 } // namespace sward::bake

@@ -2,6 +2,7 @@
 
 #include "bake/up_vector.h"
 #include "core/exact_math.h"
+#include "core/floor.h"
 #include "core/random.h"
 
 #include <glm/common.hpp>
@@ -140,11 +141,11 @@ const Clumps::Clump* Clumps::nearest(glm::vec3 place) const
     // Of its own cell and those beyond the nearer faces, whatever is nearer than the best so far.
     const glm::dvec3 at(place);
     const glm::dvec3 inCells = at * (0.5 / reach_);
-    const glm::dvec3 own = glm::floor(inCells);
+    const glm::ivec3 own(floorOf(inCells.x), floorOf(inCells.y), floorOf(inCells.z));
     glm::ivec3 beyond;
     glm::dvec3 gap; // squared distances of those faces, not too long for rounding
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double inside = inCells[axis] - own[axis];
+        const double inside = inCells[axis] - double(own[axis]);
         beyond[axis] = inside < 0.5 ? -1 : 1;
         const double far = (2.0 - 1e-5) * reach_ * (inside < 0.5 ? inside : 1.0 - inside);
         gap[axis] = far * far;
@@ -155,7 +156,7 @@ const Clumps::Clump* Clumps::nearest(glm::vec3 place) const
         const glm::ivec3 step(i & 1, i >> 1 & 1, i >> 2);
         if (glm::dot(glm::dvec3(step), gap) > double(bestSquared))
             continue;
-        const std::size_t bucket = bucketOf(glm::ivec3(own) + step * beyond);
+        const std::size_t bucket = bucketOf(own + step * beyond);
         for (std::uint32_t c = first_[bucket]; c < first_[bucket + 1]; ++c) {
             const Clump& clump = clumps_[c];
             const glm::vec3 offset = clump.centre - place;

@@ -24,11 +24,12 @@ public:
     LocalRanks(const glm::dvec3& origin, const Roots& roots,
                const std::vector<std::uint64_t>& order);
 
-    /// Rank in [0, 1) of a place in the order, in a cell that holds roots.
-    float rank(const CellNumber& cell, std::uint64_t order) const;
+    /// The sorted orders of the roots in and around a cell; null if it has so many that its own
+    /// are enough.
+    const std::vector<std::uint64_t>* around(const CellNumber& cell) const;
 
 private:
-    std::unordered_map<std::uint64_t, std::vector<std::uint64_t>> orders_; ///< sorted, by cell
+    std::unordered_map<std::uint64_t, std::vector<std::uint64_t>> orders_; ///< by cell, if few
 };
 
 } // namespace sward::bake

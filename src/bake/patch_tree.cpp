@@ -59,32 +59,20 @@ std::unique_ptr<Wide> build(std::span<CellTree*> cells, int shift)
     return wide;
 }
 
-} // namespace
-
-void joinCells(std::vector<CellTree>&& cells, field::Field& field)
+// Lays the patches out level by level; returns where the blades of each patch of each cell go. The
+// patches of a cell come in their own order.
+std::vector<std::vector<std::uint32_t>> layOut(const Wide& root, const std::vector<CellTree>& cells,
+                                               field::Field& field)
 {
-    std::vector<CellTree*> pointers;
-    std::size_t blades = 0;
-    for (CellTree& cell : cells) {
-        pointers.push_back(&cell);
-        blades += cell.blades.size();
-    }
-    if (pointers.empty())
-        return;
-    std::sort(pointers.begin(), pointers.end(),
-              [](const CellTree* a, const CellTree* b) { return a->cell < b->cell; });
-    const std::unique_ptr<Wide> root = build(pointers, topShift);
-
-    // Level by level: wide cells, and patches inside the cells of 32 m.
+    std::vector<std::vector<std::uint32_t>> places(cells.size());
+    // Wide cells, and patches inside the cells of 32 m.
     struct Pending {
         const Wide* wide;
         std::uint32_t patch; // inside the cell
         std::uint32_t parent;
         std::uint32_t level;
     };
-    field.blades.resize(blades);
-    field.keys.resize(blades);
-    std::deque<Pending> queue{{root.get(), 0, shared::noPatch, 0}};
+    std::deque<Pending> queue{{&root, 0, shared::noPatch, 0}};
     std::uint32_t nextChild = 1;
     std::uint32_t nextBlade = 0;
     while (!queue.empty()) {
@@ -92,13 +80,9 @@ void joinCells(std::vector<CellTree>&& cells, field::Field& field)
         queue.pop_front();
         const auto index = static_cast<std::uint32_t>(field.patches.size());
         shared::Patch patch = pending.wide->patch;
-        if (CellTree* const cell = pending.wide->cell) {
+        if (const CellTree* const cell = pending.wide->cell) {
             patch = cell->patches[pending.patch];
-            const std::size_t from = patch.firstBlade;
-            std::copy_n(cell->blades.begin() + static_cast<std::ptrdiff_t>(from), patch.bladeCount,
-                        field.blades.begin() + nextBlade);
-            std::copy_n(cell->keys.begin() + static_cast<std::ptrdiff_t>(from), patch.bladeCount,
-                        field.keys.begin() + nextBlade);
+            places[static_cast<std::size_t>(cell - cells.data())].push_back(nextBlade);
             for (std::uint32_t i = 0; i < patch.childCount; ++i)
                 queue.push_back({pending.wide, patch.firstChild + i, index, pending.level + 1});
         } else {
@@ -115,6 +99,39 @@ void joinCells(std::vector<CellTree>&& cells, field::Field& field)
         nextChild += patch.childCount;
         nextBlade += patch.bladeCount;
         field.patches.push_back(patch);
+    }
+    return places;
+}
+
+} // namespace
+
+void joinCells(std::vector<CellTree>&& cells, field::Field& field)
+{
+    std::vector<CellTree*> pointers;
+    std::size_t blades = 0;
+    for (CellTree& cell : cells) {
+        pointers.push_back(&cell);
+        blades += cell.blades.size();
+    }
+    if (pointers.empty())
+        return;
+    std::sort(pointers.begin(), pointers.end(),
+              [](const CellTree* a, const CellTree* b) { return a->cell < b->cell; });
+    const std::unique_ptr<Wide> root = build(pointers, topShift);
+    const std::vector<std::vector<std::uint32_t>> places = layOut(*root, cells, field);
+
+    // Cell by cell, so that what has been moved makes room for what follows.
+    field.blades.resize(blades);
+    field.keys.resize(blades);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        const CellTree cell = std::move(cells[c]);
+        for (std::size_t p = 0; p < cell.patches.size(); ++p) {
+            const shared::Patch& patch = cell.patches[p];
+            const auto from = static_cast<std::ptrdiff_t>(patch.firstBlade);
+            const auto to = static_cast<std::ptrdiff_t>(places[c][p]);
+            std::copy_n(cell.blades.begin() + from, patch.bladeCount, field.blades.begin() + to);
+            std::copy_n(cell.keys.begin() + from, patch.bladeCount, field.keys.begin() + to);
+        }
     }
     cells.clear();
 }

@@ -1,6 +1,7 @@
 #include "bake/poisson_lattice.h"
 
 #include "core/error.h"
+#include "core/floor.h"
 
 #include <cmath>
 
@@ -56,10 +57,9 @@ PoissonLattice::Key PoissonLattice::regionOf(const glm::dvec3& place) const
     std::array<double, 3> distance;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double scaled = (place[axis] - offset_) / side_;
-        cell[axis] = static_cast<std::int64_t>(std::floor(scaled));
-        const double nearest = std::floor(scaled + 0.5);
-        plane[axis] = static_cast<std::int64_t>(nearest);
-        distance[axis] = std::fabs(scaled - nearest) * side_;
+        cell[axis] = floorOf(scaled);
+        plane[axis] = floorOf(scaled + 0.5);
+        distance[axis] = std::fabs(scaled - double(plane[axis])) * side_;
     }
     // The crossing of the most planes that is near enough.
     for (int count = 3; count > 0; --count) {

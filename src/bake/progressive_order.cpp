@@ -40,7 +40,7 @@ constexpr std::size_t moreTries = 32;
 
 // Where so many of a region's roots have been chosen, the rest follows at random: they are close
 // neighbours of others.
-constexpr double enough = 0.7;
+constexpr double enough = 0.6;
 
 // Cells are made anew for every so many levels.
 constexpr int levelsPerCells = 2;

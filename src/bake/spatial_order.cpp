@@ -1,6 +1,7 @@
 #include "bake/spatial_order.h"
 
 #include "core/bounds.h"
+#include "core/spread_bits.h"
 
 #include <glm/common.hpp>
 #include <tbb/parallel_for.h>
@@ -13,18 +14,6 @@ namespace {
 
 // Cells of the curve on each axis: 21 bits, so that three axes fit into 63.
 constexpr float cellsPerAxis = 2097151.0f;
-
-// Spreads 21 bits so that two zeros follow each.
-std::uint64_t spreadBits(std::uint32_t x)
-{
-    std::uint64_t bits = x;
-    bits = (bits | bits << 32) & 0x001f00000000ffffULL;
-    bits = (bits | bits << 16) & 0x001f0000ff0000ffULL;
-    bits = (bits | bits << 8) & 0x100f00f00f00f00fULL;
-    bits = (bits | bits << 4) & 0x10c30c30c30c30c3ULL;
-    bits = (bits | bits << 2) & 0x1249249249249249ULL;
-    return bits;
-}
 
 struct Entry {
     std::uint64_t code;

@@ -4,12 +4,14 @@
 #include "core/error.h"
 #include "core/random.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 #include <tbb/parallel_scan.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <mutex>
 
 namespace sward::bake {
@@ -47,10 +49,17 @@ void add(std::array<std::uint64_t, rejectCount>& sum,
 
 double bearingArea(const terrain::GroundMesh& ground, const BakeSettings& settings)
 {
-    double area = 0.0;
-    for (std::size_t t = 0; t < ground.triangles.size(); ++t)
-        if (ground.bears[t] != 0)
-            area += ground.area(t);
+    // In fixed blocks, so that rounding does not depend on the number of threads.
+    using Range = tbb::blocked_range<std::size_t>;
+    constexpr std::size_t trianglesPerBlock = 8192;
+    const double area = tbb::parallel_deterministic_reduce(
+        Range(0, ground.triangles.size(), trianglesPerBlock), 0.0,
+        [&](const Range& range, double sum) {
+            for (std::size_t t = range.begin(); t < range.end(); ++t)
+                sum += ground.bears[t] != 0 ? ground.area(t) : 0.0;
+            return sum;
+        },
+        std::plus<>());
     return settings.sides == Sides::both ? 2.0 * area : area;
 }
 

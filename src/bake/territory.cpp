@@ -1,6 +1,7 @@
 #include "bake/territory.h"
 
 #include "core/error.h"
+#include "core/floor.h"
 #include "core/random.h"
 
 #include <glm/common.hpp>
@@ -88,7 +89,7 @@ CellNumber cellOf(const glm::dvec3& origin, const glm::vec3& position)
     CellNumber cell;
     for (std::size_t axis = 0; axis < 3; ++axis)
         cell[axis] = static_cast<std::int64_t>(origin[axis] / widestPatch) +
-                     static_cast<std::int64_t>(std::floor(double(position[axis]) / widestPatch));
+                     floorOf(double(position[axis]) / widestPatch);
     return cell;
 }
 

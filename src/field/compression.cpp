@@ -5,51 +5,103 @@
 
 #include <zstd.h>
 
-namespace sward::field {
+#include <algorithm>
+#include <array>
+#include <memory>
 
-std::vector<std::byte> compress(std::span<const std::byte> raw)
+namespace sward::field {
+namespace {
+
+// Higher levels gain nothing on quantised blades and cost many times as much.
+constexpr int level = 3;
+
+// Bytes that are regrouped at once: they stay in the cache between regrouping and zstd.
+constexpr std::size_t blockBytes = std::size_t(1) << 16;
+
+// Calls visit(byte of the element, first element, number of elements) for block after block in the
+// order in which the bytes are stored.
+template <typename Visit>
+void forEachBlock(std::size_t rawBytes, std::size_t elementBytes, Visit visit)
 {
-    // Level 3: higher levels gain nothing on quantised blades and cost many times as much.
-    std::vector<std::byte> stored(ZSTD_compressBound(raw.size()));
-    const std::size_t size = ZSTD_compress(stored.data(), stored.size(), raw.data(), raw.size(), 3);
-    expect(ZSTD_isError(size) == 0, "zstd compresses into a buffer of its own bound");
-    stored.resize(size);
+    const std::size_t count = rawBytes / elementBytes;
+    for (std::size_t byte = 0; byte < elementBytes; ++byte)
+        for (std::size_t first = 0; first < count; first += blockBytes)
+            visit(byte, first, std::min(blockBytes, count - first));
+}
+
+} // namespace
+
+UninitializedVector<std::byte> compress(std::span<const std::byte> raw, std::size_t elementBytes)
+{
+    expect(raw.size() % elementBytes == 0, "whole elements");
+    const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(),
+                                                                       ZSTD_freeCCtx);
+    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);
+    ZSTD_CCtx_setPledgedSrcSize(context.get(), raw.size());
+    UninitializedVector<std::byte> stored(ZSTD_compressBound(raw.size()));
+    ZSTD_outBuffer out{stored.data(), stored.size(), 0};
+    const auto feed = [&](const std::byte* bytes, std::size_t size, ZSTD_EndDirective end) {
+        ZSTD_inBuffer in{bytes, size, 0};
+        const std::size_t left = ZSTD_compressStream2(context.get(), &out, &in, end);
+        expect(ZSTD_isError(left) == 0 && in.pos == in.size && (end != ZSTD_e_end || left == 0),
+               "zstd compresses into a buffer of its own bound");
+    };
+    std::array<std::byte, blockBytes> block;
+    forEachBlock(raw.size(), elementBytes, [&](std::size_t byte, std::size_t first, std::size_t n) {
+        const std::byte* const from = raw.data() + first * elementBytes + byte;
+        for (std::size_t i = 0; i < n; ++i)
+            block[i] = from[i * elementBytes];
+        feed(block.data(), n, ZSTD_e_continue);
+    });
+    feed(block.data(), 0, ZSTD_e_end);
+    stored.resize(out.pos);
     return stored;
 }
 
-std::vector<std::byte> decompress(std::span<const std::byte> stored, std::size_t rawBytes,
-                                  const std::string& place)
+void checkClaim(std::span<const std::byte> stored, std::size_t rawBytes, const std::string& place)
 {
-    // A frame that claims another size is refused before memory is taken for it.
     if (ZSTD_getFrameContentSize(stored.data(), stored.size()) != rawBytes)
         fail(ErrorKind::input, "{}: the compressed data does not hold {} bytes", place, rawBytes);
-    std::vector<std::byte> raw(rawBytes);
-    const std::size_t size = ZSTD_decompress(raw.data(), raw.size(), stored.data(), stored.size());
-    if (ZSTD_isError(size) != 0)
-        fail(ErrorKind::input, "{}: cannot decompress: {}", place, ZSTD_getErrorName(size));
-    if (size != rawBytes)
-        fail(ErrorKind::input, "{}: decompresses to {} bytes instead of {}", place, size, rawBytes);
-    return raw;
 }
 
-std::vector<std::byte> shuffleBytes(std::span<const std::byte> raw, std::size_t elementBytes)
+void decompress(std::span<const std::byte> stored, std::size_t elementBytes,
+                std::span<std::byte> raw, const std::string& place)
 {
-    const std::size_t count = raw.size() / elementBytes;
-    std::vector<std::byte> shuffled(raw.size());
-    for (std::size_t k = 0; k < elementBytes; ++k)
-        for (std::size_t i = 0; i < count; ++i)
-            shuffled[k * count + i] = raw[i * elementBytes + k];
-    return shuffled;
-}
-
-std::vector<std::byte> unshuffleBytes(std::span<const std::byte> shuffled, std::size_t elementBytes)
-{
-    const std::size_t count = shuffled.size() / elementBytes;
-    std::vector<std::byte> raw(shuffled.size());
-    for (std::size_t k = 0; k < elementBytes; ++k)
-        for (std::size_t i = 0; i < count; ++i)
-            raw[i * elementBytes + k] = shuffled[k * count + i];
-    return raw;
+    checkClaim(stored, raw.size(), place);
+    expect(raw.size() % elementBytes == 0, "whole elements");
+    const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(),
+                                                                       ZSTD_freeDCtx);
+    ZSTD_inBuffer in{stored.data(), stored.size(), 0};
+    // How many bytes there were; less than asked for only at the end of the frame.
+    const auto take = [&](std::byte* bytes, std::size_t size) {
+        ZSTD_outBuffer out{bytes, size, 0};
+        while (out.pos < out.size) {
+            const std::size_t before = in.pos + out.pos;
+            const std::size_t left = ZSTD_decompressStream(context.get(), &out, &in);
+            if (ZSTD_isError(left) != 0)
+                fail(ErrorKind::input, "{}: cannot decompress: {}", place, ZSTD_getErrorName(left));
+            if (left == 0 || in.pos + out.pos == before)
+                break;
+        }
+        return out.pos;
+    };
+    std::array<std::byte, blockBytes> block;
+    std::size_t total = 0;
+    forEachBlock(raw.size(), elementBytes, [&](std::size_t byte, std::size_t first, std::size_t n) {
+        const std::size_t taken = take(block.data(), n);
+        total += taken;
+        if (taken < n)
+            fail(ErrorKind::input, "{}: decompresses to {} bytes instead of {}", place, total,
+                 raw.size());
+        std::byte* const to = raw.data() + first * elementBytes + byte;
+        for (std::size_t i = 0; i < n; ++i)
+            to[i * elementBytes] = block[i];
+    });
+    // The frame ends with its checks, and the chunk with the frame.
+    std::byte beyond = {};
+    if (take(&beyond, 1) != 0 || in.pos != in.size)
+        fail(ErrorKind::input, "{}: decompresses to more than {} bytes, or something follows",
+             place, raw.size());
 }
 
 } // namespace sward::field

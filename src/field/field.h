@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bounds.h"
+#include "core/uninitialized.h"
 #include "field/wind.h"
 #include "shaders/shared/blade.h"
 #include "shaders/shared/ground.h"
@@ -80,9 +81,9 @@ struct DisplayGround {
 struct Field {
     glm::dvec3 origin{0.0};             ///< world = origin + position
     std::vector<shared::Patch> patches; ///< [0] is the root of the tree; parents before children
-    std::vector<shared::PackedBlade> blades; ///< patch after patch, in progressive order inside
-    std::vector<BladeKey> keys;              ///< one per blade
-    std::vector<Species> species;            ///< 1 to 8
+    UninitializedVector<shared::PackedBlade> blades; ///< patch after patch, in progressive order
+    UninitializedVector<BladeKey> keys;              ///< one per blade
+    std::vector<Species> species;                    ///< 1 to 8
     DisplayGround ground;
     Defaults defaults;
     std::string provenance = "{}"; ///< JSON: tool version, input hash, settings, seed

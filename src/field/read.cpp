@@ -74,15 +74,15 @@ public:
         if (entry == nullptr)
             return {};
         const Bytes stored = bytes_.subspan(entry->offset, entry->storedBytes);
-        std::vector<T> result(entry->elementCount);
         if (entry->elementCount == 0)
-            return result;
-        if ((entry->flags & format::compressed) != 0) {
-            const std::vector<std::byte> raw =
-                unshuffleBytes(decompress(stored, entry->rawBytes,
-                                          fmt::format("{}: chunk {}", place_, nameOf(id))),
-                               sizeof(T));
-            std::memcpy(result.data(), raw.data(), raw.size());
+            return {};
+        const bool isCompressed = (entry->flags & format::compressed) != 0;
+        const std::string name = fmt::format("{}: chunk {}", place_, nameOf(id));
+        if (isCompressed)
+            checkClaim(stored, entry->rawBytes, name);
+        std::vector<T> result(entry->elementCount);
+        if (isCompressed) {
+            decompress(stored, sizeof(T), std::as_writable_bytes(std::span(result)), name);
         } else {
             std::memcpy(result.data(), stored.data(), stored.size());
         }

@@ -3,12 +3,14 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/expect.h"
+#include "core/mapped_file.h"
 #include "field/compression.h"
 #include "field/format.h"
 #include "field/images.h"
-#include "field/read.h"
 #include "field/texts.h"
+#include "field/verify.h"
 
+#include <tbb/parallel_for_each.h>
 #include <xxhash.h>
 
 #include <cstring>
@@ -23,7 +25,7 @@ namespace {
 // A chunk ready to be written: either bytes of its own or a span of the field.
 struct Chunk {
     format::ChunkEntry entry = {};
-    std::vector<std::byte> owned;
+    UninitializedVector<std::byte> owned;
     std::span<const std::byte> stored;
 };
 
@@ -46,9 +48,19 @@ public:
     template <typename T>
     void addCompressed(format::ChunkId id, std::span<const T> elements, std::uint32_t flags)
     {
-        Chunk& chunk = add(id, elements, flags | format::compressed);
-        chunk.owned = compress(shuffleBytes(std::as_bytes(elements), sizeof(T)));
-        chunk.stored = chunk.owned;
+        add(id, elements, flags | format::compressed).stored = std::as_bytes(elements);
+    }
+
+    // Compresses what is to be, all chunks at once.
+    void compressAll()
+    {
+        tbb::parallel_for_each(chunks_, [](Chunk& chunk) {
+            if ((chunk.entry.flags & format::compressed) != 0) {
+                chunk.owned = compress(chunk.stored, chunk.entry.elementBytes);
+                chunk.stored = chunk.owned;
+            }
+            chunk.entry.hash = XXH3_64bits(chunk.stored.data(), chunk.stored.size());
+        });
     }
 
     std::vector<Chunk>& chunks() { return chunks_; }
@@ -70,7 +82,7 @@ private:
     std::vector<Chunk> chunks_;
 };
 
-// Gives each chunk its place and hash, and the header the hash of it all.
+// Gives each chunk its place, and the header the hash of it all.
 format::FileHeader layOut(std::vector<Chunk>& chunks, const glm::dvec3& origin)
 {
     std::uint64_t offset = sizeof(format::FileHeader) + chunks.size() * sizeof(format::ChunkEntry);
@@ -78,7 +90,6 @@ format::FileHeader layOut(std::vector<Chunk>& chunks, const glm::dvec3& origin)
         offset = aligned(offset);
         chunk.entry.offset = offset;
         chunk.entry.storedBytes = chunk.stored.size();
-        chunk.entry.hash = XXH3_64bits(chunk.stored.data(), chunk.stored.size());
         offset += chunk.stored.size();
     }
 
@@ -139,11 +150,33 @@ struct Encoded {
         list.addCompressed(format::groundImages, std::span(std::as_const(images)), 0);
         list.addPlain(format::defaults, std::span(std::as_const(defaults)), format::critical);
         list.addPlain(format::provenance, std::span(field.provenance), 0);
+        list.compressAll();
         header = layOut(list.chunks(), field.origin);
     }
     Encoded(const Encoded&) = delete;
     Encoded& operator=(const Encoded&) = delete;
 };
+
+// Throws Error{io} unless the file holds this header and these chunks.
+void checkWritten(const std::filesystem::path& written, const std::filesystem::path& path,
+                  const format::FileHeader& header, const std::vector<Chunk>& chunks)
+{
+    const MappedFile file(written);
+    const std::span<const std::byte> bytes = file.bytes();
+    const auto isAt = [&](std::uint64_t at, std::span<const std::byte> meant) {
+        return bytes.size() - at >= meant.size() &&
+               std::memcmp(bytes.data() + at, meant.data(), meant.size()) == 0;
+    };
+    bool isWhole = bytes.size() == header.fileBytes && isAt(0, bytesOf(header));
+    for (std::size_t i = 0; isWhole && i < chunks.size(); ++i) {
+        const format::ChunkEntry& entry = chunks[i].entry;
+        isWhole = isAt(sizeof header + i * sizeof entry, bytesOf(entry)) &&
+                  XXH3_64bits(bytes.data() + entry.offset, entry.storedBytes) == entry.hash;
+    }
+    if (!isWhole)
+        fail(ErrorKind::io, "{}: what was written does not read back; is the disk sound?",
+             path.string());
+}
 
 } // namespace
 
@@ -155,9 +188,13 @@ std::uint64_t fieldBytes(const Field& field)
 std::uint64_t writeField(const Field& field, const std::filesystem::path& path, bool overwrite)
 {
     expect(field.keys.size() == field.blades.size(), "one key per blade");
+    verify(viewOf(field), path.string());
     AtomicFile file(path, overwrite);
 
     const Encoded encoded(field);
+    std::string copyright;
+    parseSpecies(encoded.species, fmt::format("{}: species", path.string()));
+    parseDefaults(encoded.defaults, fmt::format("{}: defaults", path.string()), copyright);
     const std::vector<Chunk>& chunks = encoded.list.chunks();
     file.write(bytesOf(encoded.header));
     for (const Chunk& chunk : chunks)
@@ -170,9 +207,9 @@ std::uint64_t writeField(const Field& field, const std::filesystem::path& path, 
     }
     writePadding(file, at);
 
-    // Trust nothing: what is on the disk must read back before it takes its name.
+    // Trust nothing: what is on the disk must be what was meant before it takes its name.
     file.flush();
-    readField(file.temporaryPath());
+    checkWritten(file.temporaryPath(), path, encoded.header, chunks);
     file.commit();
     return encoded.header.fileBytes;
 }

@@ -84,14 +84,25 @@ TEST(FieldFile, ThatWouldNotReadBackIsNotWritten)
 
 TEST(Compression, RestoresBytesAndRefusesOtherSizes)
 {
-    std::vector<std::byte> raw(4096);
+    // More than one block of regrouped bytes.
+    std::vector<std::byte> raw(600'000);
     for (std::size_t i = 0; i < raw.size(); ++i)
         raw[i] = std::byte(i * i % 251);
-    EXPECT_EQ(unshuffleBytes(shuffleBytes(raw, 8), 8), raw);
-    const std::vector<std::byte> stored = compress(raw);
-    EXPECT_EQ(decompress(stored, raw.size(), "x"), raw);
-    EXPECT_THROW(decompress(stored, raw.size() + 1, "x"), Error);
-    EXPECT_THROW(decompress(std::span(stored).first(stored.size() / 2), raw.size(), "x"), Error);
+    for (const std::size_t elementBytes : {1, 8, 32}) {
+        const auto stored = compress(raw, elementBytes);
+        std::vector<std::byte> restored(raw.size());
+        decompress(stored, elementBytes, restored, "x");
+        EXPECT_EQ(restored, raw);
+    }
+    const auto stored = compress(raw, 8);
+    const std::span<const std::byte> whole(stored);
+    std::vector<std::byte> longer(raw.size() + 8);
+    EXPECT_THROW(decompress(whole, 8, longer, "x"), Error);
+    EXPECT_THROW(decompress(whole.first(whole.size() / 2), 8, raw, "x"), Error);
+    EXPECT_THROW(checkClaim(whole, raw.size() - 1, "x"), Error);
+    auto followed = stored;
+    followed.push_back(std::byte{0});
+    EXPECT_THROW(decompress(followed, 8, raw, "x"), Error);
 }
 
 TEST(Summary, CountsWhatTheFieldHolds)

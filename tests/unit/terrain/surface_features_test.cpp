@@ -96,7 +96,8 @@ TEST(MeanCurvature, OfASaddleIsZeroAndOfAValleyNegative)
 TEST(MeanCurvature, IsTheSameFarFromTheOriginAndInAnyPosition)
 {
     const GroundMesh sphere = meshes::sphere(64, 5.0);
-    EXPECT_THAT(curvatureOf(meshes::moved(sphere, {1e6, -1e6, 1e6})), Each(FloatNear(0.2f, 0.001f)));
+    EXPECT_THAT(curvatureOf(meshes::moved(sphere, {1e6, -1e6, 1e6})),
+                Each(FloatNear(0.2f, 0.001f)));
     EXPECT_THAT(curvatureOf(meshes::rotated(sphere, glm::dquat(glm::dvec3(0.4, 1.0, -2.0)))),
                 Each(FloatNear(0.2f, 0.001f)));
 }

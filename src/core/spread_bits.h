@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+
+namespace sward {
+
+/// Spreads the lower 21 bits of `x` so that two zeros follow each: three such numbers, shifted by
+/// 0, 1 and 2, are a place on the Morton curve.
+constexpr std::uint64_t spreadBits(std::uint32_t x)
+{
+    std::uint64_t bits = x & 0x1fffffU;
+    bits = (bits | bits << 32) & 0x001f00000000ffffULL;
+    bits = (bits | bits << 16) & 0x001f0000ff0000ffULL;
+    bits = (bits | bits << 8) & 0x100f00f00f00f00fULL;
+    bits = (bits | bits << 4) & 0x10c30c30c30c30c3ULL;
+    bits = (bits | bits << 2) & 0x1249249249249249ULL;
+    return bits;
+}
+
+} // namespace sward
