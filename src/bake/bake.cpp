@@ -15,22 +15,24 @@
 namespace sward::bake {
 namespace {
 
-// Blades that are baked at once: what bounds the memory of a large bake.
-constexpr double bladesPerTile = 4e6;
+// Blades that are baked at once, at about 130 bytes each: what bounds the memory of a large bake.
+// Tiles sample their surroundings again, so a little more than that goes into one.
+constexpr double bladesPerTile = 8e6;
+constexpr double mostBladesInOne = 12e6;
 
 // Bakes all tiles one after another.
 std::vector<CellTree> bakeTiles(const GroundPart& whole, const BakeSettings& settings,
                                 const BakePlan& plan, Totals& totals, Progress& progress)
 {
     const terrain::GroundMesh& ground = whole.ground;
-    const auto count = static_cast<std::size_t>(std::ceil(plan.plan.expected / bladesPerTile));
     std::vector<CellTree> cells;
-    if (count <= 1) {
+    if (plan.plan.expected <= mostBladesInOne) {
         TileResult tile = bakeTile(whole, settings, plan, nullptr, progress);
         totals.add(tile);
         return std::move(tile.cells);
     }
     const double margin = tileMargin(ground, settings, plan);
+    const auto count = static_cast<std::size_t>(std::ceil(plan.plan.expected / bladesPerTile));
     const std::vector<std::vector<CellNumber>> tiles = dealTiles(ground, count);
     const std::vector<std::vector<std::uint32_t>> near = trianglesNear(ground, tiles, margin);
     for (std::size_t i = 0; i < tiles.size(); ++i) {

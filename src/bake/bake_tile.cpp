@@ -99,7 +99,8 @@ TileResult bakeTile(const GroundPart& part, const BakeSettings& settings, const 
     if (plan.roots.spacing > 0.0 && roots.size() > 1)
         result.spacingMinimum = nearestPair(roots, tuningOf(settings).sheetCosine,
                                             pairLimit * plan.roots.spacing, tile);
-    std::vector<std::uint64_t> order = progressiveOrder(ground, roots);
+    std::vector<std::uint64_t> order = progressiveOrder(
+        ground, roots, settings.spread == Spread::uniform ? evenUniformShare : evenPoissonShare);
     const LocalRanks ranks(ground.origin, roots, order);
     if (tile != nullptr) {
         std::size_t kept = 0;
@@ -123,10 +124,12 @@ TileResult bakeTile(const GroundPart& part, const BakeSettings& settings, const 
 
     const BladeGrower grower(ground, settings, {plan.plan.scale, plan.plan.area}, filter, rays);
     result.timing.traits = watch.lap();
-    const UninitializedVector<shared::Blade> blades = growBlades(roots, exposure, grower, progress);
+    result.timing.traits = watch.lap();
+    result.cells = growCells(
+        ground, roots, order, ranks,
+        [&](std::size_t i) { return grower.grow(roots[i], exposure.empty() ? 1.0f : exposure[i]); },
+        progress);
     result.timing.traits += watch.lap();
-    result.cells = growCells(ground, roots, blades, order, ranks, progress);
-    result.timing.patches += watch.lap();
     return result;
 }
 

@@ -8,8 +8,6 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -246,22 +244,6 @@ shared::Blade BladeGrower::grow(const RootSample& root, float exposure) const
     blade.clump = dice.clumpNumber();
     blade.hash = dice.hash();
     return blade;
-}
-
-UninitializedVector<shared::Blade> growBlades(const Roots& roots,
-                                              const std::vector<float>& exposure,
-                                              const BladeGrower& grower, Progress& progress)
-{
-    UninitializedVector<shared::Blade> blades(roots.size());
-    progress.begin("traits", roots.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, roots.size(), 4096),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                          for (std::size_t i = range.begin(); i < range.end(); ++i)
-                              blades[i] =
-                                  grower.grow(roots[i], exposure.empty() ? 1.0f : exposure[i]);
-                          progress.advance(range.size());
-                      });
-    return blades;
 }
 
 bool growsTufts(const Meadow& meadow)

@@ -4,8 +4,6 @@
 #include "bake/root_filter.h"
 #include "bake/root_sample.h"
 #include "bake/settings.h"
-#include "core/progress.h"
-#include "core/uninitialized.h"
 #include "shaders/shared/blade.h"
 #include "terrain/ground_mesh.h"
 #include "terrain/surface_query.h"
@@ -49,11 +47,6 @@ private:
     Clumps clumps_;
     std::vector<std::optional<Clumps>> tufts_; ///< per species
 };
-
-/// Grows all blades. An empty `exposure` is full exposure.
-UninitializedVector<shared::Blade> growBlades(const Roots& roots,
-                                              const std::vector<float>& exposure,
-                                              const BladeGrower& grower, Progress& progress);
 
 /// Whether some species grows in tufts, which asks for a SurfaceQuery.
 bool growsTufts(const Meadow& meadow);

@@ -174,9 +174,8 @@ float shareBefore(const std::vector<std::uint64_t>& orders, std::uint64_t order)
     return static_cast<float>(double(before) / double(orders.size()));
 }
 
-CellTree growCell(const terrain::GroundMesh& ground, const Roots& roots,
-                  const UninitializedVector<shared::Blade>& blades, std::span<Ranked> ranked,
-                  const LocalRanks& ranks, Progress& progress)
+CellTree growCell(const terrain::GroundMesh& ground, const Roots& roots, std::span<Ranked> ranked,
+                  const LocalRanks& ranks, const GrowBlade& grow, Progress& progress)
 {
     CellTree tree;
     tree.cell = cellOf(ground.origin, roots[ranked[0].root].position);
@@ -192,7 +191,6 @@ CellTree growCell(const terrain::GroundMesh& ground, const Roots& roots,
     std::vector<std::size_t> firstOwn;
     flatten(*CellBuilder(ranked).build(), tree, firstOwn);
 
-    // Blades are packed patch by patch.
     tree.blades.resize(ranked.size());
     tree.keys.resize(ranked.size());
     std::vector<SubtreeDescription> subtrees(tree.patches.size());
@@ -202,7 +200,7 @@ CellTree growCell(const terrain::GroundMesh& ground, const Roots& roots,
         std::array<shared::Blade, shared::maxPatchBlades> room;
         const std::span<shared::Blade> held(room.data(), patch.bladeCount);
         for (std::size_t b = 0; b < held.size(); ++b)
-            held[b] = blades[chosen[b].root];
+            held[b] = grow(chosen[b].root);
         patch.rankLow = shareBefore(*orders, chosen.front().order);
         patch.rankHigh = shareBefore(*orders, chosen.back().order);
         describeOwn(patch, held);
@@ -227,9 +225,8 @@ CellTree growCell(const terrain::GroundMesh& ground, const Roots& roots,
 } // namespace
 
 std::vector<CellTree> growCells(const terrain::GroundMesh& ground, const Roots& roots,
-                                const UninitializedVector<shared::Blade>& blades,
                                 const std::vector<std::uint64_t>& order, const LocalRanks& ranks,
-                                Progress& progress)
+                                const GrowBlade& grow, Progress& progress)
 {
     progress.begin("patches", roots.size());
 
@@ -267,8 +264,8 @@ std::vector<CellTree> growCells(const terrain::GroundMesh& ground, const Roots& 
     std::vector<CellTree> trees(cells.size());
     tbb::parallel_for(std::size_t(0), cells.size(), [&](std::size_t i) {
         trees[i] =
-            growCell(ground, roots, blades,
-                     std::span(ranked).subspan(first[i], first[i + 1] - first[i]), ranks, progress);
+            growCell(ground, roots, std::span(ranked).subspan(first[i], first[i + 1] - first[i]),
+                     ranks, grow, progress);
     });
     return trees;
 }

@@ -12,6 +12,7 @@
 #include "terrain/ground_mesh.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace sward::bake {
@@ -26,13 +27,15 @@ struct CellTree {
     SubtreeDescription::Summary summary = {};
 };
 
+/// Grows the blade of a root, given its index; called from several threads.
+using GrowBlade = std::function<shared::Blade(std::size_t root)>;
+
 /// Groups roots into the cells of an octree fixed in the world. From the top, a cell takes up to
 /// 256 of its roots, the first ones in `order` (see progressive_order.h), for itself; what is left
-/// goes to its children. One tree for each 32 m cell, sorted by cell. `blades` has the blade of
-/// each root, which may stand beside it.
+/// goes to its children. One tree for each 32 m cell, sorted by cell. Blades grow patch by patch
+/// and are packed at once: unpacked ones would take more memory than all the rest.
 std::vector<CellTree> growCells(const terrain::GroundMesh& ground, const Roots& roots,
-                                const UninitializedVector<shared::Blade>& blades,
                                 const std::vector<std::uint64_t>& order, const LocalRanks& ranks,
-                                Progress& progress);
+                                const GrowBlade& grow, Progress& progress);
 
 } // namespace sward::bake

@@ -38,10 +38,6 @@ constexpr int levelsToTheEnd = 60;
 constexpr std::size_t triesPerChoice = 5;
 constexpr std::size_t moreTries = 32;
 
-// Where so many of a region's roots have been chosen, the rest follows at random: they are close
-// neighbours of others.
-constexpr double enough = 0.6;
-
 // Cells are made anew for every so many levels.
 constexpr int levelsPerCells = 2;
 
@@ -97,7 +93,7 @@ struct Chooser {
     // Chooses among the candidates, whose places are not relative yet. Calls choose(candidate) for
     // each that is chosen; returns whether the others are done with.
     template <typename Choose>
-    bool run(double firstRadius, const ChosenIndex& before, Choose choose)
+    bool run(double firstRadius, double enough, const ChosenIndex& before, Choose choose)
     {
         std::vector<Candidate>& all = candidates.all();
         candidates.restart();
@@ -224,7 +220,8 @@ std::vector<Run> runsOf(const Roots& roots, const std::vector<State>& states,
 
 } // namespace
 
-std::vector<std::uint64_t> progressiveOrder(const terrain::GroundMesh& ground, const Roots& roots)
+std::vector<std::uint64_t> progressiveOrder(const terrain::GroundMesh& ground, const Roots& roots,
+                                            double evenUpTo)
 {
     const auto priorityOf = [&](std::size_t i) {
         return mixBits(keyBits(keyOf(ground, roots[i])) + 1);
@@ -271,8 +268,8 @@ std::vector<std::uint64_t> progressiveOrder(const terrain::GroundMesh& ground, c
                         if (states[i] == State::open)
                             candidates.push_back({roots[i].position, static_cast<std::uint32_t>(i),
                                                   priorityOf(i), 0.0f});
-                isDone[region] =
-                    std::uint8_t(chooser.run(radius, index, [&](const Candidate& candidate) {
+                isDone[region] = std::uint8_t(
+                    chooser.run(radius, evenUpTo, index, [&](const Candidate& candidate) {
                         states[candidate.root] = State::chosen;
                         order[candidate.root] = orderOf(candidate.distance, candidate.priority);
                     }));

@@ -17,7 +17,15 @@ namespace sward::bake {
 /// The levels run over lattices of 32 m, 4 m, 0.5 m … cubes whose planes are planes of the patch
 /// tree, so the order of the roots in a 32 m cell depends on nothing farther from the cell than
 /// progressiveReach.
-std::vector<std::uint64_t> progressiveOrder(const terrain::GroundMesh& ground, const Roots& roots);
+///
+/// Where a share `evenUpTo` of the roots has been chosen the rest follows at random: they are close
+/// neighbours of others.
+std::vector<std::uint64_t> progressiveOrder(const terrain::GroundMesh& ground, const Roots& roots,
+                                            double evenUpTo);
+
+/// Poisson disks are even up to more than half of them; of roots spread by chance a half cannot be.
+inline constexpr double evenPoissonShare = 0.6;
+inline constexpr double evenUniformShare = 0.3;
 
 inline constexpr double progressiveReach = 9.0; ///< [m]
 

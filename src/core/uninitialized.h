@@ -12,7 +12,8 @@ namespace sward {
 
 /// Leaves what it makes room for as it is, where std::allocator would write zeros: memory is then
 /// touched first by the thread that fills it, and never where nothing is written. Large blocks come
-/// in huge pages where the system grants them: a page fault for every 2 MiB, not every 4 KiB.
+/// from the system and go back to it at once, in huge pages where it grants them: a page fault for
+/// every 2 MiB, not every 4 KiB.
 template <typename T>
 struct UninitializedAllocator : std::allocator<T> {
     template <typename U>
@@ -31,19 +32,22 @@ struct UninitializedAllocator : std::allocator<T> {
         if (count > static_cast<std::size_t>(-1) / 2 / sizeof(T))
             throw std::bad_array_new_length();
         const std::size_t bytes = count * sizeof(T);
-        if (!isLarge(bytes))
+        if (bytes < large)
             return std::allocator<T>().allocate(count);
-        void* const place = ::operator new(bytes, std::align_val_t(hugePage));
-        ::madvise(place, bytes / hugePage * hugePage, MADV_HUGEPAGE); // a wish, not a condition
+        void* const place =
+            ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        if (place == MAP_FAILED)
+            throw std::bad_alloc();
+        ::madvise(place, bytes, MADV_HUGEPAGE); // a wish, not a condition
         return static_cast<T*>(place);
     }
 
     void deallocate(T* place, std::size_t count) noexcept
     {
-        if (isLarge(count * sizeof(T)))
-            ::operator delete(place, std::align_val_t(hugePage));
-        else
+        if (count * sizeof(T) < large)
             std::allocator<T>().deallocate(place, count);
+        else
+            ::munmap(place, count * sizeof(T));
     }
 
     template <typename U>
@@ -59,9 +63,7 @@ struct UninitializedAllocator : std::allocator<T> {
     }
 
 private:
-    static constexpr std::size_t hugePage = std::size_t(2) << 20;
-
-    static bool isLarge(std::size_t bytes) { return bytes >= 4 * hugePage; }
+    static constexpr std::size_t large = std::size_t(1) << 20; ///< [bytes]
 };
 
 /// A vector whose resize() leaves new elements unwritten; for plain structs by the million.

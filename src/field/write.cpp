@@ -3,7 +3,6 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/expect.h"
-#include "core/mapped_file.h"
 #include "field/compression.h"
 #include "field/format.h"
 #include "field/images.h"
@@ -13,7 +12,10 @@
 #include <tbb/parallel_for_each.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <cstring>
+#include <fstream>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -157,22 +159,77 @@ struct Encoded {
     Encoded& operator=(const Encoded&) = delete;
 };
 
+// A file read from front to back, in blocks: mapped, its pages would count as memory.
+class Rereading {
+public:
+    explicit Rereading(const std::filesystem::path& path)
+        : file_(path, std::ios::binary)
+        , block_(std::size_t(1) << 20)
+    {
+    }
+
+    // Whether the next bytes are these.
+    bool matches(std::span<const std::byte> meant)
+    {
+        return eachBlock(meant.size(), [&](std::span<const std::byte> block, std::size_t at) {
+            return std::memcmp(block.data(), meant.data() + at, block.size()) == 0;
+        });
+    }
+
+    // Whether the next bytes have this hash.
+    bool matches(std::size_t bytes, std::uint64_t hash)
+    {
+        const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(),
+                                                                             XXH3_freeState);
+        XXH3_64bits_reset(state.get());
+        return eachBlock(bytes,
+                         [&](std::span<const std::byte> block, std::size_t) {
+                             XXH3_64bits_update(state.get(), block.data(), block.size());
+                             return true;
+                         }) &&
+               XXH3_64bits_digest(state.get()) == hash;
+    }
+
+    bool isAtEnd() { return file_.peek() == std::ifstream::traits_type::eof(); }
+
+private:
+    template <typename Check>
+    bool eachBlock(std::size_t bytes, Check check)
+    {
+        for (std::size_t at = 0; at < bytes;) {
+            const std::size_t size = std::min(block_.size(), bytes - at);
+            if (!file_.read(reinterpret_cast<char*>(block_.data()),
+                            static_cast<std::streamsize>(size)) ||
+                !check(std::span<const std::byte>(block_.data(), size), at))
+                return false;
+            at += size;
+        }
+        return true;
+    }
+
+    std::ifstream file_;
+    std::vector<std::byte> block_;
+};
+
 // Throws Error{io} unless the file holds this header and these chunks.
 void checkWritten(const std::filesystem::path& written, const std::filesystem::path& path,
                   const format::FileHeader& header, const std::vector<Chunk>& chunks)
 {
-    const MappedFile file(written);
-    const std::span<const std::byte> bytes = file.bytes();
-    const auto isAt = [&](std::uint64_t at, std::span<const std::byte> meant) {
-        return bytes.size() - at >= meant.size() &&
-               std::memcmp(bytes.data() + at, meant.data(), meant.size()) == 0;
-    };
-    bool isWhole = bytes.size() == header.fileBytes && isAt(0, bytesOf(header));
-    for (std::size_t i = 0; isWhole && i < chunks.size(); ++i) {
-        const format::ChunkEntry& entry = chunks[i].entry;
-        isWhole = isAt(sizeof header + i * sizeof entry, bytesOf(entry)) &&
-                  XXH3_64bits(bytes.data() + entry.offset, entry.storedBytes) == entry.hash;
+    static constexpr std::byte zeros[format::alignment] = {};
+    Rereading file(written);
+    bool isWhole = file.matches(bytesOf(header));
+    std::uint64_t at = sizeof header;
+    for (const Chunk& chunk : chunks) {
+        isWhole = isWhole && file.matches(bytesOf(chunk.entry));
+        at += sizeof chunk.entry;
     }
+    for (const Chunk& chunk : chunks) {
+        isWhole = isWhole && file.matches(std::span(zeros).first(chunk.entry.offset - at)) &&
+                  file.matches(chunk.entry.storedBytes, chunk.entry.hash);
+        at = chunk.entry.offset + chunk.entry.storedBytes;
+    }
+    isWhole =
+        isWhole && file.matches(std::span(zeros).first(header.fileBytes - at)) && file.isAtEnd();
     if (!isWhole)
         fail(ErrorKind::io, "{}: what was written does not read back; is the disk sound?",
              path.string());

@@ -121,17 +121,19 @@ TEST(PatchTree, TakesManyBladesInOnePlace)
     Roots roots(5000);
     for (std::uint32_t i = 0; i < 5000; ++i)
         roots[i] = {0, i, {}, glm::vec3(1.0f, 2.0f, 3.0f), glm::vec3(0.0f, 1.0f, 0.0f)};
-    const std::vector<std::uint64_t> order = progressiveOrder({}, roots);
+    const std::vector<std::uint64_t> order = progressiveOrder({}, roots, evenPoissonShare);
     const LocalRanks ranks(glm::dvec3(0.0), roots, order);
     Progress progress;
-    shared::Blade blade = {};
-    blade.root = roots[0].position;
-    blade.up = roots[0].normal;
-    blade.height = 0.5f;
-    blade.width = 0.01f;
-    const UninitializedVector<shared::Blade> blades(5000, blade);
+    const auto grow = [&](std::size_t i) {
+        shared::Blade blade = {};
+        blade.root = roots[i].position;
+        blade.up = roots[i].normal;
+        blade.height = 0.5f;
+        blade.width = 0.01f;
+        return blade;
+    };
     field::Field field;
-    joinCells(growCells({}, roots, blades, order, ranks, progress), field);
+    joinCells(growCells({}, roots, order, ranks, grow, progress), field);
     EXPECT_EQ(field.blades.size(), 5000U);
     std::set<std::uint32_t> candidates;
     for (const field::BladeKey& key : field.keys)
