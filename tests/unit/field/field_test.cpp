@@ -88,7 +88,7 @@ TEST(Compression, RestoresBytesAndRefusesOtherSizes)
     std::vector<std::byte> raw(600'000);
     for (std::size_t i = 0; i < raw.size(); ++i)
         raw[i] = std::byte(i * i % 251);
-    for (const std::size_t elementBytes : {1, 8, 32}) {
+    for (const std::size_t elementBytes : {std::size_t(1), std::size_t(8), std::size_t(32)}) {
         const auto stored = compress(raw, elementBytes);
         std::vector<std::byte> restored(raw.size());
         decompress(stored, elementBytes, restored, "x");
