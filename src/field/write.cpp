@@ -9,12 +9,12 @@
 #include "field/texts.h"
 #include "field/verify.h"
 
-#include <tbb/parallel_for_each.h>
 #include <xxhash.h>
 
 #include <algorithm>
 #include <cstring>
 #include <fstream>
+#include <future>
 #include <memory>
 #include <span>
 #include <string>
@@ -56,13 +56,17 @@ public:
     // Compresses what is to be, all chunks at once.
     void compressAll()
     {
-        tbb::parallel_for_each(chunks_, [](Chunk& chunk) {
-            if ((chunk.entry.flags & format::compressed) != 0) {
-                chunk.owned = compress(chunk.stored, chunk.entry.elementBytes);
-                chunk.stored = chunk.owned;
-            }
-            chunk.entry.hash = XXH3_64bits(chunk.stored.data(), chunk.stored.size());
-        });
+        std::vector<std::future<void>> work;
+        for (Chunk& chunk : chunks_)
+            work.push_back(std::async(std::launch::async, [&chunk] {
+                if ((chunk.entry.flags & format::compressed) != 0) {
+                    chunk.owned = compress(chunk.stored, chunk.entry.elementBytes);
+                    chunk.stored = chunk.owned;
+                }
+                chunk.entry.hash = XXH3_64bits(chunk.stored.data(), chunk.stored.size());
+            }));
+        for (std::future<void>& chunk : work)
+            chunk.get();
     }
 
     std::vector<Chunk>& chunks() { return chunks_; }

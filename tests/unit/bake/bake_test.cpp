@@ -21,9 +21,9 @@ BakeResult bake(const terrain::GroundMesh& mesh, const BakeSettings& settings, i
 }
 
 template <typename T>
-bool sameBytes(const std::vector<T>& a, const std::vector<T>& b)
+bool sameBytes(const T& a, const T& b)
 {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
 }
 
 TEST(Bake, GivesTheSameBytesForAnyNumberOfThreads)

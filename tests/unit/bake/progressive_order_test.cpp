@@ -89,11 +89,11 @@ TEST(ProgressiveOrder, ADrawnShareHasNoPeakAtThePitchOfThePatches)
 
 TEST(ProgressiveOrder, TakesPointsInOnePlaceAndNone)
 {
-    EXPECT_TRUE(progressiveOrder({}, {}).empty());
+    EXPECT_TRUE(progressiveOrder({}, {}, evenPoissonShare).empty());
     Roots roots(300);
     for (std::uint32_t i = 0; i < 300; ++i)
         roots[i] = {i, 0, {}, glm::vec3(5.0f), glm::vec3(0.0f, 1.0f, 0.0f)};
-    const std::vector<std::uint64_t> order = progressiveOrder({}, roots);
+    const std::vector<std::uint64_t> order = progressiveOrder({}, roots, evenPoissonShare);
     EXPECT_EQ(std::set<std::uint64_t>(order.begin(), order.end()).size(), 300U);
 }
 
