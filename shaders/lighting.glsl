@@ -41,10 +41,11 @@ vec3 skyRadiance(vec3 ray)
     return color + glow * FRAME.sunColor * mix(vec3(0.36, 0.34, 0.31), vec3(0.45, 0.33, 0.22), low);
 }
 
-/// Diffuse light from sky and ground on a surface with unit normal `n`.
+/// Diffuse light from sky and ground on a surface with unit normal `n`. The whole sky is a quarter
+/// brighter than straight above: paler lower down, and bright around the sun.
 vec3 hemisphere(vec3 n)
 {
-    return mix(FRAME.groundColor, FRAME.skyColor, 0.5 + 0.5 * dot(n, FRAME.skyUp));
+    return mix(FRAME.groundColor, 1.25 * FRAME.skyColor, 0.5 + 0.5 * dot(n, FRAME.skyUp));
 }
 
 /// Puts air between the eye and something `position` (relative to the field's origin).

@@ -11,9 +11,9 @@ layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec3 inTangent;
 layout(location = 2) in vec3 inAxis;
 layout(location = 3) in vec2 inPlace;
-layout(location = 4) in vec3 inRootColor;
-layout(location = 5) in vec3 inTipColor;
-layout(location = 6) in vec3 inMaterial;
+layout(location = 4) in vec4 inRootColor;
+layout(location = 5) in vec4 inTipColor;
+layout(location = 6) in vec4 inMaterial;
 layout(location = 7) in vec3 inUp;
 
 layout(location = 0) out vec4 outColor;
@@ -42,16 +42,18 @@ void main()
     const float distance = length(ray);
     const vec3 toEye = ray / max(distance, 1e-6);
     const vec3 n = bladeNormal(toEye, distance);
-    const vec3 albedo = mix(inRootColor, inTipColor, smoothstep(-0.15, 0.8, along));
+    const vec3 albedo = mix(inRootColor.rgb, inTipColor.rgb, smoothstep(-0.15, 0.8, along));
 
-    // Neighbours hide the sky from the lower part, and the sun still more so.
-    const float openness = openSky * mix(0.28, 1.0, smoothstep(-0.1, 0.8, along));
+    // Neighbours take their share of the light before it comes down here: the more the denser they
+    // stand, and only what of them is above.
+    const float leafArea = inMaterial.w * leafShareAbove(along);
     // Where the sun stands below the blade's own ground, that ground is in its way.
-    const float risen = smoothstep(-0.15, 0.25, dot(inUp, sun));
-    const float sunlit = openSky * risen * mix(0.18, 1.0, smoothstep(0.0, 0.65, along));
+    const float upright = dot(inUp, sun);
+    const float risen = smoothstep(-0.15, 0.25, upright) * mix(inRootColor.w, inTipColor.w, along);
+    const float sunlit = openSky * risen * sunBelow(leafArea, upright);
 
     // Sky and ground.
-    vec3 light = hemisphere(n) * openness;
+    vec3 light = hemisphere(n) * (openSky * skyBelow(leafArea));
     // Sun: diffuse, wrapped a little around the blade's edge, so that it sums to the same light.
     const float facing = dot(n, sun);
     const float diffuse = max((facing + 0.3) / 1.69, 0.0);

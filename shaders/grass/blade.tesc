@@ -12,18 +12,18 @@ layout(location = 1) in vec3 inV1[];
 layout(location = 2) in vec3 inV2[];
 layout(location = 3) in vec3 inAxis[];
 layout(location = 4) in vec4 inShape[];
-layout(location = 5) in vec3 inRootColor[];
-layout(location = 6) in vec3 inTipColor[];
-layout(location = 7) in vec3 inMaterial[];
+layout(location = 5) in vec4 inRootColor[];
+layout(location = 6) in vec4 inTipColor[];
+layout(location = 7) in vec4 inMaterial[];
 
 layout(location = 0) patch out vec3 outV0;
 layout(location = 1) patch out vec3 outV1;
 layout(location = 2) patch out vec3 outV2;
 layout(location = 3) patch out vec3 outAxis;
 layout(location = 4) patch out vec4 outShape; // width [m], taper threshold, width at the tip, level
-layout(location = 5) patch out vec3 outRootColor;
-layout(location = 6) patch out vec3 outTipColor;
-layout(location = 7) patch out vec3 outMaterial;
+layout(location = 5) patch out vec4 outRootColor;
+layout(location = 6) patch out vec4 outTipColor;
+layout(location = 7) patch out vec4 outMaterial;
 
 float levelOf(vec3 v0, vec3 v1, vec3 v2, float heightPixels, float widthPixels)
 {

@@ -13,17 +13,17 @@ layout(location = 1) patch in vec3 inV1;
 layout(location = 2) patch in vec3 inV2;
 layout(location = 3) patch in vec3 inAxis;
 layout(location = 4) patch in vec4 inShape;
-layout(location = 5) patch in vec3 inRootColor;
-layout(location = 6) patch in vec3 inTipColor;
-layout(location = 7) patch in vec3 inMaterial;
+layout(location = 5) patch in vec4 inRootColor;
+layout(location = 6) patch in vec4 inTipColor;
+layout(location = 7) patch in vec4 inMaterial;
 
 layout(location = 0) out vec3 outPosition;
 layout(location = 1) out vec3 outTangent;
 layout(location = 2) out vec3 outAxis;
 layout(location = 3) out vec2 outPlace; // −1 … 1 across, 0 … 1 along
-layout(location = 4) out vec3 outRootColor;
-layout(location = 5) out vec3 outTipColor;
-layout(location = 6) out vec3 outMaterial;
+layout(location = 4) out vec4 outRootColor;
+layout(location = 5) out vec4 outTipColor;
+layout(location = 6) out vec4 outMaterial;
 layout(location = 7) out vec3 outUp;
 
 void main()

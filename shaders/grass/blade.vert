@@ -12,9 +12,9 @@ layout(location = 1) out vec3 outV1;
 layout(location = 2) out vec3 outV2;
 layout(location = 3) out vec3 outAxis;
 layout(location = 4) out vec4 outShape;    // width [m], taper threshold, height and width [pixels]
-layout(location = 5) out vec3 outRootColor;
-layout(location = 6) out vec3 outTipColor;
-layout(location = 7) out vec3 outMaterial; // open sky, translucency, gloss
+layout(location = 5) out vec4 outRootColor; // and the share of the sun seen there
+layout(location = 6) out vec4 outTipColor;
+layout(location = 7) out vec4 outMaterial;  // open sky, translucency, gloss, leaf area index
 
 void main()
 {
@@ -47,7 +47,7 @@ void main()
         colors.tip = colorOfWind(blade.root, blade.up);
     if (FRAME.debugMode != 0u)
         colors.root = 0.4 * colors.tip;
-    outRootColor = colors.root;
-    outTipColor = colors.tip;
-    outMaterial = vec3(blade.exposure, species.translucency, species.gloss);
+    outRootColor = vec4(colors.root, sunSeen(FRAME.shadow, outV0, blade.up));
+    outTipColor = vec4(colors.tip, sunSeen(FRAME.shadow, outV2, blade.up));
+    outMaterial = vec4(blade.exposure, species.translucency, species.gloss, leafAreaAt(FRAME.cover, blade.root));
 }

@@ -26,7 +26,15 @@ void main()
         n = -n;
 
     const float facing = max(dot(n, FRAME.sunDirection), 0.0);
-    vec3 color = albedo * (hemisphere(n) + FRAME.sunColor * facing);
+    // The grass around takes its share of the light, as far as it is drawn.
+    const float distance = length(FRAME.eye - inPosition);
+    const float farthest = FRAME.cover.farthest;
+    const float grown = 1.0 - smoothstep(0.8 * farthest, farthest, distance);
+    const float leafArea = leafAreaAt(FRAME.cover, inPosition) * grown;
+    float sunlit = facing * sunBelow(leafArea, facing);
+    if (facing > 0.0)
+        sunlit *= sunSeen(FRAME.shadow, inPosition, n);
+    vec3 color = albedo * (hemisphere(n) * skyBelow(leafArea) + FRAME.sunColor * sunlit);
     if (FRAME.debugMode != 0u)
         color = vec3(0.35) * (0.5 + 0.5 * facing);
     else

@@ -3,10 +3,12 @@
 #define SWARD_SHARED_FRAME_H
 
 #include "shaders/shared/blade.h"
+#include "shaders/shared/cover.h"
 #include "shaders/shared/culling.h"
 #include "shaders/shared/patch.h"
 #include "shaders/shared/physics.h"
 #include "shaders/shared/species.h"
+#include "shaders/shared/sun_shadow.h"
 #include "shaders/shared/types.h"
 #include "shaders/shared/wind.h"
 
@@ -72,8 +74,11 @@ struct Frame {
     uint samples;
     vec3 skyUp;              ///< unit; where the sky is
     float fixedTessellation; ///< > 0: this level for every blade
+
+    Cover cover;      ///< how much grass stands where
+    SunShadow shadow; ///< what of the ground stands in the sun's light
 };
-SHARED_LAYOUT(Frame, 440)
+SHARED_LAYOUT(Frame, 552)
 
 SHARED_BUFFER(FrameArray, Frame, readonly)
 

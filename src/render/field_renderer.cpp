@@ -12,9 +12,11 @@
 #include "render/field_buffers.h"
 #include "render/frame.h"
 #include "render/frame_tables.h"
+#include "render/grass_cover.h"
 #include "render/ground_pass.h"
 #include "render/pass_scope.h"
 #include "render/sky_pass.h"
+#include "render/sun_shadow.h"
 #include "render/update_cull_pass.h"
 
 #include <cstring>
@@ -70,6 +72,8 @@ struct FieldRenderer::Parts {
         , attachments(context, {wanted.colorFormat, wanted.samples})
         , blades(uploaded<FieldBuffers>(context, field, wanted.recordFates))
         , ground(uploaded<GroundBuffers>(context, *field.ground))
+        , cover(uploaded<GrassCover>(context, field))
+        , sunShadow(context, shaders, ground.box())
         , updateCull(context)
         , groundPass(context, shaders, {wanted.colorFormat, wanted.samples}, ground.imageLayout())
         , bladePass(context, shaders, {wanted.colorFormat, wanted.samples})
@@ -87,6 +91,8 @@ struct FieldRenderer::Parts {
     Attachments attachments;
     FieldBuffers blades;
     GroundBuffers ground;
+    GrassCover cover;
+    SunShadowPass sunShadow;
     UpdateCullPass updateCull;
     GroundPass groundPass;
     BladePass bladePass;
@@ -126,6 +132,8 @@ void FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameSettings& 
                                       std::uint32_t slot)
 {
     blades.describe(frame);
+    cover.describe(frame);
+    sunShadow.describe(frame);
     // Before the first frame nothing has moved.
     slots[slot].tables.write(shape, wishes, time, hasSettled ? lastTime : time, frame);
     lastTime = time;
@@ -169,6 +177,7 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
         viewMatrices(camera, parts.shape.origin, target.size, parts.shape.content, jitter);
     parts.writeFrame(frameOf(parts.shape, view, settings, time, parts.settings.samples), settings,
                      time, slot);
+    parts.sunShadow.record(commands, parts.ground, parts.slots[slot].frame.address());
     {
         const PassScope scope(parts.context, commands, timestamps, "update");
         parts.moveAndCull(commands, time, slot, UpdateCullPass::Scope::visible);
@@ -259,7 +268,8 @@ FieldRenderer::dumpBlades(const field::FieldView& field) const
 
 std::size_t FieldRenderer::deviceBytes() const
 {
-    return parts_->blades.bytes() + parts_->ground.bytes() + parts_->attachments.bytes() +
+    return parts_->blades.bytes() + parts_->ground.bytes() + parts_->cover.bytes() +
+           parts_->sunShadow.bytes() + parts_->attachments.bytes() +
            parts_->slots.size() *
                (sizeof(shared::Frame) + sizeof(shared::DrawArguments) + FrameTables::bytes());
 }

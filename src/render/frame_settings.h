@@ -36,7 +36,7 @@ struct FrameSettings {
     glm::vec3 sunDirection{0.72f, 0.62f, -0.42f};
     glm::vec3 sunColor{3.4f, 2.85f, 2.1f};      ///< linear radiance
     glm::vec3 skyColor{0.42f, 0.60f, 0.92f};    ///< linear radiance from above
-    glm::vec3 groundColor{0.13f, 0.12f, 0.08f}; ///< linear radiance from below
+    glm::vec3 groundColor{0.20f, 0.23f, 0.11f}; ///< linear radiance from below: grass in the sun
     float exposure = 1.0f;
     float fogDensity = -1.0f; ///< [1/m]; below 0: chosen from the field's size
 

@@ -42,6 +42,8 @@ GroundBuffers::GroundBuffers(const gpu::DeviceContext& context, gpu::Uploader& u
     uploader.toBuffer(vertices_, std::span<const shared::GroundVertex>(ground.vertices));
     uploader.toBuffer(indices_, std::span<const std::uint32_t>(ground.indices));
     uploader.toBuffer(materials_, std::span<const shared::GroundMaterial>(ground.materials));
+    for (const shared::GroundVertex& corner : ground.vertices)
+        box_.add(corner.position);
     bytes_ = vertices_.bytes() + indices_.bytes() + materials_.bytes();
 
     // One set per image, so that a shader never chooses among images.

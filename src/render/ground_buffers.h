@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bounds.h"
 #include "field/field.h"
 #include "gpu/buffer.h"
 #include "gpu/context.h"
@@ -38,6 +39,7 @@ public:
     VkDeviceAddress materials() const { return materials_.address(); }
     VkDescriptorSetLayout imageLayout() const { return imageLayout_.get(); }
     const gpu::ImageSet& imageSet(std::uint32_t image) const { return imageSets_[image]; }
+    const Aabb& box() const { return box_; } ///< of all corners, relative to the field's origin
     VkDeviceSize bytes() const { return bytes_; }
 
 private:
@@ -45,6 +47,7 @@ private:
                   const field::Image& source, const std::string& name);
 
     VkDeviceSize bytes_ = 0;
+    Aabb box_;
     gpu::Buffer vertices_;
     gpu::Buffer indices_;
     gpu::Buffer materials_;

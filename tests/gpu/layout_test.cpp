@@ -60,6 +60,16 @@ public:
     {
         fillAll(n.gravity, n.recovery, n.colliderCount, n.reserved, n.wind, n.colliders.address);
     }
+    void fill(shared::Cover& c)
+    {
+        fillAll(c.leafArea.address, c.low, c.cellsPerMetre, c.countX, c.countY, c.countZ,
+                c.farthest);
+    }
+    void fill(shared::SunShadow& s)
+    {
+        fillAll(s.depths.address, s.across, s.down, s.depth, s.size, s.texel, s.epsilon,
+                s.reserved);
+    }
     template <typename T, std::size_t n>
     void fill(T (&elements)[n])
     {
@@ -115,7 +125,8 @@ std::size_t fillValues(Values& v)
               f.viewProjection, f.planes, f.eye, f.time, f.nature, f.drawDistance, f.pixelsPerUnit,
               f.lodThreshold, f.lodWidth, f.cullMask, f.patchCount, f.bladeCount, f.visibleCapacity,
               f.maxTessellation, f.sunDirection, f.exposure, f.sunColor, f.debugMode, f.skyColor,
-              f.fogDensity, f.groundColor, f.samples, f.skyUp, f.fixedTessellation);
+              f.fogDensity, f.groundColor, f.samples, f.skyUp, f.fixedTessellation, f.cover,
+              f.shadow);
     n.fillAll(v.visible.blade, v.visible.patchIndex, v.visible.widthFactor, v.visible.pixels);
     n.fillAll(v.draw.vertexCount, v.draw.instanceCount, v.draw.firstVertex, v.draw.firstInstance,
               v.draw.simulated, v.draw.fates);

@@ -73,6 +73,29 @@ void put(uvec2 reference)
     put(reference.y);
 }
 
+void put(Cover cover)
+{
+    put(uvec2(cover.leafArea));
+    put(cover.low);
+    put(cover.cellsPerMetre);
+    put(cover.countX);
+    put(cover.countY);
+    put(cover.countZ);
+    put(cover.farthest);
+}
+
+void put(SunShadow shadow)
+{
+    put(uvec2(shadow.depths));
+    put(shadow.across);
+    put(shadow.down);
+    put(shadow.depth);
+    put(shadow.size);
+    put(shadow.texel);
+    put(shadow.epsilon);
+    put(shadow.reserved);
+}
+
 void put(Gravity gravity)
 {
     put(gravity.direction);
@@ -157,6 +180,8 @@ void putFrame()
     put(FRAME.samples);
     put(FRAME.skyUp);
     put(FRAME.fixedTessellation);
+    put(FRAME.cover);
+    put(FRAME.shadow);
 }
 
 void main()

@@ -1,0 +1,270 @@
+// The light that grass and ground leave one another.
+
+#include "core/random.h"
+#include "picture.h"
+#include "render/grass_cover.h"
+#include "render/sun_shadow.h"
+#include "support/fields/display_ground.h"
+#include "support/fields/fields.h"
+#include "support/gpu/gpu_fixture.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace sward::render {
+namespace {
+
+constexpr glm::vec3 up(0.0f, 1.0f, 0.0f);
+
+double bladeArea(const field::Field& field)
+{
+    const auto patches = field::patchOfBlades(field::viewOf(field));
+    double sum = 0.0;
+    for (std::size_t i = 0; i < field.blades.size(); ++i) {
+        const shared::Blade blade = shared::unpackBlade(field.blades[i], field.patches[patches[i]]);
+        const float threshold = field.species[blade.species].look.tipThreshold;
+        sum += static_cast<double>(blade.height * blade.width * 0.5f * (1.0f + threshold));
+    }
+    return sum;
+}
+
+/// Leaf area integrated over the drawn ground: 300 points in each triangle.
+double integrated(const field::DisplayGround& ground, const shared::Cover& cover)
+{
+    constexpr int points = 300;
+    double sum = 0.0;
+    for (std::size_t i = 0; i + 2 < ground.indices.size(); i += 3) {
+        const glm::vec3 a = ground.vertices[ground.indices[i]].position;
+        const glm::vec3 b = ground.vertices[ground.indices[i + 1]].position - a;
+        const glm::vec3 c = ground.vertices[ground.indices[i + 2]].position - a;
+        const double area = 0.5 * static_cast<double>(glm::length(glm::cross(b, c)));
+        for (std::uint32_t k = 0; k < points; ++k) {
+            auto u = static_cast<float>(uniform(1, i * points + k, 0));
+            auto v = static_cast<float>(uniform(1, i * points + k, 1));
+            if (u + v > 1.0f) {
+                u = 1.0f - u;
+                v = 1.0f - v;
+            }
+            sum += area / points * static_cast<double>(leafAreaAt(cover, a + u * b + v * c));
+        }
+    }
+    return sum;
+}
+
+TEST(GrassCover, HoldsTheAreaOfAllBlades)
+{
+    for (const test::Surface surface : {test::Surface::plane, test::Surface::sphere})
+        for (const float extent : {2.0f, 10.0f, 60.0f}) {
+            const field::Field field = test::makeField({.surface = surface, .extent = extent});
+            const LeafAreaGrid grid = leafAreaOf(field::viewOf(field));
+            const double area = bladeArea(field);
+            EXPECT_NEAR(integrated(field.ground, grid.view()), area, 0.01 * area) << extent;
+        }
+}
+
+/// Grass on a square of 3 m amid bare ground of 12 m.
+field::Field island(std::size_t blades)
+{
+    field::Field field = test::makeField({.blades = blades, .extent = 3.0f});
+    field.ground = test::planeGround(12.0f);
+    return field;
+}
+
+TEST(GrassCover, EndsWithinACellOfTheLastBlade)
+{
+    const field::Field field = island(4000);
+    const LeafAreaGrid grid = leafAreaOf(field::viewOf(field));
+    const float border = 1.5f + 2.0f / grid.shape.cellsPerMetre;
+    for (std::uint64_t i = 0; i < 20000; ++i) {
+        const glm::vec3 p(12.0f * (static_cast<float>(uniform(2, i, 0)) - 0.5f), 0.0f,
+                          12.0f * (static_cast<float>(uniform(2, i, 1)) - 0.5f));
+        const float outside = std::max(std::abs(p.x), std::abs(p.z));
+        if (outside > border) {
+            ASSERT_EQ(leafAreaAt(grid.view(), p), 0.0f) << p.x << ", " << p.z;
+        } else if (outside < 1.2f) {
+            ASSERT_GT(leafAreaAt(grid.view(), p), 0.0f) << p.x << ", " << p.z;
+        }
+    }
+}
+
+TEST(GrassCover, OfTheFirstBladesStandsForAll)
+{
+    // More blades than are read: the same within what sampling allows.
+    const field::Field field =
+        test::makeField({.blades = maxCoverBlades + maxCoverBlades / 2, .extent = 60.0f});
+    const LeafAreaGrid grid = leafAreaOf(field::viewOf(field));
+    const double area = bladeArea(field);
+    EXPECT_NEAR(integrated(field.ground, grid.view()), area, 0.01 * area);
+}
+
+class ShadingTest : public test::GpuTest {
+protected:
+    struct Scene {
+        field::Field field;
+        FieldRenderer renderer;
+        FrameSettings settings;
+        Camera camera;
+
+        explicit Scene(field::Field made, const FieldRenderer::Settings& wanted = {})
+            : field(std::move(made))
+            , renderer(device(), field::viewOf(field), wanted)
+            , settings(FrameSettings::of(field::viewOf(field)))
+        {
+            // The same light and air for every field.
+            settings.fogDensity = 0.0f;
+            camera.eye = {0.0, 14.0, 3.0};
+            camera.near = 1.0f;
+            camera.far = 40.0f;
+        }
+
+        std::vector<std::byte> draw(test::Picture& picture)
+        {
+            picture.draw(renderer, camera, settings, 1.0);
+            return picture.pixels();
+        }
+    };
+};
+
+constexpr glm::uvec2 size(120, 80);
+
+int green(const std::vector<std::byte>& pixels, std::uint32_t x, std::uint32_t y)
+{
+    return std::to_integer<int>(pixels[4 * (std::size_t(y) * size.x + x) + 1]);
+}
+
+TEST_F(ShadingTest, GrassDarkensTheGroundBetweenItAndNoOther)
+{
+    test::Picture picture(context(), size);
+    Scene bare(island(0));
+    Scene grown(island(3000));
+    grown.settings.nature.drawDistance = 1e9f;
+    const auto before = bare.draw(picture);
+    const auto after = grown.draw(picture);
+    // The grass is in the middle third; left and right of it not a byte changes.
+    std::size_t ground = 0;
+    for (std::uint32_t y = 0; y < size.y; ++y)
+        for (std::uint32_t x = 0; x < size.x; ++x) {
+            if (x > size.x / 4 && x < size.x - size.x / 4)
+                continue;
+            ++ground;
+            ASSERT_EQ(green(before, x, y), green(after, x, y)) << x << ", " << y;
+        }
+    EXPECT_GT(ground, 1000u);
+    // Grass that is too far away to be drawn leaves the ground as it is.
+    Scene shade(island(3000));
+    shade.settings.nature.drawDistance = 1e-3f;
+    shade.settings.cullMask = shared::cullDistance;
+    EXPECT_EQ(test::differingPixels(shade.draw(picture), before), 0u);
+
+    // Between the blades it is darker than where there are none.
+    int darkest = 255;
+    for (std::uint32_t x = size.x / 2 - 5; x < size.x / 2 + 5; ++x)
+        darkest = std::min(darkest, green(after, x, size.y / 2));
+    EXPECT_LT(darkest, green(before, size.x / 2, size.y / 2));
+}
+
+/// A square of 12 m, and one of `roof` [m] above it.
+field::Field roofed(float roof)
+{
+    field::Field field = test::emptyField();
+    field.ground = test::planeGround(12.0f);
+    if (roof > 0.0f) {
+        const field::DisplayGround above = test::planeGround(roof);
+        const auto first = static_cast<std::uint32_t>(field.ground.vertices.size());
+        for (shared::GroundVertex corner : above.vertices) {
+            corner.position.y = 2.0f;
+            field.ground.vertices.push_back(corner);
+        }
+        for (const std::uint32_t index : above.indices)
+            field.ground.indices.push_back(first + index);
+        field.ground.ranges.front().indexCount =
+            static_cast<std::uint32_t>(field.ground.indices.size());
+    }
+    return field;
+}
+
+TEST_F(ShadingTest, GroundLiesInTheShadowOfWhatStandsBetweenItAndTheSun)
+{
+    test::Picture picture(context(), size);
+    Scene open(roofed(0.0f));
+    Scene covered(roofed(2.0f));
+    const glm::vec3 slanted = glm::normalize(glm::vec3(1.0f, 1.0f, 0.0f));
+    open.settings.sunDirection = slanted;
+    covered.settings.sunDirection = slanted;
+    const auto light = open.draw(picture);
+    const auto shadow = covered.draw(picture);
+
+    // The roof is 2 m up and the sun half risen: the shadow lies 2 m to the left.
+    const auto pixelOf = [&](glm::vec3 place) {
+        const ViewMatrices view = viewMatrices(open.camera, {}, size, {});
+        const glm::vec4 clip = view.viewProjection * glm::vec4(place, 1.0f);
+        return glm::uvec2((0.5f + 0.5f * glm::vec2(clip) / clip.w) * glm::vec2(size));
+    };
+    const glm::uvec2 inside = pixelOf({-2.0f, 0.0f, 0.4f});
+    const glm::uvec2 outside = pixelOf({-4.0f, 0.0f, 0.4f});
+    const glm::uvec2 right = pixelOf({4.0f, 0.0f, 0.4f});
+    EXPECT_LT(green(shadow, inside.x, inside.y), green(light, inside.x, inside.y) - 15);
+    EXPECT_EQ(green(shadow, outside.x, outside.y), green(light, outside.x, outside.y));
+    EXPECT_EQ(green(shadow, right.x, right.y), green(light, right.x, right.y));
+}
+
+TEST_F(ShadingTest, GroundDoesNotShadeItself)
+{
+    // The sun from high to low: nothing that faces it is hidden.
+    test::Picture picture(context(), size);
+    for (const float height : {2.0f, 0.5f, 0.1f}) {
+        Scene plane(roofed(0.0f));
+        plane.settings.sunDirection = {1.0f, height, 0.3f};
+        const auto pixels = plane.draw(picture);
+        // A plane in the sun has one colour.
+        const int middle = green(pixels, size.x / 2, size.y / 2);
+        for (std::uint32_t x = size.x / 4; x < size.x - size.x / 4; ++x)
+            ASSERT_NEAR(green(pixels, x, size.y / 2), middle, 1) << height << " at " << x;
+        plane.settings.sunDirection.y = -height;
+        EXPECT_LT(green(plane.draw(picture), size.x / 2, size.y / 2), middle) << height;
+    }
+}
+
+TEST_F(ShadingTest, ShadowsFollowTheSunAndComeBackWithIt)
+{
+    test::Picture picture(context(), size);
+    Scene scene(roofed(2.0f));
+    scene.settings.sunDirection = {1.0f, 1.0f, 0.0f};
+    const auto morning = scene.draw(picture);
+    scene.settings.sunDirection = {-1.0f, 1.0f, 0.0f};
+    const auto evening = scene.draw(picture);
+    scene.settings.sunDirection = {1.0f, 1.0f, 0.0f};
+    EXPECT_GT(test::differingPixels(morning, evening), 100u);
+    EXPECT_EQ(test::differingPixels(morning, scene.draw(picture)), 0u);
+}
+
+TEST(SunShadow, HoldsAllOfItsGround)
+{
+    const Aabb ground{{-3.0f, -1.0f, 2.0f}, {5.0f, 4.0f, 30.0f}};
+    for (std::uint64_t i = 0; i < 100; ++i) {
+        const glm::vec3 sun = glm::normalize(glm::vec3(static_cast<float>(uniform(3, i, 0)),
+                                                       static_cast<float>(uniform(3, i, 1)),
+                                                       static_cast<float>(uniform(3, i, 2))) -
+                                             0.45f);
+        const shared::SunShadow shadow = sunShadowOf(ground, sun, 256);
+        for (std::uint32_t corner = 0; corner < 8; ++corner) {
+            const glm::vec4 p((corner & 1u) != 0 ? ground.high.x : ground.low.x,
+                              (corner & 2u) != 0 ? ground.high.y : ground.low.y,
+                              (corner & 4u) != 0 ? ground.high.z : ground.low.z, 1.0f);
+            for (const glm::vec4 row : {shadow.across, shadow.down}) {
+                EXPECT_GE(glm::dot(row, p), 1.99f);
+                EXPECT_LE(glm::dot(row, p), 254.01f);
+            }
+            EXPECT_GT(glm::dot(shadow.depth, p), 0.0f);
+            EXPECT_LT(glm::dot(shadow.depth, p), 1.0f);
+        }
+        // What is nearer to the sun is deeper in the map.
+        EXPECT_GT(glm::dot(glm::vec3(shadow.depth), sun), 0.0f);
+    }
+    EXPECT_EQ(sunShadowOf(Aabb{}, up, 256).size, 0u);
+}
+
+} // namespace
+} // namespace sward::render
