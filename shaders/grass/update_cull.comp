@@ -11,6 +11,8 @@ layout(local_size_x = updateThreads) in;
 layout(push_constant, scalar) uniform Block { UpdatePush push; };
 #define FRAME push.frame.at[0]
 
+#include "shaders/culling/hidden.glsl"
+
 // Known when the pipeline is made, so that winds that do not blow and colliders that are not there
 // cost nothing.
 layout(constant_id = 0) const uint windCounts = 0u;
@@ -53,6 +55,27 @@ ColliderMask collidersNear(Patch cell, float elapsed, uint thread)
     return near;
 }
 
+/// Whether the ground hides all blades of a patch.
+bool patchHidden(Eyepoint view, Patch cell)
+{
+    if ((view.cullMask & cullPatch) == 0u || (view.cullMask & cullOcclusion) == 0u)
+        return false;
+    const vec3 margin = vec3(patchMargin(view, cell));
+    return isHidden(cell.boundsLow - margin, cell.boundsHigh + margin);
+}
+
+/// Whether the ground hides a blade.
+bool bladeHidden(Eyepoint view, Blade blade, BladeState state, float widthFactor)
+{
+    if ((view.cullMask & cullOcclusion) == 0u)
+        return false;
+    const Pose pose = poseOfState(blade.up, frontOf(blade.up, widthAxis(blade.up, blade.facing)), state);
+    const vec3 v1 = blade.root + blade.height * pose.v1;
+    const vec3 v2 = blade.root + blade.height * pose.v2;
+    const vec3 margin = vec3(0.5 * blade.width * max(widthFactor, 1.0));
+    return isHidden(min(min(blade.root, v1), v2) - margin, max(max(blade.root, v1), v2) + margin);
+}
+
 void noteFate(uint blade, uint fate)
 {
     if (uvec2(FRAME.fates) != uvec2(0u))
@@ -73,7 +96,7 @@ void main()
     nature.colliderCount = hasColliders ? nature.colliderCount : 0u;
 
     // Leave a patch that nobody sees as it is; its blades catch up when it is seen again.
-    if (push.onlyUpdate == 0u && patchCulled(view, cell)) {
+    if (push.onlyUpdate == 0u && (patchCulled(view, cell) || patchHidden(view, cell))) {
         for (uint i = thread; i < cell.bladeCount; i += updateThreads)
             noteFate(cell.firstBlade + i, fatePatch);
         if (thread == 0u)
@@ -101,7 +124,9 @@ void main()
             continue;
 
         // Judge it, and keep it if it shall be drawn.
-        const Verdict verdict = judgeBlade(view, blade, state, bladeRank(cell, i));
+        Verdict verdict = judgeBlade(view, blade, state, bladeRank(cell, i));
+        if (verdict.fate == fateDrawn && bladeHidden(view, blade, state, verdict.widthFactor))
+            verdict.fate = fateOcclusion;
         const uint place = atomicAdd(fateTally[verdict.fate], 1u);
         if (verdict.fate == fateDrawn)
             survivors[place] =

@@ -21,6 +21,7 @@ SHARED_CONST uint cullPatch = 1u;
 SHARED_CONST uint cullOrientation = 2u;
 SHARED_CONST uint cullFrustum = 4u;
 SHARED_CONST uint cullDistance = 8u;
+SHARED_CONST uint cullOcclusion = 16u;
 
 /// Cosine of the angle between view ray and width axis beyond which a blade is seen edge-on.
 SHARED_CONST float edgeOnCosine = 0.9f;

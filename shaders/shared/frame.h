@@ -5,6 +5,7 @@
 #include "shaders/shared/blade.h"
 #include "shaders/shared/cover.h"
 #include "shaders/shared/culling.h"
+#include "shaders/shared/occlusion.h"
 #include "shaders/shared/patch.h"
 #include "shaders/shared/physics.h"
 #include "shaders/shared/species.h"
@@ -49,6 +50,7 @@ struct Frame {
     DrawArray draw;
     FloatArray patchTimes; ///< per patch: the time its blades were last moved to [s]
     UintArray fates;       ///< per blade: its fate, or address 0 when nobody asks
+    DepthPyramid pyramid;  ///< what the ground hides; without depths nothing
 
     mat4 viewProjection; ///< reversed Z: 1 near, 0 far
     vec4 planes[6];      ///< left right bottom top near far; unit normals inward, offset
@@ -78,7 +80,7 @@ struct Frame {
     Cover cover;      ///< how much grass stands where
     SunShadow shadow; ///< what of the ground stands in the sun's light
 };
-SHARED_LAYOUT(Frame, 552)
+SHARED_LAYOUT(Frame, 600)
 
 SHARED_BUFFER(FrameArray, Frame, readonly)
 

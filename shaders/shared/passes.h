@@ -24,6 +24,16 @@ struct UpdatePush {
 };
 SHARED_LAYOUT(UpdatePush, 24)
 
+/// Threads of a work-group of the depth pyramid along each axis, one per cell.
+SHARED_CONST uint pyramidThreads = 8u;
+
+struct PyramidPush {
+    FrameArray frame;
+    uint level; ///< that is filled
+    uint reserved;
+};
+SHARED_LAYOUT(PyramidPush, 16)
+
 struct ViewPush {
     FrameArray frame;
 };

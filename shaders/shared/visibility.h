@@ -42,6 +42,16 @@ SHARED_FN float bladeRank(Patch cell, uint i)
     return mix(cell.rankLow, cell.rankHigh, (float(i) + 0.5f) / float(cell.bladeCount));
 }
 
+/// By how much blades drawn wider than they are may stand out of the patch's bounds [m].
+SHARED_FN float patchMargin(Eyepoint view, Patch cell)
+{
+    const vec3 farthest = max(abs(cell.boundsLow - view.eye), abs(cell.boundsHigh - view.eye));
+    const float share =
+        shareAt(view.pixelsPerUnit, view.lodThreshold, view.lodWidth, length(farthest));
+    // lodWidthFactor() is at most 1/(0.95 share).
+    return 0.5f * (cell.widthLow + 63.0f * cell.widthStep) / (0.95f * share);
+}
+
 /// Whether no blade of the patch can be seen: its box, grown by half the width that its widest
 /// blade can be drawn with, lies outside a plane, or beyond the draw distance where that counts.
 SHARED_FN bool patchCulled(Eyepoint view, Patch cell)
@@ -49,13 +59,9 @@ SHARED_FN bool patchCulled(Eyepoint view, Patch cell)
     if ((view.cullMask & cullPatch) == 0u)
         return false;
 
-    const vec3 farthest = max(abs(cell.boundsLow - view.eye), abs(cell.boundsHigh - view.eye));
-    const float share =
-        shareAt(view.pixelsPerUnit, view.lodThreshold, view.lodWidth, length(farthest));
-    // lodWidthFactor() is at most 1/(0.95 share).
-    const float widest = (cell.widthLow + 63.0f * cell.widthStep) / (0.95f * share);
-    const vec3 low = cell.boundsLow - vec3(0.5f * widest);
-    const vec3 high = cell.boundsHigh + vec3(0.5f * widest);
+    const float margin = patchMargin(view, cell);
+    const vec3 low = cell.boundsLow - vec3(margin);
+    const vec3 high = cell.boundsHigh + vec3(margin);
     for (uint i = 0u; i < 6u; ++i)
         if (boxOutside(view.planes[i], low, high))
             return true;

@@ -18,11 +18,11 @@ Attachments::Attachments(const gpu::DeviceContext& context, const TargetSettings
              context.name, settings.samples);
 }
 
-void Attachments::resize(glm::uvec2 size)
+bool Attachments::resize(glm::uvec2 size)
 {
     expect(size.x > 0 && size.y > 0, "a picture has at least one pixel");
     if (size == size_)
-        return;
+        return false;
     if (size_ != glm::uvec2(0))
         gpu::check(vkDeviceWaitIdle(context_->device), "vkDeviceWaitIdle");
 
@@ -30,7 +30,8 @@ void Attachments::resize(glm::uvec2 size)
     depth_ = gpu::Image(*context_, {.name = "frame/depth",
                                     .format = depthFormat,
                                     .extent = extent,
-                                    .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                                    .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
+                                             VK_IMAGE_USAGE_SAMPLED_BIT,
                                     .samples = settings_.samples});
     if (isResolved())
         color_ = gpu::Image(*context_, {.name = "frame/color",
@@ -39,6 +40,7 @@ void Attachments::resize(glm::uvec2 size)
                                         .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
                                         .samples = settings_.samples});
     size_ = size;
+    return true;
 }
 
 } // namespace sward::render

@@ -15,8 +15,9 @@ public:
     /// Throws Error{unsupported} if the device does not draw with so many samples.
     Attachments(const gpu::DeviceContext& context, const TargetSettings& settings);
 
-    /// Has pictures of this size. A new size waits until the device is done with the old ones.
-    void resize(glm::uvec2 size);
+    /// Has pictures of this size; whether they are new. Then it has waited until the device was
+    /// done with the old ones.
+    bool resize(glm::uvec2 size);
 
     bool isResolved() const { return settings_.samples > 1; }
     const gpu::Image& depth() const { return depth_; }

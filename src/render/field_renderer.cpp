@@ -9,6 +9,7 @@
 #include "render/attachments.h"
 #include "render/blade_dump.h"
 #include "render/blade_pass.h"
+#include "render/depth_pyramid.h"
 #include "render/field_buffers.h"
 #include "render/frame.h"
 #include "render/frame_tables.h"
@@ -74,6 +75,7 @@ struct FieldRenderer::Parts {
         , ground(uploaded<GroundBuffers>(context, *field.ground))
         , cover(uploaded<GrassCover>(context, field))
         , sunShadow(context, shaders, ground.box())
+        , pyramid(context, shaders, wanted.samples)
         , updateCull(context)
         , groundPass(context, shaders, {wanted.colorFormat, wanted.samples}, ground.imageLayout())
         , bladePass(context, shaders, {wanted.colorFormat, wanted.samples})
@@ -93,6 +95,7 @@ struct FieldRenderer::Parts {
     GroundBuffers ground;
     GrassCover cover;
     SunShadowPass sunShadow;
+    DepthPyramid pyramid;
     UpdateCullPass updateCull;
     GroundPass groundPass;
     BladePass bladePass;
@@ -115,8 +118,12 @@ struct FieldRenderer::Parts {
                     std::uint32_t slot);
     void moveAndCull(VkCommandBuffer commands, double time, std::uint32_t slot,
                      UpdateCullPass::Scope scope);
-    void draw(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
-              gpu::Timestamps* timestamps);
+    void drawGround(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
+                    gpu::Timestamps* timestamps);
+    void seeWhatIsHidden(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);
+    void drawBlades(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
+                    gpu::Timestamps* timestamps);
+    gpu::ColorAttachment colorAttachment(const Target& target) const;
 };
 
 FieldRenderer::FieldRenderer(const gpu::Device& device, const field::FieldView& field,
@@ -134,6 +141,8 @@ void FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameSettings& 
     blades.describe(frame);
     cover.describe(frame);
     sunShadow.describe(frame);
+    if ((frame.cullMask & shared::cullOcclusion) != 0)
+        pyramid.describe(frame);
     // Before the first frame nothing has moved.
     slots[slot].tables.write(shape, wishes, time, hasSettled ? lastTime : time, frame);
     lastTime = time;
@@ -175,9 +184,16 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
 
     const ViewMatrices view =
         viewMatrices(camera, parts.shape.origin, target.size, parts.shape.content, jitter);
+    if (parts.attachments.resize(target.size))
+        parts.pyramid.resize(parts.attachments.depth());
     parts.writeFrame(frameOf(parts.shape, view, settings, time, parts.settings.samples), settings,
                      time, slot);
     parts.sunShadow.record(commands, parts.ground, parts.slots[slot].frame.address());
+
+    // The ground comes first: what it hides needs neither be moved nor drawn.
+    parts.drawGround(commands, target, slot, timestamps);
+    if ((settings.cullMask & shared::cullOcclusion) != 0)
+        parts.seeWhatIsHidden(commands, slot, timestamps);
     {
         const PassScope scope(parts.context, commands, timestamps, "update");
         parts.moveAndCull(commands, time, slot, UpdateCullPass::Scope::visible);
@@ -189,36 +205,72 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
     vkCmdCopyBuffer(commands, parts.blades.draw().get(), parts.slots[slot].draw.get(), 1, &counts);
     gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostAccess);
 
-    parts.attachments.resize(target.size);
-    parts.draw(commands, target, slot, timestamps);
+    parts.drawBlades(commands, target, slot, timestamps);
 }
 
-void FieldRenderer::Parts::draw(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
-                                gpu::Timestamps* timestamps)
+gpu::ColorAttachment FieldRenderer::Parts::colorAttachment(const Target& target) const
+{
+    gpu::ColorAttachment color{
+        .view = target.view, .resolve = VK_NULL_HANDLE, .clear = std::nullopt};
+    if (attachments.isResolved())
+        color.view = attachments.color().view();
+    return color;
+}
+
+void FieldRenderer::Parts::drawGround(VkCommandBuffer commands, const Target& target,
+                                      std::uint32_t slot, gpu::Timestamps* timestamps)
 {
     // Last frame's depth and samples are given up.
     gpu::transition(commands, attachments.depth(), gpu::ImageUse::undefined,
                     gpu::ImageUse::depthTarget);
-    gpu::ColorAttachment color{.view = target.view,
-                               .resolve = VK_NULL_HANDLE,
-                               .clear = std::array{0.0f, 0.0f, 0.0f, 1.0f}};
-    if (attachments.isResolved()) {
+    if (attachments.isResolved())
         gpu::transition(commands, attachments.color(), gpu::ImageUse::undefined,
                         gpu::ImageUse::colorTarget);
-        color.view = attachments.color().view();
+    gpu::ColorAttachment color = colorAttachment(target);
+    color.clear = std::array{0.0f, 0.0f, 0.0f, 1.0f};
+    const gpu::DepthAttachment depth{.view = attachments.depth().view(), .clear = 0.0f};
+    const gpu::RenderingScope rendering(commands, {target.size.x, target.size.y},
+                                        std::span(&color, 1), depth);
+    const PassScope scope(context, commands, timestamps, "ground");
+    (paintsWind ? windPaint->ground : groundPass)
+        .record(commands, ground, slots[slot].frame.address());
+}
+
+void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, std::uint32_t slot,
+                                           gpu::Timestamps* timestamps)
+{
+    gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
+                    gpu::ImageUse::sampled);
+    {
+        const PassScope scope(context, commands, timestamps, "pyramid");
+        // The frame before may still be looking at what is filled anew.
+        gpu::memoryBarrier(commands, gpu::computeAccess, gpu::computeAccess);
+        pyramid.record(commands, slots[slot].frame.address());
+    }
+    gpu::transition(commands, attachments.depth(), gpu::ImageUse::sampled,
+                    gpu::ImageUse::depthTarget);
+}
+
+void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& target,
+                                      std::uint32_t slot, gpu::Timestamps* timestamps)
+{
+    gpu::ColorAttachment color = colorAttachment(target);
+    if (attachments.isResolved()) {
         color.resolve = target.view;
         color.isKept = false;
     }
+    // On top of the ground, which the same attachments hold.
+    gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
+                    gpu::ImageUse::depthTarget);
+    gpu::transition(commands, attachments.isResolved() ? attachments.color().get() : target.image,
+                    VK_IMAGE_ASPECT_COLOR_BIT, gpu::ImageUse::colorTarget,
+                    gpu::ImageUse::colorTarget);
     const gpu::DepthAttachment depth{
-        .view = attachments.depth().view(), .clear = 0.0f, .isKept = false};
+        .view = attachments.depth().view(), .clear = std::nullopt, .isKept = false};
 
     const VkDeviceAddress frame = slots[slot].frame.address();
     const gpu::RenderingScope rendering(commands, {target.size.x, target.size.y},
                                         std::span(&color, 1), depth);
-    {
-        const PassScope scope(context, commands, timestamps, "ground");
-        (paintsWind ? windPaint->ground : groundPass).record(commands, ground, frame);
-    }
     {
         const PassScope scope(context, commands, timestamps, "blades");
         (paintsWind ? windPaint->blades : bladePass).record(commands, blades, frame);
@@ -269,7 +321,7 @@ FieldRenderer::dumpBlades(const field::FieldView& field) const
 std::size_t FieldRenderer::deviceBytes() const
 {
     return parts_->blades.bytes() + parts_->ground.bytes() + parts_->cover.bytes() +
-           parts_->sunShadow.bytes() + parts_->attachments.bytes() +
+           parts_->sunShadow.bytes() + parts_->pyramid.bytes() + parts_->attachments.bytes() +
            parts_->slots.size() *
                (sizeof(shared::Frame) + sizeof(shared::DrawArguments) + FrameTables::bytes());
 }

@@ -23,8 +23,8 @@ struct FrameSettings {
     std::vector<WindSource> winds = sourcesOf(nature.wind); ///< at most shared::maxWindSources
     std::vector<Collider> colliders;                        ///< at most shared::maxColliders
 
-    std::uint32_t cullMask =
-        shared::cullPatch | shared::cullOrientation | shared::cullFrustum | shared::cullDistance;
+    std::uint32_t cullMask = shared::cullPatch | shared::cullOrientation | shared::cullFrustum |
+                             shared::cullDistance | shared::cullOcclusion;
     bool levelOfDetail = true;  ///< leave out and widen blades narrower than lodThreshold
     float lodThreshold = 0.75f; ///< [pixels], (0, 100]
     int tessellationLevel =

@@ -36,6 +36,7 @@ public:
         x = low | std::uint64_t(word(++count_)) << 32;
     }
     void fill(glm::vec2& v) { fillAll(v.x, v.y); }
+    void fill(glm::uvec2& v) { fillAll(v.x, v.y); }
     void fill(glm::vec3& v) { fillAll(v.x, v.y, v.z); }
     void fill(glm::vec4& v) { fillAll(v.x, v.y, v.z, v.w); }
     void fill(glm::mat4& m) { fillAll(m[0], m[1], m[2], m[3]); }
@@ -104,6 +105,7 @@ struct Values {
     shared::WindSource windSource;
     shared::Collider collider;
     shared::UpdatePush updatePush;
+    shared::PyramidPush pyramidPush;
     shared::ViewPush viewPush;
     shared::GroundPush groundPush;
 };
@@ -122,8 +124,9 @@ std::size_t fillValues(Values& v)
               v.cell.firstChild, v.cell.childCount, v.cell.level, v.cell.rankLow, v.cell.rankHigh);
     shared::Frame& f = v.frame;
     n.fillAll(f.blades, f.states, f.patches, f.species, f.visible, f.draw, f.patchTimes, f.fates,
-              f.viewProjection, f.planes, f.eye, f.time, f.nature, f.drawDistance, f.pixelsPerUnit,
-              f.lodThreshold, f.lodWidth, f.cullMask, f.patchCount, f.bladeCount, f.visibleCapacity,
+              f.pyramid.depths, f.pyramid.size, f.pyramid.first, f.pyramid.levels, f.viewProjection,
+              f.planes, f.eye, f.time, f.nature, f.drawDistance, f.pixelsPerUnit, f.lodThreshold,
+              f.lodWidth, f.cullMask, f.patchCount, f.bladeCount, f.visibleCapacity,
               f.maxTessellation, f.sunDirection, f.exposure, f.sunColor, f.debugMode, f.skyColor,
               f.fogDensity, f.groundColor, f.samples, f.skyUp, f.fixedTessellation, f.cover,
               f.shadow);
@@ -139,6 +142,7 @@ std::size_t fillValues(Values& v)
     n.fillAll(v.windSource, v.collider);
     n.fillAll(v.updatePush.frame, v.updatePush.owners, v.updatePush.ownerCount,
               v.updatePush.onlyUpdate);
+    n.fillAll(v.pyramidPush.frame, v.pyramidPush.level, v.pyramidPush.reserved);
     n.fillAll(v.viewPush.frame);
     n.fillAll(v.groundPush.frame, v.groundPush.vertices, v.groundPush.materials,
               v.groundPush.material, v.groundPush.reserved);
@@ -166,7 +170,7 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
     const std::size_t words = fillValues(values);
 
     // The frame is reached as element 0 everywhere, so here, too.
-    std::array<gpu::Buffer, 15> buffers = {secondElement(context(), values.blade),
+    std::array<gpu::Buffer, 16> buffers = {secondElement(context(), values.blade),
                                            secondElement(context(), values.packedBlade),
                                            secondElement(context(), values.state),
                                            secondElement(context(), values.cell),
@@ -179,6 +183,7 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
                                            secondElement(context(), values.windSource),
                                            secondElement(context(), values.collider),
                                            secondElement(context(), values.updatePush),
+                                           secondElement(context(), values.pyramidPush),
                                            secondElement(context(), values.viewPush),
                                            secondElement(context(), values.groundPush)};
     std::memcpy(buffers[4].mapped().data(), &values.frame, sizeof values.frame);

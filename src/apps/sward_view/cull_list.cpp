@@ -2,7 +2,6 @@
 
 #include "apps/common/parse_text.h"
 #include "core/error.h"
-#include "core/log.h"
 #include "core/settings_json.h"
 #include "shaders/shared/culling.h"
 
@@ -22,7 +21,7 @@ constexpr std::array<CullWord, 5> cullWords{{{"patch", shared::cullPatch},
                                              {"orientation", shared::cullOrientation},
                                              {"frustum", shared::cullFrustum},
                                              {"distance", shared::cullDistance},
-                                             {"occlusion", 0u}}};
+                                             {"occlusion", shared::cullOcclusion}}};
 
 [[noreturn]] void refuse(std::string_view word)
 {
@@ -55,8 +54,6 @@ std::uint32_t parseCullList(std::string_view text)
                          [word](const CullWord& entry) { return entry.word == word; });
         if (found == cullWords.end())
             refuse(word);
-        if (word == "occlusion")
-            log::warn("--cull occlusion: this version culls nothing by occlusion; its count is 0");
         mask |= found->bits;
     }
     return mask;

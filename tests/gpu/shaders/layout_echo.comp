@@ -8,6 +8,7 @@ layout(local_size_x = 1) in;
 
 SHARED_BUFFER(PlainBladeArray, Blade, readonly)
 SHARED_BUFFER(UpdatePushArray, UpdatePush, readonly)
+SHARED_BUFFER(PyramidPushArray, PyramidPush, readonly)
 SHARED_BUFFER(ViewPushArray, ViewPush, readonly)
 SHARED_BUFFER(GroundPushArray, GroundPush, readonly)
 
@@ -25,6 +26,7 @@ struct Sources {
     WindTable windSource;
     ColliderTable collider;
     UpdatePushArray updatePush;
+    PyramidPushArray pyramidPush;
     ViewPushArray viewPush;
     GroundPushArray groundPush;
 };
@@ -154,6 +156,11 @@ void putFrame()
     put(uvec2(FRAME.draw));
     put(uvec2(FRAME.patchTimes));
     put(uvec2(FRAME.fates));
+    put(uvec2(FRAME.pyramid.depths));
+    put(FRAME.pyramid.size);
+    for (uint i = 0u; i < maxPyramidLevels; ++i)
+        put(FRAME.pyramid.first[i]);
+    put(FRAME.pyramid.levels);
     for (uint column = 0u; column < 4u; ++column)
         put(FRAME.viewProjection[column]);
     for (uint i = 0u; i < 6u; ++i)
@@ -276,6 +283,9 @@ void main()
     put(uvec2(sources.at[0].updatePush.at[1].owners));
     put(sources.at[0].updatePush.at[1].ownerCount);
     put(sources.at[0].updatePush.at[1].onlyUpdate);
+    put(uvec2(sources.at[0].pyramidPush.at[1].frame));
+    put(sources.at[0].pyramidPush.at[1].level);
+    put(sources.at[0].pyramidPush.at[1].reserved);
     put(uvec2(sources.at[0].viewPush.at[1].frame));
     put(uvec2(sources.at[0].groundPush.at[1].frame));
     put(uvec2(sources.at[0].groundPush.at[1].vertices));

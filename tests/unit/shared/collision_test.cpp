@@ -104,8 +104,7 @@ TEST(Collision, PressesABladeDownAndItRisesAgain)
         const Collider ball = sphere(vec3(0.0f, 0.35f, 0.0f), 0.3f);
         const tests::NatureTables free;
         const tests::NatureTables under({}, {ball});
-        Blade blade =
-            bladeAt(dice, vec3(dice.number(-0.5f, 0.5f), 0, dice.number(-0.5f, 0.5f)));
+        Blade blade = bladeAt(dice, vec3(dice.number(-0.5f, 0.5f), 0, dice.number(-0.5f, 0.5f)));
         // Softer ones may lie on the other side for good.
         blade.stiffness = dice.number(0.5f, 0.9f);
 

@@ -1,0 +1,109 @@
+// What is hidden is left out, and the picture does not know.
+
+#include "core/random.h"
+#include "picture.h"
+#include "support/fields/fields.h"
+#include "support/gpu/gpu_fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace sward::render {
+namespace {
+
+constexpr std::uint64_t seed = 77;
+constexpr std::uint32_t visible = shared::cullPatch | shared::cullFrustum;
+
+/// Cameras around and above a ball of 10 m, and some within its grass.
+Camera randomCamera(std::uint64_t index)
+{
+    const auto at = [index](double reach, std::uint32_t dimension) {
+        return reach * (2.0 * uniform(seed, index, dimension) - 1.0);
+    };
+    glm::dvec3 direction(at(1.0, 0), at(1.0, 1), at(1.0, 2));
+    direction /= std::max(glm::length(direction), 0.1);
+    Camera camera;
+    camera.eye = direction * (5.1 + 6.0 * uniform(seed, index, 3) * uniform(seed, index, 4));
+    camera.target = glm::dvec3(at(6.0, 5), at(6.0, 6), at(6.0, 7));
+    camera.up = glm::vec3(at(1.0, 8), 1.0, at(1.0, 9));
+    camera.fovY = static_cast<float>(20.0 + 80.0 * uniform(seed, index, 10));
+    return camera;
+}
+
+class OcclusionTest : public test::GpuTest {
+protected:
+    /// Compares pictures of random cameras with and without culling by frustum and occlusion.
+    static void compare(std::uint32_t samples, std::uint64_t cameras, bool levelOfDetail)
+    {
+        const field::Field field = test::makeField(
+            {.surface = test::Surface::sphere, .blades = 1500, .extent = 10.0f, .seed = seed});
+        FieldRenderer::Settings wanted;
+        wanted.samples = samples;
+        FieldRenderer renderer(device(), field::viewOf(field), wanted);
+        FrameSettings settings = FrameSettings::of(field::viewOf(field));
+        settings.levelOfDetail = levelOfDetail;
+        // Sizes that are no multiple of anything.
+        test::Picture all(context(), {67, 41});
+        test::Picture culled(context(), {67, 41});
+        std::uint64_t hidden = 0;
+        std::uint64_t drawn = 0;
+        std::uint64_t hiddenPatches = 0;
+        for (std::uint64_t i = 0; i < cameras; ++i) {
+            const Camera camera = randomCamera(i);
+            settings.cullMask = 0;
+            all.draw(renderer, camera, settings, 1.0);
+            settings.cullMask = visible;
+            culled.draw(renderer, camera, settings, 1.0);
+            const std::uint64_t seen = renderer.stats().drawn;
+            const std::uint64_t patches = renderer.stats().culledPatch;
+            settings.cullMask = visible | shared::cullOcclusion;
+            culled.draw(renderer, camera, settings, 1.0);
+            const FrameStats stats = renderer.stats();
+            ASSERT_EQ(test::differingPixels(all.pixels(), culled.pixels()), 0u) << "camera " << i;
+            EXPECT_EQ(stats.drawn + stats.lod + stats.culledFrustum + stats.culledPatch +
+                          stats.culledOcclusion,
+                      stats.resident);
+            EXPECT_LE(stats.drawn, seen);
+            hidden += seen - stats.drawn;
+            hiddenPatches += stats.culledPatch - patches;
+            drawn += stats.drawn;
+        }
+        // A ball hides much of its own grass.
+        EXPECT_GT(hidden, drawn / 5);
+        EXPECT_GT(hiddenPatches, drawn / 50);
+    }
+};
+
+TEST_F(OcclusionTest, ChangesNoByteOfAnyPicture)
+{
+    const char* const more = std::getenv("SWARD_LONG_TESTS");
+    compare(1, more != nullptr ? 10'000 : 400, true);
+}
+
+TEST_F(OcclusionTest, ChangesNoByteOfPicturesWithFourSamples)
+{
+    compare(4, 150, false);
+}
+
+TEST_F(OcclusionTest, HidesNothingInTheFirstFrameAfterATurn)
+{
+    const field::Field field =
+        test::makeField({.surface = test::Surface::sphere, .blades = 1500, .extent = 10.0f});
+    FieldRenderer turning(device(), field::viewOf(field), {.samples = 1});
+    FrameSettings settings = FrameSettings::of(field::viewOf(field));
+    settings.cullMask = visible | shared::cullOcclusion;
+    test::Picture picture(context(), {96, 60});
+    Camera camera;
+    camera.eye = {0.0, 2.0, 12.0};
+    picture.draw(turning, camera, settings, 1.0);
+    camera.eye = {0.0, 2.0, -12.0};
+    picture.draw(turning, camera, settings, 1.0);
+    const auto turned = picture.pixels();
+    settings.cullMask = 0;
+    picture.draw(turning, camera, settings, 1.0);
+    EXPECT_EQ(test::differingPixels(turned, picture.pixels()), 0u);
+}
+
+} // namespace
+} // namespace sward::render

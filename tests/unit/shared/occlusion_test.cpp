@@ -1,0 +1,101 @@
+#include "shaders/shared/occlusion.h"
+#include "unit/shared/random_vectors.h"
+
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/ext/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace sward::shared {
+namespace {
+
+constexpr uvec2 size(317, 181);
+
+// Reversed Z: 1 at the near plane, 0 at infinity.
+mat4 projection()
+{
+    const float scale = 1.0f / std::tan(0.4f);
+    mat4 m(0.0f);
+    m[0][0] = scale * float(size.y) / float(size.x);
+    m[1][1] = -scale;
+    m[2][3] = -1.0f;
+    m[3][2] = 0.1f;
+    return m;
+}
+
+TEST(Occlusion, ABoxOnTheScreenHoldsAllThatIsInIt)
+{
+    tests::Dice dice(5);
+    int known = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const mat4 view = projection() * lookAt(3.0f * dice.direction(), dice.direction() * 0.3f,
+                                                vec3(0.1f, 1.0f, 0.2f));
+        const vec3 a = 2.0f * dice.direction();
+        const vec3 b = a + 0.7f * dice.direction();
+        const vec3 low = min(a, b);
+        const vec3 high = max(a, b);
+        const ScreenBox box = screenBoxOf(view, size, low, high);
+        for (int k = 0; k < 8; ++k) {
+            const vec3 share = 0.5f + 0.5f * dice.direction();
+            const vec4 clip = view * vec4(mix(low, high, share), 1.0f);
+            if (clip.w <= 0.1f)
+                continue; // behind the near plane nothing is said, and nothing seen
+            if (!box.isKnown)
+                continue;
+            ++known;
+            EXPECT_LE(clip.z / clip.w, box.nearest * 1.00001f);
+            const vec2 place = (vec2(clip.x, clip.y) / clip.w * 0.5f + 0.5f) * vec2(size);
+            if (place.x < 0.0f || place.y < 0.0f || place.x >= float(size.x) ||
+                place.y >= float(size.y))
+                continue;
+            EXPECT_GE(int(place.x), box.low.x);
+            EXPECT_LE(int(place.x), box.high.x);
+            EXPECT_GE(int(place.y), box.low.y);
+            EXPECT_LE(int(place.y), box.high.y);
+        }
+    }
+    EXPECT_GT(known, 50'000);
+}
+
+TEST(Occlusion, OfABoxAroundTheEyeNothingIsSaid)
+{
+    const mat4 view = projection() * lookAt(vec3(0.0f), vec3(0, 0, -1), vec3(0, 1, 0));
+    EXPECT_FALSE(screenBoxOf(view, size, vec3(-1.0f), vec3(1.0f)).isKnown);
+    EXPECT_FALSE(screenBoxOf(view, size, vec3(-1, -1, -1), vec3(1.0f, 1.0f, -0.05f)).isKnown);
+    EXPECT_TRUE(screenBoxOf(view, size, vec3(-1, -1, -4), vec3(1, 1, -3)).isKnown);
+}
+
+TEST(Occlusion, CellsCoverEveryPixelAndEndAtOne)
+{
+    for (const uint pixels : {1u, 3u, 4u, 5u, 181u, 1920u, 16'384u}) {
+        uint level = 0;
+        for (; pyramidCells(pixels, level) > 1; ++level)
+            EXPECT_GE(pyramidCells(pixels, level) << (pyramidFactorBits * (level + 1)), pixels);
+        EXPECT_LT(level, maxPyramidLevels);
+    }
+}
+
+TEST(Occlusion, AFewCellsAreEnoughForAnyBox)
+{
+    tests::Dice dice(6);
+    for (int i = 0; i < 10'000; ++i) {
+        ScreenBox box = {};
+        box.low = ivec2(int(800.0f + 799.0f * dice.direction().x),
+                        int(400.0f + 399.0f * dice.direction().y));
+        box.high = box.low + ivec2(int(600.0f * std::abs(dice.direction().x)),
+                                   int(30.0f * std::abs(dice.direction().y)));
+        const uint level = pyramidLevelFor(box, 6);
+        const uint bits = pyramidFactorBits * (level + 1);
+        EXPECT_LE((box.high.x >> bits) - (box.low.x >> bits), pyramidReach - 1);
+        EXPECT_LE((box.high.y >> bits) - (box.low.y >> bits), pyramidReach - 1);
+        if (level > 0) {
+            const uint finer = bits - pyramidFactorBits;
+            EXPECT_TRUE((box.high.x >> finer) - (box.low.x >> finer) >= pyramidReach ||
+                        (box.high.y >> finer) - (box.low.y >> finer) >= pyramidReach);
+        }
+    }
+}
+
+} // namespace
+} // namespace sward::shared
