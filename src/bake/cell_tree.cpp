@@ -257,8 +257,10 @@ std::vector<CellTree> growCells(const terrain::GroundMesh& ground, const Roots& 
     UninitializedVector<Ranked> ranked(roots.size());
     std::vector<std::size_t> next(first.begin(), first.end());
     for (std::size_t i = 0; i < roots.size(); ++i)
-        ranked[next[cellOfRoot[i]]++] = {order[i], octantsOf(roots[i].position),
-                                         static_cast<std::uint32_t>(i)};
+        ranked[next[cellOfRoot[i]]++] = {order[i], 0, static_cast<std::uint32_t>(i)};
+    tbb::parallel_for(std::size_t(0), ranked.size(), [&](std::size_t i) {
+        ranked[i].octants = octantsOf(roots[ranked[i].root].position);
+    });
     cellOfRoot = {};
 
     std::vector<CellTree> trees(cells.size());

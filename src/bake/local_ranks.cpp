@@ -1,5 +1,8 @@
 #include "bake/local_ranks.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_for_each.h>
 
 #include <algorithm>
@@ -16,17 +19,24 @@ LocalRanks::LocalRanks(const glm::dvec3& origin, const Roots& roots,
                        const std::vector<std::uint64_t>& order)
 {
     // Roots lie in spatial order: the cell of a run is looked up once.
+    tbb::enumerable_thread_specific<std::unordered_map<std::uint64_t, std::size_t>> partial;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, roots.size(), 65'536),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                          CellNumber last = {};
+                          std::size_t* count = nullptr;
+                          for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                              const CellNumber own = cellOf(origin, roots[i].position);
+                              if (count == nullptr || own != last) {
+                                  count = &partial.local()[packCell(own)];
+                                  last = own;
+                              }
+                              ++*count;
+                          }
+                      });
     std::unordered_map<std::uint64_t, std::size_t> counts;
-    CellNumber last = {};
-    std::size_t* count = nullptr;
-    for (const RootSample& root : roots) {
-        const CellNumber own = cellOf(origin, root.position);
-        if (count == nullptr || own != last) {
-            count = &counts[packCell(own)];
-            last = own;
-        }
-        ++*count;
-    }
+    for (const auto& part : partial)
+        for (const auto& [cell, own] : part)
+            counts[cell] += own;
     for (const auto& [cell, own] : counts)
         if (own < few)
             orders_[cell];

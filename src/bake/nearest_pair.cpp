@@ -8,6 +8,7 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -38,7 +39,7 @@ std::uint64_t keyOf(const glm::dvec3& cell)
 double nearestPair(const Roots& roots, double sheetCosine, double limit, const Territory* tile)
 {
     // Roots by cells as wide as the limit; neighbours along x lie next to one another.
-    std::vector<Entry> entries(roots.size());
+    UninitializedVector<Entry> entries(roots.size());
     const auto cellOfRoot = [&](std::size_t i) {
         return glm::floor(glm::dvec3(roots[i].position) / limit);
     };
@@ -47,34 +48,48 @@ double nearestPair(const Roots& roots, double sheetCosine, double limit, const T
     });
     tbb::parallel_sort(entries.begin(), entries.end());
 
-    const auto nearestOf = [&](const Entry& own, double best) {
+    // The first root of each of nine rows of cells around a root; as roots follow one another in
+    // order of cells, so do these.
+    std::array<std::int64_t, 9> steps;
+    for (std::size_t row = 0; row < steps.size(); ++row)
+        steps[row] = (static_cast<std::int64_t>(row / 3) - 1) * (std::int64_t(1) << 42) +
+                     (static_cast<std::int64_t>(row % 3) - 1) * (std::int64_t(1) << 21) - 1;
+    const auto rowOf = [&](const Entry& own, std::size_t row) {
+        return own.cell + static_cast<std::uint64_t>(steps[row]);
+    };
+    const auto nearestOf = [&](const Entry& own, std::array<std::size_t, 9>& rows, double best) {
         const RootSample& root = roots[own.root];
-        const glm::dvec3 cell = cellOfRoot(own.root);
-        for (int z = -1; z <= 1; ++z)
-            for (int y = -1; y <= 1; ++y) {
-                const std::uint64_t first = keyOf(cell + glm::dvec3(-1.0, y, z));
-                const std::uint64_t last = keyOf(cell + glm::dvec3(1.0, y, z));
-                for (auto at = std::lower_bound(entries.begin(), entries.end(), Entry{first, 0});
-                     at != entries.end() && at->cell <= last; ++at) {
-                    if (at->root <= own.root)
-                        continue;
-                    const RootSample& other = roots[at->root];
-                    const double distance =
-                        glm::length(glm::dvec3(other.position) - glm::dvec3(root.position));
-                    if (distance >= best ||
-                        glm::dot(glm::dvec3(other.normal), glm::dvec3(root.normal)) < sheetCosine)
-                        continue;
-                    if (tile == nullptr || tile->holds(root) || tile->holds(other))
-                        best = distance;
-                }
+        for (std::size_t row = 0; row < rows.size(); ++row) {
+            const std::uint64_t first = rowOf(own, row);
+            while (rows[row] < entries.size() && entries[rows[row]].cell < first)
+                ++rows[row];
+            for (std::size_t i = rows[row]; i < entries.size() && entries[i].cell <= first + 2;
+                 ++i) {
+                if (entries[i].root <= own.root)
+                    continue;
+                const RootSample& other = roots[entries[i].root];
+                const double distance =
+                    glm::length(glm::dvec3(other.position) - glm::dvec3(root.position));
+                if (distance >= best ||
+                    glm::dot(glm::dvec3(other.normal), glm::dvec3(root.normal)) < sheetCosine)
+                    continue;
+                if (tile == nullptr || tile->holds(root) || tile->holds(other))
+                    best = distance;
             }
+        }
         return best;
     };
     return tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, entries.size(), 4096), limit,
         [&](const tbb::blocked_range<std::size_t>& range, double best) {
+            std::array<std::size_t, 9> rows;
+            for (std::size_t row = 0; row < rows.size(); ++row)
+                rows[row] = static_cast<std::size_t>(
+                    std::lower_bound(entries.begin(), entries.end(),
+                                     Entry{rowOf(entries[range.begin()], row), 0}) -
+                    entries.begin());
             for (std::size_t i = range.begin(); i < range.end(); ++i)
-                best = nearestOf(entries[i], best);
+                best = nearestOf(entries[i], rows, best);
             return best;
         },
         [](double a, double b) { return std::min(a, b); });

@@ -2,6 +2,8 @@
 
 #include "core/expect.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <deque>
 #include <memory>
@@ -125,13 +127,13 @@ void joinCells(std::vector<CellTree>&& cells, field::Field& field)
     field.keys.resize(blades);
     for (std::size_t c = 0; c < cells.size(); ++c) {
         const CellTree cell = std::move(cells[c]);
-        for (std::size_t p = 0; p < cell.patches.size(); ++p) {
+        tbb::parallel_for(std::size_t(0), cell.patches.size(), [&](std::size_t p) {
             const shared::Patch& patch = cell.patches[p];
             const auto from = static_cast<std::ptrdiff_t>(patch.firstBlade);
             const auto to = static_cast<std::ptrdiff_t>(places[c][p]);
             std::copy_n(cell.blades.begin() + from, patch.bladeCount, field.blades.begin() + to);
             std::copy_n(cell.keys.begin() + from, patch.bladeCount, field.keys.begin() + to);
-        }
+        });
     }
     cells.clear();
 }

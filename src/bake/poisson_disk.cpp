@@ -106,19 +106,25 @@ Sampling PoissonDisk::sample(Progress& progress, const Territory* counted) const
         begin = end;
     }
 
-    std::size_t total = 0;
-    for (const RegionResult& region : filled)
-        total += region.roots.size();
-    result.roots.reserve(total);
-    for (RegionResult& region : filled) {
+    // Those that bear, region after region.
+    std::vector<std::size_t> place(regions + 1, 0);
+    for (std::size_t r = 0; r < regions; ++r) {
+        const RegionResult& region = filled[r];
         result.proposed += region.thrown;
         for (std::size_t i = 0; i < rejectCount; ++i)
             result.rejected[i] += region.rejected[i];
+        place[r + 1] = place[r] + static_cast<std::size_t>(
+                                      std::count(region.bears.begin(), region.bears.end(), 1));
+    }
+    result.roots.resize(place.back());
+    tbb::parallel_for(std::size_t(0), regions, [&](std::size_t r) {
+        RegionResult& region = filled[r];
+        std::size_t to = place[r];
         for (std::size_t i = 0; i < region.roots.size(); ++i)
             if (region.bears[i] != 0)
-                result.roots.push_back(region.roots[i]);
+                result.roots[to++] = region.roots[i];
         region = {};
-    }
+    });
     return result;
 }
 

@@ -17,8 +17,7 @@ constexpr float cellsPerAxis = 2097151.0f;
 
 struct Entry {
     std::uint64_t code;
-    std::uint64_t key;
-    std::size_t index;
+    std::uint32_t index;
 };
 
 } // namespace
@@ -37,10 +36,13 @@ void sortSpatially(const terrain::GroundMesh& ground, Roots& roots)
         entries[i] = {spreadBits(static_cast<std::uint32_t>(cell.x)) |
                           spreadBits(static_cast<std::uint32_t>(cell.y)) << 1 |
                           spreadBits(static_cast<std::uint32_t>(cell.z)) << 2,
-                      keyBits(keyOf(ground, roots[i])), i};
+                      static_cast<std::uint32_t>(i)};
     });
-    tbb::parallel_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-        return a.code != b.code ? a.code < b.code : a.key < b.key;
+    const auto keyAt = [&](const Entry& entry) {
+        return keyBits(keyOf(ground, roots[entry.index]));
+    };
+    tbb::parallel_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+        return a.code != b.code ? a.code < b.code : keyAt(a) < keyAt(b);
     });
     Roots sorted(roots.size());
     tbb::parallel_for(std::size_t(0), roots.size(),
