@@ -7,10 +7,14 @@
 #include "bake/warnings.h"
 #include "core/stopwatch.h"
 #include "field/write.h"
+#include "terrain/surface_query.h"
+
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 namespace sward::bake {
 namespace {
@@ -62,13 +66,30 @@ BakeResult bakeField(const terrain::GroundMesh& ground, const BakeSettings& sett
     Report& report = result.report;
     withThreads(report.threads, [&] {
         Stopwatch watch;
-        const terrain::SurfaceFeatures features = featuresOf(ground, settings);
-        const GroundPart whole{ground, features};
-        report.timing.topology = watch.lap();
+        // Connections are found by one thread while the others make the tree of rays.
+        terrain::SurfaceFeatures features;
+        std::optional<terrain::SurfaceQuery> rays;
+        tbb::parallel_invoke(
+            [&] {
+                Stopwatch own;
+                features = featuresOf(ground, settings);
+                report.timing.topology = own.lap();
+            },
+            [&] {
+                Stopwatch own;
+                if (asksRays(ground, settings))
+                    rays.emplace(ground);
+                report.timing.rays = own.lap();
+            });
+        const GroundPart whole{ground, features, rays ? &*rays : nullptr};
+        watch.lap();
         const BakePlan plan = planWhole(whole, settings, diagnostics, progress);
         report.timing.sample = watch.lap();
         Totals totals;
-        std::vector<CellTree> cells = bakeTiles(whole, settings, plan, totals, progress);
+        if (plan.plan.expected > mostBladesInOne)
+            rays.reset(); // each tile has a tree of its own, and the memory
+        std::vector<CellTree> cells = bakeTiles({ground, features, rays ? &*rays : nullptr},
+                                                settings, plan, totals, progress);
         finishReport(report, totals, settings, plan, diagnostics);
         watch.lap();
         result.field = bareField(ground, settings, plan, report);

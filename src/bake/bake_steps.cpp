@@ -123,10 +123,10 @@ BakePlan planWhole(const GroundPart& whole, const BakeSettings& settings, Diagno
     plan.plan = planBake(bearingArea(ground, settings), extentOf(ground), settings, diagnostics);
     // Only a count makes the whole ground be sampled, and only some filters then ask for rays.
     std::optional<terrain::SurfaceQuery> query;
-    if (settings.count && filterNeedsRays(ground, settings))
-        query.emplace(ground);
-    const RootFilter filter(ground, settings, query ? &*query : nullptr, &whole.features,
-                            plan.plan.scale);
+    const terrain::SurfaceQuery* rays = whole.rays;
+    if (rays == nullptr && settings.count && filterNeedsRays(ground, settings))
+        rays = &query.emplace(ground);
+    const RootFilter filter(ground, settings, rays, &whole.features, plan.plan.scale);
     plan.roots = planRoots(ground, settings, filter, plan.plan, progress);
     return plan;
 }

@@ -9,7 +9,6 @@
 #include "bake/root_filter.h"
 #include "bake/spatial_order.h"
 #include "core/stopwatch.h"
-#include "terrain/surface_query.h"
 
 #include <glm/geometric.hpp>
 #include <tbb/blocked_range.h>
@@ -27,13 +26,6 @@ constexpr double orderReach = progressiveReach + LocalRanks::reach;
 
 // Minimum distances are looked for up to so many spacings.
 constexpr double pairLimit = 1.25;
-
-// Whether anything at all is asked of rays.
-bool needsRays(const terrain::GroundMesh& ground, const BakeSettings& settings)
-{
-    return settings.exposureRays > 0 || filterNeedsRays(ground, settings) ||
-           growsTufts(settings.meadow);
-}
 
 template <typename Keep>
 void keepIf(Roots& roots, Keep keep)
@@ -61,6 +53,13 @@ std::uint64_t countUndersides(const terrain::GroundMesh& ground, const Roots& ro
 
 } // namespace
 
+bool asksRays(const terrain::GroundMesh& ground, const BakeSettings& settings)
+{
+    return !ground.triangles.empty() &&
+           (settings.exposureRays > 0 || filterNeedsRays(ground, settings) ||
+            growsTufts(settings.meadow));
+}
+
 double tileMargin(const terrain::GroundMesh& ground, const BakeSettings& settings,
                   const BakePlan& plan)
 {
@@ -78,11 +77,11 @@ TileResult bakeTile(const GroundPart& part, const BakeSettings& settings, const 
     Stopwatch watch;
     const terrain::GroundMesh& ground = part.ground;
     std::optional<terrain::SurfaceQuery> query;
-    if (needsRays(ground, settings) && !ground.triangles.empty()) {
+    const terrain::SurfaceQuery* rays = nullptr;
+    if (asksRays(ground, settings)) {
         progress.begin("rays", 1);
-        query.emplace(ground);
+        rays = part.rays != nullptr ? part.rays : &query.emplace(ground);
     }
-    const terrain::SurfaceQuery* const rays = query ? &*query : nullptr;
     result.timing.rays = watch.lap();
 
     // Roots of the tile, and those around it that have a say in their order.
@@ -117,9 +116,9 @@ TileResult bakeTile(const GroundPart& part, const BakeSettings& settings, const 
     result.timing.patches = watch.lap();
 
     std::vector<float> exposure;
-    if (settings.exposureRays > 0 && query)
+    if (settings.exposureRays > 0 && rays != nullptr)
         exposure = castExposure(roots, ground, settings, settings.rayLength * plan.plan.scale,
-                                *query, progress);
+                                *rays, progress);
     result.timing.rays += watch.lap();
 
     const BladeGrower grower(ground, settings, {plan.plan.scale, plan.plan.area}, filter, rays);

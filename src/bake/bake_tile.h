@@ -9,6 +9,7 @@
 #include "core/progress.h"
 #include "terrain/ground_mesh.h"
 #include "terrain/surface_features.h"
+#include "terrain/surface_query.h"
 
 #include <array>
 #include <cstdint>
@@ -20,6 +21,7 @@ namespace sward::bake {
 struct GroundPart {
     const terrain::GroundMesh& ground;
     const terrain::SurfaceFeatures& features;
+    const terrain::SurfaceQuery* rays = nullptr; ///< of this ground, if somebody has made one
 };
 
 /// What is settled once for a whole ground before any tile of it is baked.
@@ -40,6 +42,9 @@ struct TileResult {
 /// tileMargin(). A null `tile` means everything.
 TileResult bakeTile(const GroundPart& part, const BakeSettings& settings, const BakePlan& plan,
                     const Territory* tile, Progress& progress);
+
+/// Whether anything at all is asked of rays, on ground that has triangles.
+bool asksRays(const terrain::GroundMesh& ground, const BakeSettings& settings);
 
 /// How far around its cells a tile must know the ground [m].
 double tileMargin(const terrain::GroundMesh& ground, const BakeSettings& settings,
