@@ -1,5 +1,6 @@
 #include "bake/patch_tree.h"
 
+#include "core/error.h"
 #include "core/expect.h"
 
 #include <tbb/parallel_for.h>
@@ -119,6 +120,12 @@ void joinCells(std::vector<CellTree>&& cells, field::Field& field)
         return;
     std::sort(pointers.begin(), pointers.end(),
               [](const CellTree* a, const CellTree* b) { return a->cell < b->cell; });
+    const auto same =
+        std::adjacent_find(pointers.begin(), pointers.end(),
+                           [](const CellTree* a, const CellTree* b) { return a->cell == b->cell; });
+    if (same != pointers.end())
+        fail(ErrorKind::input, "two tiles have the 32 m cell ({}, {}, {})", (*same)->cell[0],
+             (*same)->cell[1], (*same)->cell[2]);
     const std::unique_ptr<Wide> root = build(pointers, topShift);
     const std::vector<std::vector<std::uint32_t>> places = layOut(*root, cells, field);
 

@@ -102,6 +102,29 @@ void readImages(const fs::path& folder, const std::string& id, terrain::GroundMe
     }
 }
 
+// Patches lie level by level: children follow those of the patches before, blades likewise.
+void checkTree(const CellTree& cell, const fs::path& path)
+{
+    std::size_t nextChild = 1;
+    std::size_t nextBlade = 0;
+    for (std::size_t i = 0; i < cell.patches.size(); ++i) {
+        const shared::Patch& patch = cell.patches[i];
+        if (patch.firstBlade != nextBlade || patch.bladeCount > cell.blades.size() - nextBlade ||
+            (patch.childCount > 0 && (patch.firstChild != nextChild || patch.firstChild <= i)) ||
+            patch.childCount > cell.patches.size() - nextChild)
+            fail(ErrorKind::input,
+                 "{}: patch {} of a cell says {} blades from {} and {} children from {}; of {} and "
+                 "{} the next are {} and {}",
+                 path.string(), i, patch.bladeCount, patch.firstBlade, patch.childCount,
+                 patch.firstChild, cell.blades.size(), cell.patches.size(), nextBlade, nextChild);
+        nextBlade += patch.bladeCount;
+        nextChild += patch.childCount;
+    }
+    if (cell.patches.empty() || nextBlade != cell.blades.size() || nextChild != cell.patches.size())
+        fail(ErrorKind::input, "{}: a cell's patches have {} of {} blades and {} of {} patches",
+             path.string(), nextBlade, cell.blades.size(), nextChild, cell.patches.size());
+}
+
 } // namespace
 
 void writePlan(const fs::path& path, const TilePlan& plan, bool overwrite)
@@ -283,6 +306,7 @@ TileResult readTile(const fs::path& path, const std::string& id)
             cell.keys.size() != header.blades)
             fail(ErrorKind::input, "{}: a cell's arrays do not have the lengths it says",
                  path.string());
+        checkTree(cell, path);
     }
     return tile;
 }

@@ -3,6 +3,7 @@
 
 #include "bake/tile_files.h"
 
+#include "bake/patch_tree.h"
 #include "core/error.h"
 #include "core/expect.h"
 #include "fuzz/memory_file.h"
@@ -41,6 +42,13 @@ void readPart(Bytes file)
         terrain::validate(part.ground, path.string());
 }
 
+void joinTile(Bytes file)
+{
+    bake::TileResult tile = bake::readTile(memoryFile().hold(file, ".blades"), tileFilesId);
+    field::Field field;
+    bake::joinCells(std::move(tile.cells), field);
+}
+
 void readImage(Bytes file)
 {
     const std::filesystem::path path = memoryFile().hold(file, ".pixels");
@@ -66,7 +74,7 @@ void tileFiles(Bytes bytes)
         if (kind == 0)
             readPart(mended(rest, kind));
         else if (kind == 1)
-            bake::readTile(memoryFile().hold(mended(rest, kind), ".blades"), tileFilesId);
+            joinTile(mended(rest, kind));
         else if (kind == 2)
             readImage(mended(rest, kind));
         else
