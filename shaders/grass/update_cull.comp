@@ -64,18 +64,6 @@ bool patchHidden(Eyepoint view, Patch cell)
     return isHidden(cell.boundsLow - margin, cell.boundsHigh + margin);
 }
 
-/// Whether the ground hides a blade.
-bool bladeHidden(Eyepoint view, Blade blade, BladeState state, float widthFactor)
-{
-    if ((view.cullMask & cullOcclusion) == 0u)
-        return false;
-    const Pose pose = poseOfState(blade.up, frontOf(blade.up, widthAxis(blade.up, blade.facing)), state);
-    const vec3 v1 = blade.root + blade.height * pose.v1;
-    const vec3 v2 = blade.root + blade.height * pose.v2;
-    const vec3 margin = vec3(0.5 * blade.width * max(widthFactor, 1.0));
-    return isHidden(min(min(blade.root, v1), v2) - margin, max(max(blade.root, v1), v2) + margin);
-}
-
 void noteFate(uint blade, uint fate)
 {
     if (uvec2(FRAME.fates) != uvec2(0u))
@@ -125,7 +113,8 @@ void main()
 
         // Judge it, and keep it if it shall be drawn.
         Verdict verdict = judgeBlade(view, blade, state, bladeRank(cell, i));
-        if (verdict.fate == fateDrawn && bladeHidden(view, blade, state, verdict.widthFactor))
+        if (verdict.fate == fateDrawn && (view.cullMask & cullOcclusion) != 0u &&
+            isHidden(verdict.low, verdict.high))
             verdict.fate = fateOcclusion;
         const uint place = atomicAdd(fateTally[verdict.fate], 1u);
         if (verdict.fate == fateDrawn)

@@ -1,4 +1,4 @@
-// What of the ground stands in the sun's light. docs/decisions/0019-ground-shadow-map.md
+// What of the ground stands in the sun's light. docs/decisions/0020-a-shadow-map-of-the-ground.md
 #ifndef SWARD_SHARED_SUN_SHADOW_H
 #define SWARD_SHARED_SUN_SHADOW_H
 

@@ -26,6 +26,8 @@ struct Verdict {
     uint fate;
     float widthFactor; ///< 0 unless drawn
     float pixels;      ///< height on the screen [pixels]
+    vec3 low;          ///< box around the blade; only where cullFrustum or cullOcclusion asks
+    vec3 high;
 };
 
 /// Share of the blades that is drawn at `distance` [m].
@@ -84,12 +86,16 @@ SHARED_FN Verdict judgeBlade(Eyepoint view, Blade blade, BladeState state, float
     verdict.pixels = blade.height * view.pixelsPerUnit / max(distance, 1e-6f);
 
     bool outside = false;
-    if ((view.cullMask & cullFrustum) != 0u) {
+    verdict.low = blade.root;
+    verdict.high = blade.root;
+    if ((view.cullMask & (cullFrustum | cullOcclusion)) != 0u) {
         const Pose pose = poseOfState(blade.up, frontOf(blade.up, axis), state);
         const vec3 v1 = blade.root + blade.height * pose.v1;
         const vec3 v2 = blade.root + blade.height * pose.v2;
         const float margin = 0.5f * blade.width * max(factor, 1.0f);
-        for (uint i = 0u; i < 6u; ++i)
+        verdict.low = min(min(blade.root, v1), v2) - vec3(margin);
+        verdict.high = max(max(blade.root, v1), v2) + vec3(margin);
+        for (uint i = 0u; i < 6u && (view.cullMask & cullFrustum) != 0u; ++i)
             outside = outside || curveOutside(view.planes[i], blade.root, v1, v2, margin);
     }
 

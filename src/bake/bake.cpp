@@ -62,9 +62,9 @@ BakeResult bakeField(const terrain::GroundMesh& ground, const BakeSettings& sett
 {
     validate(settings);
     BakeResult result;
-    result.report = reportOf(ground, settings, threadCount(threads));
     Report& report = result.report;
-    withThreads(report.threads, [&] {
+    withThreads(threadCount(threads), [&] {
+        report = reportOf(ground, settings, threadCount(threads));
         Stopwatch watch;
         // Connections are found by one thread while the others make the tree of rays.
         terrain::SurfaceFeatures features;
@@ -81,15 +81,17 @@ BakeResult bakeField(const terrain::GroundMesh& ground, const BakeSettings& sett
                     rays.emplace(ground);
                 report.timing.rays = own.lap();
             });
-        const GroundPart whole{ground, features, rays ? &*rays : nullptr};
+        GroundPart whole{ground, features, rays ? &*rays : nullptr};
         watch.lap();
         const BakePlan plan = planWhole(whole, settings, diagnostics, progress);
         report.timing.sample = watch.lap();
         Totals totals;
-        if (plan.plan.expected > mostBladesInOne)
-            rays.reset(); // each tile has a tree of its own, and the memory
-        std::vector<CellTree> cells = bakeTiles({ground, features, rays ? &*rays : nullptr},
-                                                settings, plan, totals, progress);
+        if (plan.plan.expected > mostBladesInOne) {
+            // Each tile has a tree of its own, and the memory.
+            whole.rays = nullptr;
+            rays.reset();
+        }
+        std::vector<CellTree> cells = bakeTiles(whole, settings, plan, totals, progress);
         finishReport(report, totals, settings, plan, diagnostics);
         watch.lap();
         result.field = bareField(ground, settings, plan, report);
@@ -105,11 +107,12 @@ Report estimateBake(const terrain::GroundMesh& ground, const BakeSettings& setti
                     Diagnostics& diagnostics, Progress& progress)
 {
     validate(settings);
-    Report report = reportOf(ground, settings, threadCount(threads));
+    Report report;
     constexpr double sampleSize = 400'000.0;
-    withThreads(report.threads, [&] {
+    withThreads(threadCount(threads), [&] {
+        report = reportOf(ground, settings, threadCount(threads));
         // Bake a thin field by the same steps …
-        const double area = bearingArea(ground, settings);
+        const double area = bearingArea(ground, settings.sides);
         const Plan full = planBake(area, extentOf(ground), settings, diagnostics);
         report.bladeScale = full.scale;
         if (area <= 0.0)

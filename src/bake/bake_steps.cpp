@@ -120,7 +120,8 @@ BakePlan planWhole(const GroundPart& whole, const BakeSettings& settings, Diagno
 {
     const terrain::GroundMesh& ground = whole.ground;
     BakePlan plan;
-    plan.plan = planBake(bearingArea(ground, settings), extentOf(ground), settings, diagnostics);
+    plan.plan =
+        planBake(bearingArea(ground, settings.sides), extentOf(ground), settings, diagnostics);
     // Only a count makes the whole ground be sampled, and only some filters then ask for rays.
     std::optional<terrain::SurfaceQuery> query;
     const terrain::SurfaceQuery* rays = whole.rays;
@@ -175,8 +176,7 @@ Report reportOf(const terrain::GroundMesh& ground, const BakeSettings& settings,
     Report report;
     const Aabb box = ground.bounds();
     report.input.triangles = ground.triangles.size();
-    BakeSettings oneSide;
-    report.input.area = bearingArea(ground, oneSide);
+    report.input.area = bearingArea(ground, Sides::front);
     report.input.low = ground.origin + glm::dvec3(box.low);
     report.input.high = ground.origin + glm::dvec3(box.high);
     if (asksAltitude(settings))

@@ -1,61 +1,8 @@
 #include "bake/chosen_roots.h"
 
-#include "core/random.h"
-
-#include <glm/common.hpp>
-#include <glm/vector_relational.hpp>
-
 #include <cmath>
 
 namespace sward::bake {
-
-void ChosenIndex::sortInto(double width, std::size_t more)
-{
-    const std::vector<Entry> before = std::move(entries_);
-    width_ = width;
-    heads_.assign(std::bit_ceil(std::max<std::size_t>(before.size() + more, 16)), none);
-    entries_.clear();
-    entries_.reserve(before.size());
-    for (const Entry& entry : before)
-        add(entry.chosen);
-}
-
-void ChosenIndex::add(const ChosenRoot& chosen)
-{
-    std::uint32_t& head = heads_[headOf(glm::floor(glm::dvec3(chosen.place) / width_))];
-    entries_.push_back({chosen, head});
-    head = static_cast<std::uint32_t>(entries_.size() - 1);
-}
-
-void ChosenIndex::find(const glm::vec3& low, const glm::vec3& high,
-                       std::vector<ChosenRoot>& found) const
-{
-    // Cubes may share a list: what lies in another one is left to it.
-    const auto findIn = [&](const glm::dvec3& cube) {
-        for (std::uint32_t i = heads_[headOf(cube)]; i != none; i = entries_[i].next) {
-            const ChosenRoot& chosen = entries_[i].chosen;
-            if (glm::all(glm::greaterThanEqual(chosen.place, low)) &&
-                glm::all(glm::lessThanEqual(chosen.place, high)) &&
-                glm::floor(glm::dvec3(chosen.place) / width_) == cube)
-                found.push_back(chosen);
-        }
-    };
-    const glm::dvec3 first = glm::floor(glm::dvec3(low) / width_);
-    const glm::dvec3 last = glm::floor(glm::dvec3(high) / width_);
-    for (double z = first.z; z <= last.z; z += 1.0)
-        for (double y = first.y; y <= last.y; y += 1.0)
-            for (double x = first.x; x <= last.x; x += 1.0)
-                findIn({x, y, z});
-}
-
-std::size_t ChosenIndex::headOf(const glm::dvec3& cube) const
-{
-    const auto bits = [](double x) {
-        return static_cast<std::uint64_t>(static_cast<std::int64_t>(x));
-    };
-    return mixBits(bits(cube.x) ^ mixBits(bits(cube.y) ^ mixBits(bits(cube.z)))) &
-           (heads_.size() - 1);
-}
 
 float NearbyRoots::distance(const glm::vec3& place, float radius) const
 {

@@ -13,34 +13,8 @@ namespace sward::bake {
 
 /// A root that has its place in a progressive order.
 struct ChosenRoot {
-    glm::vec3 place; ///< [m]
-    float distance;  ///< [m] from those before it; it stays that far from others in every prefix
-};
-
-/// Chosen roots by cubes of space.
-class ChosenIndex {
-public:
-    /// Sorts what is in it into cubes so wide [m], with room for `more` roots.
-    void sortInto(double width, std::size_t more);
-
-    void add(const ChosenRoot& chosen);
-
-    /// Appends those in a box, in an order that means nothing.
-    void find(const glm::vec3& low, const glm::vec3& high, std::vector<ChosenRoot>& found) const;
-
-private:
-    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
-    struct Entry {
-        ChosenRoot chosen;
-        std::uint32_t next;
-    };
-
-    std::size_t headOf(const glm::dvec3& cube) const;
-
-    double width_ = 1.0;
-    std::vector<std::uint32_t> heads_;
-    std::vector<Entry> entries_;
+    glm::vec3 position; ///< [m]
+    float distance;     ///< [m] from those before it; it stays that far from others in every prefix
 };
 
 /// Chosen roots of one region in cells for the radius at hand. Places are relative to the corner of
@@ -58,9 +32,10 @@ public:
 
     void add(const ChosenRoot& chosen)
     {
-        const Cell cell = {cellOf(chosen.place.x), cellOf(chosen.place.y), cellOf(chosen.place.z)};
+        const Cell cell = {cellOf(chosen.position.x), cellOf(chosen.position.y),
+                           cellOf(chosen.position.z)};
         std::uint32_t& head = heads_[headOf(cell)];
-        entries_.push_back({chosen.place, chosen.distance * chosen.distance, head});
+        entries_.push_back({chosen.position, chosen.distance * chosen.distance, head});
         head = static_cast<std::uint32_t>(entries_.size() - 1);
     }
 

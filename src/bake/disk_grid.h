@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bake/disk_index.h"
+#include "bake/disk.h"
 
 #include <glm/vec3.hpp>
 

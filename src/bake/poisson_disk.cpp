@@ -82,7 +82,7 @@ Sampling PoissonDisk::sample(Progress& progress, const Territory* counted) const
         return RegionFiller(ground_, settings_.seed, filter_, lattice_, spacing_, filtered_,
                             tuning_, counted);
     });
-    DiskIndex disks(0.5 * lattice_.side());
+    CubeIndex<Disk> disks(0.5 * lattice_.side());
     Sampling result;
     std::vector<RegionResult> filled(regions);
     for (std::size_t begin = 0; begin < regions;) {

@@ -55,7 +55,7 @@ public:
     {
     }
 
-    RegionResult fill(std::span<const RegionPiece> pieces, const DiskIndex& before)
+    RegionResult fill(std::span<const RegionPiece> pieces, const CubeIndex<Disk>& before)
     {
         RegionResult result;
         pass_ = 0;
@@ -97,7 +97,7 @@ private:
     };
 
     void gatherParts(std::span<const RegionPiece> pieces);
-    void gatherDisks(const DiskIndex& before);
+    void gatherDisks(const CubeIndex<Disk>& before);
     void quarter();
     void throwRound(int round, RegionResult& result);
     void throwAt(Part& part, int round, RegionResult& result);
@@ -180,7 +180,7 @@ void RegionFiller::Room::gatherParts(std::span<const RegionPiece> pieces)
     }
 }
 
-void RegionFiller::Room::gatherDisks(const DiskIndex& before)
+void RegionFiller::Room::gatherDisks(const CubeIndex<Disk>& before)
 {
     // The box of all places that darts can hit.
     glm::dvec3 low(std::numeric_limits<double>::max());
@@ -419,7 +419,7 @@ RegionFiller::RegionFiller(const terrain::GroundMesh& ground, std::uint64_t seed
 
 RegionFiller::~RegionFiller() = default;
 
-RegionResult RegionFiller::fill(std::span<const RegionPiece> pieces, const DiskIndex& before)
+RegionResult RegionFiller::fill(std::span<const RegionPiece> pieces, const CubeIndex<Disk>& before)
 {
     return room_->fill(pieces, before);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "bake/disk_index.h"
+#include "bake/cube_index.h"
+#include "bake/disk.h"
 #include "bake/poisson_fragments.h"
 #include "bake/report.h"
 #include "bake/root_filter.h"
@@ -67,7 +68,7 @@ public:
     ~RegionFiller();
 
     /// Fills the region of these pieces, given the disks of the regions that come before.
-    RegionResult fill(std::span<const RegionPiece> pieces, const DiskIndex& before);
+    RegionResult fill(std::span<const RegionPiece> pieces, const CubeIndex<Disk>& before);
 
 private:
     class Room;

@@ -1,10 +1,12 @@
 #include "bake/progressive_order.h"
 
 #include "bake/chosen_roots.h"
+#include "bake/cube_index.h"
 #include "bake/poisson_lattice.h"
 #include "core/bounds.h"
 #include "core/random.h"
 
+#include <glm/vector_relational.hpp>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
@@ -48,7 +50,6 @@ struct Candidate {
     glm::vec3 place; // relative to a corner of the region
     std::uint32_t root;
     std::uint64_t priority;
-    float distance; // once chosen
 
     bool operator<(const Candidate& other) const
     {
@@ -90,10 +91,10 @@ struct Chooser {
     std::vector<ChosenRoot> chosen;    // around the region and in it
     std::vector<std::uint32_t> passed; // candidates that were tried in vain, in order
 
-    // Chooses among the candidates, whose places are not relative yet. Calls choose(candidate) for
-    // each that is chosen; returns whether the others are done with.
+    // Chooses among the candidates, whose places are not relative yet. Calls choose(candidate,
+    // distance) for each that is chosen; returns whether the others are done with.
     template <typename Choose>
-    bool run(double firstRadius, double enough, const ChosenIndex& before, Choose choose)
+    bool run(double firstRadius, double enough, const CubeIndex<ChosenRoot>& before, Choose choose)
     {
         std::vector<Candidate>& all = candidates.all();
         candidates.restart();
@@ -103,12 +104,15 @@ struct Chooser {
         const auto margin = static_cast<float>(firstRadius);
         const glm::vec3 low = box.low - margin;
         chosen.clear();
-        before.find(low, box.high + margin, chosen);
+        const glm::vec3 high = box.high + margin;
         std::size_t early = 0;
-        for (ChosenRoot& other : chosen) {
-            other.place -= low;
+        before.forEachIn(glm::dvec3(low), glm::dvec3(high), [&](const ChosenRoot& other) {
+            if (glm::any(glm::lessThan(other.position, low)) ||
+                glm::any(glm::greaterThan(other.position, high)))
+                return;
+            chosen.push_back({other.position - low, other.distance});
             early += std::size_t(other.distance >= margin);
-        }
+        });
         for (Candidate& candidate : all)
             candidate.place -= low;
 
@@ -129,14 +133,13 @@ struct Chooser {
                     nearby.add(other);
             }
             const auto take = [&](std::uint32_t i) {
-                Candidate& candidate = all[i];
+                const Candidate& candidate = all[i];
                 const float distance = nearby.distance(candidate.place, least);
                 if (distance <= 0.0f)
                     return false;
-                candidate.distance = distance;
                 chosen.push_back({candidate.place, distance});
                 nearby.add(chosen.back());
-                choose(candidate);
+                choose(candidate, distance);
                 return true;
             };
 
@@ -232,7 +235,7 @@ std::vector<std::uint64_t> progressiveOrder(const terrain::GroundMesh& ground, c
 
     const double extent = extentOf(roots);
     std::vector<State> states(roots.size(), State::open);
-    ChosenIndex index;
+    CubeIndex<ChosenRoot> index(0.6 * widestSide);
     double side = widestSide;
     for (int lattice = 0; lattice < lattices; ++lattice, side /= finerBy) {
         if (extent / side > 5e5)
@@ -248,7 +251,7 @@ std::vector<std::uint64_t> progressiveOrder(const terrain::GroundMesh& ground, c
                 first.push_back(i);
         first.push_back(runs.size());
 
-        index.sortInto(0.6 * side, roots.size() / 8);
+        index.sortInto(0.6 * side);
         std::vector<std::uint8_t> isDone(first.size() - 1);
         tbb::enumerable_thread_specific<Chooser> choosers;
         bool isLast = true;
@@ -266,12 +269,12 @@ std::vector<std::uint64_t> progressiveOrder(const terrain::GroundMesh& ground, c
                 for (std::size_t run = first[region]; run < first[region + 1]; ++run)
                     for (std::size_t i = runs[run].begin; i < runs[run].end; ++i)
                         if (states[i] == State::open)
-                            candidates.push_back({roots[i].position, static_cast<std::uint32_t>(i),
-                                                  priorityOf(i), 0.0f});
-                isDone[region] = std::uint8_t(
-                    chooser.run(radius, evenUpTo, index, [&](const Candidate& candidate) {
+                            candidates.push_back(
+                                {roots[i].position, static_cast<std::uint32_t>(i), priorityOf(i)});
+                isDone[region] = std::uint8_t(chooser.run(
+                    radius, evenUpTo, index, [&](const Candidate& candidate, float distance) {
                         states[candidate.root] = State::chosen;
-                        order[candidate.root] = orderOf(candidate.distance, candidate.priority);
+                        order[candidate.root] = orderOf(distance, candidate.priority);
                     }));
             });
             // Later regions keep away from what was chosen.

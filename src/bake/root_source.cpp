@@ -31,7 +31,7 @@ RootPlan planPoissonCount(const terrain::GroundMesh& ground, const BakeSettings&
     const PoissonTuning tuning = tuningOf(settings);
     RootPlan plan;
     plan.filtered = filtered;
-    const double area = bearingArea(ground, settings);
+    const double area = bearingArea(ground, settings.sides);
     if (count == 0 || area <= 0.0)
         return plan;
     const double wanted = double(count) * surplus + 2.0 * std::sqrt(double(count));

@@ -47,7 +47,7 @@ void add(std::array<std::uint64_t, rejectCount>& sum,
 
 } // namespace
 
-double bearingArea(const terrain::GroundMesh& ground, const BakeSettings& settings)
+double bearingArea(const terrain::GroundMesh& ground, Sides sides)
 {
     // In fixed blocks, so that rounding does not depend on the number of threads.
     using Range = tbb::blocked_range<std::size_t>;
@@ -60,7 +60,7 @@ double bearingArea(const terrain::GroundMesh& ground, const BakeSettings& settin
             return sum;
         },
         std::plus<>());
-    return settings.sides == Sides::both ? 2.0 * area : area;
+    return sides == Sides::both ? 2.0 * area : area;
 }
 
 double priorityOf(std::uint64_t seed, field::BladeKey key)
@@ -89,7 +89,6 @@ SurfaceSampler::SurfaceSampler(const terrain::GroundMesh& ground, const BakeSett
     : ground_(ground)
     , settings_(settings)
     , filter_(filter)
-    , area_(bearingArea(ground, settings))
 {
 }
 
@@ -228,25 +227,26 @@ Sampling SurfaceSampler::sample(const Amount& amount, Progress& progress,
 Amount SurfaceSampler::amountFor(std::uint64_t count, Progress& progress) const
 {
     Amount amount;
-    if (count == 0 || area_ <= 0.0)
+    const double area = bearingArea(ground_, settings_.sides);
+    if (count == 0 || area <= 0.0)
         return amount;
 
     // Learn from a small sample which share of candidates is kept; from a larger one if it is
     // small.
     double share = 1.0;
     if (filter_.asksAnything()) {
-        Sampling probe = sample({fewTrials / area_}, progress);
+        Sampling probe = sample({fewTrials / area}, progress);
         if (probe.roots.empty())
-            probe = sample({manyTrials / area_}, progress);
+            probe = sample({manyTrials / area}, progress);
         if (probe.roots.empty())
-            return {manyTrials / area_};
+            return {manyTrials / area};
         share = double(probe.roots.size()) / double(probe.proposed);
     }
 
     // Ask for a little more than needed, and for more again should chance be against it.
     amount.density =
-        (double(count) * 1.02 + 6.0 * std::sqrt(double(count)) + 16.0) / (area_ * share);
-    const double mostDensity = std::max(mostTrials, 4.0 * double(count)) / area_;
+        (double(count) * 1.02 + 6.0 * std::sqrt(double(count)) + 16.0) / (area * share);
+    const double mostDensity = std::max(mostTrials, 4.0 * double(count)) / area;
     double from = count < 100'000 ? 0.0 : windowStart;
     for (;;) {
         amount.density = std::min(amount.density, mostDensity);

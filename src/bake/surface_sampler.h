@@ -41,8 +41,6 @@ public:
     SurfaceSampler(const terrain::GroundMesh& ground, const BakeSettings& settings,
                    const RootFilter& filter);
 
-    double area() const { return area_; } ///< bearingArea() of the ground
-
     /// Tries the candidates of an amount and keeps what passes the filter. Only candidates in
     /// `counted` (null: everywhere) count as proposed and rejected.
     Sampling sample(const Amount& amount, Progress& progress,
@@ -68,11 +66,10 @@ private:
     const terrain::GroundMesh& ground_;
     const BakeSettings& settings_;
     const RootFilter& filter_;
-    double area_ = 0.0;
 };
 
 /// Area that may bear grass, both sides counted if both bear [m²].
-double bearingArea(const terrain::GroundMesh& ground, const BakeSettings& settings);
+double bearingArea(const terrain::GroundMesh& ground, Sides sides);
 
 /// Priority of a root in [0, 1): the order in which a count takes candidates.
 double priorityOf(std::uint64_t seed, field::BladeKey key);

@@ -216,4 +216,19 @@ Distributions distributionsOf(const FieldView& field)
     return result;
 }
 
+BladeSize meanBladeSize(const FieldView& field)
+{
+    glm::dvec2 sum(0.0);
+    double count = 0.0;
+    for (const shared::Patch& cell : field.patches) {
+        const double blades = cell.bladeCount;
+        sum += blades * glm::dvec2(cell.heightLow + 127.5f * cell.heightStep,
+                                   cell.widthLow + 31.5f * cell.widthStep);
+        count += blades;
+    }
+    if (count == 0.0)
+        return {};
+    return {static_cast<float>(sum.x / count), static_cast<float>(sum.y / count)};
+}
+
 } // namespace sward::field

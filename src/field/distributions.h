@@ -62,4 +62,13 @@ struct Distributions {
 /// below sixteen times the median distance of neighbours: some hundred blades in a full cell.
 Distributions distributionsOf(const FieldView& field);
 
+struct BladeSize {
+    float height = 0.0f;
+    float width = 0.02f; ///< at the root
+};
+
+/// Mean size [m] of the blades, from the middle of each patch's range; that of a BladeSize if there
+/// are none.
+BladeSize meanBladeSize(const FieldView& field);
+
 } // namespace sward::field

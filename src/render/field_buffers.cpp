@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/expect.h"
+#include "field/distributions.h"
 #include "shaders/shared/passes.h"
 
 #include <bit>
@@ -42,19 +43,6 @@ std::vector<std::uint32_t> ownersOf(const field::FieldView& field)
     return owners;
 }
 
-/// Mean width [m] at the root, from the middle of each patch's range.
-float meanWidth(const field::FieldView& field)
-{
-    double sum = 0.0;
-    double count = 0.0;
-    for (const shared::Patch& cell : field.patches) {
-        const double blades = cell.bladeCount;
-        sum += blades * static_cast<double>(cell.widthLow + 31.5f * cell.widthStep);
-        count += blades;
-    }
-    return count > 0.0 ? static_cast<float>(sum / count) : 0.02f;
-}
-
 } // namespace
 
 FieldBuffers::FieldBuffers(const gpu::DeviceContext& context, gpu::Uploader& uploader,
@@ -66,7 +54,7 @@ FieldBuffers::FieldBuffers(const gpu::DeviceContext& context, gpu::Uploader& upl
     bladeCount_ = static_cast<std::uint32_t>(field.blades.size());
     patchCount_ = static_cast<std::uint32_t>(field.patches.size());
     ownerCount_ = static_cast<std::uint32_t>(owners.size());
-    bladeWidth_ = meanWidth(field);
+    bladeWidth_ = field::meanBladeSize(field).width;
 
     // What the bake has written, as it lies in the file.
     std::vector<shared::Species> species;

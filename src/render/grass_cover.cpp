@@ -1,6 +1,7 @@
 #include "render/grass_cover.h"
 
 #include "core/bounds.h"
+#include "field/distributions.h"
 
 #include <glm/geometric.hpp>
 
@@ -18,19 +19,6 @@ constexpr float leastGround = 0.02f;
 
 /// Pieces of ground are no longer than this share of a cell.
 constexpr float pieceSize = 0.5f;
-
-/// Mean height [m] of the blades, from the middle of each patch's range.
-float meanHeight(const field::FieldView& field)
-{
-    double sum = 0.0;
-    double count = 0.0;
-    for (const shared::Patch& cell : field.patches) {
-        const double blades = cell.bladeCount;
-        sum += blades * static_cast<double>(cell.heightLow + 127.5f * cell.heightStep);
-        count += blades;
-    }
-    return count > 0.0 ? static_cast<float>(sum / count) : 0.0f;
-}
 
 /// Box of the drawn ground and of the roots.
 Aabb placesOf(const field::FieldView& field)
@@ -51,8 +39,8 @@ shared::Cover shapeOf(const field::FieldView& field)
     const Aabb places = placesOf(field);
     const glm::vec3 size = places.size();
     const float longest = std::max({size.x, size.y, size.z});
-    const float edge = std::max(
-        {longest / static_cast<float>(maxCoverCorners - 1), 0.5f * meanHeight(field), 1e-6f});
+    const float edge = std::max({longest / static_cast<float>(maxCoverCorners - 1),
+                                 0.5f * field::meanBladeSize(field).height, 1e-6f});
     const auto corners = [&](float length) {
         const auto cells = static_cast<std::uint32_t>(std::ceil(length / edge));
         return std::clamp(cells + 1u, 2u, maxCoverCorners);
