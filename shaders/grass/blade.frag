@@ -1,11 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The light of one point of a blade.
+// One point of a blade that the rasteriser has found.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { ViewPush push; };
 
-#include "shaders/lighting.glsl"
+#include "shaders/grass/blade_light.glsl"
 
 layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec3 inTangent;
@@ -18,65 +18,16 @@ layout(location = 7) in vec3 inUp;
 
 layout(location = 0) out vec4 outColor;
 
-/// Normal of the side that is looked at, rounded across the blade, and leaning to the up-vector
-/// where a blade is too small to show its own: far grass then shines evenly instead of sparkling.
-vec3 bladeNormal(vec3 toEye, float distance)
-{
-    const vec3 flat_ = cross(inTangent, inAxis);
-    const float size = length(flat_);
-    vec3 n = size > 1e-3 ? flat_ / size : inUp;
-    n *= dot(n, toEye) < 0.0 ? -1.0 : 1.0;
-    n = normalize(n + 0.55 * inPlace.x * inAxis);
-    const float smallness = smoothstep(4.0, 60.0, distance * 1000.0 / FRAME.pixelsPerUnit);
-    return normalize(mix(n, inUp, 0.30 + 0.50 * smallness));
-}
-
 void main()
 {
-    const float along = inPlace.y;
-    const float openSky = inMaterial.x;
-    const float translucency = inMaterial.y;
-    const float gloss = inMaterial.z;
-    const vec3 sun = FRAME.sunDirection;
-    const vec3 ray = FRAME.eye - inPosition;
-    const float distance = length(ray);
-    const vec3 toEye = ray / max(distance, 1e-6);
-    const vec3 n = bladeNormal(toEye, distance);
-    const vec3 albedo = mix(inRootColor.rgb, inTipColor.rgb, smoothstep(-0.15, 0.8, along));
-
-    // Neighbours take their share of the light before it comes down here: the more the denser they
-    // stand, and only what of them is above.
-    const float leafArea = inMaterial.w * leafShareAbove(along);
-    // Where the sun stands below the blade's own ground, that ground is in its way.
-    const float upright = dot(inUp, sun);
-    const float risen = smoothstep(-0.15, 0.25, upright) * mix(inRootColor.w, inTipColor.w, along);
-    const float sunlit = openSky * risen * sunBelow(leafArea, upright);
-
-    // Sky and ground.
-    vec3 light = hemisphere(n) * (openSky * skyBelow(leafArea));
-    // Sun: diffuse, wrapped a little around the blade's edge, so that it sums to the same light.
-    const float facing = dot(n, sun);
-    const float diffuse = max((facing + 0.3) / 1.69, 0.0);
-    light += FRAME.sunColor * (diffuse * sunlit);
-    vec3 color = albedo * light;
-
-    // Light that comes through the blade, yellower than what it throws back.
-    const float behind = max(-facing, 0.0);
-    const float towards = pow(max(-dot(toEye, sun), 0.0), 4.0);
-    const vec3 through = albedo * vec3(1.25, 1.15, 0.45);
-    color += FRAME.sunColor * through * (translucency * sunlit * (0.5 * behind + 0.8 * towards));
-
-    // Soft gloss: a strand shines along its tangent (Kajiya & Kay 1989), in the upper half.
-    const vec3 halfway = normalize(sun + toEye);
-    const float strand = dot(inTangent, halfway);
-    const float shine = pow(max(1.0 - strand * strand, 0.0), 18.0);
-    const float fresnel = 0.04 + 0.5 * pow(1.0 - max(dot(n, toEye), 0.0), 5.0);
-    color += (gloss * sunlit * along * max(facing + 0.2, 0.0)) *
-             (FRAME.sunColor * shine * 0.25 + FRAME.skyColor * fresnel);
-
-    if (FRAME.debugMode != 0u)
-        color = albedo * (0.25 + 0.75 * along) * (0.6 + 0.4 * max(facing, 0.0));
-    else
-        color = throughAir(color, inPosition);
-    outColor = vec4(develop(color), 1.0);
+    BladePoint point;
+    point.position = inPosition;
+    point.tangent = inTangent;
+    point.axis = inAxis;
+    point.up = inUp;
+    point.place = inPlace;
+    point.rootColor = inRootColor;
+    point.tipColor = inTipColor;
+    point.material = inMaterial;
+    outColor = vec4(bladePicture(point), 1.0);
 }

@@ -1,0 +1,82 @@
+// The light of one point of a blade: the same for every way of drawing it.
+#ifndef SWARD_BLADE_LIGHT_GLSL
+#define SWARD_BLADE_LIGHT_GLSL
+
+#include "shaders/lighting.glsl"
+
+struct BladePoint {
+    vec3 position; ///< relative to the field's origin
+    vec3 tangent;  ///< unit, towards the tip
+    vec3 axis;     ///< unit, across
+    vec3 up;       ///< unit, of the blade
+    vec2 place;    ///< −1 … 1 across, 0 … 1 along
+    vec4 rootColor; ///< and the share of the sun seen there
+    vec4 tipColor;  ///< and the share of the sun seen there
+    vec4 material;  ///< open sky, translucency, gloss, leaf area index
+};
+
+/// Normal of the side that is looked at, rounded across the blade, and leaning to the up-vector
+/// where a blade is too small to show its own: far grass then shines evenly instead of sparkling.
+vec3 bladeNormal(BladePoint point, vec3 toEye, float distance)
+{
+    const vec3 flat_ = cross(point.tangent, point.axis);
+    const float size = length(flat_);
+    vec3 n = size > 1e-3 ? flat_ / size : point.up;
+    n *= dot(n, toEye) < 0.0 ? -1.0 : 1.0;
+    n = normalize(n + 0.55 * point.place.x * point.axis);
+    const float smallness = smoothstep(4.0, 60.0, distance * 1000.0 / FRAME.pixelsPerUnit);
+    return normalize(mix(n, point.up, 0.30 + 0.50 * smallness));
+}
+
+/// What the film sees of a point of a blade.
+vec3 bladePicture(BladePoint point)
+{
+    const float along = point.place.y;
+    const float openSky = point.material.x;
+    const float translucency = point.material.y;
+    const float gloss = point.material.z;
+    const vec3 sun = FRAME.sunDirection;
+    const vec3 ray = FRAME.eye - point.position;
+    const float distance = length(ray);
+    const vec3 toEye = ray / max(distance, 1e-6);
+    const vec3 n = bladeNormal(point, toEye, distance);
+    const vec3 albedo = mix(point.rootColor.rgb, point.tipColor.rgb, smoothstep(-0.15, 0.8, along));
+
+    // Neighbours take their share of the light before it comes down here: the more the denser they
+    // stand, and only what of them is above.
+    const float leafArea = point.material.w * leafShareAbove(along);
+    // Where the sun stands below the blade's own ground, that ground is in its way.
+    const float upright = dot(point.up, sun);
+    const float risen = smoothstep(-0.15, 0.25, upright) * mix(point.rootColor.w, point.tipColor.w, along);
+    const float sunlit = openSky * risen * sunBelow(leafArea, upright);
+
+    // Sky and ground.
+    vec3 light = hemisphere(n) * (openSky * skyBelow(leafArea));
+    // Sun: diffuse, wrapped a little around the blade's edge, so that it sums to the same light.
+    const float facing = dot(n, sun);
+    const float diffuse = max((facing + 0.3) / 1.69, 0.0);
+    light += FRAME.sunColor * (diffuse * sunlit);
+    vec3 color = albedo * light;
+
+    // Light that comes through the blade, yellower than what it throws back.
+    const float behind = max(-facing, 0.0);
+    const float towards = pow(max(-dot(toEye, sun), 0.0), 4.0);
+    const vec3 through = albedo * vec3(1.25, 1.15, 0.45);
+    color += FRAME.sunColor * through * (translucency * sunlit * (0.5 * behind + 0.8 * towards));
+
+    // Soft gloss: a strand shines along its tangent (Kajiya & Kay 1989), in the upper half.
+    const vec3 halfway = normalize(sun + toEye);
+    const float strand = dot(point.tangent, halfway);
+    const float shine = pow(max(1.0 - strand * strand, 0.0), 18.0);
+    const float fresnel = 0.04 + 0.5 * pow(1.0 - max(dot(n, toEye), 0.0), 5.0);
+    color += (gloss * sunlit * along * max(facing + 0.2, 0.0)) *
+             (FRAME.sunColor * shine * 0.25 + FRAME.skyColor * fresnel);
+
+    if (FRAME.debugMode != 0u)
+        color = albedo * (0.25 + 0.75 * along) * (0.6 + 0.4 * max(facing, 0.0));
+    else
+        color = throughAir(color, point.position);
+    return develop(color);
+}
+
+#endif
