@@ -6,26 +6,31 @@
 layout(push_constant, scalar) uniform Block { ViewPush push; };
 
 #include "shaders/grass/blade_light.glsl"
+#include "shaders/shared/ribbon.h"
 
 layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec3 inTangent;
 layout(location = 2) in vec3 inAxis;
-layout(location = 3) in vec2 inPlace;
+layout(location = 3) in vec4 inPlace;
 layout(location = 4) in vec4 inRootColor;
 layout(location = 5) in vec4 inTipColor;
 layout(location = 6) in vec4 inMaterial;
-layout(location = 7) in vec3 inUp;
+layout(location = 7) in vec4 inUp;
+layout(location = 8) flat in uint inBlade;
 
 layout(location = 0) out vec4 outColor;
 
 void main()
 {
+    const uint kept = keptSamples(inPlace.z / max(inPlace.w, 1e-12), inBlade, FRAME.samples);
+    gl_SampleMask[0] = int(kept);
     BladePoint point;
     point.position = inPosition;
     point.tangent = inTangent;
     point.axis = inAxis;
-    point.up = inUp;
-    point.place = inPlace;
+    point.up = inUp.xyz;
+    point.fold = inUp.w;
+    point.place = inPlace.xy;
     point.rootColor = inRootColor;
     point.tipColor = inTipColor;
     point.material = inMaterial;

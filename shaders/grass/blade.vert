@@ -6,12 +6,13 @@
 layout(push_constant, scalar) uniform Block { ViewPush push; };
 
 #include "shaders/grass/blade_colors.glsl"
+#include "shaders/grass/drawn_blade.glsl"
 
-layout(location = 0) out vec3 outV0;
-layout(location = 1) out vec3 outV1;
-layout(location = 2) out vec3 outV2;
-layout(location = 3) out vec3 outAxis;
-layout(location = 4) out vec4 outShape;    // width [m], taper threshold, height and width [pixels]
+layout(location = 0) out vec4 outV0; // and the width [m]
+layout(location = 1) out vec4 outV1; // and the tip threshold
+layout(location = 2) out vec4 outV2; // and the fold
+layout(location = 3) out vec4 outAxis; // and the scale of the outline
+layout(location = 4) out uvec3 outWhich; // shape, segments (0: nothing is drawn), resident id
 layout(location = 5) out vec4 outRootColor; // and the share of the sun seen there
 layout(location = 6) out vec4 outTipColor;
 layout(location = 7) out vec4 outMaterial;  // open sky, translucency, gloss, leaf area index
@@ -20,34 +21,20 @@ void main()
 {
     // The last instance has room for more blades than the list holds: those have no pixels.
     const uint place = gl_InstanceIndex * drawChunk + gl_VertexIndex;
-    outShape = vec4(0.0, 0.0, -1.0, 0.0);
+    outWhich = uvec3(0u);
     if (place >= min(FRAME.draw.at[0].fates[fateDrawn], FRAME.visibleCapacity))
         return;
     const VisibleBlade visible = FRAME.visible.at[place];
-    const Blade blade = unpackBlade(FRAME.blades.at[visible.blade], FRAME.patches.at[visible.patchIndex]);
-    const Species species = FRAME.species.at[blade.species];
+    const DrawnBlade drawn = drawnBlade(visible);
+    const Ribbon ribbon = drawn.ribbon;
+    outV0 = vec4(ribbon.v0, ribbon.width);
+    outV1 = vec4(ribbon.v1, ribbon.outline.tipThreshold);
+    outV2 = vec4(ribbon.v2, ribbon.fold);
+    outAxis = vec4(ribbon.axis, ribbon.outline.scale);
+    outWhich = uvec3(ribbon.outline.shape, uint(ribbon.outline.segments), visible.blade);
 
-    const vec3 axis = widthAxis(blade.up, blade.facing);
-    const Pose pose = poseOfState(blade.up, frontOf(blade.up, axis), FRAME.states.at[visible.blade]);
-    outV0 = blade.root;
-    outV1 = blade.root + blade.height * pose.v1;
-    outV2 = blade.root + blade.height * pose.v2;
-    outAxis = axis;
-
-    const float width = blade.width * visible.widthFactor;
-    outShape = vec4(width, species.tipThreshold, visible.pixels, visible.pixels * width / blade.height);
-
-    BladeColors colors = bladeColors(blade, species, visible.blade);
-    if (FRAME.debugMode == 1u)
-        colors.tip = mix(vec3(0.1, 0.6, 0.1), vec3(1.0, 0.1, 0.0),
-                         clamp(log2(max(visible.widthFactor, 1.0)) / 4.0, 0.0, 1.0));
-    else if (FRAME.debugMode == 2u)
-        colors.tip = colorOf(visible.patchIndex);
-    if (paintsWind)
-        colors.tip = colorOfWind(blade.root, blade.up);
-    if (FRAME.debugMode != 0u)
-        colors.root = 0.4 * colors.tip;
-    outRootColor = vec4(colors.root, sunSeen(FRAME.shadow, outV0, blade.up));
-    outTipColor = vec4(colors.tip, sunSeen(FRAME.shadow, outV2, blade.up));
-    outMaterial = vec4(blade.exposure, species.translucency, species.gloss, leafAreaAt(FRAME.cover, blade.root));
+    const BladeSurface surface = bladeSurface(drawn, visible);
+    outRootColor = surface.root;
+    outTipColor = surface.tip;
+    outMaterial = surface.material;
 }

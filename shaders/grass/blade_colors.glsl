@@ -2,6 +2,7 @@
 #ifndef SWARD_BLADE_COLORS_GLSL
 #define SWARD_BLADE_COLORS_GLSL
 
+#include "shaders/grass/drawn_blade.glsl"
 #include "shaders/lighting.glsl"
 #include "shaders/shared/noise.h"
 
@@ -40,6 +41,36 @@ BladeColors bladeColors(Blade blade, Species species, uint index)
     colors.tip = mix(colors.tip, straw, 0.8 * dry);
     colors.root = mix(colors.root, straw * 0.6, 0.25 * dry);
     return colors;
+}
+
+/// What the light of a blade asks for, once per blade.
+struct BladeSurface {
+    vec4 root;     ///< colour, and the share of the sun seen there
+    vec4 tip;      ///< colour, and the share of the sun seen there
+    vec4 material; ///< open sky, translucency, gloss, leaf area index
+};
+
+BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible)
+{
+    const Blade blade = drawn.blade;
+    const Species species = drawn.species;
+    BladeColors colors = bladeColors(blade, species, visible.blade);
+    if (FRAME.debugMode == 1u)
+        colors.tip = mix(vec3(0.1, 0.6, 0.1), vec3(1.0, 0.1, 0.0),
+                         clamp(log2(max(visible.widthFactor, 1.0)) / 4.0, 0.0, 1.0));
+    else if (FRAME.debugMode == 2u)
+        colors.tip = colorOf(visible.patchIndex);
+    if (paintsWind)
+        colors.tip = colorOfWind(blade.root, blade.up);
+    if (FRAME.debugMode != 0u)
+        colors.root = 0.4 * colors.tip;
+
+    BladeSurface surface;
+    surface.root = vec4(colors.root, sunSeen(FRAME.shadow, drawn.ribbon.v0, blade.up));
+    surface.tip = vec4(colors.tip, sunSeen(FRAME.shadow, drawn.ribbon.v2, blade.up));
+    surface.material = vec4(blade.exposure, species.translucency, species.gloss,
+                            leafAreaAt(FRAME.cover, blade.root));
+    return surface;
 }
 
 #endif

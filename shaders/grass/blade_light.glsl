@@ -9,6 +9,7 @@ struct BladePoint {
     vec3 tangent;  ///< unit, towards the tip
     vec3 axis;     ///< unit, across
     vec3 up;       ///< unit, of the blade
+    float fold;    ///< [0, 1]: how far the middle stands out
     vec2 place;    ///< −1 … 1 across, 0 … 1 along
     vec4 rootColor; ///< and the share of the sun seen there
     vec4 tipColor;  ///< and the share of the sun seen there
@@ -22,8 +23,10 @@ vec3 bladeNormal(BladePoint point, vec3 toEye, float distance)
     const vec3 flat_ = cross(point.tangent, point.axis);
     const float size = length(flat_);
     vec3 n = size > 1e-3 ? flat_ / size : point.up;
+    // Of a folded blade each half has its own normal; a flat one is rounded.
+    n += (point.fold * sign(point.place.x)) * point.axis;
     n *= dot(n, toEye) < 0.0 ? -1.0 : 1.0;
-    n = normalize(n + 0.55 * point.place.x * point.axis);
+    n = normalize(n + (0.55 * (1.0 - point.fold) * point.place.x) * point.axis);
     const float smallness = smoothstep(4.0, 60.0, distance * 1000.0 / FRAME.pixelsPerUnit);
     return normalize(mix(n, point.up, 0.30 + 0.50 * smallness));
 }

@@ -33,6 +33,11 @@ Eyepoint eyepoint()
     view.pixelsPerUnit = FRAME.pixelsPerUnit;
     view.lodThreshold = FRAME.lodThreshold;
     view.lodWidth = FRAME.lodWidth;
+    view.leastWidth = FRAME.leastWidth;
+    view.mostEdgeOn = FRAME.mostEdgeOn;
+    view.samples = FRAME.samples;
+    view.buckets = FRAME.buckets;
+    view.bucketDistance = FRAME.bucketDistance;
     view.cullMask = FRAME.cullMask;
     return view;
 }
@@ -94,7 +99,11 @@ void main()
 
     if (thread < fateCount)
         fateTally[thread] = 0u;
-    const float elapsed = max(FRAME.time - FRAME.patchTimes.at[patchIndex], 0.0f);
+    float elapsed = max(FRAME.time - FRAME.patchTimes.at[patchIndex], 0.0f);
+    const bool moves = push.onlyUpdate != 0u ||
+                       movesNow(FRAME.pace, patchIndex,
+                                boxDistance(view.eye, cell.boundsLow, cell.boundsHigh), elapsed);
+    elapsed = moves ? elapsed : 0.0f;
     barrier();
     const ColliderMask near = collidersNear(cell, elapsed, thread);
 
@@ -112,7 +121,7 @@ void main()
             continue;
 
         // Judge it, and keep it if it shall be drawn.
-        Verdict verdict = judgeBlade(view, blade, state, bladeRank(cell, i));
+        Verdict verdict = judgeBlade(view, blade, index, state, bladeRank(cell, i));
         if (verdict.fate == fateDrawn && (view.cullMask & cullOcclusion) != 0u &&
             isHidden(verdict.low, verdict.high))
             verdict.fate = fateOcclusion;
@@ -127,8 +136,10 @@ void main()
     // Reserve room in the list, and report.
     const uint kept = fateTally[fateDrawn];
     if (thread == 0u) {
-        FRAME.patchTimes.at[patchIndex] = FRAME.time;
-        atomicAdd(FRAME.draw.at[0].simulated, cell.bladeCount);
+        if (moves) {
+            FRAME.patchTimes.at[patchIndex] = FRAME.time;
+            atomicAdd(FRAME.draw.at[0].simulated, cell.bladeCount);
+        }
         listBase = kept > 0u ? atomicAdd(FRAME.draw.at[0].fates[fateDrawn], kept) : 0u;
         atomicMax(FRAME.draw.at[0].instanceCount, (listBase + kept + drawChunk - 1u) / drawChunk);
     }

@@ -23,8 +23,9 @@ SHARED_CONST uint cullFrustum = 4u;
 SHARED_CONST uint cullDistance = 8u;
 SHARED_CONST uint cullOcclusion = 16u;
 
-/// Cosine of the angle between view ray and width axis beyond which a blade is seen edge-on.
-SHARED_CONST float edgeOnCosine = 0.9f;
+/// Cosine of the angle between view ray and width axis beyond which the paper leaves a blade out as
+/// seen edge-on. Such blades still show up to 0.44 of their width: they pop while the camera turns.
+SHARED_CONST float paperEdgeOnCosine = 0.9f;
 
 /// Signed distance [m] of a point from a plane (unit normal, offset); positive inside.
 SHARED_FN float planeDistance(vec4 plane, vec3 point)
@@ -49,18 +50,25 @@ SHARED_FN bool boxOutside(vec4 plane, vec3 low, vec3 high)
     return planeDistance(plane, farthest) < 0.0f;
 }
 
-/// Whether a blade is seen edge-on from `eye`, and so has no width to show.
-SHARED_FN bool seenEdgeOn(vec3 eye, vec3 root, vec3 axis)
+/// Cosine of the angle between the width axis of a blade and the ray from `eye` to its root.
+SHARED_FN float edgeOnCosine(vec3 eye, vec3 root, vec3 axis)
 {
     const vec3 ray = root - eye;
-    const float distance = length(ray);
-    return distance > 1e-6f && abs(dot(ray, axis)) > edgeOnCosine * distance;
+    return min(abs(dot(ray, axis)) / max(length(ray), 1e-6f), 1.0f);
 }
 
 /// Distance [m] of `eye` from a box; 0 inside.
 SHARED_FN float boxDistance(vec3 eye, vec3 low, vec3 high)
 {
     return length(max(max(low - eye, eye - high), vec3(0.0f)));
+}
+
+/// Whether the stepwise thinning keeps a blade of progressive rank `rank`: of `buckets` equal shares
+/// of the blades the last ones go first, none is left from `last` [m] on (Jahrmann & Wimmer, section
+/// 6.2). 0 buckets keep all.
+SHARED_FN bool bucketsKeep(float buckets, float last, float distance, float rank)
+{
+    return buckets <= 0.0f || rank * buckets < floor(buckets * (1.0f - distance / last));
 }
 
 /// Blades near the end of the drawn share fade in over this part of it.

@@ -6,8 +6,10 @@
 #include "shaders/shared/cover.h"
 #include "shaders/shared/culling.h"
 #include "shaders/shared/occlusion.h"
+#include "shaders/shared/pace.h"
 #include "shaders/shared/patch.h"
 #include "shaders/shared/physics.h"
+#include "shaders/shared/shape.h"
 #include "shaders/shared/species.h"
 #include "shaders/shared/sun_shadow.h"
 #include "shaders/shared/types.h"
@@ -76,11 +78,18 @@ struct Frame {
     uint samples;
     vec3 skyUp;              ///< unit; where the sky is
     float fixedTessellation; ///< > 0: this level for every blade
+    float leastWidth;        ///< [m at 1 m distance] see ribAt(); 0: blades as narrow as they are
+    float mostEdgeOn;        ///< cosine beyond which a blade is seen edge-on; 1: never
+    float buckets;        ///< of the stepwise thinning, see bucketsKeep(); 0: off
+    float bucketDistance; ///< [m]
+    uint reserved;
+    LevelSteps levelSteps;
+    Pace pace;
 
     Cover cover;      ///< how much grass stands where
     SunShadow shadow; ///< what of the ground stands in the sun's light
 };
-SHARED_LAYOUT(Frame, 600)
+SHARED_LAYOUT(Frame, 672)
 
 SHARED_BUFFER(FrameArray, Frame, readonly)
 

@@ -2,6 +2,7 @@
 #ifndef SWARD_SHARED_SPECIES_H
 #define SWARD_SHARED_SPECIES_H
 
+#include "shaders/shared/shape.h"
 #include "shaders/shared/types.h"
 
 SHARED_BEGIN
@@ -17,8 +18,10 @@ struct Species {
     float translucency;   ///< [0, 1]: share of the light that comes through
     float gloss;          ///< [0, 1]
     float dryness;        ///< [0, 1]: share of blades with yellowed tips
+    uint shape;           ///< shapeTriangleTip … shapeDandelion
+    float fold;           ///< [0, 1]: 1: the halves of the blade meet in a right angle
 };
-SHARED_LAYOUT(Species, 48)
+SHARED_LAYOUT(Species, 56)
 
 SHARED_BUFFER(SpeciesArray, Species, readonly)
 

@@ -6,6 +6,7 @@
 #include "shaders/shared/culling.h"
 #include "shaders/shared/patch.h"
 #include "shaders/shared/physics.h"
+#include "shaders/shared/ribbon.h"
 #include "shaders/shared/types.h"
 
 SHARED_BEGIN
@@ -18,6 +19,11 @@ struct Eyepoint {
     float pixelsPerUnit; ///< pixels of something 1 m large at 1 m distance
     float lodThreshold;  ///< [pixels]; 0: every blade is drawn
     float lodWidth;      ///< [m] typical width of a blade
+    float leastWidth;    ///< [m at 1 m distance] no blade is drawn narrower; 0: as narrow as it is
+    float mostEdgeOn;    ///< cosine beyond which a blade is seen edge-on; 1: never
+    uint samples;        ///< per pixel
+    float buckets;       ///< see bucketsKeep(); 0: off
+    float bucketDistance; ///< [m]
     uint cullMask;
 };
 
@@ -51,7 +57,8 @@ SHARED_FN float patchMargin(Eyepoint view, Patch cell)
     const float share =
         shareAt(view.pixelsPerUnit, view.lodThreshold, view.lodWidth, length(farthest));
     // lodWidthFactor() is at most 1/(0.95 share).
-    return 0.5f * (cell.widthLow + 63.0f * cell.widthStep) / (0.95f * share);
+    return 0.5f * outlineMost * (cell.widthLow + 63.0f * cell.widthStep) / (0.95f * share) +
+           ribMargin(length(farthest), view.leastWidth);
 }
 
 /// Whether no blade of the patch can be seen: its box, grown by half the width that its widest
@@ -71,9 +78,27 @@ SHARED_FN bool patchCulled(Eyepoint view, Patch cell)
            boxDistance(view.eye, cell.boundsLow, cell.boundsHigh) > view.drawDistance;
 }
 
+/// Whether a blade is seen so narrow that no sample is left to it wherever it is drawn, so that it
+/// may be left out of a picture without a trace; or beyond the cosine that somebody has set.
+SHARED_FN bool seenTooNarrow(Eyepoint view, Blade blade, uint index, vec3 axis, float distance,
+                             float widthFactor)
+{
+    const float cosine = edgeOnCosine(view.eye, blade.root, axis);
+    if (cosine > view.mostEdgeOn)
+        return true;
+    const float nearest = distance - blade.height;
+    if (nearest <= 0.0f || view.leastWidth <= 0.0f)
+        return false;
+    // All of the blade is within its height of its root, so rays to it turn by no more than
+    // asin(height/distance) ≤ π/2 · height/distance.
+    const float sine = min(sqrt(1.0f - cosine * cosine) + 1.58f * blade.height / distance, 1.0f);
+    const float widest = outlineMost * blade.width * widthFactor * sine;
+    return keptSamples(widest / (view.leastWidth * nearest), index, view.samples) == 0u;
+}
+
 /// The fate of one blade of a patch that was not culled, in the order orientation, frustum,
-/// distance, level of detail.
-SHARED_FN Verdict judgeBlade(Eyepoint view, Blade blade, BladeState state, float rank)
+/// distance, level of detail. `index` is its resident id.
+SHARED_FN Verdict judgeBlade(Eyepoint view, Blade blade, uint index, BladeState state, float rank)
 {
     const vec3 axis = widthAxis(blade.up, blade.facing);
     const float distance = length(blade.root - view.eye);
@@ -92,18 +117,22 @@ SHARED_FN Verdict judgeBlade(Eyepoint view, Blade blade, BladeState state, float
         const Pose pose = poseOfState(blade.up, frontOf(blade.up, axis), state);
         const vec3 v1 = blade.root + blade.height * pose.v1;
         const vec3 v2 = blade.root + blade.height * pose.v2;
-        const float margin = 0.5f * blade.width * max(factor, 1.0f);
+        const float margin = 0.5f * outlineMost * blade.width * max(factor, 1.0f) +
+                             ribMargin(distance + blade.height, view.leastWidth);
         verdict.low = min(min(blade.root, v1), v2) - vec3(margin);
         verdict.high = max(max(blade.root, v1), v2) + vec3(margin);
         for (uint i = 0u; i < 6u && (view.cullMask & cullFrustum) != 0u; ++i)
             outside = outside || curveOutside(view.planes[i], blade.root, v1, v2, margin);
     }
 
-    if ((view.cullMask & cullOrientation) != 0u && seenEdgeOn(view.eye, blade.root, axis))
+    if ((view.cullMask & cullOrientation) != 0u &&
+        seenTooNarrow(view, blade, index, axis, distance, factor > 0.0f ? factor : 1.0f))
         verdict.fate = fateOrientation;
     else if (outside)
         verdict.fate = fateFrustum;
-    else if ((view.cullMask & cullDistance) != 0u && distance > view.drawDistance)
+    else if ((view.cullMask & cullDistance) != 0u &&
+             (distance > view.drawDistance ||
+              !bucketsKeep(view.buckets, view.bucketDistance, distance, rank)))
         verdict.fate = fateDistance;
     else if (factor <= 0.0f)
         verdict.fate = fateLod;

@@ -22,7 +22,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<const char*, 3> facingNames{"outward", "shared", "free"};
+constexpr std::array<std::string_view, 3> facingNames{"outward", "shared", "free"};
 
 // Reads a range [low, high] within the given bounds.
 void readRange(SettingsReader& reader, const char* key, glm::dvec2& range, double low, double high)
@@ -62,17 +62,6 @@ void readMasks(SettingsReader& reader, const char* key, std::vector<Mask>& masks
     }
 }
 
-void readFacing(SettingsReader& reader, const char* key, Facing& facing)
-{
-    std::string text = facingNames[static_cast<std::size_t>(facing)];
-    reader.read(key, text);
-    const auto found = std::find(facingNames.begin(), facingNames.end(), text);
-    if (found == facingNames.end())
-        fail(ErrorKind::input, "{}: \"{}\" is none of {}", reader.placeOf(key), text,
-             fmt::join(facingNames, ", "));
-    facing = static_cast<Facing>(found - facingNames.begin());
-}
-
 // The shortest decimal that reads back as the same float: 0.45, not 0.44999998807907104.
 double shortest(float value)
 {
@@ -105,7 +94,8 @@ SpeciesTraits parseSpecies(const json& object, const std::string& place)
     readRange(reader, "width_m", species.width, 1e-7, 1e3);
     readRange(reader, "stiffness", species.stiffness, 0.0, 1.0);
     reader.read("clumping", species.clumping, 0.0, 1.0);
-    readFacing(reader, "facing", species.facing);
+    species.facing = static_cast<Facing>(
+        reader.readWord("facing", facingNames, static_cast<std::uint32_t>(species.facing)));
     reader.read("tuft_spacing_m", species.tuftSpacing, 0.0, 1e6);
     reader.read("tuft_radius_m", species.tuftRadius, 0.0, 1e6);
     reader.read("root_color", look.rootColor, 0.0, 1.0);
@@ -116,6 +106,8 @@ SpeciesTraits parseSpecies(const json& object, const std::string& place)
     reader.read("translucency", look.translucency, 0.0, 1.0);
     reader.read("gloss", look.gloss, 0.0, 1.0);
     reader.read("dryness", look.dryness, 0.0, 1.0);
+    look.shape = reader.readWord("shape", field::shapeNames, look.shape);
+    reader.read("fold", look.fold, 0.0, 1.0);
     reader.finish();
     return species;
 }
@@ -207,7 +199,9 @@ std::string toJson(const Meadow& meadow)
                         {"color_variation", shortest(one.look.colorVariation)},
                         {"translucency", shortest(one.look.translucency)},
                         {"gloss", shortest(one.look.gloss)},
-                        {"dryness", shortest(one.look.dryness)}});
+                        {"dryness", shortest(one.look.dryness)},
+                        {"shape", field::shapeNames[one.look.shape]},
+                        {"fold", shortest(one.look.fold)}});
     }
     return json{{"name", meadow.name},
                 {"clump_size_m", meadow.clumpSize},

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -163,6 +164,19 @@ void SettingsReader::read(const char* key, glm::dvec3& value, double low, double
 {
     if (const nlohmann::json* found = find(key))
         readVector(*found, placeOf(key), low, high, value);
+}
+
+std::uint32_t SettingsReader::readWord(const char* key, std::span<const std::string_view> words,
+                                       std::uint32_t value)
+{
+    std::string word(words[value]);
+    read(key, word);
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found != words.end())
+        return static_cast<std::uint32_t>(found - words.begin());
+    const std::string near = nearestWord(word, {words.begin(), words.end()});
+    fail(ErrorKind::input, "{}: \"{}\" is not one of {}{}", placeOf(key), word,
+         fmt::join(words, ", "), near.empty() ? "" : "; did you mean \"" + near + "\"?");
 }
 
 const nlohmann::json& SettingsReader::child(const char* key)

@@ -11,10 +11,12 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sward::field {
@@ -28,6 +30,10 @@ struct BladeKey {
 /// The blade's name outside the field, the same for the same triangle and try whatever else
 /// changes: a hash of both, below 2⁵³ so that every program can read it as a number.
 std::uint64_t bladeId(BladeKey key);
+
+/// Names of the shapes of a blade, shared::shapeTriangleTip … shapeDandelion.
+inline constexpr std::array<std::string_view, shared::shapeCount> shapeNames{
+    "triangle-tip", "quad", "triangle", "quadratic", "dandelion"};
 
 struct Species {
     std::string name;

@@ -43,7 +43,9 @@ std::string speciesText(const std::vector<Species>& species)
                         {"color_variation", one.look.colorVariation},
                         {"translucency", one.look.translucency},
                         {"gloss", one.look.gloss},
-                        {"dryness", one.look.dryness}});
+                        {"dryness", one.look.dryness},
+                        {"shape", shapeNames[one.look.shape]},
+                        {"fold", one.look.fold}});
     return list.dump();
 }
 
@@ -66,6 +68,8 @@ std::vector<Species> parseSpecies(std::string_view text, const std::string& plac
         reader.read("translucency", one.look.translucency, 0.0, 1.0);
         reader.read("gloss", one.look.gloss, 0.0, 1.0);
         reader.read("dryness", one.look.dryness, 0.0, 1.0);
+        one.look.shape = reader.readWord("shape", shapeNames, one.look.shape);
+        reader.read("fold", one.look.fold, 0.0, 1.0);
         reader.finish();
         result.push_back(std::move(one));
     }

@@ -22,12 +22,11 @@ struct BladeMesh {
     std::vector<std::uint32_t> indices; ///< triangles, counter-clockwise seen from +Z
 };
 
-/// Quads of the ribbon; the last ends in the tip.
-inline constexpr std::uint32_t bladeSegments = 4;
+/// Rows of quads of a ribbon of this shape.
+std::uint32_t bladeSegments(std::uint32_t shape);
 
 /// The mesh of `species` as a blade of `stiffness` [0, 1] rests on level ground: no wind, gravity
-/// and recovery as the field's defaults have them. Width as it is drawn: full up to the species'
-/// taper threshold, then to a point.
+/// and recovery as the field's defaults have them. Outline and fold are the species'.
 BladeMesh bladeMesh(const shared::Species& species, const field::Defaults& defaults,
                     float stiffness);
 

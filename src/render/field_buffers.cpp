@@ -2,7 +2,6 @@
 
 #include "core/error.h"
 #include "core/expect.h"
-#include "field/distributions.h"
 #include "shaders/shared/passes.h"
 
 #include <bit>
@@ -54,7 +53,7 @@ FieldBuffers::FieldBuffers(const gpu::DeviceContext& context, gpu::Uploader& upl
     bladeCount_ = static_cast<std::uint32_t>(field.blades.size());
     patchCount_ = static_cast<std::uint32_t>(field.patches.size());
     ownerCount_ = static_cast<std::uint32_t>(owners.size());
-    bladeWidth_ = field::meanBladeSize(field).width;
+    bladeSize_ = field::meanBladeSize(field);
 
     // What the bake has written, as it lies in the file.
     std::vector<shared::Species> species;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/distributions.h"
 #include "field/field.h"
 #include "gpu/buffer.h"
 #include "gpu/context.h"
@@ -32,7 +33,7 @@ public:
     std::uint32_t bladeCount() const { return bladeCount_; }
     std::uint32_t ownerCount() const { return ownerCount_; } ///< patches that own blades
     VkDeviceAddress owners() const { return owners_.address(); }
-    float bladeWidth() const { return bladeWidth_; } ///< [m] mean over all blades
+    field::BladeSize bladeSize() const { return bladeSize_; } ///< mean over all blades
     VkDeviceSize bytes() const { return bytes_; }
 
     const gpu::Buffer& draw() const { return draw_; } ///< shared::DrawArguments
@@ -46,7 +47,7 @@ private:
     std::uint32_t bladeCount_ = 0;
     std::uint32_t patchCount_ = 0;
     std::uint32_t ownerCount_ = 0;
-    float bladeWidth_ = 0.02f;
+    field::BladeSize bladeSize_;
     bool recordsFates_ = false;
     VkDeviceSize bytes_ = 0;
 

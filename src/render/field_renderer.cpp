@@ -80,7 +80,7 @@ struct FieldRenderer::Parts {
         , groundPass(context, shaders, {wanted.colorFormat, wanted.samples}, ground.imageLayout())
         , bladePass(context, shaders, {wanted.colorFormat, wanted.samples})
         , skyPass(context, shaders, {wanted.colorFormat, wanted.samples})
-        , shape{field.origin, field.bounds(), blades.bladeWidth()}
+        , shape{field.origin, field.bounds(), blades.bladeSize()}
     {
         expect(wanted.framesInFlight >= 1, "at least one frame is in flight");
         for (std::uint32_t i = 0; i < wanted.framesInFlight; ++i)
@@ -112,6 +112,7 @@ struct FieldRenderer::Parts {
     UpdateCullPass::Variant variant; ///< for the frame that is being recorded
     bool hasSettled = false;
     double lastTime = 0.0; ///< [s] of the frame before
+    std::uint32_t frameNumber = 0;
     bool paintsWind = false;
 
     void writeFrame(shared::Frame frame, const FrameSettings& wishes, double time,
@@ -146,6 +147,7 @@ void FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameSettings& 
     // Before the first frame nothing has moved.
     slots[slot].tables.write(shape, wishes, time, hasSettled ? lastTime : time, frame);
     lastTime = time;
+    frame.pace.frame = frameNumber++;
     std::memcpy(slots[slot].frame.mapped().data(), &frame, sizeof frame);
 
     // What is asked for the first time is made now.

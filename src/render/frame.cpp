@@ -3,6 +3,8 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 
 namespace sward::render {
 namespace {
@@ -30,6 +32,37 @@ shared::Gravity gravityOf(const FrameSettings& settings, glm::dvec3 origin)
     gravity.blend = std::clamp(nature.attractorBlend, 0.0f, 1.0f);
     gravity.forward = settings.forward;
     return gravity;
+}
+
+shared::LevelSteps levelStepsOf(std::span<const LevelStep> steps)
+{
+    shared::LevelSteps result = {};
+    for (const LevelStep& step : steps.first(std::min<std::size_t>(steps.size(), 4))) {
+        result.distance[result.count] = step.distance;
+        result.segments[result.count] = static_cast<float>(step.segments);
+        ++result.count;
+    }
+    return result;
+}
+
+/// Blades so high on the screen [pixels] move in every frame, and lower ones in every third down to
+/// where a gust on a far hill does not show.
+constexpr float everyFramePixels = 24.0f;
+constexpr float everyThirdPixels = 1.0f;
+
+/// What stands farther moves when it has stood still for so long [s], lest it be caught far from
+/// where it belongs.
+constexpr float longestStandstill = 10.0f;
+
+shared::Pace paceOf(const FrameSettings& settings, const FieldShape& field, float pixelsPerUnit)
+{
+    const float size = field.blade.height * pixelsPerUnit;
+    shared::Pace pace = {};
+    pace.everyFrame = settings.pace.everyFrame.value_or(size / everyFramePixels);
+    pace.everyThird =
+        settings.pace.everyThird.value_or(std::max(pace.everyFrame, size / everyThirdPixels));
+    pace.longest = longestStandstill;
+    return pace;
 }
 
 /// The sky is where things do not fall to, seen from `eye`.
@@ -61,9 +94,19 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     frame.cullMask = settings.cullMask;
     frame.drawDistance = settings.nature.drawDistance;
     frame.lodThreshold = settings.levelOfDetail ? settings.lodThreshold : 0.0f;
-    frame.lodWidth = field.bladeWidth;
+    frame.lodWidth = field.blade.width;
+    frame.buckets = static_cast<float>(settings.buckets.count);
+    frame.bucketDistance = settings.buckets.distance;
+    frame.leastWidth = settings.levelOfDetail && view.pixelsPerUnit > 0.0f
+                           ? settings.leastPixels /
+                                 (view.pixelsPerUnit * std::sqrt(static_cast<float>(samples)))
+                           : 0.0f;
+    frame.mostEdgeOn = settings.mostEdgeOn;
     frame.maxTessellation = 3;
     frame.fixedTessellation = static_cast<float>(settings.tessellationLevel);
+
+    frame.levelSteps = levelStepsOf(settings.levelSteps);
+    frame.pace = paceOf(settings, field, view.pixelsPerUnit);
 
     // Light and air.
     frame.sunDirection = unitOr(settings.sunDirection, glm::vec3(0.0f, 1.0f, 0.0f));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bounds.h"
+#include "field/distributions.h"
 #include "render/camera.h"
 #include "render/frame_settings.h"
 #include "shaders/shared/frame.h"
@@ -14,7 +15,7 @@ namespace sward::render {
 struct FieldShape {
     glm::dvec3 origin{0.0};
     Aabb content;             ///< relative to the origin
-    float bladeWidth = 0.02f; ///< [m] typical, full width at the root
+    field::BladeSize blade;   ///< a typical one
 };
 
 /// Camera, settings and time as the shaders read them. The addresses and counts of buffers are left

@@ -10,11 +10,31 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace sward::render {
 
 enum class DebugMode : std::uint32_t { none = 0, lod = 1, patches = 2, wind = 3 };
+
+/// Segments of blades up to a distance.
+struct LevelStep {
+    float distance = 0.0f; ///< [m]
+    int segments = 1;      ///< 1 to 64
+};
+
+/// The paper's distance test (section 6.2): blades are dealt into so many buckets, of which those
+/// left out grow with distance until none is drawn. What is left keeps its width.
+struct Buckets {
+    std::uint32_t count = 0; ///< 0: none is left out
+    float distance = 0.0f;   ///< [m] where the last one ends
+};
+
+/// How far from the eye blades move how often; what is not given is chosen by their size.
+struct Pace {
+    std::optional<float> everyFrame; ///< [m] up to here in every frame
+    std::optional<float> everyThird; ///< [m] up to here in every third; beyond hardly ever
+};
 
 /// Everything of a frame that somebody may turn while it runs. Starts from a field's defaults.
 struct FrameSettings {
@@ -26,9 +46,15 @@ struct FrameSettings {
     std::uint32_t cullMask = shared::cullPatch | shared::cullOrientation | shared::cullFrustum |
                              shared::cullDistance | shared::cullOcclusion;
     bool levelOfDetail = true;  ///< leave out and widen blades narrower than lodThreshold
-    float lodThreshold = 0.75f; ///< [pixels], (0, 100]
+    float lodThreshold = 0.3f;  ///< [pixels], (0, 100]
+    float leastPixels = 1.0f;   ///< [samples' distances] blades are drawn no narrower while
+                                ///< levelOfDetail is on; 0: as narrow as they are
+    float mostEdgeOn = 1.0f;    ///< cosine beyond which blades are cut as edge-on; 1: never
     int tessellationLevel =
         0; ///< segments along a blade, 1 to 64; 0: by size on the screen, at most 3
+    std::vector<LevelStep> levelSteps; ///< at most 4, rising; empty: by size on the screen
+    Buckets buckets;
+    Pace pace;
     DebugMode debug = DebugMode::none;
 
     /// Towards the sun, world space; normalised by record(). It stands beside what the preset

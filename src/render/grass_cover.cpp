@@ -95,6 +95,10 @@ private:
 
 void dealBlades(const field::FieldView& field, Corners& leaves)
 {
+    std::array<float, shared::maxSpecies> shares{};
+    for (std::size_t i = 0; i < std::min<std::size_t>(field.species.size(), shares.size()); ++i)
+        shares[i] = shared::outlineArea(field.species[i].look.shape,
+                                        field.species[i].look.tipThreshold);
     const double all = static_cast<double>(std::max<std::size_t>(field.blades.size(), 1));
     const double share = std::min(1.0, static_cast<double>(maxCoverBlades) / all);
     for (const shared::Patch& cell : field.patches) {
@@ -104,10 +108,7 @@ void dealBlades(const field::FieldView& field, Corners& leaves)
         for (std::uint32_t i = 0; i < read; ++i) {
             const shared::Blade blade =
                 shared::unpackBlade(field.blades[cell.firstBlade + i], cell);
-            const float threshold = blade.species < field.species.size()
-                                        ? field.species[blade.species].look.tipThreshold
-                                        : 0.0f;
-            const float area = blade.height * blade.width * 0.5f * (1.0f + threshold);
+            const float area = blade.height * blade.width * shares[blade.species];
             leaves.deal(blade.root,
                         area * static_cast<float>(cell.bladeCount) / static_cast<float>(read));
         }

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/settings_json.h"
+#include "render/settings_list.h"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -9,6 +10,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
 namespace sward::render {
 namespace {
@@ -18,10 +20,11 @@ constexpr double largestSize = 1e9;  ///< [m]
 constexpr double quickest = 1e6;     ///< [m/s], [rad/s]
 constexpr double strongest = 1000.0; ///< [1/s]
 constexpr double longest = 1e9;      ///< [s]
+constexpr std::size_t mostWaypoints = 1u << 16;
 
 // In the order of shared::windNoise ….
-constexpr std::array<const char*, shared::windKinds> kindNames{"noise",  "turning", "wave",
-                                                               "radial", "swirl",   "gusts"};
+constexpr std::array<std::string_view, shared::windKinds> kindNames{"noise",  "turning", "wave",
+                                                                    "radial", "swirl",   "gusts"};
 
 void requireDirection(glm::vec3 v, const std::string& place)
 {
@@ -29,23 +32,10 @@ void requireDirection(glm::vec3 v, const std::string& place)
         fail(ErrorKind::input, "{}: has no length", place);
 }
 
-std::uint32_t kindOf(const std::string& name, const std::string& place)
-{
-    for (std::uint32_t kind = 0; kind < shared::windKinds; ++kind)
-        if (name == kindNames[kind])
-            return kind;
-    const std::string near =
-        nearestWord(name, std::vector<std::string>(kindNames.begin(), kindNames.end()));
-    fail(ErrorKind::input, "{}: \"{}\" is not one of {}{}", place, name, fmt::join(kindNames, ", "),
-         near.empty() ? "" : "; did you mean \"" + near + "\"?");
-}
-
 // Each kind has its own keys; another's is unknown to it.
 WindSource readWind(SettingsReader& reader)
 {
-    std::string name = kindNames[shared::windNoise];
-    reader.read("kind", name);
-    const std::uint32_t kind = kindOf(name, reader.placeOf("kind"));
+    const std::uint32_t kind = reader.readWord("kind", kindNames, shared::windNoise);
     WindSource wind = windSource(kind);
     shared::WindSource& s = wind.source;
     reader.read("strength", s.strength, 0.0, strongest);
@@ -83,45 +73,18 @@ Collider readCollider(SettingsReader& reader)
         reader.read("to", collider.to, -farthest, farthest);
     }
     reader.read("radius", collider.radius, 1e-6, largestSize);
-    if (reader.has("path")) {
-        const nlohmann::json& path = reader.child("path");
-        if (!path.is_array())
-            fail(ErrorKind::input, "{}: expected an array", reader.placeOf("path"));
-        for (const nlohmann::json& entry : path) {
-            SettingsReader one(entry,
-                               fmt::format("{}[{}]", reader.placeOf("path"), collider.path.size()));
-            Collider::Waypoint point;
-            one.read("time", point.time, -longest, longest);
-            one.read("move", point.move, -farthest, farthest);
-            one.finish();
-            if (!collider.path.empty() && point.time <= collider.path.back().time)
-                fail(ErrorKind::input, "{}: {} is not later than the waypoint before",
-                     one.placeOf("time"), point.time);
-            collider.path.push_back(point);
-        }
-    }
+    readList(reader, "path", mostWaypoints, collider.path, [&collider](SettingsReader& one) {
+        Collider::Waypoint point;
+        one.read("time", point.time, -longest, longest);
+        one.read("move", point.move, -farthest, farthest);
+        if (!collider.path.empty() && point.time <= collider.path.back().time)
+            fail(ErrorKind::input, "{}: {} is not later than the waypoint before",
+                 one.placeOf("time"), point.time);
+        one.finish();
+        return point;
+    });
     reader.finish();
     return collider;
-}
-
-// The entries of an array of at most `most` objects.
-template <typename Entry, typename Read>
-void readList(SettingsReader& reader, const char* key, std::size_t most, std::vector<Entry>& list,
-              Read read)
-{
-    if (!reader.has(key))
-        return;
-    const nlohmann::json& array = reader.child(key);
-    if (!array.is_array())
-        fail(ErrorKind::input, "{}: expected an array", reader.placeOf(key));
-    if (array.size() > most)
-        fail(ErrorKind::input, "{}: {} entries, more than {}", reader.placeOf(key), array.size(),
-             most);
-    list.clear();
-    for (const nlohmann::json& entry : array) {
-        SettingsReader one(entry, fmt::format("{}[{}]", reader.placeOf(key), list.size()));
-        list.push_back(read(one));
-    }
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
+#include "render/detail_settings.h"
 #include "render/nature_settings.h"
 
 #include <nlohmann/json.hpp>
@@ -25,6 +26,7 @@ void readSettings(const std::filesystem::path& path, FrameSettings& settings)
     std::string about; // for those who read the file
     reader.read("about", about);
     readNature(reader, settings);
+    readDetail(reader, settings);
     reader.finish();
 }
 

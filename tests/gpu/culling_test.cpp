@@ -65,7 +65,7 @@ protected:
         settings.cullMask = mask;
         settings.lodThreshold = 2.0f;
         settings.nature.drawDistance = 8.0f;
-        return frameOf({{}, content, bench_.bladeWidth()}, viewMatrices(camera, {}, size, content),
+        return frameOf({{}, content, bench_.bladeSize()}, viewMatrices(camera, {}, size, content),
                        settings, 1.0, 1);
     }
 
@@ -95,6 +95,11 @@ shared::Eyepoint eyepointOf(const shared::Frame& frame)
     view.pixelsPerUnit = frame.pixelsPerUnit;
     view.lodThreshold = frame.lodThreshold;
     view.lodWidth = frame.lodWidth;
+    view.leastWidth = frame.leastWidth;
+    view.mostEdgeOn = frame.mostEdgeOn;
+    view.samples = frame.samples;
+    view.buckets = frame.buckets;
+    view.bucketDistance = frame.bucketDistance;
     view.cullMask = frame.cullMask;
     return view;
 }
@@ -142,7 +147,8 @@ TEST_F(CullingTest, JudgesAsTheCpuDoesSaveWhereRoundingDecides)
             for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
                 const std::size_t index = cell.firstBlade + i;
                 const shared::Verdict verdict = shared::judgeBlade(
-                    view, blade(index), states_[index], shared::bladeRank(cell, i));
+                    view, blade(index), static_cast<std::uint32_t>(index), states_[index],
+                    shared::bladeRank(cell, i));
                 const std::uint32_t expected = culled ? shared::fatePatch : verdict.fate;
                 ++judged;
                 ++seen[result.fates[index]];

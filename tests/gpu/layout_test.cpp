@@ -61,6 +61,8 @@ public:
     {
         fillAll(n.gravity, n.recovery, n.colliderCount, n.reserved, n.wind, n.colliders.address);
     }
+    void fill(shared::LevelSteps& s) { fillAll(s.distance, s.segments, s.count); }
+    void fill(shared::Pace& p) { fillAll(p.everyFrame, p.everyThird, p.longest, p.frame); }
     void fill(shared::Cover& c)
     {
         fillAll(c.leafArea.address, c.low, c.cellsPerMetre, c.countX, c.countY, c.countZ,
@@ -128,13 +130,14 @@ std::size_t fillValues(Values& v)
               f.planes, f.eye, f.time, f.nature, f.drawDistance, f.pixelsPerUnit, f.lodThreshold,
               f.lodWidth, f.cullMask, f.patchCount, f.bladeCount, f.visibleCapacity,
               f.maxTessellation, f.sunDirection, f.exposure, f.sunColor, f.debugMode, f.skyColor,
-              f.fogDensity, f.groundColor, f.samples, f.skyUp, f.fixedTessellation, f.cover,
-              f.shadow);
+              f.fogDensity, f.groundColor, f.samples, f.skyUp, f.fixedTessellation, f.leastWidth,
+              f.mostEdgeOn, f.buckets, f.bucketDistance, f.reserved, f.levelSteps, f.pace, f.cover, f.shadow);
     n.fillAll(v.visible.blade, v.visible.patchIndex, v.visible.widthFactor, v.visible.pixels);
     n.fillAll(v.draw.vertexCount, v.draw.instanceCount, v.draw.firstVertex, v.draw.firstInstance,
               v.draw.simulated, v.draw.fates);
     n.fillAll(v.species.rootColor, v.species.tipThreshold, v.species.tipColor, v.species.groundTint,
-              v.species.colorVariation, v.species.translucency, v.species.gloss, v.species.dryness);
+              v.species.colorVariation, v.species.translucency, v.species.gloss, v.species.dryness,
+              v.species.shape, v.species.fold);
     n.fillAll(v.groundVertex.position, v.groundVertex.normal, v.groundVertex.uv,
               v.groundVertex.color);
     n.fillAll(v.groundMaterial.baseColor, v.groundMaterial.roughness, v.groundMaterial.metallic,

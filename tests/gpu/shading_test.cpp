@@ -24,8 +24,9 @@ double bladeArea(const field::Field& field)
     double sum = 0.0;
     for (std::size_t i = 0; i < field.blades.size(); ++i) {
         const shared::Blade blade = shared::unpackBlade(field.blades[i], field.patches[patches[i]]);
-        const float threshold = field.species[blade.species].look.tipThreshold;
-        sum += static_cast<double>(blade.height * blade.width * 0.5f * (1.0f + threshold));
+        const shared::Species& look = field.species[blade.species].look;
+        sum += static_cast<double>(blade.height * blade.width *
+                                   shared::outlineArea(look.shape, look.tipThreshold));
     }
     return sum;
 }

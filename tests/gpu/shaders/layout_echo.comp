@@ -187,6 +187,18 @@ void putFrame()
     put(FRAME.samples);
     put(FRAME.skyUp);
     put(FRAME.fixedTessellation);
+    put(FRAME.leastWidth);
+    put(FRAME.mostEdgeOn);
+    put(FRAME.buckets);
+    put(FRAME.bucketDistance);
+    put(FRAME.reserved);
+    put(FRAME.levelSteps.distance);
+    put(FRAME.levelSteps.segments);
+    put(FRAME.levelSteps.count);
+    put(FRAME.pace.everyFrame);
+    put(FRAME.pace.everyThird);
+    put(FRAME.pace.longest);
+    put(FRAME.pace.frame);
     put(FRAME.cover);
     put(FRAME.shadow);
 }
@@ -262,6 +274,8 @@ void main()
     put(species.translucency);
     put(species.gloss);
     put(species.dryness);
+    put(species.shape);
+    put(species.fold);
 
     const GroundVertex vertex = sources.at[0].groundVertex.at[1];
     put(vertex.position);

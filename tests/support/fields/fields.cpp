@@ -169,7 +169,9 @@ field::Species meadowGrass()
                   .colorVariation = 0.5f,
                   .translucency = 0.45f,
                   .gloss = 0.5f,
-                  .dryness = 0.15f};
+                  .dryness = 0.15f,
+                  .shape = shared::shapeTriangleTip,
+                  .fold = 0.0f};
     return grass;
 }
 

@@ -55,7 +55,7 @@ TEST(BladeMesh, NarrowsFromTheSpeciesThreshold)
 {
     const BladeMesh mesh = bladeMesh(species(0.5f), {}, 0.6f);
     const float widths[] = {1.0f, 1.0f, 1.0f, 0.5f};
-    for (std::size_t row = 0; row < bladeSegments; ++row)
+    for (std::size_t row = 0; row < bladeSegments(shared::shapeTriangleTip); ++row)
         EXPECT_FLOAT_EQ(mesh.positions[2 * row + 1].x - mesh.positions[2 * row].x, widths[row]);
 }
 
@@ -64,7 +64,7 @@ TEST(BladeMesh, HasUnitNormalsOnTheSideOfItsTriangles)
     for (const float stiffness : stiffnesses) {
         const BladeMesh mesh = bladeMesh(species(), {}, stiffness);
         ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
-        ASSERT_EQ(mesh.indices.size(), 3U * (2 * bladeSegments - 1));
+        ASSERT_EQ(mesh.indices.size(), 3U * (2 * bladeSegments(shared::shapeTriangleTip) - 1));
         for (const glm::vec3& normal : mesh.normals)
             EXPECT_NEAR(glm::length(normal), 1.0f, 1e-6f);
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {

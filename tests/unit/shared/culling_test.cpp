@@ -73,17 +73,28 @@ TEST(BoxCulling, IsConservativeAndCutsWhatIsClearlyOutside)
     }
 }
 
-TEST(OrientationCulling, CutsOnlyWhatIsSeenEdgeOn)
+TEST(OrientationCulling, MeasuresTheAngleToTheRay)
 {
     const vec3 eye(0, 0, 5);
     const vec3 root(0.0f);
-    EXPECT_TRUE(seenEdgeOn(eye, root, vec3(0, 0, 1)));
-    EXPECT_TRUE(seenEdgeOn(eye, root, vec3(0, 0, -1)));
-    EXPECT_FALSE(seenEdgeOn(eye, root, vec3(1, 0, 0)));
-    const float angle = std::acos(edgeOnCosine);
-    EXPECT_FALSE(seenEdgeOn(eye, root, vec3(std::sin(angle + 0.01f), 0, std::cos(angle + 0.01f))));
-    EXPECT_TRUE(seenEdgeOn(eye, root, vec3(std::sin(angle - 0.01f), 0, std::cos(angle - 0.01f))));
-    EXPECT_FALSE(seenEdgeOn(root, root, vec3(1, 0, 0))) << "an eye on the root sees no edge";
+    EXPECT_FLOAT_EQ(edgeOnCosine(eye, root, vec3(0, 0, 1)), 1.0f);
+    EXPECT_FLOAT_EQ(edgeOnCosine(eye, root, vec3(0, 0, -1)), 1.0f);
+    EXPECT_FLOAT_EQ(edgeOnCosine(eye, root, vec3(1, 0, 0)), 0.0f);
+    EXPECT_NEAR(edgeOnCosine(eye, root, vec3(0.6f, 0, 0.8f)), 0.8f, 1e-6f);
+    EXPECT_EQ(edgeOnCosine(root, root, vec3(1, 0, 0)), 0.0f) << "an eye on the root sees no edge";
+}
+
+TEST(BucketCulling, LeavesOutMoreWithDistanceInSteps)
+{
+    const float last = 10.0f;
+    for (float distance = 0.0f; distance < 12.0f; distance += 0.37f) {
+        int kept = 0;
+        for (int i = 0; i < 1000; ++i)
+            kept += bucketsKeep(5.0f, last, distance, (float(i) + 0.5f) / 1000.0f) ? 1 : 0;
+        EXPECT_EQ(kept % 200, 0);
+        EXPECT_EQ(kept, int(std::clamp(std::floor(5.0f * (1.0f - distance / last)), 0.0f, 5.0f)) * 200);
+    }
+    EXPECT_TRUE(bucketsKeep(0.0f, 0.0f, 1e6f, 0.999f)) << "without buckets all stay";
 }
 
 TEST(LevelOfDetail, KeepsTheCoveredAreaAtEveryShare)

@@ -1,0 +1,51 @@
+// A visible blade, posed and cut: what every way of drawing it begins with. The including stage has
+// a push constant `push` with the frame.
+#ifndef SWARD_DRAWN_BLADE_GLSL
+#define SWARD_DRAWN_BLADE_GLSL
+
+#include "shaders/shared/passes.h"
+#include "shaders/shared/ribbon.h"
+
+#define FRAME push.frame.at[0]
+
+struct DrawnBlade {
+    Ribbon ribbon;
+    Blade blade;
+    Species species;
+};
+
+float segmentsOf(Ribbon ribbon, uint shape, float heightPixels, float widthPixels)
+{
+    if (FRAME.fixedTessellation > 0.0)
+        return clamp(FRAME.fixedTessellation, 1.0, 64.0);
+    if (FRAME.levelSteps.count > 0u)
+        return segmentsAt(FRAME.levelSteps, length(ribbon.v0 - FRAME.eye));
+    return segmentsFor(ribbon.v0, ribbon.v1, ribbon.v2, shape, heightPixels, widthPixels,
+                       float(FRAME.maxTessellation));
+}
+
+DrawnBlade drawnBlade(VisibleBlade visible)
+{
+    DrawnBlade drawn;
+    drawn.blade = unpackBlade(FRAME.blades.at[visible.blade], FRAME.patches.at[visible.patchIndex]);
+    drawn.species = FRAME.species.at[drawn.blade.species];
+    const Blade blade = drawn.blade;
+    const Species species = drawn.species;
+
+    const vec3 axis = widthAxis(blade.up, blade.facing);
+    const Pose pose = poseOfState(blade.up, frontOf(blade.up, axis), FRAME.states.at[visible.blade]);
+    Ribbon ribbon;
+    ribbon.v0 = blade.root;
+    ribbon.v1 = blade.root + blade.height * pose.v1;
+    ribbon.v2 = blade.root + blade.height * pose.v2;
+    ribbon.axis = axis;
+    ribbon.width = blade.width * visible.widthFactor;
+    const float widthPixels = visible.pixels * ribbon.width / blade.height;
+    ribbon.fold = foldOf(species.fold, widthPixels);
+    ribbon.outline = outlineOf(species.shape, species.tipThreshold,
+                               segmentsOf(ribbon, species.shape, visible.pixels, widthPixels));
+    drawn.ribbon = ribbon;
+    return drawn;
+}
+
+#endif

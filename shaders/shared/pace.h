@@ -1,0 +1,27 @@
+// How often the blades of a patch are moved.
+#ifndef SWARD_SHARED_PACE_H
+#define SWARD_SHARED_PACE_H
+
+#include "shaders/shared/types.h"
+
+SHARED_BEGIN
+
+struct Pace {
+    float everyFrame; ///< [m] patches nearer than this move in every frame …
+    float everyThird; ///< [m] … those nearer than this in every third, in turn …
+    float longest;    ///< [s] … and all others when they have stood still for so long
+    uint frame;       ///< running number of the frame
+};
+SHARED_LAYOUT(Pace, 16)
+
+/// Whether the blades of patch `index` move in this frame, `distance` [m] from the eye and last
+/// moved `elapsed` [s] ago. What they missed they catch up: see advanceBlade().
+SHARED_FN bool movesNow(Pace pace, uint index, float distance, float elapsed)
+{
+    if (distance < pace.everyFrame || elapsed >= pace.longest)
+        return true;
+    return distance < pace.everyThird && (pace.frame + index) % 3u == 0u;
+}
+
+SHARED_END
+#endif

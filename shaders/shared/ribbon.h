@@ -1,0 +1,97 @@
+// A blade as a ribbon across the view: where its edges are drawn, and how much each place weighs.
+#ifndef SWARD_SHARED_RIBBON_H
+#define SWARD_SHARED_RIBBON_H
+
+#include "shaders/shared/bezier.h"
+#include "shaders/shared/noise.h"
+#include "shaders/shared/shape.h"
+#include "shaders/shared/types.h"
+
+SHARED_BEGIN
+
+/// What is drawn of a blade. Places are relative to the field's origin.
+struct Ribbon {
+    vec3 v0; ///< the curve's control points
+    vec3 v1;
+    vec3 v2;
+    vec3 axis;   ///< unit, across
+    float width; ///< [m] where the outline is 1
+    float fold;  ///< [0, 1]: how far the middle stands out, see foldOf()
+    Outline outline;
+};
+
+/// A cross-section of a ribbon.
+struct Rib {
+    vec3 left;
+    vec3 right;
+    vec3 ridge;   ///< the middle
+    vec3 tangent; ///< unit, towards the tip
+    float wide;   ///< [m] as wide as the view sees the blade …
+    float drawn;  ///< … and as wide as it is drawn; what is there weighs wide/drawn
+};
+
+/// The fold of a blade so wide on the screen: of one that is hardly wider than a pixel only the
+/// outline is left.
+SHARED_FN float foldOf(float fold, float widthPixels)
+{
+    return fold * smoothstep(2.0f, 4.0f, widthPixels);
+}
+
+/// The cross-section at `t`. Where the view sees less than `leastWidth` [m at 1 m distance], be it
+/// that the blade is far, that it ends, or that it is seen edge-on, it is drawn that wide, across
+/// the view, so that no row of samples misses it, and weighs the less.
+SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float leastWidth)
+{
+    const vec3 centre = bezierPoint(ribbon.v0, ribbon.v1, ribbon.v2, t);
+    vec3 tangent = bezierTangent(ribbon.v0, ribbon.v1, ribbon.v2, t);
+    tangent = normalize(dot(tangent, tangent) > 1e-18f ? tangent : ribbon.v1 - ribbon.v0);
+    const vec2 edges = ribbon.width * edgesAt(ribbon.outline, t);
+
+    Rib rib;
+    rib.tangent = tangent;
+    rib.left = centre + edges.x * ribbon.axis;
+    rib.right = centre + edges.y * ribbon.axis;
+    rib.wide = edges.y - edges.x;
+    rib.drawn = rib.wide;
+    if (leastWidth > 0.0f) {
+        const vec3 ray = centre - eye;
+        const vec3 side = cross(ray, tangent);
+        const float size = length(side);
+        // A blade that points at the eye shows its width, whichever way that is turned.
+        const vec3 across = size > 1e-6f * length(ray) ? side / size : ribbon.axis;
+        const float seen = dot(ribbon.axis, across);
+        rib.wide *= abs(seen);
+        rib.drawn = max(rib.wide, leastWidth * length(ray));
+        const vec3 grown = (0.5f * (rib.drawn - rib.wide) * (seen < 0.0f ? -1.0f : 1.0f)) * across;
+        rib.left -= grown;
+        rib.right += grown;
+    }
+    rib.ridge = 0.5f * (rib.left + rib.right);
+    if (ribbon.fold > 0.0f)
+        rib.ridge += (0.5f * ribbon.fold * (edges.y - edges.x)) * normalize(cross(tangent, ribbon.axis));
+    return rib;
+}
+
+/// By how much a blade `distance` [m] away may be drawn wider than it is on either side [m].
+SHARED_FN float ribMargin(float distance, float leastWidth)
+{
+    return 0.5f * leastWidth * distance;
+}
+
+/// Which of `samples` a place of weight `weight` keeps, as bits: each blade others, more with more
+/// weight and never others instead, and weight · samples on the average over blades.
+SHARED_FN uint keptSamples(float weight, uint blade, uint samples)
+{
+    const uint all = (1u << samples) - 1u;
+    if (!(weight < 1.0f))
+        return all;
+    const uint h = mixUint(blade * 0x9e3779b9u + 0x85ebca6bu);
+    const float threshold = (float(h & 0xffffu) + 0.5f) / 65536.0f;
+    const uint count = uint(max(weight, 0.0f) * float(samples) + threshold);
+    const uint first = (h >> 16u) % samples;
+    const uint bits = (1u << min(count, samples)) - 1u;
+    return ((bits << first) | (bits >> (samples - first))) & all;
+}
+
+SHARED_END
+#endif

@@ -1,0 +1,135 @@
+// The outline of a blade and how finely it is cut. Jahrmann & Wimmer, I3D 2017, section 4.2, and
+// the authors' demo.
+#ifndef SWARD_SHARED_SHAPE_H
+#define SWARD_SHARED_SHAPE_H
+
+#include "shaders/shared/types.h"
+
+SHARED_BEGIN
+
+// Species::shape.
+SHARED_CONST uint shapeTriangleTip = 0u; ///< full width up to the tip threshold, then a point
+SHARED_CONST uint shapeQuad = 1u;        ///< full width
+SHARED_CONST uint shapeTriangle = 2u;    ///< a point from the root on
+SHARED_CONST uint shapeQuadratic = 3u;   ///< one edge straight, the other a parabola
+SHARED_CONST uint shapeDandelion = 4u;   ///< lobes to both sides
+SHARED_CONST uint shapeCount = 5u;
+
+/// Lobes of a dandelion's leaf on each side; each takes so many segments to show.
+SHARED_CONST float dandelionLobes = 4.0f;
+SHARED_CONST float segmentsPerLobe = 4.0f;
+
+/// Left and right edge at `t` along the blade, about its curve, in widths: −½ … ½, a dandelion's up
+/// to 0.55.
+SHARED_FN vec2 outlineAt(uint shape, float tipThreshold, float t)
+{
+    float half_ = 0.5f;
+    if (shape == shapeTriangleTip)
+        half_ = 0.5f - 0.5f * max(t - tipThreshold, 0.0f) / max(1.0f - tipThreshold, 1e-3f);
+    else if (shape == shapeTriangle)
+        half_ = 0.5f - 0.5f * t;
+    else if (shape == shapeQuadratic)
+        return vec2(-0.5f, 0.5f - t * t);
+    else if (shape == shapeDandelion) {
+        // |sin x|·|cos x| = |sin 2x|/2 with x = π·lobes/2·(1 − t).
+        const float rest = 1.0f - t;
+        const float wave = abs(sin(3.14159265f * dandelionLobes * rest));
+        half_ = 0.5f * sqrt(rest) * (2.0f - rest - sqrt(0.5f * wave));
+    }
+    return vec2(-half_, half_);
+}
+
+/// Area below the outline, in widths times lengths.
+SHARED_FN float outlineArea(uint shape, float tipThreshold)
+{
+    if (shape == shapeTriangleTip)
+        return 0.5f + 0.5f * tipThreshold;
+    if (shape == shapeTriangle)
+        return 0.5f;
+    if (shape == shapeQuadratic)
+        return 2.0f / 3.0f;
+    return shape == shapeDandelion ? 0.57268f : 1.0f;
+}
+
+/// An outline cut into segments, as it is drawn.
+struct Outline {
+    uint shape;
+    float tipThreshold;
+    float segments; ///< whole, ≥ 1
+    float scale;    ///< by which the chords are wider, so that the area is the outline's
+};
+
+/// Beyond so many segments chords lose too little area to ask.
+SHARED_CONST float exactSegments = 20.0f;
+
+/// How much wider than its width anything of an outline is drawn, at most.
+SHARED_CONST float outlineMost = 1.35f;
+
+SHARED_FN Outline outlineOf(uint shape, float tipThreshold, float segments)
+{
+    Outline outline;
+    outline.shape = shape;
+    outline.tipThreshold = tipThreshold;
+    outline.segments = segments;
+    outline.scale = 1.0f;
+    if (segments < 1.5f || segments > exactSegments)
+        return outline;
+    const vec2 first = outlineAt(shape, tipThreshold, 0.0f);
+    const vec2 last = outlineAt(shape, tipThreshold, 1.0f);
+    float sum = 0.5f * (first.y - first.x + last.y - last.x);
+    for (float i = 1.0f; i < segments; i += 1.0f) {
+        const vec2 edges = outlineAt(shape, tipThreshold, i / segments);
+        sum += edges.y - edges.x;
+    }
+    outline.scale = outlineArea(shape, tipThreshold) * segments / sum;
+    return outline;
+}
+
+/// The edges at `t` as they are drawn. A single segment ends blunt, as wide as its area asks: it
+/// would lose all below the taper.
+SHARED_FN vec2 edgesAt(Outline outline, float t)
+{
+    if (outline.segments < 1.5f) {
+        const float blunt = 2.0f * outlineArea(outline.shape, outline.tipThreshold) - 1.0f;
+        const float half_ = 0.5f * mix(1.0f, blunt, t);
+        return vec2(-half_, half_);
+    }
+    return outline.scale * outlineAt(outline.shape, outline.tipThreshold, t);
+}
+
+/// Segments of a blade so large on the screen: so many that a chord strays from the curve by less
+/// than a quarter of a pixel, and that the outline shows; at most `most`, but for a dandelion's.
+SHARED_FN float segmentsFor(vec3 v0, vec3 v1, vec3 v2, uint shape, float heightPixels,
+                            float widthPixels, float most)
+{
+    // L chords of a quadratic Bézier stray from it by at most |v0 − 2 v1 + v2| / (4 L²). Chords
+    // span the height, so its pixels are the scale.
+    const float straightness = length(v2 - v0) + length(v1 - v0);
+    const float stray = length(v0 - 2.0f * v1 + v2) / max(straightness, 1e-9f) * heightPixels;
+    const float curve = ceil(sqrt(stray));
+    if (shape == shapeDandelion && widthPixels > 2.0f)
+        return dandelionLobes * segmentsPerLobe;
+    // A tip shows where the blade is wider than a pixel.
+    const float tip = widthPixels > 3.0f ? 3.0f : (widthPixels > 1.0f ? 2.0f : 1.0f);
+    return clamp(max(curve, tip), 1.0f, max(most, 1.0f));
+}
+
+/// Segments by distance, in steps, instead of by size on the screen: those of the first step that
+/// is farther, the last step's beyond them all.
+struct LevelSteps {
+    vec4 distance; ///< [m] rising
+    vec4 segments;
+    uint count; ///< ≤ 4; 0: by size
+};
+SHARED_LAYOUT(LevelSteps, 36)
+
+SHARED_FN float segmentsAt(LevelSteps steps, float distance)
+{
+    for (uint i = 0u; i + 1u < steps.count; ++i)
+        if (distance < steps.distance[i])
+            return steps.segments[i];
+    return steps.segments[steps.count - 1u];
+}
+
+SHARED_END
+#endif

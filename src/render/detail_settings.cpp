@@ -1,0 +1,84 @@
+#include "render/detail_settings.h"
+
+#include "core/error.h"
+#include "render/settings_list.h"
+
+#include <nlohmann/json.hpp>
+
+namespace sward::render {
+namespace {
+
+constexpr double farthest = 1e12; ///< [m]
+constexpr std::size_t mostSteps = 4;
+constexpr int mostSegments = 64;
+constexpr int mostBuckets = 1'000'000;
+
+LevelStep readStep(SettingsReader& reader, const std::vector<LevelStep>& before)
+{
+    LevelStep step;
+    reader.read("distance", step.distance, 0.0, farthest);
+    reader.read("segments", step.segments, 1, mostSegments);
+    reader.finish();
+    if (!before.empty() && step.distance <= before.back().distance)
+        fail(ErrorKind::input, "{}: {} m is not farther than the step before",
+             reader.placeOf("distance"), step.distance);
+    return step;
+}
+
+void readCulling(SettingsReader reader, FrameSettings& settings)
+{
+    const auto test = [&](const char* key, std::uint32_t bit) {
+        bool isOn = (settings.cullMask & bit) != 0;
+        reader.read(key, isOn);
+        settings.cullMask = isOn ? settings.cullMask | bit : settings.cullMask & ~bit;
+    };
+    test("patch", shared::cullPatch);
+    test("orientation", shared::cullOrientation);
+    test("frustum", shared::cullFrustum);
+    test("distance", shared::cullDistance);
+    test("occlusion", shared::cullOcclusion);
+    reader.read("edge_on_cosine", settings.mostEdgeOn, 0.0, 1.0);
+    reader.read("draw_distance", settings.nature.drawDistance, 1e-6, farthest);
+    if (reader.has("buckets")) {
+        SettingsReader buckets(reader.child("buckets"), reader.placeOf("buckets"));
+        int count = static_cast<int>(settings.buckets.count);
+        settings.buckets.distance = settings.nature.drawDistance;
+        buckets.read("count", count, 0, mostBuckets);
+        buckets.read("distance", settings.buckets.distance, 1e-6, farthest);
+        buckets.finish();
+        settings.buckets.count = static_cast<std::uint32_t>(count);
+    }
+    reader.finish();
+}
+
+void readLevels(SettingsReader reader, FrameSettings& settings)
+{
+    reader.read("thin_and_widen", settings.levelOfDetail);
+    reader.read("thin_below_px", settings.lodThreshold, 0.01, 100.0);
+    reader.read("least_width", settings.leastPixels, 0.0, 16.0);
+    reader.read("segments", settings.tessellationLevel, 0, mostSegments);
+    readList(reader, "steps", mostSteps, settings.levelSteps,
+             [&](SettingsReader& one) { return readStep(one, settings.levelSteps); });
+    const auto distance = [&](const char* key, std::optional<float>& value) {
+        float read = 0.0f;
+        if (reader.has(key)) {
+            reader.read(key, read, 0.0, farthest);
+            value = read;
+        }
+    };
+    distance("move_every_frame", settings.pace.everyFrame);
+    distance("move_every_third", settings.pace.everyThird);
+    reader.finish();
+}
+
+} // namespace
+
+void readDetail(SettingsReader& reader, FrameSettings& settings)
+{
+    if (reader.has("culling"))
+        readCulling({reader.child("culling"), reader.placeOf("culling")}, settings);
+    if (reader.has("detail"))
+        readLevels({reader.child("detail"), reader.placeOf("detail")}, settings);
+}
+
+} // namespace sward::render

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/settings_json.h"
+#include "render/frame_settings.h"
+
+namespace sward::render {
+
+/// Reads the keys `culling` and `detail` of a settings file: which blades are left out, how finely
+/// the others are cut, and how often they move. Throws Error{input}.
+void readDetail(SettingsReader& reader, FrameSettings& settings);
+
+} // namespace sward::render

@@ -1,0 +1,202 @@
+// Outlines, and ribbons that are never drawn narrower than samples lie apart.
+#include "shaders/shared/pace.h"
+#include "shaders/shared/ribbon.h"
+#include "shaders/shared/visibility.h"
+#include "unit/shared/random_vectors.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace sward::shared {
+namespace {
+
+constexpr float thresholds[] = {0.0f, 0.35f, 0.6f, 0.99f};
+
+double areaOfChords(const Outline& outline)
+{
+    double sum = 0.0;
+    for (float i = 0.0f; i < outline.segments; i += 1.0f) {
+        const vec2 a = edgesAt(outline, i / outline.segments);
+        const vec2 b = edgesAt(outline, (i + 1.0f) / outline.segments);
+        sum += 0.5 * double(a.y - a.x + b.y - b.x) / double(outline.segments);
+    }
+    return sum;
+}
+
+TEST(Outline, HasTheStatedArea)
+{
+    for (uint shape = 0; shape < shapeCount; ++shape)
+        for (const float threshold : thresholds) {
+            constexpr int points = 200'000;
+            double sum = 0.0;
+            for (int i = 0; i < points; ++i) {
+                const vec2 edges = outlineAt(shape, threshold, (float(i) + 0.5f) / float(points));
+                sum += double(edges.y - edges.x) / points;
+            }
+            EXPECT_NEAR(sum, double(outlineArea(shape, threshold)), 2e-4) << "shape " << shape;
+        }
+}
+
+TEST(Outline, KeepsItsAreaHoweverItIsCut)
+{
+    for (uint shape = 0; shape < shapeCount; ++shape)
+        for (const float threshold : thresholds)
+            for (float segments = 1.0f; segments <= 64.0f; segments += 1.0f) {
+                const Outline outline = outlineOf(shape, threshold, segments);
+                const double tolerance = segments <= exactSegments ? 1e-5 : 0.045;
+                EXPECT_NEAR(areaOfChords(outline) / double(outlineArea(shape, threshold)), 1.0,
+                            tolerance)
+                    << "shape " << shape << ", " << segments << " segments";
+                for (float t = 0.0f; t <= 1.0f; t += 1.0f / 64.0f) {
+                    const vec2 edges = edgesAt(outline, t);
+                    EXPECT_LE(edges.x, edges.y);
+                    EXPECT_LE(std::max(-edges.x, edges.y), 0.5f * outlineMost);
+                }
+            }
+}
+
+TEST(Outline, OfTheQuadraticHasOneStraightEdge)
+{
+    for (float t = 0.0f; t <= 1.0f; t += 0.1f)
+        EXPECT_EQ(outlineAt(shapeQuadratic, 0.5f, t).x, -0.5f);
+}
+
+Ribbon randomRibbon(tests::Dice& dice, float distance)
+{
+    Ribbon ribbon = {};
+    const vec3 up = dice.direction();
+    ribbon.axis = normalize(cross(up, dice.direction()));
+    ribbon.v0 = distance * dice.direction();
+    ribbon.v1 = ribbon.v0 + 0.6f * up;
+    ribbon.v2 = ribbon.v1 + 0.4f * dice.direction();
+    ribbon.width = dice.number(0.001f, 0.05f);
+    ribbon.outline = outlineOf(uint(dice.number(0, 4.999f)), dice.number(0, 0.9f),
+                               std::floor(dice.number(1, 7.99f)));
+    return ribbon;
+}
+
+TEST(Rib, IsNeverNarrowerThanTheLeastAndWeighsWhatItIs)
+{
+    tests::Dice dice(11);
+    const vec3 eye(0.0f);
+    int widened = 0;
+    for (int i = 0; i < 100'000; ++i) {
+        const Ribbon ribbon = randomRibbon(dice, dice.number(1, 60));
+        const float least = 0.001f;
+        const float t = dice.number(0, 1);
+        const Rib rib = ribAt(ribbon, t, eye, least);
+        const vec3 centre = bezierPoint(ribbon.v0, ribbon.v1, ribbon.v2, t);
+        const vec3 ray = normalize(centre);
+        const vec3 across = normalize(cross(ray, rib.tangent));
+        const vec2 edges = edgesAt(ribbon.outline, t);
+
+        // As the view sees it: the part of the cross-section that is across the curve.
+        const float seen = std::abs(dot(rib.right - rib.left, across));
+        ASSERT_GE(seen, 0.999f * least * length(centre)) << "ribbon " << i;
+        ASSERT_NEAR(seen, rib.drawn, 2e-3f * rib.drawn);
+        const float true_ =
+            ribbon.width * (edges.y - edges.x) * std::abs(dot(ribbon.axis, across));
+        ASSERT_NEAR(rib.wide, true_, 1e-3f * true_ + 1e-7f);
+        widened += rib.drawn > rib.wide ? 1 : 0;
+        // Nobody stands out farther than culling reckons with.
+        const float reach = 0.5f * outlineMost * ribbon.width + ribMargin(length(centre), least);
+        ASSERT_LE(length(rib.left - centre), 1.001f * reach);
+        ASSERT_LE(length(rib.right - centre), 1.001f * reach);
+    }
+    EXPECT_GT(widened, 10'000);
+    EXPECT_LT(widened, 90'000);
+}
+
+TEST(Rib, StaysAsItIsWithoutALeastWidth)
+{
+    tests::Dice dice(12);
+    for (int i = 0; i < 1000; ++i) {
+        const Ribbon ribbon = randomRibbon(dice, 100.0f);
+        const float t = dice.number(0, 1);
+        const Rib rib = ribAt(ribbon, t, vec3(0.0f), 0.0f);
+        const vec2 edges = edgesAt(ribbon.outline, t);
+        EXPECT_EQ(rib.wide, rib.drawn);
+        EXPECT_NEAR(length(rib.right - rib.left), ribbon.width * (edges.y - edges.x), 1e-5f);
+    }
+}
+
+TEST(KeptSamples, AreTheWeightOnTheAverageAndGrowWithIt)
+{
+    for (const uint samples : {1u, 4u}) {
+        for (const float weight : {0.0f, 0.01f, 0.1f, 0.25f, 0.4f, 0.77f, 0.99f, 1.0f}) {
+            double kept = 0.0;
+            std::array<double, 4> each{};
+            constexpr uint blades = 200'000;
+            for (uint blade = 0; blade < blades; ++blade) {
+                const uint bits = keptSamples(weight, blade, samples);
+                kept += double(std::popcount(bits)) / blades;
+                for (uint s = 0; s < samples; ++s)
+                    each[s] += double((bits >> s) & 1u) / blades;
+                const uint more = keptSamples(std::min(weight + 0.1f, 1.0f), blade, samples);
+                ASSERT_EQ(bits & ~more, 0u) << "a heavier blade loses no sample";
+            }
+            EXPECT_NEAR(kept, double(weight) * samples, 0.005 * samples);
+            for (uint s = 0; s < samples; ++s)
+                EXPECT_NEAR(each[s], double(weight), 0.006) << "sample " << s;
+        }
+    }
+}
+
+TEST(OrientationCulling, LeavesOutOnlyBladesWithoutASample)
+{
+    tests::Dice dice(13);
+    int narrow = 0;
+    for (uint i = 0; i < 100'000; ++i) {
+        Blade blade = {};
+        blade.up = dice.direction();
+        blade.facing = dice.number(0, 6.28f);
+        blade.height = dice.number(0.05f, 1.5f);
+        blade.width = dice.number(0.001f, 0.03f);
+        blade.root = dice.number(1.0f, 80.0f) * dice.direction();
+        Eyepoint view = {};
+        view.leastWidth = dice.number(1e-4f, 2e-3f);
+        view.mostEdgeOn = 1.0f;
+        view.samples = i % 2 == 0 ? 1u : 4u;
+        const vec3 axis = widthAxis(blade.up, blade.facing);
+        if (!seenTooNarrow(view, blade, i, axis, length(blade.root), 1.0f))
+            continue;
+        ++narrow;
+        const Pose pose = poseBlade(blade.up, frontOf(blade.up, axis), blade.up + dice.direction());
+        Ribbon ribbon = {};
+        ribbon.v0 = blade.root;
+        ribbon.v1 = blade.root + blade.height * pose.v1;
+        ribbon.v2 = blade.root + blade.height * pose.v2;
+        ribbon.axis = axis;
+        ribbon.width = blade.width;
+        ribbon.outline = outlineOf(i % shapeCount, 0.4f, float(1 + i % 5));
+        for (float t = 0.0f; t <= 1.0f; t += 0.05f) {
+            const Rib rib = ribAt(ribbon, t, view.eye, view.leastWidth);
+            ASSERT_EQ(keptSamples(rib.wide / rib.drawn, i, view.samples), 0u) << "blade " << i;
+        }
+    }
+    EXPECT_GT(narrow, 10'000);
+}
+
+TEST(Pace, MovesEveryPatchWithinThreeFramesAndTheNearOnesInEach)
+{
+    Pace pace = {};
+    pace.everyFrame = 10.0f;
+    pace.everyThird = 20.0f;
+    pace.longest = 5.0f;
+    for (uint patch = 0; patch < 100; ++patch) {
+        int moves = 0;
+        for (pace.frame = 7; pace.frame < 10; ++pace.frame) {
+            EXPECT_TRUE(movesNow(pace, patch, 9.9f, 0.01f));
+            EXPECT_FALSE(movesNow(pace, patch, 20.1f, 0.01f));
+            EXPECT_TRUE(movesNow(pace, patch, 20.1f, 5.0f));
+            moves += movesNow(pace, patch, 15.0f, 0.01f) ? 1 : 0;
+        }
+        EXPECT_EQ(moves, 1);
+    }
+}
+
+} // namespace
+} // namespace sward::shared
