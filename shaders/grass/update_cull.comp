@@ -141,7 +141,10 @@ void main()
             atomicAdd(FRAME.draw.at[0].simulated, cell.bladeCount);
         }
         listBase = kept > 0u ? atomicAdd(FRAME.draw.at[0].fates[fateDrawn], kept) : 0u;
-        atomicMax(FRAME.draw.at[0].instanceCount, (listBase + kept + drawChunk - 1u) / drawChunk);
+        const uint filled = listBase + kept;
+        atomicMax(FRAME.draw.at[0].instanceCount, (filled + drawChunk - 1u) / drawChunk);
+        atomicMax(FRAME.draw.at[0].groups[0],
+                  min((filled + rasterThreads - 1u) / rasterThreads, mostGroups));
     }
     if (thread != fateDrawn && thread < fateCount && fateTally[thread] > 0u)
         atomicAdd(FRAME.draw.at[0].fates[thread], fateTally[thread]);

@@ -34,6 +34,45 @@ struct PyramidPush {
 };
 SHARED_LAYOUT(PyramidPush, 16)
 
+/// Threads of a work-group of the rasteriser, one blade each, or all for one large blade.
+SHARED_CONST uint rasterThreads = 64u;
+
+/// Work-groups in one dimension that every device takes; beyond them threads loop.
+SHARED_CONST uint mostGroups = 65535u;
+
+/// Width and height of the tile of pixels that a work-group begins or resolves.
+SHARED_CONST uint rasterTile = 8u;
+
+/// A blade that covers more pixels than this is rasterised by a work-group of its own.
+SHARED_CONST float largeBladePixels = 1024.0f;
+
+/// So many blades can be large at once: eight layers of them at 8 million pixels. More are
+/// rasterised by one thread each.
+SHARED_CONST uint mostLargeBlades = 65535u;
+
+/// Blades that share an entry of the table from resident ids to patches.
+SHARED_CONST uint ownerStride = 64u;
+
+SHARED_BUFFER(VisibilityArray, uvec2, )
+
+// The list of large blades: VkDispatchIndirectCommand, how many asked, and their places in the list
+// of visible blades.
+SHARED_CONST uint largeAsked = 3u;
+SHARED_CONST uint largePlaces = 4u;
+
+struct RasterPush {
+    FrameArray frame;
+    FrameArray judged;          ///< by whose camera the visible blades were listed
+    VisibilityArray visibility; ///< pixel by pixel, sample by sample
+    UintArray large; ///< see largePlaces
+    UintArray owners;      ///< patches that own blades, in the order of their blades
+    UintArray firstOwners; ///< per ownerStride blades: index into `owners` of the first one's patch
+    uvec2 size;            ///< [pixels]
+    uint isBgr;            ///< 1: the picture's first channel is blue
+    uint reserved;
+};
+SHARED_LAYOUT(RasterPush, 64)
+
 struct ViewPush {
     FrameArray frame;
 };

@@ -19,9 +19,10 @@ public:
     /// done with the old ones.
     bool resize(glm::uvec2 size);
 
-    bool isResolved() const { return settings_.samples > 1; }
+    /// Whether there is a colour of its own, which is not the target.
+    bool hasColor() const { return settings_.samples > 1 || settings_.isSampled; }
     const gpu::Image& depth() const { return depth_; }
-    const gpu::Image& color() const { return color_; } ///< only if it is resolved
+    const gpu::Image& color() const { return color_; } ///< only if hasColor()
     VkDeviceSize bytes() const { return depth_.memoryBytes() + color_.memoryBytes(); }
 
 private:

@@ -4,6 +4,7 @@
 #include "core/expect.h"
 #include "shaders/shared/passes.h"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 #include <vector>
@@ -32,14 +33,35 @@ void refuseWhatCannotFit(const gpu::DeviceContext& context, const field::FieldVi
              field.blades.size(), std::numeric_limits<std::uint32_t>::max());
 }
 
-/// Indices of the patches that own blades.
+/// Indices of the patches that own blades, in the order of their blades.
 std::vector<std::uint32_t> ownersOf(const field::FieldView& field)
 {
     std::vector<std::uint32_t> owners;
     for (std::size_t i = 0; i < field.patches.size(); ++i)
         if (field.patches[i].bladeCount > 0)
             owners.push_back(static_cast<std::uint32_t>(i));
+    std::sort(owners.begin(), owners.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return field.patches[a].firstBlade < field.patches[b].firstBlade;
+    });
     return owners;
+}
+
+/// The places among `owners` at which the search for a blade's patch begins.
+std::vector<std::uint32_t> firstOwnersOf(const field::FieldView& field,
+                                         const std::vector<std::uint32_t>& owners)
+{
+    std::vector<std::uint32_t> first;
+    std::uint32_t place = 0;
+    for (std::size_t blade = 0; blade < field.blades.size(); blade += shared::ownerStride) {
+        const auto end = [&] {
+            const shared::Patch& cell = field.patches[owners[place]];
+            return std::size_t(cell.firstBlade) + cell.bladeCount;
+        };
+        while (end() <= blade)
+            ++place;
+        first.push_back(place);
+    }
+    return first;
 }
 
 } // namespace
@@ -63,6 +85,10 @@ FieldBuffers::FieldBuffers(const gpu::DeviceContext& context, gpu::Uploader& upl
     blades_ = allocate(context, "field/blades", field.blades.size_bytes());
     patches_ = allocate(context, "field/patches", field.patches.size_bytes());
     owners_ = allocate(context, "field/owners", owners.size() * sizeof(std::uint32_t));
+    const std::vector<std::uint32_t> firstOwners = firstOwnersOf(field, owners);
+    firstOwners_ =
+        allocate(context, "field/first owners", firstOwners.size() * sizeof(std::uint32_t));
+    uploader.toBuffer(firstOwners_, std::span<const std::uint32_t>(firstOwners));
     species_ = allocate(context, "field/species", species.size() * sizeof(shared::Species));
     uploader.toBuffer(blades_, field.blades);
     uploader.toBuffer(patches_, field.patches);
@@ -116,10 +142,11 @@ void FieldBuffers::rest(VkCommandBuffer commands, float time) const
 
 void FieldBuffers::clearCounts(VkCommandBuffer commands) const
 {
-    // Two fills beside each other: whole chunks, of which there are none yet; all counts zero.
-    static_assert(offsetof(shared::DrawArguments, instanceCount) == 4);
-    vkCmdFillBuffer(commands, draw_.get(), 0, 4, shared::drawChunk);
-    vkCmdFillBuffer(commands, draw_.get(), 4, sizeof(shared::DrawArguments) - 4, 0);
+    shared::DrawArguments none = {};
+    none.vertexCount = shared::drawChunk;
+    none.groups[1] = 1;
+    none.groups[2] = 1;
+    vkCmdUpdateBuffer(commands, draw_.get(), 0, sizeof none, &none);
 }
 
 } // namespace sward::render

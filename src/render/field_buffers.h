@@ -32,7 +32,10 @@ public:
 
     std::uint32_t bladeCount() const { return bladeCount_; }
     std::uint32_t ownerCount() const { return ownerCount_; } ///< patches that own blades
-    VkDeviceAddress owners() const { return owners_.address(); }
+    VkDeviceAddress owners() const { return owners_.address(); } ///< in the order of their blades
+
+    /// Per shared::ownerStride blades: place among the owners of the first one's.
+    VkDeviceAddress firstOwners() const { return firstOwners_.address(); }
     field::BladeSize bladeSize() const { return bladeSize_; } ///< mean over all blades
     VkDeviceSize bytes() const { return bytes_; }
 
@@ -55,6 +58,7 @@ private:
     gpu::Buffer patches_;
     gpu::Buffer species_;
     gpu::Buffer owners_;
+    gpu::Buffer firstOwners_;
     gpu::Buffer states_;
     gpu::Buffer patchTimes_;
     gpu::Buffer visible_;

@@ -1,6 +1,7 @@
 #include "render/field_renderer.h"
 
 #include "core/embedded.h"
+#include "core/error.h"
 #include "core/expect.h"
 #include "gpu/barrier.h"
 #include "gpu/device.h"
@@ -16,11 +17,13 @@
 #include "render/grass_cover.h"
 #include "render/ground_pass.h"
 #include "render/pass_scope.h"
+#include "render/raster_pass.h"
 #include "render/sky_pass.h"
 #include "render/sun_shadow.h"
 #include "render/update_cull_pass.h"
 
 #include <cstring>
+#include <optional>
 
 namespace sward::embedded {
 std::span<const EmbeddedFile> shaders();
@@ -53,6 +56,16 @@ Slot createSlot(const gpu::DeviceContext& context)
             FrameTables(context)};
 }
 
+Geometry chooseGeometry(const gpu::DeviceContext& context, const FieldRenderer::Settings& wanted)
+{
+    const char* obstacle = obstacleToRaster(context, wanted.colorFormat);
+    if (wanted.geometry == Geometry::raster && obstacle != nullptr)
+        fail(ErrorKind::unsupported, "{} cannot rasterise blades: {}", context.name, obstacle);
+    if (wanted.geometry == Geometry::automatic)
+        return obstacle == nullptr ? Geometry::raster : Geometry::tessellation;
+    return wanted.geometry;
+}
+
 /// Uploads all that a field brings, and waits for it.
 template <typename T, typename... Arguments>
 T uploaded(const gpu::DeviceContext& context, const Arguments&... arguments)
@@ -70,7 +83,10 @@ struct FieldRenderer::Parts {
           const Settings& wanted)
         : context(deviceContext)
         , settings(wanted)
-        , attachments(context, {wanted.colorFormat, wanted.samples})
+        , geometry(chooseGeometry(context, wanted))
+        , attachments(context, {.colorFormat = wanted.colorFormat,
+                                .samples = wanted.samples,
+                                .isSampled = geometry == Geometry::raster})
         , blades(uploaded<FieldBuffers>(context, field, wanted.recordFates))
         , ground(uploaded<GroundBuffers>(context, *field.ground))
         , cover(uploaded<GrassCover>(context, field))
@@ -83,12 +99,15 @@ struct FieldRenderer::Parts {
         , shape{field.origin, field.bounds(), blades.bladeSize()}
     {
         expect(wanted.framesInFlight >= 1, "at least one frame is in flight");
+        if (geometry == Geometry::raster)
+            raster.emplace(context, shaders, TargetSettings{wanted.colorFormat, wanted.samples});
         for (std::uint32_t i = 0; i < wanted.framesInFlight; ++i)
             slots.push_back(createSlot(context));
     }
 
     const gpu::DeviceContext& context;
     Settings settings;
+    Geometry geometry;
     gpu::ShaderLibrary shaders{embedded::shaders()};
     Attachments attachments;
     FieldBuffers blades;
@@ -100,6 +119,7 @@ struct FieldRenderer::Parts {
     GroundPass groundPass;
     BladePass bladePass;
     SkyPass skyPass;
+    std::optional<RasterPass> raster; ///< if that is the geometry
 
     /// Ground and blades that show the wind, for those who ask.
     struct WindPaint {
@@ -124,6 +144,8 @@ struct FieldRenderer::Parts {
     void seeWhatIsHidden(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);
     void drawBlades(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
                     gpu::Timestamps* timestamps);
+    void rasterBlades(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
+                      gpu::Timestamps* timestamps);
     gpu::ColorAttachment colorAttachment(const Target& target) const;
 };
 
@@ -160,6 +182,8 @@ void FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameSettings& 
                       BladePass(context, shaders, target)});
     }
     paintsWind = wishes.debug == DebugMode::wind;
+    if (raster)
+        raster->prepare(shaders, paintsWind);
 }
 
 void FieldRenderer::Parts::moveAndCull(VkCommandBuffer commands, double time, std::uint32_t slot,
@@ -186,8 +210,11 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
 
     const ViewMatrices view =
         viewMatrices(camera, parts.shape.origin, target.size, parts.shape.content, jitter);
-    if (parts.attachments.resize(target.size))
+    if (parts.attachments.resize(target.size)) {
         parts.pyramid.resize(parts.attachments.depth());
+        if (parts.raster)
+            parts.raster->resize(parts.attachments);
+    }
     parts.writeFrame(frameOf(parts.shape, view, settings, time, parts.settings.samples), settings,
                      time, slot);
     parts.sunShadow.record(commands, parts.ground, parts.slots[slot].frame.address());
@@ -207,14 +234,17 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
     vkCmdCopyBuffer(commands, parts.blades.draw().get(), parts.slots[slot].draw.get(), 1, &counts);
     gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostAccess);
 
-    parts.drawBlades(commands, target, slot, timestamps);
+    if (parts.raster)
+        parts.rasterBlades(commands, target, slot, timestamps);
+    else
+        parts.drawBlades(commands, target, slot, timestamps);
 }
 
 gpu::ColorAttachment FieldRenderer::Parts::colorAttachment(const Target& target) const
 {
     gpu::ColorAttachment color{
         .view = target.view, .resolve = VK_NULL_HANDLE, .clear = std::nullopt};
-    if (attachments.isResolved())
+    if (attachments.hasColor())
         color.view = attachments.color().view();
     return color;
 }
@@ -225,7 +255,7 @@ void FieldRenderer::Parts::drawGround(VkCommandBuffer commands, const Target& ta
     // Last frame's depth and samples are given up.
     gpu::transition(commands, attachments.depth(), gpu::ImageUse::undefined,
                     gpu::ImageUse::depthTarget);
-    if (attachments.isResolved())
+    if (attachments.hasColor())
         gpu::transition(commands, attachments.color(), gpu::ImageUse::undefined,
                         gpu::ImageUse::colorTarget);
     gpu::ColorAttachment color = colorAttachment(target);
@@ -233,9 +263,17 @@ void FieldRenderer::Parts::drawGround(VkCommandBuffer commands, const Target& ta
     const gpu::DepthAttachment depth{.view = attachments.depth().view(), .clear = 0.0f};
     const gpu::RenderingScope rendering(commands, {target.size.x, target.size.y},
                                         std::span(&color, 1), depth);
-    const PassScope scope(context, commands, timestamps, "ground");
-    (paintsWind ? windPaint->ground : groundPass)
-        .record(commands, ground, slots[slot].frame.address());
+    {
+        const PassScope scope(context, commands, timestamps, "ground");
+        (paintsWind ? windPaint->ground : groundPass)
+            .record(commands, ground, slots[slot].frame.address());
+    }
+    // What the rasteriser's picture is made of is complete before it; else the sky comes last,
+    // where least of it is left to see.
+    if (raster) {
+        const PassScope scope(context, commands, timestamps, "sky");
+        skyPass.record(commands, slots[slot].frame.address());
+    }
 }
 
 void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, std::uint32_t slot,
@@ -257,14 +295,14 @@ void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& ta
                                       std::uint32_t slot, gpu::Timestamps* timestamps)
 {
     gpu::ColorAttachment color = colorAttachment(target);
-    if (attachments.isResolved()) {
+    if (attachments.hasColor()) {
         color.resolve = target.view;
         color.isKept = false;
     }
     // On top of the ground, which the same attachments hold.
     gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
                     gpu::ImageUse::depthTarget);
-    gpu::transition(commands, attachments.isResolved() ? attachments.color().get() : target.image,
+    gpu::transition(commands, attachments.hasColor() ? attachments.color().get() : target.image,
                     VK_IMAGE_ASPECT_COLOR_BIT, gpu::ImageUse::colorTarget,
                     gpu::ImageUse::colorTarget);
     const gpu::DepthAttachment depth{
@@ -281,6 +319,28 @@ void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& ta
         const PassScope scope(context, commands, timestamps, "sky");
         skyPass.record(commands, frame);
     }
+}
+
+void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, const Target& target,
+                                        std::uint32_t slot, gpu::Timestamps* timestamps)
+{
+    gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
+                    gpu::ImageUse::sampled);
+    gpu::transition(commands, attachments.color(), gpu::ImageUse::colorTarget,
+                    gpu::ImageUse::sampled);
+    const VkDeviceAddress frame = slots[slot].frame.address();
+    const RasterPass::Input input{&blades, frame, frame};
+    {
+        const PassScope scope(context, commands, timestamps, "blades");
+        raster->recordBlades(commands, input);
+    }
+    const PassScope scope(context, commands, timestamps, "resolve");
+    raster->recordResolve(commands, input, paintsWind);
+    gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, gpu::ImageUse::colorTarget,
+                    gpu::ImageUse::transferTarget);
+    raster->copyTo(commands, target.image);
+    gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT,
+                    gpu::ImageUse::transferTarget, gpu::ImageUse::colorTarget);
 }
 
 void FieldRenderer::recordUpdateOnly(VkCommandBuffer commands, const FrameSettings& settings,
@@ -320,10 +380,24 @@ FieldRenderer::dumpBlades(const field::FieldView& field) const
     return readBlades(parts_->context, parts_->blades, field);
 }
 
+Geometry FieldRenderer::geometry() const
+{
+    return parts_->geometry;
+}
+
+const char* FieldRenderer::geometryReason() const
+{
+    const Parts& parts = *parts_;
+    if (parts.settings.geometry != Geometry::automatic)
+        return "asked for";
+    const char* obstacle = obstacleToRaster(parts.context, parts.settings.colorFormat);
+    return obstacle == nullptr ? "compute shaders draw blades faster than the tessellator" : obstacle;
+}
+
 std::size_t FieldRenderer::deviceBytes() const
 {
     return parts_->blades.bytes() + parts_->ground.bytes() + parts_->cover.bytes() +
-           parts_->sunShadow.bytes() + parts_->pyramid.bytes() + parts_->attachments.bytes() +
+           parts_->sunShadow.bytes() + parts_->pyramid.bytes() + (parts_->raster ? parts_->raster->bytes() : 0) + parts_->attachments.bytes() +
            parts_->slots.size() *
                (sizeof(shared::Frame) + sizeof(shared::DrawArguments) + FrameTables::bytes());
 }

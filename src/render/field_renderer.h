@@ -18,6 +18,13 @@ class Timestamps;
 
 namespace sward::render {
 
+/// How blades are drawn.
+enum class Geometry {
+    automatic,    ///< raster where the device and the target's format allow it, else tessellation
+    tessellation, ///< by the graphics pipeline
+    raster,       ///< by compute shaders
+};
+
 /// Draws one field into the caller's pictures. Starts no threads, owns no window, submits nothing
 /// while recording; construction uploads the field and waits for it.
 class FieldRenderer {
@@ -26,18 +33,20 @@ public:
         VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB; ///< of every target
         std::uint32_t samples = 4;                      ///< 1 or 4 per pixel
         std::uint32_t framesInFlight = 1; ///< frames recorded before one is waited for
+        Geometry geometry = Geometry::automatic;
         bool recordFates = false; ///< keep each blade's fate for dumpBlades(); 4 bytes a blade
     };
 
     /// `field` may die afterwards, except that dumpBlades() needs it again. Throws Error{runtime}
-    /// when the device's memory does not hold the field, naming both sizes.
+    /// when the device's memory does not hold the field, naming both sizes; Error{unsupported} where
+    /// a geometry is asked for that the device cannot draw.
     FieldRenderer(const gpu::Device& device, const field::FieldView& field,
                   const Settings& settings);
     FieldRenderer(FieldRenderer&&) noexcept;
     ~FieldRenderer();
 
     /// A picture to draw into: in layout COLOR_ATTACHMENT_OPTIMAL when the commands run, and left
-    /// in it.
+    /// in it. Its usage includes TRANSFER_DST where the geometry is raster.
     struct Target {
         VkImage image = VK_NULL_HANDLE;
         VkImageView view = VK_NULL_HANDLE;
@@ -47,7 +56,7 @@ public:
     /// Records one frame: moves the blades of visible patches to `time` [s] (monotone; any step is
     /// safe), culls, draws ground, sky and blades. `slot` < framesInFlight, whose former commands
     /// have completed. `jitter` [pixels]. `timestamps` may be null; else the caller has begun their
-    /// frame, and the scopes update (which culls as well), ground, blades and sky are measured.
+    /// frame, and the scopes update (which culls as well), ground, sky, pyramid, blades and resolve are measured.
     /// Nothing is allocated unless the target's size has changed; then the device is waited for. A
     /// mixture of winds, colliders and --debug wind have their pipelines made at their first frame.
     void record(VkCommandBuffer commands, const Target& target, const Camera& camera,
@@ -73,6 +82,10 @@ public:
 
     /// Reads every blade's state back, in the order of the file; waits for the device.
     std::vector<BladeRecord> dumpBlades(const field::FieldView& field) const;
+
+    /// What draws the blades, never automatic, and why it does.
+    Geometry geometry() const;
+    const char* geometryReason() const;
 
     std::size_t deviceBytes() const; ///< device memory held
     Aabb content() const;            ///< what can be seen, relative to the field's origin

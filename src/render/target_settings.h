@@ -13,6 +13,7 @@ struct TargetSettings {
     VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB;
     std::uint32_t samples = 4;
     bool paintsWind = false; ///< ground and blades show the wind's speed
+    bool isSampled = false;  ///< shaders read what the graphics pipeline has drawn
 };
 
 } // namespace sward::render

@@ -65,6 +65,7 @@ protected:
         settings.cullMask = mask;
         settings.lodThreshold = 2.0f;
         settings.nature.drawDistance = 8.0f;
+        settings.pace.everyFrame = 1e6f; // wherever it stands
         return frameOf({{}, content, bench_.bladeSize()}, viewMatrices(camera, {}, size, content),
                        settings, 1.0, 1);
     }
@@ -107,14 +108,20 @@ shared::Eyepoint eyepointOf(const shared::Frame& frame)
 /// Whether rounding may decide: a blade within `margin` of a threshold (relative, or metres for a
 /// plane). The device computes with the same formulas in the same precision, so 1e-5 is some fifty
 /// times its rounding over ten metres.
-bool isClose(const shared::Frame& frame, const shared::Blade& blade, shared::BladeState state,
-             const shared::Verdict& verdict)
+bool isClose(const shared::Frame& frame, const shared::Blade& blade, std::uint32_t index,
+             shared::BladeState state, const shared::Verdict& verdict)
 {
     constexpr float margin = 1e-5f;
     const glm::vec3 axis = shared::widthAxis(blade.up, blade.facing);
     const glm::vec3 ray = blade.root - frame.eye;
     const float distance = glm::length(ray);
-    if (std::abs(std::abs(glm::dot(ray, axis)) / distance - shared::edgeOnCosine) < margin)
+    shared::Eyepoint narrower = eyepointOf(frame);
+    shared::Eyepoint wider = narrower;
+    narrower.leastWidth *= 1.0f - 10.0f * margin;
+    wider.leastWidth *= 1.0f + 10.0f * margin;
+    const float factor = verdict.widthFactor > 0.0f ? verdict.widthFactor : 1.0f;
+    if (shared::seenTooNarrow(narrower, blade, index, axis, distance, factor) !=
+        shared::seenTooNarrow(wider, blade, index, axis, distance, factor))
         return true;
     if (std::abs(distance - frame.drawDistance) < margin * distance)
         return true;
@@ -124,7 +131,10 @@ bool isClose(const shared::Frame& frame, const shared::Blade& blade, shared::Bla
             std::max({shared::planeDistance(plane, blade.root),
                       shared::planeDistance(plane, blade.root + blade.height * pose.v1),
                       shared::planeDistance(plane, blade.root + blade.height * pose.v2)});
-        if (std::abs(reach + 0.5f * blade.width * std::max(verdict.widthFactor, 1.0f)) < margin)
+        const float reserve =
+            0.5f * shared::outlineMost * blade.width * std::max(verdict.widthFactor, 1.0f) +
+            shared::ribMargin(distance + blade.height, frame.leastWidth);
+        if (std::abs(reach + reserve) < margin)
             return true;
     }
     // The last blade of the share has next to no width left.
@@ -154,7 +164,8 @@ TEST_F(CullingTest, JudgesAsTheCpuDoesSaveWhereRoundingDecides)
                 ++seen[result.fates[index]];
                 if (result.fates[index] == expected)
                     continue;
-                ASSERT_TRUE(isClose(frame, blade(index), states_[index], verdict))
+                ASSERT_TRUE(isClose(frame, blade(index), static_cast<std::uint32_t>(index),
+                                    states_[index], verdict))
                     << "blade " << index << " has fate " << result.fates[index] << ", expected "
                     << expected << "; camera " << c << ", seed " << seed;
                 ++close;

@@ -32,7 +32,7 @@ public:
                std::span<const shared::BladeState> states, float elapsed,
                render::UpdateCullPass::Scope scope);
 
-    float bladeWidth() const { return buffers_.bladeWidth(); }
+    field::BladeSize bladeSize() const { return buffers_.bladeSize(); }
 
 private:
     const gpu::DeviceContext& context_;

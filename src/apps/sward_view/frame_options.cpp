@@ -12,12 +12,15 @@ namespace sward::view {
 namespace {
 
 // The rasteriser is a later version's; asking for it by name must not be silently ignored.
-void checkGeometry(const std::string& word)
+render::Geometry parseGeometry(const std::string& word)
 {
+    if (word == "auto")
+        return render::Geometry::automatic;
+    if (word == "tessellation")
+        return render::Geometry::tessellation;
     if (word == "raster")
-        fail(ErrorKind::unsupported, "--geometry raster: not in this version; tessellation is");
-    if (word != "auto" && word != "tessellation")
-        fail(ErrorKind::usage, "--geometry: '{}' is not one of auto, tessellation, raster", word);
+        return render::Geometry::raster;
+    fail(ErrorKind::usage, "--geometry: '{}' is not one of auto, tessellation, raster", word);
 }
 
 render::DebugMode parseDebug(const std::string& word)
@@ -106,7 +109,9 @@ void FrameOptions::addMeasured(CLI::App& app)
             fixedStep = apps::parseNumber("--fixed-dt", text, 0, 1e6);
         },
         "S", "Seconds from frame to frame, a fraction if you like [1/60]");
-    option("--geometry", checkGeometry, "WORD", "auto, tessellation, raster [auto]");
+    option(
+        "--geometry", [this](const std::string& text) { geometry = parseGeometry(text); }, "WORD",
+        "auto, tessellation, raster [auto]");
     app.add_option("--tess-level", tessellationLevel,
                    "Segments along every blade, 1 to 64; 0: by size on the screen [0]")
         ->type_name("N")

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/common/log_switches.h"
+#include "render/field_renderer.h"
 #include "render/frame_settings.h"
 
 #include <glm/vec2.hpp>
@@ -25,6 +26,7 @@ struct FrameOptions {
     std::optional<std::uint32_t> samples; ///< 1 or 4; unset: the command decides
     int tessellationLevel = 0;            ///< 0: by size on the screen
     std::uint32_t cullMask;
+    render::Geometry geometry = render::Geometry::automatic;
     bool levelOfDetail = true;
     render::DebugMode debug = render::DebugMode::none;
     std::optional<float> drawDistance;       ///< [m]; unset: the field's

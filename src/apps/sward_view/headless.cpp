@@ -22,7 +22,8 @@ gpu::Image createTarget(const gpu::DeviceContext& context, glm::uvec2 size)
             {.name = "picture",
              .format = pictureFormat,
              .extent = {size.x, size.y},
-             .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}};
+             .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                      VK_IMAGE_USAGE_TRANSFER_DST_BIT}};
 }
 
 // Frame by frame. Both series have the same frames.
@@ -52,6 +53,7 @@ Headless::Headless(const FrameOptions& options, bool recordFates)
                 {.colorFormat = pictureFormat,
                  .samples = samples_,
                  .framesInFlight = 1,
+                 .geometry = options.geometry,
                  .recordFates = recordFates})
     , target_(createTarget(device_.context(), options.size))
     , timestamps_(device_.context(), {.slots = 1})
@@ -135,14 +137,17 @@ RunStats Headless::stats()
     stats.driver = device_.context().driver;
     stats.size = options_.size;
     stats.samples = samples_;
-    stats.geometry = "tessellation";
-    stats.geometryReason = "the only way of drawing in this version";
+    stats.geometry =
+        renderer_.geometry() == render::Geometry::raster ? "raster" : "tessellation";
+    stats.geometryReason = renderer_.geometryReason();
     stats.blades = renderer_.stats(slot);
     for (const std::string& name : timestamps_.names())
         stats.gpuTimes[name] = timestamps_.statistics(name);
-    // Updating and culling are one pass here; the grass is that pass and the drawing of blades.
-    stats.gpuTimes["grass"] =
-        gpu::statisticsOf(sumOf(timestamps_.history("update"), timestamps_.history("blades")));
+    // Updating and culling are one pass here.
+    std::vector<double> grass = timestamps_.history("update");
+    for (const char* pass : {"pyramid", "blades", "resolve"})
+        grass = sumOf(std::move(grass), timestamps_.history(pass));
+    stats.gpuTimes["grass"] = gpu::statisticsOf(grass);
     stats.recordTime = gpu::statisticsOf(recordTimes_);
     stats.deviceBytes = renderer_.deviceBytes();
     stats.validationMessages = instance_.validationLog().count();

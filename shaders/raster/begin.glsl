@@ -1,0 +1,20 @@
+// Fills the visibility with what has been drawn so far. The including shader has depthAt().
+layout(local_size_x = rasterTile, local_size_y = rasterTile) in;
+
+void main()
+{
+    const uvec2 pixel = gl_GlobalInvocationID.xy;
+    if (any(greaterThanEqual(pixel, push.size)))
+        return;
+    Visibility visibility = Visibility(uvec2(push.visibility));
+    for (uint s = 0u; s < samplesPerPixel; ++s)
+        visibility.at[sampleIndex(pixel, s)] =
+            uint64_t(floatBitsToUint(depthAt(ivec2(pixel), int(s)))) << 32u;
+    if (pixel == uvec2(0u)) {
+        UintArray large = push.large;
+        large.at[0] = 0u;
+        large.at[1] = 1u;
+        large.at[2] = 1u;
+        large.at[largeAsked] = 0u;
+    }
+}

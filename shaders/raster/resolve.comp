@@ -1,0 +1,17 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Makes the picture of a visibility of one sample per pixel.
+#include "shaders/shared/passes.h"
+
+layout(push_constant, scalar) uniform Block { RasterPush push; };
+layout(set = 0, binding = 0) uniform sampler2D pictures[2]; // colour, depth
+layout(set = 0, binding = 1, rgba8) uniform writeonly image2D picture;
+
+#include "shaders/raster/visibility.glsl"
+
+vec3 groundAt(ivec2 pixel, int s)
+{
+    return texelFetch(pictures[0], pixel, 0).rgb;
+}
+
+#include "shaders/raster/resolve.glsl"

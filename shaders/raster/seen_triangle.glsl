@@ -1,0 +1,39 @@
+// Triangles in homogeneous coordinates (Olano & Greer, "Triangle Scan Conversion using 2D
+// Homogeneous Coordinates", 1997): right on both sides of the near plane, without clipping.
+#ifndef SWARD_RASTER_SEEN_TRIANGLE_GLSL
+#define SWARD_RASTER_SEEN_TRIANGLE_GLSL
+
+#include "shaders/raster/visibility.glsl"
+#include "shaders/shared/ribbon.h"
+
+/// Pixels times w, pixels times w, reversed depth times w, w.
+vec4 seenPoint(vec3 position)
+{
+    const vec4 clip = FRAME.viewProjection * vec4(position, 1.0);
+    return vec4((0.5 * clip.xy + 0.5 * clip.w) * vec2(push.size), clip.z, clip.w);
+}
+
+/// A point of a triangle that is seen at some place.
+struct SeenPoint {
+    vec3 shares; ///< of the corners, as they lie in space; inside none is negative
+    float depth; ///< reversed; above 1 before the near plane
+    float least; ///< the smallest share; −1e9 where the place sees the triangle's plane nowhere
+};
+
+SeenPoint seenAt(vec4 a, vec4 b, vec4 c, vec2 place)
+{
+    // With the place as origin the shares are the areas opposite to the corners.
+    const vec2 p = a.xy - place * a.w;
+    const vec2 q = b.xy - place * b.w;
+    const vec2 r = c.xy - place * c.w;
+    const vec3 areas = vec3(q.x * r.y - q.y * r.x, r.x * p.y - r.y * p.x, p.x * q.y - p.y * q.x);
+    const float sum = areas.x + areas.y + areas.z;
+    SeenPoint seen;
+    seen.shares = sum != 0.0 ? areas / sum : vec3(0.0);
+    const float w = dot(seen.shares, vec3(a.w, b.w, c.w));
+    seen.depth = w > 0.0 ? dot(seen.shares, vec3(a.z, b.z, c.z)) / w : 0.0;
+    seen.least = w > 0.0 && sum != 0.0 ? min(min(seen.shares.x, seen.shares.y), seen.shares.z) : -1e9;
+    return seen;
+}
+
+#endif

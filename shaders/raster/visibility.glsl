@@ -1,0 +1,38 @@
+// What the compute rasteriser sees: for each sample of each pixel the depth and the blade of what
+// is nearest. The including stage has a push constant `push` of type RasterPush.
+#ifndef SWARD_RASTER_VISIBILITY_GLSL
+#define SWARD_RASTER_VISIBILITY_GLSL
+
+#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
+#extension GL_EXT_shader_atomic_int64 : require
+#extension GL_EXT_buffer_reference_uvec2 : require
+
+#include "shaders/shared/passes.h"
+
+#define FRAME push.frame.at[0]
+
+/// Per sample: the bits of the reversed depth, then the resident id and one; 0 for what is no
+/// blade. The larger is nearer, and among equals the later blade wins, whoever comes first.
+layout(buffer_reference, scalar, buffer_reference_align = 8) buffer Visibility
+{
+    uint64_t at[];
+};
+
+/// Samples per pixel, 1 or 4; known when the pipeline is made.
+layout(constant_id = 1) const uint samplesPerPixel = 1u;
+
+/// Where the samples of a pixel lie: the standard positions of Vulkan.
+const vec2 fourPlaces[4] =
+    vec2[4](vec2(0.375, 0.125), vec2(0.875, 0.375), vec2(0.125, 0.625), vec2(0.625, 0.875));
+
+vec2 samplePlace(uint s)
+{
+    return samplesPerPixel == 1u ? vec2(0.5) : fourPlaces[s];
+}
+
+uint sampleIndex(uvec2 pixel, uint s)
+{
+    return (pixel.y * push.size.x + pixel.x) * samplesPerPixel + s;
+}
+
+#endif

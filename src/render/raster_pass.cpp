@@ -1,0 +1,162 @@
+#include "render/raster_pass.h"
+
+#include "core/expect.h"
+#include "gpu/barrier.h"
+#include "gpu/image_use.h"
+
+#include <cstddef>
+
+namespace sward::render {
+namespace {
+
+/// What is stored into is encoded by the shader; it is copied, bit by bit, to a target.
+constexpr VkFormat pictureFormat = VK_FORMAT_R8G8B8A8_UNORM;
+
+bool isBgr(VkFormat format)
+{
+    return format == VK_FORMAT_B8G8R8A8_SRGB;
+}
+
+std::string variantOf(const char* shader, std::uint32_t samples)
+{
+    return std::string(shader) + (samples > 1 ? "_of_four.comp" : ".comp");
+}
+
+std::uint32_t tilesFor(std::uint32_t pixels)
+{
+    return (pixels + shared::rasterTile - 1) / shared::rasterTile;
+}
+
+} // namespace
+
+const char* obstacleToRaster(const gpu::DeviceContext& context, VkFormat colorFormat)
+{
+    if (!context.features.bufferInt64Atomics)
+        return "the device has no 64-bit atomics on buffers (shaderBufferInt64Atomics)";
+    if (colorFormat != VK_FORMAT_R8G8B8A8_SRGB && !isBgr(colorFormat))
+        return "the target is neither R8G8B8A8_SRGB nor B8G8R8A8_SRGB";
+    return nullptr;
+}
+
+RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                       const TargetSettings& target)
+    : context_(&context)
+    , target_(target)
+    , imageLayout_(context, {.name = "raster/pictures",
+                             .sampledCount = 2,
+                             .storageCount = 1,
+                             .stages = VK_SHADER_STAGE_COMPUTE_BIT})
+    , sampler_(gpu::createSampler(context, {.name = "raster",
+                                            .filter = VK_FILTER_NEAREST,
+                                            .address = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE}))
+{
+    expect(obstacleToRaster(context, target.colorFormat) == nullptr, "the device can rasterise");
+    const auto pipeline = [&](const char* name, const std::string& shader) {
+        return gpu::ComputePipeline(context, shaders,
+                                    {.name = name,
+                                     .shader = shader,
+                                     .pushConstantBytes = sizeof(shared::RasterPush),
+                                     .setLayouts = {imageLayout_.get()},
+                                     .constants = {{.id = 1, .value = target.samples}}});
+    };
+    begin_ = pipeline("raster/begin", variantOf("raster_begin", target.samples));
+    blades_ = pipeline("raster/blades", "raster_blades.comp");
+    large_ = pipeline("raster/large blades", "raster_large.comp");
+    largeBlades_ =
+        gpu::Buffer(context, {.name = "raster/large blades",
+                              .bytes = (shared::largePlaces + shared::mostLargeBlades) *
+                                       sizeof(std::uint32_t),
+                              .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                       VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT});
+}
+
+void RasterPass::prepare(const gpu::ShaderLibrary& shaders, bool paintsWind)
+{
+    if (resolve_.contains(paintsWind))
+        return;
+    resolve_.emplace(
+        paintsWind,
+        gpu::ComputePipeline(*context_, shaders,
+                             {.name = "raster/resolve",
+                              .shader = variantOf("resolve", target_.samples),
+                              .pushConstantBytes = sizeof(shared::RasterPush),
+                              .setLayouts = {imageLayout_.get()},
+                              .constants = {{.id = 0, .value = paintsWind ? 1u : 0u},
+                                            {.id = 1, .value = target_.samples}}}));
+}
+
+void RasterPass::resize(const Attachments& attachments)
+{
+    size_ = attachments.depth().extent();
+    visibility_ = gpu::Buffer(*context_, {.name = "frame/visibility",
+                                          .bytes = VkDeviceSize(size_.width) * size_.height *
+                                                   target_.samples * sizeof(std::uint64_t),
+                                          .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+    picture_ = gpu::Image(*context_, {.name = "frame/picture",
+                                      .format = pictureFormat,
+                                      .extent = size_,
+                                      .usage = VK_IMAGE_USAGE_STORAGE_BIT |
+                                               VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+    images_ = gpu::ImageSet(*context_, imageLayout_, "raster/pictures");
+    images_.setSampled(0, attachments.color().view(), sampler_.get());
+    images_.setSampled(1, attachments.depth().view(), sampler_.get());
+    images_.setStorage(0, picture_.view());
+    bytes_ = visibility_.bytes() + largeBlades_.bytes() + picture_.memoryBytes();
+}
+
+shared::RasterPush RasterPass::pushFor(const Input& input) const
+{
+    return {.frame = input.frame,
+            .judged = input.judged,
+            .visibility = visibility_.address(),
+            .large = largeBlades_.address(),
+            .owners = input.field->owners(),
+            .firstOwners = input.field->firstOwners(),
+            .size = {size_.width, size_.height},
+            .isBgr = isBgr(target_.colorFormat) ? 1u : 0u,
+            .reserved = 0};
+}
+
+void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input) const
+{
+    const shared::RasterPush push = pushFor(input);
+    // The frame before may still be looking at what begins anew.
+    gpu::computeToCompute(commands);
+    begin_.bind(commands);
+    images_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, begin_.layout());
+    begin_.push(commands, push);
+    vkCmdDispatch(commands, tilesFor(size_.width), tilesFor(size_.height), 1);
+    gpu::computeToCompute(commands);
+
+    blades_.bind(commands);
+    blades_.push(commands, push);
+    vkCmdDispatchIndirect(commands, input.field->draw().get(),
+                          offsetof(shared::DrawArguments, groups));
+    gpu::computeToCompute(commands);
+    large_.bind(commands);
+    large_.push(commands, push);
+    vkCmdDispatchIndirect(commands, largeBlades_.get(), 0);
+}
+
+void RasterPass::recordResolve(VkCommandBuffer commands, const Input& input, bool paintsWind) const
+{
+    const auto found = resolve_.find(paintsWind);
+    expect(found != resolve_.end(), "the resolve has been prepared");
+    gpu::computeToCompute(commands);
+    gpu::transition(commands, picture_, gpu::ImageUse::undefined, gpu::ImageUse::storage);
+    found->second.bind(commands);
+    images_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, found->second.layout());
+    found->second.push(commands, pushFor(input));
+    vkCmdDispatch(commands, tilesFor(size_.width), tilesFor(size_.height), 1);
+    gpu::transition(commands, picture_, gpu::ImageUse::storage, gpu::ImageUse::transferSource);
+}
+
+void RasterPass::copyTo(VkCommandBuffer commands, VkImage target) const
+{
+    const VkImageSubresourceLayers layers{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    const VkImageCopy region{layers, {}, layers, {}, {size_.width, size_.height, 1}};
+    vkCmdCopyImage(commands, picture_.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target,
+                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+}
+
+} // namespace sward::render
