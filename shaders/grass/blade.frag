@@ -8,14 +8,14 @@ layout(push_constant, scalar) uniform Block { ViewPush push; };
 #include "shaders/grass/blade_light.glsl"
 #include "shaders/shared/ribbon.h"
 
-layout(location = 0) in vec3 inPosition;
-layout(location = 1) in vec3 inTangent;
-layout(location = 2) in vec3 inAxis;
-layout(location = 3) in vec4 inPlace;
-layout(location = 4) in vec4 inRootColor;
-layout(location = 5) in vec4 inTipColor;
-layout(location = 6) in vec4 inMaterial;
-layout(location = 7) in vec4 inUp;
+layout(location = 0) centroid in vec3 inPosition;
+layout(location = 1) centroid in vec3 inTangent;
+layout(location = 2) centroid in vec3 inAxis;
+layout(location = 3) centroid in vec4 inPlace;
+layout(location = 4) centroid in vec4 inRootColor;
+layout(location = 5) centroid in vec4 inTipColor;
+layout(location = 6) centroid in vec4 inMaterial;
+layout(location = 7) centroid in vec4 inUp;
 layout(location = 8) flat in uint inBlade;
 
 layout(location = 0) out vec4 outColor;

@@ -17,14 +17,14 @@ layout(location = 5) patch in vec4 inRootColor;
 layout(location = 6) patch in vec4 inTipColor;
 layout(location = 7) patch in vec4 inMaterial;
 
-layout(location = 0) out vec3 outPosition;
-layout(location = 1) out vec3 outTangent;
-layout(location = 2) out vec3 outAxis;
-layout(location = 3) out vec4 outPlace; // −1 … 1 across, 0 … 1 along, [m] wide and drawn
-layout(location = 4) out vec4 outRootColor;
-layout(location = 5) out vec4 outTipColor;
-layout(location = 6) out vec4 outMaterial;
-layout(location = 7) out vec4 outUp; // and the fold
+layout(location = 0) centroid out vec3 outPosition;
+layout(location = 1) centroid out vec3 outTangent;
+layout(location = 2) centroid out vec3 outAxis;
+layout(location = 3) centroid out vec4 outPlace; // −1 … 1 across, 0 … 1 along, [m] wide and drawn
+layout(location = 4) centroid out vec4 outRootColor;
+layout(location = 5) centroid out vec4 outTipColor;
+layout(location = 6) centroid out vec4 outMaterial;
+layout(location = 7) centroid out vec4 outUp; // and the fold
 layout(location = 8) flat out uint outBlade;
 
 void main()
@@ -38,7 +38,9 @@ void main()
     ribbon.fold = inV2.w;
     ribbon.outline = Outline(inWhich.x, inV1.w, float(inWhich.y), inAxis.w);
 
-    const float u = gl_TessCoord.x;
+    // A quad of several rows always has a column of vertices in its middle. Where no fold needs it
+    // they fall on the right edge, and what is right of them vanishes: two triangles a row.
+    const float u = ribbon.fold > 0.0 || gl_TessCoord.x == 0.0 ? gl_TessCoord.x : 1.0;
     const Rib rib = ribAt(ribbon, gl_TessCoord.y, FRAME.eye, FRAME.leastWidth);
     outPosition = u < 0.5 ? mix(rib.left, rib.ridge, 2.0 * u) : mix(rib.ridge, rib.right, 2.0 * u - 1.0);
     outTangent = rib.tangent;

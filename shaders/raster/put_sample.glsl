@@ -5,12 +5,11 @@
 #include "shaders/raster/visibility.glsl"
 #include "shaders/shared/ribbon.h"
 
-/// Whether sample `s` is among those that a place keeps where the blade is `weight.x` wide and drawn
-/// `weight.y` wide.
-bool keepsSample(vec2 weight, uint blade, uint s)
+/// The samples that a place keeps, as bits, where the blade is `weight.x` wide and drawn `weight.y`
+/// wide.
+uint samplesKept(vec2 weight, uint blade)
 {
-    const uint bits = keptSamples(weight.x / max(weight.y, 1e-12), blade, samplesPerPixel);
-    return (bits & (1u << s)) != 0u;
+    return keptSamples(weight.x / max(weight.y, 1e-12), blade, samplesPerPixel);
 }
 
 void putSample(uvec2 pixel, uint s, float depth, uint blade)

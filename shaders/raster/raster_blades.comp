@@ -23,29 +23,29 @@ bool leftToGroups(uint place)
     return true;
 }
 
-void rasterise(uint place)
+void rasterise(Lens lens, uint place)
 {
     const VisibleBlade visible = FRAME.visible.at[place];
     const Ribbon ribbon = drawnBlade(visible).ribbon;
     const float widthPixels = max(visible.pixels * ribbon.width / max(length(ribbon.v1 - ribbon.v0), 1e-6),
-                                  FRAME.leastWidth * FRAME.pixelsPerUnit);
+                                  lens.leastWidth * FRAME.pixelsPerUnit);
     if (visible.pixels * widthPixels > largeBladePixels && leftToGroups(place))
         return;
 
-    ScreenRib before = screenRib(ribAt(ribbon, 0.0, FRAME.eye, FRAME.leastWidth));
+    ScreenRib before = screenRib(lens, ribbon, 0.0);
     for (float i = 1.0; i <= ribbon.outline.segments; i += 1.0) {
-        const ScreenRib after = screenRib(
-            ribAt(ribbon, i / ribbon.outline.segments, FRAME.eye, FRAME.leastWidth));
+        const ScreenRib after = screenRib(lens, ribbon, i / ribbon.outline.segments);
         // What this thread has drawn already will be drawn again, the same.
         if (!(before.isWhole && after.isWhole)) {
             leftToGroups(place);
             return;
         }
+        const bool isUpper = upperHalf(i, ribbon.outline.segments);
         if (ribbon.fold > 0.0) {
-            smallQuad(before.left, before.ridge, after.left, after.ridge, before.weight, after.weight, visible.blade);
-            smallQuad(before.ridge, before.right, after.ridge, after.right, before.weight, after.weight, visible.blade);
+            smallQuad(before.left, before.ridge, after.left, after.ridge, before.weight, after.weight, isUpper, visible.blade);
+            smallQuad(before.ridge, before.right, after.ridge, after.right, before.weight, after.weight, isUpper, visible.blade);
         } else {
-            smallQuad(before.left, before.right, after.left, after.right, before.weight, after.weight, visible.blade);
+            smallQuad(before.left, before.right, after.left, after.right, before.weight, after.weight, isUpper, visible.blade);
         }
         before = after;
     }
@@ -54,7 +54,8 @@ void rasterise(uint place)
 void main()
 {
     const uint count = min(FRAME.draw.at[0].fates[fateDrawn], FRAME.visibleCapacity);
+    const Lens lens = lensOf();
     for (uint place = gl_GlobalInvocationID.x; place < count;
          place += gl_NumWorkGroups.x * rasterThreads)
-        rasterise(place);
+        rasterise(lens, place);
 }

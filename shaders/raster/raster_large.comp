@@ -39,44 +39,56 @@ void largeTriangle(vec4 a, vec4 b, vec4 c, vec2 weightA, vec2 weightB, vec2 weig
     const uint pixels = columns * uint(last.y - first.y + 1);
     for (uint i = gl_LocalInvocationIndex; i < pixels; i += rasterThreads) {
         const uvec2 pixel = uvec2(first) + uvec2(i % columns, i / columns);
+        uint covered = 0u;
+        float depths[samplesPerPixel];
         for (uint s = 0u; s < samplesPerPixel; ++s) {
             const SeenPoint seen = seenAt(a, b, c, vec2(pixel) + samplePlace(s));
-            if (seen.least < 0.0 || seen.depth > 1.0)
-                continue;
-            const vec2 weight = seen.shares.x * weightA + seen.shares.y * weightB + seen.shares.z * weightC;
-            if (keepsSample(weight, blade, s))
-                putSample(pixel, s, seen.depth, blade);
+            depths[s] = seen.depth;
+            if (seen.least >= 0.0 && seen.depth <= 1.0)
+                covered |= 1u << s;
         }
+        if (covered == 0u)
+            continue;
+        const vec3 by = seenAt(a, b, c, vec2(pixel) + shadedPlace(covered)).shares;
+        covered &= samplesKept(by.x * weightA + by.y * weightB + by.z * weightC, blade);
+        for (uint s = 0u; s < samplesPerPixel; ++s)
+            if ((covered & (1u << s)) != 0u)
+                putSample(pixel, s, depths[s], blade);
     }
 }
 
-void largeQuad(vec3 a, vec3 b, vec3 c, vec3 d, Rib before, Rib after, uint blade)
+void largeQuad(vec4 a, vec4 b, vec4 c, vec4 d, Rib before, Rib after, bool isUpper, uint blade)
 {
-    const vec4 seenA = seenPoint(a);
-    const vec4 seenD = seenPoint(d);
     const vec2 weightBefore = vec2(before.wide, before.drawn);
     const vec2 weightAfter = vec2(after.wide, after.drawn);
-    largeTriangle(seenA, seenPoint(b), seenD, weightBefore, weightBefore, weightAfter, blade);
-    largeTriangle(seenA, seenD, seenPoint(c), weightBefore, weightAfter, weightAfter, blade);
+    if (isUpper) {
+        largeTriangle(a, b, c, weightBefore, weightBefore, weightAfter, blade);
+        largeTriangle(b, d, c, weightBefore, weightAfter, weightAfter, blade);
+        return;
+    }
+    largeTriangle(a, b, d, weightBefore, weightBefore, weightAfter, blade);
+    largeTriangle(a, d, c, weightBefore, weightAfter, weightAfter, blade);
 }
 
 void main()
 {
     UintArray large = push.large;
     const uint count = large.at[0];
+    const Lens lens = lensOf();
     for (uint i = gl_WorkGroupID.x; i < count; i += gl_NumWorkGroups.x) {
         const VisibleBlade visible = FRAME.visible.at[large.at[largePlaces + i]];
         const Ribbon ribbon = drawnBlade(visible).ribbon;
-        Rib before = ribAt(ribbon, 0.0, FRAME.eye, FRAME.leastWidth);
+        SeenRib a = seenRib(lens, ribbon, 0.0);
         for (float k = 1.0; k <= ribbon.outline.segments; k += 1.0) {
-            const Rib after = ribAt(ribbon, k / ribbon.outline.segments, FRAME.eye, FRAME.leastWidth);
+            const SeenRib b = seenRib(lens, ribbon, k / ribbon.outline.segments);
+            const bool isUpper = upperHalf(k, ribbon.outline.segments);
             if (ribbon.fold > 0.0) {
-                largeQuad(before.left, before.ridge, after.left, after.ridge, before, after, visible.blade);
-                largeQuad(before.ridge, before.right, after.ridge, after.right, before, after, visible.blade);
+                largeQuad(a.left, a.ridge, b.left, b.ridge, a.rib, b.rib, isUpper, visible.blade);
+                largeQuad(a.ridge, a.right, b.ridge, b.right, a.rib, b.rib, isUpper, visible.blade);
             } else {
-                largeQuad(before.left, before.right, after.left, after.right, before, after, visible.blade);
+                largeQuad(a.left, a.right, b.left, b.right, a.rib, b.rib, isUpper, visible.blade);
             }
-            before = after;
+            a = b;
         }
     }
 }

@@ -28,88 +28,85 @@ VisibleBlade visibleBlade(uint blade)
     return visible;
 }
 
-/// The best guess so far at which point of a ribbon is seen.
-struct Found {
-    float error;
+/// A corner of a ribbon's triangle.
+struct Corner {
     vec3 position;
-    vec3 tangent;
+    vec4 seen;
     vec2 place; ///< −1 … 1 across, 0 … 1 along
 };
 
-void look(vec3 a, vec3 b, vec3 c, vec4 seenA, vec4 seenB, vec4 seenC, vec2 placeA, vec2 placeB,
-          vec2 placeC, vec3 tangentBefore, vec3 tangentAfter, vec2 alongs, vec2 pixel, float depth,
-          inout Found found)
+/// The best guess so far at which triangle of a ribbon is seen.
+struct Found {
+    float error;
+    Corner a, b, c;
+};
+
+void look(Corner a, Corner b, Corner c, vec2 pixel, float depth, inout Found found)
 {
-    const SeenPoint seen = seenAt(seenA, seenB, seenC, pixel);
+    const SeenPoint seen = seenAt(a.seen, b.seen, c.seen, pixel);
     // A sample may lie just outside by rounding; between triangles that both hold it depth decides.
     const float error = max(-seen.least, 0.0) + abs(seen.depth / depth - 1.0);
-    if (!(error < found.error))
-        return;
-    const vec3 shares = max(seen.shares, vec3(0.0)) / max(dot(max(seen.shares, vec3(0.0)), vec3(1.0)), 1e-6);
-    found.error = error;
-    found.position = shares.x * a + shares.y * b + shares.z * c;
-    found.place = shares.x * placeA + shares.y * placeB + shares.z * placeC;
-    const float t = (found.place.y - alongs.x) / (alongs.y - alongs.x);
-    found.tangent = mix(tangentBefore, tangentAfter, t);
+    if (error < found.error)
+        found = Found(error, a, b, c);
 }
 
-void lookQuad(Rib before, Rib after, vec3 a, vec3 b, vec3 c, vec3 d, vec2 across, vec2 alongs, vec2 pixel,
-              float depth, inout Found found)
+void lookQuad(Corner a, Corner b, Corner c, Corner d, bool isUpper, vec2 pixel, float depth, inout Found found)
 {
-    const vec4 seenA = seenPoint(a);
-    const vec4 seenB = seenPoint(b);
-    const vec4 seenC = seenPoint(c);
-    const vec4 seenD = seenPoint(d);
-    const vec2 placeA = vec2(across.x, alongs.x);
-    const vec2 placeB = vec2(across.y, alongs.x);
-    const vec2 placeC = vec2(across.x, alongs.y);
-    const vec2 placeD = vec2(across.y, alongs.y);
-    look(a, b, d, seenA, seenB, seenD, placeA, placeB, placeD, before.tangent, after.tangent, alongs, pixel,
-         depth, found);
-    look(a, d, c, seenA, seenD, seenC, placeA, placeD, placeC, before.tangent, after.tangent, alongs, pixel,
-         depth, found);
+    look(a, b, isUpper ? c : d, pixel, depth, found);
+    look(isUpper ? b : a, d, c, pixel, depth, found);
 }
 
 /// Which point of a ribbon is seen at `pixel` [pixels] and `depth`.
-Found find(Ribbon ribbon, vec2 pixel, float depth)
+Found find(Lens lens, Ribbon ribbon, vec2 pixel, float depth)
 {
     Found found;
     found.error = 1e30;
-    found.position = ribbon.v0;
-    found.tangent = ribbon.v1 - ribbon.v0;
-    found.place = vec2(0.0);
     const float segments = ribbon.outline.segments;
-    Rib before = ribAt(ribbon, 0.0, FRAME.eye, FRAME.leastWidth);
+    SeenRib before = seenRib(lens, ribbon, 0.0);
     for (float i = 1.0; i <= segments; i += 1.0) {
-        const Rib after = ribAt(ribbon, i / segments, FRAME.eye, FRAME.leastWidth);
-        const vec2 alongs = vec2(i - 1.0, i) / segments;
+        const SeenRib after = seenRib(lens, ribbon, i / segments);
+        const float low = (i - 1.0) / segments;
+        const float high = i / segments;
+        const bool isUpper = upperHalf(i, segments);
+        const Corner a = Corner(before.rib.left, before.left, vec2(-1.0, low));
+        const Corner b = Corner(before.rib.right, before.right, vec2(1.0, low));
+        const Corner c = Corner(after.rib.left, after.left, vec2(-1.0, high));
+        const Corner d = Corner(after.rib.right, after.right, vec2(1.0, high));
         if (ribbon.fold > 0.0) {
-            lookQuad(before, after, before.left, before.ridge, after.left, after.ridge, vec2(-1.0, 0.0), alongs,
-                     pixel, depth, found);
-            lookQuad(before, after, before.ridge, before.right, after.ridge, after.right, vec2(0.0, 1.0), alongs,
-                     pixel, depth, found);
+            const Corner e = Corner(before.rib.ridge, before.ridge, vec2(0.0, low));
+            const Corner f = Corner(after.rib.ridge, after.ridge, vec2(0.0, high));
+            lookQuad(a, e, c, f, isUpper, pixel, depth, found);
+            lookQuad(e, b, f, d, isUpper, pixel, depth, found);
         } else {
-            lookQuad(before, after, before.left, before.right, after.left, after.right, vec2(-1.0, 1.0), alongs,
-                     pixel, depth, found);
+            lookQuad(a, b, c, d, isUpper, pixel, depth, found);
         }
         before = after;
     }
     return found;
 }
 
-vec3 shade(uint blade, vec2 pixel, float depth)
+/// What the film sees of a blade at sample `s` of a pixel.
+vec3 shade(Lens lens, uint blade, vec2 pixel, uint s, float depth)
 {
     const VisibleBlade visible = visibleBlade(blade);
     const DrawnBlade drawn = drawnBlade(visible);
     const BladeSurface surface = bladeSurface(drawn, visible);
-    const Found found = find(drawn.ribbon, pixel, depth);
+    const Found found = find(lens, drawn.ribbon, pixel + samplePlace(s), depth);
+    uint covered = 1u << s;
+    for (uint other = 0u; other < samplesPerPixel; ++other)
+        if (seenAt(found.a.seen, found.b.seen, found.c.seen, pixel + samplePlace(other)).least >= 0.0)
+            covered |= 1u << other;
+    const SeenPoint seen = seenAt(found.a.seen, found.b.seen, found.c.seen, pixel + shadedPlace(covered));
+    const vec3 inside = max(seen.shares, vec3(0.0));
+    const vec3 shares = inside / max(inside.x + inside.y + inside.z, 1e-6);
     BladePoint point;
-    point.position = found.position;
-    point.tangent = found.tangent;
+    point.position = shares.x * found.a.position + shares.y * found.b.position + shares.z * found.c.position;
+    point.place = shares.x * found.a.place + shares.y * found.b.place + shares.z * found.c.place;
+    const vec3 tangent = bezierTangent(drawn.ribbon.v0, drawn.ribbon.v1, drawn.ribbon.v2, point.place.y);
+    point.tangent = normalize(dot(tangent, tangent) > 1e-18 ? tangent : drawn.ribbon.v1 - drawn.ribbon.v0);
     point.axis = drawn.ribbon.axis;
     point.up = normalize(drawn.ribbon.v1 - drawn.ribbon.v0);
     point.fold = drawn.ribbon.fold;
-    point.place = found.place;
     point.rootColor = surface.root;
     point.tipColor = surface.tip;
     point.material = surface.material;
@@ -135,6 +132,7 @@ void main()
         depths[s] = uintBitsToFloat(uint(seen >> 32u));
     }
 
+    const Lens lens = lensOf();
     vec3 sum = vec3(0.0);
     for (uint s = 0u; s < samplesPerPixel; ++s) {
         if (blades[s] == 0u) {
@@ -150,7 +148,7 @@ void main()
         float count = 0.0;
         for (uint other = s; other < samplesPerPixel; ++other)
             count += blades[other] == blades[s] ? 1.0 : 0.0;
-        sum += count * shade(blades[s] - 1u, vec2(pixel) + samplePlace(s), depths[s]);
+        sum += count * shade(lens, blades[s] - 1u, vec2(pixel), s, depths[s]);
     }
     const vec3 color = encodeSrgb(sum / float(samplesPerPixel));
     imageStore(picture, ivec2(pixel), vec4(push.isBgr != 0u ? color.bgr : color, 1.0));

@@ -7,10 +7,30 @@
 #include "shaders/shared/ribbon.h"
 
 /// Pixels times w, pixels times w, reversed depth times w, w.
-vec4 seenPoint(vec3 position)
+vec4 seenPoint(Lens lens, vec3 position)
 {
-    const vec4 clip = FRAME.viewProjection * vec4(position, 1.0);
-    return vec4((0.5 * clip.xy + 0.5 * clip.w) * vec2(push.size), clip.z, clip.w);
+    const vec4 clip = lens.viewProjection * vec4(position, 1.0);
+    return vec4((0.5 * clip.xy + 0.5 * clip.w) * lens.size, clip.z, clip.w);
+}
+
+/// A rib as the view sees it.
+struct SeenRib {
+    Rib rib;
+    vec4 left;
+    vec4 right;
+    vec4 ridge;
+};
+
+SeenRib seenRib(Lens lens, Ribbon ribbon, float t)
+{
+    SeenRib seen;
+    seen.rib = ribAt(ribbon, t, lens.eye, lens.leastWidth);
+    seen.left = seenPoint(lens, seen.rib.left);
+    seen.right = seenPoint(lens, seen.rib.right);
+    seen.ridge = vec4(0.0);
+    if (ribbon.fold > 0.0)
+        seen.ridge = seenPoint(lens, seen.rib.ridge);
+    return seen;
 }
 
 /// A point of a triangle that is seen at some place.

@@ -30,6 +30,34 @@ vec2 samplePlace(uint s)
     return samplesPerPixel == 1u ? vec2(0.5) : fourPlaces[s];
 }
 
+/// Where in a pixel a triangle is shaded that covers some of its samples: in the middle if it covers
+/// them all, else at the first, as by a GPU's centroid interpolation.
+vec2 shadedPlace(uint covered)
+{
+    return covered == (1u << samplesPerPixel) - 1u ? vec2(0.5) : samplePlace(uint(findLSB(covered)));
+}
+
+/// Whether row `i` (1 … segments) of a blade belongs to the half towards the tip. Tessellators halve
+/// the quads there by the other diagonal; where ribs are not parallel that shows in what is
+/// interpolated.
+bool upperHalf(float i, float segments)
+{
+    return 2.0 * i > segments;
+}
+
+/// What of a frame decides where things are seen; read once.
+struct Lens {
+    mat4 viewProjection;
+    vec3 eye;
+    float leastWidth;
+    vec2 size; ///< [pixels]
+};
+
+Lens lensOf()
+{
+    return Lens(FRAME.viewProjection, FRAME.eye, FRAME.leastWidth, vec2(push.size));
+}
+
 uint sampleIndex(uvec2 pixel, uint s)
 {
     return (pixel.y * push.size.x + pixel.x) * samplesPerPixel + s;

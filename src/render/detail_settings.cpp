@@ -13,6 +13,15 @@ constexpr std::size_t mostSteps = 4;
 constexpr int mostSegments = 64;
 constexpr int mostBuckets = 1'000'000;
 
+void readOptional(SettingsReader& reader, const char* key, double most, std::optional<float>& value)
+{
+    float read = 0.0f;
+    if (!reader.has(key))
+        return;
+    reader.read(key, read, 0.0, most);
+    value = read;
+}
+
 LevelStep readStep(SettingsReader& reader, const std::vector<LevelStep>& before)
 {
     LevelStep step;
@@ -37,7 +46,7 @@ void readCulling(SettingsReader reader, FrameSettings& settings)
     test("frustum", shared::cullFrustum);
     test("distance", shared::cullDistance);
     test("occlusion", shared::cullOcclusion);
-    reader.read("edge_on_cosine", settings.mostEdgeOn, 0.0, 1.0);
+    readOptional(reader, "edge_on_cosine", 1.0, settings.mostEdgeOn);
     reader.read("draw_distance", settings.nature.drawDistance, 1e-6, farthest);
     if (reader.has("buckets")) {
         SettingsReader buckets(reader.child("buckets"), reader.placeOf("buckets"));
@@ -59,15 +68,8 @@ void readLevels(SettingsReader reader, FrameSettings& settings)
     reader.read("segments", settings.tessellationLevel, 0, mostSegments);
     readList(reader, "steps", mostSteps, settings.levelSteps,
              [&](SettingsReader& one) { return readStep(one, settings.levelSteps); });
-    const auto distance = [&](const char* key, std::optional<float>& value) {
-        float read = 0.0f;
-        if (reader.has(key)) {
-            reader.read(key, read, 0.0, farthest);
-            value = read;
-        }
-    };
-    distance("move_every_frame", settings.pace.everyFrame);
-    distance("move_every_third", settings.pace.everyThird);
+    readOptional(reader, "move_every_frame", farthest, settings.pace.everyFrame);
+    readOptional(reader, "move_every_third", farthest, settings.pace.everyThird);
     reader.finish();
 }
 

@@ -101,7 +101,8 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
                            ? settings.leastPixels /
                                  (view.pixelsPerUnit * std::sqrt(static_cast<float>(samples)))
                            : 0.0f;
-    frame.mostEdgeOn = settings.mostEdgeOn;
+    frame.mostEdgeOn = settings.mostEdgeOn.value_or(
+        frame.leastWidth > 0.0f ? 1.0f : shared::paperEdgeOnCosine);
     frame.maxTessellation = 3;
     frame.fixedTessellation = static_cast<float>(settings.tessellationLevel);
 

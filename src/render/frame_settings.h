@@ -49,7 +49,9 @@ struct FrameSettings {
     float lodThreshold = 0.3f;  ///< [pixels], (0, 100]
     float leastPixels = 1.0f;   ///< [samples' distances] blades are drawn no narrower while
                                 ///< levelOfDetail is on; 0: as narrow as they are
-    float mostEdgeOn = 1.0f;    ///< cosine beyond which blades are cut as edge-on; 1: never
+    /// Cosine beyond which blades are cut as edge-on, 1: never. Not given: never while they are
+    /// drawn no narrower than leastPixels, which leaves nothing to cut; else the paper's.
+    std::optional<float> mostEdgeOn;
     int tessellationLevel =
         0; ///< segments along a blade, 1 to 64; 0: by size on the screen, at most 3
     std::vector<LevelStep> levelSteps; ///< at most 4, rising; empty: by size on the screen
