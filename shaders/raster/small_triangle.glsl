@@ -10,7 +10,7 @@ struct ScreenRib {
     vec3 left; ///< pixels, pixels, reversed depth
     vec3 right;
     vec3 ridge;
-    vec2 weight;  ///< Rib::wide, Rib::drawn
+    vec2 weight;  ///< Rib::wide, Rib::drawn, per w
     bool isWhole; ///< false: a part of it lies before the near plane
 };
 
@@ -36,7 +36,8 @@ ScreenRib screenRib(Lens lens, Ribbon ribbon, float t)
     screen.ridge = vec3(0.0);
     if (ribbon.fold > 0.0)
         screen.ridge = screenPoint(lens, rib.ridge, screen.isWhole);
-    screen.weight = vec2(rib.wide, rib.drawn);
+    // Divided by w, which is the same all across: so their ratio is right between ribs.
+    screen.weight = vec2(rib.wide, rib.drawn) / dot(transpose(lens.viewProjection)[3], vec4(rib.ridge, 1.0));
     return screen;
 }
 
