@@ -21,8 +21,8 @@ vec3 decodeSrgb(vec3 c)
     return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
 }
 
-/// Radiance of the sky towards unit `ray`, without the sun's disc: deep above, pale at the horizon,
-/// warm around the sun, and below the horizon the haze over far land.
+/// Radiance of the sky towards unit `ray`, without sun and clouds: deep above, pale at the horizon,
+/// warm on the side of a low sun, and below the horizon the haze over far land.
 vec3 skyRadiance(vec3 ray)
 {
     const float height = dot(ray, FRAME.skyUp);
@@ -30,10 +30,12 @@ vec3 skyRadiance(vec3 ray)
     const float low = 1.0 - smoothstep(0.0, 0.6, dot(FRAME.sunDirection, FRAME.skyUp));
 
     // Paler and warmer through more air; below the horizon haze, as over water.
-    const vec3 zenith = FRAME.skyColor * vec3(0.20, 0.34, 0.58);
-    const vec3 pale = FRAME.skyColor * mix(vec3(1.15, 1.02, 0.85), vec3(1.60, 1.12, 0.78), low);
-    vec3 color = mix(pale, zenith, 1.0 - exp(-3.0 * max(height, 0.0)));
-    const vec3 haze = mix(FRAME.skyColor * vec3(0.80, 0.72, 0.62), FRAME.groundColor, 0.2);
+    const float towards = 0.5 + 0.5 * dot(ray, FRAME.sunDirection);
+    const vec3 zenith = FRAME.skyColor * vec3(0.15, 0.30, 0.56);
+    const vec3 pale = FRAME.skyColor * mix(vec3(1.12, 1.02, 0.90), vec3(2.30, 1.30, 0.60),
+                                           low * towards * towards);
+    vec3 color = mix(pale, zenith, 1.0 - exp(-4.0 * max(height, 0.0)));
+    const vec3 haze = mix(0.85 * pale, FRAME.groundColor, 0.2);
     color = mix(color, haze, 1.0 - exp(-2.2 * max(-height, 0.0)));
 
     // Light scattered forward around the sun.
@@ -48,14 +50,36 @@ vec3 hemisphere(vec3 n)
     return mix(FRAME.groundColor, 1.25 * FRAME.skyColor, 0.5 + 0.5 * dot(n, FRAME.skyUp));
 }
 
+/// What leaves around throw on and let through, below `leafArea` of them: of the sun's light, with
+/// the sun at this cosine from the ground's normal and this share of it seen, and of the sky's. A
+/// leaf passes on a fifth of the green and less of other colours, half of that downwards, and the
+/// leaves below it take their share. Nothing without grass.
+vec3 lightAmongLeaves(float leafArea, float cosine, float sunShare)
+{
+    const vec3 passedOn = vec3(0.17, 0.20, 0.06);
+    const vec3 caught = FRAME.sunColor * (max(cosine, 0.0) * sunShare * (1.0 - sunBelow(leafArea, cosine))) +
+                        1.25 * FRAME.skyColor * (1.0 - skyBelow(leafArea));
+    return passedOn * caught * exp(-0.5 * leafExtinction * leafArea);
+}
+
+/// Share of the light that passes the air from the eye to `position`; the air thins with height.
+float clearBetween(vec3 position)
+{
+    const vec3 ray = position - FRAME.eye;
+    const float eye = FRAME.fogFalloff * (dot(FRAME.eye, FRAME.skyUp) - FRAME.fogBase);
+    const float rise = FRAME.fogFalloff * dot(ray, FRAME.skyUp);
+    // Mean of exp(−height) along the ray.
+    const float mean = abs(rise) > 1e-3 ? (1.0 - exp(-rise)) / rise : 1.0 - 0.5 * rise;
+    return exp(-FRAME.fogDensity * length(ray) * exp(-eye) * mean);
+}
+
 /// Puts air between the eye and something `position` (relative to the field's origin).
 vec3 throughAir(vec3 color, vec3 position)
 {
     const vec3 ray = position - FRAME.eye;
-    const float distance = length(ray);
-    const float clear = exp(-FRAME.fogDensity * distance);
+    const float clear = clearBetween(position);
     // The air is as bright as the sky just above the horizon behind it.
-    const vec3 direction = ray / max(distance, 1e-6);
+    const vec3 direction = ray / max(length(ray), 1e-6);
     const vec3 level = direction - FRAME.skyUp * (dot(direction, FRAME.skyUp) - 0.02);
     return mix(skyRadiance(normalize(level)), color, clear);
 }

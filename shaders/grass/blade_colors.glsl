@@ -25,10 +25,13 @@ BladeColors bladeColors(Blade blade, Species species, uint index)
     // Wide patches of drier and lusher growth, some metres across.
     const float meadow = 0.65 * valueNoise(blade.root / 2.3) + 0.35 * valueNoise(blade.root / 0.7);
 
+    // Whole slopes of the one or the other.
+    const float region = valueNoise(blade.root / 13.0 + 71.0);
+
     const float amount = species.colorVariation;
-    const float light = 1.0 + amount * (0.9 * (single - 0.5) + 0.6 * (clump - 0.5) + 0.5 * (meadow - 0.5));
+    const float light = 1.0 + amount * (0.9 * (single - 0.5) + 0.6 * (clump - 0.5) + 0.5 * (meadow - 0.5) + 0.4 * (region - 0.5));
     // Lush is bluer and darker, dry is yellower.
-    const float hue = amount * (0.7 * (clump - 0.5) + 0.5 * (other - 0.5) + 1.1 * (meadow - 0.5));
+    const float hue = amount * (0.7 * (clump - 0.5) + 0.5 * (other - 0.5) + 1.1 * (meadow - 0.5) + 1.2 * (region - 0.5));
     const vec3 shift = vec3(1.0 + 0.75 * hue, 1.0 + 0.10 * hue, 1.0 - 0.45 * hue);
 
     BladeColors colors;

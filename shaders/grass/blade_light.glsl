@@ -26,14 +26,16 @@ vec3 bladeNormal(BladePoint point, vec3 toEye, float distance)
     // Of a folded blade each half has its own normal; a flat one is rounded.
     n += (point.fold * sign(point.place.x)) * point.axis;
     n *= dot(n, toEye) < 0.0 ? -1.0 : 1.0;
-    n = normalize(n + (0.55 * (1.0 - point.fold) * point.place.x) * point.axis);
     const float smallness = smoothstep(4.0, 60.0, distance * 1000.0 / FRAME.pixelsPerUnit);
+    n = normalize(n + (0.55 * (1.0 - point.fold) * (1.0 - smallness) * point.place.x) * point.axis);
     return normalize(mix(n, point.up, 0.30 + 0.50 * smallness));
 }
 
 /// What the film sees of a point of a blade.
 vec3 bladePicture(BladePoint point)
 {
+    // Where a sample of a pixel is on the blade and its middle is not, the place lies beyond the rim.
+    point.place = clamp(point.place, vec2(-1.0, 0.0), vec2(1.0));
     const float along = point.place.y;
     const float openSky = point.material.x;
     const float translucency = point.material.y;
@@ -54,7 +56,8 @@ vec3 bladePicture(BladePoint point)
     const float sunlit = openSky * risen * sunBelow(leafArea, upright);
 
     // Sky and ground.
-    vec3 light = hemisphere(n) * (openSky * skyBelow(leafArea));
+    vec3 light = hemisphere(n) * (openSky * skyBelow(leafArea)) +
+                 openSky * lightAmongLeaves(leafArea, upright, risen);
     // Sun: diffuse, wrapped a little around the blade's edge, so that it sums to the same light.
     const float facing = dot(n, sun);
     const float diffuse = max((facing + 0.3) / 1.69, 0.0);
@@ -65,13 +68,13 @@ vec3 bladePicture(BladePoint point)
     const float behind = max(-facing, 0.0);
     const float towards = pow(max(-dot(toEye, sun), 0.0), 4.0);
     const vec3 through = albedo * vec3(1.25, 1.15, 0.45);
-    color += FRAME.sunColor * through * (translucency * sunlit * (0.5 * behind + 0.8 * towards));
+    color += FRAME.sunColor * through * (translucency * sunlit * (0.8 * behind + 0.9 * towards));
 
     // Soft gloss: a strand shines along its tangent (Kajiya & Kay 1989), in the upper half.
     const vec3 halfway = normalize(sun + toEye);
     const float strand = dot(point.tangent, halfway);
     const float shine = pow(max(1.0 - strand * strand, 0.0), 18.0);
-    const float fresnel = 0.04 + 0.5 * pow(1.0 - max(dot(n, toEye), 0.0), 5.0);
+    const float fresnel = 0.04 + 0.25 * pow(1.0 - max(dot(n, toEye), 0.0), 5.0);
     color += (gloss * sunlit * along * max(facing + 0.2, 0.0)) *
              (FRAME.sunColor * shine * 0.25 + FRAME.skyColor * fresnel);
 

@@ -6,6 +6,7 @@
 layout(push_constant, scalar) uniform Block { GroundPush push; };
 
 #include "shaders/lighting.glsl"
+#include "shaders/shared/noise.h"
 
 layout(set = 0, binding = 0) uniform sampler2D baseColor;
 
@@ -16,10 +17,29 @@ layout(location = 3) in vec4 inColor;
 
 layout(location = 0) out vec4 outColor;
 
+/// Grains and crumbs of the ground: how much brighter it is here than its colour, 1 on average, for
+/// as many sizes as a pixel of the picture can show.
+float grain(float pixel)
+{
+    float sum = 0.0;
+    float size = 0.32; // [m]
+    for (uint octave = 0u; octave < 4u; ++octave) {
+        const float shown = clamp(0.35 * size / pixel - 1.0, 0.0, 1.0);
+        if (shown <= 0.0)
+            break;
+        sum += shown * (valueNoise(inPosition / size + 17.0 * float(octave)) - 0.5);
+        size *= 0.37;
+    }
+    return 1.0 + 0.4 * sum;
+}
+
+/// Colour of what has fallen among the grass: last year's leaves, and this year's stems.
+const vec3 litterColor = vec3(0.135, 0.120, 0.048);
+
 void main()
 {
     const GroundMaterial material = push.materials.at[push.material];
-    const vec3 albedo = material.baseColor.rgb * texture(baseColor, inUv).rgb * inColor.rgb;
+    vec3 albedo = material.baseColor.rgb * texture(baseColor, inUv).rgb * inColor.rgb;
     const vec3 toEye = normalize(FRAME.eye - inPosition);
     vec3 n = normalize(inNormal);
     if ((material.flags & groundDoubleSided) != 0u && dot(n, toEye) < 0.0)
@@ -31,10 +51,11 @@ void main()
     const float farthest = FRAME.cover.farthest;
     const float grown = 1.0 - smoothstep(0.8 * farthest, farthest, distance);
     const float leafArea = leafAreaAt(FRAME.cover, inPosition) * grown;
-    float sunlit = facing * sunBelow(leafArea, facing);
-    if (facing > 0.0)
-        sunlit *= sunSeen(FRAME.shadow, inPosition, n);
-    vec3 color = albedo * (hemisphere(n) * skyBelow(leafArea) + FRAME.sunColor * sunlit);
+    albedo = mix(albedo, litterColor, 0.8 * (1.0 - exp(-0.7 * leafArea))) * grain(distance / FRAME.pixelsPerUnit);
+    const float seen = facing > 0.0 ? sunSeen(FRAME.shadow, inPosition, n) : 0.0;
+    const vec3 light = hemisphere(n) * skyBelow(leafArea) + lightAmongLeaves(leafArea, facing, seen) +
+                       FRAME.sunColor * (facing * seen * sunBelow(leafArea, facing));
+    vec3 color = albedo * light;
     if (FRAME.debugMode != 0u)
         color = vec3(0.35) * (0.5 + 0.5 * facing);
     else

@@ -83,14 +83,16 @@ struct Frame {
     float mostEdgeOn;        ///< cosine beyond which a blade is seen edge-on; 1: never
     float buckets;        ///< of the stepwise thinning, see bucketsKeep(); 0: off
     float bucketDistance; ///< [m]
-    uint reserved;
+    float clouds;         ///< [0, 1] share of the sky
     LevelSteps levelSteps;
     Pace pace;
 
     Cover cover;      ///< how much grass stands where
     SunShadow shadow; ///< what of the ground stands in the sun's light
+    float fogFalloff; ///< [1/m] the air thins upwards as exp(−falloff · height); 0: alike everywhere
+    float fogBase;    ///< [m] along skyUp, relative to the field's origin: where it has fogDensity
 };
-SHARED_LAYOUT(Frame, 672)
+SHARED_LAYOUT(Frame, 680)
 
 SHARED_BUFFER(FrameArray, Frame, readonly)
 

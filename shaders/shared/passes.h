@@ -73,6 +73,10 @@ struct RasterPush {
 };
 SHARED_LAYOUT(RasterPush, 64)
 
+/// A collider is drawn as so many quads around its axis, in so many rings from each pole.
+SHARED_CONST uint colliderSegments = 64u;
+SHARED_CONST uint colliderRings = 16u;
+
 struct ViewPush {
     FrameArray frame;
 };

@@ -10,6 +10,7 @@
 #include "render/attachments.h"
 #include "render/blade_dump.h"
 #include "render/blade_pass.h"
+#include "render/collider_pass.h"
 #include "render/depth_pyramid.h"
 #include "render/field_buffers.h"
 #include "render/frame.h"
@@ -127,6 +128,8 @@ struct FieldRenderer::Parts {
         BladePass blades;
     };
     std::unique_ptr<WindPaint> windPaint;
+    std::unique_ptr<ColliderPass> colliderPass; ///< once there have been colliders
+    std::uint32_t colliderCount = 0;            ///< in the frame that is being recorded
     FieldShape shape;
     std::vector<Slot> slots;
     UpdateCullPass::Variant variant; ///< for the frame that is being recorded
@@ -163,18 +166,22 @@ void FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameSettings& 
 {
     blades.describe(frame);
     cover.describe(frame);
-    sunShadow.describe(frame);
     if ((frame.cullMask & shared::cullOcclusion) != 0)
         pyramid.describe(frame);
     // Before the first frame nothing has moved.
     slots[slot].tables.write(shape, wishes, time, hasSettled ? lastTime : time, frame);
     lastTime = time;
     frame.pace.frame = frameNumber++;
+    sunShadow.describe(frame);
     std::memcpy(slots[slot].frame.mapped().data(), &frame, sizeof frame);
 
     // What is asked for the first time is made now.
     variant = {frame.nature.wind.counts, frame.nature.colliderCount > 0};
     updateCull.prepare(shaders, variant);
+    colliderCount = frame.nature.colliderCount;
+    if (colliderCount > 0 && colliderPass == nullptr)
+        colliderPass = std::make_unique<ColliderPass>(
+            context, shaders, TargetSettings{settings.colorFormat, settings.samples});
     if (wishes.debug == DebugMode::wind && windPaint == nullptr) {
         const TargetSettings target{settings.colorFormat, settings.samples, true};
         windPaint = std::make_unique<WindPaint>(
@@ -217,7 +224,8 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
     }
     parts.writeFrame(frameOf(parts.shape, view, settings, time, parts.settings.samples), settings,
                      time, slot);
-    parts.sunShadow.record(commands, parts.ground, parts.slots[slot].frame.address());
+    parts.sunShadow.record(commands, parts.ground, parts.slots[slot].frame.address(),
+                           parts.colliderPass.get());
 
     // The ground comes first: what it hides needs neither be moved nor drawn.
     parts.drawGround(commands, target, slot, timestamps);
@@ -267,6 +275,8 @@ void FieldRenderer::Parts::drawGround(VkCommandBuffer commands, const Target& ta
         const PassScope scope(context, commands, timestamps, "ground");
         (paintsWind ? windPaint->ground : groundPass)
             .record(commands, ground, slots[slot].frame.address());
+        if (colliderCount > 0)
+            colliderPass->record(commands, slots[slot].frame.address(), colliderCount);
     }
     // What the rasteriser's picture is made of is complete before it; else the sky comes last,
     // where least of it is left to see.
@@ -391,13 +401,15 @@ const char* FieldRenderer::geometryReason() const
     if (parts.settings.geometry != Geometry::automatic)
         return "asked for";
     const char* obstacle = obstacleToRaster(parts.context, parts.settings.colorFormat);
-    return obstacle == nullptr ? "compute shaders draw blades faster than the tessellator" : obstacle;
+    return obstacle == nullptr ? "compute shaders draw blades faster than the tessellator"
+                               : obstacle;
 }
 
 std::size_t FieldRenderer::deviceBytes() const
 {
     return parts_->blades.bytes() + parts_->ground.bytes() + parts_->cover.bytes() +
-           parts_->sunShadow.bytes() + parts_->pyramid.bytes() + (parts_->raster ? parts_->raster->bytes() : 0) + parts_->attachments.bytes() +
+           parts_->sunShadow.bytes() + parts_->pyramid.bytes() +
+           (parts_->raster ? parts_->raster->bytes() : 0) + parts_->attachments.bytes() +
            parts_->slots.size() *
                (sizeof(shared::Frame) + sizeof(shared::DrawArguments) + FrameTables::bytes());
 }

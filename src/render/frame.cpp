@@ -1,5 +1,6 @@
 #include "render/frame.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -65,6 +66,12 @@ shared::Pace paceOf(const FrameSettings& settings, const FieldShape& field, floa
     return pace;
 }
 
+/// The least extent of a box along a unit vector, over its corners.
+float lowestAlong(const Aabb& box, glm::vec3 axis)
+{
+    return glm::dot(box.centre(), axis) - 0.5f * glm::dot(glm::abs(axis), box.size());
+}
+
 /// The sky is where things do not fall to, seen from `eye`.
 glm::vec3 skyUpOf(const shared::Gravity& gravity, glm::vec3 eye)
 {
@@ -115,8 +122,13 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     frame.skyColor = settings.skyColor;
     frame.groundColor = settings.groundColor;
     frame.skyUp = skyUpOf(frame.nature.gravity, view.eye);
+    if (settings.skyUp)
+        frame.skyUp = unitOr(*settings.skyUp, frame.skyUp);
     frame.exposure = settings.exposure;
     frame.fogDensity = settings.fogDensity >= 0.0f ? settings.fogDensity : chosenFog(field.content);
+    frame.fogFalloff = settings.fogHeight > 0.0f ? 1.0f / settings.fogHeight : 0.0f;
+    frame.fogBase = field.content.isEmpty() ? 0.0f : lowestAlong(field.content, frame.skyUp);
+    frame.clouds = settings.clouds;
     frame.debugMode = static_cast<std::uint32_t>(settings.debug);
     frame.samples = samples;
     return frame;

@@ -67,6 +67,9 @@ struct FrameSettings {
     glm::vec3 groundColor{0.20f, 0.23f, 0.11f}; ///< linear radiance from below: grass in the sun
     float exposure = 1.0f;
     float fogDensity = -1.0f; ///< [1/m]; below 0: chosen from the field's size
+    float fogHeight = 0.0f;   ///< [m] above the lowest ground where 1/e of it is left; 0: nowhere
+    float clouds = 0.35f;     ///< [0, 1] share of the sky
+    std::optional<glm::vec3> skyUp; ///< where the sky is; unset: where things do not fall to
 
     /// Settings that start from what is saved in the field.
     static FrameSettings of(const field::FieldView& field)

@@ -3,6 +3,7 @@
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
 #include "render/detail_settings.h"
+#include "render/look_settings.h"
 #include "render/nature_settings.h"
 
 #include <nlohmann/json.hpp>
@@ -27,6 +28,7 @@ void readSettings(const std::filesystem::path& path, FrameSettings& settings)
     reader.read("about", about);
     readNature(reader, settings);
     readDetail(reader, settings);
+    readLook(reader, settings);
     reader.finish();
 }
 

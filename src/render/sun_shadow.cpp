@@ -80,16 +80,19 @@ SunShadowPass::SunShadowPass(const gpu::DeviceContext& context, const gpu::Shade
 void SunShadowPass::describe(shared::Frame& frame)
 {
     sun_ = frame.sunDirection;
+    colliderCount_ = frame.nature.colliderCount;
     frame.shadow = sunShadowOf(ground_, frame.sunDirection, sunShadowSize);
     frame.shadow.depths.address = depths_.address();
 }
 
 void SunShadowPass::record(VkCommandBuffer commands, const GroundBuffers& ground,
-                           VkDeviceAddress frame)
+                           VkDeviceAddress frame, const ColliderPass* colliders)
 {
-    if (ground_.isEmpty() || sun_ == drawn_)
+    // Colliders may move from frame to frame.
+    if (ground_.isEmpty() || (sun_ == drawn_ && colliderCount_ == 0 && !hasColliders_))
         return;
     drawn_ = sun_;
+    hasColliders_ = colliderCount_ > 0;
 
     gpu::transition(commands, map_, gpu::ImageUse::undefined, gpu::ImageUse::depthTarget);
     {
@@ -101,6 +104,8 @@ void SunShadowPass::record(VkCommandBuffer commands, const GroundBuffers& ground
                        shared::GroundPush{frame, ground.vertices(), ground.materials(), 0, 0});
         for (const GroundBuffers::Part& part : ground.parts())
             vkCmdDrawIndexed(commands, part.indexCount, 1, part.firstIndex, 0, 0);
+        if (hasColliders_)
+            colliders->recordShadow(commands, frame, colliderCount_);
     }
 
     // Frames before may still be reading what is written anew.

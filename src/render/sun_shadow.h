@@ -6,6 +6,7 @@
 #include "gpu/graphics_pipeline.h"
 #include "gpu/image.h"
 #include "gpu/shader_library.h"
+#include "render/collider_pass.h"
 #include "render/ground_buffers.h"
 #include "shaders/shared/frame.h"
 
@@ -20,25 +21,30 @@ constexpr std::uint32_t sunShadowSize = 2048;
 /// for an empty box. The table is left out.
 shared::SunShadow sunShadowOf(const Aabb& ground, glm::vec3 sunDirection, std::uint32_t size);
 
-/// The shadow of the ground: drawn once, and again when the sun has moved.
+/// The shadow of the ground: drawn once, and again when the sun has moved; with those of colliders
+/// where there are any.
 class SunShadowPass {
 public:
     /// `ground` is the box of what casts shadows, relative to the field's origin.
     SunShadowPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
                   const Aabb& ground);
 
-    /// After the frame's sun is known.
+    /// After the frame's sun is known, and its colliders.
     void describe(shared::Frame& frame);
 
-    /// Draws the map for the frame described last, unless it is there; outside a rendering.
-    void record(VkCommandBuffer commands, const GroundBuffers& ground, VkDeviceAddress frame);
+    /// Draws the map for the frame described last, unless it is there; outside a rendering. A frame
+    /// with colliders needs `colliders`.
+    void record(VkCommandBuffer commands, const GroundBuffers& ground, VkDeviceAddress frame,
+                const ColliderPass* colliders);
 
     VkDeviceSize bytes() const { return map_.memoryBytes() + depths_.bytes(); }
 
 private:
     Aabb ground_;
-    glm::vec3 sun_{0.0f};   ///< of the frame described last
-    glm::vec3 drawn_{0.0f}; ///< of the map that is there
+    glm::vec3 sun_{0.0f};             ///< of the frame described last
+    glm::vec3 drawn_{0.0f};           ///< of the map that is there
+    std::uint32_t colliderCount_ = 0; ///< of the frame described last
+    bool hasColliders_ = false;       ///< whether the map that is there shows some
     gpu::Image map_;
     gpu::Buffer depths_; ///< the same where shaders read it by address
     gpu::GraphicsPipeline pipeline_;

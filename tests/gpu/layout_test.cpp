@@ -131,7 +131,8 @@ std::size_t fillValues(Values& v)
               f.lodWidth, f.cullMask, f.patchCount, f.bladeCount, f.visibleCapacity,
               f.maxTessellation, f.sunDirection, f.exposure, f.sunColor, f.debugMode, f.skyColor,
               f.fogDensity, f.groundColor, f.samples, f.skyUp, f.fixedTessellation, f.leastWidth,
-              f.mostEdgeOn, f.buckets, f.bucketDistance, f.reserved, f.levelSteps, f.pace, f.cover, f.shadow);
+              f.mostEdgeOn, f.buckets, f.bucketDistance, f.clouds, f.levelSteps, f.pace, f.cover,
+              f.shadow, f.fogFalloff, f.fogBase);
     n.fillAll(v.visible.blade, v.visible.patchIndex, v.visible.widthFactor, v.visible.pixels);
     n.fillAll(v.draw.vertexCount, v.draw.instanceCount, v.draw.firstVertex, v.draw.firstInstance,
               v.draw.simulated, v.draw.fates);

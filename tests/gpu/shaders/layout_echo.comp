@@ -191,7 +191,7 @@ void putFrame()
     put(FRAME.mostEdgeOn);
     put(FRAME.buckets);
     put(FRAME.bucketDistance);
-    put(FRAME.reserved);
+    put(FRAME.clouds);
     put(FRAME.levelSteps.distance);
     put(FRAME.levelSteps.segments);
     put(FRAME.levelSteps.count);
@@ -201,6 +201,8 @@ void putFrame()
     put(FRAME.pace.frame);
     put(FRAME.cover);
     put(FRAME.shadow);
+    put(FRAME.fogFalloff);
+    put(FRAME.fogBase);
 }
 
 void main()

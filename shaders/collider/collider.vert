@@ -1,0 +1,19 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// A corner of a ball or capsule.
+#include "shaders/collider/shape.glsl"
+
+layout(push_constant, scalar) uniform Block { ViewPush push; };
+#define FRAME push.frame.at[0]
+
+layout(location = 0) out vec3 outPosition;
+layout(location = 1) out vec3 outNormal;
+
+void main()
+{
+    const ColliderPoint point =
+        pointOfCollider(FRAME.nature.colliders.at[gl_InstanceIndex], uint(gl_VertexIndex));
+    outPosition = point.position;
+    outNormal = point.normal;
+    gl_Position = FRAME.viewProjection * vec4(point.position, 1.0);
+}

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/graphics_pipeline.h"
+#include "gpu/shader_library.h"
+#include "render/target_settings.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+
+namespace sward::render {
+
+/// Draws the balls and capsules that press the grass down, and their shadow.
+class ColliderPass {
+public:
+    ColliderPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                 const TargetSettings& target);
+
+    /// The frame's first `count` colliders. Inside a rendering, before what they hide.
+    void record(VkCommandBuffer commands, VkDeviceAddress frame, std::uint32_t count) const;
+
+    /// The same into the sun's map, inside its rendering.
+    void recordShadow(VkCommandBuffer commands, VkDeviceAddress frame, std::uint32_t count) const;
+
+private:
+    gpu::GraphicsPipeline seen_;
+    gpu::GraphicsPipeline shadow_;
+};
+
+} // namespace sward::render

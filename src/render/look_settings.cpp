@@ -1,0 +1,92 @@
+#include "render/look_settings.h"
+
+#include "core/error.h"
+#include "core/settings_json.h"
+
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sward::render {
+namespace {
+
+constexpr double brightest = 1000.0; ///< radiance; the sky's is about one
+constexpr double densest = 1000.0;   ///< [1/m] nothing is seen through a millimetre
+
+/// Share of light per air mass that clear air with a little haze takes away, as an exponent.
+constexpr glm::dvec3 extinction(0.08, 0.14, 0.26);
+
+double airMass(double elevation)
+{
+    // Defined down to the horizon.
+    const double above = std::max(elevation, 0.0);
+    return 1.0 / (std::sin(glm::radians(above)) + 0.50572 * std::pow(above + 6.07995, -1.6364));
+}
+
+double elevationOf(glm::vec3 direction)
+{
+    return glm::degrees(std::asin(glm::normalize(glm::dvec3(direction)).y));
+}
+
+double azimuthOf(glm::vec3 direction)
+{
+    const glm::dvec3 d(direction);
+    return glm::degrees(std::atan2(d.x, -d.z));
+}
+
+} // namespace
+
+glm::vec3 sunTowards(double azimuth, double elevation)
+{
+    const double a = glm::radians(azimuth);
+    const double e = glm::radians(elevation);
+    return glm::vec3(
+        glm::dvec3(std::sin(a) * std::cos(e), std::sin(e), -std::cos(a) * std::cos(e)));
+}
+
+glm::vec3 sunColorAt(double elevation)
+{
+    const FrameSettings usual;
+    const double more = airMass(elevation) - airMass(elevationOf(usual.sunDirection));
+    return glm::vec3(glm::dvec3(usual.sunColor) * glm::exp(-extinction * more));
+}
+
+void readLook(SettingsReader& reader, FrameSettings& settings)
+{
+    if (!reader.has("look"))
+        return;
+    SettingsReader look(reader.child("look"), reader.placeOf("look"));
+    if (look.has("sun")) {
+        SettingsReader sun(look.child("sun"), look.placeOf("sun"));
+        if (sun.has("azimuth") || sun.has("elevation")) {
+            double azimuth = azimuthOf(settings.sunDirection);
+            double elevation = elevationOf(settings.sunDirection);
+            sun.read("azimuth", azimuth, -360.0, 360.0);
+            sun.read("elevation", elevation, -90.0, 90.0);
+            settings.sunDirection = sunTowards(azimuth, elevation);
+            settings.sunColor = sunColorAt(elevation);
+        }
+        sun.read("color", settings.sunColor, 0.0, brightest);
+        sun.finish();
+    }
+    look.read("sky", settings.skyColor, 0.0, brightest);
+    look.read("ground", settings.groundColor, 0.0, brightest);
+    look.read("fog", settings.fogDensity, 0.0, densest);
+    look.read("fog_height", settings.fogHeight, 0.0, 1e6);
+    look.read("clouds", settings.clouds, 0.0, 1.0);
+    if (look.has("up")) {
+        glm::vec3 skyUp(0.0f);
+        look.read("up", skyUp, -1e6, 1e6);
+        if (!(glm::length(skyUp) > 1e-6f))
+            fail(ErrorKind::input, "{}: has no length", look.placeOf("up"));
+        settings.skyUp = skyUp;
+    }
+    look.read("exposure", settings.exposure, 1e-6, 1e6);
+    look.finish();
+}
+
+} // namespace sward::render

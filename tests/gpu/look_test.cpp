@@ -1,0 +1,280 @@
+// What the picture shows beside blades: colliders where they are, sun and air as the settings say,
+// and grass as bright as the reference at every distance.
+
+#include "picture.h"
+#include "render/look_settings.h"
+#include "support/fields/display_ground.h"
+#include "support/fields/fields.h"
+#include "support/gpu/gpu_fixture.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace sward::render {
+namespace {
+
+constexpr glm::uvec2 size(160, 90);
+
+struct Rgb {
+    int r, g, b;
+};
+
+Rgb at(const std::vector<std::byte>& pixels, std::uint32_t x, std::uint32_t y)
+{
+    const std::byte* const first = pixels.data() + 4 * (std::size_t(y) * size.x + x);
+    return {std::to_integer<int>(first[0]), std::to_integer<int>(first[1]),
+            std::to_integer<int>(first[2])};
+}
+
+/// Linear luminance of a pixel.
+double luminanceOf(Rgb color)
+{
+    const auto linear = [](int value) {
+        const double c = value / 255.0;
+        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b);
+}
+
+class LookTest : public test::GpuTest {
+protected:
+    struct Scene {
+        field::Field field;
+        FieldRenderer renderer;
+        FrameSettings settings;
+        Camera camera;
+
+        explicit Scene(field::Field made)
+            : field(std::move(made))
+            , renderer(device(), field::viewOf(field), {.geometry = Geometry::tessellation})
+            , settings(FrameSettings::of(field::viewOf(field)))
+        {
+            settings.fogDensity = 0.0f;
+        }
+    };
+
+    static field::Field bare(float extent)
+    {
+        field::Field field = test::emptyField();
+        field.ground = test::planeGround(extent);
+        return field;
+    }
+
+    std::vector<std::byte> draw(Scene& scene)
+    {
+        picture.draw(scene.renderer, scene.camera, scene.settings, 1.0);
+        return picture.pixels();
+    }
+
+    test::Picture picture{context(), size};
+};
+
+/// Bare ground seen from above, so that a metre is as wide everywhere.
+void lookDown(Camera& camera)
+{
+    camera.eye = {0.0, 40.0, 0.01};
+    camera.fovY = 14.0f;
+    camera.near = 1.0f;
+    camera.far = 60.0f;
+}
+
+TEST_F(LookTest, ColliderIsDrawnWhereItIs)
+{
+    Scene scene(bare(20.0f));
+    lookDown(scene.camera);
+    // The sun stands behind the eye: no shadow is seen.
+    scene.settings.sunDirection = {0.0f, 1.0f, 0.0f};
+    const auto before = draw(scene);
+    Collider ball;
+    ball.from = ball.to = {2.0, 0.5, -1.0};
+    ball.radius = 1.0;
+    Collider capsule;
+    capsule.from = {-4.0, 0.5, 1.0};
+    capsule.to = {-1.0, 0.5, 2.5};
+    capsule.radius = 0.5;
+    scene.settings.colliders = {ball, capsule};
+    const auto after = draw(scene);
+
+    const ViewMatrices view = viewMatrices(scene.camera, {}, size, {});
+    const glm::mat4 toWorld = glm::inverse(view.viewProjection);
+    int inside = 0;
+    for (std::uint32_t y = 0; y < size.y; ++y)
+        for (std::uint32_t x = 0; x < size.x; ++x) {
+            // How near the ray through the pixel comes to each collider's middle.
+            const glm::vec2 clip = 2.0f * (glm::vec2(x, y) + 0.5f) / glm::vec2(size) - 1.0f;
+            const glm::vec4 p = toWorld * glm::vec4(clip, 0.5f, 1.0f);
+            const glm::vec3 ray = glm::normalize(glm::vec3(p) / p.w - view.eye);
+            const glm::vec3 place = view.eye + ray * ((0.5f - view.eye.y) / ray.y);
+            const glm::vec2 spot(place.x, place.z);
+            const glm::vec2 a(-4.0f, 1.0f), b(-1.0f, 2.5f);
+            const float t =
+                glm::clamp(glm::dot(spot - a, b - a) / glm::dot(b - a, b - a), 0.0f, 1.0f);
+            const float outside = std::min(glm::distance(spot, glm::vec2(2.0f, -1.0f)) - 1.0f,
+                                           glm::distance(spot, a + t * (b - a)) - 0.5f);
+            const Rgb now = at(after, x, y);
+            const Rgb then = at(before, x, y);
+            // Not at the edge itself: a pixel is 0.11 m wide, and from 40 m the near side of a ball
+            // of one metre stands out by a fortieth.
+            if (outside < -0.12f) {
+                ++inside;
+                // Red, or so bright as the sun's spot on it.
+                ASSERT_TRUE(now.r > now.g + 40 || now.r > 235) << x << ", " << y;
+            } else if (outside > 0.15f) {
+                ASSERT_EQ(now.r, then.r) << x << ", " << y;
+                ASSERT_EQ(now.g, then.g) << x << ", " << y;
+            }
+        }
+    EXPECT_GT(inside, 300);
+
+    // It goes as it came, shadow and all.
+    scene.settings.colliders.clear();
+    EXPECT_EQ(test::differingPixels(draw(scene), before), 0u);
+}
+
+TEST_F(LookTest, ColliderShadesTheGroundAndTakesItsShadowWithIt)
+{
+    Scene scene(bare(20.0f));
+    lookDown(scene.camera);
+    scene.settings.sunDirection = {1.0f, 1.0f, 0.0f};
+    const auto before = draw(scene);
+    Collider ball;
+    ball.from = ball.to = {0.0, 2.0, 0.0};
+    ball.radius = 0.5;
+    ball.path = {{0.0, glm::dvec3(0.0)}, {1.0, glm::dvec3(0.0)}, {2.0, {0.0, 0.0, 3.0}}};
+    scene.settings.colliders = {ball};
+    const auto darkAt = [&](const std::vector<std::byte>& pixels, glm::vec3 place) {
+        const ViewMatrices view = viewMatrices(scene.camera, {}, size, {});
+        const glm::vec4 clip = view.viewProjection * glm::vec4(place, 1.0f);
+        const glm::uvec2 p((0.5f + 0.5f * glm::vec2(clip) / clip.w) * glm::vec2(size));
+        return luminanceOf(at(pixels, p.x, p.y)) < 0.7 * luminanceOf(at(before, p.x, p.y));
+    };
+    // Two metres up and the sun half risen: two metres to the left.
+    const auto first = draw(scene);
+    EXPECT_TRUE(darkAt(first, {-2.0f, 0.0f, 0.0f}));
+    EXPECT_FALSE(darkAt(first, {-2.0f, 0.0f, 3.0f}));
+    EXPECT_FALSE(darkAt(first, {2.0f, 0.0f, 0.0f}));
+    picture.draw(scene.renderer, scene.camera, scene.settings, 2.0);
+    const auto second = picture.pixels();
+    EXPECT_FALSE(darkAt(second, {-2.0f, 0.0f, 0.0f}));
+    EXPECT_TRUE(darkAt(second, {-2.0f, 0.0f, 3.0f}));
+}
+
+/// Mean linear luminance of the ground's and the grass's pixels in each of 8 bands of distance from
+/// the eye, which have as many rows of the picture each.
+std::array<double, 8> radialMeans(const std::vector<std::byte>& pixels, std::uint32_t horizon)
+{
+    std::array<double, 8> sums{};
+    for (std::size_t band = 0; band < sums.size(); ++band) {
+        const auto rows = (size.y - horizon) / static_cast<std::uint32_t>(sums.size());
+        const auto first = horizon + static_cast<std::uint32_t>(band) * rows;
+        for (std::uint32_t y = first; y < first + rows; ++y)
+            for (std::uint32_t x = 0; x < size.x; ++x)
+                sums[band] += luminanceOf(at(pixels, x, y)) / (rows * size.x);
+    }
+    return sums;
+}
+
+TEST_F(LookTest, GrassIsAsBrightAsTheReferenceAtEveryDistance)
+{
+    // Seen from its rim, so that the far end is at the draw distance of a field of 60 m.
+    Scene scene(test::makeField({.blades = 60'000,
+                                 .extent = 60.0f,
+                                 .heightLow = 0.3f,
+                                 .heightHigh = 0.6f,
+                                 .widthLow = 0.02f,
+                                 .widthHigh = 0.03f}));
+    scene.camera.eye = {0.0, 3.0, 29.0};
+    scene.camera.target = {0.0, 0.0, 15.0};
+    scene.camera.fovY = 40.0f;
+    const ViewMatrices view = viewMatrices(scene.camera, {}, size, {});
+    const glm::vec4 rim = view.viewProjection * glm::vec4(0.0f, 0.0f, -29.0f, 1.0f);
+    const auto horizon = static_cast<std::uint32_t>((0.5f + 0.5f * rim.y / rim.w) * size.y) + 1;
+
+    FrameSettings everything = scene.settings;
+    everything.cullMask = 0;
+    everything.levelOfDetail = false;
+    for (const double azimuth : {0.0, 180.0}) {
+        scene.settings.sunDirection = everything.sunDirection = sunTowards(azimuth, 30.0);
+        std::array<double, 8> wanted{};
+        constexpr int pictures = 4;
+        for (int i = 0; i < pictures; ++i) {
+            // Other places of the same field, so that single blades do not decide.
+            Camera camera = scene.camera;
+            camera.eye.x += 0.3 * i;
+            camera.target.x += 0.3 * i;
+            picture.draw(scene.renderer, camera, everything, 1.0);
+            const auto means = radialMeans(picture.pixels(), horizon);
+            for (std::size_t band = 0; band < wanted.size(); ++band)
+                wanted[band] += means[band] / pictures;
+        }
+        std::array<double, 8> found{};
+        for (int i = 0; i < pictures; ++i) {
+            Camera camera = scene.camera;
+            camera.eye.x += 0.3 * i;
+            camera.target.x += 0.3 * i;
+            picture.draw(scene.renderer, camera, scene.settings, 1.0);
+            const auto means = radialMeans(picture.pixels(), horizon);
+            for (std::size_t band = 0; band < found.size(); ++band)
+                found[band] += means[band] / pictures;
+        }
+        for (std::size_t band = 0; band < wanted.size(); ++band)
+            // At the rim, where one blade stands for thirteen, samples count for 3.6 % less.
+            EXPECT_NEAR(found[band] / wanted[band], 1.0, band == 0 ? 0.04 : 0.03)
+                << "band " << band << ", sun at " << azimuth;
+    }
+}
+
+TEST(Look, SunIsRedderAndWeakerTheLowerItStands)
+{
+    const FrameSettings usual;
+    const double own = glm::degrees(std::asin(glm::normalize(usual.sunDirection).y));
+    for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(sunColorAt(own)[c], usual.sunColor[c], 1e-5);
+    glm::vec3 before = sunColorAt(90.0);
+    for (double elevation = 85.0; elevation >= 0.0; elevation -= 5.0) {
+        const glm::vec3 now = sunColorAt(elevation);
+        for (std::size_t c = 0; c < 3; ++c)
+            EXPECT_LT(now[c], before[c]) << elevation;
+        EXPECT_GT(now.x / now.z, before.x / before.z) << elevation;
+        before = now;
+    }
+    // Below the horizon as at it.
+    EXPECT_EQ(sunColorAt(-20.0), sunColorAt(0.0));
+}
+
+TEST(Look, SunIsTurnedClockwiseFromNorth)
+{
+    const auto expectNear = [](glm::vec3 a, glm::vec3 b) { EXPECT_LT(glm::distance(a, b), 1e-6f); };
+    expectNear(sunTowards(0.0, 0.0), {0.0f, 0.0f, -1.0f});
+    expectNear(sunTowards(90.0, 0.0), {1.0f, 0.0f, 0.0f});
+    expectNear(sunTowards(37.0, 90.0), {0.0f, 1.0f, 0.0f});
+    for (double azimuth = 0.0; azimuth < 360.0; azimuth += 17.0)
+        EXPECT_NEAR(glm::length(sunTowards(azimuth, 0.2 * azimuth)), 1.0f, 1e-6f);
+}
+
+TEST_F(LookTest, AirThinsWithHeight)
+{
+    // From high above, what lies in a shallow haze is seen; along the ground it is not.
+    Scene scene(bare(400.0f));
+    scene.settings.fogDensity = 0.05f;
+    scene.settings.sunColor = glm::vec3(0.0f); // the ground is darker than the air
+    scene.camera.eye = {0.0, 100.0, 0.0};
+    scene.camera.target = {0.0, 0.0, 1.0};
+    scene.camera.far = 500.0f;
+    const Rgb thick = at(draw(scene), size.x / 2, size.y / 2);
+    scene.settings.fogHeight = 2.0f;
+    const Rgb shallow = at(draw(scene), size.x / 2, size.y / 2);
+    scene.settings.fogDensity = 0.0f;
+    const Rgb clear = at(draw(scene), size.x / 2, size.y / 2);
+    EXPECT_GT(luminanceOf(thick), 3.0 * luminanceOf(clear));
+    // A tenth of the light is lost in 0.05/m · 2 m.
+    EXPECT_LT(luminanceOf(shallow) - luminanceOf(clear),
+              0.2 * (luminanceOf(thick) - luminanceOf(clear)));
+    EXPECT_GT(luminanceOf(shallow), luminanceOf(clear));
+}
+
+} // namespace
+} // namespace sward::render
