@@ -1,0 +1,124 @@
+"""Settings of the look, and the scenes of the gallery."""
+
+import json
+import os
+import struct
+import subprocess
+import tempfile
+import unittest
+import zlib
+from pathlib import Path
+
+SWARD = os.environ["SWARD_PROGRAM"]
+VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
+ROOT = Path(__file__).resolve().parents[2]
+ENVIRONMENT = {name: value for name, value in os.environ.items()
+               if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+
+
+def mean_of(path):
+    """Mean red, green and blue of an 8-bit PNG whose rows may have any of the five filters."""
+    data = path.read_bytes()
+    width, height = struct.unpack(">II", data[16:24])
+    channels = {2: 3, 6: 4}[data[25]]
+    packed, at = b"", 8
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        if kind == b"IDAT":
+            packed += data[at + 8:at + 8 + length]
+        at += 12 + length
+    raw, stride = zlib.decompress(packed), width * channels
+    above, sums = bytearray(stride), [0, 0, 0]
+    for y in range(height):
+        start = y * (stride + 1)
+        kind, row = raw[start], bytearray(raw[start + 1:start + 1 + stride])
+        for i in range(stride):
+            left = row[i - channels] if i >= channels else 0
+            corner = above[i - channels] if i >= channels else 0
+            p = left + above[i] - corner
+            paeth = min((abs(p - left), 0, left), (abs(p - above[i]), 1, above[i]),
+                        (abs(p - corner), 2, corner))[2]
+            row[i] = (row[i] + (0, left, above[i], (left + above[i]) // 2, paeth)[kind]) & 255
+        for c in range(3):
+            sums[c] += sum(row[c::channels])
+        above = row
+    return [s / (width * height) for s in sums]
+
+
+class LookTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="sward-look-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.field = Path(folder.name) / "f.sward"
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="sward-look-")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def render(self, look, code=0):
+        if not self.field.exists():
+            subprocess.run([SWARD, "bake", "plane", "--count", "1500", "-o", self.field, "-q"], check=True)
+        (self.folder / "s.json").write_text(json.dumps({"look": look}), encoding="utf-8")
+        done = subprocess.run([VIEWER, "render", self.field, "-o", "p.png", "--size", "96x54", "--force", "--camera",
+                               "eye", "--settings", "s.json"], cwd=self.folder, env=ENVIRONMENT, text=True,
+                              capture_output=True)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return done.stderr if code else mean_of(self.folder / "p.png")
+
+    def test_sun_air_and_film_change_the_picture_as_they_should(self):
+        usual = self.render({"clouds": 0})
+        self.assertGreater(min(b - a for a, b in zip(usual, self.render({"clouds": 0, "exposure": 2}))), 10)
+        evening = self.render({"clouds": 0, "sun": {"azimuth": 180, "elevation": 4}})
+        self.assertLess(sum(evening), sum(usual))
+        self.assertGreater(self.render({"clouds": 1})[0], usual[0])
+        # Air without end: one colour, that of the sky near the horizon, whatever grows.
+        fog = self.render({"clouds": 0, "fog": 10})
+        self.assertGreater(fog[2], usual[2])
+        # A sky below: what was the horizon is haze.
+        self.assertNotEqual(self.render({"clouds": 0, "up": [0, -1, 0]}), usual)
+
+    def test_a_wrong_look_is_refused_by_name(self):
+        for look, says in (({"sun": {"altitude": 3}}, "altitude"), ({"clouds": 1.5}, "look: clouds"),
+                           ({"up": [0, 0, 0]}, "look: up"), ({"fogg": 1}, '"fogg"')):
+            with self.subTest(look=look):
+                self.assertIn(says, self.render(look, code=3))
+
+    def gallery(self, *arguments):
+        return subprocess.run([ROOT / "scripts" / "gallery", "--size", "96x54", "--out", self.folder / "out",
+                               "--fields", self.folder / "fields", *map(str, arguments)], text=True,
+                              env={**ENVIRONMENT, "SWARD_BUILD": str(Path(SWARD).parent.parent)},
+                              capture_output=True)
+
+    def test_every_scene_of_the_gallery_bakes_and_is_drawn(self):
+        names = {path.stem for path in (ROOT / "assets/scenes").glob("*.json") if ".camera" not in path.name}
+        self.assertGreaterEqual(len(names), 6)
+        done = self.gallery("--count", 300)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        drawn = [path for path in (self.folder / "out").iterdir() if path.suffix == ".jpg"]
+        self.assertEqual({path.stem.split("-")[0] for path in drawn}, names)
+        for path in drawn:
+            self.assertEqual(path.read_bytes()[:2], b"\xff\xd8")
+        # Each of them is in the repository, small enough to be loaded with its page, and README shows it.
+        readme = (ROOT / "README.md").read_text(encoding="utf-8")
+        for path in drawn:
+            kept = ROOT / "docs" / "gallery" / path.name
+            self.assertLessEqual(kept.stat().st_size, 400_000, path.name)
+            self.assertIn(f"docs/gallery/{path.name}", readme)
+
+    def test_the_gallery_bakes_again_only_what_has_changed(self):
+        self.assertEqual(self.gallery("--count", 200, "planet").returncode, 0)
+        field = self.folder / "fields" / "planet.sward"
+        first = field.stat().st_mtime_ns
+        self.assertEqual(self.gallery("--count", 200, "planet").returncode, 0)
+        self.assertEqual(field.stat().st_mtime_ns, first)
+        self.assertEqual(self.gallery("--count", 201, "planet").returncode, 0)
+        self.assertGreater(field.stat().st_mtime_ns, first)
+        wrong = self.gallery("plannet")
+        self.assertEqual(wrong.returncode, 1)
+        self.assertIn("planet", wrong.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
