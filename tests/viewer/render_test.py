@@ -162,7 +162,7 @@ class RenderTest(unittest.TestCase):
                 (["-o", "a.png", "--device", "no such device"], 1, "no such device"),
                 (["-o", "a.png", "--camera", "fitt"], 1, "fitt"),
                 (["-o", "a.png", "--camera", "./missing.json"], 2, "missing.json"),
-                (["-o", "a.png", "--geometry", "raster"], 5, "raster"),
+                (["-o", "a.png", "--geometry", "points"], 1, "points"),
                 (["-o", "a.png", "--debug", "reason"], 5, "reason")):
             with self.subTest(arguments=arguments):
                 self.refused(*arguments, code=code, says=says)
