@@ -4,6 +4,7 @@
 
 #include "shaders/grass/drawn_blade.glsl"
 #include "shaders/lighting.glsl"
+#include "shaders/shared/fate_color.h"
 #include "shaders/shared/noise.h"
 
 struct BladeColors {
@@ -63,6 +64,8 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible)
                          clamp(log2(max(visible.widthFactor, 1.0)) / 4.0, 0.0, 1.0));
     else if (FRAME.debugMode == 2u)
         colors.tip = colorOf(visible.patchIndex);
+    else if (FRAME.debugMode == debugReason)
+        colors.tip = fateColor(FRAME.fates.at[visible.blade]);
     if (paintsWind)
         colors.tip = colorOfWind(blade.root, blade.up);
     if (FRAME.debugMode != 0u)

@@ -72,7 +72,7 @@ struct Frame {
     vec3 sunDirection;    ///< unit, towards the sun
     float exposure;       ///< scale from radiance to the picture
     vec3 sunColor;        ///< linear radiance
-    uint debugMode;       ///< 0 none, 1 lod, 2 patches, 3 wind
+    uint debugMode;       ///< 0 none, 1 lod, 2 patches, 3 wind, 4 reason
     vec3 skyColor;        ///< linear radiance from above
     float fogDensity;     ///< [1/m]
     vec3 groundColor;     ///< linear radiance from below

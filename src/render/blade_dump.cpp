@@ -5,7 +5,9 @@
 #include "shaders/shared/frame.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace sward::render {
 namespace {
@@ -23,6 +25,19 @@ FieldRenderer::BladeRecord recordOf(const shared::Blade& blade, const shared::Bl
     record.up = blade.up;
     record.eta = shared::etaOf(state);
     return record;
+}
+
+/// `count` elements of a buffer from the one at `first` on.
+template <typename T>
+std::vector<T> readPart(const gpu::DeviceContext& context, const gpu::Buffer& buffer,
+                        std::size_t first, std::size_t count)
+{
+    const std::vector<std::byte> bytes =
+        gpu::readBuffer(context, buffer, first * sizeof(T), count * sizeof(T));
+    std::vector<T> elements(count);
+    if (count > 0)
+        std::memcpy(elements.data(), bytes.data(), bytes.size());
+    return elements;
 }
 
 } // namespace
@@ -57,6 +72,28 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
     for (std::size_t i = 0; i < drawn; ++i) {
         records[visible[i].blade].lodWidth = visible[i].widthFactor;
         records[visible[i].blade].fate = shared::fateDrawn;
+    }
+    return records;
+}
+
+std::vector<FieldRenderer::BladeRecord> readPatch(const gpu::DeviceContext& context,
+                                                  const FieldBuffers& buffers,
+                                                  const field::FieldView& field,
+                                                  std::uint32_t patch)
+{
+    const shared::Patch& cell = field.patches[patch];
+    const auto states =
+        readPart<shared::BladeState>(context, buffers.states(), cell.firstBlade, cell.bladeCount);
+    std::vector<std::uint32_t> fates(cell.bladeCount, shared::fatePatch);
+    if (buffers.fates().bytes() > 0)
+        fates = readPart<std::uint32_t>(context, buffers.fates(), cell.firstBlade, cell.bladeCount);
+    std::vector<FieldRenderer::BladeRecord> records(cell.bladeCount);
+    for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
+        const std::size_t index = cell.firstBlade + i;
+        records[i] =
+            recordOf(shared::unpackBlade(field.blades[index], cell), states[i], field.origin);
+        records[i].id = field::bladeId(field.keys[index]);
+        records[i].fate = fates[i];
     }
     return records;
 }

@@ -5,6 +5,7 @@
 #include "render/field_buffers.h"
 #include "render/field_renderer.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace sward::render {
@@ -14,5 +15,11 @@ namespace sward::render {
 std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& context,
                                                    const FieldBuffers& buffers,
                                                    const field::FieldView& field);
+
+/// The same for one patch; which of its blades were drawn wider is not asked.
+std::vector<FieldRenderer::BladeRecord> readPatch(const gpu::DeviceContext& context,
+                                                  const FieldBuffers& buffers,
+                                                  const field::FieldView& field,
+                                                  std::uint32_t patch);
 
 } // namespace sward::render

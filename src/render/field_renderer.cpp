@@ -14,16 +14,16 @@
 #include "render/depth_pyramid.h"
 #include "render/field_buffers.h"
 #include "render/frame.h"
-#include "render/frame_tables.h"
+#include "render/frame_slot.h"
 #include "render/grass_cover.h"
 #include "render/ground_pass.h"
+#include "render/judged_frame.h"
 #include "render/pass_scope.h"
 #include "render/raster_pass.h"
 #include "render/sky_pass.h"
 #include "render/sun_shadow.h"
 #include "render/update_cull_pass.h"
 
-#include <cstring>
 #include <optional>
 
 namespace sward::embedded {
@@ -36,26 +36,6 @@ namespace {
 /// Before its first frame a field has stood in its wind for so long [s] that no blade is still on
 /// its way from the straight pose it was baked in.
 constexpr double settlingTime = 12.0;
-
-/// What each frame in flight has of its own.
-struct Slot {
-    gpu::Buffer frame; ///< shared::Frame, written by the CPU
-    gpu::Buffer draw;  ///< shared::DrawArguments, read by the CPU
-    FrameTables tables;
-};
-
-Slot createSlot(const gpu::DeviceContext& context)
-{
-    return {gpu::Buffer(context, {.name = "frame/constants",
-                                  .bytes = sizeof(shared::Frame),
-                                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                                  .memory = gpu::MemoryUse::upload}),
-            gpu::Buffer(context, {.name = "frame/counts",
-                                  .bytes = sizeof(shared::DrawArguments),
-                                  .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                  .memory = gpu::MemoryUse::readback}),
-            FrameTables(context)};
-}
 
 Geometry chooseGeometry(const gpu::DeviceContext& context, const FieldRenderer::Settings& wanted)
 {
@@ -103,7 +83,7 @@ struct FieldRenderer::Parts {
         if (geometry == Geometry::raster)
             raster.emplace(context, shaders, TargetSettings{wanted.colorFormat, wanted.samples});
         for (std::uint32_t i = 0; i < wanted.framesInFlight; ++i)
-            slots.push_back(createSlot(context));
+            slots.emplace_back(context);
     }
 
     const gpu::DeviceContext& context;
@@ -131,17 +111,21 @@ struct FieldRenderer::Parts {
     std::unique_ptr<ColliderPass> colliderPass; ///< once there have been colliders
     std::uint32_t colliderCount = 0;            ///< in the frame that is being recorded
     FieldShape shape;
-    std::vector<Slot> slots;
+    std::vector<FrameSlot> slots;
     UpdateCullPass::Variant variant; ///< for the frame that is being recorded
     bool hasSettled = false;
     double lastTime = 0.0; ///< [s] of the frame before
     std::uint32_t frameNumber = 0;
     bool paintsWind = false;
+    bool hasPyramid = false; ///< of the picture's size, and of the culling camera
 
-    void writeFrame(shared::Frame frame, const FrameSettings& wishes, double time,
-                    std::uint32_t slot);
-    void moveAndCull(VkCommandBuffer commands, double time, std::uint32_t slot,
+    shared::Frame writeFrame(shared::Frame frame, const FrameSettings& wishes, double time,
+                             std::uint32_t slot);
+    VkDeviceAddress judge(const shared::Frame& frame, const FrameSettings& wishes, glm::uvec2 size,
+                          std::uint32_t slot);
+    void moveAndCull(VkCommandBuffer commands, double time, VkDeviceAddress frame,
                      UpdateCullPass::Scope scope);
+    void listAll(VkCommandBuffer commands, std::uint32_t slot);
     void drawGround(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
                     gpu::Timestamps* timestamps);
     void seeWhatIsHidden(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);
@@ -161,8 +145,8 @@ FieldRenderer::FieldRenderer(const gpu::Device& device, const field::FieldView& 
 FieldRenderer::FieldRenderer(FieldRenderer&&) noexcept = default;
 FieldRenderer::~FieldRenderer() = default;
 
-void FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameSettings& wishes, double time,
-                                      std::uint32_t slot)
+shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameSettings& wishes,
+                                               double time, std::uint32_t slot)
 {
     blades.describe(frame);
     cover.describe(frame);
@@ -173,7 +157,7 @@ void FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameSettings& 
     lastTime = time;
     frame.pace.frame = frameNumber++;
     sunShadow.describe(frame);
-    std::memcpy(slots[slot].frame.mapped().data(), &frame, sizeof frame);
+    fill(slots[slot].frame, frame);
 
     // What is asked for the first time is made now.
     variant = {frame.nature.wind.counts, frame.nature.colliderCount > 0};
@@ -191,9 +175,38 @@ void FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameSettings& 
     paintsWind = wishes.debug == DebugMode::wind;
     if (raster)
         raster->prepare(shaders, paintsWind);
+    return frame;
 }
 
-void FieldRenderer::Parts::moveAndCull(VkCommandBuffer commands, double time, std::uint32_t slot,
+VkDeviceAddress FieldRenderer::Parts::judge(const shared::Frame& frame, const FrameSettings& wishes,
+                                            glm::uvec2 size, std::uint32_t slot)
+{
+    expect(wishes.debug != DebugMode::reason || settings.recordFates,
+           "who asks for reasons has them recorded");
+    if (wishes.debug == DebugMode::reason)
+        fill(slots[slot].listing, listingAll(frame));
+    if (!wishes.cullingCamera)
+        return slots[slot].frame.address();
+    shared::Frame judged =
+        judgedFrom(frame, viewMatrices(*wishes.cullingCamera, shape.origin, size, shape.content));
+    if (!hasPyramid)
+        judged.pyramid = {};
+    fill(slots[slot].judged, judged);
+    return slots[slot].judged.address();
+}
+
+void FieldRenderer::Parts::listAll(VkCommandBuffer commands, std::uint32_t slot)
+{
+    // Blades that have just been moved stay where they are: no time has passed.
+    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::transferAccess);
+    blades.clearCounts(commands);
+    gpu::transferToCompute(commands);
+    updateCull.record(commands, blades, slots[slot].listing.address(), variant,
+                      UpdateCullPass::Scope::visible);
+    gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
+}
+
+void FieldRenderer::Parts::moveAndCull(VkCommandBuffer commands, double time, VkDeviceAddress frame,
                                        UpdateCullPass::Scope scope)
 {
     // Wait for the frame before, which draws from the same lists, and clear them.
@@ -204,7 +217,7 @@ void FieldRenderer::Parts::moveAndCull(VkCommandBuffer commands, double time, st
     hasSettled = true;
     gpu::transferToCompute(commands);
 
-    updateCull.record(commands, blades, slots[slot].frame.address(), variant, scope);
+    updateCull.record(commands, blades, frame, variant, scope);
 }
 
 void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const Camera& camera,
@@ -219,28 +232,33 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
         viewMatrices(camera, parts.shape.origin, target.size, parts.shape.content, jitter);
     if (parts.attachments.resize(target.size)) {
         parts.pyramid.resize(parts.attachments.depth());
+        parts.hasPyramid = false;
         if (parts.raster)
             parts.raster->resize(parts.attachments);
     }
-    parts.writeFrame(frameOf(parts.shape, view, settings, time, parts.settings.samples), settings,
-                     time, slot);
+    const shared::Frame frame = parts.writeFrame(
+        frameOf(parts.shape, view, settings, time, parts.settings.samples), settings, time, slot);
+    const VkDeviceAddress judged = parts.judge(frame, settings, target.size, slot);
     parts.sunShadow.record(commands, parts.ground, parts.slots[slot].frame.address(),
                            parts.colliderPass.get());
 
     // The ground comes first: what it hides needs neither be moved nor drawn.
     parts.drawGround(commands, target, slot, timestamps);
-    if ((settings.cullMask & shared::cullOcclusion) != 0)
-        parts.seeWhatIsHidden(commands, slot, timestamps);
+    const bool looksForHidden = (settings.cullMask & shared::cullOcclusion) != 0;
+    if (!settings.cullingCamera) {
+        if (looksForHidden)
+            parts.seeWhatIsHidden(commands, slot, timestamps);
+        parts.hasPyramid = looksForHidden;
+    }
     {
         const PassScope scope(parts.context, commands, timestamps, "update");
-        parts.moveAndCull(commands, time, slot, UpdateCullPass::Scope::visible);
+        parts.moveAndCull(commands, time, judged, UpdateCullPass::Scope::visible);
     }
 
     // Hand the list to the draw, and the counts to whoever asks for them.
-    gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
-    const VkBufferCopy counts{0, 0, sizeof(shared::DrawArguments)};
-    vkCmdCopyBuffer(commands, parts.blades.draw().get(), parts.slots[slot].draw.get(), 1, &counts);
-    gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostAccess);
+    parts.slots[slot].recordCounts(commands, parts.blades.draw());
+    if (settings.debug == DebugMode::reason)
+        parts.listAll(commands, slot);
 
     if (parts.raster)
         parts.rasterBlades(commands, target, slot, timestamps);
@@ -361,26 +379,14 @@ void FieldRenderer::recordUpdateOnly(VkCommandBuffer commands, const FrameSettin
     const gpu::LabelScope label(parts.context, commands, "field/update only");
     parts.writeFrame(frameOf(parts.shape, ViewMatrices{}, settings, time, parts.settings.samples),
                      settings, time, slot);
-    parts.moveAndCull(commands, time, slot, UpdateCullPass::Scope::all);
+    parts.moveAndCull(commands, time, parts.slots[slot].frame.address(),
+                      UpdateCullPass::Scope::all);
 }
 
 FrameStats FieldRenderer::stats(std::uint32_t slot) const
 {
     expect(slot < parts_->slots.size(), "the slot is one of the frames in flight");
-    const shared::DrawArguments counts =
-        parts_->slots[slot].draw.mappedAs<shared::DrawArguments>()[0];
-    FrameStats stats;
-    stats.total = parts_->blades.bladeCount();
-    stats.resident = stats.total;
-    stats.simulated = counts.simulated;
-    stats.drawn = counts.fates[shared::fateDrawn];
-    stats.lod = counts.fates[shared::fateLod];
-    stats.culledPatch = counts.fates[shared::fatePatch];
-    stats.culledOrientation = counts.fates[shared::fateOrientation];
-    stats.culledFrustum = counts.fates[shared::fateFrustum];
-    stats.culledDistance = counts.fates[shared::fateDistance];
-    stats.culledOcclusion = counts.fates[shared::fateOcclusion];
-    return stats;
+    return parts_->slots[slot].counts(parts_->blades.bladeCount());
 }
 
 std::vector<FieldRenderer::BladeRecord>
@@ -388,6 +394,13 @@ FieldRenderer::dumpBlades(const field::FieldView& field) const
 {
     expect(field.blades.size() == parts_->blades.bladeCount(), "the field is the one uploaded");
     return readBlades(parts_->context, parts_->blades, field);
+}
+
+std::vector<FieldRenderer::BladeRecord> FieldRenderer::dumpPatch(const field::FieldView& field,
+                                                                 std::uint32_t patch) const
+{
+    expect(patch < field.patches.size(), "the patch is one of the field's");
+    return readPatch(parts_->context, parts_->blades, field, patch);
 }
 
 Geometry FieldRenderer::geometry() const
@@ -410,8 +423,7 @@ std::size_t FieldRenderer::deviceBytes() const
     return parts_->blades.bytes() + parts_->ground.bytes() + parts_->cover.bytes() +
            parts_->sunShadow.bytes() + parts_->pyramid.bytes() +
            (parts_->raster ? parts_->raster->bytes() : 0) + parts_->attachments.bytes() +
-           parts_->slots.size() *
-               (sizeof(shared::Frame) + sizeof(shared::DrawArguments) + FrameTables::bytes());
+           parts_->slots.size() * FrameSlot::bytes();
 }
 
 Aabb FieldRenderer::content() const

@@ -8,6 +8,7 @@
 #include <vulkan/vulkan.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -38,8 +39,8 @@ public:
     };
 
     /// `field` may die afterwards, except that dumpBlades() needs it again. Throws Error{runtime}
-    /// when the device's memory does not hold the field, naming both sizes; Error{unsupported} where
-    /// a geometry is asked for that the device cannot draw.
+    /// when the device's memory does not hold the field, naming both sizes; Error{unsupported}
+    /// where a geometry is asked for that the device cannot draw.
     FieldRenderer(const gpu::Device& device, const field::FieldView& field,
                   const Settings& settings);
     FieldRenderer(FieldRenderer&&) noexcept;
@@ -56,9 +57,10 @@ public:
     /// Records one frame: moves the blades of visible patches to `time` [s] (monotone; any step is
     /// safe), culls, draws ground, sky and blades. `slot` < framesInFlight, whose former commands
     /// have completed. `jitter` [pixels]. `timestamps` may be null; else the caller has begun their
-    /// frame, and the scopes update (which culls as well), ground, sky, pyramid, blades and resolve are measured.
-    /// Nothing is allocated unless the target's size has changed; then the device is waited for. A
-    /// mixture of winds, colliders and --debug wind have their pipelines made at their first frame.
+    /// frame, and the scopes update (which culls as well), ground, sky, pyramid, blades and resolve
+    /// are measured. Nothing is allocated unless the target's size has changed; then the device is
+    /// waited for. A mixture of winds, colliders and --debug wind have their pipelines made at
+    /// their first frame.
     void record(VkCommandBuffer commands, const Target& target, const Camera& camera,
                 const FrameSettings& settings, double time, std::uint32_t slot = 0,
                 gpu::Timestamps* timestamps = nullptr, glm::vec2 jitter = glm::vec2(0.0f));
@@ -82,6 +84,9 @@ public:
 
     /// Reads every blade's state back, in the order of the file; waits for the device.
     std::vector<BladeRecord> dumpBlades(const field::FieldView& field) const;
+
+    /// The same for the blades of one patch; their `lodWidth` stays 0.
+    std::vector<BladeRecord> dumpPatch(const field::FieldView& field, std::uint32_t patch) const;
 
     /// What draws the blades, never automatic, and why it does.
     Geometry geometry() const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/field.h"
+#include "render/camera.h"
 #include "render/colliders.h"
 #include "render/wind.h"
 #include "shaders/shared/culling.h"
@@ -15,7 +16,8 @@
 
 namespace sward::render {
 
-enum class DebugMode : std::uint32_t { none = 0, lod = 1, patches = 2, wind = 3 };
+/// `reason` draws every blade in the colour of its fate; the renderer has been told to record them.
+enum class DebugMode : std::uint32_t { none = 0, lod = 1, patches = 2, wind = 3, reason = 4 };
 
 /// Segments of blades up to a distance.
 struct LevelStep {
@@ -58,6 +60,10 @@ struct FrameSettings {
     Buckets buckets;
     Pace pace;
     DebugMode debug = DebugMode::none;
+
+    /// What is left out is judged from here instead of from the picture's camera, and what the
+    /// ground hides as it was when this camera still was the picture's.
+    std::optional<Camera> cullingCamera;
 
     /// Towards the sun, world space; normalised by record(). It stands beside what the preset
     /// cameras look at, so that form shows and light comes through the blades.

@@ -1,0 +1,68 @@
+#include "render/frame_slot.h"
+
+#include "gpu/barrier.h"
+
+#include <cstring>
+
+namespace sward::render {
+namespace {
+
+gpu::Buffer createFrame(const gpu::DeviceContext& context, const char* name)
+{
+    return {context,
+            {.name = name,
+             .bytes = sizeof(shared::Frame),
+             .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+             .memory = gpu::MemoryUse::upload}};
+}
+
+} // namespace
+
+FrameSlot::FrameSlot(const gpu::DeviceContext& context)
+    : frame(createFrame(context, "frame/constants"))
+    , judged(createFrame(context, "frame/judged"))
+    , listing(createFrame(context, "frame/listing"))
+    , draw(context, {.name = "frame/counts",
+                     .bytes = sizeof(shared::DrawArguments),
+                     .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                     .memory = gpu::MemoryUse::readback})
+    , tables(context)
+{
+}
+
+void FrameSlot::recordCounts(VkCommandBuffer commands, const gpu::Buffer& drawArguments) const
+{
+    gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
+    const VkBufferCopy all{0, 0, sizeof(shared::DrawArguments)};
+    vkCmdCopyBuffer(commands, drawArguments.get(), draw.get(), 1, &all);
+    gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostAccess);
+}
+
+FrameStats FrameSlot::counts(std::uint64_t blades) const
+{
+    const shared::DrawArguments counts = draw.mappedAs<shared::DrawArguments>()[0];
+    FrameStats stats;
+    stats.total = blades;
+    stats.resident = blades;
+    stats.simulated = counts.simulated;
+    stats.drawn = counts.fates[shared::fateDrawn];
+    stats.lod = counts.fates[shared::fateLod];
+    stats.culledPatch = counts.fates[shared::fatePatch];
+    stats.culledOrientation = counts.fates[shared::fateOrientation];
+    stats.culledFrustum = counts.fates[shared::fateFrustum];
+    stats.culledDistance = counts.fates[shared::fateDistance];
+    stats.culledOcclusion = counts.fates[shared::fateOcclusion];
+    return stats;
+}
+
+VkDeviceSize FrameSlot::bytes()
+{
+    return 3 * sizeof(shared::Frame) + sizeof(shared::DrawArguments) + FrameTables::bytes();
+}
+
+void fill(const gpu::Buffer& buffer, const shared::Frame& frame)
+{
+    std::memcpy(buffer.mapped().data(), &frame, sizeof frame);
+}
+
+} // namespace sward::render
