@@ -48,6 +48,11 @@ glm::vec3 sunTowards(double azimuth, double elevation)
         glm::dvec3(std::sin(a) * std::cos(e), std::sin(e), -std::cos(a) * std::cos(e)));
 }
 
+SunPlace sunPlaceOf(glm::vec3 direction)
+{
+    return {azimuthOf(direction), elevationOf(direction)};
+}
+
 glm::vec3 sunColorAt(double elevation)
 {
     const FrameSettings usual;

@@ -18,6 +18,13 @@ void readLook(SettingsReader& reader, FrameSettings& settings);
 /// above the level.
 glm::vec3 sunTowards(double azimuth, double elevation);
 
+/// Where the sun stands in such angles.
+struct SunPlace {
+    double azimuth = 0.0;   ///< [degrees] in (−180, 180]
+    double elevation = 0.0; ///< [degrees]
+};
+SunPlace sunPlaceOf(glm::vec3 direction);
+
 /// Linear radiance of sunlight that has come through the air at this `elevation` [degrees]: that of
 /// FrameSettings at its own, redder and weaker the lower the sun stands. Air mass: Kasten & Young
 /// 1989; extinction of clear air with a little haze.

@@ -89,6 +89,11 @@ Collider readCollider(SettingsReader& reader)
 
 } // namespace
 
+std::string_view windKindName(std::uint32_t kind)
+{
+    return kindNames.at(kind);
+}
+
 void readNature(SettingsReader& reader, FrameSettings& settings)
 {
     readList(reader, "wind", shared::maxWindSources, settings.winds, readWind);

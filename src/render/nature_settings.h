@@ -2,6 +2,9 @@
 
 #include "render/frame_settings.h"
 
+#include <cstdint>
+#include <string_view>
+
 namespace sward {
 class SettingsReader;
 } // namespace sward
@@ -11,5 +14,8 @@ namespace sward::render {
 /// Reads the keys "wind", "gravity", "recovery" and "colliders" of a settings file; those that are
 /// absent stay as they are. docs/settings.md. Throws Error{input}.
 void readNature(SettingsReader& reader, FrameSettings& settings);
+
+/// Name of shared::windNoise … in a settings file.
+std::string_view windKindName(std::uint32_t kind);
 
 } // namespace sward::render
