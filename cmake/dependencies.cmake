@@ -26,6 +26,22 @@ find_library(STB_LIBRARY stb REQUIRED)
 add_library(sward_stb INTERFACE)
 target_link_libraries(sward_stb INTERFACE ${STB_LIBRARY})
 
+# Debian's Dear ImGui is a static library; its Vulkan backend calls the linked loader, as we do.
+pkg_check_modules(imgui REQUIRED imgui)
+find_library(IMGUI_LIBRARY imgui REQUIRED)
+add_library(sward_imgui INTERFACE)
+target_include_directories(sward_imgui SYSTEM INTERFACE ${imgui_INCLUDE_DIRS})
+target_link_libraries(sward_imgui INTERFACE ${IMGUI_LIBRARY} glfw Vulkan::Vulkan sward_stb)
+
+# The letters of the viewer's panels, compiled in.
+set(SWARD_FONTS "")
+foreach(font Roboto-Regular.ttf Roboto-Medium.ttf)
+  find_file(font_file ${font} PATHS /usr/share/fonts/truetype/roboto/unhinted/RobotoTTF
+            NO_CACHE REQUIRED)
+  list(APPEND SWARD_FONTS ${font_file})
+  unset(font_file)
+endforeach()
+
 if(SWARD_BUILD_TESTS)
   find_package(GTest REQUIRED)
   find_package(Python3 REQUIRED COMPONENTS Interpreter)

@@ -8,6 +8,7 @@ import re
 import subprocess
 import sys
 import unittest
+from pathlib import Path
 
 SWARD, SWARD_VIEW = sys.argv[1:3]
 
@@ -30,6 +31,12 @@ class Links(unittest.TestCase):
 
     def test_the_viewer_loads_no_mesh_library(self):
         self.assert_free_of(SWARD_VIEW, r"(?i)openmesh|embree|tinygltf|tbb")
+
+    def test_only_the_viewer_has_controls(self):
+        # Dear ImGui is a static library, so that no table of libraries names it.
+        has = lambda program: b"Dear ImGui" in Path(program).read_bytes()
+        self.assertTrue(has(SWARD_VIEW), "the check does not see what is linked")
+        self.assertFalse(has(SWARD))
 
     def test_the_check_sees_what_is_linked(self):
         self.assertTrue(any("vulkan" in name for name in needed(SWARD_VIEW)), "no Vulkan in the viewer?")

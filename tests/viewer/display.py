@@ -2,6 +2,7 @@
 
 import ctypes
 import os
+import random
 import shutil
 import struct
 import subprocess
@@ -30,22 +31,24 @@ class Display:
 
     def __init__(self):
         self.folder = Path(tempfile.mkdtemp(prefix="sward-display-"))
-        # Two servers that start at once may choose the same number; the one that loses ends.
         self.name = wait_until(self.start, "an X server starts")
 
     def start(self):
         """Starts the server; returns its name, or nothing if it ended at once."""
+        # A number of our own: the lowest free one is chosen by every server that starts, and a
+        # server that ends takes away the socket of the next.
+        number = random.randrange(100, 30000)
         read_end, write_end = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write_end), "-screen", "0",
+            ["Xvfb", f":{number}", "-displayfd", str(write_end), "-screen", "0",
              f"{self.WIDTH}x{self.HEIGHT}x24", "-nolisten", "tcp", "-fbdir", str(self.folder)],
             pass_fds=[write_end], stderr=subprocess.DEVNULL)
         os.close(write_end)
         with os.fdopen(read_end) as answer:
-            number = answer.readline().strip()
-        if not number:
+            ready = answer.readline().strip()
+        if not ready:
             self.server.wait()
-        return number and ":" + number
+        return ready and ":" + ready
 
     def close(self):
         self.server.terminate()

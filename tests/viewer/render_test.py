@@ -61,6 +61,14 @@ class RenderTest(unittest.TestCase):
         self.render("-o", "s.png", "--stats", "s.json", "--force", *arguments)
         return json.loads((self.folder / "s.json").read_text(encoding="utf-8"))
 
+    def test_colours_by_reason_change_no_count(self):
+        for camera in ("eye", "fit"):
+            plain = self.stats("--camera", camera, "--frames", "0:3")["blades"]
+            by_reason = self.stats("--camera", camera, "--frames", "0:3", "--debug", "reason",
+                                   "--validation")["blades"]
+            self.assertEqual(by_reason, plain)
+            self.assertLess(plain["drawn"], plain["total"], "some blade must be left out")
+
     def test_a_picture_has_the_size_that_was_asked_for(self):
         self.render("-o", "a.png", "--validation")
         self.assertEqual(png_size(self.folder / "a.png"), (160, 90))
@@ -163,7 +171,7 @@ class RenderTest(unittest.TestCase):
                 (["-o", "a.png", "--camera", "fitt"], 1, "fitt"),
                 (["-o", "a.png", "--camera", "./missing.json"], 2, "missing.json"),
                 (["-o", "a.png", "--geometry", "points"], 1, "points"),
-                (["-o", "a.png", "--debug", "reason"], 5, "reason")):
+                (["-o", "a.png", "--debug", "reasons"], 1, "reasons")):
             with self.subTest(arguments=arguments):
                 self.refused(*arguments, code=code, says=says)
 

@@ -34,8 +34,11 @@ class WindowTest(unittest.TestCase):
     def start(self, *arguments):
         """Starts the viewer; whatever happens, it does not outlive the test."""
         viewer = subprocess.Popen(
-            [VIEWER, *map(str, arguments), "--validation", "--size", "{}x{}".format(*SIZE)],
-            env={**os.environ, "DISPLAY": self.display.name}, stderr=subprocess.PIPE, text=True)
+            [VIEWER, *map(str, arguments), "--validation", "--panel", "off", "--resolution",
+             "1", "--size", "{}x{}".format(*SIZE)],
+            env={**os.environ, "DISPLAY": self.display.name,
+                 "XDG_STATE_HOME": str(self.folder / "state")},
+            stderr=subprocess.PIPE, text=True)
         self.addCleanup(viewer.stderr.close)
         self.addCleanup(viewer.wait)
         self.addCleanup(viewer.kill)

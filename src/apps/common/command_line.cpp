@@ -1,5 +1,6 @@
 #include "apps/common/command_line.h"
 
+#include "apps/common/command_pages.h"
 #include "apps/common/output.h"
 #include "apps/common/version.h"
 #include "core/error.h"
@@ -60,6 +61,16 @@ void prepareApp(CLI::App& app, const std::string& program)
     app.set_version_flag("--version", versionText(program), "Print the version and exit");
     app.set_help_flag("-h,--help", "Print this help and exit");
     app.get_formatter()->column_width(34);
+    // They travel as the version does. In no group, so that --help does not grow by them.
+    app.add_flag_callback(
+           "--man", [&app, program] { throw CLI::CallForVersion(manualPage(app, program), 0); },
+           "Print the manual page and exit")
+        ->group("");
+    app.add_flag_callback(
+           "--completion",
+           [&app, program] { throw CLI::CallForVersion(bashCompletion(app, program), 0); },
+           "Print a completion script for bash and exit")
+        ->group("");
 }
 
 std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* argv)

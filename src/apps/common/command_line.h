@@ -13,8 +13,8 @@ namespace sward::apps {
 /// What a chosen command does; its result is the program's exit code.
 using Command = std::function<int()>;
 
-/// Sets what every command line of the project has: --version, --help, options before or after the
-/// subcommand's name, no abbreviations.
+/// Sets what every command line of the project has: --version, --help, --man, --completion, options
+/// before or after the subcommand's name, no abbreviations.
 void prepareApp(CLI::App& app, const std::string& program);
 
 /// Parses the command line. Returns 0 when help or version was asked for and printed on stdout,

@@ -32,15 +32,10 @@ void checkDirections(const render::Camera& camera, const std::string& place)
 
 } // namespace
 
-render::Camera readCamera(const std::filesystem::path& path, glm::vec3 up)
+render::Camera readCamera(SettingsReader& reader, const std::string& place, glm::vec3 up)
 {
-    const std::vector<std::byte> bytes = readFile(path, largestFile);
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    const nlohmann::json json = parseJson(text, path.string());
-
     render::Camera camera;
     camera.up = up;
-    SettingsReader reader(json, path.string());
     for (const char* key : {"eye", "target"})
         if (!reader.has(key))
             fail(ErrorKind::input, "{}: missing", reader.placeOf(key));
@@ -49,11 +44,20 @@ render::Camera readCamera(const std::filesystem::path& path, glm::vec3 up)
     reader.read("up", camera.up, -1e6, 1e6);
     reader.read("fov_y_deg", camera.fovY, 0.01, 170.0);
     reader.finish();
-    checkDirections(camera, path.string());
+    checkDirections(camera, place);
     return camera;
 }
 
-render::Camera chooseCamera(const std::string& name, const field::FieldView& field, float aspect)
+render::Camera readCamera(const std::filesystem::path& path, glm::vec3 up)
+{
+    const std::vector<std::byte> bytes = readFile(path, largestFile);
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const nlohmann::json json = parseJson(text, path.string());
+    SettingsReader reader(json, path.string());
+    return readCamera(reader, path.string(), up);
+}
+
+CameraPath chooseCamera(const std::string& name, const field::FieldView& field, float aspect)
 {
     using render::CameraPreset;
     struct Named {
@@ -67,13 +71,13 @@ render::Camera chooseCamera(const std::string& name, const field::FieldView& fie
     const Named* found = std::find_if(std::begin(presets), std::end(presets),
                                       [&name](const Named& entry) { return name == entry.name; });
     if (found != std::end(presets))
-        return render::presetCamera(found->preset, field, groundUpOf(field), aspect);
+        return CameraPath(render::presetCamera(found->preset, field, groundUpOf(field), aspect));
 
     // A word that is neither a preset nor a file is most likely a misspelt preset.
     if (!std::filesystem::exists(name) && name.find_first_of("./") == std::string::npos)
         fail(ErrorKind::usage, "--camera: '{}' is not fit, eye, top or edge, and no such file",
              name);
-    return readCamera(name, groundUpOf(field));
+    return readCameraPath(name, groundUpOf(field));
 }
 
 glm::vec3 groundUpOf(const field::FieldView& field)

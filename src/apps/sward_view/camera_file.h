@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/sward_view/camera_path.h"
 #include "field/field.h"
 #include "render/camera.h"
 
@@ -8,15 +9,22 @@
 #include <filesystem>
 #include <string>
 
+namespace sward {
+class SettingsReader;
+} // namespace sward
+
 namespace sward::view {
 
-/// Reads {"eye": [x,y,z], "target": [x,y,z], "up": [x,y,z], "fov_y_deg": 45}; `up` and `fov_y_deg`
-/// may be left out. Throws Error{io} if it cannot be read, Error{input} that names the key when the
-/// camera looks nowhere or along its own up-vector.
+/// Reads {"eye": [x,y,z], "target": [x,y,z], "up": [x,y,z], "fov_y_deg": 45} to its end; `up` and
+/// `fov_y_deg` may be left out. `place` names it in messages. Throws Error{input} that names the
+/// key when the camera looks nowhere or along its own up-vector.
+render::Camera readCamera(SettingsReader& reader, const std::string& place, glm::vec3 up);
+
+/// The same from a file. Throws Error{io} if it cannot be read.
 render::Camera readCamera(const std::filesystem::path& path, glm::vec3 up);
 
-/// The camera that --camera names: fit, eye, top, edge, or else a file.
-render::Camera chooseCamera(const std::string& name, const field::FieldView& field, float aspect);
+/// The camera that --camera names: fit, eye, top, edge, or else a file with a camera or a path.
+CameraPath chooseCamera(const std::string& name, const field::FieldView& field, float aspect);
 
 /// Unit vector away from the field's gravity: what its cameras take for up.
 glm::vec3 groundUpOf(const field::FieldView& field);

@@ -34,17 +34,11 @@ render::DebugMode parseDebug(const std::string& word)
     if (word == "wind")
         return render::DebugMode::wind;
     if (word == "reason")
-        fail(ErrorKind::unsupported, "--debug {}: not in this version; wind, lod and patches are",
-             word);
+        return render::DebugMode::reason;
     fail(ErrorKind::usage, "--debug: '{}' is not one of none, wind, lod, patches, reason", word);
 }
 
 } // namespace
-
-FrameOptions::FrameOptions()
-    : cullMask(render::FrameSettings().cullMask)
-{
-}
 
 void FrameOptions::addShared(CLI::App& app)
 {
@@ -55,7 +49,8 @@ void FrameOptions::addShared(CLI::App& app)
         "--size",
         [this](const std::string& text) { size = apps::parseSize("--size", text, largestSize); },
         "WxH", "Size of the picture in pixels [1280x720]");
-    app.add_option("--camera", camera, "fit, eye, top, edge, or a camera file [fit]")
+    app.add_option("--camera", camera,
+                   "fit, eye, top, edge, or a file with a camera or a path [fit]")
         ->type_name("NAME|FILE");
     option(
         "--samples",
@@ -130,7 +125,7 @@ void FrameOptions::addMeasured(CLI::App& app)
         "on|off", "Leave out and widen blades too thin for a pixel [on]");
     option(
         "--debug", [this](const std::string& text) { debug = parseDebug(text); }, "WORD",
-        "Colour by none, wind, lod, patches [none]");
+        "Colour by none, wind, lod, patches, reason [none]");
 }
 
 render::FrameSettings FrameOptions::settingsFor(const field::FieldView& view) const
@@ -142,9 +137,9 @@ render::FrameSettings FrameOptions::settingsFor(const field::FieldView& view) co
     if (settings.colliders.size() > shared::maxColliders)
         fail(ErrorKind::usage, "--collider: {} colliders, more than {}", settings.colliders.size(),
              shared::maxColliders);
-    settings.cullMask = cullMask;
-    settings.levelOfDetail = levelOfDetail;
-    settings.tessellationLevel = tessellationLevel;
+    settings.cullMask = cullMask.value_or(settings.cullMask);
+    settings.levelOfDetail = levelOfDetail.value_or(settings.levelOfDetail);
+    settings.tessellationLevel = tessellationLevel.value_or(settings.tessellationLevel);
     settings.debug = debug;
     if (drawDistance)
         settings.nature.drawDistance = *drawDistance;

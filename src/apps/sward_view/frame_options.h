@@ -21,13 +21,13 @@ namespace sward::view {
 /// device, from where and how it is drawn. Stays where it is while a CLI::App knows it.
 struct FrameOptions {
     std::string field;
-    glm::uvec2 size{1280, 720};           ///< [pixels]
-    std::string camera = "fit";           ///< a preset's name or a file
-    std::optional<std::uint32_t> samples; ///< 1 or 4; unset: the command decides
-    int tessellationLevel = 0;            ///< 0: by size on the screen
-    std::uint32_t cullMask;
+    glm::uvec2 size{1280, 720};            ///< [pixels]
+    std::string camera = "fit";            ///< a preset's name or a file
+    std::optional<std::uint32_t> samples;  ///< 1 or 4; unset: the command decides
+    std::optional<std::uint32_t> cullMask; ///< unset: the settings'
+    std::optional<bool> levelOfDetail;     ///< unset: the settings'
+    std::optional<int> tessellationLevel;  ///< unset: the settings'; 0: by size on the screen
     render::Geometry geometry = render::Geometry::automatic;
-    bool levelOfDetail = true;
     render::DebugMode debug = render::DebugMode::none;
     std::optional<float> drawDistance;       ///< [m]; unset: the field's
     std::optional<float> windStrength;       ///< [1/s]; unset: the field's or the settings'
@@ -38,8 +38,6 @@ struct FrameOptions {
     std::string device;                      ///< index or part of the name; empty: the best
     bool validation = false;
     apps::LogSwitches log;
-
-    FrameOptions();
 
     /// Adds the switches of every command: size, camera, device, wind, distances, log.
     void addShared(CLI::App& app);

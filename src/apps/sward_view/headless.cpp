@@ -54,7 +54,7 @@ Headless::Headless(const FrameOptions& options, bool recordFates)
                  .samples = samples_,
                  .framesInFlight = 1,
                  .geometry = options.geometry,
-                 .recordFates = recordFates})
+                 .recordFates = recordFates || options.debug == render::DebugMode::reason})
     , target_(createTarget(device_.context(), options.size))
     , timestamps_(device_.context(), {.slots = 1})
     , ring_(device_.context(), 1)
@@ -90,8 +90,8 @@ void Headless::record(const render::FrameSettings& settings, double time, glm::v
     const auto begin = std::chrono::steady_clock::now();
     {
         const gpu::TimedScope total(timestamps_, device_.context(), frame.commands, "total");
-        renderer_.record(frame.commands, {target_.get(), target_.view(), options_.size}, camera_,
-                         settings, time, slot, &timestamps_, jitter);
+        renderer_.record(frame.commands, {target_.get(), target_.view(), options_.size},
+                         camera_.at(time), settings, time, slot, &timestamps_, jitter);
     }
     const std::chrono::duration<double, std::milli> spent =
         std::chrono::steady_clock::now() - begin;

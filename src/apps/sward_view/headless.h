@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/sward_view/camera_path.h"
 #include "apps/sward_view/frame_options.h"
 #include "apps/sward_view/png.h"
 #include "apps/sward_view/stats_json.h"
@@ -57,7 +58,7 @@ private:
     const FrameOptions& options_;
     field::MappedField field_;
     render::FrameSettings settings_;
-    render::Camera camera_;
+    CameraPath camera_;
     gpu::Instance instance_;
     gpu::Device device_;
     std::uint32_t samples_;

@@ -1,26 +1,39 @@
 #include "apps/sward_view/viewer.h"
 
 #include "apps/common/interrupt.h"
-#include "apps/sward_view/camera_file.h"
 #include "apps/sward_view/graphics.h"
+#include "apps/sward_view/interface/overlay.h"
 #include "core/error.h"
-#include "core/log.h"
 #include "gpu/image_use.h"
-#include "render/camera_presets.h"
+#include "shaders/shared/physics.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
-#include <utility>
+#include <iterator>
 
 namespace sward::view {
 namespace {
 
 constexpr std::uint32_t framesInFlight = 2;
-constexpr double titleInterval = 0.5;  ///< [s] faster would not be readable
-constexpr double watchInterval = 0.25; ///< [s] between looks at the settings file
-constexpr double idleWait = 0.1;       ///< [s] between looks at a window that shows nothing
+constexpr std::uint32_t timesKept = 600; ///< frames
+constexpr double titleInterval = 0.5;    ///< [s] faster would not be readable
+constexpr double idleWait = 0.1;         ///< [s] between looks at a window that shows nothing
+constexpr double noticeTime = 4.0;       ///< [s] that a notice stays
+constexpr double smoothing = 0.1;        ///< of the time of a frame
+
+// What a frame may take before fewer pixels are drawn [s]. A CPU that holds ten frames a second
+// holds eight in its worst moments.
+constexpr double wantedOnCpu = 0.1;
+constexpr double wantedOnGpu = 1.0 / 30.0;
+
+// Time of the field that may pass in a frame [s]: two steps of the physics, and what it takes at
+// once.
+constexpr double longestOnCpu = 2.0 * static_cast<double>(shared::longestStep);
+constexpr double longestOnGpu = 16.0 * static_cast<double>(shared::longestStep);
+
+constexpr std::array background{0.012f, 0.016f, 0.016f, 1.0f};
 
 VkExtent2D extentOf(glm::uvec2 size)
 {
@@ -42,49 +55,81 @@ VkSemaphoreSubmitInfo semaphoreAt(VkSemaphore semaphore, VkPipelineStageFlags2 s
     return submit;
 }
 
-} // namespace
-
-Viewer::Viewer(Window& window, const field::FieldView& field, const FrameOptions& options,
-               std::string name)
-    : window_(window)
-    , options_(options)
-    , field_(field)
-    , name_(std::move(name))
-    , instance_(createInstance(options.validation, window.instanceExtensions()))
-    , surface_(window.createSurface(instance_.get()))
-    , device_(instance_, {.selection = options.device, .surface = surface_.get()})
-    , swapchain_(device_.context(), surface_.get(), extentOf(window.drawableSize()))
-    , renderer_(device_, field,
-                {.colorFormat = swapchain_.format(),
-                 .samples = options.samples.value_or(device_.isCpu() ? 1 : 4),
-                 .framesInFlight = framesInFlight})
-    , ring_(device_.context(), framesInFlight)
-    , settings_(options.settingsFor(field))
-    , orbit_(chooseCamera(options.camera, field, aspect()), groundUpOf(field))
-    , lastTick_(Clock::now())
-    , lastTitle_(lastTick_)
+// A window without a field has one colour.
+void paintBackground(VkCommandBuffer commands, const gpu::Swapchain::Target& target)
 {
+    constexpr VkImageAspectFlags color = VK_IMAGE_ASPECT_COLOR_BIT;
+    gpu::transition(commands, target.image, color, gpu::ImageUse::undefined,
+                    gpu::ImageUse::transferTarget);
+    VkClearColorValue value{};
+    std::copy(background.begin(), background.end(), value.float32);
+    const VkImageSubresourceRange whole{color, 0, 1, 0, 1};
+    vkCmdClearColorImage(commands, target.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1,
+                         &whole);
+    gpu::transition(commands, target.image, color, gpu::ImageUse::transferTarget,
+                    gpu::ImageUse::colorTarget);
 }
 
-void Viewer::run(double seconds)
+} // namespace
+
+Viewer::Viewer(Window& window, const ViewerOptions& options)
+    : window_(window)
+    , options_(options)
+    , instance_(createInstance(options.frame->validation, window.instanceExtensions()))
+    , surface_(window.createSurface(instance_.get()))
+    , device_(instance_, {.selection = options.frame->device, .surface = surface_.get()})
+    , swapchain_(device_.context(), surface_.get(), extentOf(window.drawableSize()))
+    , interface_(instance_, device_, swapchain_, window.handle())
+    , ring_(device_.context(), framesInFlight)
+    , timestamps_(device_.context(), {.slots = framesInFlight, .historyFrames = timesKept})
+    , picture_(device_.context())
+    , controls_(interface_.style(), controlMap_)
+    , resolution_(device_.isCpu() ? wantedOnCpu : wantedOnGpu)
+    , begun_(Clock::now())
+    , lastTick_(begun_)
+    , lastTitle_(begun_)
+    , lastLook_(begun_)
+    , lastNotice_(begun_)
 {
-    const Clock::time_point begin = Clock::now();
-    lastTick_ = begin;
-    lastTitle_ = begin;
+    stage_.times = &timestamps_;
+    stage_.recent = &recent_;
+    stage_.device = device_.context().name;
+    if (!options.frame->settingsFile.empty())
+        stage_.settingsFile = options.frame->settingsFile;
+    for (std::size_t i = 0; i < std::size(meadowNames); ++i)
+        if (options.meadow == meadowNames[i])
+            stage_.meadow.meadow = static_cast<int>(i);
+    if (options.resolution > 0.0f) {
+        stage_.automaticScale = false;
+        stage_.scale = options.resolution;
+    }
+    controlMap_.writeTo(options.controlsFile);
+    layout_.shown = options.panel != "off";
+    if (!options.panel.empty() && layout_.shown && !layout_.openPanel(options.panel))
+        fail(ErrorKind::usage, "--panel: '{}' is not off or the name of a panel", options.panel);
+}
+
+void Viewer::run()
+{
+    if (options_.frame->field.empty())
+        isFirstInput_ = false;
+    else
+        open(options_.frame->field);
     window_.show();
     bool drawn = true;
-    while (!window_.isClosed() && secondsBetween(begin, Clock::now()) < seconds) {
+    while (!window_.isClosed()) {
         apps::throwIfInterrupted("viewing");
         // A window that shows nothing is asked now and then, not all the time.
         if (drawn)
             window_.poll();
         else
             window_.waitForEvents(idleWait);
-        steer(window_.takeInput());
-        keepTime();
-        if (options_.watch)
-            watchSettings();
+        takeOpened();
+        look();
+        fulfil();
         drawn = draw();
+        if (firstShown_ && secondsBetween(*firstShown_, Clock::now()) >= options_.seconds)
+            window_.close();
     }
     device_.waitIdle();
 }
@@ -95,54 +140,53 @@ float Viewer::aspect() const
     return static_cast<float>(size.x) / static_cast<float>(size.y);
 }
 
-void Viewer::steer(const Input& input)
+void Viewer::look()
 {
-    const auto height = static_cast<float>(window_.drawableSize().y);
-    if (input.rotate != glm::vec2(0.0f))
-        orbit_.rotate(input.rotate, height);
-    if (input.pan != glm::vec2(0.0f))
-        orbit_.pan(input.pan, height);
-    if (input.wheel != 0.0f)
-        orbit_.dolly(input.wheel);
-    if (input.frame)
-        orbit_.show(
-            render::presetCamera(render::CameraPreset::fit, field_, groundUpOf(field_), aspect()));
-    if (input.home)
-        orbit_.reset();
-    if (input.pause)
-        paused_ = !paused_;
+    // Hear what was done, then say what is shown; one frame of the interface.
+    const Clock::time_point now = Clock::now();
+    frameSeconds_ = secondsBetween(lastTick_, now);
+    lastTick_ = now;
+    interface_.begin();
+    steer(window_.takeInput());
+    keepTime();
+    tell();
+    if (exhibit_ && window_.drawableSize() != glm::uvec2(0)) {
+        const Overlay overlay(interface_.style(), exhibit_->navigation().camera(),
+                              window_.drawableSize(), exhibit_->field());
+        overlay.draw(stage_);
+        overlay.tell(stage_, controlMap_);
+    }
+    layout_.draw(controls_, stage_);
+    interface_.end();
+    controlMap_.finishFrame(secondsBetween(begun_, now));
 }
 
 void Viewer::keepTime()
 {
-    // Real time; the physics takes a step of any length, after a minute behind an icon too.
-    const Clock::time_point now = Clock::now();
-    if (!paused_)
-        time_ += secondsBetween(lastTick_, now);
-    lastTick_ = now;
+    // Real time. A frame that took long is not followed by one that takes longer, because it has
+    // more steps to make up for: then the field's time passes more slowly.
+    FieldTime& time = stage_.time;
+    const double passed = std::min(frameSeconds_, device_.isCpu() ? longestOnCpu : longestOnGpu);
+    frameBefore_ = time.now;
+    if (capture_.isSequence())
+        time.now += capture_.step();
+    else if (recorder_.isPlaying())
+        time.now += PathRecorder::replayStep;
+    else if (time.stepOnce)
+        time.now += time.step;
+    else if (!time.paused)
+        time.now += time.scale * passed;
+    time.stepOnce = false;
+    if (!exhibit_)
+        return;
+    const auto up = [this](const glm::dvec3& place) { return upAt(stage_.settings, place); };
+    stage_.hand.advance(stage_.settings.colliders, exhibit_->field().ground, up, frameBefore_,
+                        time.now);
 }
 
-void Viewer::watchSettings()
+double Viewer::scaleOfFrame() const
 {
-    const Clock::time_point now = Clock::now();
-    if (secondsBetween(lastLook_, now) < watchInterval)
-        return;
-    lastLook_ = now;
-    std::error_code absent;
-    const auto written = std::filesystem::last_write_time(options_.settingsFile, absent);
-    if (absent || written == settingsWritten_)
-        return;
-    const bool isFirst = settingsWritten_ == std::filesystem::file_time_type{};
-    settingsWritten_ = written;
-    if (isFirst)
-        return;
-    // Half a sentence is no reason to close the window: the next look finds the whole one.
-    try {
-        settings_ = options_.settingsFor(field_);
-        log::info("{}: read again", options_.settingsFile);
-    } catch (const Error& error) {
-        log::warn("{}", error.what());
-    }
+    return capture_.wantsFrame() ? 1.0 : static_cast<double>(stage_.scale);
 }
 
 bool Viewer::draw()
@@ -155,39 +199,82 @@ bool Viewer::draw()
     const std::optional<gpu::Swapchain::Target> target = swapchain_.acquire();
     if (!target)
         return false;
+    if (exhibit_)
+        picture_.resize(swapchain_.extent(), scaleOfFrame(), swapchain_.format());
 
     const gpu::FrameRing::Frame frame = ring_.begin();
-    tell(frame.slot);
-    constexpr VkImageAspectFlags color = VK_IMAGE_ASPECT_COLOR_BIT;
-    gpu::transition(frame.commands, target->image, color, gpu::ImageUse::undefined,
-                    gpu::ImageUse::colorTarget);
-    const VkExtent2D extent = swapchain_.extent();
-    renderer_.record(frame.commands, {target->image, target->view, {extent.width, extent.height}},
-                     orbit_.camera(), settings_, time_, frame.slot);
-    gpu::transition(frame.commands, target->image, color, gpu::ImageUse::colorTarget,
-                    gpu::ImageUse::present);
+    if (exhibit_ && frames_ >= framesInFlight)
+        stage_.counts = exhibit_->renderer().stats(frame.slot);
+    timestamps_.beginFrame(frame.commands, frame.slot);
+    if (exhibit_) {
+        gpu::transition(frame.commands, picture_.image(), gpu::ImageUse::undefined,
+                        gpu::ImageUse::colorTarget);
+        {
+            const gpu::TimedScope total(timestamps_, device_.context(), frame.commands, "total");
+            exhibit_->renderer().record(
+                frame.commands, {picture_.image().get(), picture_.image().view(), picture_.size()},
+                exhibit_->navigation().camera(), stage_.settings, stage_.time.now, frame.slot,
+                &timestamps_);
+        }
+        picture_.spread(frame.commands, *target, swapchain_.extent());
+    } else {
+        paintBackground(frame.commands, *target);
+    }
+    interface_.record(frame.commands, *target);
+    gpu::transition(frame.commands, target->image, VK_IMAGE_ASPECT_COLOR_BIT,
+                    gpu::ImageUse::colorTarget, gpu::ImageUse::present);
 
-    // Updating and culling may run while the image is still shown; colour may not.
+    // Everything but what touches the window's image may run while it is still shown.
     const std::array waits{
-        semaphoreAt(target->available, VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT)};
+        semaphoreAt(target->available, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT |
+                                           VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT)};
     const std::array signals{semaphoreAt(target->finished, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT)};
     ring_.submit(frame, waits, signals);
     swapchain_.present(*target);
+    if (!exhibit_)
+        return true;
+
     ++frames_;
+    if (capture_.wantsFrame()) {
+        try {
+            notice(capture_.write(device_.context(), picture_.image()));
+        } catch (const Error& error) {
+            complain(error.what());
+        }
+    } else if (stage_.automaticScale && !stage_.settings.cullingCamera) {
+        const std::vector<double> totals = timestamps_.history("total");
+        if (!totals.empty() && frames_ > framesInFlight)
+            resolution_.add(totals.back() / 1000.0);
+        stage_.scale = static_cast<float>(resolution_.scale());
+    }
     return true;
 }
 
-void Viewer::tell(std::uint32_t slot)
+void Viewer::tell()
 {
     const Clock::time_point now = Clock::now();
-    const double seconds = secondsBetween(lastTitle_, now);
-    const bool slotHasCounts = frames_ >= framesInFlight;
-    if (seconds < titleInterval || !slotHasCounts)
+    if (secondsBetween(lastNotice_, now) > noticeTime)
+        stage_.notice.clear();
+    stage_.frameSeconds += smoothing * (frameSeconds_ - stage_.frameSeconds);
+    stage_.field = exhibit_ ? &exhibit_->field() : nullptr;
+    stage_.baking = opening_.baking();
+    stage_.loading = opening_.loading();
+    stage_.recording = recorder_.isRecording();
+    stage_.replaying = recorder_.isPlaying();
+    stage_.sequenceDone = capture_.at();
+    if (!exhibit_)
         return;
-    const render::FrameStats stats = renderer_.stats(slot);
+    stage_.deviceBytes = exhibit_->renderer().deviceBytes();
+    stage_.walking = exhibit_->navigation().isWalking();
+    stage_.flySpeed = exhibit_->navigation().speed();
+
+    const double seconds = secondsBetween(lastTitle_, now);
+    if (seconds < titleInterval || frames_ <= framesInFlight)
+        return;
     const auto frames = static_cast<double>(std::max<std::uint64_t>(frames_ - framesAtTitle_, 1));
-    window_.setTitle(fmt::format("Sward: {}, {} of {} blades drawn, {:.1f} ms per frame", name_,
-                                 stats.drawn, stats.total, 1000.0 * seconds / frames));
+    window_.setTitle(fmt::format("Sward: {}, {} of {} blades drawn, {:.1f} ms per frame",
+                                 exhibit_->field().name, stage_.counts.drawn, stage_.counts.total,
+                                 1000.0 * seconds / frames));
     lastTitle_ = now;
     framesAtTitle_ = frames_;
 }

@@ -1,64 +1,116 @@
 #pragma once
 
+#include "apps/sward_view/capture.h"
+#include "apps/sward_view/exhibit.h"
 #include "apps/sward_view/frame_options.h"
-#include "apps/sward_view/orbit.h"
+#include "apps/sward_view/interface/controls.h"
+#include "apps/sward_view/interface/interface.h"
+#include "apps/sward_view/interface/layout.h"
+#include "apps/sward_view/internal_resolution.h"
+#include "apps/sward_view/opening.h"
+#include "apps/sward_view/path_recorder.h"
+#include "apps/sward_view/scaled_picture.h"
+#include "apps/sward_view/stage.h"
+#include "apps/sward_view/watched_file.h"
 #include "apps/sward_view/window.h"
-#include "field/field.h"
-#include "gpu/device.h"
 #include "gpu/frame_ring.h"
-#include "gpu/instance.h"
-#include "gpu/swapchain.h"
-#include "render/field_renderer.h"
 
 #include <chrono>
-#include <cstdint>
-#include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 
 namespace sward::view {
 
-/// Shows a field in a window: steers the camera, keeps the time, draws with two frames in flight.
+/// What the window is opened with, beside what every command has.
+struct ViewerOptions {
+    const FrameOptions* frame = nullptr;
+    std::string panel;        ///< that is open at first; "off": nothing but the picture
+    std::string controlsFile; ///< where each control is told; empty: nowhere
+    std::string meadow;       ///< preset of a mesh that is opened; empty: the first
+    float resolution = 0.0f;  ///< share of the window's width and height that is drawn; 0: by time
+    double seconds = 0.0;     ///< closes by itself so long after the first field is there
+};
+
+/// Shows fields in a window: steers the camera, keeps the time, draws with two frames in flight,
+/// and does what its panels ask for.
 class Viewer {
 public:
-    /// `window`, `field` and `options` outlive it; `name` stands in the title.
-    Viewer(Window& window, const field::FieldView& field, const FrameOptions& options,
-           std::string name);
+    /// `window` and what `options` point to outlive it.
+    Viewer(Window& window, const ViewerOptions& options);
 
-    /// Until the window is closed, or for so many seconds. Throws Error{interrupted}.
-    void run(double seconds);
+    /// Until the window is closed. Throws Error{interrupted}, what the first field's opening
+    /// throws, and an Error if the device is lost.
+    void run();
 
     const gpu::Instance& instance() const { return instance_; }
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    void steer(const Input& input);
-    void keepTime();
-    void watchSettings();
+    // viewer.cpp: from frame to frame
+    void look();
     bool draw();
-    void tell(std::uint32_t slot);
+    void keepTime();
+    void tell();
+    double scaleOfFrame() const;
     float aspect() const;
 
+    // viewer_input.cpp: what the user does
+    void steer(Input input);
+    void press(const KeyPress& key);
+    bool handleColliders(const Input& input, bool mouse);
+    void pick(glm::vec2 pixel);
+    void freeze();
+    void record();
+    Sight sightAt(glm::vec2 pixel) const;
+
+    // viewer_wishes.cpp: what takes longer than a frame
+    void fulfil();
+    void fulfilFiles(const Wishes& wishes);
+    void open(const std::string& input);
+    void takeOpened();
+    void show(Opening::Opened opened);
+    void watch();
+    void complain(const std::string& message);
+    void notice(const std::string& message);
+
     Window& window_;
-    const FrameOptions& options_;
-    field::FieldView field_;
-    std::string name_;
+    const ViewerOptions& options_;
     gpu::Instance instance_;
     gpu::Surface surface_;
     gpu::Device device_;
     gpu::Swapchain swapchain_;
-    render::FieldRenderer renderer_;
+    Interface interface_;
     gpu::FrameRing ring_;
-    render::FrameSettings settings_;
-    Orbit orbit_;
+    gpu::Timestamps timestamps_;
+    ScaledPicture picture_;
 
-    double time_ = 0.0; ///< of the field [s]
-    bool paused_ = false;
+    Stage stage_;
+    RecentFiles recent_;
+    ControlMap controlMap_;
+    Controls controls_;
+    Layout layout_;
+    std::unique_ptr<Exhibit> exhibit_;
+    std::unique_ptr<Exhibit> former_; ///< before the last bake
+    Opening opening_;
+    PathRecorder recorder_;
+    Capture capture_;
+    InternalResolution resolution_;
+    WatchedFile watchedInput_;
+    WatchedFile watchedSettings_;
+
+    Clock::time_point begun_;
     Clock::time_point lastTick_;
     Clock::time_point lastTitle_;
-    Clock::time_point lastLook_; ///< at the settings file
-    std::filesystem::file_time_type settingsWritten_{};
-    std::uint64_t frames_ = 0;
+    Clock::time_point lastLook_; ///< at watched files and the picked blade
+    Clock::time_point lastNotice_;
+    std::optional<Clock::time_point> firstShown_;
+    double frameBefore_ = 0.0;  ///< [s] of the field
+    double frameSeconds_ = 0.0; ///< real, since the frame before
+    bool isFirstInput_ = true;  ///< what goes wrong with it ends the program
+    bool dragsCollider_ = false;
+    std::uint64_t frames_ = 0; ///< of this field
     std::uint64_t framesAtTitle_ = 0;
 };
 

@@ -7,6 +7,10 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace sward::view {
@@ -40,6 +44,25 @@ public:
     ~Library() { glfwTerminate(); }
 };
 
+constexpr float clickSlack = 3.0f; ///< [pixels] a click may move without becoming a drag
+
+struct KeyMeaning {
+    int code;
+    Key key;
+};
+
+constexpr std::array<KeyMeaning, 11> keyMeanings{{{GLFW_KEY_ESCAPE, Key::escape},
+                                                  {GLFW_KEY_F, Key::frame},
+                                                  {GLFW_KEY_HOME, Key::home},
+                                                  {GLFW_KEY_SPACE, Key::pause},
+                                                  {GLFW_KEY_PERIOD, Key::step},
+                                                  {GLFW_KEY_H, Key::help},
+                                                  {GLFW_KEY_TAB, Key::panels},
+                                                  {GLFW_KEY_G, Key::walk},
+                                                  {GLFW_KEY_C, Key::freeze},
+                                                  {GLFW_KEY_P, Key::picture},
+                                                  {GLFW_KEY_R, Key::record}}};
+
 struct DestroyWindow {
     void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
 };
@@ -58,9 +81,18 @@ struct Window::Parts {
         return *static_cast<Parts*>(glfwGetWindowUserPointer(window));
     }
 
+    bool isDown(int key) const { return glfwGetKey(window.get(), key) == GLFW_PRESS; }
+    bool isHeld(int button) const
+    {
+        return glfwGetMouseButton(window.get(), button) == GLFW_PRESS;
+    }
+    bool shift() const { return isDown(GLFW_KEY_LEFT_SHIFT) || isDown(GLFW_KEY_RIGHT_SHIFT); }
+
     static void onCursor(GLFWwindow* window, double x, double y);
+    static void onButton(GLFWwindow* window, int button, int action, int modifiers);
     static void onScroll(GLFWwindow* window, double x, double y);
     static void onKey(GLFWwindow* window, int key, int code, int action, int modifiers);
+    static void onDrop(GLFWwindow* window, int count, const char** paths);
 };
 
 void Window::Parts::onCursor(GLFWwindow* window, double x, double y)
@@ -68,14 +100,28 @@ void Window::Parts::onCursor(GLFWwindow* window, double x, double y)
     Parts& parts = of(window);
     const glm::vec2 moved(glm::dvec2(x, y) - parts.cursor);
     parts.cursor = {x, y};
-    const bool left = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
-    const bool middle = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_MIDDLE) == GLFW_PRESS;
-    const bool shift = glfwGetKey(window, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS ||
-                       glfwGetKey(window, GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
-    if (middle || (left && shift))
+    const bool left = parts.isHeld(GLFW_MOUSE_BUTTON_LEFT);
+    if (parts.isHeld(GLFW_MOUSE_BUTTON_MIDDLE) || (left && parts.shift()))
         parts.input.pan += moved;
     else if (left)
         parts.input.rotate += moved;
+    else if (parts.isHeld(GLFW_MOUSE_BUTTON_RIGHT))
+        parts.input.look += moved;
+}
+
+void Window::Parts::onButton(GLFWwindow* window, int button, int action, int)
+{
+    if (button != GLFW_MOUSE_BUTTON_LEFT)
+        return;
+    Parts& parts = of(window);
+    const glm::vec2 cursor(parts.cursor);
+    if (action == GLFW_PRESS) {
+        parts.input.leftPressed = true;
+        parts.input.pressedAt = cursor;
+        parts.input.clicked.reset();
+    } else if (glm::length(cursor - parts.input.pressedAt) <= clickSlack) {
+        parts.input.clicked = cursor;
+    }
 }
 
 void Window::Parts::onScroll(GLFWwindow* window, double, double y)
@@ -83,27 +129,27 @@ void Window::Parts::onScroll(GLFWwindow* window, double, double y)
     of(window).input.wheel += static_cast<float>(y);
 }
 
-void Window::Parts::onKey(GLFWwindow* window, int key, int, int action, int)
+void Window::Parts::onKey(GLFWwindow* window, int key, int, int action, int modifiers)
 {
     if (action != GLFW_PRESS)
         return;
-    Input& input = of(window).input;
-    switch (key) {
-    case GLFW_KEY_ESCAPE:
-        glfwSetWindowShouldClose(window, GLFW_TRUE);
-        break;
-    case GLFW_KEY_F:
-        input.frame = true;
-        break;
-    case GLFW_KEY_HOME:
-        input.home = true;
-        break;
-    case GLFW_KEY_SPACE:
-        input.pause = !input.pause;
-        break;
-    default:
-        break;
+    KeyPress press{Key::bookmark, 0, (modifiers & GLFW_MOD_CONTROL) != 0};
+    if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) {
+        press.number = key - GLFW_KEY_0;
+    } else {
+        const auto* const meaning =
+            std::find_if(keyMeanings.begin(), keyMeanings.end(),
+                         [key](const KeyMeaning& entry) { return entry.code == key; });
+        if (meaning == keyMeanings.end())
+            return;
+        press.key = meaning->key;
     }
+    of(window).input.keys.push_back(press);
+}
+
+void Window::Parts::onDrop(GLFWwindow* window, int count, const char** paths)
+{
+    of(window).input.dropped.assign(paths, paths + count);
 }
 
 Window::Window(glm::uvec2 size, const std::string& title)
@@ -123,8 +169,10 @@ Window::Window(glm::uvec2 size, const std::string& title)
     glfwSetWindowUserPointer(window, parts_.get());
     glfwGetCursorPos(window, &parts_->cursor.x, &parts_->cursor.y);
     glfwSetCursorPosCallback(window, Parts::onCursor);
+    glfwSetMouseButtonCallback(window, Parts::onButton);
     glfwSetScrollCallback(window, Parts::onScroll);
     glfwSetKeyCallback(window, Parts::onKey);
+    glfwSetDropCallback(window, Parts::onDrop);
 }
 
 Window::~Window() = default;
@@ -157,6 +205,16 @@ bool Window::isClosed() const
     return glfwWindowShouldClose(parts_->window.get()) == GLFW_TRUE;
 }
 
+void Window::close()
+{
+    glfwSetWindowShouldClose(parts_->window.get(), GLFW_TRUE);
+}
+
+GLFWwindow* Window::handle() const
+{
+    return parts_->window.get();
+}
+
 glm::uvec2 Window::drawableSize() const
 {
     // On X11 a minimised window keeps its size, but nobody sees it.
@@ -180,7 +238,21 @@ void Window::waitForEvents(double seconds)
 
 Input Window::takeInput()
 {
-    return std::exchange(parts_->input, Input());
+    Input next;
+    next.pressedAt = parts_->input.pressedAt;
+    Input input = std::exchange(parts_->input, next);
+
+    // What is held is asked for now.
+    const auto held = [this](int more, int less) {
+        return (parts_->isDown(more) ? 1.0f : 0.0f) - (parts_->isDown(less) ? 1.0f : 0.0f);
+    };
+    input.cursor = glm::vec2(parts_->cursor);
+    input.leftHeld = parts_->isHeld(GLFW_MOUSE_BUTTON_LEFT);
+    input.rightHeld = parts_->isHeld(GLFW_MOUSE_BUTTON_RIGHT);
+    input.hurry = parts_->shift();
+    input.walk = {held(GLFW_KEY_D, GLFW_KEY_A), held(GLFW_KEY_E, GLFW_KEY_Q),
+                  held(GLFW_KEY_W, GLFW_KEY_S)};
+    return input;
 }
 
 void Window::setTitle(const std::string& title)

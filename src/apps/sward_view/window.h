@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/sward_view/input.h"
 #include "gpu/handle.h"
 
 #include <glm/vec2.hpp>
@@ -10,17 +11,9 @@
 #include <string>
 #include <vector>
 
-namespace sward::view {
+struct GLFWwindow;
 
-/// What the user has done since the last question.
-struct Input {
-    glm::vec2 rotate{0.0f}; ///< drag with the left button [pixels]
-    glm::vec2 pan{0.0f};    ///< drag with the middle button, or left with shift [pixels]
-    float wheel = 0.0f;     ///< steps; away from the user is positive
-    bool frame = false;     ///< F
-    bool home = false;      ///< Home
-    bool pause = false;     ///< Space
-};
+namespace sward::view {
 
 /// A window that Vulkan draws into. One at a time; all calls from the thread of main().
 class Window {
@@ -38,8 +31,9 @@ public:
 
     void show();
 
-    /// Whether the user has closed the window (its button, or Escape).
+    /// Whether the user has closed the window by its button, or close() was called.
     bool isClosed() const;
+    void close();
 
     /// Size of the drawable area [pixels]; 0 while there is nothing to draw into.
     glm::uvec2 drawableSize() const;
@@ -52,6 +46,9 @@ public:
 
     Input takeInput();
     void setTitle(const std::string& title);
+
+    /// For whoever draws controls into it.
+    GLFWwindow* handle() const;
 
 private:
     struct Parts;

@@ -1,5 +1,5 @@
 #include "apps/common/parse_text.h"
-#include "apps/sward_view/bake_first.h"
+#include "apps/sward_view/baking.h"
 #include "apps/sward_view/commands.h"
 #include "apps/sward_view/graphics.h"
 #include "apps/sward_view/viewer.h"
@@ -11,48 +11,40 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <string>
 
 namespace sward::view {
 namespace {
 
 constexpr const char* footer =
-    "In the window: left drag turns, middle or shift+left drag moves, the wheel comes nearer;\n"
-    "F frames the field, Home returns, Space pauses the time, Escape closes.\n"
+    "In the window: left drag turns, middle or shift+left drag moves, the wheel comes nearer, "
+    "right\n"
+    "drag with W A S D Q E flies; F frames the field, Home returns, Space pauses the time, H "
+    "shows\n"
+    "all keys, Escape closes. Drop a field, a mesh or a recipe on it to open it.\n"
     "Example:\n"
     "  sward-view meadow.sward\n"
-    "  sward-view landscape.glb";
+    "  sward-view landscape.glb --meadow steppe --watch\n"
+    "  sward-view meadow.sward --settings storm.json --panel wind";
 
 struct WindowOptions {
     FrameOptions frame;
-    double seconds = std::numeric_limits<double>::infinity();
+    ViewerOptions viewer;
 };
 
-int showWindow(const WindowOptions& options)
+int showWindow(WindowOptions& options)
 {
     const FrameOptions& frame = options.frame;
     frame.log.apply();
-    if (frame.field.empty())
-        fail(ErrorKind::usage, "no field or mesh is given\nRun 'sward-view --help' to see what it "
-                               "takes.");
+    options.viewer.frame = &frame;
 
-    if (frame.watch && frame.settingsFile.empty())
-        fail(ErrorKind::usage, "--watch: there is no --settings to watch");
-
-    // What is wrong with a file or the display is found out before anything long begins.
+    // A file that is not there is found out before a window opens.
+    if (!frame.field.empty() && !wantsBaking(frame.field) && !std::filesystem::exists(frame.field))
+        fail(ErrorKind::io, "{}: no such file", frame.field);
     const std::string name = std::filesystem::path(frame.field).filename().string();
-    std::optional<field::MappedField> field;
-    if (!wantsBaking(frame.field))
-        field.emplace(field::readField(frame.field));
-    Window window(frame.size, "Sward: " + name);
-    if (!field)
-        field.emplace(bakeFirst(frame.field));
-    const field::FieldView view = field->view();
-    log::info("{}: {} blades in {} patches", frame.field, view.blades.size(), view.patches.size());
-
-    Viewer viewer(window, view, frame, name);
-    viewer.run(options.seconds);
+    Window window(frame.size, name.empty() ? "Sward" : "Sward: " + name);
+    Viewer viewer(window, options.viewer);
+    viewer.run();
     if (frame.validation)
         log::info("{} validation messages", viewer.instance().validationLog().count());
     failOnValidationMessages(viewer.instance());
@@ -77,13 +69,35 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
     app.add_option("FILE", options->frame.field,
                    "A field; or a mesh, on which grass is grown first by 'sward'")
         ->type_name("");
+    options->viewer.seconds = std::numeric_limits<double>::infinity();
     options->frame.addShared(app);
     app.add_flag("--watch", options->frame.watch,
-                 "Read the settings file again whenever it changes");
+                 "Open the file, and read the settings, again whenever they change");
+    app.add_option("--meadow", options->viewer.meadow,
+                   "What is sown on a mesh: meadow, lawn, steppe [meadow]")
+        ->type_name("NAME")
+        ->check(CLI::IsMember({"meadow", "lawn", "steppe"}).description(""));
+    app.add_option("--panel", options->viewer.panel,
+                   "Panel that is open at first: field, meadow, physics, wind, culling, colliders, "
+                   "look, camera, profile, capture; off shows the picture alone")
+        ->type_name("NAME");
+    app.add_option_function<std::string>(
+           "--resolution",
+           [options](const std::string& text) {
+               if (text != "auto")
+                   options->viewer.resolution = static_cast<float>(
+                       apps::parseNumber("--resolution", text, InternalResolution::lowest, 1.0));
+           },
+           "Share of the window's width and height that is drawn, 0.2 to 1; auto: fewer pixels "
+           "when frames take long [auto]")
+        ->type_name("auto|F");
+    app.add_option("--controls", options->viewer.controlsFile,
+                   "Tell where each control is and what it shows, a few times a second, for tests")
+        ->type_name("JSON");
     app.add_option_function<std::string>(
            "--exit-after",
            [options](const std::string& text) {
-               options->seconds = apps::parseNumber("--exit-after", text, 0, 1e9);
+               options->viewer.seconds = apps::parseNumber("--exit-after", text, 0, 1e9);
            },
            "Close the window by itself, for tests")
         ->type_name("SECONDS");

@@ -1,0 +1,246 @@
+#include "apps/sward_view/baking.h"
+
+#include "core/error.h"
+#include "core/log.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+
+namespace sward::view {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t linesKept = 40; ///< of what it says
+constexpr int runtimeCode = static_cast<int>(ErrorKind::runtime);
+
+fs::path makeFolder()
+{
+    std::string name = (fs::temp_directory_path() / "sward-view.XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+        fail(ErrorKind::io, "{}: cannot make a folder: {}", name, std::strerror(errno));
+    return name;
+}
+
+// The program `sward` beside this one: in a build folder, in a bundle and when installed.
+fs::path swardProgram()
+{
+    std::error_code error;
+    const fs::path own = fs::read_symlink("/proc/self/exe", error);
+    const fs::path program = own.parent_path() / "sward";
+    if (error || ::access(program.c_str(), X_OK) != 0)
+        fail(ErrorKind::io, "{}: not found; it bakes a mesh before it is shown", program.string());
+    return program;
+}
+
+// Starts a program whose stderr is written into `said`.
+pid_t start(std::vector<std::string> arguments, int said)
+{
+    std::vector<char*> pointers;
+    for (std::string& argument : arguments)
+        pointers.push_back(argument.data());
+    pointers.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawn_file_actions_adddup2(&actions, said, STDERR_FILENO);
+    pid_t child = -1;
+    const int error =
+        ::posix_spawn(&child, pointers[0], &actions, nullptr, pointers.data(), environ);
+    ::posix_spawn_file_actions_destroy(&actions);
+    if (error != 0)
+        fail(ErrorKind::runtime, "{}: cannot be run: {}", arguments[0], std::strerror(error));
+    return child;
+}
+
+// Without the sequences that erase a line and colour it.
+std::string plain(std::string_view line)
+{
+    std::string text;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '\033') {
+            while (i < line.size() && !(line[i] >= '@' && line[i] <= 'z' && line[i] != '['))
+                ++i;
+            continue;
+        }
+        text += line[i];
+    }
+    return text;
+}
+
+} // namespace
+
+bool wantsBaking(const std::string& input)
+{
+    constexpr std::array<std::string_view, 10> extensions{".glb", ".gltf", ".obj", ".ply", ".stl",
+                                                          ".off", ".png",  ".r16", ".exr", ".json"};
+    constexpr std::array<std::string_view, 6> builtIns{"plane", "sphere", "hills",
+                                                       "dunes", "torus",  "arch"};
+    std::string extension = fs::path(input).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end())
+        return true;
+    return !fs::exists(input) &&
+           std::find(builtIns.begin(), builtIns.end(), input) != builtIns.end();
+}
+
+std::optional<BakeProgress> parseProgress(std::string_view line)
+{
+    const std::size_t open = line.find("  [");
+    const std::size_t close = line.rfind("] ");
+    const std::size_t percent = line.rfind(" %");
+    if (open == std::string_view::npos || close == std::string_view::npos ||
+        percent == std::string_view::npos || close < open || percent < close)
+        return std::nullopt;
+    BakeProgress progress;
+    progress.stage = line.substr(0, open);
+    progress.stage.erase(progress.stage.find_last_not_of(' ') + 1);
+    progress.share = std::atof(std::string(line.substr(close + 2, percent - close - 2)).c_str());
+    progress.share = std::clamp(progress.share / 100.0, 0.0, 1.0);
+    return progress;
+}
+
+Baking::Baking(std::vector<std::string> arguments)
+    : folder_(makeFolder())
+{
+    try {
+        std::vector<std::string> all{swardProgram().string(), "bake"};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        for (const std::string& argument :
+             {std::string("-o"), field().string(), std::string("--report"), report().string(),
+              std::string("--progress"), std::string("always")})
+            all.push_back(argument);
+        std::array<int, 2> ends{};
+        if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+            fail(ErrorKind::runtime, "cannot make a pipe: {}", std::strerror(errno));
+        said_ = ends[0];
+        ::fcntl(said_, F_SETFL, O_NONBLOCK);
+        try {
+            child_ = start(std::move(all), ends[1]);
+        } catch (...) {
+            ::close(ends[1]);
+            throw;
+        }
+        ::close(ends[1]);
+    } catch (...) {
+        if (said_ >= 0)
+            ::close(said_);
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+        throw;
+    }
+}
+
+Baking::~Baking()
+{
+    if (child_ > 0 && !status_) {
+        ::kill(child_, SIGKILL);
+        int status = 0;
+        while (::waitpid(child_, &status, 0) < 0 && errno == EINTR)
+            continue;
+    }
+    if (said_ >= 0)
+        ::close(said_);
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+}
+
+bool Baking::poll()
+{
+    if (status_)
+        return true;
+    std::array<char, 4096> buffer;
+    for (;;) {
+        const ssize_t count = ::read(said_, buffer.data(), buffer.size());
+        if (count <= 0)
+            break;
+        takeIn({buffer.data(), static_cast<std::size_t>(count)});
+    }
+    int status = 0;
+    if (::waitpid(child_, &status, WNOHANG) != child_)
+        return false;
+    // What it said between the last look and its end.
+    for (;;) {
+        const ssize_t count = ::read(said_, buffer.data(), buffer.size());
+        if (count <= 0)
+            break;
+        takeIn({buffer.data(), static_cast<std::size_t>(count)});
+    }
+    takeIn("\n");
+    status_ = status;
+    return true;
+}
+
+void Baking::cancel()
+{
+    if (child_ > 0 && !status_) {
+        cancelled_ = true;
+        ::kill(child_, SIGTERM);
+    }
+}
+
+void Baking::takeIn(std::string_view text)
+{
+    for (const char c : text) {
+        if (c != '\n' && c != '\r') {
+            unfinished_ += c;
+            continue;
+        }
+        takeLine(plain(unfinished_));
+        unfinished_.clear();
+    }
+    // A bar is finished by the next one; show it now.
+    if (const auto progress = parseProgress(plain(unfinished_)))
+        progress_ = *progress;
+}
+
+void Baking::takeLine(std::string line)
+{
+    if (line.empty())
+        return;
+    if (const auto progress = parseProgress(line)) {
+        progress_ = *progress;
+        return;
+    }
+    log::info("sward: {}", line);
+    lines_.push_back(std::move(line));
+    if (lines_.size() > linesKept)
+        lines_.erase(lines_.begin());
+}
+
+bool Baking::succeeded() const
+{
+    return status_ && WIFEXITED(*status_) && WEXITSTATUS(*status_) == 0;
+}
+
+int Baking::exitCode() const
+{
+    if (!status_ || !WIFEXITED(*status_))
+        return runtimeCode;
+    return WEXITSTATUS(*status_);
+}
+
+std::string Baking::complaint() const
+{
+    if (cancelled_)
+        return "the bake was cancelled";
+    if (status_ && WIFSIGNALED(*status_))
+        return "the bake was ended by signal " + std::to_string(WTERMSIG(*status_)) + " (" +
+               ::strsignal(WTERMSIG(*status_)) + ")";
+    for (auto line = lines_.rbegin(); line != lines_.rend(); ++line)
+        if (line->starts_with("error: "))
+            return line->substr(7);
+    return lines_.empty() ? "the bake failed without a word" : lines_.back();
+}
+
+} // namespace sward::view

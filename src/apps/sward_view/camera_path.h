@@ -1,0 +1,46 @@
+#pragma once
+
+#include "render/camera.h"
+
+#include <glm/vec3.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sward::view {
+
+/// A camera on its way: a timed list, or one camera that stands still.
+class CameraPath {
+public:
+    CameraPath() = default;
+    explicit CameraPath(const render::Camera& still) { add(0.0, still); }
+
+    /// Later than all before.
+    void add(double time, const render::Camera& camera);
+
+    /// At `time` [s], on a smooth curve through all places; before the first and after the last it
+    /// stands still. There is at least one.
+    render::Camera at(double time) const;
+
+    bool isEmpty() const { return stops_.empty(); }
+    std::size_t size() const { return stops_.size(); }
+    double end() const { return stops_.empty() ? 0.0 : stops_.back().time; } ///< [s]
+
+private:
+    struct Stop {
+        double time; ///< [s]
+        render::Camera camera;
+    };
+
+    std::vector<Stop> stops_;
+};
+
+/// Reads a camera file (camera_file.h), or a list of such objects that have "time" [s] besides, in
+/// ascending order. Throws as readCamera() does.
+CameraPath readCameraPath(const std::filesystem::path& path, glm::vec3 up);
+
+/// The list as text, from its first time on at fixed `steps` [s] as it was recorded.
+std::string cameraPathText(const CameraPath& path, double step);
+
+} // namespace sward::view

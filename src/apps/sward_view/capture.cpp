@@ -1,0 +1,60 @@
+#include "apps/sward_view/capture.h"
+
+#include "core/error.h"
+#include "gpu/readback.h"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+namespace sward::view {
+
+void Capture::takeSequence(const std::string& names, std::uint64_t pictures, double step)
+{
+    FrameNames numbered(names);
+    if (!numbered.numbered())
+        fail(ErrorKind::usage, "{}: has no number in it; write %d or %04d where it shall stand",
+             names);
+    sequence_.emplace(Sequence{std::move(numbered), pictures, step});
+}
+
+std::string Capture::write(const gpu::DeviceContext& context, const gpu::Image& image)
+{
+    const Picture picture = pictureOf(context, image);
+    std::string said;
+    if (picture_) {
+        const std::filesystem::path path = *std::exchange(picture_, std::nullopt);
+        writePng(picture, path, true);
+        said = fmt::format("{}: {}x{} pixels", path.string(), picture.size.x, picture.size.y);
+    }
+    if (!sequence_)
+        return said;
+    // A disk that is full ends the sequence, not the window.
+    try {
+        writePng(picture, sequence_->names.of(sequence_->next), true);
+    } catch (const Error&) {
+        sequence_.reset();
+        throw;
+    }
+    if (++sequence_->next == sequence_->pictures) {
+        said = fmt::format("{}: the last of {} pictures",
+                           sequence_->names.of(sequence_->next - 1).string(), sequence_->pictures);
+        sequence_.reset();
+    }
+    return said;
+}
+
+Picture pictureOf(const gpu::DeviceContext& context, const gpu::Image& image)
+{
+    const std::vector<std::byte> bytes =
+        gpu::readImage(context, image, gpu::ImageUse::transferSource);
+    const auto* first = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    Picture picture{{image.extent().width, image.extent().height}, {first, first + bytes.size()}};
+    const bool isBlueFirst =
+        image.format() == VK_FORMAT_B8G8R8A8_SRGB || image.format() == VK_FORMAT_B8G8R8A8_UNORM;
+    for (std::size_t i = 0; isBlueFirst && i + 3 < picture.rgba.size(); i += 4)
+        std::swap(picture.rgba[i], picture.rgba[i + 2]);
+    return picture;
+}
+
+} // namespace sward::view

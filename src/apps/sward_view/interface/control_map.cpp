@@ -1,0 +1,34 @@
+#include "apps/sward_view/interface/control_map.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace sward::view {
+namespace {
+
+constexpr double interval = 0.1; ///< [s] between two writings
+
+} // namespace
+
+void ControlMap::finishFrame(double seconds)
+{
+    if (!path_.empty() && (written_ < 0.0 || seconds - written_ >= interval)) {
+        written_ = seconds;
+        nlohmann::json json = nlohmann::json::object();
+        for (const auto& [name, place] : places_)
+            json[name] = {{"x", place.x},
+                          {"y", place.y},
+                          {"width", place.width},
+                          {"height", place.height},
+                          {"shows", place.shows}};
+        // Renamed, so that a reader never sees half of it; no disk need hear of it.
+        const std::filesystem::path part = path_.string() + ".part";
+        std::ofstream(part) << json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
+        std::error_code ignored;
+        std::filesystem::rename(part, path_, ignored);
+    }
+    places_.clear();
+}
+
+} // namespace sward::view

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace sward::view {
+
+/// Where each control of a frame lies and what it shows: a test, or another program, finds it by
+/// its name.
+class ControlMap {
+public:
+    struct Place {
+        float x = 0.0f, y = 0.0f, width = 0.0f, height = 0.0f; ///< [pixels of the window]
+        std::string shows;
+    };
+
+    /// Where write() puts it; empty: nowhere.
+    void writeTo(std::filesystem::path path) { path_ = std::move(path); }
+
+    void add(const std::string& name, Place place) { places_[name] = std::move(place); }
+
+    /// Writes what was added as JSON, whole, a few times a second at most, and forgets it.
+    void finishFrame(double seconds);
+
+private:
+    std::filesystem::path path_;
+    std::map<std::string, Place> places_;
+    double written_ = -1.0; ///< [s]
+};
+
+} // namespace sward::view

@@ -1,0 +1,209 @@
+#include "apps/sward_view/interface/controls.h"
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sward::view {
+namespace {
+
+constexpr float labelShare = 0.40f;    ///< of a panel's width
+constexpr float tooltipWidth = 300.0f; ///< [pixels]
+
+std::string hidden(const char* name)
+{
+    return std::string("##") + name;
+}
+
+std::string rangeText(const char* about, double low, double high, const char* unit)
+{
+    return fmt::format("{}\n{:g} to {:g}{}{}", about, low, high, *unit == 0 ? "" : " ", unit);
+}
+
+} // namespace
+
+void Controls::heading(const char* text)
+{
+    ImGui::PushFont(style_.heading());
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
+    ImGui::Dummy({0.0f, 2.0f});
+}
+
+void Controls::section(const char* text)
+{
+    ImGui::Dummy({0.0f, 4.0f});
+    ImGui::PushStyleColor(ImGuiCol_Text, style_.color(palette::accent));
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+}
+
+void Controls::note(const std::string& text)
+{
+    ImGui::PushStyleColor(ImGuiCol_Text, style_.color(palette::dim));
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+void Controls::label(const char* name)
+{
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, style_.color(palette::dim));
+    ImGui::TextUnformatted(name);
+    ImGui::PopStyleColor();
+    const float left = ImGui::GetWindowContentRegionMin().x;
+    const float width = ImGui::GetWindowContentRegionMax().x - left;
+    ImGui::SameLine(left + labelShare * width);
+    ImGui::SetNextItemWidth(-1.0f);
+}
+
+void Controls::finish(const char* name, const std::string& shows, const std::string& about)
+{
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    map_.add(panel_ + "/" + name, {low.x, low.y, high.x - low.x, high.y - low.y, shows});
+    if (about.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(tooltipWidth);
+    ImGui::TextUnformatted(about.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void Controls::tell(const char* name, const std::string& shows, const char* about)
+{
+    finish(name, shows, about == nullptr ? "" : about);
+}
+
+void Controls::fact(const char* name, const std::string& shows, const char* about)
+{
+    label(name);
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(shows.c_str());
+    ImGui::PopTextWrapPos();
+    finish(name, shows, about == nullptr ? "" : about);
+}
+
+bool Controls::number(const char* name, float& value, const Extent& extent, const char* about)
+{
+    label(name);
+    const std::string format =
+        *extent.unit == 0 ? extent.format : fmt::format("{} {}", extent.format, extent.unit);
+    const bool turned =
+        ImGui::SliderFloat(hidden(name).c_str(), &value, extent.low, extent.high, format.c_str(),
+                           extent.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+    // Typed in with Ctrl+click it may be anything.
+    if (turned)
+        value = std::clamp(value, extent.low, extent.high);
+    finish(name, fmt::format("{:g}", value),
+           rangeText(about, static_cast<double>(extent.low), static_cast<double>(extent.high),
+                     extent.unit) +
+               "; Ctrl+click to type");
+    return turned;
+}
+
+bool Controls::number(const char* name, double& value, const Extent& extent, const char* about)
+{
+    auto single = static_cast<float>(value);
+    if (!number(name, single, extent, about))
+        return false;
+    value = static_cast<double>(single);
+    return true;
+}
+
+bool Controls::wholeNumber(const char* name, int& value, int low, int high, const char* about)
+{
+    label(name);
+    const bool turned = ImGui::SliderInt(hidden(name).c_str(), &value, low, high);
+    if (turned)
+        value = std::clamp(value, low, high);
+    finish(name, std::to_string(value), rangeText(about, low, high, ""));
+    return turned;
+}
+
+bool Controls::toggle(const char* name, bool& value, const char* about)
+{
+    label(name);
+    const bool turned = ImGui::Checkbox(hidden(name).c_str(), &value);
+    finish(name, value ? "on" : "off", std::string(about) + "\non or off");
+    return turned;
+}
+
+bool Controls::choice(const char* name, int& value, std::span<const char* const> words,
+                      const char* about)
+{
+    label(name);
+    const bool turned =
+        ImGui::Combo(hidden(name).c_str(), &value, words.data(), static_cast<int>(words.size()));
+    std::string all;
+    for (const char* word : words)
+        all += (all.empty() ? "" : ", ") + std::string(word);
+    finish(name, words[static_cast<std::size_t>(value)], fmt::format("{}\n{}", about, all));
+    return turned;
+}
+
+bool Controls::color(const char* name, glm::vec3& value, const char* about)
+{
+    label(name);
+    const bool turned = ImGui::ColorEdit3(hidden(name).c_str(), &value.x,
+                                          ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR |
+                                              ImGuiColorEditFlags_NoInputs);
+    finish(name, fmt::format("{:.3f} {:.3f} {:.3f}", value.x, value.y, value.z),
+           std::string(about) + "\nlinear radiance, 0 to 100 a channel");
+    if (turned)
+        value = glm::clamp(value, glm::vec3(0.0f), glm::vec3(100.0f));
+    return turned;
+}
+
+bool Controls::text(const char* name, std::string& value, const char* hint, const char* about)
+{
+    label(name);
+    const bool turned = ImGui::InputTextWithHint(hidden(name).c_str(), hint, &value);
+    finish(name, value, about);
+    return turned;
+}
+
+bool Controls::place(const char* name, glm::dvec3& value, const char* about)
+{
+    label(name);
+    const bool turned = ImGui::DragScalarN(hidden(name).c_str(), ImGuiDataType_Double, &value.x, 3,
+                                           0.05f, nullptr, nullptr, "%.2f");
+    finish(name, fmt::format("{:.2f} {:.2f} {:.2f}", value.x, value.y, value.z),
+           std::string(about) + "\nx, y, z in m, world space; drag, or Ctrl+click to type");
+    return turned;
+}
+
+bool Controls::direction(const char* name, glm::vec3& value, const char* about)
+{
+    const float length = glm::length(value);
+    const glm::vec3 unit = length > 1e-6f ? value / length : glm::vec3(1.0f, 0.0f, 0.0f);
+    float heading = glm::degrees(std::atan2(unit.z, unit.x));
+    float rise = glm::degrees(std::asin(std::clamp(unit.y, -1.0f, 1.0f)));
+    const std::string risen = std::string(name) + " rise";
+    const bool turned = number(name, heading, {-180.0f, 180.0f, "°", "%.0f"}, about) |
+                        number(risen.c_str(), rise, {-90.0f, 90.0f, "°", "%.0f"},
+                               "How much of it points up (above 0) or down");
+    if (!turned)
+        return false;
+    // Straight up it still knows where it was heading.
+    const float flat = std::max(std::cos(glm::radians(rise)), 1e-4f);
+    value = {flat * std::cos(glm::radians(heading)), std::sin(glm::radians(rise)),
+             flat * std::sin(glm::radians(heading))};
+    return true;
+}
+
+bool Controls::button(const char* name, const char* about, bool wide)
+{
+    const bool pressed = ImGui::Button(name, {wide ? -1.0f : 0.0f, 0.0f});
+    finish(name, "", about);
+    return pressed;
+}
+
+} // namespace sward::view

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "apps/sward_view/interface/control_map.h"
+#include "apps/sward_view/interface/style.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace sward::view {
+
+/// What a number may be.
+struct Extent {
+    float low = 0.0f;
+    float high = 1.0f;
+    const char* unit = ""; ///< "m", "1/s"; empty: none
+    const char* format = "%.2f";
+    bool logarithmic = false;
+};
+
+/// The controls that panels are made of: a name on the left, the control on the right, and a
+/// tooltip that says what it does, its unit and its range. What turns something returns whether it
+/// did.
+class Controls {
+public:
+    Controls(const Style& style, ControlMap& map)
+        : style_(style)
+        , map_(map)
+    {
+    }
+
+    /// The panel that what follows belongs to: the first half of each control's name in the map.
+    void beginPanel(std::string name) { panel_ = std::move(name); }
+
+    void heading(const char* text);
+    void section(const char* text);
+    void note(const std::string& text); ///< dim, wrapped
+    void fact(const char* name, const std::string& shows, const char* about = nullptr);
+
+    bool number(const char* name, float& value, const Extent& extent, const char* about);
+    bool number(const char* name, double& value, const Extent& extent, const char* about);
+    bool wholeNumber(const char* name, int& value, int low, int high, const char* about);
+    bool toggle(const char* name, bool& value, const char* about);
+    bool choice(const char* name, int& value, std::span<const char* const> words,
+                const char* about);
+    bool color(const char* name, glm::vec3& value, const char* about);
+    bool text(const char* name, std::string& value, const char* hint, const char* about);
+
+    /// Three numbers [m].
+    bool place(const char* name, glm::dvec3& value, const char* about);
+
+    /// A unit vector by two angles: around the vertical and above the horizon.
+    bool direction(const char* name, glm::vec3& value, const char* about);
+
+    /// As wide as the panel, or as its text.
+    bool button(const char* name, const char* about, bool wide = false);
+
+    /// Tells the map of the item drawn last, if that item was drawn by other means.
+    void tell(const char* name, const std::string& shows, const char* about);
+
+    const Style& style() const { return style_; }
+
+private:
+    void label(const char* name);
+    void finish(const char* name, const std::string& shows, const std::string& about);
+
+    const Style& style_;
+    ControlMap& map_;
+    std::string panel_;
+};
+
+} // namespace sward::view

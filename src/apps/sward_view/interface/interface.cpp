@@ -1,0 +1,187 @@
+#include "apps/sward_view/interface/interface.h"
+
+#include "gpu/check.h"
+#include "gpu/commands.h"
+#include "gpu/debug.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui/backends/imgui_impl_glfw.h>
+#include <imgui/backends/imgui_impl_vulkan.h>
+
+namespace sward::view {
+namespace {
+
+constexpr std::uint32_t bufferedFrames = 3; ///< more than are in flight
+constexpr std::uint32_t imageSets = 8;      ///< the letters are the only image
+
+bool isLinear(VkFormat format)
+{
+    return format == VK_FORMAT_B8G8R8A8_SRGB || format == VK_FORMAT_R8G8B8A8_SRGB;
+}
+
+// This version of ImGui knows no dynamic rendering.
+VkRenderPass createRenderPass(const gpu::DeviceContext& context, VkFormat format)
+{
+    VkAttachmentDescription color{};
+    color.format = format;
+    color.samples = VK_SAMPLE_COUNT_1_BIT;
+    color.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
+    color.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    color.stencilLoadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+    color.stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+    color.initialLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    color.finalLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    const VkAttachmentReference reference{0, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+    VkSubpassDescription subpass{};
+    subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
+    subpass.colorAttachmentCount = 1;
+    subpass.pColorAttachments = &reference;
+    VkRenderPassCreateInfo create{};
+    create.sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO;
+    create.attachmentCount = 1;
+    create.pAttachments = &color;
+    create.subpassCount = 1;
+    create.pSubpasses = &subpass;
+    VkRenderPass pass = VK_NULL_HANDLE;
+    gpu::check(vkCreateRenderPass(context.device, &create, nullptr, &pass), "vkCreateRenderPass");
+    return pass;
+}
+
+VkDescriptorPool createDescriptors(const gpu::DeviceContext& context)
+{
+    const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, imageSets};
+    VkDescriptorPoolCreateInfo create{};
+    create.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+    create.flags = VK_DESCRIPTOR_POOL_CREATE_FREE_DESCRIPTOR_SET_BIT;
+    create.maxSets = imageSets;
+    create.poolSizeCount = 1;
+    create.pPoolSizes = &size;
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    gpu::check(vkCreateDescriptorPool(context.device, &create, nullptr, &pool),
+               "vkCreateDescriptorPool");
+    return pool;
+}
+
+void checkResult(VkResult result)
+{
+    gpu::check(result, "ImGui");
+}
+
+} // namespace
+
+Interface::Context::Context()
+{
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    // Nothing is kept between runs behind the user's back.
+    io.IniFilename = nullptr;
+    io.LogFilename = nullptr;
+    // Sliders are turned by the mouse; letters are keys of the camera.
+    io.ConfigWindowsMoveFromTitleBarOnly = true;
+}
+
+Interface::Context::~Context()
+{
+    ImGui::DestroyContext();
+}
+
+Interface::Backends::~Backends()
+{
+    ImGui_ImplVulkan_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+}
+
+Interface::Interface(const gpu::Instance& instance, const gpu::Device& device,
+                     const gpu::Swapchain& swapchain, GLFWwindow* window)
+    : device_(device.context())
+    , swapchain_(swapchain)
+    , style_(std::make_unique<Style>(isLinear(swapchain.format())))
+    , renderPass_(device_.device, createRenderPass(device_, swapchain.format()))
+    , descriptors_(device_.device, createDescriptors(device_))
+{
+    ImGui_ImplGlfw_InitForVulkan(window, true);
+    ImGui_ImplVulkan_InitInfo info{};
+    info.Instance = instance.get();
+    info.PhysicalDevice = device_.physical;
+    info.Device = device_.device;
+    info.QueueFamily = device_.queueFamily;
+    info.Queue = device_.queue;
+    info.DescriptorPool = descriptors_.get();
+    info.MinImageCount = bufferedFrames;
+    info.ImageCount = bufferedFrames;
+    info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
+    info.CheckVkResultFn = checkResult;
+    ImGui_ImplVulkan_Init(&info, renderPass_.get());
+    backends_ = std::make_unique<Backends>();
+    gpu::submitAndWait(device_, [](VkCommandBuffer commands) {
+        ImGui_ImplVulkan_CreateFontsTexture(commands);
+    });
+    ImGui_ImplVulkan_DestroyFontUploadObjects();
+}
+
+Interface::~Interface() = default;
+
+void Interface::begin()
+{
+    ImGui_ImplVulkan_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+}
+
+void Interface::end()
+{
+    ImGui::Render();
+}
+
+bool Interface::takesMouse() const
+{
+    return ImGui::GetIO().WantCaptureMouse;
+}
+
+bool Interface::takesKeys() const
+{
+    return ImGui::GetIO().WantTextInput;
+}
+
+VkFramebuffer Interface::framebufferFor(const gpu::Swapchain::Target& target)
+{
+    // The swapchain has waited for the device before it gave up the old images.
+    if (generation_ != swapchain_.generation()) {
+        framebuffers_.clear();
+        framebuffers_.resize(swapchain_.imageCount());
+        generation_ = swapchain_.generation();
+    }
+    Framebuffer& framebuffer = framebuffers_.at(target.index);
+    if (!framebuffer) {
+        const VkExtent2D extent = swapchain_.extent();
+        VkFramebufferCreateInfo create{};
+        create.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO;
+        create.renderPass = renderPass_.get();
+        create.attachmentCount = 1;
+        create.pAttachments = &target.view;
+        create.width = extent.width;
+        create.height = extent.height;
+        create.layers = 1;
+        VkFramebuffer made = VK_NULL_HANDLE;
+        gpu::check(vkCreateFramebuffer(device_.device, &create, nullptr, &made),
+                   "vkCreateFramebuffer");
+        framebuffer = {device_.device, made};
+    }
+    return framebuffer.get();
+}
+
+void Interface::record(VkCommandBuffer commands, const gpu::Swapchain::Target& target)
+{
+    const gpu::LabelScope label(device_, commands, "interface");
+    VkRenderPassBeginInfo begin{};
+    begin.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO;
+    begin.renderPass = renderPass_.get();
+    begin.framebuffer = framebufferFor(target);
+    begin.renderArea = {{0, 0}, swapchain_.extent()};
+    vkCmdBeginRenderPass(commands, &begin, VK_SUBPASS_CONTENTS_INLINE);
+    ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), commands);
+    vkCmdEndRenderPass(commands);
+}
+
+} // namespace sward::view

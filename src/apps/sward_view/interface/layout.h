@@ -1,0 +1,35 @@
+#pragma once
+
+#include "apps/sward_view/interface/controls.h"
+#include "apps/sward_view/stage.h"
+
+#include <optional>
+#include <string>
+
+namespace sward::view {
+
+/// Where things stand in the window: a rail of panels on the left, the open one beside it, a line
+/// of numbers below, messages above, the sheet of keys in the middle.
+class Layout {
+public:
+    /// Index into `panels`, or none.
+    std::optional<std::size_t> open;
+    bool shown = true; ///< everything but messages
+    bool keySheet = false;
+
+    /// Opens the panel of that name, in any case of letters; whether there is one.
+    bool openPanel(const std::string& name);
+
+    void draw(Controls& controls, Stage& stage);
+
+private:
+    void drawRail(Controls& controls);
+    void drawPanel(Controls& controls, Stage& stage);
+    void drawStatus(Controls& controls, Stage& stage);
+    void drawMessages(Controls& controls, Stage& stage);
+    void drawPicked(Controls& controls, Stage& stage);
+    void drawWelcome(Controls& controls, Stage& stage);
+    void drawKeySheet(Controls& controls);
+};
+
+} // namespace sward::view

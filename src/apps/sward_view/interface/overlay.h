@@ -1,0 +1,45 @@
+#pragma once
+
+#include "apps/sward_view/interface/control_map.h"
+#include "apps/sward_view/interface/style.h"
+#include "apps/sward_view/stage.h"
+#include "render/camera.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace sward::view {
+
+/// Lines over the picture, below the panels: what has a place in the world but is not grass.
+class Overlay {
+public:
+    /// For a picture of `size` pixels taken by `camera`, with the field's content around it.
+    Overlay(const Style& style, const render::Camera& camera, glm::uvec2 size,
+            const ShownField& field);
+
+    /// What the stage shows: colliders, wind arrows, the frozen frustum, the picked blade.
+    void draw(const Stage& stage) const;
+
+    /// Tells the map where in the picture the colliders are.
+    void tell(const Stage& stage, ControlMap& map) const;
+
+private:
+    glm::dvec2 onScreen(const glm::dvec4& clip) const;
+    void line(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float width) const;
+    void circle(const glm::dvec3& centre, const glm::dvec3& right, const glm::dvec3& up,
+                ImU32 color) const;
+    void drawCollider(const render::Collider& collider, double time, bool chosen) const;
+    void drawWinds(const Stage& stage) const;
+    void drawFrustum(const render::Camera& frozen) const;
+    void drawPicked(const PickedBlade& picked) const;
+
+    const Style& style_;
+    render::Camera camera_;
+    glm::dvec2 size_;
+    glm::dvec3 origin_;
+    Aabb content_;
+    glm::dmat4 clip_; ///< relative to the origin
+};
+
+} // namespace sward::view

@@ -1,0 +1,95 @@
+#include "apps/sward_view/interface/picked_text.h"
+
+#include "render/wind.h"
+#include "shaders/shared/physics.h"
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sward::view {
+namespace {
+
+// In the order of shared::fateDrawn ….
+constexpr std::array<const char*, shared::fateCount> fateTexts{"drawn",
+                                                               "left out with its patch",
+                                                               "left out: seen edge-on",
+                                                               "left out: beside the picture",
+                                                               "left out: too far away",
+                                                               "left out: behind the ground",
+                                                               "left out: too thin for a pixel"};
+
+std::string vectorText(const glm::dvec3& v, int digits)
+{
+    return fmt::format("{:.{}f}  {:.{}f}  {:.{}f}", v.x, digits, v.y, digits, v.z, digits);
+}
+
+shared::Gravity gravityOf(const render::FrameSettings& settings, const glm::dvec3& origin)
+{
+    const field::Defaults& nature = settings.nature;
+    shared::Gravity gravity = {};
+    gravity.direction = glm::normalize(nature.gravityDirection);
+    gravity.strength = nature.gravityStrength;
+    gravity.attractor = glm::vec3(nature.attractor - origin);
+    gravity.blend = nature.attractorBlend;
+    gravity.forward = settings.forward;
+    return gravity;
+}
+
+// The wind at the blade's tip, as the shader of the update takes it.
+glm::vec3 windOn(const PickedBlade& picked, const field::FieldView& field,
+                 const render::FrameSettings& settings, const glm::vec3& tip, double time)
+{
+    const std::vector<shared::WindSource> sources = render::blowing(settings.winds, field.origin);
+    const Aabb bounds = field.bounds();
+    const glm::vec3 size = bounds.isEmpty() ? glm::vec3(0.0f) : bounds.size();
+    shared::Wind wind = render::together(sources, std::max({size.x, size.y, size.z}));
+    wind.sources.at = sources.data();
+    return shared::windForce(wind, picked.blade.root, picked.blade.up, tip,
+                             static_cast<float>(time));
+}
+
+} // namespace
+
+std::vector<PickedLine> pickedLines(const PickedBlade& picked, const field::FieldView& field,
+                                    const render::FrameSettings& settings, double time)
+{
+    const shared::Blade& blade = picked.blade;
+    const auto height = static_cast<double>(blade.height);
+    const glm::vec3 tip = glm::vec3((picked.now.v2 - picked.now.root) / height);
+    const glm::vec3 front = shared::frontOf(blade.up, shared::widthAxis(blade.up, blade.facing));
+    const glm::vec3 gravity =
+        shared::gravityAt(gravityOf(settings, field.origin), blade.root, front);
+    const glm::vec3 wind = windOn(picked, field, settings, tip, time);
+    const double bend =
+        glm::degrees(std::acos(std::clamp(glm::dot(glm::normalize(tip), blade.up), -1.0f, 1.0f)));
+    const std::string species = blade.species < field.species.size()
+                                    ? field.species[blade.species].name
+                                    : std::to_string(blade.species);
+    return {{"Id", std::to_string(picked.now.id), "The same as in 'sward export OUT.csv'"},
+            {"Fate", fateTexts.at(picked.now.fate), "What became of it in the last frame"},
+            {"Species", species, "Of the field's table"},
+            {"Patch", std::to_string(picked.patch), "Node of the tree that owns it"},
+            {"Root", vectorText(picked.now.root, 3), "World [m]"},
+            {"Up", vectorText(glm::dvec3(blade.up), 3), "Direction it grows to"},
+            {"Height", fmt::format("{:.3f} m", blade.height), "Length of the blade"},
+            {"Width", fmt::format("{:.4f} m", blade.width), "Full width at the root"},
+            {"Stiffness", fmt::format("{:.2f}", blade.stiffness), "1 does not bend"},
+            {"Bent by", fmt::format("{:.0f}°", bend), "Angle of the tip from the up-vector"},
+            {"Gravity", fmt::format("{:.2f} 1/s", glm::length(gravity)),
+             "Pull of gravity, in heights per second"},
+            {"Wind", fmt::format("{:.2f} 1/s", glm::length(wind)),
+             "Pull of the wind, in heights per second"},
+            {"Recovery",
+             fmt::format("{:.2f} 1/s", settings.nature.recovery *
+                                           (1.0f - 0.25f * (1.0f - blade.stiffness)) *
+                                           std::max(1.0f - picked.now.eta, 0.1f)),
+             "Rate at which it rises"},
+            {"Pressed", fmt::format("{:.2f}", picked.now.eta), "Strength of the last collision"}};
+}
+
+} // namespace sward::view

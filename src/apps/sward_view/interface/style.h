@@ -1,0 +1,41 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <cstdint>
+
+namespace sward::view {
+
+/// Colours of the interface as 0xRRGGBB, sRGB.
+namespace palette {
+constexpr std::uint32_t panel = 0x15191a;
+constexpr std::uint32_t raised = 0x232a2a;
+constexpr std::uint32_t hovered = 0x303a39;
+constexpr std::uint32_t text = 0xe4e8e1;
+constexpr std::uint32_t dim = 0x93a09a;
+constexpr std::uint32_t accent = 0x8fbf6a;
+constexpr std::uint32_t warm = 0xe2b45c;
+constexpr std::uint32_t alarm = 0xe0705a;
+constexpr std::uint32_t cool = 0x6fb3d8;
+} // namespace palette
+
+/// Colours, spacings and letters of the interface.
+class Style {
+public:
+    /// `linear`: whether what is drawn into turns linear colours into sRGB by itself. Needs an
+    /// ImGui context; loads the letters into it.
+    explicit Style(bool linear);
+
+    ImVec4 color(std::uint32_t rgb, float alpha = 1.0f) const;
+    ImU32 packed(std::uint32_t rgb, float alpha = 1.0f) const;
+
+    ImFont* heading() const { return heading_; }
+
+private:
+    void colors() const;
+
+    bool linear_;
+    ImFont* heading_ = nullptr;
+};
+
+} // namespace sward::view

@@ -1,0 +1,39 @@
+#include "apps/sward_view/internal_resolution.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sward::view {
+namespace {
+
+constexpr double ratio = 0.8;      ///< from one scale to the next lower
+constexpr double tolerance = 1.15; ///< a frame may take so much longer than wanted
+constexpr double room = 0.6;       ///< share of the wanted time below which more pixels fit
+
+// The nearest of the scales that there are, not above `scale`.
+double stepBelow(double scale)
+{
+    const double steps = std::ceil(std::log(scale) / std::log(ratio) - 1e-9);
+    return std::clamp(std::pow(ratio, std::max(steps, 0.0)), InternalResolution::lowest,
+                      InternalResolution::highest);
+}
+
+} // namespace
+
+void InternalResolution::add(double seconds)
+{
+    if (seconds > tolerance * wanted_) {
+        // As if all of the time went with the pixels, but at most to half: the next frame tells.
+        quick_ = 0;
+        const double share = std::max(std::sqrt(wanted_ / seconds), 0.5);
+        scale_ = stepBelow(std::max(scale_ * share, lowest));
+        return;
+    }
+    quick_ = seconds < room * wanted_ ? quick_ + 1 : 0;
+    if (quick_ < patience || scale_ >= highest)
+        return;
+    quick_ = 0;
+    scale_ = std::min(stepBelow(scale_) / ratio, highest);
+}
+
+} // namespace sward::view

@@ -1,0 +1,106 @@
+#include "apps/sward_view/panels/panels.h"
+
+#include <fmt/core.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <optional>
+
+namespace sward::view {
+namespace {
+
+constexpr double radiusShare = 0.025; ///< of the field's size: a ball that one sees at once
+
+// A ball on the ground in the middle of the field.
+render::Collider newCollider(const Stage& stage, bool isCapsule)
+{
+    render::Collider collider;
+    const Aabb& bounds = stage.field->summary.bounds;
+    glm::dvec3 size(2.0);
+    glm::dvec3 middle(0.0);
+    if (!bounds.isEmpty()) {
+        size = glm::dvec3(bounds.size());
+        middle = 0.5 * glm::dvec3(bounds.low + bounds.high) + stage.field->view.origin;
+    }
+    collider.radius = glm::clamp(radiusShare * glm::length(size), 0.05, 5.0);
+    const glm::dvec3 above = middle + glm::dvec3(0.0, size.y, 0.0);
+    const auto ground = stage.field->ground.hit(above, glm::dvec3(0.0, -1.0, 0.0));
+    collider.from = (ground ? ground->place : middle) + glm::dvec3(0.0, 0.9 * collider.radius, 0.0);
+    collider.to = collider.from;
+    if (isCapsule) {
+        collider.from.x -= 2.0 * collider.radius;
+        collider.to.x += 2.0 * collider.radius;
+    }
+    return collider;
+}
+
+void drawCollider(Controls& controls, Stage& stage, render::Collider& collider)
+{
+    bool isCapsule = collider.from != collider.to;
+    if (controls.toggle("Capsule", isCapsule, "A capsule has two ends, a ball one")) {
+        if (isCapsule)
+            collider.to = collider.from + glm::dvec3(3.0 * collider.radius, 0.0, 0.0);
+        else
+            collider.to = collider.from;
+    }
+    controls.number("Radius", collider.radius, {0.01f, 20.0f, "m", "%.2f", true}, "Of the ball");
+    const glm::dvec3 from = collider.from;
+    if (controls.place(isCapsule ? "From" : "Centre", collider.from,
+                       "Where it lies when it does not move") &&
+        !isCapsule)
+        collider.to += collider.from - from;
+    if (isCapsule)
+        controls.place("To", collider.to, "Its other end");
+    if (!collider.path.empty() &&
+        controls.button("Stand still", "Forgets how it moves, and leaves it where it is", true)) {
+        const glm::dvec3 way = render::moveAt(collider, stage.time.now);
+        collider.from += way;
+        collider.to += way;
+        collider.path.clear();
+    }
+}
+
+} // namespace
+
+void drawCollidersPanel(Controls& controls, Stage& stage)
+{
+    std::vector<render::Collider>& colliders = stage.settings.colliders;
+    controls.fact("Colliders", fmt::format("{} of {}", colliders.size(), shared::maxColliders),
+                  "Up to 256 press blades down at once");
+    ImGui::BeginDisabled(stage.field == nullptr || colliders.size() >= shared::maxColliders);
+    const bool ball = controls.button("Add ball", "A ball in the middle of the field");
+    ImGui::SameLine();
+    const bool capsule = controls.button("Add capsule", "A capsule in the middle of the field");
+    ImGui::EndDisabled();
+    if (ball || capsule) {
+        colliders.push_back(newCollider(stage, capsule));
+        stage.hand.chosen = colliders.size() - 1;
+    }
+    controls.toggle("Outlines", stage.showColliders, "Draws their outlines over the picture");
+    controls.note("Drag one with the left button: it follows the ground below the mouse. Let go "
+                  "while it moves, and it rolls on.");
+
+    std::optional<std::size_t> removed;
+    for (std::size_t i = 0; i < colliders.size(); ++i) {
+        const char* kind = colliders[i].from == colliders[i].to ? "Ball" : "Capsule";
+        const std::string name = fmt::format("{} {}", kind, i + 1);
+        if (ImGui::Selectable(name.c_str(), stage.hand.chosen == i))
+            stage.hand.chosen = i;
+        const glm::dvec3 place = middleOf(colliders[i], stage.time.now);
+        controls.tell(fmt::format("Collider {}", i + 1).c_str(),
+                      fmt::format("{:.3f} {:.3f} {:.3f}", place.x, place.y, place.z),
+                      "Choose it to turn what belongs to it");
+    }
+    if (stage.hand.chosen >= colliders.size())
+        return;
+    controls.section("Chosen");
+    drawCollider(controls, stage, colliders[stage.hand.chosen]);
+    if (controls.button("Remove", "Takes the chosen collider away", true))
+        removed = stage.hand.chosen;
+    if (removed) {
+        colliders.erase(colliders.begin() + static_cast<std::ptrdiff_t>(*removed));
+        stage.hand.forget();
+    }
+}
+
+} // namespace sward::view

@@ -1,0 +1,110 @@
+#include "apps/sward_view/interface/units.h"
+#include "apps/sward_view/panels/panels.h"
+#include "render/cull_tests.h"
+#include "shaders/shared/fate_color.h"
+
+#include <fmt/core.h>
+
+#include <array>
+
+namespace sward::view {
+namespace {
+
+constexpr float farthest = 20'000.0f; ///< [m] that the slider knows
+
+constexpr std::array debugWords{"none", "level of detail", "patches", "wind", "reason"};
+
+// A control of the panel for each test, in the order of render::cullTests.
+struct Row {
+    const char* name;
+    const char* about;
+    std::uint32_t fate;
+    std::uint64_t render::FrameStats::* count;
+};
+constexpr std::array<Row, 5> rows{
+    {{"Patch", "Whole patches beyond the picture or the draw distance, before their blades",
+      shared::fatePatch, &render::FrameStats::culledPatch},
+     {"Orientation", "Blades seen edge-on, which have no width to show", shared::fateOrientation,
+      &render::FrameStats::culledOrientation},
+     {"Frustum", "Blades beside the picture", shared::fateFrustum,
+      &render::FrameStats::culledFrustum},
+     {"Distance", "Blades beyond the draw distance", shared::fateDistance,
+      &render::FrameStats::culledDistance},
+     {"Occlusion", "Blades behind the ground", shared::fateOcclusion,
+      &render::FrameStats::culledOcclusion}}};
+
+// A dot in the colour that "reason" paints, and a count.
+void drawCount(Controls& controls, const char* name, std::uint32_t fate, std::uint64_t count)
+{
+    const glm::vec3 color = shared::fateColor(fate);
+    const ImVec2 place = ImGui::GetCursorScreenPos();
+    const float middle = place.y + 0.5f * ImGui::GetFrameHeight();
+    ImGui::GetWindowDrawList()->AddCircleFilled(
+        {place.x + 5.0f, middle}, 4.5f,
+        ImGui::ColorConvertFloat4ToU32({color.x, color.y, color.z, 1.0f}), 16);
+    ImGui::Dummy({14.0f, ImGui::GetFrameHeight()});
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    const std::string text = countText(count);
+    ImGui::TextUnformatted(text.c_str());
+    controls.tell(fmt::format("{} count", name).c_str(), std::to_string(count),
+                  "Blades of the last frame");
+}
+
+void drawTests(Controls& controls, Stage& stage)
+{
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const std::uint32_t bit = render::cullTests[i].bit;
+        bool isOn = (stage.settings.cullMask & bit) != 0;
+        if (controls.toggle(rows[i].name, isOn, rows[i].about))
+            stage.settings.cullMask ^= bit;
+        ImGui::SameLine();
+        drawCount(controls, rows[i].name, rows[i].fate, stage.counts.*rows[i].count);
+    }
+    controls.toggle("Detail", stage.settings.levelOfDetail,
+                    "Leaves out blades too thin for a pixel, and widens the others for them");
+    ImGui::SameLine();
+    drawCount(controls, "Detail", shared::fateLod, stage.counts.lod);
+    ImGui::AlignTextToFramePadding();
+    controls.note("Drawn");
+    ImGui::SameLine(
+        ImGui::GetWindowContentRegionMin().x +
+        0.4f * (ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x) +
+        ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x);
+    drawCount(controls, "Drawn", shared::fateDrawn, stage.counts.drawn);
+}
+
+} // namespace
+
+void drawCullingPanel(Controls& controls, Stage& stage)
+{
+    render::FrameSettings& settings = stage.settings;
+    drawTests(controls, stage);
+    controls.section("Bounds");
+    // Beyond the slider's end every blade is drawn.
+    const bool all = settings.nature.drawDistance >= farthest;
+    if (controls.number("Draw distance", settings.nature.drawDistance,
+                        {0.5f, farthest, all ? "" : "m", all ? "all" : "%.1f", true},
+                        "Blades farther away are not drawn; at the end all are") &&
+        settings.nature.drawDistance >= farthest)
+        settings.nature.drawDistance = field::Defaults().drawDistance;
+    controls.number("Thin below", settings.lodThreshold, {0.01f, 8.0f, "px", "%.2f", true},
+                    "Width of a blade below which some are left out and the others widened");
+
+    controls.section("Colours");
+    int mode = static_cast<int>(settings.debug);
+    if (controls.choice("Colour by", mode, debugWords,
+                        "Reason shows every blade in the colour of its test"))
+        settings.debug = static_cast<render::DebugMode>(mode);
+
+    controls.section("Culling camera");
+    bool frozen = settings.cullingCamera.has_value();
+    if (controls.toggle("Frozen", frozen,
+                        "Blades are judged from where the camera is now, while you move on; its "
+                        "frustum is drawn (C)"))
+        stage.wishes.freeze = true;
+    controls.note(frozen ? "Blades are judged from the frozen camera. Move away and look back."
+                         : "Freeze it, move away, and see what it left out.");
+}
+
+} // namespace sward::view

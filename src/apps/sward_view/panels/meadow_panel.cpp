@@ -1,0 +1,99 @@
+#include "apps/sward_view/interface/units.h"
+#include "apps/sward_view/panels/panels.h"
+
+#include <fmt/core.h>
+
+#include <array>
+
+namespace sward::view {
+namespace {
+
+constexpr std::array amounts{"the baker's", "density", "spacing", "count"};
+
+void drawAmount(Controls& controls, MeadowWishes& meadow)
+{
+    controls.choice("Amount", meadow.amount, amounts, "What decides how many blades grow");
+    if (meadow.amount == 1)
+        controls.number("Density", meadow.density, {1.0f, 100'000.0f, "/m²", "%.0f", true},
+                        "Blades per square metre");
+    if (meadow.amount == 2)
+        controls.number("Spacing", meadow.spacing, {0.001f, 10.0f, "m", "%.3f", true},
+                        "Roots keep so far from one another");
+    if (meadow.amount == 3)
+        controls.wholeNumber("Count", meadow.count, 1, 5'000'000, "Blades kept, exactly");
+}
+
+void drawProgress(Controls& controls, Stage& stage)
+{
+    const BakeProgress& progress = stage.baking->progress();
+    const std::string stageName = progress.stage.empty() ? "starting" : progress.stage;
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, controls.style().color(palette::accent, 0.55f));
+    ImGui::ProgressBar(static_cast<float>(progress.share), {-1.0f, 0.0f},
+                       fmt::format("{}  {:.0f} %", stageName, 100.0 * progress.share).c_str());
+    ImGui::PopStyleColor();
+    controls.tell("Progress", stageName, "What sward is doing, and how much of it is done");
+    if (controls.button("Cancel", "Ends the bake; the field that is shown stays", true))
+        stage.wishes.cancelBake = true;
+}
+
+} // namespace
+
+void drawMeadowPanel(Controls& controls, Stage& stage)
+{
+    MeadowWishes& meadow = stage.meadow;
+    controls.text("Ground", meadow.ground, "a mesh, a recipe, or hills",
+                  "What grass grows on: .glb .gltf .obj .ply .stl .off, a heightmap, a recipe "
+                  ".json, or plane sphere hills dunes torus arch");
+    controls.choice("Meadow", meadow.meadow, meadowNames, "What is sown: species and their shares");
+    drawAmount(controls, meadow);
+    controls.number("Slope from", meadow.slopeLow, {0.0f, 180.0f, "°", "%.0f"},
+                    "Nothing grows on gentler slopes");
+    controls.number("Slope to", meadow.slopeHigh, {0.0f, 180.0f, "°", "%.0f"},
+                    "Nothing grows on steeper slopes; undersides are above 90°");
+    controls.text("Masks", meadow.masks, "vertex-color:R",
+                  "Multiply the density: vertex-color:C, texture:FILE:C or material-texture:C, "
+                  "with C one of R G B A and perhaps :invert; separated by blanks");
+    controls.text("Traits", meadow.traits, "clump_size_m=1",
+                  "Change the meadow: KEY=VALUE as for --set, separated by blanks");
+    controls.wholeNumber("Seed", meadow.seed, 0, 9999, "Another number, another meadow");
+
+    ImGui::Dummy({0.0f, 4.0f});
+    if (stage.baking != nullptr) {
+        drawProgress(controls, stage);
+    } else {
+        ImGui::BeginDisabled(meadow.ground.empty());
+        if (controls.button("Bake again",
+                            "Runs sward with these settings; what is shown stays until it is done",
+                            true))
+            stage.wishes.bake = true;
+        ImGui::EndDisabled();
+        if (meadow.ground.empty())
+            controls.note("A field file does not hold the mesh it was grown on. Name it above, or "
+                          "drop it on the window.");
+    }
+
+    if (stage.difference) {
+        const BakeDifference& difference = *stage.difference;
+        controls.section("Before and after");
+        controls.fact("Blades",
+                      fmt::format("{} to {}", countText(difference.bladesBefore),
+                                  countText(difference.bladesAfter)),
+                      "Blades of the field before the last bake, and of the one after it");
+        controls.fact(
+            "Mean height",
+            fmt::format("{:.2f} to {:.2f} m", difference.heightBefore, difference.heightAfter),
+            "Of all blades");
+        bool former = stage.showsFormer;
+        if (controls.toggle("Show before", former, "Shows the field before the last bake"))
+            stage.wishes.compare = true;
+    }
+    if (!stage.bakeReport.empty()) {
+        controls.section("Last bake");
+        ImGui::PushTextWrapPos(0.0f);
+        ImGui::TextUnformatted(stage.bakeReport.c_str());
+        ImGui::PopTextWrapPos();
+        controls.tell("Report", stage.bakeReport, "Roots kept, and rejected by reason");
+    }
+}
+
+} // namespace sward::view

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "apps/sward_view/ground_surface.h"
+#include "field/field.h"
+#include "render/field_renderer.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <optional>
+
+namespace sward::view {
+
+/// A line of sight through a pixel.
+struct Sight {
+    glm::dvec3 eye{0.0};       ///< world [m]
+    glm::dvec3 direction{0.0}; ///< unit
+    double pixelSize = 0.001;  ///< [m] of one pixel at 1 m
+};
+
+/// Through `pixel` of a picture of `size` pixels.
+Sight sightThrough(const render::Camera& camera, glm::vec2 pixel, glm::uvec2 size);
+
+/// A blade that was pointed at.
+struct PickedBlade {
+    std::uint32_t patch = 0;
+    shared::Blade blade = {}; ///< relative to the field's origin
+    render::FieldRenderer::BladeRecord now;
+};
+
+/// The nearest blade that the sight passes, within a pixel or two, before the ground. `onlyDrawn`:
+/// not those that were left out of the last frame. Waits for the device.
+std::optional<PickedBlade> pickBlade(const render::FieldRenderer& renderer,
+                                     const field::FieldView& field, const GroundSurface& ground,
+                                     const Sight& sight, bool onlyDrawn);
+
+/// The same blade as it is now.
+PickedBlade lookAgain(const render::FieldRenderer& renderer, const field::FieldView& field,
+                      const PickedBlade& picked);
+
+} // namespace sward::view

@@ -1,0 +1,57 @@
+#include "apps/sward_view/scaled_picture.h"
+
+#include "gpu/check.h"
+#include "gpu/image_use.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sward::view {
+namespace {
+
+std::uint32_t scaled(std::uint32_t pixels, double scale)
+{
+    return std::max(1u, static_cast<std::uint32_t>(std::lround(pixels * scale)));
+}
+
+VkOffset3D corner(VkExtent2D extent)
+{
+    return {static_cast<std::int32_t>(extent.width), static_cast<std::int32_t>(extent.height), 1};
+}
+
+} // namespace
+
+void ScaledPicture::resize(VkExtent2D window, double scale, VkFormat format)
+{
+    const VkExtent2D wanted{scaled(window.width, scale), scaled(window.height, scale)};
+    if (image_.extent().width == wanted.width && image_.extent().height == wanted.height &&
+        image_.format() == format)
+        return;
+    gpu::check(vkDeviceWaitIdle(context_.device), "vkDeviceWaitIdle");
+    image_ = gpu::Image(context_, {.name = "picture",
+                                   .format = format,
+                                   .extent = wanted,
+                                   .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
+                                            VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                                            VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+}
+
+void ScaledPicture::spread(VkCommandBuffer commands, const gpu::Swapchain::Target& target,
+                           VkExtent2D window) const
+{
+    constexpr VkImageAspectFlags color = VK_IMAGE_ASPECT_COLOR_BIT;
+    gpu::transition(commands, image_, gpu::ImageUse::colorTarget, gpu::ImageUse::transferSource);
+    gpu::transition(commands, target.image, color, gpu::ImageUse::undefined,
+                    gpu::ImageUse::transferTarget);
+    VkImageBlit blit{};
+    blit.srcSubresource = {color, 0, 0, 1};
+    blit.srcOffsets[1] = corner(image_.extent());
+    blit.dstSubresource = {color, 0, 0, 1};
+    blit.dstOffsets[1] = corner(window);
+    vkCmdBlitImage(commands, image_.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target.image,
+                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit, VK_FILTER_LINEAR);
+    gpu::transition(commands, target.image, color, gpu::ImageUse::transferTarget,
+                    gpu::ImageUse::colorTarget);
+}
+
+} // namespace sward::view

@@ -1,0 +1,57 @@
+#include "apps/sward_view/baking.h"
+
+#include "apps/common/progress_bar.h"
+#include "apps/sward_view/stage.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace sward::view {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(BakeProgress, ReadsWhatTheProgressBarWrites)
+{
+    for (const double share : {0.0, 0.07, 0.5, 1.0}) {
+        const auto progress = parseProgress(apps::progressLine("sampling", share, 80));
+        ASSERT_TRUE(progress.has_value());
+        EXPECT_EQ(progress->stage, "sampling");
+        EXPECT_NEAR(progress->share, share, 0.006);
+    }
+}
+
+TEST(BakeProgress, TakesNoOtherLineForABar)
+{
+    for (const char* line : {"", "error: a.glb: no triangles", "kept 5 of 7 roots", "50 %"})
+        EXPECT_FALSE(parseProgress(line).has_value()) << line;
+}
+
+TEST(BakeArguments, NameOnlyWhatIsWanted)
+{
+    MeadowWishes wishes;
+    wishes.ground = "hills";
+    EXPECT_THAT(bakeArguments(wishes), ElementsAre("hills", "--meadow", "meadow"));
+
+    wishes.meadow = 2;
+    wishes.amount = 2;
+    wishes.spacing = 0.25f;
+    wishes.slopeHigh = 40.0f;
+    wishes.masks = "vertex-color:R texture:a.png:G";
+    wishes.traits = " clump_size_m=1 ";
+    EXPECT_THAT(bakeArguments(wishes),
+                ElementsAre("hills", "--meadow", "steppe", "--spacing", "0.25", "--slope", "0:40",
+                            "--mask", "vertex-color:R", "--mask", "texture:a.png:G", "--set",
+                            "clump_size_m=1"));
+}
+
+TEST(WantsBaking, KnowsMeshesAndBuiltInGroundsFromFields)
+{
+    for (const char* input : {"a.glb", "A.OBJ", "b.r16", "c.exr", "recipe.json", "hills"})
+        EXPECT_TRUE(wantsBaking(input)) << input;
+    for (const char* input : {"a.sward", "meadow", "a.png.sward"})
+        EXPECT_FALSE(wantsBaking(input)) << input;
+}
+
+} // namespace
+} // namespace sward::view

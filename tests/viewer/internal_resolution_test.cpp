@@ -1,0 +1,61 @@
+#include "apps/sward_view/internal_resolution.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace sward::view {
+namespace {
+
+constexpr double wanted = 0.1; ///< [s]
+
+/// The scale after `frames` frames on a device that takes `fixed` and, for all pixels, `pixels`.
+double settled(InternalResolution& resolution, double fixed, double pixels, int frames = 200)
+{
+    for (int i = 0; i < frames; ++i)
+        resolution.add(fixed + pixels * resolution.scale() * resolution.scale());
+    return resolution.scale();
+}
+
+TEST(InternalResolution, DrawsAllPixelsWhereTheyCostLittle)
+{
+    InternalResolution resolution(wanted);
+    EXPECT_EQ(settled(resolution, 0.001, 0.015), 1.0);
+}
+
+TEST(InternalResolution, MakesFramesQuickEnoughWithAsManyPixelsAsItCan)
+{
+    InternalResolution resolution(wanted);
+    const double scale = settled(resolution, 0.02, 1.0);
+    EXPECT_LE(0.02 + scale * scale, 1.15 * wanted);
+    EXPECT_GE(0.02 + scale * scale, 0.4 * wanted);
+}
+
+TEST(InternalResolution, StandsStillOnceItHasSettled)
+{
+    for (const double pixels : {0.2, 0.5, 1.0, 2.0}) {
+        InternalResolution resolution(wanted);
+        settled(resolution, 0.01, pixels);
+        std::set<double> scales;
+        for (int i = 0; i < 100; ++i)
+            scales.insert(settled(resolution, 0.01, pixels, 1));
+        EXPECT_EQ(scales.size(), 1u) << pixels;
+    }
+}
+
+TEST(InternalResolution, ComesBackWhenThereIsRoomAgain)
+{
+    InternalResolution resolution(wanted);
+    settled(resolution, 0.02, 2.0);
+    EXPECT_LT(resolution.scale(), 0.4);
+    EXPECT_EQ(settled(resolution, 0.001, 0.02), 1.0);
+}
+
+TEST(InternalResolution, NeverDrawsLessThanAFifth)
+{
+    InternalResolution resolution(wanted);
+    EXPECT_EQ(settled(resolution, 5.0, 5.0), InternalResolution::lowest);
+}
+
+} // namespace
+} // namespace sward::view

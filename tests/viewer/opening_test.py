@@ -1,0 +1,168 @@
+"""What can be opened in the viewer's window, and what goes wrong with it."""
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from display import Display  # noqa: E402
+from viewer import Viewer  # noqa: E402
+
+SWARD = os.environ["SWARD_PROGRAM"]
+VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
+
+
+class OpeningTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="sward-view-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.whole = Path(folder.name) / "whole.sward"
+        subprocess.run([SWARD, "bake", "hills", "--count", "1500", "--blade-scale", "8", "-o",
+                        cls.whole, "-q"], check=True)
+        cls.mesh = Path(folder.name) / "plane.glb"
+        subprocess.run([SWARD, "terrain", "plane", "-o", cls.mesh], check=True)
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="sward-view-")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.field = self.folder / "hills.sward"
+        shutil.copy(self.whole, self.field)
+        self.display = Display()
+        self.addCleanup(self.display.close)
+        # Where a bake writes its field before it is shown.
+        self.scratch = self.folder / "scratch"
+        self.scratch.mkdir()
+
+    def open(self, *arguments, field=True):
+        viewer = Viewer(VIEWER, self.display, self.folder, [*arguments, "--size", "800x600"],
+                        {"TMPDIR": str(self.scratch)})
+        self.addCleanup(viewer.close)
+        if field:
+            viewer.wait_for_field()
+        else:
+            viewer.wait_for_window()
+            viewer.wait(viewer.controls, "it tells of its controls")
+        return viewer
+
+    def assert_ends_well(self, viewer):
+        code, said = viewer.end()
+        self.assertEqual(code, 0, said)
+        self.assertIn("0 validation messages", said)
+        self.assertEqual(list(self.scratch.iterdir()), [], "nothing half written is left")
+
+    def set_ground(self, viewer, name):
+        """Types the name of a ground into the panel Meadow."""
+        viewer.press("Ground", panel="Meadow")
+        self.display.xdotool("key", "--window", viewer.window.number, "ctrl+a")
+        viewer.wait_frames(2)
+        self.display.xdotool("type", "--window", viewer.window.number, "--delay", "150", name)
+        viewer.wait_for_value("Meadow/Ground", lambda shown: shown == name, "it is typed")
+
+    def test_without_a_file_it_waits_for_one_and_remembers_it(self):
+        viewer = self.open(field=False)
+        self.assertIn("Welcome/hills", viewer.controls())
+        self.assert_ends_well(viewer)
+        self.assert_ends_well(self.open(self.field))
+        viewer = self.open("--panel", "field", field=False)
+        viewer.click("Field/hills.sward")
+        viewer.wait_for_field()
+        self.assertTrue(viewer.shows("Field/File").endswith("hills.sward"))
+        self.assert_ends_well(viewer)
+
+    def test_it_is_baked_again_and_the_difference_is_told(self):
+        viewer = self.open(self.mesh, "--panel", "meadow")
+        self.assertTrue(viewer.shows("Meadow/Ground").endswith("plane.glb"))
+        before = viewer.shows("Status/Numbers").split(" blades")[0].split(" of ")[1]
+        viewer.set("Slope to", "Meadow", 0.02)
+        viewer.set("Seed", "Meadow", 0.5)
+        viewer.press("Bake again", panel="Meadow")
+        viewer.wait_for_value("Meadow/Blades", lambda shown: shown.startswith(before),
+                              "it tells the numbers before and after")
+        self.assertIn("roots kept", viewer.shows("Meadow/Report"))
+        viewer.press("Show before", panel="Meadow")
+        viewer.wait_for_value("Meadow/Show before", lambda shown: shown == "on", "it shows it")
+        self.assert_ends_well(viewer)
+
+    def test_a_damaged_ground_tells_why_and_keeps_the_field(self):
+        (self.folder / "broken.glb").write_bytes(b"glTF no more")
+        viewer = self.open(self.field)
+        self.set_ground(viewer, "broken.glb")
+        viewer.press("Bake again", panel="Meadow")
+        viewer.wait_for_value("Message/Error", lambda shown: "broken.glb" in shown, "it complains")
+        viewer.open_panel("Field")
+        self.assertTrue(viewer.shows("Field/File").endswith("hills.sward"), "the field is kept")
+        viewer.click("Message/Close")
+        viewer.wait(lambda: "Message/Error" not in viewer.controls(), "the message is gone")
+        self.assert_ends_well(viewer)
+
+    def test_a_bake_that_is_killed_or_cancelled_harms_nothing(self):
+        viewer = self.open(self.field)
+        self.set_ground(viewer, "hills")
+        viewer.open_panel("Meadow")
+        for end in ("kill", "cancel"):
+            with self.subTest(end=end):
+                viewer.press("Bake again", panel="Meadow")
+                if end == "kill":
+                    child = viewer.wait(lambda: self.child_of(viewer), "the baker runs")
+                    os.kill(child, signal.SIGKILL)
+                    viewer.wait_for_value("Message/Error", lambda shown: "signal 9" in shown,
+                                          "it tells of the signal")
+                    viewer.click("Message/Close")
+                else:
+                    viewer.wait(lambda: self.child_of(viewer), "the baker runs")
+                    viewer.click("Meadow/Cancel")
+                    viewer.wait(lambda: "Meadow/Cancel" not in viewer.controls(), "it has ended")
+                self.assertIsNone(viewer.process.poll())
+        self.assert_ends_well(viewer)
+
+    def child_of(self, viewer):
+        """The process of the baker, stopped so that it does not end before we act."""
+        children = subprocess.run(["pgrep", "-P", str(viewer.process.pid), "-x", "sward"],
+                                  capture_output=True, text=True).stdout.split()
+        return int(children[0]) if children else None
+
+    def test_a_field_and_a_mesh_are_dropped_on_the_window(self):
+        viewer = self.open("--panel", "field", field=False)
+        for file in (self.field, self.mesh):
+            with self.subTest(file=file.name):
+                # In a process of its own: Xlib ends the whole program when something is wrong.
+                subprocess.run([sys.executable, Path(__file__).with_name("drop.py"),
+                                self.display.name, viewer.window.number, file.as_uri()], check=True)
+                viewer.wait_for_value("Field/File", lambda shown: shown == str(file),
+                                      "it shows what was dropped")
+        self.assert_ends_well(viewer)
+
+    def test_what_is_watched_is_opened_again(self):
+        viewer = self.open(self.field, "--watch", "--panel", "field")
+        self.assertEqual(viewer.shows("Field/Blades"), "1 500")
+        subprocess.run([SWARD, "bake", "hills", "--count", "700", "--blade-scale", "8", "-o",
+                        self.field, "--force", "-q"], check=True)
+        viewer.wait_for_value("Field/Blades", lambda shown: shown == "700", "it shows the new one")
+        # Damaged, then gone: the last whole one stays.
+        other = self.folder / "damaged"
+        other.write_bytes(self.field.read_bytes()[:2000])
+        other.rename(self.field)
+        viewer.wait_for_value("Message/Error", lambda shown: "hills.sward" in shown, "it complains")
+        self.field.unlink()
+        viewer.wait_frames(5)
+        self.assertEqual(viewer.shows("Field/Blades"), "700")
+        self.assert_ends_well(viewer)
+
+    def test_a_full_disk_is_told_and_nothing_is_written(self):
+        viewer = self.open(self.field, "--panel", "capture")
+        (self.folder / "sward.png").mkdir()  # what cannot be written, without filling a disk
+        viewer.key("p")
+        viewer.wait_for_value("Message/Error", lambda shown: "sward.png" in shown, "it complains")
+        self.assertEqual(list((self.folder / "sward.png").iterdir()), [])
+        self.assert_ends_well(viewer)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,203 @@
+"""The viewer's panels, on a real X server, under the validation layer: each is turned by mouse and
+keys, and what follows is read from the controls themselves and from the picture."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from display import Display, share_that_differs  # noqa: E402
+from viewer import Viewer  # noqa: E402
+
+SWARD = os.environ["SWARD_PROGRAM"]
+VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
+SIZE = (900, 600)
+GRASS = (440, 20, 440, 500)  # left, top, width, height of the picture beside an open panel
+
+
+class PanelsTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="sward-view-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        cls.field = cls.folder / "hills.sward"
+        subprocess.run([SWARD, "bake", "hills", "--count", "1500", "--blade-scale", "8", "-o",
+                        cls.field, "-q"], check=True)
+
+    def setUp(self):
+        self.display = Display()
+        self.addCleanup(self.display.close)
+
+    def open(self, *arguments, wait=True):
+        viewer = Viewer(VIEWER, self.display, self.folder,
+                        [*arguments, "--size", "{}x{}".format(*SIZE)])
+        self.addCleanup(viewer.close)
+        if wait:
+            viewer.wait_for_field()
+        return viewer
+
+    def grass(self, viewer):
+        x, y, _, _ = viewer.window.geometry()
+        left, top, width, height = GRASS
+        return self.display.picture(x + left, y + top, width, height)
+
+    def assert_ends_well(self, viewer):
+        code, said = viewer.end()
+        self.assertEqual(code, 0, said)
+        self.assertIn("0 validation messages", said)
+
+    def counts(self, viewer):
+        names = ("Patch", "Orientation", "Frustum", "Distance", "Occlusion", "Detail", "Drawn")
+        return {name: int(viewer.shows(f"Culling/{name} count")) for name in names}
+
+    def test_each_culling_test_counts_only_while_it_is_on(self):
+        # At eye level, near the draw distance, every test has something to leave out.
+        near = self.folder / "near.json"
+        near.write_text(json.dumps({"culling": {"draw_distance": 18}}))
+        viewer = self.open(self.field, "--camera", "eye", "--settings", near, "--panel", "culling")
+        viewer.key("space")
+        viewer.wait_frames(4)
+        total = sum(self.counts(viewer).values())
+        self.assertEqual(total, 1500)
+        for name in ("Patch", "Orientation", "Frustum", "Distance", "Occlusion"):
+            with self.subTest(test=name):
+                before = self.counts(viewer)
+                viewer.press(name, panel="Culling")
+                self.assertEqual(viewer.shows(f"Culling/{name}"), "off")
+                viewer.wait_for_value(f"Culling/{name} count", lambda count: count == "0",
+                                      f"nothing is left out by {name}")
+                self.assertGreater(before[name], 0, f"{name} had nothing to leave out")
+                self.assertEqual(sum(self.counts(viewer).values()), 1500)
+                viewer.press(name, panel="Culling")
+                viewer.wait_for_value(f"Culling/{name} count",
+                                      lambda count, was=before[name]: int(count) == was,
+                                      f"{name} leaves out as many as before")
+        self.assert_ends_well(viewer)
+
+    def test_a_frozen_culling_camera_stays_behind(self):
+        viewer = self.open(self.field, "--camera", "eye", "--panel", "culling")
+        viewer.key("space")
+        viewer.key("c")
+        viewer.wait_for_value("Culling/Frozen", lambda shown: shown == "on", "it is frozen")
+        viewer.wait_frames(3)
+        frozen = self.counts(viewer)
+        self.assertGreater(frozen["Frustum"] + frozen["Patch"], 0)
+        viewer.key("1")
+        viewer.wait_frames(4)
+        self.assertEqual(self.counts(viewer), frozen, "another view, the same blades")
+        viewer.key("c")
+        viewer.wait_for_value("Culling/Patch count", lambda count: count == "0",
+                              "seen from far away no patch is left out")
+        self.assert_ends_well(viewer)
+
+    def test_a_collider_is_added_dragged_and_taken_away(self):
+        viewer = self.open(self.field, "--panel", "colliders")
+        before = self.grass(viewer)
+        viewer.press("Add ball", panel="Colliders")
+        viewer.wait_for_value("Colliders/Collider 1", bool, "there is a ball")
+        first = viewer.shows("Colliders/Collider 1")
+        viewer.wait(lambda: share_that_differs(before, self.grass(viewer)) > 0.002,
+                    "the ball is seen, and blades that give way to it")
+        self.assertEqual(first, viewer.shows("Colliders/Collider 1"), "it lies still")
+        viewer.drag(viewer.centre("Picture/Collider 1"), (640, 330))
+        viewer.wait_for_value("Colliders/Collider 1", lambda place: place != first, "it is dragged")
+        viewer.press("Remove", panel="Colliders")
+        viewer.wait(lambda: viewer.shows("Colliders/Colliders").startswith("0 "), "it is gone")
+        self.assert_ends_well(viewer)
+
+    def test_wind_is_turned_and_settings_are_saved_and_loaded(self):
+        viewer = self.open(self.field, "--panel", "wind")
+        viewer.set("All together", "Wind", 0.9)
+        stormy = float(viewer.shows("Wind/All together"))
+        self.assertGreater(stormy, 20)
+        viewer.press("Save settings", panel="Capture")
+        saved = self.folder / "settings.json"
+        viewer.wait(saved.exists, "the settings are written")
+        strength = sum(wind["strength"] for wind in json.loads(saved.read_text())["wind"])
+        self.assertAlmostEqual(strength, stormy, delta=0.01 * stormy)
+
+        viewer.set("All together", "Wind", 0.1)
+        self.assertLess(float(viewer.shows("Wind/All together")), 10)
+        viewer.press("Load settings", panel="Capture")
+        viewer.open_panel("Wind")
+        viewer.wait_for_value("Wind/All together",
+                              lambda shown: abs(float(shown) - stormy) < 0.01 * stormy,
+                              "the wind is as it was saved")
+        self.assert_ends_well(viewer)
+        # The other program of the window takes the same file.
+        subprocess.run([VIEWER, "render", self.field, "-o", self.folder / "storm.png", "--settings",
+                        saved, "--size", "32x32", "-q"], check=True)
+
+    def test_a_picture_is_taken_without_panels(self):
+        viewer = self.open(self.field, "--panel", "capture")
+        viewer.key("p")
+        picture = self.folder / "sward.png"
+        viewer.wait(picture.exists, "the picture is written")
+        width, height = (int.from_bytes(picture.read_bytes()[at:at + 4], "big") for at in (16, 20))
+        self.assertEqual((width, height), SIZE, "with every pixel of the window")
+        self.assert_ends_well(viewer)
+
+    def test_a_click_tells_of_a_blade(self):
+        viewer = self.open(self.field, "--camera", "top")
+        viewer.key("space")
+        for x in range(300, 700, 16):
+            viewer.click_at(x, 260)
+            if viewer.shows("Blade/Id"):
+                break
+        told = viewer.controls()
+        self.assertIn("Blade/Id", told, "a row of clicks meets no blade")
+        self.assertEqual(told["Blade/Fate"]["shows"], "drawn")
+        subprocess.run([SWARD, "export", self.field, "-o", self.folder / "blades.csv"], check=True,
+                       stderr=subprocess.DEVNULL)
+        with open(self.folder / "blades.csv") as file:
+            header = file.readline().strip().split(",")
+            rows = {line.split(",")[0]: line.strip().split(",") for line in file}
+        blade = rows[told["Blade/Id"]["shows"]]
+        root = [float(blade[header.index(axis)]) for axis in "xyz"]
+        shown = [float(word) for word in told["Blade/Root"]["shows"].split()]
+        for a, b in zip(root, shown):
+            self.assertAlmostEqual(a, b, delta=0.002)
+        self.assertEqual(blade[header.index("patch")], told["Blade/Patch"]["shows"])
+        self.assert_ends_well(viewer)
+
+    def test_a_path_is_recorded_and_render_takes_it(self):
+        viewer = self.open(self.field, "--panel", "camera")
+        viewer.key("r")
+        viewer.wait_for_value("Camera/Record", lambda shown: shown == "on", "it records")
+        viewer.drag((600, 200), (700, 220))
+        viewer.key("r")
+        path = self.folder / "camera_path.json"
+        viewer.wait(path.exists, "the path is written")
+        stops = json.loads(path.read_text())
+        self.assertGreater(len(stops), 3)
+        self.assertNotEqual(stops[0]["eye"], stops[-1]["eye"])
+        # Played, it ends where it was left.
+        viewer.key("Home")
+        viewer.press("Replay", panel="Camera")
+        self.assert_ends_well(viewer)
+        subprocess.run([VIEWER, "render", self.field, "-o", self.folder / "way_%d.png", "--frames",
+                        "0:1", "--fixed-dt", str(stops[-1]["time"]), "--camera", path, "--size",
+                        "32x32", "-q"], check=True)
+        self.assertNotEqual((self.folder / "way_0.png").read_bytes(),
+                            (self.folder / "way_1.png").read_bytes())
+
+    def test_panels_hide_and_the_key_sheet_comes_and_goes(self):
+        viewer = self.open(self.field)
+        self.assertIn("Rail/Field", viewer.controls())
+        viewer.key("Tab")
+        viewer.wait(lambda: "Rail/Field" not in viewer.controls(), "the panels are hidden")
+        viewer.key("h")
+        viewer.wait(lambda: "Keys/Close" in viewer.controls(), "the sheet is there")
+        viewer.key("Escape")
+        viewer.wait(lambda: "Keys/Close" not in viewer.controls(), "the sheet is gone")
+        self.assertIsNone(viewer.process.poll())
+        self.assert_ends_well(viewer)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,107 @@
+#include "render/settings_text.h"
+
+#include "core/atomic_file.h"
+#include "render/settings_file.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace sward::render {
+namespace {
+
+/// What is read from the text of `settings`.
+FrameSettings readBack(const FrameSettings& settings)
+{
+    const std::filesystem::path path =
+        std::filesystem::path(testing::TempDir()) /
+        (std::string("settings_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    writeTextFile(path, settingsText(settings), true);
+    FrameSettings read;
+    readSettings(path, read);
+    std::filesystem::remove(path);
+    return read;
+}
+
+FrameSettings unusual()
+{
+    FrameSettings s;
+    s.nature.gravityDirection = {0.1f, -0.7f, 0.3f};
+    s.nature.gravityStrength = 3.3f;
+    s.nature.attractor = {1e5, -2.25, 0.125};
+    s.nature.attractorBlend = 0.7f;
+    s.nature.recovery = 1.0f / 3.0f;
+    s.nature.drawDistance = 123.4f;
+    s.forward = 0.6f;
+    s.winds.clear();
+    for (std::uint32_t kind = 0; kind < shared::windKinds; ++kind) {
+        s.winds.push_back(windSource(kind));
+        s.winds.back().source.strength = 0.1f + static_cast<float>(kind);
+        s.winds.back().source.lift = 0.3f;
+    }
+    s.winds[shared::windSwirl].centre = {7.0, 8.0, 9.5};
+    s.colliders = {{{1.0, 2.0, 3.0}, {1.0, 2.0, 3.0}, 0.3, {}},
+                   {{1.0, 2.0, 3.0}, {4.0, 2.0, 3.0}, 0.2, {{0.0, {}}, {1.5, {1.0, 0.0, 0.0}}}}};
+    s.cullMask = shared::cullFrustum | shared::cullOcclusion;
+    s.levelOfDetail = false;
+    s.lodThreshold = 2.5f;
+    s.exposure = 0.37f;
+    s.fogDensity = 0.01f;
+    s.skyColor = {0.1f, 0.2f, 0.3f};
+    s.sunDirection = {0.0f, 0.6f, -0.8f};
+    s.sunColor = {5.0f, 4.0f, 3.0f};
+    return s;
+}
+
+TEST(SettingsText, ReadsBackAsTheSameSettings)
+{
+    const FrameSettings s = unusual();
+    const FrameSettings r = readBack(s);
+    EXPECT_EQ(r.nature.gravityDirection, s.nature.gravityDirection);
+    EXPECT_EQ(r.nature.gravityStrength, s.nature.gravityStrength);
+    EXPECT_EQ(r.nature.attractor, s.nature.attractor);
+    EXPECT_EQ(r.nature.attractorBlend, s.nature.attractorBlend);
+    EXPECT_EQ(r.nature.recovery, s.nature.recovery);
+    EXPECT_EQ(r.nature.drawDistance, s.nature.drawDistance);
+    EXPECT_EQ(r.forward, s.forward);
+    EXPECT_EQ(r.cullMask, s.cullMask);
+    EXPECT_EQ(r.levelOfDetail, s.levelOfDetail);
+    EXPECT_EQ(r.lodThreshold, s.lodThreshold);
+    EXPECT_EQ(r.exposure, s.exposure);
+    EXPECT_EQ(r.fogDensity, s.fogDensity);
+    EXPECT_EQ(r.skyColor, s.skyColor);
+    EXPECT_EQ(r.sunColor, s.sunColor);
+    EXPECT_LT(glm::distance(r.sunDirection, s.sunDirection), 1e-6f);
+
+    ASSERT_EQ(r.winds.size(), s.winds.size());
+    for (std::size_t i = 0; i < s.winds.size(); ++i) {
+        EXPECT_EQ(r.winds[i].source.kind, s.winds[i].source.kind);
+        EXPECT_EQ(r.winds[i].source.strength, s.winds[i].source.strength);
+        EXPECT_EQ(r.winds[i].source.size, s.winds[i].source.size);
+        EXPECT_EQ(r.winds[i].source.lift, s.winds[i].source.lift);
+        EXPECT_EQ(r.winds[i].centre, s.winds[i].centre);
+    }
+    ASSERT_EQ(r.colliders.size(), 2u);
+    EXPECT_EQ(r.colliders[0].from, r.colliders[0].to);
+    EXPECT_EQ(r.colliders[1].to, s.colliders[1].to);
+    ASSERT_EQ(r.colliders[1].path.size(), 2u);
+    EXPECT_EQ(r.colliders[1].path[1].move, s.colliders[1].path[1].move);
+}
+
+TEST(SettingsText, IsTheSameWhenItIsWrittenAgain)
+{
+    const std::string text = settingsText(unusual());
+    EXPECT_EQ(settingsText(readBack(unusual())), text);
+    EXPECT_EQ(settingsText(readBack(FrameSettings())), settingsText(FrameSettings()));
+}
+
+TEST(SettingsText, LeavesOutAirThatIsChosenByItself)
+{
+    FrameSettings s;
+    s.fogDensity = -1.0f;
+    EXPECT_LT(readBack(s).fogDensity, 0.0f);
+}
+
+} // namespace
+} // namespace sward::render

@@ -1,0 +1,85 @@
+"""Random clicks, drags and keys, the same in every run: the window outlives them and its memory
+does not grow. SWARD_SOAK_SECONDS says for how long; 15 unless it is set."""
+
+import os
+import random
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from display import Display  # noqa: E402
+from viewer import Viewer  # noqa: E402
+
+SWARD = os.environ["SWARD_PROGRAM"]
+VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
+SECONDS = float(os.environ.get("SWARD_SOAK_SECONDS", "15"))
+WIDTH, HEIGHT = 640, 420
+GROWTH = 0.02  # of the memory, from the first half to the end
+KEYS = ["f", "Home", "space", "period", "h", "Tab", "g", "c", "1", "2", "3", "4", "ctrl+9", "9"]
+STEPS = ["Field", "Physics", "Wind", "Culling", "Colliders", "Look", "Camera", "Profile"]
+
+
+class SoakTest(unittest.TestCase):
+    def test_random_input_leaves_it_alive_and_as_large_as_before(self):
+        folder = tempfile.TemporaryDirectory(prefix="sward-soak-")
+        self.addCleanup(folder.cleanup)
+        place = Path(folder.name)
+        field = place / "hills.sward"
+        subprocess.run([SWARD, "bake", "hills", "--count", "1000", "--blade-scale", "8", "-o",
+                        field, "-q"], check=True)
+        display = Display()
+        self.addCleanup(display.close)
+        viewer = Viewer(VIEWER, display, place, [field, "--size", f"{WIDTH}x{HEIGHT}"])
+        self.addCleanup(viewer.close)
+        viewer.wait_for_field()
+
+        # What is made once, as pipelines are, has been made in the first half.
+        chance = random.Random(6)
+        end = time.monotonic() + SECONDS
+        half = time.monotonic() + SECONDS / 2
+        sizes = []
+        while time.monotonic() < end:
+            self.act(viewer, chance)
+            self.assertIsNone(viewer.process.poll(), viewer.said())
+            if time.monotonic() > half:
+                sizes.append(self.bytes_of(viewer))
+        middle = len(sizes) // 2
+        before, after = max(sizes[:middle]), max(sizes[middle:])
+        self.assertLess(after, before * (1 + GROWTH), f"it grew from {before} to {after} bytes")
+        viewer.process.terminate()
+        viewer.process.wait(60)
+        said = viewer.said()
+        self.assertEqual(viewer.process.returncode, 130, said)
+        self.assertNotIn("validation", said)
+
+    def act(self, viewer, chance):
+        xdotool, window = viewer.display.xdotool, viewer.window
+        kind = chance.randrange(6)
+        if kind == 0:
+            window.key(chance.choice(KEYS))
+        elif kind == 1:
+            window.wheel(chance.choice([-2, -1, 1, 2]))
+        elif kind == 2:
+            control = viewer.controls().get("Rail/" + chance.choice(STEPS))
+            if control:
+                xdotool("mousemove", "--window", window.number, int(control["x"]) + 20,
+                        int(control["y"]) + 10, "click", 1)
+        else:
+            # Not over the panels' texts: a file's name could be typed there.
+            begin = (chance.randrange(100, WIDTH), chance.randrange(HEIGHT - 40))
+            finish = (chance.randrange(100, WIDTH), chance.randrange(HEIGHT - 40))
+            window.drag(begin, finish, button=chance.choice([1, 1, 2, 3]))
+
+    def bytes_of(self, viewer):
+        """Memory that is its own: what the driver maps of files does not count."""
+        text = Path(f"/proc/{viewer.process.pid}/status").read_text()
+        return next(int(line.split()[1]) for line in text.splitlines()
+                    if line.startswith("RssAnon"))
+
+
+if __name__ == "__main__":
+    unittest.main()

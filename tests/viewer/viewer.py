@@ -1,0 +1,139 @@
+"""sward-view as somebody who sits before it: finds controls by their names, and turns them."""
+
+import json
+import os
+import subprocess
+import time
+
+from display import PATIENCE, wait_until
+
+
+class Viewer:
+    """A running viewer, under the validation layer, that tells where its controls are."""
+
+    def __init__(self, program, display, folder, arguments, environment=None):
+        self.display = display
+        self.told = folder / f"controls-{time.monotonic_ns()}.json"
+        self.errors = open(folder / f"stderr-{time.monotonic_ns()}.txt", "w+")
+        self.process = subprocess.Popen(
+            [program, *map(str, arguments), "--validation", "--controls", self.told],
+            env={**os.environ, "DISPLAY": display.name, "XDG_STATE_HOME": str(folder / "state"),
+                 **(environment or {})},
+            stderr=self.errors, text=True, cwd=folder)
+        self.window = None
+
+    def said(self):
+        """All that it has written to stderr."""
+        self.errors.flush()
+        with open(self.errors.name) as file:
+            return file.read()
+
+    def wait_for_window(self):
+        self.window = self.wait(lambda: self.display.find("Sward"), "there is a window")
+
+    def wait_for_field(self):
+        self.window = self.wait(lambda: self.display.find("Sward.*blades drawn"),
+                                "the title tells how many blades are drawn")
+        self.wait(self.controls, "it tells of its controls")
+
+    def wait(self, holds, what):
+        def holds_or_ended():
+            if self.process.poll() is not None:
+                raise AssertionError(f"it ended with {self.process.returncode}: {self.said()}")
+            return holds()
+        return wait_until(holds_or_ended, what)
+
+    def controls(self):
+        try:
+            return json.loads(self.told.read_text())
+        except (OSError, ValueError):
+            return {}
+
+    def shows(self, name):
+        """What a control shows; nothing if there is none of that name."""
+        return self.controls().get(name, {}).get("shows")
+
+    def wait_for_value(self, name, holds, what):
+        return self.wait(lambda: holds(self.shows(name)) if self.shows(name) is not None else False,
+                         what)
+
+    def wait_frames(self, count):
+        """Until the list of controls was written so many times: as many frames at least."""
+        for _ in range(count):
+            before = self.told.stat().st_mtime_ns
+            self.wait(lambda: self.told.exists() and self.told.stat().st_mtime_ns != before,
+                      "another frame")
+
+    def away(self):
+        """Moves the mouse to where it explains nothing, and lets the picture follow."""
+        _, _, width, _ = self.window.geometry()
+        self.display.xdotool("mousemove", "--window", self.window.number, width - 30, 30)
+        self.wait_frames(6)
+
+    def open_panel(self, name):
+        """Opens a panel; None closes whichever is open."""
+        opened = [key for key, control in self.controls().items()
+                  if key.startswith("Rail/") and control["shows"] == "open"]
+        wanted = f"Rail/{name}" if name else (opened[0] if opened else None)
+        if wanted is None or (name and wanted in opened):
+            return
+        self.click(wanted)
+        self.wait(lambda: (self.shows(wanted) == "open") == bool(name), f"{name} is open")
+
+    def centre(self, name, across=0.5):
+        control = self.wait(lambda: self.controls().get(name), f"there is {name}")
+        return (round(control["x"] + across * control["width"]),
+                round(control["y"] + 0.5 * control["height"]))
+
+    def click(self, name, across=0.5):
+        """Slowly enough for a program that draws a few frames a second."""
+        self.click_at(*self.centre(name, across))
+
+    def click_at(self, x, y, button=1):
+        xdotool = self.display.xdotool
+        xdotool("mousemove", "--window", self.window.number, x, y)
+        self.wait_frames(2)
+        xdotool("mousedown", button)
+        self.wait_frames(2)
+        xdotool("mouseup", button)
+        self.wait_frames(2)
+
+    def press(self, control, panel):
+        """Opens the panel and clicks a control in it."""
+        self.open_panel(panel)
+        self.click(f"{panel}/{control}")
+
+    def set(self, control, panel, across):
+        """Sets a slider to a share of its width; clicks a toggle."""
+        self.open_panel(panel)
+        self.click(f"{panel}/{control}", across)
+
+    def key(self, name):
+        self.window.key(name)
+        self.wait_frames(2)
+
+    def drag(self, begin, end, steps=8, button=1, held=0.0):
+        xdotool = self.display.xdotool
+        xdotool("mousemove", "--window", self.window.number, *begin)
+        self.wait_frames(2)
+        xdotool("mousedown", button)
+        self.wait_frames(2)
+        for i in range(1, steps + 1):
+            xdotool("mousemove", "--window", self.window.number,
+                    *(begin[k] + (end[k] - begin[k]) * i // steps for k in (0, 1)))
+            self.wait_frames(1)
+        time.sleep(held)
+        xdotool("mouseup", button)
+        self.wait_frames(2)
+
+    def end(self):
+        """Closes it by Escape; its exit code and what it said."""
+        self.window.key("Escape")
+        self.process.wait(timeout=PATIENCE)
+        return self.process.returncode, self.said()
+
+    def close(self):
+        """Whatever happens, it does not outlive the test."""
+        self.process.kill()
+        self.process.wait()
+        self.errors.close()
