@@ -84,9 +84,6 @@ void main()
     const uint patchIndex = push.owners.at[group];
     const Patch cell = FRAME.patches.at[patchIndex];
     const Eyepoint view = eyepoint();
-    Nature nature = FRAME.nature; // what holds references cannot be const
-    nature.wind.counts = windCounts;
-    nature.colliderCount = hasColliders ? nature.colliderCount : 0u;
 
     // Leave a patch that nobody sees as it is; its blades catch up when it is seen again.
     if (push.onlyUpdate == 0u && (patchCulled(view, cell) || patchHidden(view, cell))) {
@@ -97,6 +94,19 @@ void main()
         return;
     }
 
+    // Nor is there anything to do where all of its blades are thinned out.
+    const uint count = push.onlyUpdate != 0u ? cell.bladeCount : thickEnough(view, cell);
+    if (count == 0u) {
+        for (uint i = thread; i < cell.bladeCount; i += updateThreads)
+            noteFate(cell.firstBlade + i, fateLod);
+        if (thread == 0u)
+            atomicAdd(FRAME.draw.at[0].fates[fateLod], cell.bladeCount);
+        return;
+    }
+
+    Nature nature = FRAME.nature; // what holds references cannot be const
+    nature.wind.counts = windCounts;
+    nature.colliderCount = hasColliders ? nature.colliderCount : 0u;
     if (thread < fateCount)
         fateTally[thread] = 0u;
     float elapsed = max(FRAME.time - FRAME.patchTimes.at[patchIndex], 0.0f);
@@ -107,7 +117,7 @@ void main()
     barrier();
     const ColliderMask near = collidersNear(cell, elapsed, thread);
 
-    for (uint i = thread; i < cell.bladeCount; i += updateThreads) {
+    for (uint i = thread; i < count; i += updateThreads) {
         const uint index = cell.firstBlade + i;
         const Blade blade = unpackBlade(FRAME.blades.at[index], cell);
 
@@ -131,6 +141,8 @@ void main()
                 VisibleBlade(index, patchIndex, verdict.widthFactor, verdict.pixels);
         noteFate(index, verdict.fate);
     }
+    for (uint i = count + thread; i < cell.bladeCount; i += updateThreads)
+        noteFate(cell.firstBlade + i, fateLod);
     barrier();
 
     // Reserve room in the list, and report.
@@ -138,8 +150,10 @@ void main()
     if (thread == 0u) {
         if (moves) {
             FRAME.patchTimes.at[patchIndex] = FRAME.time;
-            atomicAdd(FRAME.draw.at[0].simulated, cell.bladeCount);
+            atomicAdd(FRAME.draw.at[0].simulated, count);
         }
+        if (count < cell.bladeCount)
+            atomicAdd(FRAME.draw.at[0].fates[fateLod], cell.bladeCount - count);
         listBase = kept > 0u ? atomicAdd(FRAME.draw.at[0].fates[fateDrawn], kept) : 0u;
         const uint filled = listBase + kept;
         atomicMax(FRAME.draw.at[0].instanceCount, (filled + drawChunk - 1u) / drawChunk);

@@ -22,6 +22,7 @@ SHARED_CONST uint cullOrientation = 2u;
 SHARED_CONST uint cullFrustum = 4u;
 SHARED_CONST uint cullDistance = 8u;
 SHARED_CONST uint cullOcclusion = 16u;
+SHARED_CONST uint leaveThinned = 32u; ///< no test: see thickEnough()
 
 /// Cosine of the angle between view ray and width axis beyond which the paper leaves a blade out as
 /// seen edge-on. Such blades still show up to 0.44 of their width: they pop while the camera turns.

@@ -15,14 +15,14 @@ SHARED_BEGIN
 struct Eyepoint {
     vec4 planes[6]; ///< left right bottom top near far; unit normals inward, offset
     vec3 eye;
-    float drawDistance;  ///< [m]
-    float pixelsPerUnit; ///< pixels of something 1 m large at 1 m distance
-    float lodThreshold;  ///< [pixels]; 0: every blade is drawn
-    float lodWidth;      ///< [m] typical width of a blade
-    float leastWidth;    ///< [m at 1 m distance] no blade is drawn narrower; 0: as narrow as it is
-    float mostEdgeOn;    ///< cosine beyond which a blade is seen edge-on; 1: never
-    uint samples;        ///< per pixel
-    float buckets;       ///< see bucketsKeep(); 0: off
+    float drawDistance;   ///< [m]
+    float pixelsPerUnit;  ///< pixels of something 1 m large at 1 m distance
+    float lodThreshold;   ///< [pixels]; 0: every blade is drawn
+    float lodWidth;       ///< [m] typical width of a blade
+    float leastWidth;     ///< [m at 1 m distance] no blade is drawn narrower; 0: as narrow as it is
+    float mostEdgeOn;     ///< cosine beyond which a blade is seen edge-on; 1: never
+    uint samples;         ///< per pixel
+    float buckets;        ///< see bucketsKeep(); 0: off
     float bucketDistance; ///< [m]
     uint cullMask;
 };
@@ -59,6 +59,25 @@ SHARED_FN float patchMargin(Eyepoint view, Patch cell)
     // lodWidthFactor() is at most 1/(0.95 share).
     return 0.5f * outlineMost * (cell.widthLow + 63.0f * cell.widthStep) / (0.95f * share) +
            ribMargin(length(farthest), view.leastWidth);
+}
+
+/// How many of the patch's blades, the first so many, level of detail may draw from this eyepoint:
+/// those behind them have no width wherever in its box they stand. All of them unless the eyepoint
+/// says that thinned blades are left alone.
+SHARED_FN uint thickEnough(Eyepoint view, Patch cell)
+{
+    if ((view.cullMask & leaveThinned) == 0u || view.lodThreshold <= 0.0f)
+        return cell.bladeCount;
+    const float share = shareAt(view.pixelsPerUnit, view.lodThreshold, view.lodWidth,
+                                boxDistance(view.eye, cell.boundsLow, cell.boundsHigh));
+    if (share <= cell.rankLow)
+        return 0u;
+    if (share >= cell.rankHigh)
+        return cell.bladeCount;
+    // One more than bladeRank() says, for the rounding of both.
+    const float count = float(cell.bladeCount);
+    const float first = (share - cell.rankLow) / (cell.rankHigh - cell.rankLow) * count;
+    return min(uint(ceil(first)) + 1u, cell.bladeCount);
 }
 
 /// Whether no blade of the patch can be seen: its box, grown by half the width that its widest

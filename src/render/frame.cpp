@@ -98,7 +98,7 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     frame.nature.recovery = settings.nature.recovery;
 
     // What is left out.
-    frame.cullMask = settings.cullMask;
+    frame.cullMask = settings.cullMask | (settings.leavesThinned ? shared::leaveThinned : 0u);
     frame.drawDistance = settings.nature.drawDistance;
     frame.lodThreshold = settings.levelOfDetail ? settings.lodThreshold : 0.0f;
     frame.lodWidth = field.blade.width;

@@ -1,6 +1,5 @@
-#include "apps/sward_view/baking.h"
-
 #include "apps/common/progress_bar.h"
+#include "apps/sward_view/baking.h"
 #include "apps/sward_view/stage.h"
 
 #include <gmock/gmock.h>

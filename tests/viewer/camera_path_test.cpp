@@ -1,5 +1,4 @@
 #include "apps/sward_view/camera_path.h"
-
 #include "core/atomic_file.h"
 #include "core/error.h"
 
@@ -93,9 +92,8 @@ TEST(CameraPath, IsOneCameraWhereAFileHasOne)
 
 TEST(CameraPath, RefusesTimesThatDoNotRise)
 {
-    for (const char* text :
-         {R"([])", R"([{"eye": [1, 2, 3], "target": [0, 0, 0]}])",
-          R"([{"time": 1, "eye": [1, 2, 3], "target": [0, 0, 0]},
+    for (const char* text : {R"([])", R"([{"eye": [1, 2, 3], "target": [0, 0, 0]}])",
+                             R"([{"time": 1, "eye": [1, 2, 3], "target": [0, 0, 0]},
               {"time": 1, "eye": [2, 2, 3], "target": [0, 0, 0]}])"})
         EXPECT_THROW(readText(text), Error) << text;
 }

@@ -1,5 +1,4 @@
 #include "apps/sward_view/collider_hand.h"
-
 #include "support/fields/fields.h"
 
 #include <glm/geometric.hpp>

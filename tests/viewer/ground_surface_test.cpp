@@ -1,5 +1,4 @@
 #include "apps/sward_view/ground_surface.h"
-
 #include "support/fields/fields.h"
 
 #include <glm/geometric.hpp>

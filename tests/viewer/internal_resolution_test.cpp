@@ -19,13 +19,13 @@ double settled(InternalResolution& resolution, double fixed, double pixels, int 
 
 TEST(InternalResolution, DrawsAllPixelsWhereTheyCostLittle)
 {
-    InternalResolution resolution(wanted);
+    InternalResolution resolution(wanted, 1.0);
     EXPECT_EQ(settled(resolution, 0.001, 0.015), 1.0);
 }
 
 TEST(InternalResolution, MakesFramesQuickEnoughWithAsManyPixelsAsItCan)
 {
-    InternalResolution resolution(wanted);
+    InternalResolution resolution(wanted, 1.0);
     const double scale = settled(resolution, 0.02, 1.0);
     EXPECT_LE(0.02 + scale * scale, 1.15 * wanted);
     EXPECT_GE(0.02 + scale * scale, 0.4 * wanted);
@@ -34,7 +34,7 @@ TEST(InternalResolution, MakesFramesQuickEnoughWithAsManyPixelsAsItCan)
 TEST(InternalResolution, StandsStillOnceItHasSettled)
 {
     for (const double pixels : {0.2, 0.5, 1.0, 2.0}) {
-        InternalResolution resolution(wanted);
+        InternalResolution resolution(wanted, 1.0);
         settled(resolution, 0.01, pixels);
         std::set<double> scales;
         for (int i = 0; i < 100; ++i)
@@ -45,7 +45,7 @@ TEST(InternalResolution, StandsStillOnceItHasSettled)
 
 TEST(InternalResolution, ComesBackWhenThereIsRoomAgain)
 {
-    InternalResolution resolution(wanted);
+    InternalResolution resolution(wanted, 1.0);
     settled(resolution, 0.02, 2.0);
     EXPECT_LT(resolution.scale(), 0.4);
     EXPECT_EQ(settled(resolution, 0.001, 0.02), 1.0);
@@ -53,7 +53,7 @@ TEST(InternalResolution, ComesBackWhenThereIsRoomAgain)
 
 TEST(InternalResolution, NeverDrawsLessThanAFifth)
 {
-    InternalResolution resolution(wanted);
+    InternalResolution resolution(wanted, 1.0);
     EXPECT_EQ(settled(resolution, 5.0, 5.0), InternalResolution::lowest);
 }
 

@@ -1,5 +1,4 @@
 #include "apps/sward_view/navigation.h"
-
 #include "support/fields/fields.h"
 
 #include <glm/geometric.hpp>
@@ -75,8 +74,7 @@ TEST_F(NavigationTest, KeepsItsPlaceWhileItLooksAround)
         EXPECT_EQ(navigation.camera().eye, glm::dvec3(0.0, 2.0, 8.0));
     }
     // Never over the pole.
-    const glm::dvec3 view =
-        glm::normalize(navigation.camera().target - navigation.camera().eye);
+    const glm::dvec3 view = glm::normalize(navigation.camera().target - navigation.camera().eye);
     EXPECT_LT(std::abs(view.y), 0.9999);
 }
 

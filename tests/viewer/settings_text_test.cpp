@@ -1,7 +1,6 @@
-#include "render/settings_text.h"
-
 #include "core/atomic_file.h"
 #include "render/settings_file.h"
+#include "render/settings_text.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -9,9 +9,10 @@ public:
     static constexpr double lowest = 0.2; ///< of width and height
     static constexpr double highest = 1.0;
 
-    /// `wanted` [s]: what a frame may take.
-    explicit InternalResolution(double wanted)
+    /// `wanted` [s]: what a frame may take; `begin`: the first frame's scale.
+    InternalResolution(double wanted, double begin)
         : wanted_(wanted)
+        , scale_(begin)
     {
     }
 
@@ -25,7 +26,7 @@ private:
     static constexpr int patience = 6; ///< frames that agree before the scale rises
 
     double wanted_;
-    double scale_ = highest;
+    double scale_;
     int quick_ = 0; ///< frames in a row that left room for more pixels
 };
 

@@ -28,6 +28,9 @@ constexpr double smoothing = 0.1;        ///< of the time of a frame
 constexpr double wantedOnCpu = 0.1;
 constexpr double wantedOnGpu = 1.0 / 30.0;
 
+// A first frame on a CPU that shows something soon; where there is room, more pixels follow.
+constexpr double beginOnCpu = 0.4;
+
 // Time of the field that may pass in a frame [s]: two steps of the physics, and what it takes at
 // once.
 constexpr double longestOnCpu = 2.0 * static_cast<double>(shared::longestStep);
@@ -84,7 +87,8 @@ Viewer::Viewer(Window& window, const ViewerOptions& options)
     , timestamps_(device_.context(), {.slots = framesInFlight, .historyFrames = timesKept})
     , picture_(device_.context())
     , controls_(interface_.style(), controlMap_)
-    , resolution_(device_.isCpu() ? wantedOnCpu : wantedOnGpu)
+    , resolution_(device_.isCpu() ? wantedOnCpu : wantedOnGpu,
+                  device_.isCpu() ? beginOnCpu : InternalResolution::highest)
     , begun_(Clock::now())
     , lastTick_(begun_)
     , lastTitle_(begun_)
@@ -99,6 +103,7 @@ Viewer::Viewer(Window& window, const ViewerOptions& options)
     for (std::size_t i = 0; i < std::size(meadowNames); ++i)
         if (options.meadow == meadowNames[i])
             stage_.meadow.meadow = static_cast<int>(i);
+    stage_.scale = static_cast<float>(resolution_.scale());
     if (options.resolution > 0.0f) {
         stage_.automaticScale = false;
         stage_.scale = options.resolution;
@@ -207,6 +212,8 @@ bool Viewer::draw()
         stage_.counts = exhibit_->renderer().stats(frame.slot);
     timestamps_.beginFrame(frame.commands, frame.slot);
     if (exhibit_) {
+        // Pixels are not all that a CPU can spare.
+        stage_.settings.leavesThinned = device_.isCpu() && stage_.automaticScale;
         gpu::transition(frame.commands, picture_.image(), gpu::ImageUse::undefined,
                         gpu::ImageUse::colorTarget);
         {
