@@ -35,13 +35,15 @@ class Display:
 
     def start(self):
         """Starts the server; returns its name, or nothing if it ended at once."""
+        # It does not begin anew when its last client leaves: the next would find it busy with that.
         # A number of our own: the lowest free one is chosen by every server that starts, and a
         # server that ends takes away the socket of the next.
         number = random.randrange(100, 30000)
         read_end, write_end = os.pipe()
         self.server = subprocess.Popen(
             ["Xvfb", f":{number}", "-displayfd", str(write_end), "-screen", "0",
-             f"{self.WIDTH}x{self.HEIGHT}x24", "-nolisten", "tcp", "-fbdir", str(self.folder)],
+             f"{self.WIDTH}x{self.HEIGHT}x24", "-nolisten", "tcp", "-noreset", "-fbdir",
+             str(self.folder)],
             pass_fds=[write_end], stderr=subprocess.DEVNULL)
         os.close(write_end)
         with os.fdopen(read_end) as answer:
