@@ -24,7 +24,8 @@ pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 # Debian's stb is a compiled library without a CMake or complete pkg-config description.
 find_library(STB_LIBRARY stb REQUIRED)
 add_library(sward_stb INTERFACE)
-target_link_libraries(sward_stb INTERFACE ${STB_LIBRARY})
+target_link_libraries(sward_stb INTERFACE $<BUILD_INTERFACE:${STB_LIBRARY}> $<INSTALL_INTERFACE:stb>)
+set_target_properties(sward_stb PROPERTIES EXPORT_NAME stb)
 
 # Debian's Dear ImGui is a static library; its Vulkan backend calls the linked loader, as we do.
 pkg_check_modules(imgui REQUIRED imgui)

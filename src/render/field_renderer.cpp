@@ -142,6 +142,12 @@ FieldRenderer::FieldRenderer(const gpu::Device& device, const field::FieldView& 
 {
 }
 
+FieldRenderer::FieldRenderer(const gpu::DeviceContext& context, const field::FieldView& field,
+                             const Settings& settings)
+    : parts_(std::make_unique<Parts>(context, field, settings))
+{
+}
+
 FieldRenderer::FieldRenderer(FieldRenderer&&) noexcept = default;
 FieldRenderer::~FieldRenderer() = default;
 

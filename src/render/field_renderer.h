@@ -14,6 +14,7 @@
 
 namespace sward::gpu {
 class Device;
+struct DeviceContext;
 class Timestamps;
 } // namespace sward::gpu
 
@@ -38,11 +39,11 @@ public:
         bool recordFates = false; ///< keep each blade's fate for dumpBlades(); 4 bytes a blade
     };
 
-    /// `field` may die afterwards, except that dumpBlades() needs it again. Throws Error{runtime}
-    /// when the device's memory does not hold the field, naming both sizes; Error{unsupported}
-    /// where a geometry is asked for that the device cannot draw.
-    FieldRenderer(const gpu::Device& device, const field::FieldView& field,
-                  const Settings& settings);
+    /// Outlived by the context. `field` may die, except that dumpBlades() needs it again. Throws
+    /// Error{runtime} when the device's memory does not hold the field, naming both sizes;
+    /// Error{unsupported} where a geometry is asked for that the device cannot draw.
+    FieldRenderer(const gpu::DeviceContext&, const field::FieldView&, const Settings&);
+    FieldRenderer(const gpu::Device& device, const field::FieldView&, const Settings&);
     FieldRenderer(FieldRenderer&&) noexcept;
     ~FieldRenderer();
 

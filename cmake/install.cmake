@@ -1,0 +1,68 @@
+# What `cmake --install` puts where: the programs (component runtime); and for other programs
+# (component development) static libraries, headers below sward/, a CMake package and pkg-config
+# files for the three link targets field, bake and render.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+install(TARGETS sward sward_view RUNTIME COMPONENT runtime)
+
+# GLM's vectors have another name with this setting, which our libraries are built with.
+target_compile_definitions(sward_shared INTERFACE $<INSTALL_INTERFACE:GLM_FORCE_SIZE_T_LENGTH>)
+target_compile_definitions(sward_core INTERFACE $<INSTALL_INTERFACE:GLM_FORCE_SIZE_T_LENGTH>)
+
+# Libraries. Each export is one component of find_package(sward).
+set(SWARD_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/sward)
+function(sward_install_component name)
+  install(TARGETS ${ARGN} EXPORT sward${name}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT sward${name} NAMESPACE sward:: FILE sward${name}Targets.cmake
+    DESTINATION ${SWARD_PACKAGE_DIR} COMPONENT development)
+endfunction()
+sward_install_component(Field sward_core sward_shared sward_field)
+sward_install_component(Bake sward_assets sward_terrain sward_stb sward_bake)
+sward_install_component(Render sward_gpu sward_render)
+
+# Headers: the doors, and whatever they include.
+set(doors
+  core/diagnostics.h core/error.h core/progress.h
+  field/field.h field/inspect.h field/read.h field/write.h
+  terrain/load.h terrain/recipe.h
+  bake/bake.h bake/meadow.h bake/report.h bake/settings.h
+  gpu/context.h gpu/features.h
+  render/camera_presets.h render/field_renderer.h render/look_settings.h render/settings_file.h)
+install(CODE "set(SWARD_DOORS \"${doors}\")
+set(SWARD_SOURCE_DIR \"${CMAKE_SOURCE_DIR}\")
+set(SWARD_INCLUDE_DIR \"${CMAKE_INSTALL_INCLUDEDIR}\")" COMPONENT development)
+install(SCRIPT ${CMAKE_SOURCE_DIR}/cmake/install_headers.cmake COMPONENT development)
+configure_file(cmake/package/version.h.in package/version.h @ONLY)
+install(FILES ${CMAKE_BINARY_DIR}/package/version.h
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sward COMPONENT development)
+
+# The CMake package. Before 1.0 each minor version is a different library.
+configure_package_config_file(cmake/package/swardConfig.cmake.in package/swardConfig.cmake
+  INSTALL_DESTINATION ${SWARD_PACKAGE_DIR})
+write_basic_package_version_file(package/swardConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/package/swardConfig.cmake
+              ${CMAKE_BINARY_DIR}/package/swardConfigVersion.cmake
+  DESTINATION ${SWARD_PACKAGE_DIR} COMPONENT development)
+
+# pkg-config: sward-field, sward-bake, sward-render. Embree, OpenMesh and others describe themselves
+# incompletely, so their libraries are named.
+function(sward_install_pc name description requires libraries)
+  set(PC_NAME ${name})
+  set(PC_DESCRIPTION ${description})
+  set(PC_REQUIRES ${requires})
+  set(PC_LIBS ${libraries})
+  file(RELATIVE_PATH PC_PREFIX /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+  configure_file(cmake/package/sward.pc.in package/sward-${name}.pc @ONLY)
+  install(FILES ${CMAKE_BINARY_DIR}/package/sward-${name}.pc
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+endfunction()
+sward_install_pc(field "Field files of grass: reading, verifying, writing"
+  "glm fmt spdlog libxxhash libzstd" "-lsward_field -lsward_core")
+sward_install_pc(bake "Grows grass on any ground"
+  "sward-field tbb OpenEXR libpng tinygltf"
+  "-lsward_bake -lsward_terrain -lsward_assets -lembree3 -lOpenMeshCore -lmeshoptimizer -ldraco -lstb")
+sward_install_pc(render "Draws fields of grass with Vulkan"
+  "sward-field vulkan" "-lsward_render -lsward_gpu")
