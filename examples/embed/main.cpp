@@ -179,11 +179,11 @@ void draw(const Host& host, const char* fieldPath, const char* picturePath)
     settings.colliders = {{.from = middle, .to = middle, .radius = 0.05 * extent, .path = way}};
 
     // 5. Frames, into the host's command buffers.
-    for (int frame = 0; frame <= 10; ++frame)
+    for (int frame = 0; frame <= 5; ++frame)
         host.submitAndWait([&](VkCommandBuffer commands) {
             if (frame == 0)
                 host.turn(commands, undefined, target);
-            renderer.record(commands, {host.image, host.view, {width, height}}, camera, settings, frame / 10.0);
+            renderer.record(commands, {host.image, host.view, {width, height}}, camera, settings, frame / 5.0);
         });
     host.save(picturePath);
     std::printf("%s drew %llu blades\n", context.name.c_str(), static_cast<unsigned long long>(renderer.stats().drawn));

@@ -1,0 +1,221 @@
+"""The installed library in programs of others: each component finds what it needs and no more."""
+
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PREFIX = Path(os.environ.get("SWARD_TEST_PREFIX", ROOT / "build/dev/tests/package/prefix"))
+COMPILER = os.environ.get("SWARD_TEST_CXX", "c++")
+
+MESH_PACKAGES = "OpenMesh embree TinyGLTF TBB draco meshoptimizer OpenEXR PNG".split()
+
+# What is installed below sward/ for each component, beside that of the field.
+FOLDERS = {"field": ["core", "field", "shaders"], "bake": ["terrain", "bake"],
+           "render": ["gpu", "render"]}
+
+# Doors that are enough for the programs below.
+DOORS = {"field": ["field/read.h"],
+         "bake": ["bake/bake.h", "bake/meadow.h", "field/write.h", "terrain/load.h"],
+         "render": ["gpu/features.h"]}
+
+# A program that does what its component is for.
+PROGRAMS = {
+    "field": """
+        const sward::field::MappedField file = sward::field::readField(argv[1]);
+        std::printf("%zu blades\\n", file.view().blades.size());""",
+    "bake": """
+        sward::Diagnostics diagnostics;
+        sward::Progress progress;
+        sward::bake::BakeSettings settings;
+        settings.count = 500;
+        settings.meadow = sward::bake::loadMeadow("lawn");
+        const auto ground = sward::terrain::load("plane", {}, diagnostics);
+        const auto result = sward::bake::bakeField(ground, settings, 1, diagnostics, progress);
+        sward::field::writeField(result.field, argv[1], true);
+        std::printf("%zu blades\\n", result.field.blades.size());""",
+    "render": """
+        static_cast<void>(argv);
+        std::printf("%zu features\\n", sward::gpu::requiredFeatureNames().size());""",
+}
+
+CMAKE = """cmake_minimum_required(VERSION 3.25)
+project(guest LANGUAGES CXX)
+set(CMAKE_CXX_STANDARD 20)
+find_package(sward {version} CONFIG REQUIRED COMPONENTS {component})
+add_executable(guest main.cpp)
+target_compile_options(guest PRIVATE -Wall -Wextra -Werror)
+target_link_libraries(guest PRIVATE sward::{component})
+"""
+
+VALIDATION = """khronos_validation.debug_action = VK_DBG_LAYER_ACTION_LOG_MSG
+khronos_validation.log_filename = stdout
+khronos_validation.report_flags = error,warn,perf
+khronos_validation.enables = VK_VALIDATION_FEATURE_ENABLE_{feature}_EXT
+"""
+
+
+def libraries_of(program):
+    """Shared libraries that are loaded with a program."""
+    return subprocess.run(["ldd", program], capture_output=True, text=True, check=True).stdout
+
+
+class GuestTest(unittest.TestCase):
+    """A test with a folder outside of Sward's tree, which is thrown away."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="sward-guest-")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def run_here(self, *command, succeeds=True, **environment):
+        done = subprocess.run([str(word) for word in command], cwd=self.folder, text=True,
+                              env={**os.environ, **environment}, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT)
+        self.assertEqual(done.returncode == 0, succeeds, f"{command}\n{done.stdout}")
+        return done.stdout
+
+    def write_guest(self, component, version="0.1", headers=None):
+        """A program that includes headers, by default every one of the component, and does its
+        work."""
+        if headers is None:
+            root = PREFIX / "include/sward"
+            headers = [path.relative_to(root).as_posix()
+                       for folder in FOLDERS["field"] + FOLDERS[component]
+                       for path in sorted((root / folder).rglob("*.h"))]
+            self.assertGreater(len(headers), 20)
+        includes = "".join(f"#include <sward/{name}>\n" for name in [*headers, "version.h"])
+        (self.folder / "main.cpp").write_text(
+            f'{includes}#include <cstdio>\nint main(int argc, char** argv)\n{{\n'
+            f'    if (argc < 2) return 1;{PROGRAMS[component]}\n'
+            '    std::printf("%s\\n", SWARD_VERSION);\n}\n', encoding="utf-8")
+        (self.folder / "CMakeLists.txt").write_text(
+            CMAKE.format(component=component, version=version), encoding="utf-8")
+
+    def configure(self, without=(), succeeds=True, source="."):
+        """Configures as on a machine that lacks some packages."""
+        shutil.rmtree(self.folder / "build", ignore_errors=True)
+        return self.run_here(
+            "cmake", "-S", source, "-B", "build", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={PREFIX}",
+            f"-DCMAKE_CXX_COMPILER={COMPILER}",
+            *(f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in without), succeeds=succeeds)
+
+    def build(self):
+        self.run_here("cmake", "--build", "build")
+
+    def bake(self, *options):
+        self.run_here(PREFIX / "bin/sward", "bake", "plane", "-o", "field.sward", "-q", *options)
+        return self.folder / "field.sward"
+
+
+class Components(GuestTest):
+    def test_a_reader_of_fields_needs_neither_vulkan_nor_mesh_libraries(self):
+        self.write_guest("field")
+        self.configure(without=[*MESH_PACKAGES, "Vulkan"])
+        self.build()
+        field = self.bake("--count", "700")
+        self.assertEqual(self.run_here("build/guest", field), "700 blades\n0.1.0\n")
+        self.assertNotRegex(libraries_of(self.folder / "build/guest"),
+                            r"(?i)vulkan|embree|openmesh|gltf|tbb|glfw")
+
+    def test_a_baker_needs_no_vulkan(self):
+        self.write_guest("bake")
+        self.configure(without=["OpenMesh"], succeeds=False)
+        self.configure(without=["Vulkan"])
+        self.build()
+        self.assertEqual(self.run_here("build/guest", "field.sward"), "500 blades\n0.1.0\n")
+        self.run_here(PREFIX / "bin/sward", "validate", "field.sward")
+        self.assertNotRegex(libraries_of(self.folder / "build/guest"), r"(?i)vulkan|glfw")
+
+    def test_a_renderer_needs_no_mesh_library(self):
+        self.write_guest("render")
+        self.configure(without=["Vulkan"], succeeds=False)
+        self.configure(without=MESH_PACKAGES)
+        self.build()
+        self.assertRegex(self.run_here("build/guest", "-"), r"^\d+ features\n0\.1\.0\n$")
+        self.assertNotRegex(libraries_of(self.folder / "build/guest"),
+                            r"(?i)embree|openmesh|gltf|tbb|glfw")
+
+    def test_another_minor_version_and_an_unknown_component_are_refused(self):
+        self.write_guest("field", version="0.2")
+        self.assertIn("0.2", self.configure(succeeds=False))
+        self.write_guest("field")
+        text = (self.folder / "CMakeLists.txt").read_text(encoding="utf-8")
+        (self.folder / "CMakeLists.txt").write_text(text.replace("COMPONENTS", "COMPONENTS sheep"),
+                                                    encoding="utf-8")
+        self.assertIn("sheep", self.configure(succeeds=False))
+
+    def test_pkg_config_says_the_same(self):
+        field = self.bake("--count", "300")
+        for component, arguments in {"field": [field], "bake": ["new.sward"], "render": ["-"]}.items():
+            with self.subTest(component=component):
+                self.write_guest(component, headers=DOORS[component])
+                flags = self.run_here("pkg-config", "--cflags", "--libs", f"sward-{component}",
+                                      PKG_CONFIG_PATH=str(PREFIX / "lib/pkgconfig"))
+                self.run_here(COMPILER, "-std=c++20", "main.cpp", *flags.split(), "-o", "guest")
+                self.assertTrue(self.run_here("./guest", *arguments).endswith("0.1.0\n"))
+
+
+class InstalledTree(GuestTest):
+    def test_headers_include_each_other_by_sward(self):
+        headers = list((PREFIX / "include").rglob("*.h"))
+        self.assertGreater(len(headers), 40)
+        for header in headers:
+            for name in re.findall(r'^ *# *include "(.+)"', header.read_text(encoding="utf-8"), re.M):
+                self.assertRegex(name, "^sward/", header)
+                self.assertTrue((PREFIX / "include" / name).is_file(), f"{header}: {name}")
+
+    def test_nothing_names_the_tree_it_was_built_in(self):
+        files = [path for path in (PREFIX / "lib").rglob("*") if path.suffix in (".cmake", ".pc")]
+        self.assertGreater(len(files), 8)
+        for file in files:
+            self.assertNotIn(str(ROOT), file.read_text(encoding="utf-8"), file)
+
+    def test_programs_run_where_they_were_installed(self):
+        self.assertEqual(self.run_here(PREFIX / "bin/sward", "--version"), "sward 0.1.0\n")
+        self.assertIn("llvmpipe", self.run_here(PREFIX / "bin/sward-view", "devices"))
+
+
+class Embed(GuestTest):
+    """examples/embed: a host with a Vulkan of its own."""
+
+    def run_embed(self, blades, feature):
+        self.bake("--count", blades, "--force")
+        settings = self.folder / "vk_layer_settings.txt"
+        settings.write_text(VALIDATION.format(feature=feature), encoding="utf-8")
+        return self.run_here("build/embed", "field.sward", "frame.png",
+                             VK_INSTANCE_LAYERS="VK_LAYER_KHRONOS_validation",
+                             VK_LAYER_SETTINGS_PATH=str(settings))
+
+    def test_embed_draws_on_its_own_device_without_a_validation_message(self):
+        shutil.copytree(ROOT / "examples/embed", self.folder / "embed")
+        self.assertLessEqual(len((self.folder / "embed/main.cpp").read_bytes().splitlines()), 200)
+        self.configure(without=["TinyGLTF", "embree", "OpenMesh", "glfw3"], source="embed")
+        self.build()
+        self.assertNotRegex(libraries_of(self.folder / "build/embed"),
+                            r"(?i)glfw|imgui|embree|openmesh|gltf")
+        self.assertRegex(self.run_embed(20000, "SYNCHRONIZATION_VALIDATION"), r"^llvmpipe.* drew \d+ blades\n$")
+
+        # Sky above, grass below, and a ball that the host rolls through it.
+        from PIL import Image
+        picture = Image.open(self.folder / "frame.png").convert("RGB")
+        self.assertEqual(picture.size, (640, 360))
+        red, green, blue = picture.getpixel((320, 20))
+        self.assertGreater(blue, red)
+        lawn = list(picture.crop((100, 220, 540, 350)).getdata())
+        self.assertGreater(sum(g > r and g > b for r, g, b in lawn), 0.2 * len(lawn))
+        self.assertGreater(sum(r > 2 * b and r > 1.5 * g for r, g, b in picture.getdata()), 500)
+
+        # The layer has listened: it has much to say when asked for advice.
+        self.assertIn("BestPractices", self.run_embed(10, "BEST_PRACTICES"))
+        soil = list(Image.open(self.folder / "frame.png").convert("RGB")
+                    .crop((100, 220, 540, 350)).getdata())
+        self.assertLess(sum(g > r and g > b for r, g, b in soil), 0.02 * len(soil))
+
+
+if __name__ == "__main__":
+    unittest.main()
