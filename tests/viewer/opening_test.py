@@ -155,9 +155,9 @@ class OpeningTest(unittest.TestCase):
         self.assertEqual(viewer.shows("Field/Blades"), "700")
         self.assert_ends_well(viewer)
 
-    def test_a_full_disk_is_told_and_nothing_is_written(self):
+    def test_a_picture_that_cannot_be_written_is_told(self):
         viewer = self.open(self.field, "--panel", "capture")
-        (self.folder / "sward.png").mkdir()  # what cannot be written, without filling a disk
+        (self.folder / "sward.png").mkdir()  # a file cannot take its place
         viewer.key("p")
         viewer.wait_for_value("Message/Error", lambda shown: "sward.png" in shown, "it complains")
         self.assertEqual(list((self.folder / "sward.png").iterdir()), [])

@@ -6,7 +6,6 @@
 // window.h has included Vulkan, so GLFW declares its Vulkan functions; it need not bring OpenGL.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -82,10 +81,7 @@ struct Window::Parts {
     }
 
     bool isDown(int key) const { return glfwGetKey(window.get(), key) == GLFW_PRESS; }
-    bool isHeld(int button) const
-    {
-        return glfwGetMouseButton(window.get(), button) == GLFW_PRESS;
-    }
+    bool isHeld(int button) const { return glfwGetMouseButton(window.get(), button) == GLFW_PRESS; }
     bool shift() const { return isDown(GLFW_KEY_LEFT_SHIFT) || isDown(GLFW_KEY_RIGHT_SHIFT); }
 
     static void onCursor(GLFWwindow* window, double x, double y);

@@ -114,9 +114,8 @@ Interface::Interface(const gpu::Instance& instance, const gpu::Device& device,
     info.CheckVkResultFn = checkResult;
     ImGui_ImplVulkan_Init(&info, renderPass_.get());
     backends_ = std::make_unique<Backends>();
-    gpu::submitAndWait(device_, [](VkCommandBuffer commands) {
-        ImGui_ImplVulkan_CreateFontsTexture(commands);
-    });
+    gpu::submitAndWait(
+        device_, [](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
     ImGui_ImplVulkan_DestroyFontUploadObjects();
 }
 
