@@ -5,6 +5,10 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS sward sward_view RUNTIME COMPONENT runtime)
+install(FILES LICENSE RENAME copyright
+  DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/sward COMPONENT runtime)
+install(FILES LICENSE RENAME copyright
+  DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/sward-dev COMPONENT development)
 
 # GLM's vectors have another name with this setting, which our libraries are built with.
 target_compile_definitions(sward_shared INTERFACE $<INSTALL_INTERFACE:GLM_FORCE_SIZE_T_LENGTH>)

@@ -10,6 +10,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PREFIX = Path(os.environ.get("SWARD_TEST_PREFIX", ROOT / "build/dev/tests/package/prefix"))
+BUILD = Path(os.environ.get("SWARD_TEST_BUILD", ROOT / "build/dev"))
 COMPILER = os.environ.get("SWARD_TEST_CXX", "c++")
 
 MESH_PACKAGES = "OpenMesh embree TinyGLTF TBB draco meshoptimizer OpenEXR PNG".split()
@@ -178,6 +179,29 @@ class InstalledTree(GuestTest):
     def test_programs_run_where_they_were_installed(self):
         self.assertEqual(self.run_here(PREFIX / "bin/sward", "--version"), "sward 0.1.0\n")
         self.assertIn("llvmpipe", self.run_here(PREFIX / "bin/sward-view", "devices"))
+
+
+class DebianPackages(GuestTest):
+    def test_debian_packages_name_what_they_need_and_run_unpacked(self):
+        self.run_here("cpack", "--config", BUILD / "CPackConfig.cmake", "-G", "DEB", "-B", ".",
+                      "-D", "CPACK_DEBIAN_COMPRESSION_TYPE=gzip")
+        programs, = self.folder.glob("sward_0.1.0_*.deb")
+        development, = self.folder.glob("sward-dev_0.1.0_*.deb")
+        needs = self.run_here("dpkg-deb", "--field", programs, "Depends")
+        for library in ("libc6", "libembree3-3", "libopenmesh1", "libvulkan1", "libglfw3"):
+            self.assertIn(library, needs)
+        needs = self.run_here("dpkg-deb", "--field", development, "Depends", "Recommends")
+        for package in ("libfmt-dev", "libzstd-dev", "libvulkan-dev", "libembree-dev"):
+            self.assertIn(package, needs)
+        for package in (programs, development):
+            self.run_here("dpkg-deb", "--extract", package, "root")
+        root = self.folder / "root/usr"
+        self.assertEqual(self.run_here(root / "bin/sward", "--version"), "sward 0.1.0\n")
+        self.assertEqual(self.run_here(root / "bin/sward-view", "--version"), "sward-view 0.1.0\n")
+        self.assertTrue((root / "lib/cmake/sward/swardConfig.cmake").is_file())
+        self.assertTrue((root / "include/sward/render/field_renderer.h").is_file())
+        # Debugging information would be ten times of what is needed.
+        self.assertLess(sum(file.stat().st_size for file in root.rglob("*")), 60e6)
 
 
 class Embed(GuestTest):

@@ -1,0 +1,33 @@
+# `cpack -G DEB` in the build folder: sward (the programs) and sward-dev (for programs that draw,
+# bake or read fields). Debian's own tools find out which shared libraries the programs need.
+set(CPACK_PACKAGE_NAME sward)
+set(CPACK_PACKAGE_CONTACT "Sward's authors <sward@invalid>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_COMPONENTS_ALL runtime development)
+set(CPACK_STRIP_FILES ON)
+# Static libraries are left alone by the former.
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_SOURCE_DIR}/cmake/package/strip_libraries.cmake)
+set(CPACK_VERBATIM_VARIABLES ON)
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "sward bakes blades of grass onto meshes and heightmaps; sward-view shows them
+with Vulkan.")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME sward)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
+# Any Vulkan driver will do; this one needs no GPU.
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS mesa-vulkan-drivers)
+
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Libraries and headers for programs that read field files, bake them, or draw
+them on a Vulkan device of their own.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME sward-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+# What every component needs; then what baking and drawing need, which is taken unless declined.
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libglm-dev, libfmt-dev, libspdlog-dev, \
+nlohmann-json3-dev, libxxhash-dev, libzstd-dev, pkg-config")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "libvulkan-dev, libembree-dev, libopenmesh-dev, \
+libtinygltf-dev, libtbb-dev, libstb-dev, libpng-dev, libopenexr-dev, libdraco-dev, \
+libmeshoptimizer-dev")
+include(CPack)
