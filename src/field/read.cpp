@@ -1,6 +1,7 @@
 #include "field/read.h"
 
 #include "core/error.h"
+#include "core/expect.h"
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
 #include "field/compression.h"
@@ -19,12 +20,8 @@
 namespace sward::field {
 
 struct MappedField::Contents {
-    explicit Contents(const std::filesystem::path& path)
-        : file(path)
-    {
-    }
-
-    MappedFile file;
+    std::optional<MappedFile> file; ///< unless the caller holds the bytes
+    std::span<const std::byte> bytes;
     std::vector<BladeKey> keys;
     std::vector<Species> species;
     DisplayGround ground;
@@ -32,6 +29,8 @@ struct MappedField::Contents {
     std::string provenance = "{}";
     std::string copyright;
     FieldView view;
+
+    void read(const std::string& name);
 };
 
 namespace {
@@ -242,26 +241,23 @@ FieldView MappedField::view() const
 
 std::uint64_t MappedField::fileBytes() const
 {
-    return contents_->file.bytes().size();
+    return contents_->bytes.size();
 }
 
-MappedField readField(const std::filesystem::path& path)
+void MappedField::Contents::read(const std::string& name)
 {
-    auto contents = std::make_unique<MappedField::Contents>(path);
-    const Reader reader(contents->file.bytes(), path.string());
+    const Reader reader(bytes, name);
     const std::string& place = reader.place();
 
-    contents->keys = reader.copied<BladeKey>(format::keys, false);
-    contents->species =
-        parseSpecies(reader.text(format::species, true), fmt::format("{}: species", place));
-    contents->defaults = parseDefaults(reader.text(format::defaults, true),
-                                       fmt::format("{}: defaults", place), contents->copyright);
-    contents->provenance = reader.text(format::provenance, false);
-    if (contents->provenance.empty())
-        contents->provenance = "{}";
-    parseJson(contents->provenance, fmt::format("{}: provenance", place));
+    keys = reader.copied<BladeKey>(format::keys, false);
+    species = parseSpecies(reader.text(format::species, true), fmt::format("{}: species", place));
+    defaults = parseDefaults(reader.text(format::defaults, true),
+                             fmt::format("{}: defaults", place), copyright);
+    provenance = reader.text(format::provenance, false);
+    if (provenance.empty())
+        provenance = "{}";
+    parseJson(provenance, fmt::format("{}: provenance", place));
 
-    DisplayGround& ground = contents->ground;
     ground.vertices = reader.copied<shared::GroundVertex>(format::groundVertices, false);
     ground.indices = reader.copied<std::uint32_t>(format::groundIndices, false);
     ground.ranges = reader.copied<GroundRange>(format::groundRanges, false);
@@ -269,18 +265,34 @@ MappedField readField(const std::filesystem::path& path)
     const std::vector<std::byte> images = reader.copied<std::byte>(format::groundImages, false);
     ground.images = parseImages(images, fmt::format("{}: ground images", place));
 
-    FieldView& view = contents->view;
     const auto& origin = reader.header().origin;
     view.origin = glm::dvec3(origin[0], origin[1], origin[2]);
     view.patches = reader.mapped<shared::Patch>(format::patches, true);
     view.blades = reader.mapped<shared::PackedBlade>(format::blades, true);
-    view.keys = contents->keys;
-    view.species = contents->species;
-    view.ground = &contents->ground;
-    view.defaults = &contents->defaults;
-    view.provenance = &contents->provenance;
-    view.copyright = &contents->copyright;
+    view.keys = keys;
+    view.species = species;
+    view.ground = &ground;
+    view.defaults = &defaults;
+    view.provenance = &provenance;
+    view.copyright = &copyright;
     verify(view, place);
+}
+
+MappedField readField(const std::filesystem::path& path)
+{
+    auto contents = std::make_unique<MappedField::Contents>();
+    contents->bytes = contents->file.emplace(path).bytes();
+    contents->read(path.string());
+    return MappedField(std::move(contents));
+}
+
+MappedField readField(std::span<const std::byte> bytes, const std::string& name)
+{
+    expect(reinterpret_cast<std::uintptr_t>(bytes.data()) % alignof(shared::Patch) == 0,
+           "the bytes of a field are aligned");
+    auto contents = std::make_unique<MappedField::Contents>();
+    contents->bytes = bytes;
+    contents->read(name);
     return MappedField(std::move(contents));
 }
 

@@ -1,4 +1,5 @@
 #include "core/error.h"
+#include "core/mapped_file.h"
 #include "field/compression.h"
 #include "field/field.h"
 #include "field/inspect.h"
@@ -51,6 +52,30 @@ TEST(FieldFile, LaysBladesWhereTheGpuCanTakeThem)
     const MappedField mapped = readField(path);
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(mapped.view().blades.data()) % 64, 0U);
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(mapped.view().patches.data()) % 64, 0U);
+}
+
+TEST(FieldFile, IsReadFromMemoryAsFromItsFile)
+{
+    const auto path = tests::temporaryFile("memory.sward");
+    writeField(tests::sampleField(), path, true);
+    std::vector<std::byte> bytes = readFile(path);
+    const MappedField mapped = readField(path);
+    const MappedField held = readField(bytes, "archive/lawn");
+    EXPECT_EQ(held.fileBytes(), bytes.size());
+    EXPECT_TRUE(sameBytes(held.view().blades, mapped.view().blades));
+    EXPECT_TRUE(sameBytes(held.view().patches, mapped.view().patches));
+    EXPECT_GE(static_cast<const void*>(held.view().blades.data()), bytes.data());
+    EXPECT_LT(static_cast<const void*>(held.view().blades.data()), bytes.data() + bytes.size());
+
+    std::vector<std::byte> damaged = bytes;
+    damaged[damaged.size() / 2] ^= std::byte{1};
+    try {
+        readField(damaged, "archive/lawn");
+        FAIL() << "damage was accepted";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::input);
+        EXPECT_NE(std::string(error.what()).find("archive/lawn"), std::string::npos);
+    }
 }
 
 TEST(FieldFile, WithoutBladesIsValid)
