@@ -19,7 +19,7 @@ bool leftToGroups(uint place)
     if (slot >= mostLargeBlades)
         return false;
     large.at[largePlaces + slot] = place;
-    atomicMax(large.at[0], slot + 1u);
+    atomicMax(large.at[0], min(slot + 1u, mostGroups));
     return true;
 }
 
@@ -32,20 +32,18 @@ void rasterise(Lens lens, uint place)
     if (visible.pixels * widthPixels > largeBladePixels && leftToGroups(place))
         return;
 
-    ScreenRib before = screenRib(lens, ribbon, 0.0);
+    SeenRib before = seenRib(lens, ribbon, 0.0);
     for (float i = 1.0; i <= ribbon.outline.segments; i += 1.0) {
-        const ScreenRib after = screenRib(lens, ribbon, i / ribbon.outline.segments);
-        // What this thread has drawn already will be drawn again, the same.
-        if (!(before.isWhole && after.isWhole)) {
-            leftToGroups(place);
-            return;
-        }
-        const bool isUpper = upperHalf(i, ribbon.outline.segments);
-        if (ribbon.fold > 0.0) {
-            smallQuad(before.left, before.ridge, after.left, after.ridge, before.weight, after.weight, isUpper, visible.blade);
-            smallQuad(before.ridge, before.right, after.ridge, after.right, before.weight, after.weight, isUpper, visible.blade);
+        const SeenRib after = seenRib(lens, ribbon, i / ribbon.outline.segments);
+        if (isCut(before) || isCut(after)) {
+            // What this thread has drawn already will be drawn again, the same.
+            if (!(isLost(before) && isLost(after))) {
+                leftToGroups(place);
+                return;
+            }
         } else {
-            smallQuad(before.left, before.right, after.left, after.right, before.weight, after.weight, isUpper, visible.blade);
+            screenSegment(screenRib(before), screenRib(after), ribbon.fold > 0.0,
+                          upperHalf(i, ribbon.outline.segments), visible.blade, Rows(0, 1));
         }
         before = after;
     }

@@ -4,6 +4,7 @@
 #include "shaders/grass/blade_light.glsl"
 #include "shaders/raster/seen_triangle.glsl"
 #include "shaders/shared/visibility.h"
+#include "shaders/sky/sky_light.glsl"
 
 #define JUDGED push.judged.at[0]
 
@@ -134,9 +135,13 @@ void main()
 
     const Lens lens = lensOf();
     vec3 sum = vec3(0.0);
+    float sky = 0.0;
     for (uint s = 0u; s < samplesPerPixel; ++s) {
         if (blades[s] == 0u) {
-            sum += groundAt(ivec2(pixel), int(s));
+            if (depths[s] > 0.0)
+                sum += groundAt(ivec2(pixel), int(s));
+            else
+                sky += 1.0;
             continue;
         }
         // Shade a blade where the first of its samples stands for all of them.
@@ -149,6 +154,10 @@ void main()
         for (uint other = s; other < samplesPerPixel; ++other)
             count += blades[other] == blades[s] ? 1.0 : 0.0;
         sum += count * shade(lens, blades[s] - 1u, vec2(pixel), s, depths[s]);
+    }
+    if (sky > 0.0) {
+        const vec2 middle = vec2(pixel) + 0.5;
+        sum += sky * skyPicture(normalize(rayThrough(2.0 * middle / lens.size - 1.0)), middle);
     }
     const vec3 color = encodeSrgb(sum / float(samplesPerPixel));
     imageStore(picture, ivec2(pixel), vec4(push.isBgr != 0u ? color.bgr : color, 1.0));

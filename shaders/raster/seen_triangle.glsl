@@ -27,10 +27,29 @@ SeenRib seenRib(Lens lens, Ribbon ribbon, float t)
     seen.rib = ribAt(ribbon, t, lens.eye, lens.leastWidth);
     seen.left = seenPoint(lens, seen.rib.left);
     seen.right = seenPoint(lens, seen.rib.right);
-    seen.ridge = vec4(0.0);
+    // Without a fold the middle is half way, here too.
+    seen.ridge = 0.5 * (seen.left + seen.right);
     if (ribbon.fold > 0.0)
         seen.ridge = seenPoint(lens, seen.rib.ridge);
     return seen;
+}
+
+/// Whether a point lies before the near plane, or behind the eye.
+bool isBefore(vec4 seen)
+{
+    return seen.w <= 0.0 || seen.z > seen.w;
+}
+
+/// Whether a part of a rib lies before the near plane.
+bool isCut(SeenRib seen)
+{
+    return isBefore(seen.left) || isBefore(seen.right) || isBefore(seen.ridge);
+}
+
+/// Whether nothing of a rib can be seen.
+bool isLost(SeenRib seen)
+{
+    return isBefore(seen.left) && isBefore(seen.right) && isBefore(seen.ridge);
 }
 
 /// A point of a triangle that is seen at some place.

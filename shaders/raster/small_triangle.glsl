@@ -1,45 +1,42 @@
-// Triangles of few pixels, in one thread, row by row.
+// Triangles on the screen, row by row; the threads of a group may share the rows.
 #ifndef SWARD_RASTER_SMALL_TRIANGLE_GLSL
 #define SWARD_RASTER_SMALL_TRIANGLE_GLSL
 
 #include "shaders/raster/put_sample.glsl"
-#include "shaders/shared/ribbon.h"
+#include "shaders/raster/seen_triangle.glsl"
 
 /// A rib on the screen.
 struct ScreenRib {
     vec3 left; ///< pixels, pixels, reversed depth
     vec3 right;
     vec3 ridge;
-    vec2 weight;  ///< Rib::wide, Rib::drawn, per w
-    bool isWhole; ///< false: a part of it lies before the near plane
+    vec2 weight; ///< Rib::wide, Rib::drawn, per w: so their ratio is right between ribs
 };
 
 /// Steps of a pixel that corners lie on, as they do for a GPU's rasteriser.
 const float subpixels = 256.0;
 
-vec3 screenPoint(Lens lens, vec3 position, inout bool isWhole)
+vec3 screenPoint(vec4 seen)
 {
-    const vec4 clip = lens.viewProjection * vec4(position, 1.0);
-    isWhole = isWhole && clip.w > 0.0 && clip.z <= clip.w;
-    const vec3 place = clip.xyz / clip.w;
-    const vec2 pixels = (place.xy * 0.5 + 0.5) * lens.size;
-    return vec3(round(pixels * subpixels) / subpixels, place.z);
+    return vec3(round(seen.xy / seen.w * subpixels) / subpixels, seen.z / seen.w);
 }
 
-ScreenRib screenRib(Lens lens, Ribbon ribbon, float t)
+/// Of a rib that lies behind the near plane.
+ScreenRib screenRib(SeenRib seen)
 {
-    const Rib rib = ribAt(ribbon, t, lens.eye, lens.leastWidth);
     ScreenRib screen;
-    screen.isWhole = true;
-    screen.left = screenPoint(lens, rib.left, screen.isWhole);
-    screen.right = screenPoint(lens, rib.right, screen.isWhole);
-    screen.ridge = vec3(0.0);
-    if (ribbon.fold > 0.0)
-        screen.ridge = screenPoint(lens, rib.ridge, screen.isWhole);
-    // Divided by w, which is the same all across: so their ratio is right between ribs.
-    screen.weight = vec2(rib.wide, rib.drawn) / dot(transpose(lens.viewProjection)[3], vec4(rib.ridge, 1.0));
+    screen.left = screenPoint(seen.left);
+    screen.right = screenPoint(seen.right);
+    screen.ridge = screenPoint(seen.ridge);
+    screen.weight = vec2(seen.rib.wide, seen.rib.drawn) / seen.ridge.w;
     return screen;
 }
+
+/// Which rows of a triangle a thread takes.
+struct Rows {
+    int first;
+    int step_;
+};
 
 /// The shares of the corners at a place.
 vec3 sharesAt(vec2 place, vec3 a, vec3 c, vec3 across, vec3 down, float area)
@@ -49,8 +46,9 @@ vec3 sharesAt(vec2 place, vec3 a, vec3 c, vec3 across, vec3 down, float area)
     return vec3(1.0 - b - third, b, third);
 }
 
-/// Corners on the screen, and how wide the blade is at each and is drawn.
-void smallTriangle(vec3 a, vec3 b, vec3 c, vec2 weightA, vec2 weightB, vec2 weightC, uint blade)
+/// Corners on the screen, and how wide the blade is at each and is drawn. This thread takes every
+/// so-many-th row.
+void smallTriangle(vec3 a, vec3 b, vec3 c, vec2 weightA, vec2 weightB, vec2 weightC, uint blade, Rows rows)
 {
     float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     if (area == 0.0)
@@ -74,12 +72,19 @@ void smallTriangle(vec3 a, vec3 b, vec3 c, vec2 weightA, vec2 weightB, vec2 weig
     const vec3 down = vec3(c.x - b.x, a.x - c.x, b.x - a.x);
     const vec3 slope = -down / across;
 
+    const vec3 depths = vec3(a.z, b.z, c.z);
+    const vec3 rightwards = across / area;
+    const vec3 downwards = down / area;
+    vec3 offsets[samplesPerPixel];
+    for (uint s = 0u; s < samplesPerPixel; ++s)
+        offsets[s] = samplePlace(s).x * rightwards + samplePlace(s).y * downwards;
+
     const bool isThin = weightA.x < weightA.y || weightB.x < weightB.y || weightC.x < weightC.y;
     const vec3 ys = vec3(b.y, c.y, a.y);
     const vec3 xs = vec3(b.x, c.x, a.x);
     const int first = int(max(floor(low.y), 0.0));
     const int last = int(min(floor(high.y), float(push.size.y) - 1.0));
-    for (int row = first; row <= last; ++row) {
+    for (int row = first + rows.first; row <= last; row += rows.step_) {
         // Where the triangle is in the row, from its upper to its lower edge.
         const float above = max(float(row), low.y);
         const float below = min(float(row) + 1.0, high.y);
@@ -95,40 +100,51 @@ void smallTriangle(vec3 a, vec3 b, vec3 c, vec2 weightA, vec2 weightB, vec2 weig
         }
         const int left = int(max(floor(from), 0.0));
         const int right = int(min(floor(to), float(push.size.x) - 1.0));
+        // Shares of the corners at the upper left of the first pixel; from there they go by steps.
+        const vec3 start = sharesAt(vec2(left, row), a, c, across, down, area);
         for (int column = left; column <= right; ++column) {
-            const vec2 pixel = vec2(column, row);
+            const vec3 corner = start + float(column - left) * rightwards;
             uint covered = 0u;
-            vec3 shares[samplesPerPixel];
             for (uint s = 0u; s < samplesPerPixel; ++s) {
-                shares[s] = sharesAt(pixel + samplePlace(s), a, c, across, down, area);
-                if (min(min(shares[s].x, shares[s].y), shares[s].z) >= 0.0)
+                const vec3 shares = corner + offsets[s];
+                if (min(min(shares.x, shares.y), shares.z) >= 0.0)
                     covered |= 1u << s;
             }
             if (covered == 0u)
                 continue;
-            uint kept = covered;
             if (isThin) {
-                const vec3 by = sharesAt(pixel + shadedPlace(covered), a, c, across, down, area);
-                const vec2 weight = by.x * weightA + by.y * weightB + by.z * weightC;
-                kept &= samplesKept(weight, blade);
+                const vec2 place = shadedPlace(covered);
+                const vec3 by = corner + place.x * rightwards + place.y * downwards;
+                covered &= samplesKept(by.x * weightA + by.y * weightB + by.z * weightC, blade);
             }
             for (uint s = 0u; s < samplesPerPixel; ++s)
-                if ((kept & (1u << s)) != 0u)
-                    putSample(uvec2(column, row), s, dot(shares[s], vec3(a.z, b.z, c.z)), blade);
+                if ((covered & (1u << s)) != 0u)
+                    putSample(uvec2(column, row), s, dot(corner + offsets[s], depths), blade);
         }
     }
 }
 
 /// Between two ribs, the way a tessellator halves the quads between them: see upperHalf().
-void smallQuad(vec3 a, vec3 b, vec3 c, vec3 d, vec2 weightBefore, vec2 weightAfter, bool isUpper, uint blade)
+void smallQuad(vec3 a, vec3 b, vec3 c, vec3 d, vec2 before, vec2 after, bool isUpper, uint blade, Rows rows)
 {
     if (isUpper) {
-        smallTriangle(a, b, c, weightBefore, weightBefore, weightAfter, blade);
-        smallTriangle(b, d, c, weightBefore, weightAfter, weightAfter, blade);
-        return;
+        smallTriangle(a, b, c, before, before, after, blade, rows);
+        smallTriangle(b, d, c, before, after, after, blade, rows);
+    } else {
+        smallTriangle(a, b, d, before, before, after, blade, rows);
+        smallTriangle(a, d, c, before, after, after, blade, rows);
     }
-    smallTriangle(a, b, d, weightBefore, weightBefore, weightAfter, blade);
-    smallTriangle(a, d, c, weightBefore, weightAfter, weightAfter, blade);
+}
+
+/// What lies between two ribs of a ribbon.
+void screenSegment(ScreenRib a, ScreenRib b, bool isFolded, bool isUpper, uint blade, Rows rows)
+{
+    if (isFolded) {
+        smallQuad(a.left, a.ridge, b.left, b.ridge, a.weight, b.weight, isUpper, blade, rows);
+        smallQuad(a.ridge, a.right, b.ridge, b.right, a.weight, b.weight, isUpper, blade, rows);
+    } else {
+        smallQuad(a.left, a.right, b.left, b.right, a.weight, b.weight, isUpper, blade, rows);
+    }
 }
 
 #endif

@@ -64,9 +64,9 @@ SHARED_FN float boxDistance(vec3 eye, vec3 low, vec3 high)
     return length(max(max(low - eye, eye - high), vec3(0.0f)));
 }
 
-/// Whether the stepwise thinning keeps a blade of progressive rank `rank`: of `buckets` equal shares
-/// of the blades the last ones go first, none is left from `last` [m] on (Jahrmann & Wimmer, section
-/// 6.2). 0 buckets keep all.
+/// Whether the stepwise thinning keeps a blade of progressive rank `rank`: of `buckets` equal
+/// shares of the blades the last ones go first, none is left from `last` [m] on (Jahrmann & Wimmer,
+/// section 6.2). 0 buckets keep all.
 SHARED_FN bool bucketsKeep(float buckets, float last, float distance, float rank)
 {
     return buckets <= 0.0f || rank * buckets < floor(buckets * (1.0f - distance / last));

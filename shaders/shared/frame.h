@@ -81,16 +81,17 @@ struct Frame {
     float fixedTessellation; ///< > 0: this level for every blade
     float leastWidth;        ///< [m at 1 m distance] see ribAt(); 0: blades as narrow as they are
     float mostEdgeOn;        ///< cosine beyond which a blade is seen edge-on; 1: never
-    float buckets;        ///< of the stepwise thinning, see bucketsKeep(); 0: off
-    float bucketDistance; ///< [m]
-    float clouds;         ///< [0, 1] share of the sky
+    float buckets;           ///< of the stepwise thinning, see bucketsKeep(); 0: off
+    float bucketDistance;    ///< [m]
+    float clouds;            ///< [0, 1] share of the sky
     LevelSteps levelSteps;
     Pace pace;
 
     Cover cover;      ///< how much grass stands where
     SunShadow shadow; ///< what of the ground stands in the sun's light
-    float fogFalloff; ///< [1/m] the air thins upwards as exp(−falloff · height); 0: alike everywhere
-    float fogBase;    ///< [m] along skyUp, relative to the field's origin: where it has fogDensity
+    float
+        fogFalloff; ///< [1/m] the air thins upwards as exp(−falloff · height); 0: alike everywhere
+    float fogBase;  ///< [m] along skyUp, relative to the field's origin: where it has fogDensity
 };
 SHARED_LAYOUT(Frame, 680)
 

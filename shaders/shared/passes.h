@@ -44,11 +44,11 @@ SHARED_CONST uint mostGroups = 65535u;
 SHARED_CONST uint rasterTile = 8u;
 
 /// A blade that covers more pixels than this is rasterised by a work-group of its own.
-SHARED_CONST float largeBladePixels = 1024.0f;
+SHARED_CONST float largeBladePixels = 256.0f;
 
-/// So many blades can be large at once: eight layers of them at 8 million pixels. More are
-/// rasterised by one thread each.
-SHARED_CONST uint mostLargeBlades = 65535u;
+/// So many blades can be large at once: some hundred layers of them over a picture of 2 million
+/// pixels. More are rasterised by one thread each.
+SHARED_CONST uint mostLargeBlades = 1048576u;
 
 /// Blades that share an entry of the table from resident ids to patches.
 SHARED_CONST uint ownerStride = 64u;
@@ -64,8 +64,8 @@ struct RasterPush {
     FrameArray frame;
     FrameArray judged;          ///< by whose camera the visible blades were listed
     VisibilityArray visibility; ///< pixel by pixel, sample by sample
-    UintArray large; ///< see largePlaces
-    UintArray owners;      ///< patches that own blades, in the order of their blades
+    UintArray large;            ///< see largePlaces
+    UintArray owners;           ///< patches that own blades, in the order of their blades
     UintArray firstOwners; ///< per ownerStride blades: index into `owners` of the first one's patch
     uvec2 size;            ///< [pixels]
     uint isBgr;            ///< 1: the picture's first channel is blue

@@ -68,7 +68,8 @@ SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float leastWidth)
     }
     rib.ridge = 0.5f * (rib.left + rib.right);
     if (ribbon.fold > 0.0f)
-        rib.ridge += (0.5f * ribbon.fold * (edges.y - edges.x)) * normalize(cross(tangent, ribbon.axis));
+        rib.ridge +=
+            (0.5f * ribbon.fold * (edges.y - edges.x)) * normalize(cross(tangent, ribbon.axis));
     return rib;
 }
 

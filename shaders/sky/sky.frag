@@ -5,57 +5,13 @@
 
 layout(push_constant, scalar) uniform Block { ViewPush push; };
 
-#include "shaders/lighting.glsl"
-
-#include "shaders/shared/noise.h"
+#include "shaders/sky/sky_light.glsl"
 
 layout(location = 0) in vec3 inRay;
 
 layout(location = 0) out vec4 outColor;
 
-/// Thickness of the clouds at a place of their layer, 0 where there are none.
-float cloudAt(vec3 place)
-{
-    // Octaves of noise, the finer ones pulled out along the wind.
-    float sum = 0.0;
-    float weight = 0.5;
-    for (uint octave = 0u; octave < 5u; ++octave) {
-        sum += weight * valueNoise(place);
-        place = 2.13 * place.yzx + vec3(3.7, 11.1, 5.3);
-        weight *= 0.5;
-    }
-    // Half of the places have more than 0.48.
-    return smoothstep(0.0, 0.26, sum - mix(0.72, 0.34, FRAME.clouds));
-}
-
-/// Fair-weather clouds in front of `color`: a layer in perspective that fades into the haze.
-vec3 withClouds(vec3 color, vec3 ray)
-{
-    const float height = dot(ray, FRAME.skyUp);
-    if (FRAME.clouds <= 0.0 || height <= 0.0)
-        return color;
-    const vec3 place = ray * (1.9 / (height + 0.16));
-    const float thickness = cloudAt(place);
-    if (thickness <= 0.0)
-        return color;
-    // What stands between here and the sun takes light.
-    const vec3 sunwards = FRAME.sunDirection - FRAME.skyUp * dot(FRAME.sunDirection, FRAME.skyUp);
-    const float shade = cloudAt(place + 0.35 * sunwards);
-    const float toSun = max(dot(ray, FRAME.sunDirection), 0.0);
-    const vec3 lit = FRAME.sunColor * (0.30 * exp(-1.4 * shade) * (1.0 + 0.9 * pow(toSun, 6.0))) +
-                     0.55 * FRAME.skyColor;
-    const float shown = thickness * 0.85 * smoothstep(0.0, 0.22, height);
-    return mix(color, lit, shown);
-}
-
 void main()
 {
-    const vec3 ray = normalize(inRay);
-    vec3 color = withClouds(skyRadiance(ray), ray);
-    // The sun's disc is half a degree wide; its soft rim is drawn a little wider.
-    const float toSun = dot(ray, FRAME.sunDirection);
-    color += FRAME.sunColor * 6.0 * smoothstep(0.99985, 0.99997, toSun);
-    if (FRAME.debugMode != 0u)
-        color = vec3(0.6);
-    outColor = vec4(dithered(develop(color), gl_FragCoord.xy), 1.0);
+    outColor = vec4(skyPicture(normalize(inRay), gl_FragCoord.xy), 1.0);
 }

@@ -4,8 +4,8 @@
 #include <glm/vec3.hpp>
 #include <nlohmann/json_fwd.hpp>
 
-#include <span>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,8 +34,8 @@ public:
     void read(const char* key, glm::vec3& value, double low, double high);
     void read(const char* key, glm::dvec3& value, double low, double high);
 
-    /// Index into `words` of the text under `key`; `value` if it is absent. Throws Error{input} that
-    /// lists the words, and names the nearest, if it is none of them.
+    /// Index into `words` of the text under `key`; `value` if it is absent. Throws Error{input}
+    /// that lists the words, and names the nearest, if it is none of them.
     std::uint32_t readWord(const char* key, std::span<const std::string_view> words,
                            std::uint32_t value);
 

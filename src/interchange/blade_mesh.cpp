@@ -55,8 +55,10 @@ BladeMesh bladeMesh(const shared::Species& species, const field::Defaults& defau
         const glm::vec3 tangent = glm::normalize(glm::dot(speed, speed) > 1e-12f ? speed : pose.v1);
         const glm::vec3 normal(0.0f, 0.0f - tangent.z, tangent.y);
         mesh.positions.push_back(centre + glm::vec3(x, 0.0f, 0.0f) + ridge * normal);
-        mesh.normals.push_back(
-            glm::normalize(normal + glm::vec3(species.fold * (x > 0.0f ? 1.0f : x < 0.0f ? -1.0f : 0.0f), 0.0f, 0.0f)));
+        mesh.normals.push_back(glm::normalize(normal + glm::vec3(species.fold * (x > 0.0f   ? 1.0f
+                                                                                 : x < 0.0f ? -1.0f
+                                                                                            : 0.0f),
+                                                                 0.0f, 0.0f)));
         mesh.uvs.emplace_back(x + 0.5f, along);
         const glm::vec3 color =
             glm::mix(species.rootColor, species.tipColor, glm::smoothstep(-0.15f, 0.8f, along));

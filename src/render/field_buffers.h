@@ -31,7 +31,7 @@ public:
     void clearCounts(VkCommandBuffer commands) const;
 
     std::uint32_t bladeCount() const { return bladeCount_; }
-    std::uint32_t ownerCount() const { return ownerCount_; } ///< patches that own blades
+    std::uint32_t ownerCount() const { return ownerCount_; }     ///< patches that own blades
     VkDeviceAddress owners() const { return owners_.address(); } ///< in the order of their blades
 
     /// Per shared::ownerStride blades: place among the owners of the first one's.

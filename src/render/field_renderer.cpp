@@ -132,7 +132,7 @@ struct FieldRenderer::Parts {
     void drawBlades(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
                     gpu::Timestamps* timestamps);
     void rasterBlades(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
-                      gpu::Timestamps* timestamps);
+                      VkDeviceAddress listedBy, gpu::Timestamps* timestamps);
     gpu::ColorAttachment colorAttachment(const Target& target) const;
 };
 
@@ -266,8 +266,10 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
     if (settings.debug == DebugMode::reason)
         parts.listAll(commands, slot);
 
+    const VkDeviceAddress listedBy =
+        settings.debug == DebugMode::reason ? parts.slots[slot].listing.address() : judged;
     if (parts.raster)
-        parts.rasterBlades(commands, target, slot, timestamps);
+        parts.rasterBlades(commands, target, slot, listedBy, timestamps);
     else
         parts.drawBlades(commands, target, slot, timestamps);
 }
@@ -301,12 +303,6 @@ void FieldRenderer::Parts::drawGround(VkCommandBuffer commands, const Target& ta
             .record(commands, ground, slots[slot].frame.address());
         if (colliderCount > 0)
             colliderPass->record(commands, slots[slot].frame.address(), colliderCount);
-    }
-    // What the rasteriser's picture is made of is complete before it; else the sky comes last,
-    // where least of it is left to see.
-    if (raster) {
-        const PassScope scope(context, commands, timestamps, "sky");
-        skyPass.record(commands, slots[slot].frame.address());
     }
 }
 
@@ -356,14 +352,15 @@ void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& ta
 }
 
 void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, const Target& target,
-                                        std::uint32_t slot, gpu::Timestamps* timestamps)
+                                        std::uint32_t slot, VkDeviceAddress listedBy,
+                                        gpu::Timestamps* timestamps)
 {
     gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
                     gpu::ImageUse::sampled);
     gpu::transition(commands, attachments.color(), gpu::ImageUse::colorTarget,
                     gpu::ImageUse::sampled);
     const VkDeviceAddress frame = slots[slot].frame.address();
-    const RasterPass::Input input{&blades, frame, frame};
+    const RasterPass::Input input{&blades, frame, listedBy};
     {
         const PassScope scope(context, commands, timestamps, "blades");
         raster->recordBlades(commands, input);

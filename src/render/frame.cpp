@@ -104,12 +104,12 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     frame.lodWidth = field.blade.width;
     frame.buckets = static_cast<float>(settings.buckets.count);
     frame.bucketDistance = settings.buckets.distance;
-    frame.leastWidth = settings.levelOfDetail && view.pixelsPerUnit > 0.0f
-                           ? settings.leastPixels /
-                                 (view.pixelsPerUnit * std::sqrt(static_cast<float>(samples)))
-                           : 0.0f;
-    frame.mostEdgeOn = settings.mostEdgeOn.value_or(
-        frame.leastWidth > 0.0f ? 1.0f : shared::paperEdgeOnCosine);
+    frame.leastWidth =
+        settings.levelOfDetail && view.pixelsPerUnit > 0.0f
+            ? settings.leastPixels / (view.pixelsPerUnit * std::sqrt(static_cast<float>(samples)))
+            : 0.0f;
+    frame.mostEdgeOn =
+        settings.mostEdgeOn.value_or(frame.leastWidth > 0.0f ? 1.0f : shared::paperEdgeOnCosine);
     frame.maxTessellation = 3;
     frame.fixedTessellation = static_cast<float>(settings.tessellationLevel);
 

@@ -14,8 +14,8 @@ namespace sward::render {
 /// What of a field, beside its buffers, decides about a frame.
 struct FieldShape {
     glm::dvec3 origin{0.0};
-    Aabb content;             ///< relative to the origin
-    field::BladeSize blade;   ///< a typical one
+    Aabb content;           ///< relative to the origin
+    field::BladeSize blade; ///< a typical one
 };
 
 /// Camera, settings and time as the shaders read them. The addresses and counts of buffers are left

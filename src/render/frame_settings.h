@@ -51,10 +51,10 @@ struct FrameSettings {
     /// where few pixels are drawn that is most of the work. One that is drawn again fades in from
     /// the pose that it had.
     bool leavesThinned = false;
-    bool levelOfDetail = true;  ///< leave out and widen blades narrower than lodThreshold
-    float lodThreshold = 0.3f;  ///< [pixels], (0, 100]
-    float leastPixels = 1.0f;   ///< [samples' distances] blades are drawn no narrower while
-                                ///< levelOfDetail is on; 0: as narrow as they are
+    bool levelOfDetail = true; ///< leave out and widen blades narrower than lodThreshold
+    float lodThreshold = 0.3f; ///< [pixels], (0, 100]
+    float leastPixels = 1.0f;  ///< [samples' distances] blades are drawn no narrower while
+                               ///< levelOfDetail is on; 0: as narrow as they are
     /// Cosine beyond which blades are cut as edge-on, 1: never. Not given: never while they are
     /// drawn no narrower than leastPixels, which leaves nothing to cut; else the paper's.
     std::optional<float> mostEdgeOn;

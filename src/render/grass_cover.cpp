@@ -97,8 +97,8 @@ void dealBlades(const field::FieldView& field, Corners& leaves)
 {
     std::array<float, shared::maxSpecies> shares{};
     for (std::size_t i = 0; i < std::min<std::size_t>(field.species.size(), shares.size()); ++i)
-        shares[i] = shared::outlineArea(field.species[i].look.shape,
-                                        field.species[i].look.tipThreshold);
+        shares[i] =
+            shared::outlineArea(field.species[i].look.shape, field.species[i].look.tipThreshold);
     const double all = static_cast<double>(std::max<std::size_t>(field.blades.size(), 1));
     const double share = std::min(1.0, static_cast<double>(maxCoverBlades) / all);
     for (const shared::Patch& cell : field.patches) {

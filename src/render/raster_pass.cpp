@@ -62,27 +62,25 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
     begin_ = pipeline("raster/begin", variantOf("raster_begin", target.samples));
     blades_ = pipeline("raster/blades", "raster_blades.comp");
     large_ = pipeline("raster/large blades", "raster_large.comp");
-    largeBlades_ =
-        gpu::Buffer(context, {.name = "raster/large blades",
-                              .bytes = (shared::largePlaces + shared::mostLargeBlades) *
-                                       sizeof(std::uint32_t),
-                              .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                       VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT});
+    largeBlades_ = gpu::Buffer(
+        context,
+        {.name = "raster/large blades",
+         .bytes = (shared::largePlaces + shared::mostLargeBlades) * sizeof(std::uint32_t),
+         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT});
 }
 
 void RasterPass::prepare(const gpu::ShaderLibrary& shaders, bool paintsWind)
 {
     if (resolve_.contains(paintsWind))
         return;
-    resolve_.emplace(
-        paintsWind,
-        gpu::ComputePipeline(*context_, shaders,
-                             {.name = "raster/resolve",
-                              .shader = variantOf("resolve", target_.samples),
-                              .pushConstantBytes = sizeof(shared::RasterPush),
-                              .setLayouts = {imageLayout_.get()},
-                              .constants = {{.id = 0, .value = paintsWind ? 1u : 0u},
-                                            {.id = 1, .value = target_.samples}}}));
+    resolve_.emplace(paintsWind,
+                     gpu::ComputePipeline(*context_, shaders,
+                                          {.name = "raster/resolve",
+                                           .shader = variantOf("resolve", target_.samples),
+                                           .pushConstantBytes = sizeof(shared::RasterPush),
+                                           .setLayouts = {imageLayout_.get()},
+                                           .constants = {{.id = 0, .value = paintsWind ? 1u : 0u},
+                                                         {.id = 1, .value = target_.samples}}}));
 }
 
 void RasterPass::resize(const Attachments& attachments)
@@ -92,11 +90,11 @@ void RasterPass::resize(const Attachments& attachments)
                                           .bytes = VkDeviceSize(size_.width) * size_.height *
                                                    target_.samples * sizeof(std::uint64_t),
                                           .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
-    picture_ = gpu::Image(*context_, {.name = "frame/picture",
-                                      .format = pictureFormat,
-                                      .extent = size_,
-                                      .usage = VK_IMAGE_USAGE_STORAGE_BIT |
-                                               VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+    picture_ = gpu::Image(*context_,
+                          {.name = "frame/picture",
+                           .format = pictureFormat,
+                           .extent = size_,
+                           .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
     images_ = gpu::ImageSet(*context_, imageLayout_, "raster/pictures");
     images_.setSampled(0, attachments.color().view(), sampler_.get());
     images_.setSampled(1, attachments.depth().view(), sampler_.get());

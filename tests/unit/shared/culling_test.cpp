@@ -92,7 +92,8 @@ TEST(BucketCulling, LeavesOutMoreWithDistanceInSteps)
         for (int i = 0; i < 1000; ++i)
             kept += bucketsKeep(5.0f, last, distance, (float(i) + 0.5f) / 1000.0f) ? 1 : 0;
         EXPECT_EQ(kept % 200, 0);
-        EXPECT_EQ(kept, int(std::clamp(std::floor(5.0f * (1.0f - distance / last)), 0.0f, 5.0f)) * 200);
+        EXPECT_EQ(kept,
+                  int(std::clamp(std::floor(5.0f * (1.0f - distance / last)), 0.0f, 5.0f)) * 200);
     }
     EXPECT_TRUE(bucketsKeep(0.0f, 0.0f, 1e6f, 0.999f)) << "without buckets all stay";
 }

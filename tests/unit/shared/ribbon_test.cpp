@@ -97,8 +97,7 @@ TEST(Rib, IsNeverNarrowerThanTheLeastAndWeighsWhatItIs)
         const float seen = std::abs(dot(rib.right - rib.left, across));
         ASSERT_GE(seen, 0.999f * least * length(centre)) << "ribbon " << i;
         ASSERT_NEAR(seen, rib.drawn, 2e-3f * rib.drawn);
-        const float true_ =
-            ribbon.width * (edges.y - edges.x) * std::abs(dot(ribbon.axis, across));
+        const float true_ = ribbon.width * (edges.y - edges.x) * std::abs(dot(ribbon.axis, across));
         ASSERT_NEAR(rib.wide, true_, 1e-3f * true_ + 1e-7f);
         widened += rib.drawn > rib.wide ? 1 : 0;
         // Nobody stands out farther than culling reckons with.
