@@ -54,15 +54,26 @@ SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float leastWidth)
     rib.wide = edges.y - edges.x;
     rib.drawn = rib.wide;
     if (leastWidth > 0.0f) {
+        // Across the chords that meet here, not the curve: the last ones would be cut askew and lose
+        // area. A chord from t to t + h runs like the curve at t + h/2.
+        const float half_ = 0.5f / max(ribbon.outline.segments, 1.0f);
+        vec3 chord = bezierTangent(ribbon.v0, ribbon.v1, ribbon.v2, clamp(t, half_, 1.0f - half_));
+        chord = dot(chord, chord) > 1e-18f ? normalize(chord) : tangent;
         const vec3 ray = centre - eye;
-        const vec3 side = cross(ray, tangent);
+        const vec3 side = cross(ray, chord);
         const float size = length(side);
         // A blade that points at the eye shows its width, whichever way that is turned.
         const vec3 across = size > 1e-6f * length(ray) ? side / size : ribbon.axis;
         const float seen = dot(ribbon.axis, across);
         rib.wide *= abs(seen);
         rib.drawn = max(rib.wide, leastWidth * length(ray));
-        const vec3 grown = (0.5f * (rib.drawn - rib.wide) * (seen < 0.0f ? -1.0f : 1.0f)) * across;
+        // Level with the ground where the blade is not nearly level itself: askew, half of what is
+        // added would lie below the ground.
+        vec3 level = cross(ray, ribbon.v1 - ribbon.v0);
+        level = dot(level, level) > 1e-18f ? normalize(level) : across;
+        const float upright = dot(level, across);
+        const vec3 outwards = across + (upright / max(upright * upright, 0.25f)) * (level - upright * across);
+        const vec3 grown = (0.5f * (rib.drawn - rib.wide) * (seen < 0.0f ? -1.0f : 1.0f)) * outwards;
         rib.left -= grown;
         rib.right += grown;
     }
@@ -76,7 +87,7 @@ SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float leastWidth)
 /// By how much a blade `distance` [m] away may be drawn wider than it is on either side [m].
 SHARED_FN float ribMargin(float distance, float leastWidth)
 {
-    return 0.5f * leastWidth * distance;
+    return leastWidth * distance;
 }
 
 /// Which of `samples` a place of weight `weight` keeps, as bits: each blade others, more with more

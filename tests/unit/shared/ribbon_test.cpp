@@ -90,10 +90,13 @@ TEST(Rib, IsNeverNarrowerThanTheLeastAndWeighsWhatItIs)
         const Rib rib = ribAt(ribbon, t, eye, least);
         const vec3 centre = bezierPoint(ribbon.v0, ribbon.v1, ribbon.v2, t);
         const vec3 ray = normalize(centre);
-        const vec3 across = normalize(cross(ray, rib.tangent));
+        const float half = 0.5f / ribbon.outline.segments;
+        const vec3 chord =
+            bezierTangent(ribbon.v0, ribbon.v1, ribbon.v2, std::clamp(t, half, 1.0f - half));
+        const vec3 across = normalize(cross(ray, chord));
         const vec2 edges = edgesAt(ribbon.outline, t);
 
-        // As the view sees it: the part of the cross-section that is across the curve.
+        // As the view sees it: the part of the cross-section that is across the chord through it.
         const float seen = std::abs(dot(rib.right - rib.left, across));
         ASSERT_GE(seen, 0.999f * least * length(centre)) << "ribbon " << i;
         ASSERT_NEAR(seen, rib.drawn, 2e-3f * rib.drawn);

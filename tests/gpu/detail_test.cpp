@@ -1,0 +1,171 @@
+// Level of detail hides as much of the ground as all blades would, and jumps no more than a drive.
+
+#include "picture.h"
+#include "support/fields/fields.h"
+#include "support/gpu/gpu_fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+namespace sward::render {
+namespace {
+
+constexpr glm::uvec2 size(96, 64);
+constexpr std::uint32_t tile = 16; ///< [pixels]
+constexpr int frames = 240;
+constexpr double way = 12.0; ///< [m] over all frames: blades at every distance from 1 m on pass by
+
+class DetailTest : public test::GpuTest {
+protected:
+    void driveAndCompare(std::uint32_t samples);
+};
+
+/// Mean absolute difference of a tile's 8-bit values, the largest of all tiles.
+double largestTile(const std::vector<std::byte>& a, const std::vector<std::byte>& b)
+{
+    double most = 0.0;
+    for (std::uint32_t y0 = 0; y0 < size.y; y0 += tile)
+        for (std::uint32_t x0 = 0; x0 < size.x; x0 += tile) {
+            int sum = 0;
+            for (std::uint32_t y = y0; y < y0 + tile; ++y)
+                for (std::uint32_t x = x0; x < x0 + tile; ++x)
+                    for (std::uint32_t c = 0; c < 3; ++c) {
+                        const std::size_t i = 4 * (std::size_t(y) * size.x + x) + c;
+                        sum += std::abs(std::to_integer<int>(a[i]) - std::to_integer<int>(b[i]));
+                    }
+            most = std::max(most, sum / (3.0 * tile * tile));
+        }
+    return most;
+}
+
+/// Drives with and without level of detail, and compares their largest jumps.
+void DetailTest::driveAndCompare(std::uint32_t samples)
+{
+    const field::Field field = test::makeField({.blades = 4000,
+                                                .extent = 40.0f,
+                                                .heightLow = 0.3f,
+                                                .heightHigh = 0.6f,
+                                                .widthLow = 0.02f,
+                                                .widthHigh = 0.03f});
+    FieldRenderer renderer(device(), field::viewOf(field), {.samples = samples});
+    test::Picture picture(context(), size);
+    FrameSettings settings = FrameSettings::of(field::viewOf(field));
+    settings.winds.clear();
+    std::array<double, 2> largest{};
+    for (const bool levelOfDetail : {false, true}) {
+        settings.levelOfDetail = levelOfDetail;
+        std::vector<std::byte> before;
+        for (int frame = 0; frame < frames; ++frame) {
+            Camera camera;
+            const double z = 18.0 - way * frame / frames;
+            camera.eye = {0.3, 1.2, z};
+            camera.target = {0.3, 0.0, z - 5.0};
+            camera.fovY = 50.0f;
+            picture.draw(renderer, camera, settings, 1.0);
+            std::vector<std::byte> now = picture.pixels();
+            if (!before.empty())
+                largest[levelOfDetail ? 1 : 0] =
+                    std::max(largest[levelOfDetail ? 1 : 0], largestTile(before, now));
+            before = std::move(now);
+        }
+    }
+    EXPECT_GT(largest[0], 1.0) << "the camera moves";
+    EXPECT_LE(largest[1], 1.1 * largest[0]) << samples << " samples";
+}
+
+TEST_F(DetailTest, ShowsNoLargerJumpsThanWithoutLevelOfDetail)
+{
+    driveAndCompare(4);
+}
+
+TEST_F(DetailTest, ShowsNoLargerJumpsWithOneSampleAPixel)
+{
+    driveAndCompare(1);
+}
+
+constexpr float side = 60.0f; ///< [m] of the flat field
+constexpr std::size_t bands = 8;
+constexpr glm::uvec2 bandSize(128, 80);
+
+double linearOf(std::byte value)
+{
+    const double c = std::to_integer<int>(value) / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+/// Light of each of 8 bands of rows from the lower rim of the picture to `horizon`.
+std::array<double, bands> lightOf(const std::vector<std::byte>& pixels, std::uint32_t horizon)
+{
+    std::array<double, bands> sums{};
+    const auto rows = std::uint32_t((bandSize.y - horizon) / bands);
+    for (std::uint32_t y = horizon; y < horizon + bands * rows; ++y)
+        for (std::uint32_t x = 0; x < bandSize.x; ++x)
+            sums[(y - horizon) / rows] +=
+                linearOf(pixels[4 * (std::size_t(y) * bandSize.x + x) + 1]);
+    return sums;
+}
+
+TEST_F(DetailTest, GrassHidesAsMuchOfTheGroundAtEveryDistance)
+{
+    // Black blades on bright ground: the light that is missing is what they cover.
+    std::array<double, bands> ground{};
+    std::array<double, bands> all{};
+    std::array<double, bands> some{};
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        field::Field field = test::makeField({.blades = 30'000,
+                                              .extent = side,
+                                              .heightLow = 0.3f,
+                                              .heightHigh = 0.6f,
+                                              .widthLow = 0.02f,
+                                              .widthHigh = 0.03f,
+                                              .seed = seed});
+        for (field::Species& species : field.species) {
+            species.look.rootColor = species.look.tipColor = glm::vec3(0.0f);
+            species.look.groundTint = species.look.colorVariation = species.look.gloss = 0.0f;
+            species.look.dryness = species.look.translucency = 0.0f;
+        }
+        FieldRenderer renderer(device(), field::viewOf(field), {.samples = 4});
+        test::Picture picture(context(), bandSize);
+        FrameSettings settings = FrameSettings::of(field::viewOf(field));
+        settings.winds.clear();
+        settings.fogDensity = 0.0f;
+        settings.nature.drawDistance = 1e6f;
+        FrameSettings without = settings;
+        without.buckets = {1, 1e-3f};
+        FrameSettings whole = settings;
+        whole.levelOfDetail = false;
+        whole.cullMask &= ~shared::cullOrientation;
+        for (int view = 0; view < 8; ++view) {
+            Camera camera;
+            camera.eye = {3.0 * (view - 3.5), 3.0, 0.5 * side - 1.0};
+            camera.target = {3.0 * (view - 3.5), 0.0, 0.25 * side};
+            camera.fovY = 40.0f;
+            const glm::vec4 rim = viewMatrices(camera, {}, bandSize, {}).viewProjection *
+                                  glm::vec4(camera.eye.x, 0.0f, -0.49f * side, 1.0f);
+            const auto horizon = std::uint32_t((0.5f + 0.5f * rim.y / rim.w) * bandSize.y) + 1;
+            const auto add = [&](const FrameSettings& how, std::array<double, bands>& sums) {
+                picture.draw(renderer, camera, how, 1.0);
+                const auto light = lightOf(picture.pixels(), horizon);
+                for (std::size_t band = 0; band < bands; ++band)
+                    sums[band] += light[band];
+            };
+            add(without, ground);
+            add(whole, all);
+            add(settings, some);
+        }
+    }
+    for (std::size_t band = 0; band < bands; ++band) {
+        const double wanted = 1.0 - all[band] / ground[band];
+        const double found = 1.0 - some[band] / ground[band];
+
+        EXPECT_GT(wanted, 0.02);
+        EXPECT_NEAR(found / wanted, 1.0, 0.03) << "band " << band << " from the far end";
+    }
+}
+
+} // namespace
+} // namespace sward::render
