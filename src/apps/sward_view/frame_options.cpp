@@ -139,7 +139,10 @@ render::FrameSettings FrameOptions::settingsFor(const field::FieldView& view) co
              shared::maxColliders);
     settings.cullMask = cullMask.value_or(settings.cullMask);
     settings.levelOfDetail = levelOfDetail.value_or(settings.levelOfDetail);
-    settings.tessellationLevel = tessellationLevel.value_or(settings.tessellationLevel);
+    if (tessellationLevel) {
+        settings.tessellationLevel = *tessellationLevel;
+        settings.levelSteps.clear();
+    }
     settings.debug = debug;
     if (drawDistance)
         settings.nature.drawDistance = *drawDistance;
