@@ -17,6 +17,7 @@ void mask(Bytes bytes);            ///< the first bytes choose: an image and a c
 void meadow(Bytes bytes);          ///< a meadow file
 void meshImport(Bytes bytes);      ///< the first byte chooses among OBJ, PLY, STL and OFF
 void recipe(Bytes bytes);          ///< a terrain recipe
+void settings(Bytes bytes);        ///< a settings file of the viewer
 void tileFiles(Bytes bytes);       ///< the first byte chooses: part, tile, image, plan
 
 /// Id of the plan that the files of tileFiles() belong to.
@@ -36,6 +37,7 @@ inline constexpr Entry entries[] = {
     {"meadow", meadow},
     {"mesh_import", meshImport},
     {"recipe", recipe},
+    {"settings", settings},
     {"tile_files", tileFiles},
 };
 

@@ -5,6 +5,7 @@
 #include "core/mapped_file.h"
 #include "field/write.h"
 #include "fuzz/memory_file.h"
+#include "render/settings_text.h"
 #include "support/fields/fields.h"
 #include "terrain/load.h"
 #include "terrain/recipe.h"
@@ -116,6 +117,25 @@ void addTexts(std::vector<Sample>& all)
         all.push_back({"meadow", name + ".json", bake::toJson(bake::loadMeadow(name))});
 }
 
+void addSettings(std::vector<Sample>& all)
+{
+    render::FrameSettings settings;
+    all.push_back({"settings", "usual.json", render::settingsText(settings)});
+    settings.winds.clear();
+    for (std::uint32_t kind = 0; kind < shared::windKinds; ++kind)
+        settings.winds.push_back(render::windSource(kind));
+    settings.colliders = {
+        {{1.0, 2.0, 3.0}, {1.0, 2.0, 3.0}, 0.3, {}},
+        {{1.0, 2.0, 3.0}, {4.0, 2.0, 3.0}, 0.2, {{0.0, {}}, {1.5, {1.0, 0.0, 0.0}}}}};
+    settings.mostEdgeOn = 0.9f;
+    settings.buckets = {7, 40.0f};
+    settings.levelSteps = {{5.0f, 16}, {10.0f, 12}};
+    settings.pace = {10.0f, 20.0f};
+    settings.skyUp = {0.0f, 0.0f, 1.0f};
+    settings.fogDensity = 0.1f;
+    all.push_back({"settings", "everything.json", render::settingsText(settings)});
+}
+
 void addFields(std::vector<Sample>& all)
 {
     const std::filesystem::path path = memoryFile().folder() / "sample.sward";
@@ -216,6 +236,7 @@ std::vector<Sample> samples()
     addMeshes(all);
     addHeightmaps(all);
     addTexts(all);
+    addSettings(all);
     addFields(all);
     addMasks(all);
     addTileFiles(all);
