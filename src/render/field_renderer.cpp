@@ -43,7 +43,7 @@ Geometry chooseGeometry(const gpu::DeviceContext& context, const FieldRenderer::
     if (wanted.geometry == Geometry::raster && obstacle != nullptr)
         fail(ErrorKind::unsupported, "{} cannot rasterise blades: {}", context.name, obstacle);
     if (wanted.geometry == Geometry::automatic)
-        return obstacle == nullptr ? Geometry::raster : Geometry::tessellation;
+        return obstacle == nullptr && !context.isCpu() ? Geometry::raster : Geometry::tessellation;
     return wanted.geometry;
 }
 
@@ -417,8 +417,11 @@ const char* FieldRenderer::geometryReason() const
     if (parts.settings.geometry != Geometry::automatic)
         return "asked for";
     const char* obstacle = obstacleToRaster(parts.context, parts.settings.colorFormat);
-    return obstacle == nullptr ? "compute shaders draw blades faster than the tessellator"
-                               : obstacle;
+    if (obstacle != nullptr)
+        return obstacle;
+    return parts.context.isCpu()
+               ? "a CPU's compute shaders leave lanes idle: its tessellator is faster"
+               : "compute shaders draw blades faster than the tessellator";
 }
 
 std::size_t FieldRenderer::deviceBytes() const

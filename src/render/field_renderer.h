@@ -22,7 +22,7 @@ namespace sward::render {
 
 /// How blades are drawn.
 enum class Geometry {
-    automatic,    ///< raster where the device and the target's format allow it, else tessellation
+    automatic,    ///< raster on GPUs that can, into targets that allow it; else tessellation
     tessellation, ///< by the graphics pipeline
     raster,       ///< by compute shaders
 };

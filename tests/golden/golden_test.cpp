@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <ostream>
@@ -57,6 +58,9 @@ TEST_P(GoldenPicture, LooksAsItDid)
     // Draw it.
     std::vector<std::string> render{"render", field.string(), "-o", actualPath.string(),
                                     "--size", size,           "-q", "--validation"};
+    // The rasteriser, unless a scene says otherwise: what is automatic depends on the device.
+    if (std::find(scene.render.begin(), scene.render.end(), "--geometry") == scene.render.end())
+        render.insert(render.end(), {"--geometry", "raster"});
     for (const std::string& argument : withFolders(scene.render))
         render.push_back(argument);
     const Finished drawn = run(GOLDEN_SWARD_VIEW, render, folder / "render.log");

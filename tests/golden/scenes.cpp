@@ -10,6 +10,9 @@ const std::vector<Scene>& scenes()
         // Grass that stands on a surface's own normal, whichever way that points.
         {"sphere", {"sphere", "--count", "8000", "--blade-scale", "4"}, {"--camera", "fit"}},
         {"hills", {"hills", "--count", "10000", "--blade-scale", "6"}, {"--camera", "fit"}},
+        {"hills_tessellated",
+         {"hills", "--count", "10000", "--blade-scale", "4"},
+         {"--camera", "eye", "--geometry", "tessellation"}},
         {"hills_eye", {"hills", "--count", "10000", "--blade-scale", "4"}, {"--camera", "eye"}},
         {"arch", {"arch", "--count", "8000", "--blade-scale", "4"}, {"--camera", "fit"}},
         {"arch_from_below",
