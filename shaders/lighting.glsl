@@ -65,8 +65,8 @@ vec3 lightAmongLeaves(float leafArea, float cosine, float sunShare)
 /// Share of the light that passes the air from the eye to `position`; the air thins with height.
 float clearBetween(vec3 position)
 {
-    const vec3 ray = position - FRAME.eye;
-    const float eye = FRAME.fogFalloff * (dot(FRAME.eye, FRAME.skyUp) - FRAME.fogBase);
+    const vec3 ray = position - FRAME.view.eye;
+    const float eye = FRAME.fogFalloff * (dot(FRAME.view.eye, FRAME.skyUp) - FRAME.fogBase);
     const float rise = FRAME.fogFalloff * dot(ray, FRAME.skyUp);
     // Mean of exp(−height) along the ray.
     const float mean = abs(rise) > 1e-3 ? (1.0 - exp(-rise)) / rise : 1.0 - 0.5 * rise;
@@ -76,7 +76,7 @@ float clearBetween(vec3 position)
 /// Puts air between the eye and something `position` (relative to the field's origin).
 vec3 throughAir(vec3 color, vec3 position)
 {
-    const vec3 ray = position - FRAME.eye;
+    const vec3 ray = position - FRAME.view.eye;
     const float clear = clearBetween(position);
     // The air is as bright as the sky just above the horizon behind it.
     const vec3 direction = ray / max(length(ray), 1e-6);

@@ -18,7 +18,7 @@ const vec3 paint = vec3(0.52, 0.075, 0.035);
 void main()
 {
     const vec3 n = normalize(inNormal);
-    const vec3 toEye = normalize(FRAME.eye - inPosition);
+    const vec3 toEye = normalize(FRAME.view.eye - inPosition);
     const float facing = max(dot(n, FRAME.sunDirection), 0.0);
     const float sunlit = facing > 0.0 ? facing * sunSeen(FRAME.shadow, inPosition, n) : 0.0;
     vec3 color = paint * (hemisphere(n) + FRAME.sunColor * sunlit);

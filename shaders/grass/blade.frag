@@ -22,7 +22,7 @@ layout(location = 0) out vec4 outColor;
 
 void main()
 {
-    const uint kept = keptSamples(inPlace.z / max(inPlace.w, 1e-12), inBlade, FRAME.samples);
+    const uint kept = keptSamples(inPlace.z / max(inPlace.w, 1e-12), inBlade, FRAME.view.samples);
     gl_SampleMask[0] = int(kept);
     BladePoint point;
     point.position = inPosition;

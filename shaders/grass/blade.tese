@@ -41,7 +41,7 @@ void main()
     // A quad of several rows always has a column of vertices in its middle. Where no fold needs it
     // they fall on the right edge, and what is right of them vanishes: two triangles a row.
     const float u = ribbon.fold > 0.0 || gl_TessCoord.x == 0.0 ? gl_TessCoord.x : 1.0;
-    const Rib rib = ribAt(ribbon, gl_TessCoord.y, FRAME.eye, FRAME.leastWidth);
+    const Rib rib = ribAt(ribbon, gl_TessCoord.y, FRAME.view.eye, FRAME.view.leastWidth);
     outPosition = u < 0.5 ? mix(rib.left, rib.ridge, 2.0 * u) : mix(rib.ridge, rib.right, 2.0 * u - 1.0);
     outTangent = rib.tangent;
     outAxis = ribbon.axis;

@@ -26,7 +26,7 @@ vec3 bladeNormal(BladePoint point, vec3 toEye, float distance)
     // Of a folded blade each half has its own normal; a flat one is rounded.
     n += (point.fold * sign(point.place.x)) * point.axis;
     n *= dot(n, toEye) < 0.0 ? -1.0 : 1.0;
-    const float smallness = smoothstep(4.0, 60.0, distance * 1000.0 / FRAME.pixelsPerUnit);
+    const float smallness = smoothstep(4.0, 60.0, distance * 1000.0 / FRAME.view.pixelsPerUnit);
     n = normalize(n + (0.55 * (1.0 - point.fold) * (1.0 - smallness) * point.place.x) * point.axis);
     return normalize(mix(n, point.up, 0.30 + 0.50 * smallness));
 }
@@ -41,7 +41,7 @@ vec3 bladePicture(BladePoint point)
     const float translucency = point.material.y;
     const float gloss = point.material.z;
     const vec3 sun = FRAME.sunDirection;
-    const vec3 ray = FRAME.eye - point.position;
+    const vec3 ray = FRAME.view.eye - point.position;
     const float distance = length(ray);
     const vec3 toEye = ray / max(distance, 1e-6);
     const vec3 n = bladeNormal(point, toEye, distance);

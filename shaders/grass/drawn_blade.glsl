@@ -19,18 +19,18 @@ float segmentsOf(Ribbon ribbon, uint shape, float heightPixels, float widthPixel
     if (FRAME.fixedTessellation > 0.0)
         return clamp(FRAME.fixedTessellation, 1.0, 64.0);
     if (FRAME.levelSteps.count > 0u)
-        return segmentsAt(FRAME.levelSteps, length(ribbon.v0 - FRAME.eye));
+        return segmentsAt(FRAME.levelSteps, length(ribbon.v0 - FRAME.view.eye));
     return segmentsFor(ribbon.v0, ribbon.v1, ribbon.v2, shape, heightPixels, widthPixels,
                        float(FRAME.maxTessellation));
 }
 
-DrawnBlade drawnBlade(VisibleBlade visible)
+/// `blade` is the visible one, unpacked.
+DrawnBlade drawnBlade(VisibleBlade visible, Blade blade)
 {
+    const Species species = FRAME.species.at[blade.species];
     DrawnBlade drawn;
-    drawn.blade = unpackBlade(FRAME.blades.at[visible.blade], FRAME.patches.at[visible.patchIndex]);
-    drawn.species = FRAME.species.at[drawn.blade.species];
-    const Blade blade = drawn.blade;
-    const Species species = drawn.species;
+    drawn.blade = blade;
+    drawn.species = species;
 
     const vec3 axis = widthAxis(blade.up, blade.facing);
     const Pose pose = poseOfState(blade.up, frontOf(blade.up, axis), FRAME.states.at[visible.blade]);
@@ -46,6 +46,12 @@ DrawnBlade drawnBlade(VisibleBlade visible)
                                segmentsOf(ribbon, species.shape, visible.pixels, widthPixels));
     drawn.ribbon = ribbon;
     return drawn;
+}
+
+DrawnBlade drawnBlade(VisibleBlade visible)
+{
+    return drawnBlade(visible, unpackBlade(FRAME.blades.at[visible.blade],
+                                           FRAME.patches.at[visible.patchIndex]));
 }
 
 #endif

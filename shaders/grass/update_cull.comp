@@ -23,25 +23,6 @@ shared uint listBase;
 shared VisibleBlade survivors[maxPatchBlades];
 shared uint colliderBits[colliderWords];
 
-Eyepoint eyepoint()
-{
-    Eyepoint view;
-    for (uint i = 0u; i < 6u; ++i)
-        view.planes[i] = FRAME.planes[i];
-    view.eye = FRAME.eye;
-    view.drawDistance = FRAME.drawDistance;
-    view.pixelsPerUnit = FRAME.pixelsPerUnit;
-    view.lodThreshold = FRAME.lodThreshold;
-    view.lodWidth = FRAME.lodWidth;
-    view.leastWidth = FRAME.leastWidth;
-    view.mostEdgeOn = FRAME.mostEdgeOn;
-    view.samples = FRAME.samples;
-    view.buckets = FRAME.buckets;
-    view.bucketDistance = FRAME.bucketDistance;
-    view.cullMask = FRAME.cullMask;
-    return view;
-}
-
 /// The colliders that may touch a blade of the patch, found by all threads together.
 ColliderMask collidersNear(Patch cell, float elapsed, uint thread)
 {
@@ -83,7 +64,7 @@ void main()
         return;
     const uint patchIndex = push.owners.at[group];
     const Patch cell = FRAME.patches.at[patchIndex];
-    const Eyepoint view = eyepoint();
+    const Eyepoint view = FRAME.view;
 
     // Leave a patch that nobody sees as it is; its blades catch up when it is seen again.
     if (push.onlyUpdate == 0u && (patchCulled(view, cell) || patchHidden(view, cell))) {

@@ -40,18 +40,18 @@ void main()
 {
     const GroundMaterial material = push.materials.at[push.material];
     vec3 albedo = material.baseColor.rgb * texture(baseColor, inUv).rgb * inColor.rgb;
-    const vec3 toEye = normalize(FRAME.eye - inPosition);
+    const vec3 toEye = normalize(FRAME.view.eye - inPosition);
     vec3 n = normalize(inNormal);
     if ((material.flags & groundDoubleSided) != 0u && dot(n, toEye) < 0.0)
         n = -n;
 
     const float facing = max(dot(n, FRAME.sunDirection), 0.0);
     // The grass around takes its share of the light, as far as it is drawn.
-    const float distance = length(FRAME.eye - inPosition);
+    const float distance = length(FRAME.view.eye - inPosition);
     const float farthest = FRAME.cover.farthest;
     const float grown = 1.0 - smoothstep(0.8 * farthest, farthest, distance);
     const float leafArea = leafAreaAt(FRAME.cover, inPosition) * grown;
-    albedo = mix(albedo, litterColor, 0.8 * (1.0 - exp(-0.7 * leafArea))) * grain(distance / FRAME.pixelsPerUnit);
+    albedo = mix(albedo, litterColor, 0.8 * (1.0 - exp(-0.7 * leafArea))) * grain(distance / FRAME.view.pixelsPerUnit);
     const float seen = facing > 0.0 ? sunSeen(FRAME.shadow, inPosition, n) : 0.0;
     const vec3 light = hemisphere(n) * skyBelow(leafArea) + lightAmongLeaves(leafArea, facing, seen) +
                        FRAME.sunColor * (facing * seen * sunBelow(leafArea, facing));

@@ -7,7 +7,7 @@
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 #include "shaders/grass/drawn_blade.glsl"
-#include "shaders/raster/small_triangle.glsl"
+#include "shaders/raster/screen_triangle.glsl"
 
 layout(local_size_x = rasterThreads) in;
 
@@ -28,7 +28,7 @@ void rasterise(Lens lens, uint place)
     const VisibleBlade visible = FRAME.visible.at[place];
     const Ribbon ribbon = drawnBlade(visible).ribbon;
     const float widthPixels = max(visible.pixels * ribbon.width / max(length(ribbon.v1 - ribbon.v0), 1e-6),
-                                  lens.leastWidth * FRAME.pixelsPerUnit);
+                                  lens.leastWidth * FRAME.view.pixelsPerUnit);
     if (visible.pixels * widthPixels > largeBladePixels && leftToGroups(place))
         return;
 

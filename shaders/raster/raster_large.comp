@@ -6,7 +6,7 @@
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 #include "shaders/grass/drawn_blade.glsl"
-#include "shaders/raster/small_triangle.glsl"
+#include "shaders/raster/screen_triangle.glsl"
 
 layout(local_size_x = rasterThreads) in;
 

@@ -6,27 +6,25 @@
 #include "shaders/shared/visibility.h"
 #include "shaders/sky/sky_light.glsl"
 
-#define JUDGED push.judged.at[0]
-
 layout(local_size_x = rasterTile, local_size_y = rasterTile) in;
 
-/// The blade with a resident id, as the list of visible blades had it.
-VisibleBlade visibleBlade(uint blade)
+/// Index of the patch that owns a blade.
+uint patchOf(uint blade)
 {
     uint owner = push.firstOwners.at[blade / ownerStride];
     uint patchIndex = push.owners.at[owner];
     while (blade >= FRAME.patches.at[patchIndex].firstBlade + FRAME.patches.at[patchIndex].bladeCount)
         patchIndex = push.owners.at[++owner];
-    const Patch cell = FRAME.patches.at[patchIndex];
-    const Blade unpacked = unpackBlade(FRAME.blades.at[blade], cell);
-    const float distance = length(unpacked.root - JUDGED.eye);
-    const float share = shareAt(JUDGED.pixelsPerUnit, JUDGED.lodThreshold, JUDGED.lodWidth, distance);
-    VisibleBlade visible;
-    visible.blade = blade;
-    visible.patchIndex = patchIndex;
-    visible.widthFactor = lodWidthFactor(bladeRank(cell, blade - cell.firstBlade), share);
-    visible.pixels = unpacked.height * JUDGED.pixelsPerUnit / max(distance, 1e-6);
-    return visible;
+    return patchIndex;
+}
+
+/// A blade of patch `patchIndex`, as the list of visible blades had it.
+VisibleBlade visibleBlade(uint index, uint patchIndex, Patch cell, Blade blade)
+{
+    const Eyepoint view = push.judged.at[0].view;
+    const DrawnSize size = drawnSize(view, blade, bladeRank(cell, index - cell.firstBlade),
+                                     length(blade.root - view.eye));
+    return VisibleBlade(index, patchIndex, size.widthFactor, size.pixels);
 }
 
 /// A corner of a ribbon's triangle.
@@ -87,10 +85,13 @@ Found find(Lens lens, Ribbon ribbon, vec2 pixel, float depth)
 }
 
 /// What the film sees of a blade at sample `s` of a pixel.
-vec3 shade(Lens lens, uint blade, vec2 pixel, uint s, float depth)
+vec3 shade(Lens lens, uint index, vec2 pixel, uint s, float depth)
 {
-    const VisibleBlade visible = visibleBlade(blade);
-    const DrawnBlade drawn = drawnBlade(visible);
+    const uint patchIndex = patchOf(index);
+    const Patch cell = FRAME.patches.at[patchIndex];
+    const Blade blade = unpackBlade(FRAME.blades.at[index], cell);
+    const VisibleBlade visible = visibleBlade(index, patchIndex, cell, blade);
+    const DrawnBlade drawn = drawnBlade(visible, blade);
     const BladeSurface surface = bladeSurface(drawn, visible);
     const Found found = find(lens, drawn.ribbon, pixel + samplePlace(s), depth);
     uint covered = 1u << s;
@@ -103,8 +104,7 @@ vec3 shade(Lens lens, uint blade, vec2 pixel, uint s, float depth)
     BladePoint point;
     point.position = shares.x * found.a.position + shares.y * found.b.position + shares.z * found.c.position;
     point.place = shares.x * found.a.place + shares.y * found.b.place + shares.z * found.c.place;
-    const vec3 tangent = bezierTangent(drawn.ribbon.v0, drawn.ribbon.v1, drawn.ribbon.v2, point.place.y);
-    point.tangent = normalize(dot(tangent, tangent) > 1e-18 ? tangent : drawn.ribbon.v1 - drawn.ribbon.v0);
+    point.tangent = tangentAt(drawn.ribbon, point.place.y);
     point.axis = drawn.ribbon.axis;
     point.up = normalize(drawn.ribbon.v1 - drawn.ribbon.v0);
     point.fold = drawn.ribbon.fold;

@@ -55,7 +55,7 @@ struct Lens {
 
 Lens lensOf()
 {
-    return Lens(FRAME.viewProjection, FRAME.eye, FRAME.leastWidth, vec2(push.size));
+    return Lens(FRAME.viewProjection, FRAME.view.eye, FRAME.view.leastWidth, vec2(push.size));
 }
 
 uint sampleIndex(uvec2 pixel, uint s)

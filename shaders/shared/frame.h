@@ -5,6 +5,7 @@
 #include "shaders/shared/blade.h"
 #include "shaders/shared/cover.h"
 #include "shaders/shared/culling.h"
+#include "shaders/shared/eyepoint.h"
 #include "shaders/shared/occlusion.h"
 #include "shaders/shared/pace.h"
 #include "shaders/shared/patch.h"
@@ -56,33 +57,22 @@ struct Frame {
     DepthPyramid pyramid;  ///< what the ground hides; without depths nothing
 
     mat4 viewProjection; ///< reversed Z: 1 near, 0 far
-    vec4 planes[6];      ///< left right bottom top near far; unit normals inward, offset
-    vec3 eye;
+    Eyepoint view;
     float time; ///< [s]
     Nature nature;
-    float drawDistance;  ///< [m]
-    float pixelsPerUnit; ///< pixels of something 1 m large at 1 m distance
-    float lodThreshold;  ///< [pixels] width below which blades are left out; 0: never
-    float lodWidth;      ///< [m] typical width of a blade
-    uint cullMask;
     uint patchCount;
     uint bladeCount;
     uint visibleCapacity;
-    uint maxTessellation; ///< largest tessellation level along a blade
-    vec3 sunDirection;    ///< unit, towards the sun
-    float exposure;       ///< scale from radiance to the picture
-    vec3 sunColor;        ///< linear radiance
-    uint debugMode;       ///< 0 none, 1 lod, 2 patches, 3 wind, 4 reason
-    vec3 skyColor;        ///< linear radiance from above
-    float fogDensity;     ///< [1/m]
-    vec3 groundColor;     ///< linear radiance from below
-    uint samples;
+    uint maxTessellation;    ///< largest tessellation level along a blade
+    vec3 sunDirection;       ///< unit, towards the sun
+    float exposure;          ///< scale from radiance to the picture
+    vec3 sunColor;           ///< linear radiance
+    uint debugMode;          ///< 0 none, 1 lod, 2 patches, 3 wind, 4 reason
+    vec3 skyColor;           ///< linear radiance from above
+    float fogDensity;        ///< [1/m]
+    vec3 groundColor;        ///< linear radiance from below
     vec3 skyUp;              ///< unit; where the sky is
     float fixedTessellation; ///< > 0: this level for every blade
-    float leastWidth;        ///< [m at 1 m distance] see ribAt(); 0: blades as narrow as they are
-    float mostEdgeOn;        ///< cosine beyond which a blade is seen edge-on; 1: never
-    float buckets;           ///< of the stepwise thinning, see bucketsKeep(); 0: off
-    float bucketDistance;    ///< [m]
     float clouds;            ///< [0, 1] share of the sky
     LevelSteps levelSteps;
     Pace pace;

@@ -37,14 +37,20 @@ SHARED_FN float foldOf(float fold, float widthPixels)
     return fold * smoothstep(2.0f, 4.0f, widthPixels);
 }
 
+/// Unit direction of the curve at `t`, towards the tip.
+SHARED_FN vec3 tangentAt(Ribbon ribbon, float t)
+{
+    const vec3 tangent = bezierTangent(ribbon.v0, ribbon.v1, ribbon.v2, t);
+    return normalize(dot(tangent, tangent) > 1e-18f ? tangent : ribbon.v1 - ribbon.v0);
+}
+
 /// The cross-section at `t`. Where the view sees less than `leastWidth` [m at 1 m distance], be it
 /// that the blade is far, that it ends, or that it is seen edge-on, it is drawn that wide, across
 /// the view, so that no row of samples misses it, and weighs the less.
 SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float leastWidth)
 {
     const vec3 centre = bezierPoint(ribbon.v0, ribbon.v1, ribbon.v2, t);
-    vec3 tangent = bezierTangent(ribbon.v0, ribbon.v1, ribbon.v2, t);
-    tangent = normalize(dot(tangent, tangent) > 1e-18f ? tangent : ribbon.v1 - ribbon.v0);
+    const vec3 tangent = tangentAt(ribbon, t);
     const vec2 edges = ribbon.width * edgesAt(ribbon.outline, t);
 
     Rib rib;
@@ -54,11 +60,10 @@ SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float leastWidth)
     rib.wide = edges.y - edges.x;
     rib.drawn = rib.wide;
     if (leastWidth > 0.0f) {
-        // Across the chords that meet here, not the curve: the last ones would be cut askew and lose
-        // area. A chord from t to t + h runs like the curve at t + h/2.
+        // Across the chords that meet here, not the curve: the last ones would be cut askew and
+        // lose area. A chord from t to t + h runs like the curve at t + h/2.
         const float half_ = 0.5f / max(ribbon.outline.segments, 1.0f);
-        vec3 chord = bezierTangent(ribbon.v0, ribbon.v1, ribbon.v2, clamp(t, half_, 1.0f - half_));
-        chord = dot(chord, chord) > 1e-18f ? normalize(chord) : tangent;
+        const vec3 chord = tangentAt(ribbon, clamp(t, half_, 1.0f - half_));
         const vec3 ray = centre - eye;
         const vec3 side = cross(ray, chord);
         const float size = length(side);
@@ -72,8 +77,10 @@ SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float leastWidth)
         vec3 level = cross(ray, ribbon.v1 - ribbon.v0);
         level = dot(level, level) > 1e-18f ? normalize(level) : across;
         const float upright = dot(level, across);
-        const vec3 outwards = across + (upright / max(upright * upright, 0.25f)) * (level - upright * across);
-        const vec3 grown = (0.5f * (rib.drawn - rib.wide) * (seen < 0.0f ? -1.0f : 1.0f)) * outwards;
+        const vec3 outwards =
+            across + (upright / max(upright * upright, 0.25f)) * (level - upright * across);
+        const vec3 grown =
+            (0.5f * (rib.drawn - rib.wide) * (seen < 0.0f ? -1.0f : 1.0f)) * outwards;
         rib.left -= grown;
         rib.right += grown;
     }

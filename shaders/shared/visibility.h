@@ -4,28 +4,13 @@
 
 #include "shaders/shared/blade.h"
 #include "shaders/shared/culling.h"
+#include "shaders/shared/eyepoint.h"
 #include "shaders/shared/patch.h"
 #include "shaders/shared/physics.h"
 #include "shaders/shared/ribbon.h"
 #include "shaders/shared/types.h"
 
 SHARED_BEGIN
-
-/// What of a frame decides about visibility; see Frame.
-struct Eyepoint {
-    vec4 planes[6]; ///< left right bottom top near far; unit normals inward, offset
-    vec3 eye;
-    float drawDistance;   ///< [m]
-    float pixelsPerUnit;  ///< pixels of something 1 m large at 1 m distance
-    float lodThreshold;   ///< [pixels]; 0: every blade is drawn
-    float lodWidth;       ///< [m] typical width of a blade
-    float leastWidth;     ///< [m at 1 m distance] no blade is drawn narrower; 0: as narrow as it is
-    float mostEdgeOn;     ///< cosine beyond which a blade is seen edge-on; 1: never
-    uint samples;         ///< per pixel
-    float buckets;        ///< see bucketsKeep(); 0: off
-    float bucketDistance; ///< [m]
-    uint cullMask;
-};
 
 /// What becomes of a blade, and how it is drawn.
 struct Verdict {
@@ -37,11 +22,25 @@ struct Verdict {
 };
 
 /// Share of the blades that is drawn at `distance` [m].
-SHARED_FN float shareAt(float pixelsPerUnit, float lodThreshold, float lodWidth, float distance)
+SHARED_FN float shareAt(Eyepoint view, float distance)
 {
-    if (lodThreshold <= 0.0f)
+    if (view.lodThreshold <= 0.0f)
         return 1.0f;
-    return lodShare(lodWidth * pixelsPerUnit / max(distance, 1e-6f), lodThreshold);
+    return lodShare(view.lodWidth * view.pixelsPerUnit / max(distance, 1e-6f), view.lodThreshold);
+}
+
+/// How large a blade is drawn.
+struct DrawnSize {
+    float widthFactor; ///< 0: not at all
+    float pixels;      ///< height on the screen [pixels]
+};
+
+SHARED_FN DrawnSize drawnSize(Eyepoint view, Blade blade, float rank, float distance)
+{
+    DrawnSize size;
+    size.widthFactor = lodWidthFactor(rank, shareAt(view, distance));
+    size.pixels = blade.height * view.pixelsPerUnit / max(distance, 1e-6f);
+    return size;
 }
 
 /// Progressive rank in [0, 1) of blade `i` of a patch among all blades around it.
@@ -54,8 +53,7 @@ SHARED_FN float bladeRank(Patch cell, uint i)
 SHARED_FN float patchMargin(Eyepoint view, Patch cell)
 {
     const vec3 farthest = max(abs(cell.boundsLow - view.eye), abs(cell.boundsHigh - view.eye));
-    const float share =
-        shareAt(view.pixelsPerUnit, view.lodThreshold, view.lodWidth, length(farthest));
+    const float share = shareAt(view, length(farthest));
     // lodWidthFactor() is at most 1/(0.95 share).
     return 0.5f * outlineMost * (cell.widthLow + 63.0f * cell.widthStep) / (0.95f * share) +
            ribMargin(length(farthest), view.leastWidth);
@@ -68,8 +66,7 @@ SHARED_FN uint thickEnough(Eyepoint view, Patch cell)
 {
     if ((view.cullMask & leaveThinned) == 0u || view.lodThreshold <= 0.0f)
         return cell.bladeCount;
-    const float share = shareAt(view.pixelsPerUnit, view.lodThreshold, view.lodWidth,
-                                boxDistance(view.eye, cell.boundsLow, cell.boundsHigh));
+    const float share = shareAt(view, boxDistance(view.eye, cell.boundsLow, cell.boundsHigh));
     if (share <= cell.rankLow)
         return 0u;
     if (share >= cell.rankHigh)
@@ -121,13 +118,13 @@ SHARED_FN Verdict judgeBlade(Eyepoint view, Blade blade, uint index, BladeState 
 {
     const vec3 axis = widthAxis(blade.up, blade.facing);
     const float distance = length(blade.root - view.eye);
-    const float share = shareAt(view.pixelsPerUnit, view.lodThreshold, view.lodWidth, distance);
-    const float factor = lodWidthFactor(rank, share);
+    const DrawnSize size = drawnSize(view, blade, rank, distance);
+    const float factor = size.widthFactor;
 
     Verdict verdict;
     verdict.fate = fateDrawn;
     verdict.widthFactor = factor;
-    verdict.pixels = blade.height * view.pixelsPerUnit / max(distance, 1e-6f);
+    verdict.pixels = size.pixels;
 
     bool outside = false;
     verdict.low = blade.root;

@@ -75,13 +75,15 @@ struct FieldRenderer::Parts {
         , pyramid(context, shaders, wanted.samples)
         , updateCull(context)
         , groundPass(context, shaders, {wanted.colorFormat, wanted.samples}, ground.imageLayout())
-        , bladePass(context, shaders, {wanted.colorFormat, wanted.samples})
-        , skyPass(context, shaders, {wanted.colorFormat, wanted.samples})
         , shape{field.origin, field.bounds(), blades.bladeSize()}
     {
         expect(wanted.framesInFlight >= 1, "at least one frame is in flight");
+        const TargetSettings target{wanted.colorFormat, wanted.samples};
         if (geometry == Geometry::raster)
-            raster.emplace(context, shaders, TargetSettings{wanted.colorFormat, wanted.samples});
+            raster.emplace(context, shaders, target);
+        else
+            tessellated.emplace(Tessellated{BladePass(context, shaders, target),
+                                            SkyPass(context, shaders, target)});
         for (std::uint32_t i = 0; i < wanted.framesInFlight; ++i)
             slots.emplace_back(context);
     }
@@ -98,14 +100,19 @@ struct FieldRenderer::Parts {
     DepthPyramid pyramid;
     UpdateCullPass updateCull;
     GroundPass groundPass;
-    BladePass bladePass;
-    SkyPass skyPass;
-    std::optional<RasterPass> raster; ///< if that is the geometry
+
+    /// What the graphics pipeline draws after the ground.
+    struct Tessellated {
+        BladePass blades;
+        SkyPass sky;
+    };
+    std::optional<Tessellated> tessellated; ///< the one or …
+    std::optional<RasterPass> raster;       ///< … the other, by the geometry
 
     /// Ground and blades that show the wind, for those who ask.
     struct WindPaint {
         GroundPass ground;
-        BladePass blades;
+        std::optional<BladePass> blades; ///< where they are tessellated
     };
     std::unique_ptr<WindPaint> windPaint;
     std::unique_ptr<ColliderPass> colliderPass; ///< once there have been colliders
@@ -156,7 +163,7 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
 {
     blades.describe(frame);
     cover.describe(frame);
-    if ((frame.cullMask & shared::cullOcclusion) != 0)
+    if ((frame.view.cullMask & shared::cullOcclusion) != 0)
         pyramid.describe(frame);
     // Before the first frame nothing has moved.
     slots[slot].tables.write(shape, wishes, time, hasSettled ? lastTime : time, frame);
@@ -175,8 +182,9 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
     if (wishes.debug == DebugMode::wind && windPaint == nullptr) {
         const TargetSettings target{settings.colorFormat, settings.samples, true};
         windPaint = std::make_unique<WindPaint>(
-            WindPaint{GroundPass(context, shaders, target, ground.imageLayout()),
-                      BladePass(context, shaders, target)});
+            WindPaint{GroundPass(context, shaders, target, ground.imageLayout()), std::nullopt});
+        if (tessellated)
+            windPaint->blades.emplace(context, shaders, target);
     }
     paintsWind = wishes.debug == DebugMode::wind;
     if (raster)
@@ -343,11 +351,11 @@ void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& ta
                                         std::span(&color, 1), depth);
     {
         const PassScope scope(context, commands, timestamps, "blades");
-        (paintsWind ? windPaint->blades : bladePass).record(commands, blades, frame);
+        (paintsWind ? *windPaint->blades : tessellated->blades).record(commands, blades, frame);
     }
     {
         const PassScope scope(context, commands, timestamps, "sky");
-        skyPass.record(commands, frame);
+        tessellated->sky.record(commands, frame);
     }
 }
 

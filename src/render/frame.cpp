@@ -81,16 +81,21 @@ glm::vec3 skyUpOf(const shared::Gravity& gravity, glm::vec3 eye)
 
 } // namespace
 
+void look(shared::Frame& frame, const ViewMatrices& view)
+{
+    frame.viewProjection = view.viewProjection;
+    std::copy(view.planes.begin(), view.planes.end(), frame.view.planes);
+    frame.view.eye = view.eye;
+    frame.view.pixelsPerUnit = view.pixelsPerUnit;
+}
+
 shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
                       const FrameSettings& settings, double time, std::uint32_t samples)
 {
     shared::Frame frame = {};
 
     // The camera.
-    frame.viewProjection = view.viewProjection;
-    std::copy(view.planes.begin(), view.planes.end(), frame.planes);
-    frame.eye = view.eye;
-    frame.pixelsPerUnit = view.pixelsPerUnit;
+    look(frame, view);
 
     // Nature.
     frame.time = static_cast<float>(time);
@@ -98,18 +103,18 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     frame.nature.recovery = settings.nature.recovery;
 
     // What is left out.
-    frame.cullMask = settings.cullMask | (settings.leavesThinned ? shared::leaveThinned : 0u);
-    frame.drawDistance = settings.nature.drawDistance;
-    frame.lodThreshold = settings.levelOfDetail ? settings.lodThreshold : 0.0f;
-    frame.lodWidth = field.blade.width;
-    frame.buckets = static_cast<float>(settings.buckets.count);
-    frame.bucketDistance = settings.buckets.distance;
-    frame.leastWidth =
+    frame.view.cullMask = settings.cullMask | (settings.leavesThinned ? shared::leaveThinned : 0u);
+    frame.view.drawDistance = settings.nature.drawDistance;
+    frame.view.lodThreshold = settings.levelOfDetail ? settings.lodThreshold : 0.0f;
+    frame.view.lodWidth = field.blade.width;
+    frame.view.buckets = static_cast<float>(settings.buckets.count);
+    frame.view.bucketDistance = settings.buckets.distance;
+    frame.view.leastWidth =
         settings.levelOfDetail && view.pixelsPerUnit > 0.0f
             ? settings.leastPixels / (view.pixelsPerUnit * std::sqrt(static_cast<float>(samples)))
             : 0.0f;
-    frame.mostEdgeOn =
-        settings.mostEdgeOn.value_or(frame.leastWidth > 0.0f ? 1.0f : shared::paperEdgeOnCosine);
+    frame.view.mostEdgeOn = settings.mostEdgeOn.value_or(
+        frame.view.leastWidth > 0.0f ? 1.0f : shared::paperEdgeOnCosine);
     frame.maxTessellation = 3;
     frame.fixedTessellation = static_cast<float>(settings.tessellationLevel);
 
@@ -130,7 +135,7 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     frame.fogBase = field.content.isEmpty() ? 0.0f : lowestAlong(field.content, frame.skyUp);
     frame.clouds = settings.clouds;
     frame.debugMode = static_cast<std::uint32_t>(settings.debug);
-    frame.samples = samples;
+    frame.view.samples = samples;
     return frame;
 }
 

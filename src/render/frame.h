@@ -18,6 +18,9 @@ struct FieldShape {
     field::BladeSize blade; ///< a typical one
 };
 
+/// Writes a camera into a frame.
+void look(shared::Frame& frame, const ViewMatrices& view);
+
 /// Camera, settings and time as the shaders read them. The addresses and counts of buffers are left
 /// to FieldBuffers::describe() and FrameTables::write().
 shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,

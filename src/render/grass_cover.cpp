@@ -199,8 +199,8 @@ void GrassCover::describe(shared::Frame& frame) const
 {
     frame.cover = shape_;
     frame.cover.leafArea.address = values_.address();
-    frame.cover.farthest = (frame.cullMask & shared::cullDistance) != 0
-                               ? frame.drawDistance
+    frame.cover.farthest = (frame.view.cullMask & shared::cullDistance) != 0
+                               ? frame.view.drawDistance
                                : std::numeric_limits<float>::max();
 }
 

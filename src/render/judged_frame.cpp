@@ -1,24 +1,21 @@
 #include "render/judged_frame.h"
 
-#include <algorithm>
+#include "render/frame.h"
 
 namespace sward::render {
 
 shared::Frame judgedFrom(const shared::Frame& frame, const ViewMatrices& view)
 {
     shared::Frame judged = frame;
-    judged.viewProjection = view.viewProjection;
-    std::copy(view.planes.begin(), view.planes.end(), judged.planes);
-    judged.eye = view.eye;
-    judged.pixelsPerUnit = view.pixelsPerUnit;
+    look(judged, view);
     return judged;
 }
 
 shared::Frame listingAll(const shared::Frame& frame)
 {
     shared::Frame all = frame;
-    all.cullMask = 0;
-    all.lodThreshold = 0.0f;
+    all.view.cullMask = 0;
+    all.view.lodThreshold = 0.0f;
     all.fates = 0;
     all.pyramid = {};
     return all;

@@ -87,24 +87,6 @@ protected:
     std::vector<shared::BladeState> states_;
 };
 
-shared::Eyepoint eyepointOf(const shared::Frame& frame)
-{
-    shared::Eyepoint view = {};
-    std::copy(std::begin(frame.planes), std::end(frame.planes), view.planes);
-    view.eye = frame.eye;
-    view.drawDistance = frame.drawDistance;
-    view.pixelsPerUnit = frame.pixelsPerUnit;
-    view.lodThreshold = frame.lodThreshold;
-    view.lodWidth = frame.lodWidth;
-    view.leastWidth = frame.leastWidth;
-    view.mostEdgeOn = frame.mostEdgeOn;
-    view.samples = frame.samples;
-    view.buckets = frame.buckets;
-    view.bucketDistance = frame.bucketDistance;
-    view.cullMask = frame.cullMask;
-    return view;
-}
-
 /// Whether rounding may decide: a blade within `margin` of a threshold (relative, or metres for a
 /// plane). The device computes with the same formulas in the same precision, so 1e-5 is some fifty
 /// times its rounding over ten metres.
@@ -113,9 +95,9 @@ bool isClose(const shared::Frame& frame, const shared::Blade& blade, std::uint32
 {
     constexpr float margin = 1e-5f;
     const glm::vec3 axis = shared::widthAxis(blade.up, blade.facing);
-    const glm::vec3 ray = blade.root - frame.eye;
+    const glm::vec3 ray = blade.root - frame.view.eye;
     const float distance = glm::length(ray);
-    shared::Eyepoint narrower = eyepointOf(frame);
+    shared::Eyepoint narrower = frame.view;
     shared::Eyepoint wider = narrower;
     narrower.leastWidth *= 1.0f - 10.0f * margin;
     wider.leastWidth *= 1.0f + 10.0f * margin;
@@ -123,17 +105,17 @@ bool isClose(const shared::Frame& frame, const shared::Blade& blade, std::uint32
     if (shared::seenTooNarrow(narrower, blade, index, axis, distance, factor) !=
         shared::seenTooNarrow(wider, blade, index, axis, distance, factor))
         return true;
-    if (std::abs(distance - frame.drawDistance) < margin * distance)
+    if (std::abs(distance - frame.view.drawDistance) < margin * distance)
         return true;
     const shared::Pose pose = shared::poseOfState(blade.up, shared::frontOf(blade.up, axis), state);
-    for (const glm::vec4& plane : frame.planes) {
+    for (const glm::vec4& plane : frame.view.planes) {
         const float reach =
             std::max({shared::planeDistance(plane, blade.root),
                       shared::planeDistance(plane, blade.root + blade.height * pose.v1),
                       shared::planeDistance(plane, blade.root + blade.height * pose.v2)});
         const float reserve =
             0.5f * shared::outlineMost * blade.width * std::max(verdict.widthFactor, 1.0f) +
-            shared::ribMargin(distance + blade.height, frame.leastWidth);
+            shared::ribMargin(distance + blade.height, frame.view.leastWidth);
         if (std::abs(reach + reserve) < margin)
             return true;
     }
@@ -149,7 +131,7 @@ TEST_F(CullingTest, JudgesAsTheCpuDoesSaveWhereRoundingDecides)
     for (std::uint64_t c = 0; c < 12; ++c) {
         const shared::Frame frame = this->frame(randomCamera(c), c % 3 == 2 ? 14u : 15u);
         const auto result = run(frame);
-        const shared::Eyepoint view = eyepointOf(frame);
+        const shared::Eyepoint view = frame.view;
 
         for (std::size_t p = 0; p < field_.patches.size(); ++p) {
             const shared::Patch& cell = field_.patches[p];

@@ -61,6 +61,11 @@ public:
     {
         fillAll(n.gravity, n.recovery, n.colliderCount, n.reserved, n.wind, n.colliders.address);
     }
+    void fill(shared::Eyepoint& e)
+    {
+        fillAll(e.planes, e.eye, e.drawDistance, e.pixelsPerUnit, e.lodThreshold, e.lodWidth,
+                e.leastWidth, e.mostEdgeOn, e.samples, e.buckets, e.bucketDistance, e.cullMask);
+    }
     void fill(shared::LevelSteps& s) { fillAll(s.distance, s.segments, s.count); }
     void fill(shared::Pace& p) { fillAll(p.everyFrame, p.everyThird, p.longest, p.frame); }
     void fill(shared::Cover& c)
@@ -127,12 +132,10 @@ std::size_t fillValues(Values& v)
     shared::Frame& f = v.frame;
     n.fillAll(f.blades, f.states, f.patches, f.species, f.visible, f.draw, f.patchTimes, f.fates,
               f.pyramid.depths, f.pyramid.size, f.pyramid.first, f.pyramid.levels, f.viewProjection,
-              f.planes, f.eye, f.time, f.nature, f.drawDistance, f.pixelsPerUnit, f.lodThreshold,
-              f.lodWidth, f.cullMask, f.patchCount, f.bladeCount, f.visibleCapacity,
+              f.view, f.time, f.nature, f.patchCount, f.bladeCount, f.visibleCapacity,
               f.maxTessellation, f.sunDirection, f.exposure, f.sunColor, f.debugMode, f.skyColor,
-              f.fogDensity, f.groundColor, f.samples, f.skyUp, f.fixedTessellation, f.leastWidth,
-              f.mostEdgeOn, f.buckets, f.bucketDistance, f.clouds, f.levelSteps, f.pace, f.cover,
-              f.shadow, f.fogFalloff, f.fogBase);
+              f.fogDensity, f.groundColor, f.skyUp, f.fixedTessellation, f.clouds, f.levelSteps,
+              f.pace, f.cover, f.shadow, f.fogFalloff, f.fogBase);
     n.fillAll(v.visible.blade, v.visible.patchIndex, v.visible.widthFactor, v.visible.pixels);
     n.fillAll(v.draw.vertexCount, v.draw.instanceCount, v.draw.firstVertex, v.draw.firstInstance,
               v.draw.simulated, v.draw.fates);

@@ -41,16 +41,9 @@ double luminanceOf(Rgb color)
 
 class LookTest : public test::GpuTest {
 protected:
-    struct Scene {
-        field::Field field;
-        FieldRenderer renderer;
-        FrameSettings settings;
-        Camera camera;
-
+    struct Scene : test::FieldScene {
         explicit Scene(field::Field made)
-            : field(std::move(made))
-            , renderer(device(), field::viewOf(field), {.geometry = Geometry::tessellation})
-            , settings(FrameSettings::of(field::viewOf(field)))
+            : FieldScene(device(), std::move(made), {.geometry = Geometry::tessellation})
         {
             settings.fogDensity = 0.0f;
         }

@@ -1,11 +1,14 @@
 #pragma once
 
+#include "field/field.h"
+#include "gpu/device.h"
 #include "gpu/image.h"
 #include "render/field_renderer.h"
 
 #include <glm/vec2.hpp>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace sward::test {
@@ -26,6 +29,22 @@ private:
     const gpu::DeviceContext& context_;
     glm::uvec2 size_;
     gpu::Image image_;
+};
+
+/// A field with what draws it.
+struct FieldScene {
+    field::Field field;
+    render::FieldRenderer renderer;
+    render::FrameSettings settings; ///< the field's
+    render::Camera camera;
+
+    FieldScene(const gpu::Device& device, field::Field made,
+               const render::FieldRenderer::Settings& wanted)
+        : field(std::move(made))
+        , renderer(device, field::viewOf(field), wanted)
+        , settings(render::FrameSettings::of(field::viewOf(field)))
+    {
+    }
 };
 
 /// Pixels in which two pictures differ.

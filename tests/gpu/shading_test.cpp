@@ -102,16 +102,9 @@ TEST(GrassCover, OfTheFirstBladesStandsForAll)
 
 class ShadingTest : public test::GpuTest {
 protected:
-    struct Scene {
-        field::Field field;
-        FieldRenderer renderer;
-        FrameSettings settings;
-        Camera camera;
-
+    struct Scene : test::FieldScene {
         explicit Scene(field::Field made, const FieldRenderer::Settings& wanted = {})
-            : field(std::move(made))
-            , renderer(device(), field::viewOf(field), wanted)
-            , settings(FrameSettings::of(field::viewOf(field)))
+            : FieldScene(device(), std::move(made), wanted)
         {
             // The same light and air for every field.
             settings.fogDensity = 0.0f;

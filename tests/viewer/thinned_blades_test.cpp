@@ -21,15 +21,15 @@ TEST(ThickEnough, LeavesOutOnlyBladesThatHaveNoWidthWhereTheyStand)
 {
     const field::Field field = test::makeField({.blades = 4096, .extent = 40.0f});
     std::size_t left = 0;
-    for (const float distance : {1.0f, 10.0f, 40.0f, 300.0f, 5000.0f})
+    for (const float far : {1.0f, 10.0f, 40.0f, 300.0f, 5000.0f})
         for (const float scale : {150.0f, 900.0f}) {
-            const Eyepoint view = eyeAt({0.3f * distance, 0.5f * distance, distance}, scale);
+            const Eyepoint view = eyeAt({0.3f * far, 0.5f * far, far}, scale);
             for (const Patch& cell : field.patches)
                 for (uint i = thickEnough(view, cell); i < cell.bladeCount; ++i) {
                     const Blade blade = unpackBlade(field.blades[cell.firstBlade + i], cell);
-                    const float share = shareAt(scale, view.lodThreshold, view.lodWidth,
-                                                length(blade.root - view.eye));
-                    EXPECT_EQ(lodWidthFactor(bladeRank(cell, i), share), 0.0f);
+                    const float distance = length(blade.root - view.eye);
+                    EXPECT_EQ(drawnSize(view, blade, bladeRank(cell, i), distance).widthFactor,
+                              0.0f);
                     ++left;
                 }
         }

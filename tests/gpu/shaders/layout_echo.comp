@@ -164,15 +164,20 @@ void putFrame()
     for (uint column = 0u; column < 4u; ++column)
         put(FRAME.viewProjection[column]);
     for (uint i = 0u; i < 6u; ++i)
-        put(FRAME.planes[i]);
-    put(FRAME.eye);
+        put(FRAME.view.planes[i]);
+    put(FRAME.view.eye);
+    put(FRAME.view.drawDistance);
+    put(FRAME.view.pixelsPerUnit);
+    put(FRAME.view.lodThreshold);
+    put(FRAME.view.lodWidth);
+    put(FRAME.view.leastWidth);
+    put(FRAME.view.mostEdgeOn);
+    put(FRAME.view.samples);
+    put(FRAME.view.buckets);
+    put(FRAME.view.bucketDistance);
+    put(FRAME.view.cullMask);
     put(FRAME.time);
     put(FRAME.nature);
-    put(FRAME.drawDistance);
-    put(FRAME.pixelsPerUnit);
-    put(FRAME.lodThreshold);
-    put(FRAME.lodWidth);
-    put(FRAME.cullMask);
     put(FRAME.patchCount);
     put(FRAME.bladeCount);
     put(FRAME.visibleCapacity);
@@ -184,13 +189,8 @@ void putFrame()
     put(FRAME.skyColor);
     put(FRAME.fogDensity);
     put(FRAME.groundColor);
-    put(FRAME.samples);
     put(FRAME.skyUp);
     put(FRAME.fixedTessellation);
-    put(FRAME.leastWidth);
-    put(FRAME.mostEdgeOn);
-    put(FRAME.buckets);
-    put(FRAME.bucketDistance);
     put(FRAME.clouds);
     put(FRAME.levelSteps.distance);
     put(FRAME.levelSteps.segments);

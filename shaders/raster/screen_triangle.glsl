@@ -1,6 +1,6 @@
 // Triangles on the screen, row by row; the threads of a group may share the rows.
-#ifndef SWARD_RASTER_SMALL_TRIANGLE_GLSL
-#define SWARD_RASTER_SMALL_TRIANGLE_GLSL
+#ifndef SWARD_RASTER_SCREEN_TRIANGLE_GLSL
+#define SWARD_RASTER_SCREEN_TRIANGLE_GLSL
 
 #include "shaders/raster/put_sample.glsl"
 #include "shaders/raster/seen_triangle.glsl"
@@ -48,7 +48,7 @@ vec3 sharesAt(vec2 place, vec3 a, vec3 c, vec3 across, vec3 down, float area)
 
 /// Corners on the screen, and how wide the blade is at each and is drawn. This thread takes every
 /// so-many-th row.
-void smallTriangle(vec3 a, vec3 b, vec3 c, vec2 weightA, vec2 weightB, vec2 weightC, uint blade, Rows rows)
+void screenTriangle(vec3 a, vec3 b, vec3 c, vec2 weightA, vec2 weightB, vec2 weightC, uint blade, Rows rows)
 {
     float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     if (area == 0.0)
@@ -125,14 +125,14 @@ void smallTriangle(vec3 a, vec3 b, vec3 c, vec2 weightA, vec2 weightB, vec2 weig
 }
 
 /// Between two ribs, the way a tessellator halves the quads between them: see upperHalf().
-void smallQuad(vec3 a, vec3 b, vec3 c, vec3 d, vec2 before, vec2 after, bool isUpper, uint blade, Rows rows)
+void screenQuad(vec3 a, vec3 b, vec3 c, vec3 d, vec2 before, vec2 after, bool isUpper, uint blade, Rows rows)
 {
     if (isUpper) {
-        smallTriangle(a, b, c, before, before, after, blade, rows);
-        smallTriangle(b, d, c, before, after, after, blade, rows);
+        screenTriangle(a, b, c, before, before, after, blade, rows);
+        screenTriangle(b, d, c, before, after, after, blade, rows);
     } else {
-        smallTriangle(a, b, d, before, before, after, blade, rows);
-        smallTriangle(a, d, c, before, after, after, blade, rows);
+        screenTriangle(a, b, d, before, before, after, blade, rows);
+        screenTriangle(a, d, c, before, after, after, blade, rows);
     }
 }
 
@@ -140,10 +140,10 @@ void smallQuad(vec3 a, vec3 b, vec3 c, vec3 d, vec2 before, vec2 after, bool isU
 void screenSegment(ScreenRib a, ScreenRib b, bool isFolded, bool isUpper, uint blade, Rows rows)
 {
     if (isFolded) {
-        smallQuad(a.left, a.ridge, b.left, b.ridge, a.weight, b.weight, isUpper, blade, rows);
-        smallQuad(a.ridge, a.right, b.ridge, b.right, a.weight, b.weight, isUpper, blade, rows);
+        screenQuad(a.left, a.ridge, b.left, b.ridge, a.weight, b.weight, isUpper, blade, rows);
+        screenQuad(a.ridge, a.right, b.ridge, b.right, a.weight, b.weight, isUpper, blade, rows);
     } else {
-        smallQuad(a.left, a.right, b.left, b.right, a.weight, b.weight, isUpper, blade, rows);
+        screenQuad(a.left, a.right, b.left, b.right, a.weight, b.weight, isUpper, blade, rows);
     }
 }
 

@@ -1,0 +1,44 @@
+"""What a scene's JSON says is baked and looked at; for scripts/gallery and scripts/bench."""
+
+import hashlib
+import json
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def input_of(scene, key, name, folder):
+    """What the scene holds under `key`: an object becomes a file; a text is a file of the repository or a name."""
+    value = scene[key]
+    if isinstance(value, str):
+        return str(ROOT / value) if "/" in value else value
+    path = folder / f"{name}.{key}.json"
+    path.write_text(json.dumps(value), encoding="utf-8")
+    return str(path)
+
+
+def camera_of(scene, name, folder):
+    return input_of(scene, "camera", name, folder) if "camera" in scene else "fit"
+
+
+def baked(scene, name, sward, count, folder):
+    """The scene's field, with another number of blades unless `count` is None; baked anew when its program or anything
+    of its bake has changed."""
+    ground = input_of(scene, "ground", name, folder)
+    command = [ground, "--meadow", input_of(scene, "meadow", name, folder) if "meadow" in scene else "meadow"]
+    options = list(scene.get("bake", []))
+    if count is not None:
+        for amount in {"--density", "--count"} & set(options):
+            place = options.index(amount)
+            del options[place:place + 2]
+        options += ["--count", str(count)]
+    command += options
+    made_of = [json.dumps([scene[key] for key in ("ground", "meadow", "bake") if key in scene]), str(count)]
+    made_of += [str(path.stat().st_mtime_ns) for path in (Path(ground), sward) if path.is_file() and path.parent != folder]
+    stamp = hashlib.sha256("\n".join(made_of).encode()).hexdigest()
+    field, stamp_file = folder / f"{name}.sward", folder / f"{name}.stamp"
+    if not field.is_file() or not stamp_file.is_file() or stamp_file.read_text(encoding="ascii") != stamp:
+        subprocess.run([sward, "bake", *command, "-o", field, "--force", "-q"], check=True, cwd=ROOT)
+        stamp_file.write_text(stamp, encoding="ascii")
+    return field

@@ -1,0 +1,27 @@
+// From where, and how sharply, blades are looked at.
+#ifndef SWARD_SHARED_EYEPOINT_H
+#define SWARD_SHARED_EYEPOINT_H
+
+#include "shaders/shared/types.h"
+
+SHARED_BEGIN
+
+/// What of a frame decides which blades are seen, and how wide they are drawn.
+struct Eyepoint {
+    vec4 planes[6]; ///< left right bottom top near far; unit normals inward, offset
+    vec3 eye;
+    float drawDistance;   ///< [m]
+    float pixelsPerUnit;  ///< pixels of something 1 m large at 1 m distance
+    float lodThreshold;   ///< [pixels] width below which blades are left out; 0: never
+    float lodWidth;       ///< [m] typical width of a blade
+    float leastWidth;     ///< [m at 1 m distance] see ribAt(); 0: blades as narrow as they are
+    float mostEdgeOn;     ///< cosine beyond which a blade is seen edge-on; 1: never
+    uint samples;         ///< per pixel
+    float buckets;        ///< of the stepwise thinning, see bucketsKeep(); 0: off
+    float bucketDistance; ///< [m]
+    uint cullMask;
+};
+SHARED_LAYOUT(Eyepoint, 148)
+
+SHARED_END
+#endif
