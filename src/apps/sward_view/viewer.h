@@ -54,6 +54,7 @@ private:
     void keepTime();
     void tell();
     double scaleOfFrame() const;
+    render::FrameSettings settingsOfFrame() const;
     float aspect() const;
 
     // viewer_input.cpp: what the user does
@@ -70,6 +71,7 @@ private:
     void fulfilFiles(const Wishes& wishes);
     void open(const std::string& input);
     void takeOpened();
+    render::Geometry geometry() const;
     void show(Opening::Opened opened);
     void watch();
     void complain(const std::string& message);

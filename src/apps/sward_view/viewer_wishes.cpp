@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/log.h"
 #include "render/camera_presets.h"
+#include "render/raster_pass.h"
 #include "render/settings_file.h"
 #include "render/settings_text.h"
 
@@ -160,6 +161,15 @@ void Viewer::takeOpened()
     }
 }
 
+render::Geometry Viewer::geometry() const
+{
+    // Of few pixels each is shaded once: on a CPU that is worth more than the tessellator's speed.
+    const bool fewPixels = device_.isCpu() && stage_.automaticScale;
+    return fewPixels && render::obstacleToRaster(device_.context(), swapchain_.format()) == nullptr
+               ? render::Geometry::raster
+               : render::Geometry::automatic;
+}
+
 void Viewer::show(Opening::Opened opened)
 {
     const FrameOptions& frame = *options_.frame;
@@ -178,6 +188,7 @@ void Viewer::show(Opening::Opened opened)
         render::FieldRenderer::Settings{.colorFormat = swapchain_.format(),
                                         .samples = frame.samples.value_or(device_.isCpu() ? 1 : 4),
                                         .framesInFlight = 2,
+                                        .geometry = geometry(),
                                         .recordFates = true},
         home, stage_.settings, aspect());
     device_.waitIdle();
