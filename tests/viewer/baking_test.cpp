@@ -44,6 +44,26 @@ TEST(BakeArguments, NameOnlyWhatIsWanted)
                             "clump_size_m=1"));
 }
 
+TEST(WishesOf, AFieldAreThoseItWasBakedWith)
+{
+    const MeadowWishes wishes = wishesOf(
+        R"({"settings": {"density": null, "count": 5000, "spacing": null, "seed": 7,
+            "slope": [0.0, 50.0, 15.0], "masks": ["vertex-color:R", "texture:9f3a:G:invert"],
+            "meadow": {"name": "steppe"}}})");
+    EXPECT_THAT(bakeArguments(wishes),
+                ElementsAre("", "--meadow", "steppe", "--count", "5000", "--slope", "0:50~15",
+                            "--seed", "7", "--mask", "vertex-color:R"));
+}
+
+TEST(WishesOf, AFieldThatTellsNothingOrNonsenseAreNone)
+{
+    const auto none = bakeArguments(MeadowWishes());
+    for (const char* text :
+         {"", "{}", "[]", "7", R"({"settings": 3})", R"({"settings": {"masks": [1], "seed": "a"}})",
+          R"({"settings": {"slope": [0, 50], "count": -1, "meadow": {"name": 3}}})"})
+        EXPECT_EQ(bakeArguments(wishesOf(text)), none) << text;
+}
+
 TEST(WantsBaking, KnowsMeshesAndBuiltInGroundsFromFields)
 {
     for (const char* input : {"a.glb", "A.OBJ", "b.r16", "c.exr", "recipe.json", "hills"})

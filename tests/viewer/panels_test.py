@@ -186,6 +186,26 @@ class PanelsTest(unittest.TestCase):
         self.assertNotEqual((self.folder / "way_0.png").read_bytes(),
                             (self.folder / "way_1.png").read_bytes())
 
+    def test_a_bookmark_is_there_in_the_next_run(self):
+        calm = (self.field, "--wind-strength", "0", "--panel", "meadow", "--resolution", "0.4")
+        viewer = self.open(*calm)
+        # The panel begins with what the field was baked with.
+        self.assertEqual((viewer.shows("Meadow/Amount"), viewer.shows("Meadow/Count")),
+                         ("count", "1500"))
+        home = self.grass(viewer)
+        viewer.drag((600, 200), (720, 240))
+        viewer.key("ctrl+7")
+        viewer.wait_frames(6)
+        set_there = self.grass(viewer)
+        self.assertGreater(share_that_differs(home, set_there), 0.1)
+        self.assert_ends_well(viewer)
+        viewer = self.open(*calm)
+        viewer.wait(lambda: share_that_differs(home, self.grass(viewer)) < 0.02, "it is at home")
+        viewer.key("7")
+        viewer.wait(lambda: share_that_differs(set_there, self.grass(viewer)) < 0.05,
+                    "it shows the place that was set")
+        self.assert_ends_well(viewer)
+
     def test_panels_hide_and_the_key_sheet_comes_and_goes(self):
         viewer = self.open(self.field)
         self.assertIn("Rail/Field", viewer.controls())

@@ -34,6 +34,7 @@ struct MeadowWishes {
     int count = 100'000;
     float slopeLow = 0.0f;    ///< [degrees]
     float slopeHigh = 180.0f; ///< [degrees]
+    float slopeSoft = 0.0f;   ///< [degrees] over which grass thins out beyond both
     int seed = 0;
     std::string masks;  ///< texts of --mask, separated by blanks
     std::string traits; ///< KEY=VALUE of --set, separated by blanks
@@ -42,6 +43,11 @@ inline constexpr const char* meadowNames[] = {"meadow", "lawn", "steppe"};
 
 /// Arguments of `sward bake` that say the same.
 std::vector<std::string> bakeArguments(const MeadowWishes& wishes);
+
+/// The wishes that a field was baked with, as far as the panel knows them, from the text of its
+/// provenance; those that say nothing where it says nothing. Images of masks and changed traits are
+/// not held by a field, nor is its mesh.
+MeadowWishes wishesOf(const std::string& provenance);
 
 /// A field before and after it was baked again.
 struct BakeDifference {

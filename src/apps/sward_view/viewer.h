@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/sward_view/bookmarks.h"
 #include "apps/sward_view/capture.h"
 #include "apps/sward_view/exhibit.h"
 #include "apps/sward_view/frame_options.h"
@@ -90,6 +91,7 @@ private:
 
     Stage stage_;
     RecentFiles recent_;
+    Bookmarks bookmarks_;
     ControlMap controlMap_;
     Controls controls_;
     Layout layout_;

@@ -82,6 +82,7 @@ void Viewer::press(const KeyPress& key)
             break;
         if (key.control) {
             exhibit_->navigation().setBookmark(key.number);
+            bookmarks_.set(exhibit_->field().input, key.number, exhibit_->navigation().camera());
             notice(fmt::format("Bookmark {} is set", key.number));
         } else if (!exhibit_->navigation().showBookmark(key.number)) {
             notice(fmt::format("There is no bookmark {}; Ctrl+{} sets it", key.number, key.number));

@@ -193,6 +193,8 @@ void Viewer::show(Opening::Opened opened)
         home, stage_.settings, aspect());
     device_.waitIdle();
 
+    for (const auto& [number, camera] : bookmarks_.of(input))
+        next->navigation().setBookmark(number, camera);
     stage_.difference.reset();
     former_.reset();
     if (isSame && isBaked) {
@@ -212,10 +214,11 @@ void Viewer::show(Opening::Opened opened)
     stage_.picked.reset();
     stage_.hand.forget();
     stage_.error.clear();
+    // What was grown elsewhere can be grown again here, once its ground is named.
     if (isBaked || wantsBaking(input))
         stage_.meadow.ground = input;
     else if (!isSame)
-        stage_.meadow.ground.clear();
+        stage_.meadow = wishesOf(*exhibit_->field().view.provenance);
     if (path.size() > 1 && !isSame)
         recorder_.play(std::move(path));
     if (frame.watch) {
@@ -229,6 +232,7 @@ void Viewer::show(Opening::Opened opened)
         firstShown_ = lastTitle_;
     isFirstInput_ = false;
     recent_.add(input);
+    bookmarks_.keepOnly(recent_.inputs());
 }
 
 void Viewer::watch()

@@ -19,7 +19,8 @@ void drawCameraPanel(Controls& controls, Stage& stage)
                   "Of flying with the right button held; the wheel changes it meanwhile");
     controls.section("Bookmarks");
     controls.note("1 to 9 recall a place, Ctrl+1 to Ctrl+9 set it. At first 1 is the whole field, "
-                  "2 at eye level, 3 from above, 4 from its border, then those of the field.");
+                  "2 at eye level, 3 from above, 4 from its border, then those of the field. They "
+                  "are there again in the next run.");
 
     controls.section("Path");
     controls.text("File", stage.pathFile, "camera_path.json",
