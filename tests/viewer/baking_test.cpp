@@ -1,6 +1,6 @@
 #include "apps/common/progress_bar.h"
 #include "apps/sward_view/baking.h"
-#include "apps/sward_view/stage.h"
+#include "apps/sward_view/meadow_wishes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -57,5 +57,15 @@ TEST(InternalResolution, NeverDrawsLessThanAFifth)
     EXPECT_EQ(settled(resolution, 5.0, 5.0), InternalResolution::lowest);
 }
 
+TEST(ThinnedForScale, ThinsWithThePixelsUpToFourTimes)
+{
+    const render::FrameSettings all;
+    const float threshold = all.lodThreshold;
+    EXPECT_FLOAT_EQ(thinnedForScale(all, 1.0).lodThreshold, threshold);
+    EXPECT_FLOAT_EQ(thinnedForScale(all, 0.5).lodThreshold, 2.0f * threshold);
+    EXPECT_FLOAT_EQ(thinnedForScale(all, 0.2).lodThreshold, 4.0f * threshold);
+    EXPECT_TRUE(thinnedForScale(all, 1.0).leavesThinned);
+}
+
 } // namespace
 } // namespace sward::view

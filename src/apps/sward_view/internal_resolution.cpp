@@ -10,6 +10,9 @@ constexpr double ratio = 0.8;      ///< from one scale to the next lower
 constexpr double tolerance = 1.15; ///< a frame may take so much longer than wanted
 constexpr double room = 0.6;       ///< share of the wanted time below which more pixels fit
 
+// Blades are thinned by so much more at most: wider ones would look like leaves.
+constexpr double mostThinning = 4.0;
+
 // The nearest of the scales that there are, not above `scale`.
 double stepBelow(double scale)
 {
@@ -34,6 +37,13 @@ void InternalResolution::add(double seconds)
         return;
     quick_ = 0;
     scale_ = std::min(stepBelow(scale_) / ratio, highest);
+}
+
+render::FrameSettings thinnedForScale(render::FrameSettings settings, double scale)
+{
+    settings.leavesThinned = true;
+    settings.lodThreshold *= static_cast<float>(std::min(1.0 / scale, mostThinning));
+    return settings;
 }
 
 } // namespace sward::view

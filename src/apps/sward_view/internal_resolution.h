@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/frame_settings.h"
+
 namespace sward::view {
 
 /// How many of the window's pixels are drawn, so that frames come often enough: on a CPU a picture
@@ -29,5 +31,10 @@ private:
     double scale_;
     int quick_ = 0; ///< frames in a row that left room for more pixels
 };
+
+/// Settings for a picture of `scale` (0, 1] of the width and height, on a CPU: blades are thinned
+/// as much more as its pixels are larger, at most by 4, and those left out are not moved. What they
+/// cost then follows from the pixels.
+render::FrameSettings thinnedForScale(render::FrameSettings settings, double scale);
 
 } // namespace sward::view

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/sward_view/baking.h"
+#include "apps/sward_view/meadow_wishes.h"
 #include "apps/sward_view/shown_field.h"
-#include "apps/sward_view/stage.h"
 
 #include <memory>
 #include <optional>

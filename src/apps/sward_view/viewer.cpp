@@ -31,10 +31,6 @@ constexpr double wantedOnGpu = 1.0 / 30.0;
 // A first frame on a CPU that shows something soon; where there is room, more pixels follow.
 constexpr double beginOnCpu = 0.4;
 
-// Where fewer pixels are drawn on a CPU, blades are thinned as if they were so many times thinner
-// still, at most: wider ones would look like leaves.
-constexpr double mostThinning = 4.0;
-
 // Time of the field that may pass in a frame [s]: two steps of the physics, and what it takes at
 // once.
 constexpr double longestOnCpu = 2.0 * static_cast<double>(shared::longestStep);
@@ -198,18 +194,6 @@ double Viewer::scaleOfFrame() const
     return capture_.wantsFrame() ? 1.0 : static_cast<double>(stage_.scale);
 }
 
-render::FrameSettings Viewer::settingsOfFrame() const
-{
-    // Pixels are not all that a CPU can spare: of blades that are thinner than a pixel of few, few
-    // are enough.
-    render::FrameSettings settings = stage_.settings;
-    if (device_.isCpu() && stage_.automaticScale) {
-        settings.leavesThinned = true;
-        settings.lodThreshold *= static_cast<float>(std::min(1.0 / scaleOfFrame(), mostThinning));
-    }
-    return settings;
-}
-
 bool Viewer::draw()
 {
     // No image, no frame: an acquired image must be presented, a begun frame submitted.
@@ -228,7 +212,11 @@ bool Viewer::draw()
         stage_.counts = exhibit_->renderer().stats(frame.slot);
     timestamps_.beginFrame(frame.commands, frame.slot);
     if (exhibit_) {
-        const render::FrameSettings settings = settingsOfFrame();
+        // Pixels are not all that a CPU can spare.
+        const render::FrameSettings settings =
+            device_.isCpu() && stage_.automaticScale
+                ? thinnedForScale(stage_.settings, scaleOfFrame())
+                : stage_.settings;
         gpu::transition(frame.commands, picture_.image(), gpu::ImageUse::undefined,
                         gpu::ImageUse::colorTarget);
         {

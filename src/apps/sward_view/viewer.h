@@ -55,7 +55,6 @@ private:
     void keepTime();
     void tell();
     double scaleOfFrame() const;
-    render::FrameSettings settingsOfFrame() const;
     float aspect() const;
 
     // viewer_input.cpp: what the user does
@@ -72,7 +71,6 @@ private:
     void fulfilFiles(const Wishes& wishes);
     void open(const std::string& input);
     void takeOpened();
-    render::Geometry geometry() const;
     void show(Opening::Opened opened);
     void watch();
     void complain(const std::string& message);

@@ -18,6 +18,15 @@ namespace {
 
 constexpr double watchInterval = 0.25; ///< [s] between looks at watched files
 
+// Of few pixels each is shaded once: on a CPU that is worth more than the tessellator's speed.
+render::Geometry geometryFor(const gpu::Device& device, VkFormat format, bool fewPixels)
+{
+    return device.isCpu() && fewPixels &&
+                   render::obstacleToRaster(device.context(), format) == nullptr
+               ? render::Geometry::raster
+               : render::Geometry::automatic;
+}
+
 } // namespace
 
 void Viewer::complain(const std::string& message)
@@ -161,15 +170,6 @@ void Viewer::takeOpened()
     }
 }
 
-render::Geometry Viewer::geometry() const
-{
-    // Of few pixels each is shaded once: on a CPU that is worth more than the tessellator's speed.
-    const bool fewPixels = device_.isCpu() && stage_.automaticScale;
-    return fewPixels && render::obstacleToRaster(device_.context(), swapchain_.format()) == nullptr
-               ? render::Geometry::raster
-               : render::Geometry::automatic;
-}
-
 void Viewer::show(Opening::Opened opened)
 {
     const FrameOptions& frame = *options_.frame;
@@ -185,11 +185,12 @@ void Viewer::show(Opening::Opened opened)
     const render::Camera home = path.at(0.0);
     auto next = std::make_unique<Exhibit>(
         device_, std::move(opened.field),
-        render::FieldRenderer::Settings{.colorFormat = swapchain_.format(),
-                                        .samples = frame.samples.value_or(device_.isCpu() ? 1 : 4),
-                                        .framesInFlight = 2,
-                                        .geometry = geometry(),
-                                        .recordFates = true},
+        render::FieldRenderer::Settings{
+            .colorFormat = swapchain_.format(),
+            .samples = frame.samples.value_or(device_.isCpu() ? 1 : 4),
+            .framesInFlight = 2,
+            .geometry = geometryFor(device_, swapchain_.format(), stage_.automaticScale),
+            .recordFates = true},
         home, stage_.settings, aspect());
     device_.waitIdle();
 

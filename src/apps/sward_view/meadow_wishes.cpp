@@ -1,4 +1,4 @@
-#include "apps/sward_view/stage.h"
+#include "apps/sward_view/meadow_wishes.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
