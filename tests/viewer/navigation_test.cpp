@@ -4,6 +4,9 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace sward::view {
 namespace {
 
@@ -154,6 +157,20 @@ TEST_F(NavigationOnABall, WalksAllAroundIt)
         farthest = std::min(farthest, glm::dot(start, glm::normalize(navigation.camera().eye)));
     }
     EXPECT_LT(farthest, -0.99) << "it has been on the other side";
+}
+
+TEST(HeadingOf, AViewIsWhereItGoesOverTheGround)
+{
+    render::Camera camera;
+    camera.eye = {0.0, 5.0, 0.0};
+    camera.target = {10.0, 0.0, 0.0};
+    EXPECT_NEAR(headingOf(camera), 0.0f, 1e-6f);
+    camera.target = {0.0, 4.0, 3.0};
+    EXPECT_NEAR(headingOf(camera), 0.5f * std::numbers::pi_v<float>, 1e-6f);
+    // From above, the upper edge of the picture.
+    camera.target = {0.0, 0.0, 0.0};
+    camera.up = {-1.0f, 0.0f, 0.0f};
+    EXPECT_NEAR(std::abs(headingOf(camera)), std::numbers::pi_v<float>, 1e-6f);
 }
 
 } // namespace

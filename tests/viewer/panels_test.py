@@ -133,6 +133,21 @@ class PanelsTest(unittest.TestCase):
         subprocess.run([VIEWER, "render", self.field, "-o", self.folder / "storm.png", "--settings",
                         saved, "--size", "32x32", "-q"], check=True)
 
+    def test_the_wind_follows_the_arrow_that_is_dragged(self):
+        viewer = self.open(self.field, "--panel", "wind")
+        viewer.key("Home")
+        dial = viewer.wait(lambda: viewer.controls().get("Wind/1/Heading"), "there is a compass")
+        middle = (dial["x"] + dial["width"] / 2, dial["y"] + dial["height"] / 2)
+        headings = []
+        for x, y in ((0, -1), (1, 0)):
+            viewer.drag([round(m) for m in middle],
+                        [round(m + 24 * d) for m, d in zip(middle, (x, y))])
+            headings.append(float(viewer.shows("Wind/1/Heading")))
+            self.assertAlmostEqual(headings[-1], float(viewer.shows("Wind/1/Direction")), delta=1)
+        # A quarter to the right of where the camera looks.
+        self.assertAlmostEqual((headings[1] - headings[0]) % 360, 90, delta=3)
+        self.assert_ends_well(viewer)
+
     def test_a_picture_is_taken_without_panels(self):
         viewer = self.open(self.field, "--panel", "capture")
         viewer.key("p")

@@ -185,4 +185,14 @@ bool Navigation::showBookmark(int number)
     return true;
 }
 
+float headingOf(const render::Camera& camera)
+{
+    constexpr double steep = 0.05; // of a view that has hardly a heading of its own
+    const glm::dvec3 view = glm::normalize(camera.target - camera.eye);
+    glm::dvec3 flat = view;
+    if (std::hypot(view.x, view.z) < steep)
+        flat = glm::dvec3(camera.up) * (view.y < 0.0 ? 1.0 : -1.0);
+    return static_cast<float>(std::atan2(flat.z, flat.x));
+}
+
 } // namespace sward::view

@@ -58,4 +58,8 @@ private:
     std::array<std::optional<render::Camera>, 9> bookmarks_;
 };
 
+/// Where a view goes over the plane of x and z [rad]: 0 is +x, π/2 is +z. Of a view straight down,
+/// where its upper edge lies.
+float headingOf(const render::Camera& camera);
+
 } // namespace sward::view

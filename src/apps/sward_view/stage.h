@@ -85,8 +85,9 @@ struct Stage {
     std::optional<BakeDifference> difference;
     bool showsFormer = false; ///< the field before the last bake
     std::optional<PickedBlade> picked;
-    std::string error;  ///< stays until it is closed
-    std::string notice; ///< goes by itself
+    std::string error;    ///< stays until it is closed
+    std::string notice;   ///< goes by itself
+    float heading = 0.0f; ///< [rad] of the view: 0 is +x, π/2 is +z
     bool walking = false;
     bool recording = false;
     bool replaying = false;

@@ -275,8 +275,10 @@ void Viewer::tell()
     if (!exhibit_)
         return;
     stage_.deviceBytes = exhibit_->renderer().deviceBytes();
-    stage_.walking = exhibit_->navigation().isWalking();
-    stage_.flySpeed = exhibit_->navigation().speed();
+    const Navigation& navigation = exhibit_->navigation();
+    stage_.heading = headingOf(navigation.camera());
+    stage_.walking = navigation.isWalking();
+    stage_.flySpeed = navigation.speed();
 
     const double seconds = secondsBetween(lastTitle_, now);
     if (seconds < titleInterval || frames_ <= framesInFlight)

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@ namespace {
 
 constexpr float labelShare = 0.40f;    ///< of a panel's width
 constexpr float tooltipWidth = 300.0f; ///< [pixels]
+constexpr float dialSize = 64.0f;      ///< [pixels] of a compass
 
 std::string hidden(const char* name)
 {
@@ -197,6 +199,47 @@ bool Controls::direction(const char* name, glm::vec3& value, const char* about)
     value = {flat * std::cos(glm::radians(heading)), std::sin(glm::radians(rise)),
              flat * std::sin(glm::radians(heading))};
     return true;
+}
+
+bool Controls::compass(const char* name, glm::vec3& value, float ahead, const char* about)
+{
+    label(name);
+    const float flat = std::hypot(value.x, value.z);
+    float heading = flat > 1e-6f ? std::atan2(value.z, value.x) : ahead;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton(hidden(name).c_str(), {dialSize, dialSize});
+    const ImVec2 middle{corner.x + 0.5f * dialSize, corner.y + 0.5f * dialSize};
+
+    // Clockwise from up, as one looks down on the ground.
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const glm::vec2 pull(mouse.x - middle.x, mouse.y - middle.y);
+    const bool turned = ImGui::IsItemActive() && glm::length(pull) > 2.0f;
+    if (turned) {
+        heading = ahead + std::atan2(pull.x, -pull.y);
+        // Straight up it has no heading that could be kept otherwise.
+        const float length = std::max(flat, 1e-4f);
+        value = glm::normalize(
+            glm::vec3(length * std::cos(heading), value.y, length * std::sin(heading)));
+    }
+
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool isLit = ImGui::IsItemActive() || ImGui::IsItemHovered();
+    list.AddCircleFilled(middle, 0.5f * dialSize, style_.packed(palette::raised, 1.0f));
+    list.AddCircle(middle, 0.5f * dialSize, style_.packed(palette::dim, 0.5f));
+    const float angle = heading - ahead;
+    const glm::vec2 way(std::sin(angle), -std::cos(angle));
+    const glm::vec2 across(-way.y, way.x);
+    const auto point = [&](float along, float aside) {
+        const glm::vec2 at = 0.5f * dialSize * (along * way + aside * across);
+        return ImVec2(middle.x + at.x, middle.y + at.y);
+    };
+    const ImU32 color = style_.packed(isLit ? palette::warm : palette::accent, 1.0f);
+    list.AddLine(point(-0.75f, 0.0f), point(0.4f, 0.0f), color, 2.5f);
+    list.AddTriangleFilled(point(0.85f, 0.0f), point(0.3f, 0.28f), point(0.3f, -0.28f), color);
+    const float degrees = std::remainder(glm::degrees(heading), 360.0f);
+    finish(name, fmt::format("{:.0f}", degrees),
+           std::string(about) + "\ndrag the arrow; up is where the camera looks");
+    return turned;
 }
 
 bool Controls::button(const char* name, const char* about, bool wide)

@@ -54,6 +54,10 @@ public:
     /// A unit vector by two angles: around the vertical and above the horizon.
     bool direction(const char* name, glm::vec3& value, const char* about);
 
+    /// The heading of a unit vector by an arrow that is dragged around: up on the dial is where
+    /// `ahead` [rad] points, the heading of the view. How much it rises stays.
+    bool compass(const char* name, glm::vec3& value, float ahead, const char* about);
+
     /// As wide as the panel, or as its text.
     bool button(const char* name, const char* about, bool wide = false);
 

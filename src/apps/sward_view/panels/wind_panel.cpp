@@ -20,7 +20,7 @@ constexpr std::array<const char*, shared::windKinds> kindAbout{
     "Fronts that rise quickly and die away slowly"};
 
 // Only what this kind of wind uses.
-void drawSource(Controls& controls, render::WindSource& wind)
+void drawSource(Controls& controls, render::WindSource& wind, float ahead)
 {
     shared::WindSource& s = wind.source;
     int kind = static_cast<int>(s.kind);
@@ -32,10 +32,12 @@ void drawSource(Controls& controls, render::WindSource& wind)
     controls.number("Strength", s.strength, {0.0f, 40.0f, "1/s", "%.1f"},
                     "Largest pull on a blade across it, in its heights per second");
     const bool isRound = s.kind == shared::windRadial || s.kind == shared::windSwirl;
-    if (isRound)
+    if (isRound) {
         controls.place("Centre", wind.centre, "Where the rings begin");
-    else
+    } else {
+        controls.compass("Heading", s.direction, ahead, "Where it blows to");
         controls.direction("Direction", s.direction, "Where it blows to: 0 is +x, 90 is +z");
+    }
     if (s.kind == shared::windTurning) {
         controls.number("Rate", s.rate, {0.0f, 10.0f, "rad/s"}, "Of the sine");
         controls.number("Turn", s.turn, {-5.0f, 5.0f, "rad/s"},
@@ -74,7 +76,7 @@ void drawWindPanel(Controls& controls, Stage& stage)
         ImGui::PushID(static_cast<int>(i));
         controls.section(fmt::format("Source {}", i + 1).c_str());
         controls.beginPanel(fmt::format("Wind/{}", i + 1));
-        drawSource(controls, winds[i]);
+        drawSource(controls, winds[i], stage.heading);
         if (controls.button("Remove", "Takes this source away"))
             removed = i;
         ImGui::PopID();
