@@ -33,9 +33,9 @@ class PanelsTest(unittest.TestCase):
         self.display = Display()
         self.addCleanup(self.display.close)
 
-    def open(self, *arguments, wait=True):
+    def open(self, *arguments, wait=True, environment=None):
         viewer = Viewer(VIEWER, self.display, self.folder,
-                        [*arguments, "--size", "{}x{}".format(*SIZE)])
+                        [*arguments, "--size", "{}x{}".format(*SIZE)], environment)
         self.addCleanup(viewer.close)
         if wait:
             viewer.wait_for_field()
@@ -149,12 +149,50 @@ class PanelsTest(unittest.TestCase):
         self.assert_ends_well(viewer)
 
     def test_a_picture_is_taken_without_panels(self):
-        viewer = self.open(self.field, "--panel", "capture")
+        viewer = self.open(self.field, "--panel", "capture", environment={"PATH": ""})
+        viewer.press("Film", panel="Capture")
+        self.assertEqual(viewer.shows("Capture/Film"), "off", "there is no ffmpeg")
         viewer.key("p")
         picture = self.folder / "sward.png"
         viewer.wait(picture.exists, "the picture is written")
         width, height = (int.from_bytes(picture.read_bytes()[at:at + 4], "big") for at in (16, 20))
         self.assertEqual((width, height), SIZE, "with every pixel of the window")
+        self.assert_ends_well(viewer)
+
+    def ffmpeg(self, script):
+        """A program of that name in a folder of its own; the variable PATH with it in front."""
+        programs = self.folder / "programs"
+        programs.mkdir(exist_ok=True)
+        (programs / "ffmpeg").write_text("#!/bin/sh\n" + script)
+        (programs / "ffmpeg").chmod(0o755)
+        return {"PATH": f"{programs}:{os.environ['PATH']}"}
+
+    def take_film(self, viewer):
+        viewer.press("Film", panel="Capture")
+        viewer.set("Pictures", "Capture", 0.02)
+        viewer.wait_for_value("Capture/Pictures", lambda shown: int(shown) < 5, "few pictures")
+        self.pictures = int(viewer.shows("Capture/Pictures"))
+        viewer.press("Take sequence", panel="Capture")
+
+    def test_a_film_is_made_by_ffmpeg(self):
+        # Stands in for it: notes what it is asked for, and writes what it is given.
+        viewer = self.open(self.field, "--panel", "capture", environment=self.ffmpeg(
+            'for last; do :; done; echo "$@" >asked.txt; cat >"$last"'))
+        self.take_film(viewer)
+        film = self.folder / "sward.mp4"
+        viewer.wait(film.exists, "the film is there")
+        self.assertEqual(film.stat().st_size, self.pictures * SIZE[0] * SIZE[1] * 4)
+        asked = (self.folder / "asked.txt").read_text()
+        self.assertIn("-video_size {}x{} -framerate 30 ".format(*SIZE), asked)
+        self.assertEqual(list(self.folder.glob("*.part*")), [])
+        self.assert_ends_well(viewer)
+
+    def test_a_film_that_cannot_be_written_is_told(self):
+        viewer = self.open(self.field, "--panel", "capture", environment=self.ffmpeg(
+            'for last; do :; done; echo half >"$last"; echo "No space left on device" >&2; exit 1'))
+        self.take_film(viewer)
+        viewer.wait_for_value("Message/Error", lambda shown: "No space left" in shown, "it complains")
+        self.assertEqual(list(self.folder.glob("*.part*")), [], "nothing half written is left")
         self.assert_ends_well(viewer)
 
     def test_a_click_tells_of_a_blade(self):

@@ -15,7 +15,36 @@ void Capture::takeSequence(const std::string& names, std::uint64_t pictures, dou
     if (!numbered.numbered())
         fail(ErrorKind::usage, "{}: has no number in it; write %d or %04d where it shall stand",
              names);
-    sequence_.emplace(Sequence{std::move(numbered), pictures, step});
+    sequence_.emplace(Sequence{std::move(numbered), {}, pictures, step, 0, nullptr});
+}
+
+void Capture::takeFilm(std::filesystem::path path, std::uint64_t pictures, double step)
+{
+    sequence_.emplace(Sequence{std::nullopt, std::move(path), pictures, step, 0, nullptr});
+}
+
+std::string Capture::stopSequence()
+{
+    if (!sequence_)
+        return {};
+    const Sequence ended = *std::exchange(sequence_, std::nullopt);
+    if (!ended.film)
+        return {};
+    ended.film->finish();
+    return fmt::format("{}: a film of {} pictures", ended.filmPath.string(), ended.next);
+}
+
+void Capture::add(const Picture& picture)
+{
+    Sequence& sequence = *sequence_;
+    if (sequence.names) {
+        writePng(picture, sequence.names->of(sequence.next), true);
+    } else {
+        if (!sequence.film)
+            sequence.film = std::make_unique<Film>(sequence.filmPath, picture.size, sequence.step);
+        sequence.film->add(picture);
+    }
+    ++sequence.next;
 }
 
 std::string Capture::write(const gpu::DeviceContext& context, const gpu::Image& image)
@@ -31,15 +60,19 @@ std::string Capture::write(const gpu::DeviceContext& context, const gpu::Image& 
         return said;
     // A disk that is full ends the sequence, not the window.
     try {
-        writePng(picture, sequence_->names.of(sequence_->next), true);
+        add(picture);
+        if (sequence_->next == sequence_->pictures) {
+            const std::string last =
+                sequence_->names ? fmt::format("{}: the last of {} pictures",
+                                               sequence_->names->of(sequence_->next - 1).string(),
+                                               sequence_->pictures)
+                                 : std::string();
+            const std::string film = stopSequence();
+            said = film.empty() ? last : film;
+        }
     } catch (const Error&) {
         sequence_.reset();
         throw;
-    }
-    if (++sequence_->next == sequence_->pictures) {
-        said = fmt::format("{}: the last of {} pictures",
-                           sequence_->names.of(sequence_->next - 1).string(), sequence_->pictures);
-        sequence_.reset();
     }
     return said;
 }

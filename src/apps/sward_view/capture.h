@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/sward_view/film.h"
 #include "apps/sward_view/frame_names.h"
 #include "apps/sward_view/png.h"
 #include "gpu/context.h"
@@ -7,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -19,7 +21,13 @@ public:
 
     /// Throws Error{usage} if the names have no number in them.
     void takeSequence(const std::string& names, std::uint64_t pictures, double step);
-    void stopSequence() { sequence_.reset(); }
+
+    /// The same as a film.
+    void takeFilm(std::filesystem::path path, std::uint64_t pictures, double step);
+
+    /// A film then has the pictures that it has; what there is to tell about it, or nothing. Throws
+    /// Error{io}.
+    std::string stopSequence();
 
     /// Whether the frame that comes is wanted, with every pixel of the window.
     bool wantsFrame() const { return picture_ || sequence_; }
@@ -37,11 +45,15 @@ public:
 
 private:
     struct Sequence {
-        FrameNames names;
+        std::optional<FrameNames> names; ///< none: a film
+        std::filesystem::path filmPath;
         std::uint64_t pictures;
         double step;
         std::uint64_t next = 0;
+        std::unique_ptr<Film> film; ///< once its size is known
     };
+
+    void add(const Picture& picture);
 
     std::optional<std::filesystem::path> picture_;
     std::optional<Sequence> sequence_;

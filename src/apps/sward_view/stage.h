@@ -65,6 +65,8 @@ struct Stage {
     std::string pictureFile = "sward.png";
     std::string sequenceFiles = "frame_%04d.png";
     std::string pathFile = "camera_path.json";
+    std::string filmFile = "sward.mp4";
+    bool makesFilm = false;            ///< of a sequence, instead of numbered pictures
     int sequenceLength = 120;          ///< frames
     float sequenceStep = 1.0f / 30.0f; ///< [s]
     bool showWindArrows = false;
@@ -85,9 +87,10 @@ struct Stage {
     std::optional<BakeDifference> difference;
     bool showsFormer = false; ///< the field before the last bake
     std::optional<PickedBlade> picked;
-    std::string error;    ///< stays until it is closed
-    std::string notice;   ///< goes by itself
-    float heading = 0.0f; ///< [rad] of the view: 0 is +x, π/2 is +z
+    std::string error;      ///< stays until it is closed
+    std::string notice;     ///< goes by itself
+    bool hasFfmpeg = false; ///< which makes films
+    float heading = 0.0f;   ///< [rad] of the view: 0 is +x, π/2 is +z
     bool walking = false;
     bool recording = false;
     bool replaying = false;

@@ -98,6 +98,7 @@ Viewer::Viewer(Window& window, const ViewerOptions& options)
     stage_.times = &timestamps_;
     stage_.recent = &recent_;
     stage_.device = device_.context().name;
+    stage_.hasFfmpeg = !Film::program().empty();
     if (!options.frame->settingsFile.empty())
         stage_.settingsFile = options.frame->settingsFile;
     for (std::size_t i = 0; i < std::size(meadowNames); ++i)

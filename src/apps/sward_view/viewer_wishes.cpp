@@ -126,12 +126,14 @@ void Viewer::fulfilFiles(const Wishes& wishes)
     if (wishes.record)
         record();
     if (wishes.sequence) {
+        const auto pictures = static_cast<std::uint64_t>(stage_.sequenceLength);
+        const auto step = static_cast<double>(stage_.sequenceStep);
         if (capture_.isSequence())
-            capture_.stopSequence();
+            notice(capture_.stopSequence());
+        else if (stage_.makesFilm)
+            capture_.takeFilm(stage_.filmFile, pictures, step);
         else
-            capture_.takeSequence(stage_.sequenceFiles,
-                                  static_cast<std::uint64_t>(stage_.sequenceLength),
-                                  static_cast<double>(stage_.sequenceStep));
+            capture_.takeSequence(stage_.sequenceFiles, pictures, step);
     }
 }
 

@@ -13,8 +13,18 @@ void drawCapturePanel(Controls& controls, Stage& stage)
         stage.wishes.picture = true;
 
     controls.section("Sequence");
-    controls.text("Picture names", stage.sequenceFiles, "frame_%04d.png",
-                  "With %d or %04d for the number");
+    ImGui::BeginDisabled(!stage.hasFfmpeg);
+    controls.toggle("Film", stage.makesFilm,
+                    stage.hasFfmpeg ? "ffmpeg makes a film of the pictures while they come"
+                                    : "Needs the program ffmpeg, which is not installed here "
+                                      "(Debian: apt install ffmpeg)");
+    ImGui::EndDisabled();
+    if (stage.makesFilm)
+        controls.text("Film file", stage.filmFile, "sward.mp4",
+                      "Its ending says in which format: .mp4, .mkv, .webm, .gif");
+    else
+        controls.text("Picture names", stage.sequenceFiles, "frame_%04d.png",
+                      "With %d or %04d for the number");
     controls.wholeNumber("Pictures", stage.sequenceLength, 1, 10'000, "How many");
     controls.number("Apart", stage.sequenceStep, {0.001f, 1.0f, "s", "%.4f", true},
                     "Time of the field from picture to picture");
@@ -24,7 +34,8 @@ void drawCapturePanel(Controls& controls, Stage& stage)
         stage.wishes.sequence = true;
     if (runs)
         controls.note(fmt::format("{} of {} pictures", stage.sequenceDone, stage.sequenceLength));
-    controls.note("ffmpeg -framerate 30 -i frame_%04d.png sward.mp4 makes a film of them.");
+    if (!stage.hasFfmpeg)
+        controls.note("ffmpeg -framerate 30 -i frame_%04d.png sward.mp4 makes a film of them.");
 
     controls.section("Settings");
     controls.text("Settings file", stage.settingsFile, "settings.json",
