@@ -1,6 +1,7 @@
 """What can be opened in the viewer's window, and what goes wrong with it."""
 
 import os
+import resource
 import shutil
 import signal
 import subprocess
@@ -40,9 +41,9 @@ class OpeningTest(unittest.TestCase):
         self.scratch = self.folder / "scratch"
         self.scratch.mkdir()
 
-    def open(self, *arguments, field=True):
+    def open(self, *arguments, field=True, **process):
         viewer = Viewer(VIEWER, self.display, self.folder, [*arguments, "--size", "800x600"],
-                        {"TMPDIR": str(self.scratch)})
+                        {"TMPDIR": str(self.scratch)}, **process)
         self.addCleanup(viewer.close)
         if field:
             viewer.wait_for_field()
@@ -120,6 +121,18 @@ class OpeningTest(unittest.TestCase):
                     viewer.click("Meadow/Cancel")
                     viewer.wait(lambda: "Meadow/Cancel" not in viewer.controls(), "it has ended")
                 self.assertIsNone(viewer.process.poll())
+        self.assert_ends_well(viewer)
+
+    def test_a_disk_that_is_full_ends_a_bake_and_harms_nothing(self):
+        # No file may grow beyond a limit; that says so, since the signal for it stays ignored.
+        viewer = self.open(self.field, restore_signals=False)
+        self.set_ground(viewer, "hills")
+        _, most = resource.prlimit(viewer.process.pid, resource.RLIMIT_FSIZE)
+        resource.prlimit(viewer.process.pid, resource.RLIMIT_FSIZE, (100_000, most))
+        viewer.press("Bake again", panel="Meadow")
+        viewer.wait_for_value("Message/Error", lambda shown: "field.sward" in shown, "it complains")
+        viewer.open_panel("Field")
+        self.assertTrue(viewer.shows("Field/File").endswith("hills.sward"), "the field is kept")
         self.assert_ends_well(viewer)
 
     def child_of(self, viewer):

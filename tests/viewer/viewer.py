@@ -11,7 +11,7 @@ from display import PATIENCE, wait_until
 class Viewer:
     """A running viewer, under the validation layer, that tells where its controls are."""
 
-    def __init__(self, program, display, folder, arguments, environment=None):
+    def __init__(self, program, display, folder, arguments, environment=None, **process):
         self.display = display
         self.told = folder / f"controls-{time.monotonic_ns()}.json"
         self.errors = open(folder / f"stderr-{time.monotonic_ns()}.txt", "w+")
@@ -19,7 +19,7 @@ class Viewer:
             [program, *map(str, arguments), "--validation", "--controls", self.told],
             env={**os.environ, "DISPLAY": display.name, "XDG_STATE_HOME": str(folder / "state"),
                  **(environment or {})},
-            stderr=self.errors, text=True, cwd=folder)
+            stderr=self.errors, text=True, cwd=folder, **process)
         self.window = None
 
     def said(self):

@@ -1,0 +1,73 @@
+"""What becomes of the programs when the device is lost: a message, exit code 4, nothing half written.
+A layer of our own plays the driver that gives up, after so many submissions."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from display import Display  # noqa: E402
+
+SWARD = os.environ["SWARD_PROGRAM"]
+VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
+RUNTIME = 4
+
+
+def losing_after(submissions):
+    return {**os.environ, "VK_ADD_LAYER_PATH": os.environ["SWARD_TEST_LAYERS"],
+            "VK_INSTANCE_LAYERS": "VK_LAYER_SWARD_lost_device",
+            "SWARD_LOST_AFTER": str(submissions)}
+
+
+class LostDeviceTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="sward-lost-")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.field = self.folder / "hills.sward"
+        subprocess.run([SWARD, "bake", "hills", "--count", "1000", "--blade-scale", "8", "-o",
+                        self.field, "-q"], check=True)
+
+    def assert_told(self, code, said):
+        self.assertEqual(code, RUNTIME, said)
+        self.assertIn("the device was lost", said)
+        self.assertEqual(len([line for line in said.splitlines() if "error" in line]), 1, said)
+
+    def test_a_picture_is_whole_or_not_there(self):
+        # While it uploads, while it draws the first picture, between pictures.
+        for submissions in (0, 2, 6, 12):
+            with self.subTest(submissions=submissions):
+                done = subprocess.run(
+                    [VIEWER, "render", self.field, "-o", self.folder / "p_%d.png", "--frames",
+                     "0:20", "--size", "48x32"], env=losing_after(submissions),
+                    capture_output=True, text=True, timeout=120)
+                self.assert_told(done.returncode, done.stderr)
+                self.assertEqual(done.stdout, "")
+                written = sorted(path.name for path in self.folder.iterdir())
+                written.remove(self.field.name)
+                self.assertEqual(written, [f"p_{i}.png" for i in range(len(written))])
+                for name in written:
+                    picture = (self.folder / name).read_bytes()
+                    self.assertTrue(picture.endswith(b"IEND\xaeB`\x82"), f"{name} is cut off")
+                    (self.folder / name).unlink()
+
+    def test_the_window_tells_and_ends(self):
+        display = Display()
+        self.addCleanup(display.close)
+        begin = time.monotonic()
+        done = subprocess.run(
+            [VIEWER, self.field, "--size", "320x240", "--exit-after", "100"],
+            env={**losing_after(30), "DISPLAY": display.name,
+                 "XDG_STATE_HOME": str(self.folder / "state")},
+            capture_output=True, text=True, timeout=120)
+        self.assert_told(done.returncode, done.stderr)
+        self.assertLess(time.monotonic() - begin, 90, "it has not waited to be closed")
+        self.assertEqual(list(self.folder.glob("**/*.part*")), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
