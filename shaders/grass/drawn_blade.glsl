@@ -24,8 +24,8 @@ float segmentsOf(Ribbon ribbon, uint shape, float heightPixels, float widthPixel
                        float(FRAME.maxTessellation));
 }
 
-/// `blade` is the visible one, unpacked.
-DrawnBlade drawnBlade(VisibleBlade visible, Blade blade)
+/// `blade` is the visible one, unpacked, and `state` its own.
+DrawnBlade drawnBlade(VisibleBlade visible, Blade blade, BladeState state)
 {
     const Species species = FRAME.species.at[blade.species];
     DrawnBlade drawn;
@@ -33,7 +33,7 @@ DrawnBlade drawnBlade(VisibleBlade visible, Blade blade)
     drawn.species = species;
 
     const vec3 axis = widthAxis(blade.up, blade.facing);
-    const Pose pose = poseOfState(blade.up, frontOf(blade.up, axis), FRAME.states.at[visible.blade]);
+    const Pose pose = poseOfState(blade.up, frontOf(blade.up, axis), state);
     Ribbon ribbon;
     ribbon.v0 = blade.root;
     ribbon.v1 = blade.root + blade.height * pose.v1;
@@ -46,6 +46,11 @@ DrawnBlade drawnBlade(VisibleBlade visible, Blade blade)
                                segmentsOf(ribbon, species.shape, visible.pixels, widthPixels));
     drawn.ribbon = ribbon;
     return drawn;
+}
+
+DrawnBlade drawnBlade(VisibleBlade visible, Blade blade)
+{
+    return drawnBlade(visible, blade, FRAME.states.at[visible.blade]);
 }
 
 DrawnBlade drawnBlade(VisibleBlade visible)

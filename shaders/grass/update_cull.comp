@@ -1,15 +1,15 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_buffer_reference_uvec2 : require
-// Moves the blades of one patch, judges each, and lists those that are to be drawn. One work-group
-// per patch that owns blades; survivors gather in shared memory, so that a patch costs one atomic
+// Moves the blades of the live patches, judges each, and lists those that are to be drawn. One
+// work-group per patch at a time; survivors gather in shared memory, so that a patch costs one atomic
 // on the list. Nothing here depends on the size of a subgroup.
 #include "shaders/shared/passes.h"
 #include "shaders/shared/visibility.h"
 
 layout(local_size_x = updateThreads) in;
 layout(push_constant, scalar) uniform Block { UpdatePush push; };
-#define FRAME push.frame.at[0]
+#define JUDGED push.judged.at[0]
 
 #include "shaders/culling/hidden.glsl"
 
@@ -18,7 +18,10 @@ layout(push_constant, scalar) uniform Block { UpdatePush push; };
 layout(constant_id = 0) const uint windCounts = 0u;
 layout(constant_id = 1) const bool hasColliders = false;
 
-shared uint fateTally[fateCount];
+shared uint fateTally[fateCount]; // of one patch
+shared uint fateSums[fateCount];  // of all patches of the group
+shared uint simulatedSum;
+shared uint mostFilled;
 shared uint listBase;
 shared VisibleBlade survivors[maxPatchBlades];
 shared uint colliderBits[colliderWords];
@@ -32,8 +35,8 @@ ColliderMask collidersNear(Patch cell, float elapsed, uint thread)
     if (thread < colliderWords)
         colliderBits[thread] = 0u;
     barrier();
-    for (uint i = thread; i < FRAME.nature.colliderCount; i += updateThreads)
-        if (colliderNear(FRAME.nature.colliders.at[i], cell.boundsLow, cell.boundsHigh, elapsed))
+    for (uint i = thread; i < JUDGED.nature.colliderCount; i += updateThreads)
+        if (colliderNear(JUDGED.nature.colliders.at[i], cell.boundsLow, cell.boundsHigh, elapsed))
             atomicOr(colliderBits[i / 32u], 1u << (i % 32u));
     barrier();
     for (uint word = 0u; word < colliderWords; ++word)
@@ -41,58 +44,42 @@ ColliderMask collidersNear(Patch cell, float elapsed, uint thread)
     return near;
 }
 
-/// Whether the ground hides all blades of a patch.
-bool patchHidden(Eyepoint view, Patch cell)
-{
-    if ((view.cullMask & cullPatch) == 0u || (view.cullMask & cullOcclusion) == 0u)
-        return false;
-    const vec3 margin = vec3(patchMargin(view, cell));
-    return isHidden(cell.boundsLow - margin, cell.boundsHigh + margin);
-}
-
 void noteFate(uint blade, uint fate)
 {
-    if (uvec2(FRAME.fates) != uvec2(0u))
-        FRAME.fates.at[blade] = fate;
+    if (uvec2(JUDGED.fates) != uvec2(0u))
+        JUDGED.fates.at[blade] = fate;
 }
 
-void main()
+/// Adds what the group has counted to the frame's counts: all groups do so at the same address, so
+/// each does it once.
+void report(uint thread)
 {
-    const uint group = gl_WorkGroupID.x + gl_WorkGroupID.y * gl_NumWorkGroups.x;
+    if (thread < fateCount && fateSums[thread] > 0u)
+        atomicAdd(JUDGED.draw.at[0].fates[thread], fateSums[thread]);
+    if (thread != 0u)
+        return;
+    if (simulatedSum > 0u)
+        atomicAdd(JUDGED.draw.at[0].simulated, simulatedSum);
+    if (mostFilled > 0u) {
+        WalkLevelArray rounds = push.rounds;
+        atomicMax(rounds.at[push.round].groups[0],
+                  min((mostFilled + rasterThreads - 1u) / rasterThreads, mostGroups));
+        rounds.at[push.round].groups[1] = 1u;
+        rounds.at[push.round].groups[2] = 1u;
+        atomicMax(JUDGED.draw.at[0].instanceCount, (mostFilled + drawChunk - 1u) / drawChunk);
+    }
+}
+
+/// Moves and judges the first `count` blades of a patch; the others are thinned out.
+void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
+{
     const uint thread = gl_LocalInvocationIndex;
-    if (group >= push.ownerCount)
-        return;
-    const uint patchIndex = push.owners.at[group];
-    const Patch cell = FRAME.patches.at[patchIndex];
-    const Eyepoint view = FRAME.view;
-
-    // Leave a patch that nobody sees as it is; its blades catch up when it is seen again.
-    if (push.onlyUpdate == 0u && (patchCulled(view, cell) || patchHidden(view, cell))) {
-        for (uint i = thread; i < cell.bladeCount; i += updateThreads)
-            noteFate(cell.firstBlade + i, fatePatch);
-        if (thread == 0u)
-            atomicAdd(FRAME.draw.at[0].fates[fatePatch], cell.bladeCount);
-        return;
-    }
-
-    // Nor is there anything to do where all of its blades are thinned out.
-    const uint count = push.onlyUpdate != 0u ? cell.bladeCount : thickEnough(view, cell);
-    if (count == 0u) {
-        for (uint i = thread; i < cell.bladeCount; i += updateThreads)
-            noteFate(cell.firstBlade + i, fateLod);
-        if (thread == 0u)
-            atomicAdd(FRAME.draw.at[0].fates[fateLod], cell.bladeCount);
-        return;
-    }
-
-    Nature nature = FRAME.nature; // what holds references cannot be const
-    nature.wind.counts = windCounts;
-    nature.colliderCount = hasColliders ? nature.colliderCount : 0u;
+    const Patch cell = JUDGED.patches.at[patchIndex];
     if (thread < fateCount)
         fateTally[thread] = 0u;
-    float elapsed = max(FRAME.time - FRAME.patchTimes.at[patchIndex], 0.0f);
+    float elapsed = max(JUDGED.time - JUDGED.patchTimes.at[patchIndex], 0.0f);
     const bool moves = push.onlyUpdate != 0u ||
-                       movesNow(FRAME.pace, patchIndex,
+                       movesNow(JUDGED.pace, patchIndex,
                                 boxDistance(view.eye, cell.boundsLow, cell.boundsHigh), elapsed);
     elapsed = moves ? elapsed : 0.0f;
     barrier();
@@ -100,13 +87,13 @@ void main()
 
     for (uint i = thread; i < count; i += updateThreads) {
         const uint index = cell.firstBlade + i;
-        const Blade blade = unpackBlade(FRAME.blades.at[index], cell);
+        const Blade blade = unpackBlade(JUDGED.blades.at[index], cell);
 
         // Move it. At a standstill the stored state stays as it is, to the bit.
-        BladeState state = FRAME.states.at[index];
+        BladeState state = JUDGED.states.at[index];
         if (elapsed > 0.0f) {
-            state = advanceBlade(blade, nature, near, state, FRAME.time, elapsed);
-            FRAME.states.at[index] = state;
+            state = advanceBlade(blade, nature, near, state, JUDGED.time, elapsed);
+            JUDGED.states.at[index] = state;
         }
         if (push.onlyUpdate != 0u)
             continue;
@@ -116,9 +103,9 @@ void main()
         if (verdict.fate == fateDrawn && (view.cullMask & cullOcclusion) != 0u &&
             isHidden(verdict.low, verdict.high))
             verdict.fate = fateOcclusion;
-        const uint place = atomicAdd(fateTally[verdict.fate], 1u);
+        const uint slot = atomicAdd(fateTally[verdict.fate], 1u);
         if (verdict.fate == fateDrawn)
-            survivors[place] =
+            survivors[slot] =
                 VisibleBlade(index, patchIndex, verdict.widthFactor, verdict.pixels);
         noteFate(index, verdict.fate);
     }
@@ -126,27 +113,58 @@ void main()
         noteFate(cell.firstBlade + i, fateLod);
     barrier();
 
-    // Reserve room in the list, and report.
+    // Reserve room in the list, and count.
     const uint kept = fateTally[fateDrawn];
     if (thread == 0u) {
-        if (moves) {
-            FRAME.patchTimes.at[patchIndex] = FRAME.time;
-            atomicAdd(FRAME.draw.at[0].simulated, count);
+        if (kept > 0u) {
+            WalkLevelArray rounds = push.rounds;
+            listBase = atomicAdd(rounds.at[push.round].count, kept);
+            mostFilled = max(mostFilled, listBase + kept);
         }
-        if (count < cell.bladeCount)
-            atomicAdd(FRAME.draw.at[0].fates[fateLod], cell.bladeCount - count);
-        listBase = kept > 0u ? atomicAdd(FRAME.draw.at[0].fates[fateDrawn], kept) : 0u;
-        const uint filled = listBase + kept;
-        atomicMax(FRAME.draw.at[0].instanceCount, (filled + drawChunk - 1u) / drawChunk);
-        atomicMax(FRAME.draw.at[0].groups[0],
-                  min((filled + rasterThreads - 1u) / rasterThreads, mostGroups));
+        if (moves) {
+            JUDGED.patchTimes.at[patchIndex] = JUDGED.time;
+            simulatedSum += count;
+        }
     }
-    if (thread != fateDrawn && thread < fateCount && fateTally[thread] > 0u)
-        atomicAdd(FRAME.draw.at[0].fates[thread], fateTally[thread]);
+    if (thread < fateCount)
+        fateSums[thread] +=
+            fateTally[thread] + (thread == fateLod ? cell.bladeCount - count : 0u);
     barrier();
 
-    // The list has room for every blade; the guard is for a frame that was filled wrongly.
+    // The list has room for every blade of a round; the guard is for a frame that was filled wrongly.
     for (uint i = thread; i < kept; i += updateThreads)
-        if (listBase + i < FRAME.visibleCapacity)
-            FRAME.visible.at[listBase + i] = survivors[i];
+        if (listBase + i < JUDGED.visibleCapacity)
+            JUDGED.visible.at[listBase + i] = survivors[i];
+    barrier();
+}
+
+void main()
+{
+    const Eyepoint view = JUDGED.view;
+    Nature nature = JUDGED.nature; // what holds references cannot be const
+    nature.wind.counts = windCounts;
+    nature.colliderCount = hasColliders ? nature.colliderCount : 0u;
+    const uint thread = gl_LocalInvocationIndex;
+    if (thread < fateCount)
+        fateSums[thread] = 0u;
+    if (thread == 0u) {
+        simulatedSum = 0u;
+        mostFilled = 0u;
+    }
+    if (push.onlyUpdate != 0u) {
+        for (uint i = gl_WorkGroupID.x; i < push.ownerCount; i += gl_NumWorkGroups.x) {
+            const uint owner = push.owners.at[i];
+            updatePatch(view, nature, owner, JUDGED.patches.at[owner].bladeCount);
+        }
+    }
+    const uint end = 
+        push.onlyUpdate != 0u
+            ? 0u
+            : min(push.levels.at[liveLevel].count, push.firstLive + push.mostLive);
+    for (uint i = push.firstLive + gl_WorkGroupID.x; i < end; i += gl_NumWorkGroups.x) {
+        const LivePatch live = push.live.at[i];
+        updatePatch(view, nature, live.patchIndex, live.count);
+    }
+    barrier();
+    report(thread);
 }

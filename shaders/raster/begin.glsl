@@ -10,11 +10,4 @@ void main()
     for (uint s = 0u; s < samplesPerPixel; ++s)
         visibility.at[sampleIndex(pixel, s)] =
             uint64_t(floatBitsToUint(depthAt(ivec2(pixel), int(s)))) << 32u;
-    if (pixel == uvec2(0u)) {
-        UintArray large = push.large;
-        large.at[0] = 0u;
-        large.at[1] = 1u;
-        large.at[2] = 1u;
-        large.at[largeAsked] = 0u;
-    }
 }

@@ -22,4 +22,34 @@ void putSample(uvec2 pixel, uint s, float depth, uint blade)
         atomicMax(visibility.at[index], value);
 }
 
+/// The samples of a pixel, read together: most are nearer than what comes.
+layout(buffer_reference, scalar, buffer_reference_align = 16) buffer VisibilityPairs
+{
+    uvec4 at[];
+};
+
+/// `covered`, as bits, of the samples of a pixel of one blade.
+void putSamples(uvec2 pixel, uint covered, float depths[samplesPerPixel], uint blade)
+{
+    if (samplesPerPixel != 4u) {
+        SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
+            if ((covered & (1u << s)) != 0u)
+                putSample(pixel, s, depths[s], blade);
+        return;
+    }
+    Visibility visibility = Visibility(uvec2(push.visibility));
+    VisibilityPairs pairs = VisibilityPairs(uvec2(push.visibility));
+    const uint index = sampleIndex(pixel, 0u);
+    const uvec4 low = pairs.at[index / 2u];
+    const uvec4 high = pairs.at[index / 2u + 1u];
+    const uvec4 before = uvec4(low.y, low.w, high.y, high.w);
+    SHARED_UNROLL for (uint s = 0u; s < 4u; ++s) {
+        // Of equal depths the atomic takes the larger id.
+        const uint bits = floatBitsToUint(depths[s % samplesPerPixel]);
+        if ((covered & (1u << s)) != 0u && bits >= before[s])
+            atomicMax(visibility.at[index + s],
+                      (uint64_t(bits) << 32u) | uint64_t(blade + 1u));
+    }
+}
+
 #endif

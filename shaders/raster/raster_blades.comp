@@ -7,29 +7,33 @@
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 #include "shaders/grass/drawn_blade.glsl"
-#include "shaders/raster/screen_triangle.glsl"
+#include "shaders/raster/strip.glsl"
 
 layout(local_size_x = rasterThreads) in;
 
-/// Gives a blade to the work-groups for large ones; whether there was room.
-bool leftToGroups(uint place)
+/// Gives a blade that covers so many pixels to teams; whether there was room.
+bool leftToTeams(VisibleBlade visible, float pixels)
 {
-    UintArray large = push.large;
-    const uint slot = atomicAdd(large.at[largeAsked], 1u);
-    if (slot >= mostLargeBlades)
-        return false;
-    large.at[largePlaces + slot] = place;
-    atomicMax(large.at[0], min(slot + 1u, mostGroups));
-    return true;
+    WalkLevelArray asked = push.largeCount;
+    LargePartArray large = push.large;
+    const uint parts = clamp(uint(pixels / teamPixels), 1u, mostTeams);
+    const uint slot = atomicAdd(asked.at[0].count, parts);
+    const bool hasRoom = slot + parts <= mostLargeParts;
+    for (uint part = 0u; part < parts && slot + part < mostLargeParts; ++part)
+        large.at[slot + part] = LargePart(visible, part, hasRoom ? parts : 0u);
+    const uint perGroup = largeThreads / teamThreads;
+    atomicMax(asked.at[0].groups[0], min((slot + parts + perGroup - 1u) / perGroup, mostGroups));
+    return hasRoom;
 }
 
-void rasterise(Lens lens, uint place)
+void rasterise(Lens lens, VisibleBlade visible)
 {
-    const VisibleBlade visible = FRAME.visible.at[place];
-    const Ribbon ribbon = drawnBlade(visible).ribbon;
-    const float widthPixels = max(visible.pixels * ribbon.width / max(length(ribbon.v1 - ribbon.v0), 1e-6),
+    const DrawnBlade drawn = drawnBlade(visible);
+    const Ribbon ribbon = drawn.ribbon;
+    const float widthPixels = max(visible.pixels * ribbon.width / drawn.blade.height,
                                   lens.leastWidth * FRAME.view.pixelsPerUnit);
-    if (visible.pixels * widthPixels > largeBladePixels && leftToGroups(place))
+    const float pixels = visible.pixels * widthPixels;
+    if (pixels > largeBladePixels && leftToTeams(visible, pixels))
         return;
 
     SeenRib before = seenRib(lens, ribbon, 0.0);
@@ -38,7 +42,7 @@ void rasterise(Lens lens, uint place)
         if (isCut(before) || isCut(after)) {
             // What this thread has drawn already will be drawn again, the same.
             if (!(isLost(before) && isLost(after))) {
-                leftToGroups(place);
+                leftToTeams(visible, pixels);
                 return;
             }
         } else {
@@ -51,9 +55,9 @@ void rasterise(Lens lens, uint place)
 
 void main()
 {
-    const uint count = min(FRAME.draw.at[0].fates[fateDrawn], FRAME.visibleCapacity);
+    const uint count = min(push.rounds.at[push.round].count, FRAME.visibleCapacity);
     const Lens lens = lensOf();
     for (uint place = gl_GlobalInvocationID.x; place < count;
          place += gl_NumWorkGroups.x * rasterThreads)
-        rasterise(lens, place);
+        rasterise(lens, FRAME.visible.at[place]);
 }

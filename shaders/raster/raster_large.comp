@@ -1,14 +1,14 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Rasterises the blades that cover many pixels, one work-group each.
+// Rasterises the blades that cover many pixels: each by a team of threads, or by several teams.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 #include "shaders/grass/drawn_blade.glsl"
-#include "shaders/raster/screen_triangle.glsl"
+#include "shaders/raster/strip.glsl"
 
-layout(local_size_x = rasterThreads) in;
+layout(local_size_x = largeThreads) in;
 
 /// Widens the pixels between `low` and `high` by those in which an edge is seen behind the near
 /// plane.
@@ -75,35 +75,88 @@ void cutQuad(vec4 a, vec4 b, vec4 c, vec4 d, Rib before, Rib after, bool isUpper
     }
 }
 
+const uint teamsOfGroup = largeThreads / teamThreads;
+const uint teamRibs = teamSegments + 1u;
+
+/// A rib, as the threads of a team share it.
+struct SharedRib {
+    vec4 left;
+    vec4 right;
+    vec4 ridge;
+    vec2 widths; ///< Rib::wide, Rib::drawn
+};
+
+shared SharedRib ribs[teamsOfGroup * teamRibs];
+shared uint mostSegments;
+
+SeenRib fromShared(SharedRib rib)
+{
+    SeenRib seen;
+    seen.left = rib.left;
+    seen.right = rib.right;
+    seen.ridge = rib.ridge;
+    seen.rib.wide = rib.widths.x;
+    seen.rib.drawn = rib.widths.y;
+    return seen;
+}
+
+void drawSegment(SeenRib a, SeenRib b, bool isFolded, bool isUpper, uint blade, Rows rows)
+{
+    if (isLost(a) && isLost(b))
+        return;
+    if (!isCut(a) && !isCut(b)) {
+        screenSegment(screenRib(a), screenRib(b), isFolded, isUpper, blade, rows);
+    } else if (isFolded) {
+        cutQuad(a.left, a.ridge, b.left, b.ridge, a.rib, b.rib, isUpper, blade, rows);
+        cutQuad(a.ridge, a.right, b.ridge, b.right, a.rib, b.rib, isUpper, blade, rows);
+    } else {
+        cutQuad(a.left, a.right, b.left, b.right, a.rib, b.rib, isUpper, blade, rows);
+    }
+}
+
 void main()
 {
-    UintArray large = push.large;
-    const uint count = min(large.at[largeAsked], mostLargeBlades);
+    LargePartArray large = push.large;
+    const uint count = min(push.largeCount.at[0].count, mostLargeParts);
     const Lens lens = lensOf();
-    for (uint i = gl_WorkGroupID.x; i < count; i += gl_NumWorkGroups.x) {
-        const VisibleBlade visible = FRAME.visible.at[large.at[largePlaces + i]];
-        const Ribbon ribbon = drawnBlade(visible).ribbon;
-        const bool isFolded = ribbon.fold > 0.0;
+    const uint team = gl_LocalInvocationIndex / teamThreads;
+    const uint member = gl_LocalInvocationIndex % teamThreads;
+    for (uint base = gl_WorkGroupID.x * teamsOfGroup; base < count;
+         base += gl_NumWorkGroups.x * teamsOfGroup) {
+        LargePart part;
+        part.parts = 0u;
+        if (base + team < count)
+            part = large.at[base + team];
+        const bool draws = part.parts > 0u;
+        Ribbon ribbon;
+        uint segments = 0u;
+        if (draws) {
+            ribbon = drawnBlade(part.visible).ribbon;
+            segments = uint(ribbon.outline.segments);
+        }
+        if (gl_LocalInvocationIndex == 0u)
+            mostSegments = 0u;
+        barrier();
+        if (member == 0u)
+            atomicMax(mostSegments, segments);
+        barrier();
 
-        // The threads share the segments, and those of a segment its rows.
-        const uint segments = uint(ribbon.outline.segments);
-        const uint perSegment = rasterThreads / segments;
-        const uint segment = gl_LocalInvocationIndex / perSegment;
-        if (segment >= segments)
-            continue;
-        const Rows rows = Rows(int(gl_LocalInvocationIndex % perSegment), int(perSegment));
-        const SeenRib a = seenRib(lens, ribbon, float(segment) / ribbon.outline.segments);
-        const SeenRib b = seenRib(lens, ribbon, float(segment + 1u) / ribbon.outline.segments);
-        const bool isUpper = upperHalf(float(segment + 1u), ribbon.outline.segments);
-        if (isLost(a) && isLost(b))
-            continue;
-        if (!isCut(a) && !isCut(b)) {
-            screenSegment(screenRib(a), screenRib(b), isFolded, isUpper, visible.blade, rows);
-        } else if (isFolded) {
-            cutQuad(a.left, a.ridge, b.left, b.ridge, a.rib, b.rib, isUpper, visible.blade, rows);
-            cutQuad(a.ridge, a.right, b.ridge, b.right, a.rib, b.rib, isUpper, visible.blade, rows);
-        } else {
-            cutQuad(a.left, a.right, b.left, b.right, a.rib, b.rib, isUpper, visible.blade, rows);
+        for (uint first = 0u; first < mostSegments; first += teamSegments) {
+            // Each member makes some of the ribs, then draws some of the rows of every segment.
+            const uint last = min(first + teamSegments, segments);
+            for (uint i = first + member; draws && i <= last; i += teamThreads) {
+                const SeenRib seen = seenRib(lens, ribbon, float(i) / ribbon.outline.segments);
+                ribs[team * teamRibs + i - first] = SharedRib(
+                    seen.left, seen.right, seen.ridge, vec2(seen.rib.wide, seen.rib.drawn));
+            }
+            barrier();
+            for (uint i = first; i < last; ++i)
+                drawSegment(fromShared(ribs[team * teamRibs + i - first]),
+                            fromShared(ribs[team * teamRibs + i - first + 1u]), ribbon.fold > 0.0,
+                            upperHalf(float(i + 1u), ribbon.outline.segments), part.visible.blade,
+                            Rows(int(part.part * teamThreads + member),
+                                 int(part.parts * teamThreads)));
+            barrier();
         }
     }
 }

@@ -136,15 +136,4 @@ void screenQuad(vec3 a, vec3 b, vec3 c, vec3 d, vec2 before, vec2 after, bool is
     }
 }
 
-/// What lies between two ribs of a ribbon.
-void screenSegment(ScreenRib a, ScreenRib b, bool isFolded, bool isUpper, uint blade, Rows rows)
-{
-    if (isFolded) {
-        screenQuad(a.left, a.ridge, b.left, b.ridge, a.weight, b.weight, isUpper, blade, rows);
-        screenQuad(a.ridge, a.right, b.ridge, b.right, a.weight, b.weight, isUpper, blade, rows);
-    } else {
-        screenQuad(a.left, a.right, b.left, b.right, a.weight, b.weight, isUpper, blade, rows);
-    }
-}
-
 #endif

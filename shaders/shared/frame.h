@@ -27,7 +27,7 @@ struct VisibleBlade {
 };
 SHARED_LAYOUT(VisibleBlade, 16)
 
-/// VkDrawIndirectCommand, the counts by fate behind it, and what the rasteriser is started with.
+/// VkDrawIndirectCommand, and the counts by fate behind it.
 struct DrawArguments {
     uint vertexCount;   ///< drawChunk (passes.h): so many blades in one instance
     uint instanceCount; ///< as many as the visible blades need; the last may be part empty
@@ -35,9 +35,8 @@ struct DrawArguments {
     uint firstInstance;
     uint simulated; ///< blades moved in this frame
     uint fates[7];  ///< blades by fate, fateDrawn … fateLod; fateDrawn is the list's length
-    uint groups[3]; ///< VkDispatchIndirectCommand of the rasteriser
 };
-SHARED_LAYOUT(DrawArguments, 60)
+SHARED_LAYOUT(DrawArguments, 48)
 
 SHARED_BUFFER(VisibleArray, VisibleBlade, )
 SHARED_BUFFER(DrawArray, DrawArguments, )

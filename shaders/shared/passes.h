@@ -4,6 +4,7 @@
 
 #include "shaders/shared/frame.h"
 #include "shaders/shared/ground.h"
+#include "shaders/shared/patch_tree.h"
 #include "shaders/shared/types.h"
 
 SHARED_BEGIN
@@ -13,16 +14,51 @@ SHARED_BEGIN
 /// each, stay below that.
 SHARED_CONST uint drawChunk = 256u;
 
-/// Threads of a work-group of the update; they loop over the blades of one patch.
-SHARED_CONST uint updateThreads = 64u;
+/// Threads of a work-group of the update; they loop over the blades of one patch. Most patches own
+/// far less than they may, so that more threads would idle.
+SHARED_CONST uint updateThreads = 32u;
 
+/// Work-groups of the update for so many live patches: from `updateGroupsFrom` on one group takes
+/// up to eight of them, one after the other.
+SHARED_CONST uint updateGroupsFrom = 4096u;
+
+SHARED_FN uint updateGroups(uint patches)
+{
+    return min(patches, max(updateGroupsFrom, (patches + 7u) / 8u));
+}
+
+/// Where the list of visible blades has not room for all blades of a field, the live patches are
+/// updated and drawn in rounds, of which each fills the list anew.
 struct UpdatePush {
-    FrameArray frame;
-    UintArray owners; ///< indices of the patches that own blades
-    uint ownerCount;  ///< one work-group each
-    uint onlyUpdate;  ///< 1: move every blade, judge and count none
+    FrameArray judged;     ///< by whose camera blades are judged
+    LivePatchArray live;   ///< one work-group each, or one for several
+    WalkLevelArray levels; ///< the first says how many they are
+    WalkLevelArray rounds; ///< each round's length of the list, and work-groups to rasterise it
+    UintArray owners;      ///< indices of the patches that own blades
+    uint ownerCount;
+    uint onlyUpdate; ///< 1: move every blade of every owner, judge and count none
+    uint firstLive;  ///< the round's first live patch …
+    uint mostLive;   ///< … and how many it takes at most
+    uint round;
+    uint reserved;
 };
-SHARED_LAYOUT(UpdatePush, 24)
+SHARED_LAYOUT(UpdatePush, 64)
+
+/// No more rounds than these: an empty one costs some microseconds.
+SHARED_CONST uint mostRounds = 32u;
+
+struct WalkPush {
+    FrameArray judged;
+    SubtreeArray subtrees; ///< by patch
+    UintArray queue;       ///< room for each patch once
+    LivePatchArray live;   ///< room for each patch that owns blades
+    WalkLevelArray levels; ///< as many as the tree has, and one
+    uint startCount;       ///< patches of the levels that the walk begins with …
+    uint startLevel;       ///< … of which this is the last
+    uint level;            ///< 0 for those together, then 1, 2, …
+    uint reserved;
+};
+SHARED_LAYOUT(WalkPush, 56)
 
 /// Threads of a work-group of the depth pyramid along each axis, one per cell.
 SHARED_CONST uint pyramidThreads = 8u;
@@ -34,7 +70,7 @@ struct PyramidPush {
 };
 SHARED_LAYOUT(PyramidPush, 16)
 
-/// Threads of a work-group of the rasteriser, one blade each, or all for one large blade.
+/// Threads of a work-group of the rasteriser, one blade each.
 SHARED_CONST uint rasterThreads = 64u;
 
 /// Work-groups in one dimension that every device takes; beyond them threads loop.
@@ -43,35 +79,55 @@ SHARED_CONST uint mostGroups = 65535u;
 /// Width and height of the tile of pixels that a work-group begins or resolves.
 SHARED_CONST uint rasterTile = 8u;
 
-/// A blade that covers more pixels than this is rasterised by a work-group of its own.
+/// A blade that covers more pixels than this is not rasterised by one thread, but by a team …
 SHARED_CONST float largeBladePixels = 256.0f;
 
-/// So many blades can be large at once: some hundred layers of them over a picture of 2 million
-/// pixels. More are rasterised by one thread each.
-SHARED_CONST uint mostLargeBlades = 1048576u;
+/// … or by several, each for so many of its pixels, …
+SHARED_CONST float teamPixels = 4096.0f;
+
+/// … but no more teams than these.
+SHARED_CONST uint mostTeams = 64u;
+
+/// So many parts of large blades can be listed: some hundred layers of them over a picture of 2
+/// million pixels. Blades beyond them are rasterised by one thread each.
+SHARED_CONST uint mostLargeParts = 1048576u;
+
+/// Threads of a team, and of a work-group of teams.
+SHARED_CONST uint teamThreads = 8u;
+SHARED_CONST uint largeThreads = 64u;
+
+/// A team looks at so many segments of a blade at a time.
+SHARED_CONST uint teamSegments = 16u;
+
+/// What a team draws: a large blade, or every `parts`-th bundle of its rows.
+struct LargePart {
+    VisibleBlade visible;
+    uint part;  ///< < parts
+    uint parts; ///< 0: nothing, there was no room for all parts
+};
+SHARED_LAYOUT(LargePart, 24)
+
+SHARED_BUFFER(LargePartArray, LargePart, )
 
 /// Blades that share an entry of the table from resident ids to patches.
 SHARED_CONST uint ownerStride = 64u;
 
 SHARED_BUFFER(VisibilityArray, uvec2, )
 
-// The list of large blades: VkDispatchIndirectCommand, how many asked, and their places in the list
-// of visible blades.
-SHARED_CONST uint largeAsked = 3u;
-SHARED_CONST uint largePlaces = 4u;
-
 struct RasterPush {
     FrameArray frame;
     FrameArray judged;          ///< by whose camera the visible blades were listed
     VisibilityArray visibility; ///< pixel by pixel, sample by sample
-    UintArray large;            ///< see largePlaces
-    UintArray owners;           ///< patches that own blades, in the order of their blades
+    WalkLevelArray rounds;      ///< as in UpdatePush
+    LargePartArray large;
+    WalkLevelArray largeCount; ///< how many of them were asked for, and groups of teams for them
+    UintArray owners;          ///< patches that own blades, in the order of their blades
     UintArray firstOwners; ///< per ownerStride blades: index into `owners` of the first one's patch
     uvec2 size;            ///< [pixels]
     uint isBgr;            ///< 1: the picture's first channel is blue
-    uint reserved;
+    uint round;
 };
-SHARED_LAYOUT(RasterPush, 64)
+SHARED_LAYOUT(RasterPush, 80)
 
 /// A collider is drawn as so many quads around its axis, in so many rings from each pole.
 SHARED_CONST uint colliderSegments = 64u;

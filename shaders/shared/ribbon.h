@@ -97,19 +97,43 @@ SHARED_FN float ribMargin(float distance, float leastWidth)
     return leastWidth * distance;
 }
 
-/// Which of `samples` a place of weight `weight` keeps, as bits: each blade others, more with more
-/// weight and never others instead, and weight · samples on the average over blades.
+/// What of a blade decides which samples it keeps where it weighs less than 1: each blade others,
+/// more with more weight and never others instead.
+struct SampleMask {
+    float threshold; ///< in (0, 1)
+    uint first;      ///< the sample that is kept first; the others follow in turn
+    uint samples;    ///< per pixel
+};
+
+SHARED_FN SampleMask sampleMaskOf(uint blade, uint samples)
+{
+    const uint h = mixUint(blade * 0x9e3779b9u + 0x85ebca6bu);
+    SampleMask mask;
+    mask.threshold = (float(h & 0xffffu) + 0.5f) / 65536.0f;
+    mask.first = (h >> 16u) % samples;
+    mask.samples = samples;
+    return mask;
+}
+
+/// How many samples of a pixel a place of weight `weight` keeps: weight · samples on the average
+/// over blades.
+SHARED_FN uint keptCount(SampleMask mask, float weight)
+{
+    return weight < 1.0f ? uint(max(weight, 0.0f) * float(mask.samples) + mask.threshold)
+                         : mask.samples;
+}
+
+/// Those samples, as bits.
+SHARED_FN uint keptBits(SampleMask mask, float weight)
+{
+    const uint all = (1u << mask.samples) - 1u;
+    const uint bits = (1u << min(keptCount(mask, weight), mask.samples)) - 1u;
+    return ((bits << mask.first) | (bits >> (mask.samples - mask.first))) & all;
+}
+
 SHARED_FN uint keptSamples(float weight, uint blade, uint samples)
 {
-    const uint all = (1u << samples) - 1u;
-    if (!(weight < 1.0f))
-        return all;
-    const uint h = mixUint(blade * 0x9e3779b9u + 0x85ebca6bu);
-    const float threshold = (float(h & 0xffffu) + 0.5f) / 65536.0f;
-    const uint count = uint(max(weight, 0.0f) * float(samples) + threshold);
-    const uint first = (h >> 16u) % samples;
-    const uint bits = (1u << min(count, samples)) - 1u;
-    return ((bits << first) | (bits >> (samples - first))) & all;
+    return keptBits(sampleMaskOf(blade, samples), weight);
 }
 
 SHARED_END

@@ -26,6 +26,7 @@
 #define SHARED_FN inline
 #define SHARED_CONST inline constexpr
 #define SHARED_INOUT(Type) Type&
+#define SHARED_UNROLL
 #define SHARED_LAYOUT(Type, bytes) static_assert(sizeof(Type) == (bytes));
 // A buffer reached by its device address: a number here, a typed reference in GLSL.
 #define SHARED_BUFFER(Name, Type, access) using Name = std::uint64_t;
@@ -41,12 +42,15 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference2 : require
+#extension GL_EXT_control_flow_attributes : require
 
 #define SHARED_BEGIN
 #define SHARED_END
 #define SHARED_FN
 #define SHARED_CONST const
 #define SHARED_INOUT(Type) inout Type
+// Before a loop over a small array: else a GPU keeps the array in memory, to index it.
+#define SHARED_UNROLL [[unroll]]
 #define SHARED_LAYOUT(Type, bytes)
 #define SHARED_BUFFER(Name, Type, access)                                                          \
     layout(buffer_reference, scalar, buffer_reference_align = 4) access buffer Name                \

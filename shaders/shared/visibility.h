@@ -49,13 +49,14 @@ SHARED_FN float bladeRank(Patch cell, uint i)
     return mix(cell.rankLow, cell.rankHigh, (float(i) + 0.5f) / float(cell.bladeCount));
 }
 
-/// By how much blades drawn wider than they are may stand out of the patch's bounds [m].
-SHARED_FN float patchMargin(Eyepoint view, Patch cell)
+/// By how much blades drawn wider than they are may stand out of a node's bounds [m], none of them
+/// wider than `widest` [m].
+SHARED_FN float patchMargin(Eyepoint view, Patch cell, float widest)
 {
     const vec3 farthest = max(abs(cell.boundsLow - view.eye), abs(cell.boundsHigh - view.eye));
     const float share = shareAt(view, length(farthest));
     // lodWidthFactor() is at most 1/(0.95 share).
-    return 0.5f * outlineMost * (cell.widthLow + 63.0f * cell.widthStep) / (0.95f * share) +
+    return 0.5f * outlineMost * widest / (0.95f * share) +
            ribMargin(length(farthest), view.leastWidth);
 }
 
@@ -77,19 +78,31 @@ SHARED_FN uint thickEnough(Eyepoint view, Patch cell)
     return min(uint(ceil(first)) + 1u, cell.bladeCount);
 }
 
-/// Whether no blade of the patch can be seen: its box, grown by half the width that its widest
-/// blade can be drawn with, lies outside a plane, or beyond the draw distance where that counts.
-SHARED_FN bool patchCulled(Eyepoint view, Patch cell)
+/// Whether level of detail draws none of the blades below a node, the first of which has the rank
+/// `rankBelow`: they have no width wherever in its box they stand. Never unless the eyepoint says
+/// that thinned blades are left alone.
+SHARED_FN bool thinnedBelow(Eyepoint view, Patch cell, float rankBelow)
+{
+    return (view.cullMask & leaveThinned) != 0u && view.lodThreshold > 0.0f &&
+           shareAt(view, boxDistance(view.eye, cell.boundsLow, cell.boundsHigh)) <= rankBelow;
+}
+
+/// Whether no blade of a node and of those below can be seen: its box, grown by half the width that
+/// the widest of them can be drawn with, lies outside a plane, or beyond the draw distance where
+/// that counts. `widest` is Subtree::widest. What is below a node that is culled would be, too.
+SHARED_FN bool patchCulled(Eyepoint view, Patch cell, float widest)
 {
     if ((view.cullMask & cullPatch) == 0u)
         return false;
 
-    const float margin = patchMargin(view, cell);
+    const float margin = patchMargin(view, cell, widest);
     const vec3 low = cell.boundsLow - vec3(margin);
     const vec3 high = cell.boundsHigh + vec3(margin);
-    for (uint i = 0u; i < 6u; ++i)
-        if (boxOutside(view.planes[i], low, high))
-            return true;
+    bool outside = false;
+    SHARED_UNROLL for (uint i = 0u; i < 6u; ++i) outside =
+        outside || boxOutside(view.planes[i], low, high);
+    if (outside)
+        return true;
     return (view.cullMask & cullDistance) != 0u &&
            boxDistance(view.eye, cell.boundsLow, cell.boundsHigh) > view.drawDistance;
 }
@@ -137,8 +150,9 @@ SHARED_FN Verdict judgeBlade(Eyepoint view, Blade blade, uint index, BladeState 
                              ribMargin(distance + blade.height, view.leastWidth);
         verdict.low = min(min(blade.root, v1), v2) - vec3(margin);
         verdict.high = max(max(blade.root, v1), v2) + vec3(margin);
-        for (uint i = 0u; i < 6u && (view.cullMask & cullFrustum) != 0u; ++i)
-            outside = outside || curveOutside(view.planes[i], blade.root, v1, v2, margin);
+        if ((view.cullMask & cullFrustum) != 0u)
+            SHARED_UNROLL for (uint i = 0u; i < 6u; ++i) outside =
+                outside || curveOutside(view.planes[i], blade.root, v1, v2, margin);
     }
 
     if ((view.cullMask & cullOrientation) != 0u &&

@@ -100,6 +100,8 @@ void Timestamps::collectSlot(std::uint32_t slot)
     const std::uint64_t validBits = context_.timestampValidBits >= 64
                                         ? ~std::uint64_t(0)
                                         : (std::uint64_t(1) << context_.timestampValidBits) - 1;
+    using Sum = std::pair<std::string, double>;
+    std::vector<Sum> sums;
     for (std::uint32_t scope = 0; scope < names.size(); ++scope) {
         // Without an answer there is nothing to measure; waiting for one could take for ever.
         std::array<Query, 2> queries{};
@@ -115,9 +117,16 @@ void Timestamps::collectSlot(std::uint32_t slot)
 
         // Subtract within the valid bits, so that one turn of the counter does no harm.
         const std::uint64_t ticks = (queries[1].ticks - queries[0].ticks) & validBits;
-        append(names[scope],
-               static_cast<double>(ticks) * double(context_.limits.timestampPeriod) * 1e-6);
+        const double milliseconds =
+            static_cast<double>(ticks) * double(context_.limits.timestampPeriod) * 1e-6;
+        const auto same = std::ranges::find(sums, names[scope], &Sum::first);
+        if (same == sums.end())
+            sums.emplace_back(names[scope], milliseconds);
+        else
+            same->second += milliseconds;
     }
+    for (const auto& [name, milliseconds] : sums)
+        append(name, milliseconds);
 }
 
 void Timestamps::append(const std::string& name, double milliseconds)

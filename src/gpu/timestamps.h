@@ -16,7 +16,7 @@ namespace sward::gpu {
 
 struct TimestampSettings {
     std::uint32_t slots = 2;             ///< frames in flight
-    std::uint32_t scopes = 32;           ///< the most of one frame
+    std::uint32_t scopes = 112;          ///< the most of one frame
     std::uint32_t historyFrames = 4'096; ///< older measurements are forgotten
 };
 
@@ -31,7 +31,8 @@ public:
     /// is submitted. Recorded outside of any rendering.
     void beginFrame(VkCommandBuffer commands, std::uint32_t slot);
 
-    /// Begins a part; returns what end() takes. Parts may contain each other. Beyond the settings'
+    /// Begins a part; returns what end() takes. Parts may contain each other; what several parts of
+    /// one name take is added up. Beyond the settings'
     /// number of scopes a part is not measured.
     std::uint32_t begin(VkCommandBuffer commands, std::string_view name);
     void end(VkCommandBuffer commands, std::uint32_t scope);

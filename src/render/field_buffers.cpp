@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/expect.h"
+#include "gpu/compute_pipeline.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
@@ -13,17 +14,18 @@ namespace sward::render {
 namespace {
 
 /// Bytes per blade: the blade, its state, its place in the list, its fate.
-VkDeviceSize bytesPerBlade(bool recordFates)
+VkDeviceSize bytesPerBlade(FieldBuffers::Records records)
 {
-    return sizeof(shared::PackedBlade) + sizeof(shared::BladeState) + sizeof(shared::VisibleBlade) +
-           (recordFates ? sizeof(std::uint32_t) : 0);
+    return sizeof(shared::PackedBlade) + sizeof(shared::BladeState) +
+           (records.list ? sizeof(shared::VisibleBlade) : 0) +
+           (records.fates ? sizeof(std::uint32_t) : 0);
 }
 
 void refuseWhatCannotFit(const gpu::DeviceContext& context, const field::FieldView& field,
-                         bool recordFates)
+                         FieldBuffers::Records records)
 {
-    const VkDeviceSize needed = field.blades.size() * bytesPerBlade(recordFates) +
-                                field.patches.size() * sizeof(shared::Patch);
+    const VkDeviceSize needed =
+        field.blades.size() * bytesPerBlade(records) + field.patches.size() * sizeof(shared::Patch);
     if (needed > context.deviceLocalBytes())
         fail(ErrorKind::runtime,
              "the field's {} blades need {} MiB of device memory; {} has {} MiB",
@@ -67,10 +69,10 @@ std::vector<std::uint32_t> firstOwnersOf(const field::FieldView& field,
 } // namespace
 
 FieldBuffers::FieldBuffers(const gpu::DeviceContext& context, gpu::Uploader& uploader,
-                           const field::FieldView& field, bool recordFates)
-    : recordsFates_(recordFates)
+                           const field::FieldView& field, Records records)
+    : records_(records)
 {
-    refuseWhatCannotFit(context, field, recordFates);
+    refuseWhatCannotFit(context, field, records);
     const std::vector<std::uint32_t> owners = ownersOf(field);
     bladeCount_ = static_cast<std::uint32_t>(field.blades.size());
     patchCount_ = static_cast<std::uint32_t>(field.patches.size());
@@ -95,12 +97,26 @@ FieldBuffers::FieldBuffers(const gpu::DeviceContext& context, gpu::Uploader& upl
     uploader.toBuffer(owners_, std::span<const std::uint32_t>(owners));
     uploader.toBuffer(species_, std::span<const shared::Species>(species));
 
-    // What changes from frame to frame. The list has room for every blade.
+    // What changes from frame to frame. The list has room for every blade of a round.
+    roundPatches_ = ownerCount_;
+    if (!records.list)
+        roundPatches_ = std::min(
+            ownerCount_,
+            std::max(records.roundPatches,
+                     static_cast<std::uint32_t>(gpu::groupsFor(ownerCount_, shared::mostRounds))));
+    roundPatches_ = std::max(roundPatches_, 1u);
+    roundCount_ =
+        std::max(1u, static_cast<std::uint32_t>(gpu::groupsFor(ownerCount_, roundPatches_)));
+    listLength_ = static_cast<std::uint32_t>(std::min<std::uint64_t>(
+        bladeCount_, std::uint64_t(roundPatches_) * shared::maxPatchBlades));
+    tree_.emplace(context, uploader, field, records.walkStart);
+    bytes_ += tree_->bytes();
     states_ = allocate(context, "field/states", bladeCount_ * sizeof(shared::BladeState));
     patchTimes_ = allocate(context, "field/patch times", patchCount_ * sizeof(float));
-    visible_ = allocate(context, "field/visible", bladeCount_ * sizeof(shared::VisibleBlade));
+    visible_ = allocate(context, "field/visible", listLength_ * sizeof(shared::VisibleBlade));
+    rounds_ = allocate(context, "field/rounds", roundCount_ * sizeof(shared::WalkLevel));
     draw_ = allocate(context, "field/draw", sizeof(shared::DrawArguments));
-    if (recordFates)
+    if (records.fates)
         fates_ = allocate(context, "field/fates", bladeCount_ * sizeof(std::uint32_t));
 }
 
@@ -124,10 +140,10 @@ void FieldBuffers::describe(shared::Frame& frame) const
     frame.visible = visible_.address();
     frame.draw = draw_.address();
     frame.patchTimes = patchTimes_.address();
-    frame.fates = recordsFates_ ? fates_.address() : 0;
+    frame.fates = records_.fates ? fates_.address() : 0;
     frame.patchCount = patchCount_;
     frame.bladeCount = bladeCount_;
-    frame.visibleCapacity = bladeCount_;
+    frame.visibleCapacity = listLength_;
 }
 
 void FieldBuffers::rest(VkCommandBuffer commands, float time) const
@@ -136,17 +152,22 @@ void FieldBuffers::rest(VkCommandBuffer commands, float time) const
     vkCmdFillBuffer(commands, states_.get(), 0, VK_WHOLE_SIZE, 0);
     vkCmdFillBuffer(commands, patchTimes_.get(), 0, VK_WHOLE_SIZE,
                     std::bit_cast<std::uint32_t>(time));
-    if (recordsFates_)
-        vkCmdFillBuffer(commands, fates_.get(), 0, VK_WHOLE_SIZE, shared::fatePatch);
 }
 
 void FieldBuffers::clearCounts(VkCommandBuffer commands) const
 {
     shared::DrawArguments none = {};
     none.vertexCount = shared::drawChunk;
-    none.groups[1] = 1;
-    none.groups[2] = 1;
     vkCmdUpdateBuffer(commands, draw_.get(), 0, sizeof none, &none);
+    vkCmdFillBuffer(commands, rounds_.get(), 0, VK_WHOLE_SIZE, 0);
+    tree_->clear(commands);
+}
+
+void FieldBuffers::clearFates(VkCommandBuffer commands) const
+{
+    // What the walk does not reach is left out with its patch.
+    if (records_.fates)
+        vkCmdFillBuffer(commands, fates_.get(), 0, VK_WHOLE_SIZE, shared::fatePatch);
 }
 
 } // namespace sward::render

@@ -23,6 +23,7 @@
 #include "render/sky_pass.h"
 #include "render/sun_shadow.h"
 #include "render/update_cull_pass.h"
+#include "render/walk_pass.h"
 
 #include <optional>
 
@@ -68,11 +69,17 @@ struct FieldRenderer::Parts {
         , attachments(context, {.colorFormat = wanted.colorFormat,
                                 .samples = wanted.samples,
                                 .isSampled = geometry == Geometry::raster})
-        , blades(uploaded<FieldBuffers>(context, field, wanted.recordFates))
+        , blades(uploaded<FieldBuffers>(
+              context, field,
+              FieldBuffers::Records{.list =
+                                        geometry == Geometry::tessellation || wanted.recordFates,
+                                    .fates = wanted.recordFates,
+                                    .roundPatches = wanted.roundPatches}))
         , ground(uploaded<GroundBuffers>(context, *field.ground))
         , cover(uploaded<GrassCover>(context, field))
         , sunShadow(context, shaders, ground.box())
         , pyramid(context, shaders, wanted.samples)
+        , walk(context, shaders)
         , updateCull(context)
         , groundPass(context, shaders, {wanted.colorFormat, wanted.samples}, ground.imageLayout())
         , shape{field.origin, field.bounds(), blades.bladeSize()}
@@ -98,6 +105,7 @@ struct FieldRenderer::Parts {
     GrassCover cover;
     SunShadowPass sunShadow;
     DepthPyramid pyramid;
+    WalkPass walk;
     UpdateCullPass updateCull;
     GroundPass groundPass;
 
@@ -130,16 +138,20 @@ struct FieldRenderer::Parts {
                              std::uint32_t slot);
     VkDeviceAddress judge(const shared::Frame& frame, const FrameSettings& wishes, glm::uvec2 size,
                           std::uint32_t slot);
-    void moveAndCull(VkCommandBuffer commands, double time, VkDeviceAddress frame,
-                     UpdateCullPass::Scope scope);
-    void listAll(VkCommandBuffer commands, std::uint32_t slot);
+    void begin(VkCommandBuffer commands, double time);
+    void findLive(VkCommandBuffer commands, VkDeviceAddress judged, gpu::Timestamps* timestamps);
+    void moveAndList(VkCommandBuffer commands, VkDeviceAddress judged, std::uint32_t round,
+                     gpu::Timestamps* timestamps);
+    void beginAgain(VkCommandBuffer commands);
     void drawGround(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
                     gpu::Timestamps* timestamps);
     void seeWhatIsHidden(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);
     void drawBlades(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
                     gpu::Timestamps* timestamps);
-    void rasterBlades(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
-                      VkDeviceAddress listedBy, gpu::Timestamps* timestamps);
+    void rasterBlades(VkCommandBuffer commands, std::uint32_t slot, VkDeviceAddress judged,
+                      gpu::Timestamps* timestamps);
+    void resolve(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
+                 VkDeviceAddress judged, gpu::Timestamps* timestamps);
     gpu::ColorAttachment colorAttachment(const Target& target) const;
 };
 
@@ -209,29 +221,39 @@ VkDeviceAddress FieldRenderer::Parts::judge(const shared::Frame& frame, const Fr
     return slots[slot].judged.address();
 }
 
-void FieldRenderer::Parts::listAll(VkCommandBuffer commands, std::uint32_t slot)
+void FieldRenderer::Parts::begin(VkCommandBuffer commands, double time)
+{
+    // Wait for the frame before, which draws from the same lists, and clear them.
+    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
+    blades.clearCounts(commands);
+    blades.clearFates(commands);
+    if (!hasSettled)
+        blades.rest(commands, static_cast<float>(time - settlingTime));
+    hasSettled = true;
+    gpu::transferToCompute(commands);
+}
+
+void FieldRenderer::Parts::beginAgain(VkCommandBuffer commands)
 {
     // Blades that have just been moved stay where they are: no time has passed.
     gpu::memoryBarrier(commands, gpu::anyAccess, gpu::transferAccess);
     blades.clearCounts(commands);
     gpu::transferToCompute(commands);
-    updateCull.record(commands, blades, slots[slot].listing.address(), variant,
-                      UpdateCullPass::Scope::visible);
-    gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
 }
 
-void FieldRenderer::Parts::moveAndCull(VkCommandBuffer commands, double time, VkDeviceAddress frame,
-                                       UpdateCullPass::Scope scope)
+void FieldRenderer::Parts::findLive(VkCommandBuffer commands, VkDeviceAddress judged,
+                                    gpu::Timestamps* timestamps)
 {
-    // Wait for the frame before, which draws from the same lists, and clear them.
-    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
-    blades.clearCounts(commands);
-    if (!hasSettled)
-        blades.rest(commands, static_cast<float>(time - settlingTime));
-    hasSettled = true;
-    gpu::transferToCompute(commands);
+    const PassScope scope(context, commands, timestamps, "cull");
+    walk.record(commands, blades.tree(), judged);
+    gpu::computeToCompute(commands);
+}
 
-    updateCull.record(commands, blades, frame, variant, scope);
+void FieldRenderer::Parts::moveAndList(VkCommandBuffer commands, VkDeviceAddress judged,
+                                       std::uint32_t round, gpu::Timestamps* timestamps)
+{
+    const PassScope scope(context, commands, timestamps, "update");
+    updateCull.record(commands, blades, judged, variant, UpdateCullPass::Scope::visible, round);
 }
 
 void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const Camera& camera,
@@ -264,20 +286,30 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
             parts.seeWhatIsHidden(commands, slot, timestamps);
         parts.hasPyramid = looksForHidden;
     }
-    {
-        const PassScope scope(parts.context, commands, timestamps, "update");
-        parts.moveAndCull(commands, time, judged, UpdateCullPass::Scope::visible);
+    // Find the patches that may be seen, then move their blades, judge them, and draw.
+    parts.begin(commands, time);
+    parts.findLive(commands, judged, timestamps);
+    VkDeviceAddress listedBy = judged;
+    const bool findsReasons = settings.debug == DebugMode::reason;
+    if (findsReasons) {
+        // All blades are drawn, in the colours of what becomes of them.
+        parts.moveAndList(commands, judged, 0, timestamps);
+        parts.slots[slot].recordCounts(commands, parts.blades.draw());
+        listedBy = parts.slots[slot].listing.address();
+        parts.beginAgain(commands);
+        parts.findLive(commands, listedBy, nullptr);
     }
+    if (parts.raster)
+        parts.rasterBlades(commands, slot, listedBy, timestamps);
+    else
+        parts.moveAndList(commands, listedBy, 0, timestamps);
 
     // Hand the list to the draw, and the counts to whoever asks for them.
-    parts.slots[slot].recordCounts(commands, parts.blades.draw());
-    if (settings.debug == DebugMode::reason)
-        parts.listAll(commands, slot);
-
-    const VkDeviceAddress listedBy =
-        settings.debug == DebugMode::reason ? parts.slots[slot].listing.address() : judged;
+    gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
+    if (!findsReasons)
+        parts.slots[slot].recordCounts(commands, parts.blades.draw());
     if (parts.raster)
-        parts.rasterBlades(commands, target, slot, listedBy, timestamps);
+        parts.resolve(commands, target, slot, listedBy, timestamps);
     else
         parts.drawBlades(commands, target, slot, timestamps);
 }
@@ -359,22 +391,38 @@ void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& ta
     }
 }
 
-void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, const Target& target,
-                                        std::uint32_t slot, VkDeviceAddress listedBy,
-                                        gpu::Timestamps* timestamps)
+void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, std::uint32_t slot,
+                                        VkDeviceAddress judged, gpu::Timestamps* timestamps)
 {
     gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
                     gpu::ImageUse::sampled);
     gpu::transition(commands, attachments.color(), gpu::ImageUse::colorTarget,
                     gpu::ImageUse::sampled);
-    const VkDeviceAddress frame = slots[slot].frame.address();
-    const RasterPass::Input input{&blades, frame, listedBy};
+    const RasterPass::Input input{&blades, slots[slot].frame.address(), judged};
     {
         const PassScope scope(context, commands, timestamps, "blades");
-        raster->recordBlades(commands, input);
+        raster->recordBegin(commands, input);
     }
+    for (std::uint32_t round = 0; round < blades.roundCount(); ++round) {
+        // The round before draws from the list that is filled anew.
+        if (round > 0)
+            gpu::computeToCompute(commands);
+        moveAndList(commands, judged, round, timestamps);
+        gpu::computeToCompute(commands);
+        const PassScope scope(context, commands, timestamps, "blades");
+        raster->recordBlades(commands, input, round);
+    }
+    gpu::computeToCompute(commands);
+    const PassScope scope(context, commands, timestamps, "blades");
+    raster->recordLarge(commands, input);
+}
+
+void FieldRenderer::Parts::resolve(VkCommandBuffer commands, const Target& target,
+                                   std::uint32_t slot, VkDeviceAddress judged,
+                                   gpu::Timestamps* timestamps)
+{
     const PassScope scope(context, commands, timestamps, "resolve");
-    raster->recordResolve(commands, input, paintsWind);
+    raster->recordResolve(commands, {&blades, slots[slot].frame.address(), judged}, paintsWind);
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, gpu::ImageUse::colorTarget,
                     gpu::ImageUse::transferTarget);
     raster->copyTo(commands, target.image);
@@ -390,8 +438,9 @@ void FieldRenderer::recordUpdateOnly(VkCommandBuffer commands, const FrameSettin
     const gpu::LabelScope label(parts.context, commands, "field/update only");
     parts.writeFrame(frameOf(parts.shape, ViewMatrices{}, settings, time, parts.settings.samples),
                      settings, time, slot);
-    parts.moveAndCull(commands, time, parts.slots[slot].frame.address(),
-                      UpdateCullPass::Scope::all);
+    parts.begin(commands, time);
+    parts.updateCull.record(commands, parts.blades, parts.slots[slot].frame.address(),
+                            parts.variant, UpdateCullPass::Scope::all);
 }
 
 FrameStats FieldRenderer::stats(std::uint32_t slot) const

@@ -36,7 +36,11 @@ public:
         std::uint32_t samples = 4;                      ///< 1 or 4 per pixel
         std::uint32_t framesInFlight = 1; ///< frames recorded before one is waited for
         Geometry geometry = Geometry::automatic;
-        bool recordFates = false; ///< keep each blade's fate for dumpBlades(); 4 bytes a blade
+        bool recordFates = false; ///< keep each blade's fate for dumpBlades(); 20 bytes a blade
+
+        /// The rasteriser updates and draws so many patches of up to 256 blades at a time, or a
+        /// 32nd of all if that is more: 16 bytes for each of their blades.
+        std::uint32_t roundPatches = 65536;
     };
 
     /// Outlived by the context. `field` may die, except that dumpBlades() needs it again. Throws

@@ -4,8 +4,6 @@
 #include "gpu/barrier.h"
 #include "gpu/image_use.h"
 
-#include <cstddef>
-
 namespace sward::render {
 namespace {
 
@@ -62,11 +60,14 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
     begin_ = pipeline("raster/begin", variantOf("raster_begin", target.samples));
     blades_ = pipeline("raster/blades", "raster_blades.comp");
     large_ = pipeline("raster/large blades", "raster_large.comp");
-    largeBlades_ = gpu::Buffer(
-        context,
-        {.name = "raster/large blades",
-         .bytes = (shared::largePlaces + shared::mostLargeBlades) * sizeof(std::uint32_t),
-         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT});
+    largeParts_ = gpu::Buffer(context, {.name = "raster/large blades",
+                                        .bytes = shared::mostLargeParts * sizeof(shared::LargePart),
+                                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+    largeCount_ = gpu::Buffer(context, {.name = "raster/large blades' count",
+                                        .bytes = sizeof(shared::WalkLevel),
+                                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                                 VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                                 VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT});
 }
 
 void RasterPass::prepare(const gpu::ShaderLibrary& shaders, bool paintsWind)
@@ -99,7 +100,7 @@ void RasterPass::resize(const Attachments& attachments)
     images_.setSampled(0, attachments.color().view(), sampler_.get());
     images_.setSampled(1, attachments.depth().view(), sampler_.get());
     images_.setStorage(0, picture_.view());
-    bytes_ = visibility_.bytes() + largeBlades_.bytes() + picture_.memoryBytes();
+    bytes_ = visibility_.bytes() + largeParts_.bytes() + picture_.memoryBytes();
 }
 
 shared::RasterPush RasterPass::pushFor(const Input& input) const
@@ -107,33 +108,42 @@ shared::RasterPush RasterPass::pushFor(const Input& input) const
     return {.frame = input.frame,
             .judged = input.judged,
             .visibility = visibility_.address(),
-            .large = largeBlades_.address(),
+            .rounds = input.field->rounds().address(),
+            .large = largeParts_.address(),
+            .largeCount = largeCount_.address(),
             .owners = input.field->owners(),
             .firstOwners = input.field->firstOwners(),
             .size = {size_.width, size_.height},
             .isBgr = isBgr(target_.colorFormat) ? 1u : 0u,
-            .reserved = 0};
+            .round = 0};
 }
 
-void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input) const
+void RasterPass::recordBegin(VkCommandBuffer commands, const Input& input) const
 {
-    const shared::RasterPush push = pushFor(input);
-    // The frame before may still be looking at what begins anew.
-    gpu::computeToCompute(commands);
+    const shared::WalkLevel none{.groups = {0, 1, 1}, .count = 0};
+    vkCmdUpdateBuffer(commands, largeCount_.get(), 0, sizeof none, &none);
     begin_.bind(commands);
     images_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, begin_.layout());
-    begin_.push(commands, push);
+    begin_.push(commands, pushFor(input));
     vkCmdDispatch(commands, tilesFor(size_.width), tilesFor(size_.height), 1);
-    gpu::computeToCompute(commands);
+    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::dispatchAccess);
+}
 
+void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input,
+                              std::uint32_t round) const
+{
+    shared::RasterPush push = pushFor(input);
+    push.round = round;
     blades_.bind(commands);
     blades_.push(commands, push);
-    vkCmdDispatchIndirect(commands, input.field->draw().get(),
-                          offsetof(shared::DrawArguments, groups));
-    gpu::computeToCompute(commands);
+    vkCmdDispatchIndirect(commands, input.field->rounds().get(), round * sizeof(shared::WalkLevel));
+}
+
+void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input) const
+{
     large_.bind(commands);
-    large_.push(commands, push);
-    vkCmdDispatchIndirect(commands, largeBlades_.get(), 0);
+    large_.push(commands, pushFor(input));
+    vkCmdDispatchIndirect(commands, largeCount_.get(), 0);
 }
 
 void RasterPass::recordResolve(VkCommandBuffer commands, const Input& input, bool paintsWind) const

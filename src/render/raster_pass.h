@@ -22,8 +22,8 @@ namespace sward::render {
 /// they can.
 const char* obstacleToRaster(const gpu::DeviceContext& context, VkFormat colorFormat);
 
-/// Draws blades by compute shaders: visible blades into a visibility buffer that begins with the
-/// depth of what the graphics pipeline has drawn, then the picture from both.
+/// Draws blades by compute shaders: those that are seen into a visibility buffer that begins with
+/// the depth of what the graphics pipeline has drawn, then the picture from both.
 class RasterPass {
 public:
     /// `obstacleToRaster()` has none.
@@ -43,8 +43,16 @@ public:
         VkDeviceAddress judged = 0; ///< by whose camera the visible blades were listed
     };
 
-    /// Rasterises the visible blades. Colour and depth are in ImageUse::sampled.
-    void recordBlades(VkCommandBuffer commands, const Input& input) const;
+    /// Begins the visibility with what the graphics pipeline has drawn; colour and depth are in
+    /// ImageUse::sampled.
+    void recordBegin(VkCommandBuffer commands, const Input& input) const;
+
+    /// Rasterises the visible blades that a round of the update has listed, but for large ones.
+    /// Between barriers from compute shaders to the same.
+    void recordBlades(VkCommandBuffer commands, const Input& input, std::uint32_t round) const;
+
+    /// Rasterises the large ones of all rounds.
+    void recordLarge(VkCommandBuffer commands, const Input& input) const;
 
     /// Shades the picture; it is then in ImageUse::transferSource. `paintsWind` was prepared.
     void recordResolve(VkCommandBuffer commands, const Input& input, bool paintsWind) const;
@@ -69,7 +77,8 @@ private:
     VkExtent2D size_{};
     VkDeviceSize bytes_ = 0;
     gpu::Buffer visibility_;
-    gpu::Buffer largeBlades_;
+    gpu::Buffer largeParts_;
+    gpu::Buffer largeCount_;
     gpu::Image picture_;
     gpu::ImageSet images_;
 };

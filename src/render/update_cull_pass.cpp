@@ -3,6 +3,8 @@
 #include "core/expect.h"
 #include "shaders/shared/passes.h"
 
+#include <algorithm>
+
 namespace sward::render {
 
 UpdateCullPass::UpdateCullPass(const gpu::DeviceContext& context)
@@ -25,7 +27,8 @@ void UpdateCullPass::prepare(const gpu::ShaderLibrary& shaders, Variant variant)
 }
 
 void UpdateCullPass::record(VkCommandBuffer commands, const FieldBuffers& field,
-                            VkDeviceAddress frame, Variant variant, Scope scope) const
+                            VkDeviceAddress frame, Variant variant, Scope scope,
+                            std::uint32_t round) const
 {
     if (field.ownerCount() == 0)
         return;
@@ -33,11 +36,24 @@ void UpdateCullPass::record(VkCommandBuffer commands, const FieldBuffers& field,
     expect(found != pipelines_.end(), "the update has been prepared for the frame's wind");
     const gpu::ComputePipeline& pipeline = found->second;
     pipeline.bind(commands);
-    pipeline.push(commands, shared::UpdatePush{frame, field.owners(), field.ownerCount(),
-                                               scope == Scope::all ? 1u : 0u});
-    // One work-group per patch, in two dimensions where there are more than one can count.
-    const VkExtent2D grid = gpu::groupGrid(*context_, field.ownerCount());
-    vkCmdDispatch(commands, grid.width, grid.height, 1);
+    pipeline.push(commands, shared::UpdatePush{.judged = frame,
+                                               .live = field.tree().live(),
+                                               .levels = field.tree().levels().address(),
+                                               .rounds = field.rounds().address(),
+                                               .owners = field.owners(),
+                                               .ownerCount = field.ownerCount(),
+                                               .onlyUpdate = scope == Scope::all ? 1u : 0u,
+                                               .firstLive = round * field.roundPatches(),
+                                               .mostLive = field.roundPatches(),
+                                               .round = round,
+                                               .reserved = 0});
+    // One work-group per patch, or one for several where they are more than one can count.
+    if (scope == Scope::all)
+        vkCmdDispatch(commands,
+                      std::min(shared::updateGroups(field.ownerCount()), shared::mostGroups), 1, 1);
+    else
+        vkCmdDispatchIndirect(commands, field.tree().levels().get(),
+                              shared::liveLevel * sizeof(shared::WalkLevel));
 }
 
 } // namespace sward::render

@@ -13,7 +13,7 @@
 
 namespace sward::render {
 
-/// Moves the blades of every visible patch, judges them, and lists those that are to be drawn.
+/// Moves the blades of the live patches, judges them, and lists those that are to be drawn.
 class UpdateCullPass {
 public:
     explicit UpdateCullPass(const gpu::DeviceContext& context);
@@ -29,14 +29,14 @@ public:
     void prepare(const gpu::ShaderLibrary& shaders, Variant variant);
 
     enum class Scope {
-        visible, ///< patches that are seen; judge and count
+        visible, ///< the live patches of the walk recorded before; judge and count
         all,     ///< every patch; move only
     };
 
-    /// Between a barrier from the clearing of the counts and one to the draw. `variant` has been
-    /// prepared.
+    /// Between a barrier from the clearing of the counts, or from the walk, and one to the draw.
+    /// `variant` has been prepared.
     void record(VkCommandBuffer commands, const FieldBuffers& field, VkDeviceAddress frame,
-                Variant variant, Scope scope) const;
+                Variant variant, Scope scope, std::uint32_t round = 0) const;
 
 private:
     const gpu::DeviceContext* context_;

@@ -125,6 +125,7 @@ bool isClose(const shared::Frame& frame, const shared::Blade& blade, std::uint32
 
 TEST_F(CullingTest, JudgesAsTheCpuDoesSaveWhereRoundingDecides)
 {
+    const std::vector<shared::Subtree> subtrees = subtreesOf(field::viewOf(field_));
     std::size_t close = 0;
     std::size_t judged = 0;
     std::array<std::size_t, shared::fateCount> seen{};
@@ -135,7 +136,7 @@ TEST_F(CullingTest, JudgesAsTheCpuDoesSaveWhereRoundingDecides)
 
         for (std::size_t p = 0; p < field_.patches.size(); ++p) {
             const shared::Patch& cell = field_.patches[p];
-            const bool culled = shared::patchCulled(view, cell);
+            const bool culled = shared::patchCulled(view, cell, subtrees[p].widest);
             for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
                 const std::size_t index = cell.firstBlade + i;
                 const shared::Verdict verdict =

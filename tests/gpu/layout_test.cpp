@@ -112,6 +112,12 @@ struct Values {
     shared::WindSource windSource;
     shared::Collider collider;
     shared::UpdatePush updatePush;
+    shared::WalkPush walkPush;
+    shared::RasterPush rasterPush;
+    shared::Subtree subtree;
+    shared::LivePatch live;
+    shared::WalkLevel walkLevel;
+    shared::LargePart largePart;
     shared::PyramidPush pyramidPush;
     shared::ViewPush viewPush;
     shared::GroundPush groundPush;
@@ -147,8 +153,21 @@ std::size_t fillValues(Values& v)
     n.fillAll(v.groundMaterial.baseColor, v.groundMaterial.roughness, v.groundMaterial.metallic,
               v.groundMaterial.image, v.groundMaterial.flags);
     n.fillAll(v.windSource, v.collider);
-    n.fillAll(v.updatePush.frame, v.updatePush.owners, v.updatePush.ownerCount,
-              v.updatePush.onlyUpdate);
+    shared::UpdatePush& u = v.updatePush;
+    n.fillAll(u.judged, u.live, u.levels, u.rounds, u.owners, u.ownerCount, u.onlyUpdate,
+              u.firstLive, u.mostLive, u.round, u.reserved);
+    shared::WalkPush& w = v.walkPush;
+    n.fillAll(w.judged, w.subtrees, w.queue, w.live, w.levels, w.startCount, w.startLevel, w.level,
+              w.reserved);
+    shared::RasterPush& r = v.rasterPush;
+    n.fillAll(r.frame, r.judged, r.visibility, r.rounds, r.large, r.largeCount, r.owners,
+              r.firstOwners, r.size, r.isBgr, r.round);
+    n.fillAll(v.subtree.blades, v.subtree.widest, v.subtree.rankBelow);
+    n.fillAll(v.live.patchIndex, v.live.count);
+    n.fillAll(v.walkLevel.groups, v.walkLevel.count);
+    n.fillAll(v.largePart.visible.blade, v.largePart.visible.patchIndex,
+              v.largePart.visible.widthFactor, v.largePart.visible.pixels, v.largePart.part,
+              v.largePart.parts);
     n.fillAll(v.pyramidPush.frame, v.pyramidPush.level, v.pyramidPush.reserved);
     n.fillAll(v.viewPush.frame);
     n.fillAll(v.groundPush.frame, v.groundPush.vertices, v.groundPush.materials,
@@ -177,7 +196,7 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
     const std::size_t words = fillValues(values);
 
     // The frame is reached as element 0 everywhere, so here, too.
-    std::array<gpu::Buffer, 16> buffers = {secondElement(context(), values.blade),
+    std::array<gpu::Buffer, 22> buffers = {secondElement(context(), values.blade),
                                            secondElement(context(), values.packedBlade),
                                            secondElement(context(), values.state),
                                            secondElement(context(), values.cell),
@@ -190,6 +209,12 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
                                            secondElement(context(), values.windSource),
                                            secondElement(context(), values.collider),
                                            secondElement(context(), values.updatePush),
+                                           secondElement(context(), values.walkPush),
+                                           secondElement(context(), values.rasterPush),
+                                           secondElement(context(), values.subtree),
+                                           secondElement(context(), values.live),
+                                           secondElement(context(), values.walkLevel),
+                                           secondElement(context(), values.largePart),
                                            secondElement(context(), values.pyramidPush),
                                            secondElement(context(), values.viewPush),
                                            secondElement(context(), values.groundPush)};

@@ -98,6 +98,33 @@ TEST_F(RendererTest, DrawsTheSamePictureOfTheSameMomentTwice)
     }
 }
 
+TEST_F(RendererTest, DrawsTheSameInRoundsAsAtOnce)
+{
+    FieldRenderer::Settings atOnce;
+    atOnce.geometry = Geometry::raster;
+    FieldRenderer::Settings inRounds = atOnce;
+    inRounds.roundPatches = 3;
+    test::Picture picture(context(), {128, 80});
+    std::array<std::vector<std::byte>, 2> pictures;
+    std::array<FrameStats, 2> stats;
+    std::array<std::size_t, 2> bytes{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        Scene scene = meadow(5000, i == 0 ? atOnce : inRounds);
+        picture.draw(scene.renderer, scene.camera, scene.settings, 2.0);
+        picture.draw(scene.renderer, scene.camera, scene.settings, 2.1);
+        pictures[i] = picture.pixels();
+        stats[i] = scene.renderer.stats();
+        bytes[i] = scene.renderer.deviceBytes();
+    }
+    EXPECT_EQ(test::differingPixels(pictures[0], pictures[1]), 0u);
+    EXPECT_GT(stats[0].drawn, 1000u);
+    EXPECT_EQ(stats[0].drawn, stats[1].drawn);
+    EXPECT_EQ(stats[0].simulated, stats[1].simulated);
+    EXPECT_EQ(sumOf(stats[1]), stats[1].resident);
+    // The list of a round is shorter by what it saves.
+    EXPECT_LT(bytes[1] + 1000 * sizeof(shared::VisibleBlade), bytes[0]);
+}
+
 TEST_F(RendererTest, TakesStepsOfAnyLength)
 {
     Scene scene = meadow(600);
@@ -295,7 +322,7 @@ TEST_F(RendererTest, RefusesAFieldThatIsLargerThanTheDevice)
     const field::Field field = test::makeField({.blades = 500});
     gpu::Uploader uploader(context());
     try {
-        const FieldBuffers buffers(small, uploader, field::viewOf(field), false);
+        const FieldBuffers buffers(small, uploader, field::viewOf(field), {});
         FAIL() << "a device of 1 KiB held 500 blades";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::runtime);

@@ -14,20 +14,23 @@ std::span<const EmbeddedFile> shaders();
 namespace sward::test {
 namespace {
 
-render::FieldBuffers upload(const gpu::DeviceContext& context, const field::FieldView& field)
+render::FieldBuffers upload(const gpu::DeviceContext& context, const field::FieldView& field,
+                            const render::FieldBuffers::Records& records)
 {
     gpu::Uploader uploader(context);
-    render::FieldBuffers buffers(context, uploader, field, true);
+    render::FieldBuffers buffers(context, uploader, field, records);
     uploader.finish();
     return buffers;
 }
 
 } // namespace
 
-UpdateBench::UpdateBench(const gpu::DeviceContext& context, const field::FieldView& field)
+UpdateBench::UpdateBench(const gpu::DeviceContext& context, const field::FieldView& field,
+                         std::uint32_t walkStart, bool recordFates)
     : context_(context)
     , shaders_(embedded::shaders())
-    , buffers_(upload(context, field))
+    , buffers_(upload(context, field, {.list = true, .fates = recordFates, .walkStart = walkStart}))
+    , walk_(context, shaders_)
     , pass_(context)
     , tables_(context)
 {
@@ -53,18 +56,23 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
         gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
         buffers_.rest(commands, frame.time - elapsed);
         buffers_.clearCounts(commands);
+        buffers_.clearFates(commands);
     });
     gpu::Uploader uploader(context_);
     uploader.toBuffer(buffers_.states(), states);
     uploader.finish();
     gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
         gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
+        if (scope == render::UpdateCullPass::Scope::visible)
+            walk_.record(commands, buffers_.tree(), constants.address());
+        gpu::computeToCompute(commands);
         pass_.record(commands, buffers_, constants.address(), variant, scope);
     });
 
     Result result;
     result.states = gpu::readBufferAs<shared::BladeState>(context_, buffers_.states());
-    result.fates = gpu::readBufferAs<std::uint32_t>(context_, buffers_.fates());
+    if (buffers_.fates().bytes() > 0)
+        result.fates = gpu::readBufferAs<std::uint32_t>(context_, buffers_.fates());
     result.visible = gpu::readBufferAs<shared::VisibleBlade>(context_, buffers_.visible());
     result.draw = gpu::readBufferAs<shared::DrawArguments>(context_, buffers_.draw())[0];
     result.visible.resize(result.draw.fates[shared::fateDrawn]);

@@ -6,6 +6,7 @@
 #include "render/field_buffers.h"
 #include "render/frame_tables.h"
 #include "render/update_cull_pass.h"
+#include "render/walk_pass.h"
 #include "shaders/shared/frame.h"
 
 #include <span>
@@ -13,14 +14,16 @@
 
 namespace sward::test {
 
-/// Runs the update and cull pass of the product by itself on one field.
+/// Runs the walk and the update and cull pass of the product by themselves on one field.
 class UpdateBench {
 public:
-    UpdateBench(const gpu::DeviceContext& context, const field::FieldView& field);
+    /// Without fates nobody is told of each blade, only of their numbers.
+    UpdateBench(const gpu::DeviceContext& context, const field::FieldView& field,
+                std::uint32_t walkStart = 8, bool recordFates = true);
 
     struct Result {
         std::vector<shared::BladeState> states;
-        std::vector<std::uint32_t> fates;
+        std::vector<std::uint32_t> fates;          ///< if they are recorded
         std::vector<shared::VisibleBlade> visible; ///< only those that are listed
         shared::DrawArguments draw;
     };
@@ -38,6 +41,7 @@ private:
     const gpu::DeviceContext& context_;
     gpu::ShaderLibrary shaders_;
     render::FieldBuffers buffers_;
+    render::WalkPass walk_;
     render::UpdateCullPass pass_;
     render::FrameTables tables_;
 };

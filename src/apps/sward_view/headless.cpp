@@ -142,9 +142,8 @@ RunStats Headless::stats()
     stats.blades = renderer_.stats(slot);
     for (const std::string& name : timestamps_.names())
         stats.gpuTimes[name] = timestamps_.statistics(name);
-    // Updating and culling are one pass here.
     std::vector<double> grass = timestamps_.history("update");
-    for (const char* pass : {"pyramid", "blades", "resolve"})
+    for (const char* pass : {"cull", "pyramid", "blades", "resolve"})
         grass = sumOf(std::move(grass), timestamps_.history(pass));
     stats.gpuTimes["grass"] = gpu::statisticsOf(grass);
     stats.recordTime = gpu::statisticsOf(recordTimes_);

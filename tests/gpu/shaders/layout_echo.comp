@@ -8,6 +8,8 @@ layout(local_size_x = 1) in;
 
 SHARED_BUFFER(PlainBladeArray, Blade, readonly)
 SHARED_BUFFER(UpdatePushArray, UpdatePush, readonly)
+SHARED_BUFFER(WalkPushArray, WalkPush, readonly)
+SHARED_BUFFER(RasterPushArray, RasterPush, readonly)
 SHARED_BUFFER(PyramidPushArray, PyramidPush, readonly)
 SHARED_BUFFER(ViewPushArray, ViewPush, readonly)
 SHARED_BUFFER(GroundPushArray, GroundPush, readonly)
@@ -26,6 +28,12 @@ struct Sources {
     WindTable windSource;
     ColliderTable collider;
     UpdatePushArray updatePush;
+    WalkPushArray walkPush;
+    RasterPushArray rasterPush;
+    SubtreeArray subtree;
+    LivePatchArray live;
+    WalkLevelArray walkLevel;
+    LargePartArray largePart;
     PyramidPushArray pyramidPush;
     ViewPushArray viewPush;
     GroundPushArray groundPush;
@@ -295,10 +303,56 @@ void main()
     put(sources.at[0].windSource.at[1]);
     put(sources.at[0].collider.at[1]);
 
-    put(uvec2(sources.at[0].updatePush.at[1].frame));
+    put(uvec2(sources.at[0].updatePush.at[1].judged));
+    put(uvec2(sources.at[0].updatePush.at[1].live));
+    put(uvec2(sources.at[0].updatePush.at[1].levels));
+    put(uvec2(sources.at[0].updatePush.at[1].rounds));
     put(uvec2(sources.at[0].updatePush.at[1].owners));
     put(sources.at[0].updatePush.at[1].ownerCount);
     put(sources.at[0].updatePush.at[1].onlyUpdate);
+    put(sources.at[0].updatePush.at[1].firstLive);
+    put(sources.at[0].updatePush.at[1].mostLive);
+    put(sources.at[0].updatePush.at[1].round);
+    put(sources.at[0].updatePush.at[1].reserved);
+
+    put(uvec2(sources.at[0].walkPush.at[1].judged));
+    put(uvec2(sources.at[0].walkPush.at[1].subtrees));
+    put(uvec2(sources.at[0].walkPush.at[1].queue));
+    put(uvec2(sources.at[0].walkPush.at[1].live));
+    put(uvec2(sources.at[0].walkPush.at[1].levels));
+    put(sources.at[0].walkPush.at[1].startCount);
+    put(sources.at[0].walkPush.at[1].startLevel);
+    put(sources.at[0].walkPush.at[1].level);
+    put(sources.at[0].walkPush.at[1].reserved);
+
+    put(uvec2(sources.at[0].rasterPush.at[1].frame));
+    put(uvec2(sources.at[0].rasterPush.at[1].judged));
+    put(uvec2(sources.at[0].rasterPush.at[1].visibility));
+    put(uvec2(sources.at[0].rasterPush.at[1].rounds));
+    put(uvec2(sources.at[0].rasterPush.at[1].large));
+    put(uvec2(sources.at[0].rasterPush.at[1].largeCount));
+    put(uvec2(sources.at[0].rasterPush.at[1].owners));
+    put(uvec2(sources.at[0].rasterPush.at[1].firstOwners));
+    put(sources.at[0].rasterPush.at[1].size);
+    put(sources.at[0].rasterPush.at[1].isBgr);
+    put(sources.at[0].rasterPush.at[1].round);
+
+    const Subtree subtree = sources.at[0].subtree.at[1];
+    put(subtree.blades);
+    put(subtree.widest);
+    put(subtree.rankBelow);
+    put(sources.at[0].live.at[1].patchIndex);
+    put(sources.at[0].live.at[1].count);
+    for (uint i = 0u; i < 3u; ++i)
+        put(sources.at[0].walkLevel.at[1].groups[i]);
+    put(sources.at[0].walkLevel.at[1].count);
+    put(sources.at[0].largePart.at[1].visible.blade);
+    put(sources.at[0].largePart.at[1].visible.patchIndex);
+    put(sources.at[0].largePart.at[1].visible.widthFactor);
+    put(sources.at[0].largePart.at[1].visible.pixels);
+    put(sources.at[0].largePart.at[1].part);
+    put(sources.at[0].largePart.at[1].parts);
+
     put(uvec2(sources.at[0].pyramidPush.at[1].frame));
     put(sources.at[0].pyramidPush.at[1].level);
     put(sources.at[0].pyramidPush.at[1].reserved);
