@@ -12,18 +12,16 @@
 #include "render/blade_pass.h"
 #include "render/collider_pass.h"
 #include "render/depth_pyramid.h"
-#include "render/field_buffers.h"
 #include "render/frame.h"
 #include "render/frame_slot.h"
 #include "render/grass_cover.h"
 #include "render/ground_pass.h"
 #include "render/judged_frame.h"
+#include "render/moving_blades.h"
 #include "render/pass_scope.h"
 #include "render/raster_pass.h"
 #include "render/sky_pass.h"
 #include "render/sun_shadow.h"
-#include "render/update_cull_pass.h"
-#include "render/walk_pass.h"
 
 #include <optional>
 
@@ -34,10 +32,6 @@ std::span<const EmbeddedFile> shaders();
 namespace sward::render {
 namespace {
 
-/// Before its first frame a field has stood in its wind for so long [s] that no blade is still on
-/// its way from the straight pose it was baked in.
-constexpr double settlingTime = 12.0;
-
 Geometry chooseGeometry(const gpu::DeviceContext& context, const FieldRenderer::Settings& wanted)
 {
     const char* obstacle = obstacleToRaster(context, wanted.colorFormat);
@@ -46,6 +40,13 @@ Geometry chooseGeometry(const gpu::DeviceContext& context, const FieldRenderer::
     if (wanted.geometry == Geometry::automatic)
         return obstacle == nullptr && !context.isCpu() ? Geometry::raster : Geometry::tessellation;
     return wanted.geometry;
+}
+
+FieldBuffers::Records recordsFor(Geometry geometry, const FieldRenderer::Settings& wanted)
+{
+    return {.list = geometry == Geometry::tessellation || wanted.recordFates,
+            .fates = wanted.recordFates,
+            .roundPatches = wanted.roundPatches};
 }
 
 /// Uploads all that a field brings, and waits for it.
@@ -69,20 +70,14 @@ struct FieldRenderer::Parts {
         , attachments(context, {.colorFormat = wanted.colorFormat,
                                 .samples = wanted.samples,
                                 .isSampled = geometry == Geometry::raster})
-        , blades(uploaded<FieldBuffers>(
-              context, field,
-              FieldBuffers::Records{.list =
-                                        geometry == Geometry::tessellation || wanted.recordFates,
-                                    .fates = wanted.recordFates,
-                                    .roundPatches = wanted.roundPatches}))
+        , blades(context, shaders,
+                 uploaded<FieldBuffers>(context, field, recordsFor(geometry, wanted)))
         , ground(uploaded<GroundBuffers>(context, *field.ground))
         , cover(uploaded<GrassCover>(context, field))
         , sunShadow(context, shaders, ground.box())
         , pyramid(context, shaders, wanted.samples)
-        , walk(context, shaders)
-        , updateCull(context)
         , groundPass(context, shaders, {wanted.colorFormat, wanted.samples}, ground.imageLayout())
-        , shape{field.origin, field.bounds(), blades.bladeSize()}
+        , shape{field.origin, field.bounds(), blades.buffers().bladeSize()}
     {
         expect(wanted.framesInFlight >= 1, "at least one frame is in flight");
         const TargetSettings target{wanted.colorFormat, wanted.samples};
@@ -100,13 +95,11 @@ struct FieldRenderer::Parts {
     Geometry geometry;
     gpu::ShaderLibrary shaders{embedded::shaders()};
     Attachments attachments;
-    FieldBuffers blades;
+    MovingBlades blades;
     GroundBuffers ground;
     GrassCover cover;
     SunShadowPass sunShadow;
     DepthPyramid pyramid;
-    WalkPass walk;
-    UpdateCullPass updateCull;
     GroundPass groundPass;
 
     /// What the graphics pipeline draws after the ground.
@@ -127,8 +120,6 @@ struct FieldRenderer::Parts {
     std::uint32_t colliderCount = 0;            ///< in the frame that is being recorded
     FieldShape shape;
     std::vector<FrameSlot> slots;
-    UpdateCullPass::Variant variant; ///< for the frame that is being recorded
-    bool hasSettled = false;
     double lastTime = 0.0; ///< [s] of the frame before
     std::uint32_t frameNumber = 0;
     bool paintsWind = false;
@@ -138,11 +129,6 @@ struct FieldRenderer::Parts {
                              std::uint32_t slot);
     VkDeviceAddress judge(const shared::Frame& frame, const FrameSettings& wishes, glm::uvec2 size,
                           std::uint32_t slot);
-    void begin(VkCommandBuffer commands, double time);
-    void findLive(VkCommandBuffer commands, VkDeviceAddress judged, gpu::Timestamps* timestamps);
-    void moveAndList(VkCommandBuffer commands, VkDeviceAddress judged, std::uint32_t round,
-                     gpu::Timestamps* timestamps);
-    void beginAgain(VkCommandBuffer commands);
     void drawGround(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
                     gpu::Timestamps* timestamps);
     void seeWhatIsHidden(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);
@@ -173,20 +159,19 @@ FieldRenderer::~FieldRenderer() = default;
 shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameSettings& wishes,
                                                double time, std::uint32_t slot)
 {
-    blades.describe(frame);
+    blades.buffers().describe(frame);
     cover.describe(frame);
     if ((frame.view.cullMask & shared::cullOcclusion) != 0)
         pyramid.describe(frame);
     // Before the first frame nothing has moved.
-    slots[slot].tables.write(shape, wishes, time, hasSettled ? lastTime : time, frame);
+    slots[slot].tables.write(shape, wishes, time, blades.hasMoved() ? lastTime : time, frame);
     lastTime = time;
     frame.pace.frame = frameNumber++;
     sunShadow.describe(frame);
     fill(slots[slot].frame, frame);
 
     // What is asked for the first time is made now.
-    variant = {frame.nature.wind.counts, frame.nature.colliderCount > 0};
-    updateCull.prepare(shaders, variant);
+    blades.prepare(shaders, frame);
     colliderCount = frame.nature.colliderCount;
     if (colliderCount > 0 && colliderPass == nullptr)
         colliderPass = std::make_unique<ColliderPass>(
@@ -221,41 +206,6 @@ VkDeviceAddress FieldRenderer::Parts::judge(const shared::Frame& frame, const Fr
     return slots[slot].judged.address();
 }
 
-void FieldRenderer::Parts::begin(VkCommandBuffer commands, double time)
-{
-    // Wait for the frame before, which draws from the same lists, and clear them.
-    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
-    blades.clearCounts(commands);
-    blades.clearFates(commands);
-    if (!hasSettled)
-        blades.rest(commands, static_cast<float>(time - settlingTime));
-    hasSettled = true;
-    gpu::transferToCompute(commands);
-}
-
-void FieldRenderer::Parts::beginAgain(VkCommandBuffer commands)
-{
-    // Blades that have just been moved stay where they are: no time has passed.
-    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::transferAccess);
-    blades.clearCounts(commands);
-    gpu::transferToCompute(commands);
-}
-
-void FieldRenderer::Parts::findLive(VkCommandBuffer commands, VkDeviceAddress judged,
-                                    gpu::Timestamps* timestamps)
-{
-    const PassScope scope(context, commands, timestamps, "cull");
-    walk.record(commands, blades.tree(), judged);
-    gpu::computeToCompute(commands);
-}
-
-void FieldRenderer::Parts::moveAndList(VkCommandBuffer commands, VkDeviceAddress judged,
-                                       std::uint32_t round, gpu::Timestamps* timestamps)
-{
-    const PassScope scope(context, commands, timestamps, "update");
-    updateCull.record(commands, blades, judged, variant, UpdateCullPass::Scope::visible, round);
-}
-
 void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const Camera& camera,
                            const FrameSettings& settings, double time, std::uint32_t slot,
                            gpu::Timestamps* timestamps, glm::vec2 jitter)
@@ -287,27 +237,27 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
         parts.hasPyramid = looksForHidden;
     }
     // Find the patches that may be seen, then move their blades, judge them, and draw.
-    parts.begin(commands, time);
-    parts.findLive(commands, judged, timestamps);
+    parts.blades.begin(commands, time);
+    parts.blades.findLive(commands, judged, timestamps);
     VkDeviceAddress listedBy = judged;
     const bool findsReasons = settings.debug == DebugMode::reason;
     if (findsReasons) {
         // All blades are drawn, in the colours of what becomes of them.
-        parts.moveAndList(commands, judged, 0, timestamps);
-        parts.slots[slot].recordCounts(commands, parts.blades.draw());
+        parts.blades.moveAndList(commands, judged, 0, timestamps);
+        parts.slots[slot].recordCounts(commands, parts.blades.buffers().draw());
         listedBy = parts.slots[slot].listing.address();
-        parts.beginAgain(commands);
-        parts.findLive(commands, listedBy, nullptr);
+        parts.blades.beginAgain(commands);
+        parts.blades.findLive(commands, listedBy, nullptr);
     }
     if (parts.raster)
         parts.rasterBlades(commands, slot, listedBy, timestamps);
     else
-        parts.moveAndList(commands, listedBy, 0, timestamps);
+        parts.blades.moveAndList(commands, listedBy, 0, timestamps);
 
     // Hand the list to the draw, and the counts to whoever asks for them.
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
     if (!findsReasons)
-        parts.slots[slot].recordCounts(commands, parts.blades.draw());
+        parts.slots[slot].recordCounts(commands, parts.blades.buffers().draw());
     if (parts.raster)
         parts.resolve(commands, target, slot, listedBy, timestamps);
     else
@@ -383,7 +333,8 @@ void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& ta
                                         std::span(&color, 1), depth);
     {
         const PassScope scope(context, commands, timestamps, "blades");
-        (paintsWind ? *windPaint->blades : tessellated->blades).record(commands, blades, frame);
+        (paintsWind ? *windPaint->blades : tessellated->blades)
+            .record(commands, blades.buffers(), frame);
     }
     {
         const PassScope scope(context, commands, timestamps, "sky");
@@ -398,16 +349,16 @@ void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, std::uint32_t 
                     gpu::ImageUse::sampled);
     gpu::transition(commands, attachments.color(), gpu::ImageUse::colorTarget,
                     gpu::ImageUse::sampled);
-    const RasterPass::Input input{&blades, slots[slot].frame.address(), judged};
+    const RasterPass::Input input{&blades.buffers(), slots[slot].frame.address(), judged};
     {
         const PassScope scope(context, commands, timestamps, "blades");
         raster->recordBegin(commands, input);
     }
-    for (std::uint32_t round = 0; round < blades.roundCount(); ++round) {
+    for (std::uint32_t round = 0; round < blades.buffers().roundCount(); ++round) {
         // The round before draws from the list that is filled anew.
         if (round > 0)
             gpu::computeToCompute(commands);
-        moveAndList(commands, judged, round, timestamps);
+        blades.moveAndList(commands, judged, round, timestamps);
         gpu::computeToCompute(commands);
         const PassScope scope(context, commands, timestamps, "blades");
         raster->recordBlades(commands, input, round);
@@ -422,7 +373,8 @@ void FieldRenderer::Parts::resolve(VkCommandBuffer commands, const Target& targe
                                    gpu::Timestamps* timestamps)
 {
     const PassScope scope(context, commands, timestamps, "resolve");
-    raster->recordResolve(commands, {&blades, slots[slot].frame.address(), judged}, paintsWind);
+    raster->recordResolve(commands, {&blades.buffers(), slots[slot].frame.address(), judged},
+                          paintsWind);
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, gpu::ImageUse::colorTarget,
                     gpu::ImageUse::transferTarget);
     raster->copyTo(commands, target.image);
@@ -438,29 +390,29 @@ void FieldRenderer::recordUpdateOnly(VkCommandBuffer commands, const FrameSettin
     const gpu::LabelScope label(parts.context, commands, "field/update only");
     parts.writeFrame(frameOf(parts.shape, ViewMatrices{}, settings, time, parts.settings.samples),
                      settings, time, slot);
-    parts.begin(commands, time);
-    parts.updateCull.record(commands, parts.blades, parts.slots[slot].frame.address(),
-                            parts.variant, UpdateCullPass::Scope::all);
+    parts.blades.begin(commands, time);
+    parts.blades.moveAll(commands, parts.slots[slot].frame.address());
 }
 
 FrameStats FieldRenderer::stats(std::uint32_t slot) const
 {
     expect(slot < parts_->slots.size(), "the slot is one of the frames in flight");
-    return parts_->slots[slot].counts(parts_->blades.bladeCount());
+    return parts_->slots[slot].counts(parts_->blades.buffers().bladeCount());
 }
 
 std::vector<FieldRenderer::BladeRecord>
 FieldRenderer::dumpBlades(const field::FieldView& field) const
 {
-    expect(field.blades.size() == parts_->blades.bladeCount(), "the field is the one uploaded");
-    return readBlades(parts_->context, parts_->blades, field);
+    expect(field.blades.size() == parts_->blades.buffers().bladeCount(),
+           "the field is the one uploaded");
+    return readBlades(parts_->context, parts_->blades.buffers(), field);
 }
 
 std::vector<FieldRenderer::BladeRecord> FieldRenderer::dumpPatch(const field::FieldView& field,
                                                                  std::uint32_t patch) const
 {
     expect(patch < field.patches.size(), "the patch is one of the field's");
-    return readPatch(parts_->context, parts_->blades, field, patch);
+    return readPatch(parts_->context, parts_->blades.buffers(), field, patch);
 }
 
 Geometry FieldRenderer::geometry() const
@@ -483,7 +435,7 @@ const char* FieldRenderer::geometryReason() const
 
 std::size_t FieldRenderer::deviceBytes() const
 {
-    return parts_->blades.bytes() + parts_->ground.bytes() + parts_->cover.bytes() +
+    return parts_->blades.buffers().bytes() + parts_->ground.bytes() + parts_->cover.bytes() +
            parts_->sunShadow.bytes() + parts_->pyramid.bytes() +
            (parts_->raster ? parts_->raster->bytes() : 0) + parts_->attachments.bytes() +
            parts_->slots.size() * FrameSlot::bytes();

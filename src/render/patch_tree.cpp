@@ -32,8 +32,8 @@ std::vector<shared::Subtree> subtreesOf(const field::FieldView& field)
         shared::Subtree& parent = subtrees[cell.parent];
         parent.blades += subtrees[p].blades;
         parent.widest = std::max(parent.widest, subtrees[p].widest);
-        parent.rankBelow = std::min({parent.rankBelow, subtrees[p].rankBelow,
-                                     cell.bladeCount > 0 ? cell.rankLow : 1.0f});
+        parent.rankBelow = std::min(
+            {parent.rankBelow, subtrees[p].rankBelow, cell.bladeCount > 0 ? cell.rankLow : 1.0f});
     }
     return subtrees;
 }
@@ -65,8 +65,7 @@ PatchTree::PatchTree(const gpu::DeviceContext& context, gpu::Uploader& uploader,
     const std::vector<shared::Subtree> subtrees = subtreesOf(field);
     subtrees_ = storage(context, "tree/subtrees", subtrees.size() * sizeof(shared::Subtree));
     uploader.toBuffer(subtrees_, std::span<const shared::Subtree>(subtrees));
-    queue_ = storage(context, "tree/queue",
-                     (patches.size() - startCount_) * sizeof(std::uint32_t));
+    queue_ = storage(context, "tree/queue", (patches.size() - startCount_) * sizeof(std::uint32_t));
     live_ = storage(context, "tree/live patches", owners * sizeof(shared::LivePatch));
     levels_ = storage(context, "tree/levels", (steps_ + 1) * sizeof(shared::WalkLevel));
 }

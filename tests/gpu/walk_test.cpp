@@ -1,4 +1,5 @@
-// The walk down the patch tree: it finds what looking at every patch would find, and counts the rest.
+// The walk down the patch tree: it finds what looking at every patch would find, and counts the
+// rest.
 
 #include "core/random.h"
 #include "render/camera.h"
@@ -109,8 +110,7 @@ TEST_F(WalkTest, LeavesNothingOutThatAPatchBelowWouldKeep)
                     << "patch " << p << ", camera " << c;
             } else if (shared::thinnedBelow(view, above, ofAbove.rankBelow)) {
                 ++thinned;
-                EXPECT_EQ(shared::thickEnough(view, cell), 0u)
-                    << "patch " << p << ", camera " << c;
+                EXPECT_EQ(shared::thickEnough(view, cell), 0u) << "patch " << p << ", camera " << c;
                 EXPECT_TRUE(shared::thinnedBelow(view, cell, subtrees[p].rankBelow));
             }
         }
@@ -128,8 +128,7 @@ TEST_F(WalkTest, FindsTheSameWhereverItBegins)
     for (std::uint64_t c = 0; c < 12; ++c) {
         const shared::Frame frame = this->frame(c, everything);
         const auto run = [&](test::UpdateBench& bench) {
-            return bench.run(frame, FrameSettings(), states_, 0.0f,
-                             UpdateCullPass::Scope::visible);
+            return bench.run(frame, FrameSettings(), states_, 0.0f, UpdateCullPass::Scope::visible);
         };
         const auto expected = run(atOnce);
         for (test::UpdateBench* bench : {&stepByStep, &fromTheMiddle}) {

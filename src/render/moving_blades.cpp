@@ -1,0 +1,70 @@
+#include "render/moving_blades.h"
+
+#include "gpu/barrier.h"
+#include "render/pass_scope.h"
+
+#include <utility>
+
+namespace sward::render {
+namespace {
+
+/// Before its first frame a field has stood in its wind for so long [s] that no blade is still on
+/// its way from the straight pose it was baked in.
+constexpr double settlingTime = 12.0;
+
+} // namespace
+
+MovingBlades::MovingBlades(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                           FieldBuffers buffers)
+    : context_(&context)
+    , buffers_(std::move(buffers))
+    , walk_(context, shaders)
+    , update_(context)
+{
+}
+
+void MovingBlades::prepare(const gpu::ShaderLibrary& shaders, const shared::Frame& frame)
+{
+    variant_ = {frame.nature.wind.counts, frame.nature.colliderCount > 0};
+    update_.prepare(shaders, variant_);
+}
+
+void MovingBlades::begin(VkCommandBuffer commands, double time)
+{
+    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
+    buffers_.clearCounts(commands);
+    buffers_.clearFates(commands);
+    if (!hasMoved_)
+        buffers_.rest(commands, static_cast<float>(time - settlingTime));
+    hasMoved_ = true;
+    gpu::transferToCompute(commands);
+}
+
+void MovingBlades::beginAgain(VkCommandBuffer commands) const
+{
+    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::transferAccess);
+    buffers_.clearCounts(commands);
+    gpu::transferToCompute(commands);
+}
+
+void MovingBlades::findLive(VkCommandBuffer commands, VkDeviceAddress judged,
+                            gpu::Timestamps* timestamps) const
+{
+    const PassScope scope(*context_, commands, timestamps, "cull");
+    walk_.record(commands, buffers_.tree(), judged);
+    gpu::computeToCompute(commands);
+}
+
+void MovingBlades::moveAndList(VkCommandBuffer commands, VkDeviceAddress judged,
+                               std::uint32_t round, gpu::Timestamps* timestamps) const
+{
+    const PassScope scope(*context_, commands, timestamps, "update");
+    update_.record(commands, buffers_, judged, variant_, UpdateCullPass::Scope::visible, round);
+}
+
+void MovingBlades::moveAll(VkCommandBuffer commands, VkDeviceAddress frame) const
+{
+    update_.record(commands, buffers_, frame, variant_, UpdateCullPass::Scope::all);
+}
+
+} // namespace sward::render

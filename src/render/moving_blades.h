@@ -1,0 +1,57 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/shader_library.h"
+#include "gpu/timestamps.h"
+#include "render/field_buffers.h"
+#include "render/update_cull_pass.h"
+#include "render/walk_pass.h"
+#include "shaders/shared/frame.h"
+
+#include <vulkan/vulkan.h>
+
+namespace sward::render {
+
+/// The blades of a field, and the passes of a frame that find those which may be seen, move them,
+/// judge them and list those that are to be drawn.
+class MovingBlades {
+public:
+    MovingBlades(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                 FieldBuffers buffers);
+
+    const FieldBuffers& buffers() const { return buffers_; }
+    bool hasMoved() const { return hasMoved_; } ///< whether a frame has begun
+
+    /// Makes ready for the wind and the colliders of a frame; before the frame's begin().
+    void prepare(const gpu::ShaderLibrary& shaders, const shared::Frame& frame);
+
+    /// Waits for the frame before, and empties lists and counts. In the first frame, which is at
+    /// `time` [s], blades are as they would be after having stood in their wind for some time.
+    void begin(VkCommandBuffer commands, double time);
+
+    /// Empties lists and counts for another list in the same frame. Blades that have been moved stay
+    /// where they are: no time passes.
+    void beginAgain(VkCommandBuffer commands) const;
+
+    /// Finds the live patches; with the barrier to what uses them. `judged` is the frame by whose
+    /// camera nodes are judged.
+    void findLive(VkCommandBuffer commands, VkDeviceAddress judged,
+                  gpu::Timestamps* timestamps) const;
+
+    /// Moves, judges and lists the blades of one round of live patches.
+    void moveAndList(VkCommandBuffer commands, VkDeviceAddress judged, std::uint32_t round,
+                     gpu::Timestamps* timestamps) const;
+
+    /// Moves all blades, and does nothing else.
+    void moveAll(VkCommandBuffer commands, VkDeviceAddress frame) const;
+
+private:
+    const gpu::DeviceContext* context_;
+    FieldBuffers buffers_;
+    WalkPass walk_;
+    UpdateCullPass update_;
+    UpdateCullPass::Variant variant_; ///< for the frame that is being recorded
+    bool hasMoved_ = false;
+};
+
+} // namespace sward::render
