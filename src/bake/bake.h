@@ -11,8 +11,9 @@
 
 namespace sward::bake {
 
+/// What grew, and how.
 struct BakeResult {
-    field::Field field;
+    field::Field field; ///< what grew
     Report report; ///< input.path, output, load and write times and peak memory are the caller's to
                    ///< fill
 };

@@ -20,7 +20,7 @@ enum class Facing {
 
 /// One kind of grass in a meadow. Ranges are drawn from uniformly; [m] at blade scale 1.
 struct SpeciesTraits {
-    std::string name = "grass";
+    std::string name = "grass";       ///< of the species
     double share = 1.0;               ///< relative weight among species of its priority, > 0
     int priority = 0;                 ///< a higher one takes its places first
     double cover = 1.0;               ///< (0, 1] of the density that it takes at most
@@ -29,19 +29,19 @@ struct SpeciesTraits {
     glm::dvec2 width{0.010, 0.018};   ///< [m] full width at the root
     glm::dvec2 stiffness{0.35, 0.75}; ///< [0, 1]
     double clumping = 0.5;            ///< [0, 1]: how alike the blades of one clump are
-    Facing facing = Facing::outward;
-    double tuftSpacing = 0.0; ///< [m] typical distance of tufts; 0: blades stand for themselves
-    double tuftRadius = 0.03; ///< [m] of the ground that a tuft's blades grow from
-    shared::Species look = {};
+    Facing facing = Facing::outward;  ///< of a clump's blades
+    double tuftSpacing = 0.0;  ///< [m] typical distance of tufts; 0: blades stand for themselves
+    double tuftRadius = 0.03;  ///< [m] of the ground that a tuft's blades grow from
+    shared::Species look = {}; ///< colours, shape, gloss
 };
 
 /// What is sown: one to eight species.
 struct Meadow {
-    std::string name = "meadow";
-    double clumpSize = 0.7;    ///< [m] typical distance of clumps, at blade scale 1; 0: no clumps
+    std::string name = "meadow"; ///< of the meadow
+    double clumpSize = 0.7;      ///< [m] typical distance of clumps, at blade scale 1; 0: no clumps
     double sparseHeight = 0.6; ///< height, relative to full, where filters let hardly a blade grow
     bool fitsOverhangs = true; ///< blades are cut to the room over them, if rays are asked for
-    std::vector<SpeciesTraits> species;
+    std::vector<SpeciesTraits> species; ///< 1 to 8
 };
 
 /// Reads a meadow from JSON text, strictly; `place` names it in messages. Throws Error{input}.

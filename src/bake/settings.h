@@ -44,15 +44,15 @@ struct BakeSettings {
     std::optional<double>
         density; ///< [1/m²]; neither density nor count: 300, fewer if over 20 million
     std::optional<std::uint64_t> count; ///< blades kept, exactly
-    std::optional<double> spacing; ///< [m] between roots, if Poisson disks; decides the density
-    Spread spread = Spread::uniform;
+    std::optional<double> spacing;   ///< [m] between roots, if Poisson disks; decides the density
+    Spread spread = Spread::uniform; ///< how roots lie to one another
     std::uint64_t maxBlades = 200'000'000; ///< more are refused before sampling
     std::optional<double> bladeScale;      ///< size of blades; none: smaller on small ground
-    std::uint64_t seed = 0;
+    std::uint64_t seed = 0;                ///< another one, another meadow
 
-    Sides sides = Sides::front;
-    Alignment align;
-    GroundUp groundUp;
+    Sides sides = Sides::front; ///< of triangles, that bear grass
+    Alignment align;            ///< of blades, between normal and vertical
+    GroundUp groundUp;          ///< what slope and altitude refer to
 
     // Where it grows, whatever the species; each species has a Habitat of its own besides.
     SoftRange slope{0.0, 180.0, 0.0};   ///< [degrees] from ground-up
@@ -67,7 +67,7 @@ struct BakeSettings {
     double rayLength = 8.0;             ///< [m] how far those rays look, at blade scale 1
     std::vector<Mask> masks;            ///< multiplied
     std::vector<ExcludedArea> excluded; ///< with their meshes
-    Meadow meadow;
+    Meadow meadow;                      ///< what is sown
 };
 
 /// Throws Error{usage} naming the setting, its value and its bounds.

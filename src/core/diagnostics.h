@@ -24,6 +24,7 @@ public:
         add(fmt::format(format, std::forward<Args>(args)...));
     }
 
+    /// In the order in which they were given.
     const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:

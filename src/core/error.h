@@ -24,14 +24,15 @@ enum class ErrorKind {
 /// the value and the bound, for the person who must mend it.
 class Error : public std::runtime_error {
 public:
+    /// Use fail().
     Error(ErrorKind kind, const std::string& message)
         : std::runtime_error(message)
         , kind_(kind)
     {
     }
 
-    ErrorKind kind() const { return kind_; }
-    int exitCode() const { return static_cast<int>(kind_); }
+    ErrorKind kind() const { return kind_; }                 ///< what is wrong
+    int exitCode() const { return static_cast<int>(kind_); } ///< of a program that ends with it
 
 private:
     ErrorKind kind_;

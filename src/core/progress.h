@@ -15,6 +15,7 @@ public:
     /// stage, from whichever thread crossed the mark.
     using Callback = std::function<void(const std::string& stage, double share)>;
 
+    /// Without a callback nobody watches.
     explicit Progress(Callback callback = {})
         : callback_(std::move(callback))
     {
@@ -28,6 +29,7 @@ public:
 
     /// Asks the work to stop at its next count; safe from a signal handler.
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+    /// Whether somebody has.
     bool isCancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
 
 private:

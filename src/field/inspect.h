@@ -12,24 +12,26 @@ namespace sward::field {
 
 /// Statistics of a field for people and programs.
 struct Summary {
-    std::uint64_t blades = 0;
-    std::uint64_t patches = 0;
-    std::uint64_t leaves = 0;
-    int levels = 0;
-    double bladesPerLeaf = 0.0;
-    Aabb bounds;
-    double heightLow = 0, heightMean = 0, heightHigh = 0; ///< [m]
-    double widthMean = 0;                                 ///< [m]
-    std::vector<std::uint64_t> perSpecies;
-    std::uint64_t groundTriangles = 0;
+    std::uint64_t blades = 0;              ///< of the field
+    std::uint64_t patches = 0;             ///< of its tree
+    std::uint64_t leaves = 0;              ///< patches without children
+    int levels = 0;                        ///< of the tree
+    double bladesPerLeaf = 0.0;            ///< mean
+    Aabb bounds;                           ///< of blades and ground, relative to the origin [m]
+    double heightLow = 0;                  ///< [m]
+    double heightMean = 0;                 ///< [m]
+    double heightHigh = 0;                 ///< [m]
+    double widthMean = 0;                  ///< [m]
+    std::vector<std::uint64_t> perSpecies; ///< blades of each
+    std::uint64_t groundTriangles = 0;     ///< of all levels of detail
 };
 Summary summarise(const FieldView& field);
 
 /// How two fields differ after `transform` (world to world) has been applied to the first.
 struct Comparison {
-    std::uint64_t matched = 0;
-    std::uint64_t onlyFirst = 0;
-    std::uint64_t onlySecond = 0;
+    std::uint64_t matched = 0;            ///< blades of both, by their keys
+    std::uint64_t onlyFirst = 0;          ///< blades without a match
+    std::uint64_t onlySecond = 0;         ///< blades without a match
     double largestRootDistance = 0.0;     ///< [m] over matched blades, less what packing explains
     double largestUpAngle = 0.0;          ///< [rad]
     double largestFacingAngle = 0.0;      ///< [rad] between width axes in world space

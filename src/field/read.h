@@ -14,13 +14,13 @@ namespace sward::field {
 /// lie.
 class MappedField {
 public:
-    MappedField(MappedField&&) noexcept;
-    MappedField& operator=(MappedField&&) noexcept;
+    MappedField(MappedField&&) noexcept;            ///< views stay valid
+    MappedField& operator=(MappedField&&) noexcept; ///< the field before is gone
     ~MappedField();
 
     /// Valid as long as this object.
     FieldView view() const;
-    std::uint64_t fileBytes() const;
+    std::uint64_t fileBytes() const; ///< of the whole file
 
 private:
     friend MappedField readField(const std::filesystem::path& path);

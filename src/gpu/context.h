@@ -10,47 +10,48 @@ namespace sward::gpu {
 /// Features that are used where a device has them. What every device must have is listed in
 /// features.cpp.
 struct OptionalFeatures {
-    bool wireframe = false;           ///< fillModeNonSolid
-    bool anisotropicSampling = false; ///< samplerAnisotropy
-    bool minmaxSampling = false;      ///< samplerFilterMinmax
-    bool bufferInt64Atomics = false;  ///< shaderBufferInt64Atomics
-    bool multiDrawIndirect = false;
-    bool drawIndirectFirstInstance = false;
-    bool drawIndirectCount = false;
-    bool drawParameters = false; ///< shaderDrawParameters
-    bool vertexStores = false;   ///< vertexPipelineStoresAndAtomics
-    bool fragmentStores = false; ///< fragmentStoresAndAtomics
-    bool sampleShading = false;  ///< sampleRateShading
+    bool wireframe = false;                 ///< fillModeNonSolid
+    bool anisotropicSampling = false;       ///< samplerAnisotropy
+    bool minmaxSampling = false;            ///< samplerFilterMinmax
+    bool bufferInt64Atomics = false;        ///< shaderBufferInt64Atomics
+    bool multiDrawIndirect = false;         ///< of the same name
+    bool drawIndirectFirstInstance = false; ///< of the same name
+    bool drawIndirectCount = false;         ///< of the same name
+    bool drawParameters = false;            ///< shaderDrawParameters
+    bool vertexStores = false;              ///< vertexPipelineStoresAndAtomics
+    bool fragmentStores = false;            ///< fragmentStoresAndAtomics
+    bool sampleShading = false;             ///< sampleRateShading
 };
 
 /// Debug functions of the device; null where VK_EXT_debug_utils is not there.
 struct DebugFunctions {
-    PFN_vkSetDebugUtilsObjectNameEXT setObjectName = nullptr;
-    PFN_vkCmdBeginDebugUtilsLabelEXT beginLabel = nullptr;
-    PFN_vkCmdEndDebugUtilsLabelEXT endLabel = nullptr;
+    PFN_vkSetDebugUtilsObjectNameEXT setObjectName = nullptr; ///< names a handle
+    PFN_vkCmdBeginDebugUtilsLabelEXT beginLabel = nullptr;    ///< of a pass
+    PFN_vkCmdEndDebugUtilsLabelEXT endLabel = nullptr;        ///< of a pass
 };
 
 /// All that a pass needs to know of a device. Owns nothing: the handles belong to a Device, or to
 /// the program that Sward is a guest of. Must outlive whatever was made with it.
 struct DeviceContext {
-    VkPhysicalDevice physical = VK_NULL_HANDLE;
-    VkDevice device = VK_NULL_HANDLE;
+    VkPhysicalDevice physical = VK_NULL_HANDLE; ///< that the device was made of
+    VkDevice device = VK_NULL_HANDLE;           ///< that draws
     VkQueue queue = VK_NULL_HANDLE; ///< graphics and compute; used by one thread at a time
-    std::uint32_t queueFamily = 0;
+    std::uint32_t queueFamily = 0;  ///< of the queue
 
     std::string name;      ///< of the device
     std::string driver;    ///< name and version
     VkDriverId driverId{}; ///< VK_DRIVER_ID_MESA_LLVMPIPE on the CPU
-    VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER;
-    VkPhysicalDeviceLimits limits{};
-    VkPhysicalDeviceMemoryProperties memory{};
-    std::uint64_t maxBufferBytes = 0;
-    std::uint32_t subgroupSize = 0;
-    std::uint32_t timestampValidBits = 0; ///< of the queue; 0: no timestamps
+    VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER; ///< GPU or CPU
+    VkPhysicalDeviceLimits limits{};                           ///< of the device
+    VkPhysicalDeviceMemoryProperties memory{};                 ///< heaps and types
+    std::uint64_t maxBufferBytes = 0;                          ///< of one buffer
+    std::uint32_t subgroupSize = 0;                            ///< [threads]
+    std::uint32_t timestampValidBits = 0;                      ///< of the queue; 0: no timestamps
 
-    OptionalFeatures features;
-    DebugFunctions debug;
+    OptionalFeatures features; ///< that are enabled
+    DebugFunctions debug;      ///< null without the extension
 
+    /// Whether it is a CPU that plays a GPU.
     bool isCpu() const { return type == VK_PHYSICAL_DEVICE_TYPE_CPU; }
 
     /// Size of the largest device-local heap [bytes].

@@ -11,10 +11,10 @@ namespace sward::gpu {
 
 /// The feature structs of Vulkan 1.0 to 1.3, linked to each other. Stays where it was made.
 struct FeatureChain {
-    VkPhysicalDeviceFeatures2 core{};
-    VkPhysicalDeviceVulkan11Features vulkan11{};
-    VkPhysicalDeviceVulkan12Features vulkan12{};
-    VkPhysicalDeviceVulkan13Features vulkan13{};
+    VkPhysicalDeviceFeatures2 core{};            ///< the head of the chain
+    VkPhysicalDeviceVulkan11Features vulkan11{}; ///< of Vulkan 1.1
+    VkPhysicalDeviceVulkan12Features vulkan12{}; ///< of Vulkan 1.2
+    VkPhysicalDeviceVulkan13Features vulkan13{}; ///< of Vulkan 1.3
 
     FeatureChain();
     FeatureChain(const FeatureChain&) = delete;

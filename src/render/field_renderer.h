@@ -31,11 +31,12 @@ enum class Geometry {
 /// while recording; construction uploads the field and waits for it.
 class FieldRenderer {
 public:
+    /// What stays the same from frame to frame.
     struct Settings {
         VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB; ///< of every target
         std::uint32_t samples = 4;                      ///< 1 or 4 per pixel
-        std::uint32_t framesInFlight = 1; ///< frames recorded before one is waited for
-        Geometry geometry = Geometry::automatic;
+        std::uint32_t framesInFlight = 1;        ///< frames recorded before one is waited for
+        Geometry geometry = Geometry::automatic; ///< how blades are drawn
         bool recordFates = false; ///< keep each blade's fate for dumpBlades(); 20 bytes a blade
 
         /// The rasteriser updates and draws so many patches of up to 256 blades at a time, or a
@@ -47,16 +48,17 @@ public:
     /// Error{runtime} when the device's memory does not hold the field, naming both sizes;
     /// Error{unsupported} where a geometry is asked for that the device cannot draw.
     FieldRenderer(const gpu::DeviceContext&, const field::FieldView&, const Settings&);
+    /// The same on a device of our own.
     FieldRenderer(const gpu::Device& device, const field::FieldView&, const Settings&);
-    FieldRenderer(FieldRenderer&&) noexcept;
+    FieldRenderer(FieldRenderer&&) noexcept; ///< only between frames
     ~FieldRenderer();
 
     /// A picture to draw into: in layout COLOR_ATTACHMENT_OPTIMAL when the commands run, and left
     /// in it. Its usage includes TRANSFER_DST where the geometry is raster.
     struct Target {
-        VkImage image = VK_NULL_HANDLE;
-        VkImageView view = VK_NULL_HANDLE;
-        glm::uvec2 size{0};
+        VkImage image = VK_NULL_HANDLE;    ///< one sample, one layer
+        VkImageView view = VK_NULL_HANDLE; ///< of the image
+        glm::uvec2 size{0};                ///< [pixels]
     };
 
     /// Records one frame: moves the blades of visible patches to `time` [s] (monotone; any step is
@@ -79,10 +81,12 @@ public:
 
     /// State of one blade at the last frame.
     struct BladeRecord {
-        std::uint64_t id = 0;
-        glm::dvec3 root{0.0}, v1{0.0}, v2{0.0}; ///< world [m]
-        glm::vec3 up{0.0f};
-        float eta = 0.0f;
+        std::uint64_t id = 0;   ///< field::bladeId()
+        glm::dvec3 root{0.0};   ///< world [m]: where the curve begins
+        glm::dvec3 v1{0.0};     ///< world [m]: its middle control point
+        glm::dvec3 v2{0.0};     ///< world [m]: its tip
+        glm::vec3 up{0.0f};     ///< unit
+        float eta = 0.0f;       ///< of the collision, see shared::BladeState
         float lodWidth = 0.0f;  ///< width factor; 0 if not drawn
         std::uint32_t fate = 0; ///< shared::fateDrawn …
     };
@@ -95,7 +99,7 @@ public:
 
     /// What draws the blades, never automatic, and why it does.
     Geometry geometry() const;
-    const char* geometryReason() const;
+    const char* geometryReason() const; ///< in words
 
     std::size_t deviceBytes() const; ///< device memory held
     Aabb content() const;            ///< what can be seen, relative to the field's origin

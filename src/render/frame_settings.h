@@ -45,6 +45,7 @@ struct FrameSettings {
     std::vector<WindSource> winds = sourcesOf(nature.wind); ///< at most shared::maxWindSources
     std::vector<Collider> colliders;                        ///< at most shared::maxColliders
 
+    /// Tests that leave blades out: shared::cullPatch …
     std::uint32_t cullMask = shared::cullPatch | shared::cullOrientation | shared::cullFrustum |
                              shared::cullDistance | shared::cullOcclusion;
     /// Blades that are thinned out wherever in their patch they stand are neither moved nor judged:
@@ -61,9 +62,9 @@ struct FrameSettings {
     int tessellationLevel =
         0; ///< segments along a blade, 1 to 64; 0: by size on the screen, at most 3
     std::vector<LevelStep> levelSteps; ///< at most 4, rising; empty: by size on the screen
-    Buckets buckets;
-    Pace pace;
-    DebugMode debug = DebugMode::none;
+    Buckets buckets;                   ///< the paper's thinning
+    Pace pace;                         ///< how often blades move
+    DebugMode debug = DebugMode::none; ///< colours
 
     /// What is left out is judged from here instead of from the picture's camera, and what the
     /// ground hides as it was when this camera still was the picture's.
@@ -75,10 +76,10 @@ struct FrameSettings {
     glm::vec3 sunColor{3.4f, 2.85f, 2.1f};      ///< linear radiance
     glm::vec3 skyColor{0.42f, 0.60f, 0.92f};    ///< linear radiance from above
     glm::vec3 groundColor{0.20f, 0.23f, 0.11f}; ///< linear radiance from below: grass in the sun
-    float exposure = 1.0f;
-    float fogDensity = -1.0f; ///< [1/m]; below 0: chosen from the field's size
-    float fogHeight = 0.0f;   ///< [m] above the lowest ground where 1/e of it is left; 0: nowhere
-    float clouds = 0.35f;     ///< [0, 1] share of the sky
+    float exposure = 1.0f;                      ///< of the film, linear
+    float fogDensity = -1.0f;                   ///< [1/m]; below 0: chosen from the field's size
+    float fogHeight = 0.0f; ///< [m] above the lowest ground where 1/e of it is left; 0: nowhere
+    float clouds = 0.35f;   ///< [0, 1] share of the sky
     std::optional<glm::vec3> skyUp; ///< where the sky is; unset: where things do not fall to
 
     /// Settings that start from what is saved in the field.
@@ -94,17 +95,17 @@ struct FrameSettings {
 /// What became of the blades of a frame. resident = drawn + lod + all of culled; total = resident +
 /// streamedOut.
 struct FrameStats {
-    std::uint64_t total = 0;
-    std::uint64_t streamedOut = 0;
-    std::uint64_t resident = 0;
-    std::uint64_t simulated = 0;
-    std::uint64_t drawn = 0;
-    std::uint64_t lod = 0;
-    std::uint64_t culledPatch = 0;
-    std::uint64_t culledOrientation = 0;
-    std::uint64_t culledFrustum = 0;
-    std::uint64_t culledDistance = 0;
-    std::uint64_t culledOcclusion = 0;
+    std::uint64_t total = 0;             ///< blades of the field
+    std::uint64_t streamedOut = 0;       ///< not in memory
+    std::uint64_t resident = 0;          ///< in memory
+    std::uint64_t simulated = 0;         ///< moved in this frame
+    std::uint64_t drawn = 0;             ///< in the picture
+    std::uint64_t lod = 0;               ///< thinned out
+    std::uint64_t culledPatch = 0;       ///< with their whole patch
+    std::uint64_t culledOrientation = 0; ///< seen from their edge
+    std::uint64_t culledFrustum = 0;     ///< beside the picture
+    std::uint64_t culledDistance = 0;    ///< too far away
+    std::uint64_t culledOcclusion = 0;   ///< behind the ground
 };
 
 } // namespace sward::render
