@@ -7,7 +7,7 @@
 #include "shaders/shared/passes.h"
 #include "shaders/shared/visibility.h"
 
-layout(local_size_x = updateThreads) in;
+layout(local_size_x = updateThreads, local_size_x_id = 2) in;
 layout(push_constant, scalar) uniform Block { UpdatePush push; };
 #define JUDGED push.judged.at[0]
 
@@ -35,7 +35,7 @@ ColliderMask collidersNear(Patch cell, float elapsed, uint thread)
     if (thread < colliderWords)
         colliderBits[thread] = 0u;
     barrier();
-    for (uint i = thread; i < JUDGED.nature.colliderCount; i += updateThreads)
+    for (uint i = thread; i < JUDGED.nature.colliderCount; i += gl_WorkGroupSize.x)
         if (colliderNear(JUDGED.nature.colliders.at[i], cell.boundsLow, cell.boundsHigh, elapsed))
             atomicOr(colliderBits[i / 32u], 1u << (i % 32u));
     barrier();
@@ -85,7 +85,7 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
     barrier();
     const ColliderMask near = collidersNear(cell, elapsed, thread);
 
-    for (uint i = thread; i < count; i += updateThreads) {
+    for (uint i = thread; i < count; i += gl_WorkGroupSize.x) {
         const uint index = cell.firstBlade + i;
         const Blade blade = unpackBlade(JUDGED.blades.at[index], cell);
 
@@ -109,7 +109,7 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
                 VisibleBlade(index, patchIndex, verdict.widthFactor, verdict.pixels);
         noteFate(index, verdict.fate);
     }
-    for (uint i = count + thread; i < cell.bladeCount; i += updateThreads)
+    for (uint i = count + thread; i < cell.bladeCount; i += gl_WorkGroupSize.x)
         noteFate(cell.firstBlade + i, fateLod);
     barrier();
 
@@ -132,7 +132,7 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
     barrier();
 
     // The list has room for every blade of a round; the guard is for a frame that was filled wrongly.
-    for (uint i = thread; i < kept; i += updateThreads)
+    for (uint i = thread; i < kept; i += gl_WorkGroupSize.x)
         if (listBase + i < JUDGED.visibleCapacity)
             JUDGED.visible.at[listBase + i] = survivors[i];
     barrier();
@@ -151,19 +151,24 @@ void main()
         simulatedSum = 0u;
         mostFilled = 0u;
     }
-    if (push.onlyUpdate != 0u) {
-        for (uint i = gl_WorkGroupID.x; i < push.ownerCount; i += gl_NumWorkGroups.x) {
-            const uint owner = push.owners.at[i];
-            updatePatch(view, nature, owner, JUDGED.patches.at[owner].bladeCount);
-        }
-    }
-    const uint end = 
-        push.onlyUpdate != 0u
-            ? 0u
+    // One loop: a driver that cannot jump over what it need not do would do the work of two.
+    const bool all = push.onlyUpdate != 0u;
+    const uint first = all ? 0u : push.firstLive;
+    const uint end =
+        all ? push.ownerCount
             : min(push.levels.at[liveLevel].count, push.firstLive + push.mostLive);
-    for (uint i = push.firstLive + gl_WorkGroupID.x; i < end; i += gl_NumWorkGroups.x) {
-        const LivePatch live = push.live.at[i];
-        updatePatch(view, nature, live.patchIndex, live.count);
+    for (uint i = first + gl_WorkGroupID.x; i < end; i += gl_NumWorkGroups.x) {
+        uint patchIndex;
+        uint count;
+        if (all) {
+            patchIndex = push.owners.at[i];
+            count = JUDGED.patches.at[patchIndex].bladeCount;
+        } else {
+            const LivePatch live = push.live.at[i];
+            patchIndex = live.patchIndex;
+            count = live.count;
+        }
+        updatePatch(view, nature, patchIndex, count);
     }
     barrier();
     report(thread);

@@ -6,6 +6,18 @@
 #include <algorithm>
 
 namespace sward::render {
+namespace {
+
+/// Threads of a work-group. All lanes of a CPU do the work of those that have some, so that it has no
+/// more of them than it runs at once.
+std::uint32_t threadsOf(const gpu::DeviceContext& context)
+{
+    constexpr std::uint32_t lanesOfCpu = 8;
+    static_assert(lanesOfCpu >= shared::fateCount && lanesOfCpu >= shared::colliderWords);
+    return context.isCpu() ? lanesOfCpu : shared::updateThreads;
+}
+
+} // namespace
 
 UpdateCullPass::UpdateCullPass(const gpu::DeviceContext& context)
     : context_(&context)
@@ -23,7 +35,8 @@ void UpdateCullPass::prepare(const gpu::ShaderLibrary& shaders, Variant variant)
                                        .pushConstantBytes = sizeof(shared::UpdatePush),
                                        .setLayouts = {},
                                        .constants = {{.id = 0, .value = variant.windCounts},
-                                                     {.id = 1, .value = variant.hasColliders}}}));
+                                                     {.id = 1, .value = variant.hasColliders},
+                                                     {.id = 2, .value = threadsOf(*context_)}}}));
 }
 
 void UpdateCullPass::record(VkCommandBuffer commands, const FieldBuffers& field,

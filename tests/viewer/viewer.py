@@ -11,12 +11,14 @@ from display import PATIENCE, wait_until
 class Viewer:
     """A running viewer, under the validation layer, that tells where its controls are."""
 
-    def __init__(self, program, display, folder, arguments, environment=None, **process):
+    def __init__(self, program, display, folder, arguments, environment=None, validated=True,
+                 **process):
         self.display = display
         self.told = folder / f"controls-{time.monotonic_ns()}.json"
         self.errors = open(folder / f"stderr-{time.monotonic_ns()}.txt", "w+")
         self.process = subprocess.Popen(
-            [program, *map(str, arguments), "--validation", "--controls", self.told],
+            [program, *map(str, arguments), *(["--validation"] if validated else []), "--controls",
+             self.told],
             env={**os.environ, "DISPLAY": display.name, "XDG_STATE_HOME": str(folder / "state"),
                  **(environment or {})},
             stderr=self.errors, text=True, cwd=folder, **process)
