@@ -207,6 +207,19 @@ class DebianPackages(GuestTest):
 class Embed(GuestTest):
     """examples/embed: a host with a Vulkan of its own."""
 
+    def assert_looks_as_accepted(self, picture):
+        """Half as large, tile by tile as the golden picture: single blades are the affair of other
+        tests. `scripts/accept-golden embed` takes the new one over."""
+        from PIL import Image
+        drawn = BUILD / "golden/embed/actual.png"
+        drawn.parent.mkdir(parents=True, exist_ok=True)
+        picture.resize((320, 180), Image.BOX).save(drawn)
+        golden = Image.open(ROOT / "tests/golden/images/embed.png").convert("RGB")
+        tiles = [list(image.resize((16, 9), Image.BOX).getdata())
+                 for image in (golden, Image.open(drawn))]
+        worst = max(abs(a - b) for one, other in zip(*tiles) for a, b in zip(one, other))
+        self.assertLessEqual(worst, 10, f"of 255, see {drawn}")
+
     def run_embed(self, blades, feature):
         self.bake("--count", blades, "--force")
         settings = self.folder / "vk_layer_settings.txt"
@@ -233,6 +246,8 @@ class Embed(GuestTest):
         lawn = list(picture.crop((100, 220, 540, 350)).getdata())
         self.assertGreater(sum(g > r and g > b for r, g, b in lawn), 0.2 * len(lawn))
         self.assertGreater(sum(r > 2 * b and r > 1.5 * g for r, g, b in picture.getdata()), 500)
+
+        self.assert_looks_as_accepted(picture)
 
         # The layer has listened: it has much to say when asked for advice.
         self.assertIn("BestPractices", self.run_embed(10, "BEST_PRACTICES"))
