@@ -106,7 +106,9 @@ class OpeningTest(unittest.TestCase):
     def test_a_bake_that_is_killed_or_cancelled_harms_nothing(self):
         viewer = self.open(self.field)
         self.set_ground(viewer, "hills")
-        viewer.open_panel("Meadow")
+        # As many blades as take a while.
+        viewer.set("Count", "Meadow", 0.3)
+        viewer.wait_for_value("Meadow/Count", lambda shown: int(shown) > 10**6, "many blades")
         for end in ("kill", "cancel"):
             with self.subTest(end=end):
                 viewer.press("Bake again", panel="Meadow")
