@@ -6,6 +6,9 @@
 layout(push_constant, scalar) uniform Block { ViewPush push; };
 #define FRAME push.frame.at[0]
 
+// As in ground.vert.
+invariant gl_Position;
+
 layout(location = 0) out vec3 outPosition;
 layout(location = 1) out vec3 outNormal;
 

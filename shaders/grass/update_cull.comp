@@ -82,6 +82,7 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
                        movesNow(JUDGED.pace, patchIndex,
                                 boxDistance(view.eye, cell.boundsLow, cell.boundsHigh), elapsed);
     elapsed = moves ? elapsed : 0.0f;
+    const uint movedBefore = JUDGED.patchCounts.at[patchIndex];
     barrier();
     const ColliderMask near = collidersNear(cell, elapsed, thread);
 
@@ -91,8 +92,9 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
 
         // Move it. At a standstill the stored state stays as it is, to the bit.
         BladeState state = JUDGED.states.at[index];
-        if (elapsed > 0.0f) {
-            state = advanceBlade(blade, nature, near, state, JUDGED.time, elapsed);
+        const float since = i < movedBefore ? elapsed : settlingTime;
+        if (since > 0.0f) {
+            state = advanceBlade(blade, nature, near, state, JUDGED.time, since);
             JUDGED.states.at[index] = state;
         }
         if (push.onlyUpdate != 0u)
@@ -125,6 +127,8 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
             JUDGED.patchTimes.at[patchIndex] = JUDGED.time;
             simulatedSum += count;
         }
+        if (moves || count > movedBefore)
+            JUDGED.patchCounts.at[patchIndex] = count;
     }
     if (thread < fateCount)
         fateSums[thread] +=

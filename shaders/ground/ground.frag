@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_buffer_reference_uvec2 : require
 // The light of the ground.
 #include "shaders/shared/passes.h"
 
@@ -33,13 +34,32 @@ float grain(float pixel)
     return 1.0 + 0.4 * sum;
 }
 
+/// Whether blades hide all samples of the pixel.
+bool isOvergrown()
+{
+    if (uvec2(push.visibility) == uvec2(0u))
+        return false;
+    const uvec2 pixel = uvec2(gl_FragCoord.xy);
+    const uint first = (pixel.y * push.width + pixel.x) * FRAME.view.samples;
+    for (uint s = 0u; s < FRAME.view.samples; ++s)
+        if (push.visibility.at[first + s].x == 0u)
+            return false;
+    return true;
+}
+
 /// Colour of what has fallen among the grass: last year's leaves, and this year's stems.
 const vec3 litterColor = vec3(0.135, 0.120, 0.048);
 
 void main()
 {
+    // Before neighbours may be gone.
+    const vec2 uvRight = dFdx(inUv);
+    const vec2 uvDown = dFdy(inUv);
+    outColor = vec4(0.0);
+    if (isOvergrown())
+        return;
     const GroundMaterial material = push.materials.at[push.material];
-    vec3 albedo = material.baseColor.rgb * texture(baseColor, inUv).rgb * inColor.rgb;
+    vec3 albedo = material.baseColor.rgb * textureGrad(baseColor, inUv, uvRight, uvDown).rgb * inColor.rgb;
     const vec3 toEye = normalize(FRAME.view.eye - inPosition);
     vec3 n = normalize(inNormal);
     if ((material.flags & groundDoubleSided) != 0u && dot(n, toEye) < 0.0)

@@ -6,6 +6,9 @@
 layout(push_constant, scalar) uniform Block { GroundPush push; };
 #define FRAME push.frame.at[0]
 
+// Depth comes first where the light comes later, by another pipeline.
+invariant gl_Position;
+
 layout(location = 0) out vec3 outPosition;
 layout(location = 1) out vec3 outNormal;
 layout(location = 2) out vec2 outUv;

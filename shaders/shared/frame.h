@@ -51,7 +51,8 @@ struct Frame {
     SpeciesArray species;
     VisibleArray visible;
     DrawArray draw;
-    FloatArray patchTimes; ///< per patch: the time its blades were last moved to [s]
+    FloatArray patchTimes; ///< per patch: the time its blades were last moved to [s] …
+    UintArray patchCounts; ///< … and how many of them, the first so many
     UintArray fates;       ///< per blade: its fate, or address 0 when nobody asks
     DepthPyramid pyramid;  ///< what the ground hides; without depths nothing
 
@@ -82,7 +83,7 @@ struct Frame {
         fogFalloff; ///< [1/m] the air thins upwards as exp(−falloff · height); 0: alike everywhere
     float fogBase;  ///< [m] along skyUp, relative to the field's origin: where it has fogDensity
 };
-SHARED_LAYOUT(Frame, 680)
+SHARED_LAYOUT(Frame, 688)
 
 SHARED_BUFFER(FrameArray, Frame, readonly)
 

@@ -14,6 +14,10 @@ struct Pace {
 };
 SHARED_LAYOUT(Pace, 16)
 
+/// A blade that was thinned out when its patch last moved comes back as if it had stood in its wind
+/// for so long [s] as it is now.
+SHARED_CONST float settlingTime = 12.0f;
+
 /// Whether the blades of patch `index` move in this frame, `distance` [m] from the eye and last
 /// moved `elapsed` [s] ago. What they missed they catch up: see advanceBlade().
 SHARED_FN bool movesNow(Pace pace, uint index, float distance, float elapsed)

@@ -14,9 +14,9 @@ SHARED_BEGIN
 /// each, stay below that.
 SHARED_CONST uint drawChunk = 256u;
 
-/// Threads of a work-group of the update; they loop over the blades of one patch. Most patches own
-/// far less than they may, so that more threads would idle.
-SHARED_CONST uint updateThreads = 32u;
+/// Threads of a work-group of the update; they loop over the blades of one patch. On an H200 32 are
+/// a sixth slower: they get more registers each than are good for hiding the memory's time.
+SHARED_CONST uint updateThreads = 64u;
 
 /// Work-groups of the update for so many live patches: from `updateGroupsFrom` on one group takes
 /// up to eight of them, one after the other.
@@ -83,7 +83,7 @@ SHARED_CONST uint rasterTile = 8u;
 SHARED_CONST float largeBladePixels = 256.0f;
 
 /// … or by several, each for so many of its pixels, …
-SHARED_CONST float teamPixels = 4096.0f;
+SHARED_CONST float teamPixels = 16384.0f;
 
 /// … but no more teams than these.
 SHARED_CONST uint mostTeams = 64u;
@@ -93,7 +93,7 @@ SHARED_CONST uint mostTeams = 64u;
 SHARED_CONST uint mostLargeParts = 1048576u;
 
 /// Threads of a team, and of a work-group of teams.
-SHARED_CONST uint teamThreads = 8u;
+SHARED_CONST uint teamThreads = 32u;
 SHARED_CONST uint largeThreads = 64u;
 
 /// A team looks at so many segments of a blade at a time.
@@ -142,10 +142,12 @@ struct GroundPush {
     FrameArray frame;
     GroundVertexArray vertices;
     GroundMaterialArray materials;
+    VisibilityArray
+        visibility; ///< of blades drawn before, or address 0: no light where they hide all
     uint material;
-    uint reserved;
+    uint width; ///< [pixels] of the visibility
 };
-SHARED_LAYOUT(GroundPush, 32)
+SHARED_LAYOUT(GroundPush, 40)
 
 SHARED_END
 #endif

@@ -34,15 +34,33 @@ ColliderPass::ColliderPass(const gpu::DeviceContext& context, const gpu::ShaderL
     settings.fragmentShader = "collider.frag";
     settings.colorFormats = {target.colorFormat};
     settings.samples = target.samples;
+    settings.depthWrite = !target.lightsLater;
+    if (target.lightsLater)
+        settings.depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL;
     // Who is inside looks out.
     settings.cullMode = VK_CULL_MODE_BACK_BIT;
     seen_ = gpu::GraphicsPipeline(context, shaders, settings);
+
+    if (!target.lightsLater)
+        return;
+    settings.name = "colliders/depth";
+    settings.fragmentShader.clear();
+    settings.colorFormats.clear();
+    settings.depthWrite = true;
+    settings.depthCompare = VK_COMPARE_OP_GREATER;
+    depth_ = gpu::GraphicsPipeline(context, shaders, settings);
 }
 
 void ColliderPass::record(VkCommandBuffer commands, VkDeviceAddress frame,
                           std::uint32_t count) const
 {
     draw(commands, seen_, frame, count);
+}
+
+void ColliderPass::recordDepth(VkCommandBuffer commands, VkDeviceAddress frame,
+                               std::uint32_t count) const
+{
+    draw(commands, depth_, frame, count);
 }
 
 void ColliderPass::recordShadow(VkCommandBuffer commands, VkDeviceAddress frame,

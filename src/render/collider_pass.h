@@ -20,11 +20,15 @@ public:
     /// The frame's first `count` colliders. Inside a rendering, before what they hide.
     void record(VkCommandBuffer commands, VkDeviceAddress frame, std::uint32_t count) const;
 
+    /// The same inside a rendering of depth alone; only where the light comes later.
+    void recordDepth(VkCommandBuffer commands, VkDeviceAddress frame, std::uint32_t count) const;
+
     /// The same into the sun's map, inside its rendering.
     void recordShadow(VkCommandBuffer commands, VkDeviceAddress frame, std::uint32_t count) const;
 
 private:
     gpu::GraphicsPipeline seen_;
+    gpu::GraphicsPipeline depth_;
     gpu::GraphicsPipeline shadow_;
 };
 

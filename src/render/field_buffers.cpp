@@ -113,6 +113,7 @@ FieldBuffers::FieldBuffers(const gpu::DeviceContext& context, gpu::Uploader& upl
     bytes_ += tree_->bytes();
     states_ = allocate(context, "field/states", bladeCount_ * sizeof(shared::BladeState));
     patchTimes_ = allocate(context, "field/patch times", patchCount_ * sizeof(float));
+    patchCounts_ = allocate(context, "field/patch counts", patchCount_ * sizeof(std::uint32_t));
     visible_ = allocate(context, "field/visible", listLength_ * sizeof(shared::VisibleBlade));
     rounds_ = allocate(context, "field/rounds", roundCount_ * sizeof(shared::WalkLevel));
     draw_ = allocate(context, "field/draw", sizeof(shared::DrawArguments));
@@ -140,6 +141,7 @@ void FieldBuffers::describe(shared::Frame& frame) const
     frame.visible = visible_.address();
     frame.draw = draw_.address();
     frame.patchTimes = patchTimes_.address();
+    frame.patchCounts = patchCounts_.address();
     frame.fates = records_.fates ? fates_.address() : 0;
     frame.patchCount = patchCount_;
     frame.bladeCount = bladeCount_;
@@ -152,6 +154,7 @@ void FieldBuffers::rest(VkCommandBuffer commands, float time) const
     vkCmdFillBuffer(commands, states_.get(), 0, VK_WHOLE_SIZE, 0);
     vkCmdFillBuffer(commands, patchTimes_.get(), 0, VK_WHOLE_SIZE,
                     std::bit_cast<std::uint32_t>(time));
+    vkCmdFillBuffer(commands, patchCounts_.get(), 0, VK_WHOLE_SIZE, shared::maxPatchBlades);
 }
 
 void FieldBuffers::clearCounts(VkCommandBuffer commands) const

@@ -83,6 +83,7 @@ private:
     gpu::Buffer firstOwners_;
     gpu::Buffer states_;
     gpu::Buffer patchTimes_;
+    gpu::Buffer patchCounts_;
     gpu::Buffer visible_;
     gpu::Buffer draw_;
     gpu::Buffer fates_;

@@ -10,17 +10,16 @@
 #include "render/attachments.h"
 #include "render/blade_dump.h"
 #include "render/blade_pass.h"
-#include "render/collider_pass.h"
 #include "render/depth_pyramid.h"
 #include "render/frame.h"
 #include "render/frame_slot.h"
 #include "render/grass_cover.h"
-#include "render/ground_pass.h"
 #include "render/judged_frame.h"
 #include "render/moving_blades.h"
 #include "render/pass_scope.h"
 #include "render/raster_pass.h"
 #include "render/sky_pass.h"
+#include "render/solid_pass.h"
 #include "render/sun_shadow.h"
 
 #include <optional>
@@ -49,6 +48,16 @@ FieldBuffers::Records recordsFor(Geometry geometry, const FieldRenderer::Setting
             .roundPatches = wanted.roundPatches};
 }
 
+/// The rasteriser reads what the graphics pipeline has drawn. What solid things look like is asked
+/// only where no blade hides them.
+TargetSettings targetFor(Geometry geometry, const FieldRenderer::Settings& wanted)
+{
+    return {.colorFormat = wanted.colorFormat,
+            .samples = wanted.samples,
+            .isSampled = geometry == Geometry::raster,
+            .lightsLater = geometry == Geometry::raster};
+}
+
 /// Uploads all that a field brings, and waits for it.
 template <typename T, typename... Arguments>
 T uploaded(const gpu::DeviceContext& context, const Arguments&... arguments)
@@ -67,20 +76,18 @@ struct FieldRenderer::Parts {
         : context(deviceContext)
         , settings(wanted)
         , geometry(chooseGeometry(context, wanted))
-        , attachments(context, {.colorFormat = wanted.colorFormat,
-                                .samples = wanted.samples,
-                                .isSampled = geometry == Geometry::raster})
+        , attachments(context, targetFor(geometry, wanted))
         , blades(context, shaders,
                  uploaded<FieldBuffers>(context, field, recordsFor(geometry, wanted)))
         , ground(uploaded<GroundBuffers>(context, *field.ground))
         , cover(uploaded<GrassCover>(context, field))
         , sunShadow(context, shaders, ground.box())
         , pyramid(context, shaders, wanted.samples)
-        , groundPass(context, shaders, {wanted.colorFormat, wanted.samples}, ground.imageLayout())
+        , solid(context, shaders, targetFor(geometry, wanted), ground)
         , shape{field.origin, field.bounds(), blades.buffers().bladeSize()}
     {
         expect(wanted.framesInFlight >= 1, "at least one frame is in flight");
-        const TargetSettings target{wanted.colorFormat, wanted.samples};
+        const TargetSettings target = targetFor(geometry, wanted);
         if (geometry == Geometry::raster)
             raster.emplace(context, shaders, target);
         else
@@ -100,7 +107,7 @@ struct FieldRenderer::Parts {
     GrassCover cover;
     SunShadowPass sunShadow;
     DepthPyramid pyramid;
-    GroundPass groundPass;
+    SolidPass solid;
 
     /// What the graphics pipeline draws after the ground.
     struct Tessellated {
@@ -110,14 +117,7 @@ struct FieldRenderer::Parts {
     std::optional<Tessellated> tessellated; ///< the one or …
     std::optional<RasterPass> raster;       ///< … the other, by the geometry
 
-    /// Ground and blades that show the wind, for those who ask.
-    struct WindPaint {
-        GroundPass ground;
-        std::optional<BladePass> blades; ///< where they are tessellated
-    };
-    std::unique_ptr<WindPaint> windPaint;
-    std::unique_ptr<ColliderPass> colliderPass; ///< once there have been colliders
-    std::uint32_t colliderCount = 0;            ///< in the frame that is being recorded
+    std::optional<BladePass> windyBlades; ///< tessellated, in the wind's colours
     FieldShape shape;
     std::vector<FrameSlot> slots;
     double lastTime = 0.0; ///< [s] of the frame before
@@ -129,7 +129,9 @@ struct FieldRenderer::Parts {
                              std::uint32_t slot);
     VkDeviceAddress judge(const shared::Frame& frame, const FrameSettings& wishes, glm::uvec2 size,
                           std::uint32_t slot);
-    void drawGround(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
+    void drawSolid(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
+                   gpu::Timestamps* timestamps);
+    void lightSolid(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
                     gpu::Timestamps* timestamps);
     void seeWhatIsHidden(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);
     void drawBlades(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
@@ -172,18 +174,11 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
 
     // What is asked for the first time is made now.
     blades.prepare(shaders, frame);
-    colliderCount = frame.nature.colliderCount;
-    if (colliderCount > 0 && colliderPass == nullptr)
-        colliderPass = std::make_unique<ColliderPass>(
-            context, shaders, TargetSettings{settings.colorFormat, settings.samples});
-    if (wishes.debug == DebugMode::wind && windPaint == nullptr) {
-        const TargetSettings target{settings.colorFormat, settings.samples, true};
-        windPaint = std::make_unique<WindPaint>(
-            WindPaint{GroundPass(context, shaders, target, ground.imageLayout()), std::nullopt});
-        if (tessellated)
-            windPaint->blades.emplace(context, shaders, target);
-    }
     paintsWind = wishes.debug == DebugMode::wind;
+    solid.prepare(shaders, frame.nature.colliderCount, paintsWind);
+    if (paintsWind && tessellated && !windyBlades)
+        windyBlades.emplace(context, shaders,
+                            TargetSettings{settings.colorFormat, settings.samples, true});
     if (raster)
         raster->prepare(shaders, paintsWind);
     return frame;
@@ -226,10 +221,10 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
         frameOf(parts.shape, view, settings, time, parts.settings.samples), settings, time, slot);
     const VkDeviceAddress judged = parts.judge(frame, settings, target.size, slot);
     parts.sunShadow.record(commands, parts.ground, parts.slots[slot].frame.address(),
-                           parts.colliderPass.get());
+                           parts.solid.colliders());
 
     // The ground comes first: what it hides needs neither be moved nor drawn.
-    parts.drawGround(commands, target, slot, timestamps);
+    parts.drawSolid(commands, target, slot, timestamps);
     const bool looksForHidden = (settings.cullMask & shared::cullOcclusion) != 0;
     if (!settings.cullingCamera) {
         if (looksForHidden)
@@ -258,10 +253,12 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
     if (!findsReasons)
         parts.slots[slot].recordCounts(commands, parts.blades.buffers().draw());
-    if (parts.raster)
+    if (parts.raster) {
+        parts.lightSolid(commands, target, slot, timestamps);
         parts.resolve(commands, target, slot, listedBy, timestamps);
-    else
+    } else {
         parts.drawBlades(commands, target, slot, timestamps);
+    }
 }
 
 gpu::ColorAttachment FieldRenderer::Parts::colorAttachment(const Target& target) const
@@ -273,27 +270,50 @@ gpu::ColorAttachment FieldRenderer::Parts::colorAttachment(const Target& target)
     return color;
 }
 
-void FieldRenderer::Parts::drawGround(VkCommandBuffer commands, const Target& target,
-                                      std::uint32_t slot, gpu::Timestamps* timestamps)
+void FieldRenderer::Parts::drawSolid(VkCommandBuffer commands, const Target& target,
+                                     std::uint32_t slot, gpu::Timestamps* timestamps)
 {
     // Last frame's depth and samples are given up.
     gpu::transition(commands, attachments.depth(), gpu::ImageUse::undefined,
                     gpu::ImageUse::depthTarget);
+    const VkDeviceAddress frame = slots[slot].frame.address();
+    const VkExtent2D extent{target.size.x, target.size.y};
+    const gpu::DepthAttachment depth{.view = attachments.depth().view(), .clear = 0.0f};
+    const PassScope scope(context, commands, timestamps, "ground");
+    if (raster) {
+        const gpu::RenderingScope rendering(commands, extent, {}, depth);
+        solid.recordDepth(commands, frame);
+        return;
+    }
     if (attachments.hasColor())
         gpu::transition(commands, attachments.color(), gpu::ImageUse::undefined,
                         gpu::ImageUse::colorTarget);
     gpu::ColorAttachment color = colorAttachment(target);
     color.clear = std::array{0.0f, 0.0f, 0.0f, 1.0f};
-    const gpu::DepthAttachment depth{.view = attachments.depth().view(), .clear = 0.0f};
-    const gpu::RenderingScope rendering(commands, {target.size.x, target.size.y},
-                                        std::span(&color, 1), depth);
+    const gpu::RenderingScope rendering(commands, extent, std::span(&color, 1), depth);
+    solid.record(commands, frame, {});
+}
+
+void FieldRenderer::Parts::lightSolid(VkCommandBuffer commands, const Target& target,
+                                      std::uint32_t slot, gpu::Timestamps* timestamps)
+{
+    const PassScope scope(context, commands, timestamps, "ground");
+    gpu::transition(commands, attachments.depth(), gpu::ImageUse::sampled,
+                    gpu::ImageUse::depthTarget);
+    gpu::transition(commands, attachments.color(), gpu::ImageUse::sampled,
+                    gpu::ImageUse::colorTarget);
     {
-        const PassScope scope(context, commands, timestamps, "ground");
-        (paintsWind ? windPaint->ground : groundPass)
-            .record(commands, ground, slots[slot].frame.address());
-        if (colliderCount > 0)
-            colliderPass->record(commands, slots[slot].frame.address(), colliderCount);
+        gpu::ColorAttachment color = colorAttachment(target);
+        color.clear = std::array{0.0f, 0.0f, 0.0f, 1.0f};
+        const gpu::DepthAttachment depth{.view = attachments.depth().view(), .clear = std::nullopt};
+        const gpu::RenderingScope rendering(commands, {target.size.x, target.size.y},
+                                            std::span(&color, 1), depth);
+        solid.record(commands, slots[slot].frame.address(), {raster->visibility(), target.size.x});
     }
+    gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
+                    gpu::ImageUse::sampled);
+    gpu::transition(commands, attachments.color(), gpu::ImageUse::colorTarget,
+                    gpu::ImageUse::sampled);
 }
 
 void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, std::uint32_t slot,
@@ -333,8 +353,7 @@ void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& ta
                                         std::span(&color, 1), depth);
     {
         const PassScope scope(context, commands, timestamps, "blades");
-        (paintsWind ? *windPaint->blades : tessellated->blades)
-            .record(commands, blades.buffers(), frame);
+        (paintsWind ? *windyBlades : tessellated->blades).record(commands, blades.buffers(), frame);
     }
     {
         const PassScope scope(context, commands, timestamps, "sky");
@@ -347,7 +366,8 @@ void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, std::uint32_t 
 {
     gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
                     gpu::ImageUse::sampled);
-    gpu::transition(commands, attachments.color(), gpu::ImageUse::colorTarget,
+    // Bound with the depth, and not read yet.
+    gpu::transition(commands, attachments.color(), gpu::ImageUse::undefined,
                     gpu::ImageUse::sampled);
     const RasterPass::Input input{&blades.buffers(), slots[slot].frame.address(), judged};
     {

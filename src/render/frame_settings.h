@@ -48,10 +48,9 @@ struct FrameSettings {
     /// Tests that leave blades out: shared::cullPatch …
     std::uint32_t cullMask = shared::cullPatch | shared::cullOrientation | shared::cullFrustum |
                              shared::cullDistance | shared::cullOcclusion;
-    /// Blades that are thinned out wherever in their patch they stand are neither moved nor judged:
-    /// where few pixels are drawn that is most of the work. One that is drawn again fades in from
-    /// the pose that it had.
-    bool leavesThinned = false;
+    /// Blades that are thinned out wherever in their patch they stand are neither moved nor judged.
+    /// One that is drawn again fades in as if it had stood in its wind all the time.
+    bool leavesThinned = true;
     bool levelOfDetail = true; ///< leave out and widen blades narrower than lodThreshold
     float lodThreshold = 0.3f; ///< [pixels], (0, 100]
     float leastPixels = 1.0f;  ///< [samples' distances] blades are drawn no narrower while

@@ -6,13 +6,6 @@
 #include <utility>
 
 namespace sward::render {
-namespace {
-
-/// Before its first frame a field has stood in its wind for so long [s] that no blade is still on
-/// its way from the straight pose it was baked in.
-constexpr double settlingTime = 12.0;
-
-} // namespace
 
 MovingBlades::MovingBlades(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
                            FieldBuffers buffers)
@@ -34,8 +27,9 @@ void MovingBlades::begin(VkCommandBuffer commands, double time)
     gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
     buffers_.clearCounts(commands);
     buffers_.clearFates(commands);
+    // No blade is still on its way from the straight pose it was baked in.
     if (!hasMoved_)
-        buffers_.rest(commands, static_cast<float>(time - settlingTime));
+        buffers_.rest(commands, static_cast<float>(time - double(shared::settlingTime)));
     hasMoved_ = true;
     gpu::transferToCompute(commands);
 }

@@ -29,8 +29,8 @@ public:
     /// `time` [s], blades are as they would be after having stood in their wind for some time.
     void begin(VkCommandBuffer commands, double time);
 
-    /// Empties lists and counts for another list in the same frame. Blades that have been moved stay
-    /// where they are: no time passes.
+    /// Empties lists and counts for another list in the same frame. Blades that have been moved
+    /// stay where they are: no time passes.
     void beginAgain(VkCommandBuffer commands) const;
 
     /// Finds the live patches; with the barrier to what uses them. `judged` is the frame by whose

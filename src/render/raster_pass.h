@@ -60,6 +60,7 @@ public:
     /// Copies the picture to a target in ImageUse::transferTarget.
     void copyTo(VkCommandBuffer commands, VkImage target) const;
 
+    VkDeviceAddress visibility() const { return visibility_.address(); }
     VkDeviceSize bytes() const { return bytes_; }
 
 private:

@@ -100,8 +100,12 @@ void SunShadowPass::record(VkCommandBuffer commands, const GroundBuffers& ground
         const gpu::RenderingScope rendering(commands, map_.extent(), {}, depth);
         vkCmdBindIndexBuffer(commands, ground.indices().get(), 0, VK_INDEX_TYPE_UINT32);
         pipeline_.bind(commands);
-        pipeline_.push(commands,
-                       shared::GroundPush{frame, ground.vertices(), ground.materials(), 0, 0});
+        pipeline_.push(commands, shared::GroundPush{.frame = frame,
+                                                    .vertices = ground.vertices(),
+                                                    .materials = ground.materials(),
+                                                    .visibility = 0,
+                                                    .material = 0,
+                                                    .width = 0});
         for (const GroundBuffers::Part& part : ground.parts())
             vkCmdDrawIndexed(commands, part.indexCount, 1, part.firstIndex, 0, 0);
         if (hasColliders_)

@@ -12,8 +12,9 @@ constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
 struct TargetSettings {
     VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB;
     std::uint32_t samples = 4;
-    bool paintsWind = false; ///< ground and blades show the wind's speed
-    bool isSampled = false;  ///< shaders read what the graphics pipeline has drawn
+    bool paintsWind = false;  ///< ground and blades show the wind's speed
+    bool isSampled = false;   ///< shaders read what the graphics pipeline has drawn
+    bool lightsLater = false; ///< depth is drawn first, by itself, and the light where it is seen
 };
 
 } // namespace sward::render

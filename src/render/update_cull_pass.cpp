@@ -8,8 +8,8 @@
 namespace sward::render {
 namespace {
 
-/// Threads of a work-group. All lanes of a CPU do the work of those that have some, so that it has no
-/// more of them than it runs at once.
+/// Threads of a work-group. All lanes of a CPU do the work of those that have some, so that it has
+/// no more of them than it runs at once.
 std::uint32_t threadsOf(const gpu::DeviceContext& context)
 {
     constexpr std::uint32_t lanesOfCpu = 8;

@@ -63,6 +63,7 @@ protected:
         const Aabb content = field::viewOf(field_).bounds();
         FrameSettings settings;
         settings.cullMask = mask;
+        settings.leavesThinned = false; // every blade has a verdict
         settings.lodThreshold = 2.0f;
         settings.nature.drawDistance = 8.0f;
         settings.pace.everyFrame = 1e6f; // wherever it stands

@@ -136,12 +136,13 @@ std::size_t fillValues(Values& v)
               v.cell.heightStep, v.cell.widthLow, v.cell.widthStep, v.cell.parent,
               v.cell.firstChild, v.cell.childCount, v.cell.level, v.cell.rankLow, v.cell.rankHigh);
     shared::Frame& f = v.frame;
-    n.fillAll(f.blades, f.states, f.patches, f.species, f.visible, f.draw, f.patchTimes, f.fates,
-              f.pyramid.depths, f.pyramid.size, f.pyramid.first, f.pyramid.levels, f.viewProjection,
-              f.view, f.time, f.nature, f.patchCount, f.bladeCount, f.visibleCapacity,
-              f.maxTessellation, f.sunDirection, f.exposure, f.sunColor, f.debugMode, f.skyColor,
-              f.fogDensity, f.groundColor, f.skyUp, f.fixedTessellation, f.clouds, f.levelSteps,
-              f.pace, f.cover, f.shadow, f.fogFalloff, f.fogBase);
+    n.fillAll(f.blades, f.states, f.patches, f.species, f.visible, f.draw, f.patchTimes,
+              f.patchCounts, f.fates, f.pyramid.depths, f.pyramid.size, f.pyramid.first,
+              f.pyramid.levels, f.viewProjection, f.view, f.time, f.nature, f.patchCount,
+              f.bladeCount, f.visibleCapacity, f.maxTessellation, f.sunDirection, f.exposure,
+              f.sunColor, f.debugMode, f.skyColor, f.fogDensity, f.groundColor, f.skyUp,
+              f.fixedTessellation, f.clouds, f.levelSteps, f.pace, f.cover, f.shadow, f.fogFalloff,
+              f.fogBase);
     n.fillAll(v.visible.blade, v.visible.patchIndex, v.visible.widthFactor, v.visible.pixels);
     n.fillAll(v.draw.vertexCount, v.draw.instanceCount, v.draw.firstVertex, v.draw.firstInstance,
               v.draw.simulated, v.draw.fates);
@@ -171,7 +172,7 @@ std::size_t fillValues(Values& v)
     n.fillAll(v.pyramidPush.frame, v.pyramidPush.level, v.pyramidPush.reserved);
     n.fillAll(v.viewPush.frame);
     n.fillAll(v.groundPush.frame, v.groundPush.vertices, v.groundPush.materials,
-              v.groundPush.material, v.groundPush.reserved);
+              v.groundPush.visibility, v.groundPush.material, v.groundPush.width);
     return n.count();
 }
 

@@ -41,7 +41,6 @@ void InternalResolution::add(double seconds)
 
 render::FrameSettings thinnedForScale(render::FrameSettings settings, double scale)
 {
-    settings.leavesThinned = true;
     settings.lodThreshold *= static_cast<float>(std::min(1.0 / scale, mostThinning));
     return settings;
 }

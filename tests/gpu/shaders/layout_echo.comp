@@ -163,6 +163,7 @@ void putFrame()
     put(uvec2(FRAME.visible));
     put(uvec2(FRAME.draw));
     put(uvec2(FRAME.patchTimes));
+    put(uvec2(FRAME.patchCounts));
     put(uvec2(FRAME.fates));
     put(uvec2(FRAME.pyramid.depths));
     put(FRAME.pyramid.size);
@@ -360,6 +361,7 @@ void main()
     put(uvec2(sources.at[0].groundPush.at[1].frame));
     put(uvec2(sources.at[0].groundPush.at[1].vertices));
     put(uvec2(sources.at[0].groundPush.at[1].materials));
+    put(uvec2(sources.at[0].groundPush.at[1].visibility));
     put(sources.at[0].groundPush.at[1].material);
-    put(sources.at[0].groundPush.at[1].reserved);
+    put(sources.at[0].groundPush.at[1].width);
 }

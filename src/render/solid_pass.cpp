@@ -1,0 +1,42 @@
+#include "render/solid_pass.h"
+
+namespace sward::render {
+
+SolidPass::SolidPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                     const TargetSettings& target, const GroundBuffers& ground)
+    : context_(&context)
+    , ground_(&ground)
+    , target_(target)
+    , plain_(context, shaders, target, ground.imageLayout())
+{
+}
+
+void SolidPass::prepare(const gpu::ShaderLibrary& shaders, std::uint32_t colliders, bool paintsWind)
+{
+    colliderCount_ = colliders;
+    paintsWind_ = paintsWind;
+    if (colliders > 0 && colliders_ == nullptr)
+        colliders_ = std::make_unique<ColliderPass>(*context_, shaders, target_);
+    if (paintsWind && windy_ == nullptr) {
+        TargetSettings target = target_;
+        target.paintsWind = true;
+        windy_ = std::make_unique<GroundPass>(*context_, shaders, target, ground_->imageLayout());
+    }
+}
+
+void SolidPass::record(VkCommandBuffer commands, VkDeviceAddress frame,
+                       const GroundPass::Grown& grown) const
+{
+    (paintsWind_ ? *windy_ : plain_).record(commands, *ground_, frame, grown);
+    if (colliderCount_ > 0)
+        colliders_->record(commands, frame, colliderCount_);
+}
+
+void SolidPass::recordDepth(VkCommandBuffer commands, VkDeviceAddress frame) const
+{
+    plain_.recordDepth(commands, *ground_, frame);
+    if (colliderCount_ > 0)
+        colliders_->recordDepth(commands, frame, colliderCount_);
+}
+
+} // namespace sward::render

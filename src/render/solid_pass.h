@@ -1,0 +1,48 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/shader_library.h"
+#include "render/collider_pass.h"
+#include "render/ground_buffers.h"
+#include "render/ground_pass.h"
+#include "render/target_settings.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace sward::render {
+
+/// Draws what is solid among the grass: the ground and the colliders.
+class SolidPass {
+public:
+    /// `ground` outlives it.
+    SolidPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+              const TargetSettings& target, const GroundBuffers& ground);
+
+    /// Makes ready for a frame with so many colliders, in the colours of the wind or in its own.
+    void prepare(const gpu::ShaderLibrary& shaders, std::uint32_t colliders, bool paintsWind);
+
+    /// Inside a rendering; see GroundPass::record().
+    void record(VkCommandBuffer commands, VkDeviceAddress frame,
+                const GroundPass::Grown& grown) const;
+
+    /// Inside a rendering of depth alone, before record() where the light comes later.
+    void recordDepth(VkCommandBuffer commands, VkDeviceAddress frame) const;
+
+    /// What casts the colliders' shadows; null while there have been none.
+    const ColliderPass* colliders() const { return colliders_.get(); }
+
+private:
+    const gpu::DeviceContext* context_;
+    const GroundBuffers* ground_;
+    TargetSettings target_;
+    GroundPass plain_;
+    std::unique_ptr<GroundPass> windy_;       ///< once somebody has asked for it
+    std::unique_ptr<ColliderPass> colliders_; ///< once there have been any
+    std::uint32_t colliderCount_ = 0;
+    bool paintsWind_ = false;
+};
+
+} // namespace sward::render
