@@ -99,13 +99,14 @@ SHARED_FN vec2 edgesAt(Outline outline, float t)
 
 /// Segments of a blade so large on the screen: so many that a chord strays from the curve by less
 /// than a quarter of a pixel, and that the outline shows; at most `most`, but for a dandelion's.
+/// `heightPixels` are those of its length.
 SHARED_FN float segmentsFor(vec3 v0, vec3 v1, vec3 v2, uint shape, float heightPixels,
                             float widthPixels, float most)
 {
-    // L chords of a quadratic Bézier stray from it by at most |v0 − 2 v1 + v2| / (4 L²). Chords
-    // span the height, so its pixels are the scale.
-    const float straightness = length(v2 - v0) + length(v1 - v0);
-    const float stray = length(v0 - 2.0f * v1 + v2) / max(straightness, 1e-9f) * heightPixels;
+    // L chords of a quadratic Bézier stray from it by at most |v0 − 2 v1 + v2| / (4 L²).
+    // heightPixels are those of its length, of which this is an estimate (Gravesen 1997).
+    const float size = (2.0f * length(v2 - v0) + length(v1 - v0) + length(v2 - v1)) / 3.0f;
+    const float stray = length(v0 - 2.0f * v1 + v2) / max(size, 1e-9f) * heightPixels;
     const float curve = ceil(sqrt(stray));
     if (shape == shapeDandelion && widthPixels > 2.0f)
         return dandelionLobes * segmentsPerLobe;

@@ -59,7 +59,7 @@ struct FrameSettings {
     /// drawn no narrower than leastPixels, which leaves nothing to cut; else the paper's.
     std::optional<float> mostEdgeOn;
     int tessellationLevel =
-        0; ///< segments along a blade, 1 to 64; 0: by size on the screen, at most 3
+        0; ///< segments along a blade, 1 to 64; 0: by size on the screen, at most 12
     std::vector<LevelStep> levelSteps; ///< at most 4, rising; empty: by size on the screen
     Buckets buckets;                   ///< the paper's thinning
     Pace pace;                         ///< how often blades move

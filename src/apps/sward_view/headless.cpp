@@ -114,6 +114,8 @@ Picture Headless::reference(std::uint64_t frame)
     render::FrameSettings everything = settings_;
     everything.cullMask = 0;
     everything.levelOfDetail = false;
+    if (everything.tessellationLevel == 0)
+        everything.tessellationLevel = referenceSegments;
     ReferenceSum sum(options_.size);
     for (std::uint32_t i = 0; i < referencePictures; ++i) {
         record(everything, timeOf(frame), referenceJitter(i));

@@ -11,6 +11,10 @@ namespace sward::view {
 
 constexpr std::uint32_t referencePictures = 256;
 
+/// … whose blades have so many segments, unless somebody asks for others: how finely they are cut
+/// is level of detail too.
+constexpr int referenceSegments = 16;
+
 /// By how much picture `index` of a reference is moved [pixels], in [−1/2, 1/2)²: the Halton
 /// sequence of bases 2 and 3.
 glm::vec2 referenceJitter(std::uint32_t index);
