@@ -93,6 +93,17 @@ vec3 develop(vec3 radiance)
     return clamp(film, 0.0, 1.0);
 }
 
+/// How soft a picture with several samples is where grass stands so far away [m] and covers this
+/// share of the ground: 1 where blades are thinner than 0.6 pixels, 0 where they are wider than 1.5,
+/// or are drawn as narrow as they are. It stands in the alpha channel, as 1 − softness.
+float softness(float distance, float share)
+{
+    if (FRAME.view.leastWidth <= 0.0 || FRAME.debugMode != 0u || paintsWind)
+        return 0.0;
+    const float widthPixels = FRAME.view.lodWidth * FRAME.view.pixelsPerUnit / max(distance, 1e-6);
+    return share * (1.0 - smoothstep(0.6, 1.5, widthPixels));
+}
+
 /// Half a step of an 8-bit picture up or down, by the place alone, so that smooth gradients show no
 /// bands. `color` is linear; a step of its sRGB form is 2.2·color^(6/11) wide.
 vec3 dithered(vec3 color, vec2 place)

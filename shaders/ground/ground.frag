@@ -82,5 +82,6 @@ void main()
         color = throughAir(color, inPosition);
     if (paintsWind)
         color = colorOfWind(inPosition, n);
-    outColor = vec4(develop(color), 1.0);
+    // Among grass the ground is as soft as what stands on it.
+    outColor = vec4(develop(color), 1.0 - softness(distance, min(leafArea, 1.0)));
 }

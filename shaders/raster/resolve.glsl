@@ -1,5 +1,5 @@
 // Shades what a visibility holds, each blade once per pixel, and averages. The including shader has
-// groundAt() and the image `picture`.
+// groundAt() and put().
 #include "shaders/grass/blade_colors.glsl"
 #include "shaders/grass/blade_light.glsl"
 #include "shaders/raster/seen_triangle.glsl"
@@ -84,8 +84,8 @@ Found find(Lens lens, Ribbon ribbon, vec2 pixel, float depth)
     return found;
 }
 
-/// What the film sees of a blade at sample `s` of a pixel.
-vec3 shade(Lens lens, uint index, vec2 pixel, uint s, float depth)
+/// What the film sees of a blade at sample `s` of a pixel, and 1 − softness.
+vec4 shade(Lens lens, uint index, vec2 pixel, uint s, float depth)
 {
     const uint patchIndex = patchOf(index);
     const Patch cell = FRAME.patches.at[patchIndex];
@@ -111,12 +111,7 @@ vec3 shade(Lens lens, uint index, vec2 pixel, uint s, float depth)
     point.rootColor = surface.root;
     point.tipColor = surface.tip;
     point.material = surface.material;
-    return bladePicture(point);
-}
-
-vec3 encodeSrgb(vec3 c)
-{
-    return mix(12.92 * c, 1.055 * pow(max(c, 0.0), vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+    return vec4(bladePicture(point), 1.0 - softness(length(FRAME.view.eye - point.position), 1.0));
 }
 
 void main()
@@ -134,7 +129,7 @@ void main()
     }
 
     const Lens lens = lensOf();
-    vec3 sum = vec3(0.0);
+    vec4 sum = vec4(0.0);
     float sky = 0.0;
     for (uint s = 0u; s < samplesPerPixel; ++s) {
         if (blades[s] == 0u) {
@@ -157,8 +152,7 @@ void main()
     }
     if (sky > 0.0) {
         const vec2 middle = vec2(pixel) + 0.5;
-        sum += sky * skyPicture(normalize(rayThrough(2.0 * middle / lens.size - 1.0)), middle);
+        sum += sky * vec4(skyPicture(normalize(rayThrough(2.0 * middle / lens.size - 1.0)), middle), 1.0);
     }
-    const vec3 color = encodeSrgb(sum / float(samplesPerPixel));
-    imageStore(picture, ivec2(pixel), vec4(push.isBgr != 0u ? color.bgr : color, 1.0));
+    put(ivec2(pixel), sum / float(samplesPerPixel));
 }

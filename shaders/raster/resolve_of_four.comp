@@ -1,17 +1,22 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Makes the picture of a visibility of four samples per pixel.
+// Shades a visibility of four samples per pixel; soften.comp makes the picture.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 layout(set = 0, binding = 0) uniform sampler2DMS pictures[2]; // colour, depth
-layout(set = 0, binding = 1, rgba8) uniform writeonly image2D picture;
+layout(set = 0, binding = 1, rgba16f) uniform writeonly image2D shaded;
 
 #include "shaders/raster/visibility.glsl"
 
-vec3 groundAt(ivec2 pixel, int s)
+vec4 groundAt(ivec2 pixel, int s)
 {
-    return texelFetch(pictures[0], pixel, s).rgb;
+    return texelFetch(pictures[0], pixel, s);
+}
+
+void put(ivec2 pixel, vec4 color)
+{
+    imageStore(shaded, pixel, color);
 }
 
 #include "shaders/raster/resolve.glsl"

@@ -11,6 +11,7 @@
 #include "render/blade_dump.h"
 #include "render/blade_pass.h"
 #include "render/depth_pyramid.h"
+#include "render/film_pass.h"
 #include "render/frame.h"
 #include "render/frame_slot.h"
 #include "render/grass_cover.h"
@@ -92,7 +93,9 @@ struct FieldRenderer::Parts {
             raster.emplace(context, shaders, target);
         else
             tessellated.emplace(Tessellated{BladePass(context, shaders, target),
-                                            SkyPass(context, shaders, target)});
+                                            SkyPass(context, shaders, target), std::nullopt});
+        if (tessellated && wanted.samples > 1)
+            tessellated->film.emplace(context, shaders, target);
         for (std::uint32_t i = 0; i < wanted.framesInFlight; ++i)
             slots.emplace_back(context);
     }
@@ -113,6 +116,7 @@ struct FieldRenderer::Parts {
     struct Tessellated {
         BladePass blades;
         SkyPass sky;
+        std::optional<FilmPass> film; ///< of several samples
     };
     std::optional<Tessellated> tessellated; ///< the one or …
     std::optional<RasterPass> raster;       ///< … the other, by the geometry
@@ -216,6 +220,8 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
         parts.hasPyramid = false;
         if (parts.raster)
             parts.raster->resize(parts.attachments);
+        else if (parts.tessellated->film)
+            parts.tessellated->film->resize(target.size);
     }
     const shared::Frame frame = parts.writeFrame(
         frameOf(parts.shape, view, settings, time, parts.settings.samples), settings, time, slot);
@@ -258,6 +264,8 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
         parts.resolve(commands, target, slot, listedBy, timestamps);
     } else {
         parts.drawBlades(commands, target, slot, timestamps);
+        if (parts.tessellated->film)
+            parts.tessellated->film->record(commands, target.view);
     }
 }
 
@@ -335,8 +343,8 @@ void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& ta
                                       std::uint32_t slot, gpu::Timestamps* timestamps)
 {
     gpu::ColorAttachment color = colorAttachment(target);
-    if (attachments.hasColor()) {
-        color.resolve = target.view;
+    if (tessellated->film) {
+        color.resolve = tessellated->film->begin(commands);
         color.isKept = false;
     }
     // On top of the ground, which the same attachments hold.

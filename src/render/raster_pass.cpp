@@ -10,6 +10,9 @@ namespace {
 /// What is stored into is encoded by the shader; it is copied, bit by bit, to a target.
 constexpr VkFormat pictureFormat = VK_FORMAT_R8G8B8A8_UNORM;
 
+/// What has been shaded, before it is filtered; alpha: see softness() of lighting.glsl.
+constexpr VkFormat shadedFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
+
 bool isBgr(VkFormat format)
 {
     return format == VK_FORMAT_B8G8R8A8_SRGB;
@@ -60,6 +63,8 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
     begin_ = pipeline("raster/begin", variantOf("raster_begin", target.samples));
     blades_ = pipeline("raster/blades", "raster_blades.comp");
     large_ = pipeline("raster/large blades", "raster_large.comp");
+    if (target.samples > 1)
+        soften_ = pipeline("raster/soften", "soften.comp");
     largeParts_ = gpu::Buffer(context, {.name = "raster/large blades",
                                         .bytes = shared::mostLargeParts * sizeof(shared::LargePart),
                                         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
@@ -101,6 +106,19 @@ void RasterPass::resize(const Attachments& attachments)
     images_.setSampled(1, attachments.depth().view(), sampler_.get());
     images_.setStorage(0, picture_.view());
     bytes_ = visibility_.bytes() + largeParts_.bytes() + picture_.memoryBytes();
+    if (target_.samples == 1)
+        return;
+    shaded_ =
+        gpu::Image(*context_, {.name = "frame/shaded",
+                               .format = shadedFormat,
+                               .extent = size_,
+                               .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT});
+    images_.setStorage(0, shaded_.view());
+    filmImages_ = gpu::ImageSet(*context_, imageLayout_, "raster/film");
+    filmImages_.setSampled(0, shaded_.view(), sampler_.get());
+    filmImages_.setSampled(1, shaded_.view(), sampler_.get());
+    filmImages_.setStorage(0, picture_.view());
+    bytes_ += shaded_.memoryBytes();
 }
 
 shared::RasterPush RasterPass::pushFor(const Input& input) const
@@ -150,12 +168,22 @@ void RasterPass::recordResolve(VkCommandBuffer commands, const Input& input, boo
 {
     const auto found = resolve_.find(paintsWind);
     expect(found != resolve_.end(), "the resolve has been prepared");
+    const shared::RasterPush push = pushFor(input);
     gpu::computeToCompute(commands);
     gpu::transition(commands, picture_, gpu::ImageUse::undefined, gpu::ImageUse::storage);
+    if (target_.samples > 1)
+        gpu::transition(commands, shaded_, gpu::ImageUse::undefined, gpu::ImageUse::storage);
     found->second.bind(commands);
     images_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, found->second.layout());
-    found->second.push(commands, pushFor(input));
+    found->second.push(commands, push);
     vkCmdDispatch(commands, tilesFor(size_.width), tilesFor(size_.height), 1);
+    if (target_.samples > 1) {
+        gpu::transition(commands, shaded_, gpu::ImageUse::storage, gpu::ImageUse::sampled);
+        soften_.bind(commands);
+        filmImages_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, soften_.layout());
+        soften_.push(commands, push);
+        vkCmdDispatch(commands, tilesFor(size_.width), tilesFor(size_.height), 1);
+    }
     gpu::transition(commands, picture_, gpu::ImageUse::storage, gpu::ImageUse::transferSource);
 }
 

@@ -54,7 +54,8 @@ public:
     /// Rasterises the large ones of all rounds.
     void recordLarge(VkCommandBuffer commands, const Input& input) const;
 
-    /// Shades the picture; it is then in ImageUse::transferSource. `paintsWind` was prepared.
+    /// Shades the picture and filters it; it is then in ImageUse::transferSource. `paintsWind` was
+    /// prepared.
     void recordResolve(VkCommandBuffer commands, const Input& input, bool paintsWind) const;
 
     /// Copies the picture to a target in ImageUse::transferTarget.
@@ -74,14 +75,17 @@ private:
     gpu::ComputePipeline blades_;
     gpu::ComputePipeline large_;
     std::map<bool, gpu::ComputePipeline> resolve_; ///< by whether it paints the wind
+    gpu::ComputePipeline soften_;                  ///< with several samples
 
     VkExtent2D size_{};
     VkDeviceSize bytes_ = 0;
     gpu::Buffer visibility_;
     gpu::Buffer largeParts_;
     gpu::Buffer largeCount_;
+    gpu::Image shaded_; ///< with several samples: linear, not yet filtered
     gpu::Image picture_;
     gpu::ImageSet images_;
+    gpu::ImageSet filmImages_;
 };
 
 } // namespace sward::render

@@ -1,0 +1,7 @@
+#version 460
+// One triangle over the whole picture.
+
+void main()
+{
+    gl_Position = vec4((gl_VertexIndex & 1) * 4 - 1, (gl_VertexIndex & 2) * 2 - 1, 0.0, 1.0);
+}
