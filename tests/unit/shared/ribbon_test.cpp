@@ -200,5 +200,34 @@ TEST(Pace, MovesEveryPatchWithinThreeFramesAndTheNearOnesInEach)
     }
 }
 
+TEST(Segments, KeepChordsWithinAQuarterOfAPixelOfTheCurve)
+{
+    tests::Dice dice(71);
+    float most = 0.0f;
+    for (int i = 0; i < 2000; ++i) {
+        const vec3 v0(0.0f);
+        const vec3 v1 = dice.number(0.2f, 1.0f) * dice.direction();
+        const vec3 v2 = v1 + dice.number(0.2f, 1.0f) * dice.direction();
+        constexpr int parts = 256;
+        float curveLength = 0.0f;
+        for (int k = 0; k < parts; ++k)
+            curveLength += glm::distance(bezierPoint(v0, v1, v2, float(k) / parts),
+                                         bezierPoint(v0, v1, v2, float(k + 1) / parts));
+        const float pixels = dice.number(2.0f, 600.0f);
+        const float segments = segmentsFor(v0, v1, v2, shapeQuad, pixels, 0.5f, 64.0f);
+        // In the middle of a chord in its parameter the curve is farthest from it.
+        for (float k = 0.0f; k < segments; k += 1.0f) {
+            const vec3 chord = 0.5f * (bezierPoint(v0, v1, v2, k / segments) +
+                                       bezierPoint(v0, v1, v2, (k + 1.0f) / segments));
+            most = std::max(most,
+                            glm::distance(chord, bezierPoint(v0, v1, v2, (k + 0.5f) / segments)) *
+                                pixels / curveLength);
+        }
+    }
+    // The estimate of the length is within a twentieth, but for hairpins.
+    EXPECT_LE(most, 0.28f);
+    EXPECT_GT(most, 0.2f);
+}
+
 } // namespace
 } // namespace sward::shared
