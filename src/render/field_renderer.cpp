@@ -9,9 +9,7 @@
 #include "gpu/rendering.h"
 #include "render/attachments.h"
 #include "render/blade_dump.h"
-#include "render/blade_pass.h"
 #include "render/depth_pyramid.h"
-#include "render/film_pass.h"
 #include "render/frame.h"
 #include "render/frame_slot.h"
 #include "render/grass_cover.h"
@@ -19,9 +17,9 @@
 #include "render/moving_blades.h"
 #include "render/pass_scope.h"
 #include "render/raster_pass.h"
-#include "render/sky_pass.h"
 #include "render/solid_pass.h"
 #include "render/sun_shadow.h"
+#include "render/tessellated_pass.h"
 
 #include <optional>
 
@@ -88,14 +86,10 @@ struct FieldRenderer::Parts {
         , shape{field.origin, field.bounds(), blades.buffers().bladeSize()}
     {
         expect(wanted.framesInFlight >= 1, "at least one frame is in flight");
-        const TargetSettings target = targetFor(geometry, wanted);
         if (geometry == Geometry::raster)
-            raster.emplace(context, shaders, target);
+            raster.emplace(context, shaders, targetFor(geometry, wanted));
         else
-            tessellated.emplace(Tessellated{BladePass(context, shaders, target),
-                                            SkyPass(context, shaders, target), std::nullopt});
-        if (tessellated && wanted.samples > 1)
-            tessellated->film.emplace(context, shaders, target);
+            tessellated.emplace(context, shaders, targetFor(geometry, wanted));
         for (std::uint32_t i = 0; i < wanted.framesInFlight; ++i)
             slots.emplace_back(context);
     }
@@ -112,16 +106,8 @@ struct FieldRenderer::Parts {
     DepthPyramid pyramid;
     SolidPass solid;
 
-    /// What the graphics pipeline draws after the ground.
-    struct Tessellated {
-        BladePass blades;
-        SkyPass sky;
-        std::optional<FilmPass> film; ///< of several samples
-    };
-    std::optional<Tessellated> tessellated; ///< the one or …
-    std::optional<RasterPass> raster;       ///< … the other, by the geometry
-
-    std::optional<BladePass> windyBlades; ///< tessellated, in the wind's colours
+    std::optional<TessellatedPass> tessellated; ///< the one or …
+    std::optional<RasterPass> raster;           ///< … the other, by the geometry
     FieldShape shape;
     std::vector<FrameSlot> slots;
     double lastTime = 0.0; ///< [s] of the frame before
@@ -180,11 +166,10 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
     blades.prepare(shaders, frame);
     paintsWind = wishes.debug == DebugMode::wind;
     solid.prepare(shaders, frame.nature.colliderCount, paintsWind);
-    if (paintsWind && tessellated && !windyBlades)
-        windyBlades.emplace(context, shaders,
-                            TargetSettings{settings.colorFormat, settings.samples, true});
     if (raster)
         raster->prepare(shaders, paintsWind);
+    else
+        tessellated->prepare(shaders, paintsWind);
     return frame;
 }
 
@@ -220,8 +205,8 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
         parts.hasPyramid = false;
         if (parts.raster)
             parts.raster->resize(parts.attachments);
-        else if (parts.tessellated->film)
-            parts.tessellated->film->resize(target.size);
+        else
+            parts.tessellated->resize(target.size);
     }
     const shared::Frame frame = parts.writeFrame(
         frameOf(parts.shape, view, settings, time, parts.settings.samples), settings, time, slot);
@@ -237,7 +222,6 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
             parts.seeWhatIsHidden(commands, slot, timestamps);
         parts.hasPyramid = looksForHidden;
     }
-    // Find the patches that may be seen, then move their blades, judge them, and draw.
     parts.blades.begin(commands, time);
     parts.blades.findLive(commands, judged, timestamps);
     VkDeviceAddress listedBy = judged;
@@ -264,8 +248,7 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
         parts.resolve(commands, target, slot, listedBy, timestamps);
     } else {
         parts.drawBlades(commands, target, slot, timestamps);
-        if (parts.tessellated->film)
-            parts.tessellated->film->record(commands, target.view);
+        parts.tessellated->finish(commands, target.view);
     }
 }
 
@@ -285,8 +268,8 @@ void FieldRenderer::Parts::drawSolid(VkCommandBuffer commands, const Target& tar
     gpu::transition(commands, attachments.depth(), gpu::ImageUse::undefined,
                     gpu::ImageUse::depthTarget);
     const VkDeviceAddress frame = slots[slot].frame.address();
-    const VkExtent2D extent{target.size.x, target.size.y};
     const gpu::DepthAttachment depth{.view = attachments.depth().view(), .clear = 0.0f};
+    const VkExtent2D extent{target.size.x, target.size.y};
     const PassScope scope(context, commands, timestamps, "ground");
     if (raster) {
         const gpu::RenderingScope rendering(commands, extent, {}, depth);
@@ -343,10 +326,8 @@ void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& ta
                                       std::uint32_t slot, gpu::Timestamps* timestamps)
 {
     gpu::ColorAttachment color = colorAttachment(target);
-    if (tessellated->film) {
-        color.resolve = tessellated->film->begin(commands);
-        color.isKept = false;
-    }
+    color.resolve = tessellated->begin(commands);
+    color.isKept = color.resolve == VK_NULL_HANDLE;
     // On top of the ground, which the same attachments hold.
     gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
                     gpu::ImageUse::depthTarget);
@@ -356,17 +337,9 @@ void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& ta
     const gpu::DepthAttachment depth{
         .view = attachments.depth().view(), .clear = std::nullopt, .isKept = false};
 
-    const VkDeviceAddress frame = slots[slot].frame.address();
     const gpu::RenderingScope rendering(commands, {target.size.x, target.size.y},
                                         std::span(&color, 1), depth);
-    {
-        const PassScope scope(context, commands, timestamps, "blades");
-        (paintsWind ? *windyBlades : tessellated->blades).record(commands, blades.buffers(), frame);
-    }
-    {
-        const PassScope scope(context, commands, timestamps, "sky");
-        tessellated->sky.record(commands, frame);
-    }
+    tessellated->record(commands, blades.buffers(), slots[slot].frame.address(), timestamps);
 }
 
 void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, std::uint32_t slot,
