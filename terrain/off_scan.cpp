@@ -102,15 +102,20 @@ MeshScan scanOff(std::string_view file, const std::string& place)
         const std::string_view line = lines.next("its last face");
         TextCursor words(line);
         const auto corners = parseCount(words.word());
+        // OpenMesh's reader takes what follows the corners, a colour say, for the next face, and a
+        // face of −1 corners for one of four thousand million.
+        std::string face = corners ? std::to_string(*corners) : std::string();
         bool whole = corners.has_value() && *corners <= line.size();
         for (std::size_t c = 0; whole && c < *corners; ++c) {
             const auto index = parseCount(words.word());
             whole = index.has_value() && *index < *vertices;
+            if (whole)
+                face.append(1, ' ').append(std::to_string(*index));
         }
         if (!whole)
             fail(ErrorKind::input, "{}: line {}: face {} does not name its corners below {}", place,
                  lines.lineNumber(), i, *vertices);
-        keep(line);
+        keep(face);
     }
     return scan;
 }

@@ -133,7 +133,8 @@ class DetailTest(unittest.TestCase):
         self.bake_flat(8_000)
         everything = {"patch": False, "frustum": False}
         def simulated(frame, **pace):
-            self.render("--camera", self.rim_camera(), "--frames", f"{frame}:{frame}", "--settings",
+            # Blades that are thinned out stand still at any pace.
+            self.render("--camera", self.rim_camera(), "--lod", "off", "--frames", f"{frame}:{frame}", "--settings",
                         self.file("p.json", {"culling": everything, "detail": pace}))
             return self.counts()["simulated"]
         self.assertEqual(simulated(6, move_every_frame=1e6), 8_000)

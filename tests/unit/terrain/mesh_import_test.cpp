@@ -48,6 +48,18 @@ TEST(MeshImport, KeepsFacesThatAreNotManifold)
     EXPECT_EQ(mesh.triangles.size(), 3U);
 }
 
+TEST(MeshImport, TakesNothingBehindTheCornersOfAnOffFaceForAnotherFace)
+{
+    // Colours in all their forms, and what a reader took for a face of −1 corners.
+    for (const char* const rest : {"", " 255 0 0", " 0.1 0.2 0.3 1.0", " 7", " -1", " 3 0 1 2"}) {
+        const GroundMesh mesh = loadContent(
+            "a.off",
+            fmt::format("OFF\n4 2 0\n0 0 0\n0 0 1\n1 0 0\n1 0 1\n3 0 1 2{}\n3 2 1 3\n", rest));
+        EXPECT_EQ(mesh.triangles.size(), 2U) << rest;
+        EXPECT_DOUBLE_EQ(meshes::totalArea(mesh), 1.0) << rest;
+    }
+}
+
 TEST(MeshImport, KeepsATenthOfAMillimetreAMillionMetresAway)
 {
     const char* const vertices[] = {"1000000.0001 2 -3000000", "1000000.0001 2 -2999999.9998",
