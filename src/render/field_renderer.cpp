@@ -151,11 +151,13 @@ FieldRenderer::~FieldRenderer() = default;
 shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameSettings& wishes,
                                                double time, std::uint32_t slot)
 {
+    // Who asks for each blade has each moved.
+    if (settings.recordFates)
+        frame.view.cullMask &= ~shared::leaveThinned;
     blades.buffers().describe(frame);
     cover.describe(frame);
     if ((frame.view.cullMask & shared::cullOcclusion) != 0)
         pyramid.describe(frame);
-    // Before the first frame nothing has moved.
     slots[slot].tables.write(shape, wishes, time, blades.hasMoved() ? lastTime : time, frame);
     lastTime = time;
     frame.pace.frame = frameNumber++;
@@ -214,7 +216,7 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
     parts.sunShadow.record(commands, parts.ground, parts.slots[slot].frame.address(),
                            parts.solid.colliders());
 
-    // The ground comes first: what it hides needs neither be moved nor drawn.
+    // What the ground hides needs neither be moved nor drawn.
     parts.drawSolid(commands, target, slot, timestamps);
     const bool looksForHidden = (settings.cullMask & shared::cullOcclusion) != 0;
     if (!settings.cullingCamera) {
@@ -239,7 +241,6 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
     else
         parts.blades.moveAndList(commands, listedBy, 0, timestamps);
 
-    // Hand the list to the draw, and the counts to whoever asks for them.
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
     if (!findsReasons)
         parts.slots[slot].recordCounts(commands, parts.blades.buffers().draw());
@@ -264,7 +265,6 @@ gpu::ColorAttachment FieldRenderer::Parts::colorAttachment(const Target& target)
 void FieldRenderer::Parts::drawSolid(VkCommandBuffer commands, const Target& target,
                                      std::uint32_t slot, gpu::Timestamps* timestamps)
 {
-    // Last frame's depth and samples are given up.
     gpu::transition(commands, attachments.depth(), gpu::ImageUse::undefined,
                     gpu::ImageUse::depthTarget);
     const VkDeviceAddress frame = slots[slot].frame.address();
@@ -328,7 +328,6 @@ void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& ta
     gpu::ColorAttachment color = colorAttachment(target);
     color.resolve = tessellated->begin(commands);
     color.isKept = color.resolve == VK_NULL_HANDLE;
-    // On top of the ground, which the same attachments hold.
     gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
                     gpu::ImageUse::depthTarget);
     gpu::transition(commands, attachments.hasColor() ? attachments.color().get() : target.image,
