@@ -151,9 +151,6 @@ FieldRenderer::~FieldRenderer() = default;
 shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameSettings& wishes,
                                                double time, std::uint32_t slot)
 {
-    // Who asks for each blade has each moved.
-    if (settings.recordFates)
-        frame.view.cullMask &= ~shared::leaveThinned;
     blades.buffers().describe(frame);
     cover.describe(frame);
     if ((frame.view.cullMask & shared::cullOcclusion) != 0)

@@ -59,6 +59,9 @@ Headless::Headless(const FrameOptions& options, bool recordFates)
     , timestamps_(device_.context(), {.slots = 1})
     , ring_(device_.context(), 1)
 {
+    // Who asks for each blade has each moved.
+    if (recordFates)
+        settings_.leavesThinned = false;
 }
 
 double Headless::timeOf(std::uint64_t frame) const
