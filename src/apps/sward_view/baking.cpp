@@ -1,10 +1,10 @@
 #include "apps/sward_view/baking.h"
 
+#include "apps/sward_view/child_process.h"
 #include "core/error.h"
 #include "core/log.h"
 
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -40,25 +40,6 @@ fs::path swardProgram()
     if (error || ::access(program.c_str(), X_OK) != 0)
         fail(ErrorKind::io, "{}: not found; it bakes a mesh before it is shown", program.string());
     return program;
-}
-
-// Starts a program whose stderr is written into `said`.
-pid_t start(std::vector<std::string> arguments, int said)
-{
-    std::vector<char*> pointers;
-    for (std::string& argument : arguments)
-        pointers.push_back(argument.data());
-    pointers.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    ::posix_spawn_file_actions_init(&actions);
-    ::posix_spawn_file_actions_adddup2(&actions, said, STDERR_FILENO);
-    pid_t child = -1;
-    const int error =
-        ::posix_spawn(&child, pointers[0], &actions, nullptr, pointers.data(), environ);
-    ::posix_spawn_file_actions_destroy(&actions);
-    if (error != 0)
-        fail(ErrorKind::runtime, "{}: cannot be run: {}", arguments[0], std::strerror(error));
-    return child;
 }
 
 // Without the sequences that erase a line and colour it.
@@ -126,7 +107,7 @@ Baking::Baking(std::vector<std::string> arguments)
         said_ = ends[0];
         ::fcntl(said_, F_SETFL, O_NONBLOCK);
         try {
-            child_ = start(std::move(all), ends[1]);
+            child_ = startChild(std::move(all), ends[1]);
         } catch (...) {
             ::close(ends[1]);
             throw;

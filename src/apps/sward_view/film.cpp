@@ -1,10 +1,10 @@
 #include "apps/sward_view/film.h"
 
+#include "apps/sward_view/child_process.h"
 #include "core/error.h"
 
 #include <fcntl.h>
 #include <fmt/core.h>
-#include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -53,25 +53,6 @@ std::vector<std::string> argumentsFor(const fs::path& part, glm::uvec2 size, dou
             part.string()};
 }
 
-pid_t start(std::vector<std::string> arguments, int pictures, int said)
-{
-    std::vector<char*> pointers;
-    for (std::string& argument : arguments)
-        pointers.push_back(argument.data());
-    pointers.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    ::posix_spawn_file_actions_init(&actions);
-    ::posix_spawn_file_actions_adddup2(&actions, pictures, STDIN_FILENO);
-    ::posix_spawn_file_actions_adddup2(&actions, said, STDERR_FILENO);
-    pid_t child = -1;
-    const int error =
-        ::posix_spawn(&child, pointers[0], &actions, nullptr, pointers.data(), environ);
-    ::posix_spawn_file_actions_destroy(&actions);
-    if (error != 0)
-        fail(ErrorKind::runtime, "{}: cannot be run: {}", arguments[0], std::strerror(error));
-    return child;
-}
-
 } // namespace
 
 fs::path Film::program()
@@ -105,7 +86,7 @@ Film::Film(fs::path path, glm::uvec2 size, double step)
         if (::pipe2(out.data(), O_CLOEXEC | O_NONBLOCK) != 0)
             fail(ErrorKind::runtime, "cannot make a pipe: {}", std::strerror(errno));
         said_ = out[0];
-        child_ = start(argumentsFor(part_, size_, step), in[1], out[1]);
+        child_ = startChild(argumentsFor(part_, size_, step), out[1], in[1]);
     } catch (...) {
         close(in[1]);
         close(out[1]);
