@@ -53,7 +53,7 @@ void cutTriangle(vec4 a, vec4 b, vec4 c, vec2 weightA, vec2 weightB, vec2 weight
         }
         if (covered == 0u)
             continue;
-        const vec3 by = seenAt(a, b, c, vec2(pixel) + shadedPlace(covered)).shares;
+        const vec3 by = seenAt(a, b, c, vec2(pixel) + middleOf(covered)).shares;
         covered &= samplesKept(by.x * weightA + by.y * weightB + by.z * weightC, blade);
         for (uint s = 0u; s < samplesPerPixel; ++s)
             if ((covered & (1u << s)) != 0u)

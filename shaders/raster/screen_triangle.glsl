@@ -113,7 +113,7 @@ void screenTriangle(vec3 a, vec3 b, vec3 c, vec2 weightA, vec2 weightB, vec2 wei
             if (covered == 0u)
                 continue;
             if (isThin) {
-                const vec2 place = shadedPlace(covered);
+                const vec2 place = middleOf(covered);
                 const vec3 by = corner + place.x * rightwards + place.y * downwards;
                 covered &= samplesKept(by.x * weightA + by.y * weightB + by.z * weightC, blade);
             }

@@ -91,7 +91,7 @@ bool screenStrip(ScreenRib a, ScreenRib b, uint blade, Rows rows)
                 continue;
             const vec2 corner = vec2(column, row) - p0;
             if (isThin) {
-                const float t = dot(corner + shadedPlace(covered), tStep);
+                const float t = dot(corner + middleOf(covered), tStep);
                 const vec2 weight = mix(a.weight, b.weight, clamp(t, 0.0, 1.0));
                 covered &= keptBits(mask, weight.x / max(weight.y, 1e-12));
             }

@@ -22,6 +22,7 @@ constexpr double way = 12.0; ///< [m] over all frames: blades at every distance 
 class DetailTest : public test::GpuTest {
 protected:
     void driveAndCompare(std::uint32_t samples);
+    void measureCoverage(Geometry geometry);
 };
 
 /// Mean absolute difference of a tile's 8-bit values, the largest of all tiles.
@@ -109,7 +110,7 @@ std::array<double, bands> lightOf(const std::vector<std::byte>& pixels, std::uin
     return sums;
 }
 
-TEST_F(DetailTest, GrassHidesAsMuchOfTheGroundAtEveryDistance)
+void DetailTest::measureCoverage(Geometry geometry)
 {
     // Black blades on bright ground: the light that is missing is what they cover.
     std::array<double, bands> ground{};
@@ -129,7 +130,7 @@ TEST_F(DetailTest, GrassHidesAsMuchOfTheGroundAtEveryDistance)
             species.look.dryness = species.look.translucency = 0.0f;
         }
         FieldRenderer renderer(device(), field::viewOf(field),
-                               {.samples = 4, .geometry = Geometry::tessellation});
+                               {.samples = 4, .geometry = geometry});
         test::Picture picture(context(), bandSize);
         FrameSettings settings = FrameSettings::of(field::viewOf(field));
         settings.winds.clear();
@@ -169,6 +170,16 @@ TEST_F(DetailTest, GrassHidesAsMuchOfTheGroundAtEveryDistance)
         EXPECT_GT(wanted, 0.02);
         EXPECT_NEAR(found / wanted, 1.0, 0.03) << "band " << band << " from the far end";
     }
+}
+
+TEST_F(DetailTest, TessellatedGrassHidesAsMuchOfTheGroundAtEveryDistance)
+{
+    measureCoverage(Geometry::tessellation);
+}
+
+TEST_F(DetailTest, RasterisedGrassHidesAsMuchOfTheGroundAtEveryDistance)
+{
+    measureCoverage(Geometry::raster);
 }
 
 } // namespace
