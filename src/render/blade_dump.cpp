@@ -40,6 +40,12 @@ std::vector<T> readPart(const gpu::DeviceContext& context, const gpu::Buffer& bu
     return elements;
 }
 
+// A field may come without keys.
+std::uint64_t idOf(const field::FieldView& field, std::size_t index)
+{
+    return field.keys.empty() ? index : field::bladeId(field.keys[index]);
+}
+
 } // namespace
 
 std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& context,
@@ -61,7 +67,7 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
             const std::size_t index = cell.firstBlade + i;
             records[index] = recordOf(shared::unpackBlade(field.blades[index], cell), states[index],
                                       field.origin);
-            records[index].id = field::bladeId(field.keys[index]);
+            records[index].id = idOf(field, index);
             records[index].fate = fates.empty() ? shared::fatePatch : fates[index];
         }
     }
@@ -92,7 +98,7 @@ std::vector<FieldRenderer::BladeRecord> readPatch(const gpu::DeviceContext& cont
         const std::size_t index = cell.firstBlade + i;
         records[i] =
             recordOf(shared::unpackBlade(field.blades[index], cell), states[i], field.origin);
-        records[i].id = field::bladeId(field.keys[index]);
+        records[i].id = idOf(field, index);
         records[i].fate = fates[i];
     }
     return records;
