@@ -44,9 +44,9 @@ std::string tableText(const RunStats& stats)
 int bench(const BenchOptions& options)
 {
     options.frame.log.apply();
-    if (options.frame.field.ends_with(".json"))
-        fail(ErrorKind::unsupported, "{}: scenes are not in this version; give a field",
-             options.frame.field);
+    for (const std::string& field : options.frame.fields)
+        if (field.ends_with(".json"))
+            fail(ErrorKind::unsupported, "{}: scenes are not in this version; give a field", field);
     Headless headless(options.frame, false);
 
     // Warm up, forget, measure.
@@ -74,7 +74,9 @@ void addBenchCommand(CLI::App& app, apps::Command& chosen)
 {
     CLI::App* command = app.add_subcommand("bench", "Measure how long a field's frames take");
     const auto options = std::make_shared<BenchOptions>();
-    command->add_option("FILE", options->frame.field, "The field, as 'sward bake' wrote it")
+    command
+        ->add_option("FILE", options->frame.fields,
+                     "Fields as 'sward bake' wrote them, drawn together")
         ->type_name("")
         ->required();
     options->frame.addShared(*command);

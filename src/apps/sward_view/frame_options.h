@@ -17,10 +17,10 @@ class App;
 
 namespace sward::view {
 
-/// What render, bench and the window have in common on the command line: which field, on which
+/// What render, bench and the window have in common on the command line: which fields, on which
 /// device, from where and how it is drawn. Stays where it is while a CLI::App knows it.
 struct FrameOptions {
-    std::string field;
+    std::vector<std::string> fields;       ///< files, drawn together
     glm::uvec2 size{1280, 720};            ///< [pixels]
     std::string camera = "fit";            ///< a preset's name or a file
     std::optional<std::uint32_t> samples;  ///< 1 or 4; unset: the command decides

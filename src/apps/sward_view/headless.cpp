@@ -34,6 +34,23 @@ std::vector<double> sumOf(std::vector<double> first, const std::vector<double>& 
     return first;
 }
 
+std::vector<field::MappedField> readAll(const std::vector<std::string>& names)
+{
+    std::vector<field::MappedField> files;
+    for (const std::string& name : names)
+        files.push_back(field::readField(name));
+    return files;
+}
+
+std::vector<field::Member> membersOf(const std::vector<field::MappedField>& files,
+                                     const std::vector<std::string>& names)
+{
+    std::vector<field::Member> members;
+    for (std::size_t i = 0; i < files.size(); ++i)
+        members.push_back({files[i].view(), names[i]});
+    return members;
+}
+
 float aspectOf(glm::uvec2 size)
 {
     return static_cast<float>(size.x) / static_cast<float>(size.y);
@@ -43,13 +60,14 @@ float aspectOf(glm::uvec2 size)
 
 Headless::Headless(const FrameOptions& options, bool recordFates)
     : options_(options)
-    , field_(field::readField(options.field))
-    , settings_(options.settingsFor(field_.view()))
-    , camera_(chooseCamera(options.camera, field_.view(), aspectOf(options.size)))
+    , files_(readAll(options.fields))
+    , fields_(membersOf(files_, options.fields))
+    , settings_(options.settingsFor(fields_.view()))
+    , camera_(chooseCamera(options.camera, fields_.view(), aspectOf(options.size)))
     , instance_(createInstance(options.validation))
     , device_(instance_, {.selection = options.device})
     , samples_(options.samples.value_or(4))
-    , renderer_(device_, field_.view(),
+    , renderer_(device_, fields_.view(),
                 {.colorFormat = pictureFormat,
                  .samples = samples_,
                  .framesInFlight = 1,
@@ -159,7 +177,7 @@ RunStats Headless::stats()
 
 std::vector<render::FieldRenderer::BladeRecord> Headless::blades() const
 {
-    return renderer_.dumpBlades(field_.view());
+    return renderer_.dumpBlades(fields_.view());
 }
 
 } // namespace sward::view

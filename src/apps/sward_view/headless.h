@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/sward_view/camera_path.h"
+#include "apps/sward_view/field_group.h"
 #include "apps/sward_view/frame_options.h"
 #include "apps/sward_view/png.h"
 #include "apps/sward_view/stats_json.h"
@@ -19,13 +20,13 @@
 
 namespace sward::view {
 
-/// A field on a device without a window: draws numbered frames, a fixed step apart, into a picture.
+/// Fields on a device without a window: draws numbered frames, a fixed step apart, into a picture.
 /// Frame 0 is at time 0; by then the renderer has let the blades come to rest.
 class Headless {
 public:
-    /// Reads the field first, so that a wrong file is reported on a machine without a device too.
-    /// `recordFates`: whether blades() will be asked for. Throws what readField(), Device and
-    /// FieldRenderer throw.
+    /// Reads the fields first, so that a wrong file is reported on a machine without a device too.
+    /// `recordFates`: whether blades() will be asked for. Throws what readField(), join(), Device
+    /// and FieldRenderer throw.
     Headless(const FrameOptions& options, bool recordFates);
 
     /// Draws `frame`; frames come in ascending order.
@@ -56,7 +57,8 @@ private:
     void record(const render::FrameSettings& settings, double time, glm::vec2 jitter);
 
     const FrameOptions& options_;
-    field::MappedField field_;
+    std::vector<field::MappedField> files_;
+    FieldGroup fields_;
     render::FrameSettings settings_;
     CameraPath camera_;
     gpu::Instance instance_;

@@ -47,7 +47,8 @@ struct Input {
     glm::vec3 walk{0.0f}; ///< held W A S D Q E: to the right, up and ahead, each in [−1, 1]
     bool hurry = false;   ///< shift is held
     std::vector<KeyPress> keys;
-    std::vector<std::string> dropped; ///< files let go over the window
+    std::vector<std::string> dropped; ///< files let go over the window …
+    bool dropsMore = false;           ///< … with shift held
 };
 
 } // namespace sward::view

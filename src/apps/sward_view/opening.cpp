@@ -31,49 +31,70 @@ ErrorKind kindOf(const Baking& baking)
 
 } // namespace
 
-void Opening::open(const std::string& input, MeadowWishes wishes)
+void Opening::open(Order order, MeadowWishes wishes)
 {
     loader_.reset();
-    baking_.reset();
-    input_ = input;
-    report_.clear();
-    if (!wantsBaking(input)) {
-        startToRead();
-        return;
-    }
-    log::info("{}: is not a field; growing grass on it first", input);
-    wishes.ground = input;
-    baking_ = std::make_unique<Baking>(bakeArguments(wishes));
+    bakings_.clear();
+    sources_.clear();
+    order_ = std::move(order);
+    wishes_ = std::move(wishes);
+    goOn();
 }
 
-void Opening::startToRead()
+// To the next that must be baked; when there is none, reads them all.
+void Opening::goOn()
 {
-    loader_ = std::make_unique<FieldLoader>(input_, baking_ ? baking_->field()
-                                                            : std::filesystem::path(input_));
+    while (sources_.size() < order_.inputs.size()) {
+        const std::string& input = order_.inputs[sources_.size()];
+        sources_.push_back({input, input, {}, WatchedFile(input)});
+        if (!wantsBaking(input))
+            continue;
+        log::info("{}: is not a field; growing grass on it first", input);
+        wishes_.ground = input;
+        try {
+            bakings_.push_back(std::make_unique<Baking>(bakeArguments(wishes_)));
+        } catch (...) {
+            bakings_.clear();
+            throw;
+        }
+        sources_.back().file = bakings_.back()->field();
+        return;
+    }
+    loader_ = std::make_unique<FieldLoader>(sources_, order_.among, order_.place);
+}
+
+const Baking* Opening::baking() const
+{
+    return loader_ || bakings_.empty() ? nullptr : bakings_.back().get();
 }
 
 void Opening::cancel()
 {
-    if (baking_)
-        baking_->cancel();
+    if (baking() != nullptr)
+        bakings_.back()->cancel();
 }
 
 std::optional<Opening::Opened> Opening::poll()
 {
-    if (baking_ && !loader_ && baking_->poll()) {
-        if (!baking_->succeeded()) {
-            const std::unique_ptr<Baking> ended = std::move(baking_);
-            fail(kindOf(*ended), "{}: no grass has grown on it: {}", input_, ended->complaint());
+    if (baking() != nullptr && bakings_.back()->poll()) {
+        const Baking& ended = *bakings_.back();
+        if (!ended.succeeded()) {
+            const ErrorKind kind = kindOf(ended);
+            const std::string complaint = ended.complaint();
+            bakings_.clear();
+            fail(kind, "{}: no grass has grown on it: {}", sources_.back().input, complaint);
         }
-        report_ = reportText(baking_->report());
-        startToRead();
+        sources_.back().report = reportText(ended.report());
+        goOn();
     }
     if (!loader_ || !loader_->isDone())
         return std::nullopt;
     // The mapping outlives the file's name.
     const std::unique_ptr<FieldLoader> done = std::move(loader_);
-    const std::unique_ptr<Baking> baked = std::move(baking_);
-    return Opened{done->take(), std::move(report_)};
+    const std::vector<std::unique_ptr<Baking>> baked = std::move(bakings_);
+    bakings_.clear();
+    order_.among.clear();
+    return Opened{done->take(), order_.place, sources_.size()};
 }
 
 std::string reportText(const std::filesystem::path& report)

@@ -4,42 +4,53 @@
 #include "apps/sward_view/meadow_wishes.h"
 #include "apps/sward_view/shown_field.h"
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace sward::view {
 
-/// What is on its way into the window: a field that is read, or a ground on which one grows first.
-/// One at a time; a new one takes the place of the former.
+/// What is on its way into the window: fields that are read, or grounds on which one grows first,
+/// and those that they are shown among. One order at a time; a new one takes the place of the
+/// former.
 class Opening {
 public:
-    /// Begins to read a field, or to bake as `wishes` say but on `input`. Throws what Baking
-    /// throws.
-    void open(const std::string& input, MeadowWishes wishes);
+    struct Order {
+        std::vector<std::string> inputs; ///< fields or grounds; none: what is there is joined anew
+        OpenedFields among;              ///< that are shown as well
+        std::size_t place = 0;           ///< of the first input among them
+    };
+
+    /// Begins to read fields, or to bake as `wishes` say but on each input that is a ground. Throws
+    /// what Baking throws.
+    void open(Order order, MeadowWishes wishes);
 
     /// Asks the bake to end.
     void cancel();
 
     struct Opened {
         std::unique_ptr<ShownField> field;
-        std::string report; ///< of its bake, for people; empty for a field file
+        std::size_t place = 0; ///< of the first that is new
+        std::size_t count = 0; ///< of those that are new
     };
 
-    /// The field when it is there; never waits. Throws what readField() throws, and an Error with
-    /// the baker's exit code. Afterwards nothing is on its way.
+    /// The fields when they are there; never waits. Throws what readField() and join() throw, and
+    /// an Error with the baker's exit code. Afterwards nothing is on its way.
     std::optional<Opened> poll();
 
-    const Baking* baking() const { return loader_ ? nullptr : baking_.get(); }
-    std::string loading() const { return loader_ ? loader_->input() : std::string(); }
-    const std::string& input() const { return input_; }
+    bool isBusy() const { return baking() != nullptr || loader_ != nullptr; }
+    const Baking* baking() const;
+    std::string loading() const { return loader_ ? loader_->title() : std::string(); }
 
 private:
-    void startToRead();
+    void goOn();
 
-    std::string input_;
-    std::string report_;
-    std::unique_ptr<Baking> baking_;
+    Order order_;
+    MeadowWishes wishes_;
+    std::vector<FieldSource> sources_;             ///< found so far
+    std::vector<std::unique_ptr<Baking>> bakings_; ///< of the order, the last one may run
     std::unique_ptr<FieldLoader> loader_;
 };
 

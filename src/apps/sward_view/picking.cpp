@@ -67,6 +67,14 @@ double passes(const Sight& sight, const render::FieldRenderer::BladeRecord& reco
     return std::numeric_limits<double>::infinity();
 }
 
+// The id that an export of its own field gives it.
+std::uint64_t idOf(const PickedBlade& picked, const ShownField& shown)
+{
+    const field::FieldView& own = shown.group.members()[picked.source.member].view;
+    const std::size_t index = own.patches[picked.source.patch].firstBlade + picked.place;
+    return own.keys.empty() ? index : field::bladeId(own.keys[index]);
+}
+
 } // namespace
 
 Sight sightThrough(const render::Camera& camera, glm::vec2 pixel, glm::uvec2 size)
@@ -82,11 +90,11 @@ Sight sightThrough(const render::Camera& camera, glm::vec2 pixel, glm::uvec2 siz
     return {camera.eye, glm::normalize(ahead + right * place.x - up * place.y), pixelSize};
 }
 
-std::optional<PickedBlade> pickBlade(const render::FieldRenderer& renderer,
-                                     const field::FieldView& field, const GroundSurface& ground,
+std::optional<PickedBlade> pickBlade(const render::FieldRenderer& renderer, const ShownField& shown,
                                      const Sight& sight, bool onlyDrawn)
 {
-    const std::optional<GroundSurface::Hit> hit = ground.hit(sight.eye, sight.direction);
+    const field::FieldView& field = shown.view;
+    const std::optional<GroundSurface::Hit> hit = shown.ground.hit(sight.eye, sight.direction);
     double nearest = std::numeric_limits<double>::infinity();
     const double farthest = hit ? hit->distance : nearest;
     std::optional<PickedBlade> picked;
@@ -105,20 +113,22 @@ std::optional<PickedBlade> pickBlade(const render::FieldRenderer& renderer,
             if (passed < nearest &&
                 passed < farthest + behindGround * static_cast<double>(blade.height)) {
                 nearest = passed;
-                picked = PickedBlade{candidate.patch, blade, records[i]};
+                picked = PickedBlade{candidate.patch, i, shown.group.sourceOf(candidate.patch),
+                                     blade, records[i]};
             }
         }
     }
+    if (picked)
+        picked->now.id = idOf(*picked, shown);
     return picked;
 }
 
-PickedBlade lookAgain(const render::FieldRenderer& renderer, const field::FieldView& field,
+PickedBlade lookAgain(const render::FieldRenderer& renderer, const ShownField& shown,
                       const PickedBlade& picked)
 {
     PickedBlade again = picked;
-    for (const auto& record : renderer.dumpPatch(field, picked.patch))
-        if (record.id == picked.now.id)
-            again.now = record;
+    again.now = renderer.dumpPatch(shown.view, picked.patch).at(picked.place);
+    again.now.id = picked.now.id;
     return again;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/sward_view/ground_surface.h"
+#include "apps/sward_view/shown_field.h"
 #include "field/field.h"
 #include "render/field_renderer.h"
 
@@ -24,19 +24,20 @@ Sight sightThrough(const render::Camera& camera, glm::vec2 pixel, glm::uvec2 siz
 
 /// A blade that was pointed at.
 struct PickedBlade {
-    std::uint32_t patch = 0;
-    shared::Blade blade = {}; ///< relative to the field's origin
-    render::FieldRenderer::BladeRecord now;
+    std::uint32_t patch = 0;                ///< of all that is shown
+    std::uint32_t place = 0;                ///< in that patch
+    field::PatchSource source;              ///< its field, and the patch of that
+    shared::Blade blade = {};               ///< relative to the field's origin
+    render::FieldRenderer::BladeRecord now; ///< with the id in its own field
 };
 
 /// The nearest blade that the sight passes, within a pixel or two, before the ground. `onlyDrawn`:
 /// not those that were left out of the last frame. Waits for the device.
-std::optional<PickedBlade> pickBlade(const render::FieldRenderer& renderer,
-                                     const field::FieldView& field, const GroundSurface& ground,
+std::optional<PickedBlade> pickBlade(const render::FieldRenderer& renderer, const ShownField& shown,
                                      const Sight& sight, bool onlyDrawn);
 
 /// The same blade as it is now.
-PickedBlade lookAgain(const render::FieldRenderer& renderer, const field::FieldView& field,
+PickedBlade lookAgain(const render::FieldRenderer& renderer, const ShownField& shown,
                       const PickedBlade& picked);
 
 } // namespace sward::view

@@ -26,7 +26,8 @@ constexpr const char* footer =
     "Draws without a window, on a GPU or on the CPU (Debian's mesa-vulkan-drivers).\n"
     "Example:\n"
     "  sward-view render meadow.sward -o meadow.png --camera eye --size 1920x1080\n"
-    "  sward-view render meadow.sward -o wind_%04d.png --frames 0:119";
+    "  sward-view render meadow.sward -o wind_%04d.png --frames 0:119\n"
+    "  sward-view render west.sward east.sward -o both.png";
 
 struct RenderOptions {
     FrameOptions frame;
@@ -86,6 +87,10 @@ int render(const RenderOptions& options)
     options.frame.log.apply();
     const FrameNames names(options.output);
     checkOutputs(options, names);
+    // A blade's id is that of its own field; two fields of one mesh have the same.
+    if (!options.dump.empty() && options.frame.fields.size() > 1)
+        fail(ErrorKind::usage, "--dump-blades: {} fields; it tells of one",
+             options.frame.fields.size());
 
     Headless headless(options.frame, !options.dump.empty());
     drawFrames(options, names, headless);
@@ -107,7 +112,9 @@ void addRenderCommand(CLI::App& app, apps::Command& chosen)
 {
     CLI::App* command = app.add_subcommand("render", "Draw a field into a picture, or several");
     const auto options = std::make_shared<RenderOptions>();
-    command->add_option("FILE", options->frame.field, "The field, as 'sward bake' wrote it")
+    command
+        ->add_option("FILE", options->frame.fields,
+                     "Fields as 'sward bake' wrote them, drawn together")
         ->type_name("")
         ->required();
     command

@@ -1,29 +1,79 @@
 #include "apps/sward_view/shown_field.h"
 
-#include <exception>
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <utility>
 
 namespace sward::view {
+namespace {
 
-ShownField::ShownField(const std::filesystem::path& file)
-    : mapped(field::readField(file))
-    , view(mapped.view())
-    , summary(field::summarise(view))
-    , ground(view)
-    , name(file.filename().string())
-    , input(file.string())
+std::vector<field::Member> membersOf(const OpenedFields& fields)
+{
+    std::vector<field::Member> members;
+    for (const auto& field : fields)
+        members.push_back({field->mapped.view(), field->source.input});
+    return members;
+}
+
+// What one is, it says; of several the first does.
+field::Summary summaryOf(const OpenedFields& fields, const field::FieldView& together)
+{
+    return fields.size() == 1 ? fields[0]->summary : field::summarise(together);
+}
+
+std::string titleOf(const std::vector<FieldSource>& sources, const OpenedFields& others)
+{
+    if (sources.empty())
+        return fmt::format("{} fields", others.size());
+    return sources.size() == 1 ? sources[0].input : fmt::format("{} fields", sources.size());
+}
+
+OpenedFields readAmong(std::vector<FieldSource> sources, OpenedFields others, std::size_t place)
+{
+    for (FieldSource& source : sources) {
+        const auto at = static_cast<std::ptrdiff_t>(std::min(place++, others.size()));
+        others.insert(others.begin() + at, std::make_shared<OpenedField>(std::move(source)));
+    }
+    return others;
+}
+
+} // namespace
+
+OpenedField::OpenedField(FieldSource from)
+    : source(std::move(from))
+    , mapped(field::readField(source.file))
+    , summary(field::summarise(mapped.view()))
+    , name(std::filesystem::path(source.input).filename().string())
 {
 }
 
-FieldLoader::FieldLoader(std::string input, std::filesystem::path file)
-    : input_(std::move(input))
-    , thread_([this, file = std::move(file)] {
+ShownField::ShownField(OpenedFields fields)
+    : members(std::move(fields))
+    , group(membersOf(members))
+    , view(group.view())
+    , summary(summaryOf(members, view))
+    , ground(view)
+    , name(members[0]->name)
+{
+    if (members.size() > 1)
+        name += fmt::format(" and {} more", members.size() - 1);
+}
+
+bool ShownField::has(const std::string& input) const
+{
+    return std::any_of(members.begin(), members.end(),
+                       [&input](const auto& member) { return member->source.input == input; });
+}
+
+FieldLoader::FieldLoader(std::vector<FieldSource> sources, OpenedFields others, std::size_t place)
+    : title_(titleOf(sources, others))
+    , thread_([this, sources = std::move(sources), others = std::move(others), place]() mutable {
         std::unique_ptr<ShownField> field;
         std::exception_ptr failure;
         try {
-            field = std::make_unique<ShownField>(file);
-            field->input = input_;
-            field->name = std::filesystem::path(input_).filename().string();
+            field = std::make_unique<ShownField>(
+                readAmong(std::move(sources), std::move(others), place));
         } catch (...) {
             failure = std::current_exception();
         }

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace sward::view {
 
@@ -33,7 +34,10 @@ struct BakeDifference {
 
 /// What the panels ask the viewer for; it does that between two frames.
 struct Wishes {
-    std::optional<std::string> open;
+    std::vector<std::string> open;     ///< instead of what is shown
+    std::vector<std::string> add;      ///< to what is shown
+    std::optional<std::size_t> remove; ///< a field by its number
+    std::optional<std::size_t> choose; ///< the field that is baked again
     std::optional<std::string> loadSettings;
     std::optional<std::string> saveSettings;
     std::optional<std::string> saveCamera;
@@ -66,6 +70,8 @@ struct Stage {
     std::string sequenceFiles = "frame_%04d.png";
     std::string pathFile = "camera_path.json";
     std::string filmFile = "sward.mp4";
+    std::string another;               ///< field or ground that is typed in
+    bool dropAdds = false;             ///< what is dropped is shown beside the rest
     bool makesFilm = false;            ///< of a sequence, instead of numbered pictures
     int sequenceLength = 120;          ///< frames
     float sequenceStep = 1.0f / 30.0f; ///< [s]
@@ -75,6 +81,7 @@ struct Stage {
 
     // Told by the viewer.
     const ShownField* field = nullptr; ///< none yet: null
+    std::size_t chosen = 0;            ///< of its members
     const gpu::Timestamps* times = nullptr;
     const RecentFiles* recent = nullptr;
     render::FrameStats counts;

@@ -117,10 +117,10 @@ Viewer::Viewer(Window& window, const ViewerOptions& options)
 
 void Viewer::run()
 {
-    if (options_.frame->field.empty())
+    if (options_.frame->fields.empty())
         isFirstInput_ = false;
     else
-        open(options_.frame->field);
+        open(options_.frame->fields);
     window_.show();
     bool drawn = true;
     while (!window_.isClosed()) {

@@ -20,6 +20,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace sward::view {
 
@@ -69,7 +70,10 @@ private:
     // viewer_wishes.cpp: what takes longer than a frame
     void fulfil();
     void fulfilFiles(const Wishes& wishes);
-    void open(const std::string& input);
+    void fulfilFields(const Wishes& wishes);
+    void open(std::vector<std::string> inputs);
+    void exchange(std::size_t member, const std::string& input, const MeadowWishes& wishes);
+    void choose(std::size_t member);
     void takeOpened();
     void show(Opening::Opened opened);
     void watch();
@@ -96,11 +100,11 @@ private:
     std::unique_ptr<Exhibit> exhibit_;
     std::unique_ptr<Exhibit> former_; ///< before the last bake
     Opening opening_;
+    std::vector<std::string> waiting_; ///< to be shown beside the rest
     PathRecorder recorder_;
     Capture capture_;
     InternalResolution resolution_;
-    WatchedFile watchedInput_;
-    WatchedFile watchedSettings_;
+    std::optional<WatchedFile> watchedSettings_;
 
     Clock::time_point begun_;
     Clock::time_point lastTick_;

@@ -11,8 +11,10 @@ namespace sward::view {
 
 void Viewer::steer(Input input)
 {
-    for (const std::string& dropped : std::exchange(input.dropped, {}))
-        stage_.wishes.open = dropped;
+    if (!input.dropped.empty()) {
+        const bool adds = input.dropsMore || stage_.dropAdds;
+        (adds ? stage_.wishes.add : stage_.wishes.open) = std::exchange(input.dropped, {});
+    }
     const bool keys = !interface_.takesKeys();
     if (keys)
         for (const KeyPress& key : input.keys)
@@ -82,7 +84,8 @@ void Viewer::press(const KeyPress& key)
             break;
         if (key.control) {
             exhibit_->navigation().setBookmark(key.number);
-            bookmarks_.set(exhibit_->field().input, key.number, exhibit_->navigation().camera());
+            bookmarks_.set(exhibit_->field().members[0]->source.input, key.number,
+                           exhibit_->navigation().camera());
             notice(fmt::format("Bookmark {} is set", key.number));
         } else if (!exhibit_->navigation().showBookmark(key.number)) {
             notice(fmt::format("There is no bookmark {}; Ctrl+{} sets it", key.number, key.number));
@@ -118,8 +121,7 @@ bool Viewer::handleColliders(const Input& input, bool mouse)
 void Viewer::pick(glm::vec2 pixel)
 {
     const bool onlyDrawn = stage_.settings.debug != render::DebugMode::reason;
-    stage_.picked = pickBlade(exhibit_->renderer(), exhibit_->field().view,
-                              exhibit_->field().ground, sightAt(pixel), onlyDrawn);
+    stage_.picked = pickBlade(exhibit_->renderer(), exhibit_->field(), sightAt(pixel), onlyDrawn);
 }
 
 void Viewer::freeze()

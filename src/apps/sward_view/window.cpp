@@ -145,7 +145,9 @@ void Window::Parts::onKey(GLFWwindow* window, int key, int, int action, int modi
 
 void Window::Parts::onDrop(GLFWwindow* window, int count, const char** paths)
 {
-    of(window).input.dropped.assign(paths, paths + count);
+    Parts& parts = of(window);
+    parts.input.dropped.assign(paths, paths + count);
+    parts.input.dropsMore = parts.shift();
 }
 
 Window::Window(glm::uvec2 size, const std::string& title)

@@ -25,6 +25,7 @@ constexpr const char* footer =
     "Example:\n"
     "  sward-view meadow.sward\n"
     "  sward-view landscape.glb --meadow steppe --watch\n"
+    "  sward-view west.sward east.sward\n"
     "  sward-view meadow.sward --settings storm.json --panel wind";
 
 struct WindowOptions {
@@ -39,9 +40,11 @@ int showWindow(WindowOptions& options)
     options.viewer.frame = &frame;
 
     // A file that is not there is found out before a window opens.
-    if (!frame.field.empty() && !wantsBaking(frame.field) && !std::filesystem::exists(frame.field))
-        fail(ErrorKind::io, "{}: no such file", frame.field);
-    const std::string name = std::filesystem::path(frame.field).filename().string();
+    for (const std::string& input : frame.fields)
+        if (!wantsBaking(input) && !std::filesystem::exists(input))
+            fail(ErrorKind::io, "{}: no such file", input);
+    const std::string name =
+        frame.fields.empty() ? "" : std::filesystem::path(frame.fields[0]).filename().string();
     Window window(frame.size, name.empty() ? "Sward" : "Sward: " + name);
     Viewer viewer(window, options.viewer);
     viewer.run();
@@ -66,13 +69,13 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
 {
     const auto options = std::make_shared<WindowOptions>();
     app.require_subcommand(0, 1);
-    app.add_option("FILE", options->frame.field,
-                   "A field; or a mesh, on which grass is grown first by 'sward'")
+    app.add_option("FILE", options->frame.fields,
+                   "Fields, shown together; or meshes, on which grass is grown first by 'sward'")
         ->type_name("");
     options->viewer.seconds = std::numeric_limits<double>::infinity();
     options->frame.addShared(app);
     app.add_flag("--watch", options->frame.watch,
-                 "Open the file, and read the settings, again whenever they change");
+                 "Open the files, and read the settings, again whenever they change");
     app.add_option("--meadow", options->viewer.meadow,
                    "What is sown on a mesh: meadow, lawn, steppe [meadow]")
         ->type_name("NAME")

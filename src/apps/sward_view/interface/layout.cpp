@@ -28,8 +28,9 @@ struct KeyLine {
     const char* meaning;
 };
 
-constexpr std::array<KeyLine, 18> keyLines{
-    {{"Left drag", "turn around the middle"},
+constexpr std::array<KeyLine, 19> keyLines{
+    {{"Drop, Shift+drop", "open a file; show it beside the rest"},
+     {"Left drag", "turn around the middle"},
      {"Middle drag, Shift+left", "move sideways"},
      {"Wheel", "come nearer; the speed while flying"},
      {"Right drag + W A S D Q E", "look around and fly; Shift hurries"},
@@ -216,7 +217,7 @@ void Layout::drawPicked(Controls& controls, Stage& stage)
     controls.beginPanel("Blade");
     controls.heading("Blade");
     for (const auto& [name, text, about] :
-         pickedLines(*stage.picked, stage.field->view, stage.settings, stage.time.now)) {
+         pickedLines(*stage.picked, *stage.field, stage.settings, stage.time.now)) {
         ImGui::PushStyleColor(ImGuiCol_Text, controls.style().color(palette::dim));
         ImGui::TextUnformatted(name.c_str());
         ImGui::PopStyleColor();
@@ -241,11 +242,11 @@ void Layout::drawWelcome(Controls& controls, Stage& stage)
     if (stage.recent != nullptr)
         for (const std::string& input : stage.recent->inputs())
             if (ImGui::Selectable(input.c_str()))
-                stage.wishes.open = input;
+                stage.wishes.open = {input};
     controls.section("Or a built-in ground");
     for (const char* name : {"hills", "sphere", "dunes", "arch"}) {
         if (controls.button(name, "Grows grass on it, and shows it"))
-            stage.wishes.open = name;
+            stage.wishes.open = {name};
         ImGui::SameLine();
     }
     ImGui::NewLine();

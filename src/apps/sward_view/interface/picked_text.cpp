@@ -55,9 +55,10 @@ glm::vec3 windOn(const PickedBlade& picked, const field::FieldView& field,
 
 } // namespace
 
-std::vector<PickedLine> pickedLines(const PickedBlade& picked, const field::FieldView& field,
+std::vector<PickedLine> pickedLines(const PickedBlade& picked, const ShownField& shown,
                                     const render::FrameSettings& settings, double time)
 {
+    const field::FieldView& field = shown.view;
     const shared::Blade& blade = picked.blade;
     const auto height = static_cast<double>(blade.height);
     const glm::vec3 tip = glm::vec3((picked.now.v2 - picked.now.root) / height);
@@ -70,26 +71,31 @@ std::vector<PickedLine> pickedLines(const PickedBlade& picked, const field::Fiel
     const std::string species = blade.species < field.species.size()
                                     ? field.species[blade.species].name
                                     : std::to_string(blade.species);
-    return {{"Id", std::to_string(picked.now.id), "The same as in 'sward export OUT.csv'"},
-            {"Fate", fateTexts.at(picked.now.fate), "What became of it in the last frame"},
-            {"Species", species, "Of the field's table"},
-            {"Patch", std::to_string(picked.patch), "Node of the tree that owns it"},
-            {"Root", vectorText(picked.now.root, 3), "World [m]"},
-            {"Up", vectorText(glm::dvec3(blade.up), 3), "Direction it grows to"},
-            {"Height", fmt::format("{:.3f} m", blade.height), "Length of the blade"},
-            {"Width", fmt::format("{:.4f} m", blade.width), "Full width at the root"},
-            {"Stiffness", fmt::format("{:.2f}", blade.stiffness), "1 does not bend"},
-            {"Bent by", fmt::format("{:.0f}°", bend), "Angle of the tip from the up-vector"},
-            {"Gravity", fmt::format("{:.2f} 1/s", glm::length(gravity)),
-             "Pull of gravity, in heights per second"},
-            {"Wind", fmt::format("{:.2f} 1/s", glm::length(wind)),
-             "Pull of the wind, in heights per second"},
-            {"Recovery",
-             fmt::format("{:.2f} 1/s", settings.nature.recovery *
-                                           (1.0f - 0.25f * (1.0f - blade.stiffness)) *
-                                           std::max(1.0f - picked.now.eta, 0.1f)),
-             "Rate at which it rises"},
-            {"Pressed", fmt::format("{:.2f}", picked.now.eta), "Strength of the last collision"}};
+    std::vector<PickedLine> lines{
+        {"Id", std::to_string(picked.now.id), "The same as in 'sward export OUT.csv'"},
+        {"Fate", fateTexts.at(picked.now.fate), "What became of it in the last frame"},
+        {"Species", species, "Of the field's table"},
+        {"Patch", std::to_string(picked.source.patch), "Node of its field's tree that owns it"},
+        {"Root", vectorText(picked.now.root, 3), "World [m]"},
+        {"Up", vectorText(glm::dvec3(blade.up), 3), "Direction it grows to"},
+        {"Height", fmt::format("{:.3f} m", blade.height), "Length of the blade"},
+        {"Width", fmt::format("{:.4f} m", blade.width), "Full width at the root"},
+        {"Stiffness", fmt::format("{:.2f}", blade.stiffness), "1 does not bend"},
+        {"Bent by", fmt::format("{:.0f}°", bend), "Angle of the tip from the up-vector"},
+        {"Gravity", fmt::format("{:.2f} 1/s", glm::length(gravity)),
+         "Pull of gravity, in heights per second"},
+        {"Wind", fmt::format("{:.2f} 1/s", glm::length(wind)),
+         "Pull of the wind, in heights per second"},
+        {"Recovery",
+         fmt::format("{:.2f} 1/s", settings.nature.recovery *
+                                       (1.0f - 0.25f * (1.0f - blade.stiffness)) *
+                                       std::max(1.0f - picked.now.eta, 0.1f)),
+         "Rate at which it rises"},
+        {"Pressed", fmt::format("{:.2f}", picked.now.eta), "Strength of the last collision"}};
+    if (shown.members.size() > 1)
+        lines.insert(lines.begin(), {"Field", shown.members[picked.source.member]->name,
+                                     "Which of those that are shown"});
+    return lines;
 }
 
 } // namespace sward::view

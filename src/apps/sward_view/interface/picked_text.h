@@ -16,7 +16,7 @@ struct PickedLine {
 };
 
 /// What is known of a blade, and the forces that pull at it at `time` [s].
-std::vector<PickedLine> pickedLines(const PickedBlade& picked, const field::FieldView& field,
+std::vector<PickedLine> pickedLines(const PickedBlade& picked, const ShownField& shown,
                                     const render::FrameSettings& settings, double time);
 
 } // namespace sward::view

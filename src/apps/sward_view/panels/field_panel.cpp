@@ -9,6 +9,9 @@
 namespace sward::view {
 namespace {
 
+constexpr float removeWidth = 62.0f; ///< [pixels] of the button and its space
+constexpr float addWidth = 40.0f;    ///< [pixels]
+
 // The provenance, indented; as it is if it is no JSON.
 std::string indented(const std::string& provenance)
 {
@@ -16,46 +19,129 @@ std::string indented(const std::string& provenance)
     return json.is_discarded() ? provenance : json.dump(2);
 }
 
-void drawShown(Controls& controls, Stage& stage)
+// Several are chosen from, one by one; each may go.
+void drawMembers(Controls& controls, Stage& stage)
 {
-    const ShownField& field = *stage.field;
+    const ShownField& shown = *stage.field;
+    const bool isBusy = stage.baking != nullptr || !stage.loading.empty();
+    for (std::size_t i = 0; i < shown.members.size(); ++i) {
+        const OpenedField& field = *shown.members[i];
+        ImGui::PushID(static_cast<int>(i));
+        const std::string number = std::to_string(i + 1);
+        const std::string row =
+            fmt::format("{}   {} blades, {}", field.name, countText(field.summary.blades),
+                        bytesText(field.mapped.fileBytes()));
+        const float width = ImGui::GetContentRegionAvail().x - removeWidth;
+        if (ImGui::Selectable(row.c_str(), i == stage.chosen, 0, {width, 0.0f}))
+            stage.wishes.choose = i;
+        controls.tell(
+            ("Show " + number).c_str(), row,
+            (field.source.input + "\nTells of it below; the panel Meadow then bakes it again")
+                .c_str());
+        ImGui::SameLine();
+        ImGui::BeginDisabled(isBusy);
+        if (ImGui::SmallButton("Remove"))
+            stage.wishes.remove = i;
+        controls.tell(("Remove " + number).c_str(), "", "Shows the others without it");
+        ImGui::EndDisabled();
+        ImGui::PopID();
+    }
+    controls.fact("Together", countText(shown.summary.blades), "Blades of all that are shown");
+}
+
+void drawField(Controls& controls, Stage& stage)
+{
+    const OpenedField& field = *stage.field->members.at(stage.chosen);
+    const field::FieldView view = field.mapped.view();
     const field::Summary& summary = field.summary;
-    controls.fact("File", field.input, "What was opened");
+    controls.fact("File", field.source.input, "What was opened");
     controls.fact("Blades", countText(summary.blades), "All blades of the field");
-    controls.fact("Resident", countText(stage.counts.resident),
-                  "Blades in the device's memory; streaming is not in this version, so all are");
     controls.fact("Patches",
                   fmt::format("{} on {} levels", countText(summary.patches), summary.levels),
                   "Nodes of the tree of patches");
     controls.fact("On disk", bytesText(field.mapped.fileBytes()), "Size of the field file");
-    controls.fact("On the device", bytesText(stage.deviceBytes),
-                  "Memory that field, ground and pictures take");
     if (!summary.bounds.isEmpty()) {
         const glm::vec3 size = summary.bounds.size();
         controls.fact("Extent", fmt::format("{:.1f} x {:.1f} x {:.1f} m", size.x, size.y, size.z),
                       "Box of everything that can be seen");
     }
-    const glm::dvec3 origin = field.view.origin;
-    controls.fact("Origin", fmt::format("{:.0f} {:.0f} {:.0f} m", origin.x, origin.y, origin.z),
-                  "World place that the field counts from");
+    controls.fact(
+        "Origin",
+        fmt::format("{:.0f} {:.0f} {:.0f} m", view.origin.x, view.origin.y, view.origin.z),
+        "World place that the field counts from");
     controls.fact("Height",
                   fmt::format("{:.2f} m ({:.2f} to {:.2f})", summary.heightMean, summary.heightLow,
                               summary.heightHigh),
                   "Mean height of the blades, and the extremes");
 
     controls.section("Species");
-    for (std::size_t i = 0; i < field.view.species.size(); ++i)
-        controls.fact(field.view.species[i].name.c_str(),
+    for (std::size_t i = 0; i < view.species.size(); ++i)
+        controls.fact(view.species[i].name.c_str(),
                       i < summary.perSpecies.size() ? countText(summary.perSpecies[i]) : "0",
                       "Blades of this species");
+}
 
+// A long text, below everything else.
+void drawProvenance(Controls& controls, const Stage& stage)
+{
+    const field::FieldView view = stage.field->members.at(stage.chosen)->mapped.view();
     controls.section("Provenance");
     controls.note("How it was grown: tool, input and settings");
     ImGui::BeginChild("provenance", {0.0f, 180.0f}, true);
     ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(indented(*field.view.provenance).c_str());
+    ImGui::TextUnformatted(indented(*view.provenance).c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndChild();
+}
+
+void drawShown(Controls& controls, Stage& stage)
+{
+    if (stage.field->members.size() > 1)
+        drawMembers(controls, stage);
+    controls.fact("Resident", countText(stage.counts.resident),
+                  "Blades in the device's memory; streaming is not in this version, so all are");
+    controls.fact("On the device", bytesText(stage.deviceBytes),
+                  "Memory that fields, ground and pictures take");
+    if (stage.field->members.size() > 1)
+        controls.section(stage.field->members.at(stage.chosen)->name.c_str());
+    drawField(controls, stage);
+}
+
+// What is named, or was opened before: instead of what is shown, or beside it.
+void drawOthers(Controls& controls, Stage& stage)
+{
+    controls.section("Another");
+    controls.text("Name", stage.another, "meadow.sward, a mesh, or hills",
+                  "A field, or a ground on which grass is grown first; names of files count from "
+                  "the folder that the viewer was started in");
+    ImGui::BeginDisabled(stage.another.empty());
+    if (controls.button("Open", "Shows it instead of what is shown"))
+        stage.wishes.open = {stage.another};
+    ImGui::SameLine();
+    if (controls.button("Add field", "Shows it beside what is shown, in one picture"))
+        stage.wishes.add = {stage.another};
+    ImGui::EndDisabled();
+    controls.toggle("Drop adds", stage.dropAdds,
+                    "What is dropped on the window is shown beside the rest, as with Shift held");
+
+    controls.section("Open recent");
+    if (stage.recent == nullptr || stage.recent->inputs().empty()) {
+        controls.note("Nothing was opened before.");
+        return;
+    }
+    for (const std::string& input : stage.recent->inputs()) {
+        const std::string name = std::filesystem::path(input).filename().string();
+        ImGui::PushID(input.c_str());
+        if (ImGui::Selectable(name.c_str(), false, 0,
+                              {ImGui::GetContentRegionAvail().x - addWidth, 0.0f}))
+            stage.wishes.open = {input};
+        controls.tell(name.c_str(), input, input.c_str());
+        ImGui::SameLine();
+        if (ImGui::SmallButton("Add"))
+            stage.wishes.add = {input};
+        controls.tell(("Add " + name).c_str(), "", "Shows it beside what is shown");
+        ImGui::PopID();
+    }
 }
 
 } // namespace
@@ -66,17 +152,9 @@ void drawFieldPanel(Controls& controls, Stage& stage)
         drawShown(controls, stage);
     else
         controls.note("Nothing is shown yet. Drop a field, a mesh or a recipe on the window.");
-
-    controls.section("Open recent");
-    if (stage.recent == nullptr || stage.recent->inputs().empty())
-        controls.note("Nothing was opened before.");
-    else
-        for (const std::string& input : stage.recent->inputs()) {
-            const std::string name = std::filesystem::path(input).filename().string();
-            if (ImGui::Selectable((name + "##" + input).c_str()))
-                stage.wishes.open = input;
-            controls.tell(name.c_str(), input, input.c_str());
-        }
+    drawOthers(controls, stage);
+    if (stage.field != nullptr)
+        drawProvenance(controls, stage);
 }
 
 } // namespace sward::view

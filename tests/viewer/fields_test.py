@@ -1,0 +1,221 @@
+"""Several fields in one window and in one picture."""
+
+import csv
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from display import Display  # noqa: E402
+from viewer import Viewer  # noqa: E402
+
+SWARD = os.environ["SWARD_PROGRAM"]
+VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
+
+
+def bake(ground, count, path, *arguments):
+    subprocess.run([SWARD, "bake", ground, "--count", str(count), "--blade-scale", "8", "-o", path,
+                    "--force", "-q", *arguments], check=True)
+
+
+class FieldsTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="sward-view-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        cls.hills, cls.plane = cls.folder / "hills.sward", cls.folder / "plane.sward"
+        bake("hills", 1500, cls.hills)
+        bake("plane", 800, cls.plane, "--meadow", "steppe")
+
+    def setUp(self):
+        self.display = Display()
+        self.addCleanup(self.display.close)
+
+    def open(self, *arguments):
+        viewer = Viewer(VIEWER, self.display, self.folder,
+                        [*arguments, "--panel", "field", "--size", "900x780"])
+        self.addCleanup(viewer.close)
+        viewer.wait_for_field()
+        return viewer
+
+    def assert_ends_well(self, viewer):
+        code, said = viewer.end()
+        self.assertEqual(code, 0, said)
+        self.assertIn("0 validation messages", said)
+
+    def wait_for_total(self, viewer, total):
+        viewer.wait_for_value("Status/Numbers",
+                              lambda shown: f" of {total:,} blades".replace(",", " ") in shown,
+                              f"{total} blades are shown")
+
+    def drop(self, viewer, path):
+        # In a process of its own: Xlib ends the whole program when something is wrong.
+        subprocess.run([sys.executable, Path(__file__).with_name("drop.py"), self.display.name,
+                        viewer.window.number, path.as_uri()], check=True)
+
+    def test_each_of_several_is_listed_and_may_go_and_come(self):
+        viewer = self.open(self.hills, self.plane)
+        self.wait_for_total(viewer, 2300)
+        self.assertEqual(viewer.shows("Field/Together"), "2 300")
+        for number, (path, blades) in enumerate(((self.hills, "1 500"), (self.plane, "800")), 1):
+            viewer.click(f"Field/Show {number}", 0.2)
+            viewer.wait_for_value("Field/File", lambda shown, path=path: shown == str(path),
+                                  "it tells of the one that was chosen")
+            self.assertEqual(viewer.shows("Field/Blades"), blades)
+            self.assertIn(blades, viewer.shows(f"Field/Show {number}"))
+        viewer.click("Field/Remove 1")
+        self.wait_for_total(viewer, 800)
+        self.assertNotIn("Field/Show 1", viewer.controls())
+        self.assertEqual(viewer.shows("Field/File"), str(self.plane))
+        self.assert_ends_well(viewer)
+
+    def test_one_is_dropped_beside_the_rest(self):
+        viewer = self.open(self.hills)
+        before = viewer.shows("Field/File")
+        # Without Shift it takes the place of the rest, with it, it comes beside it.
+        self.display.xdotool("mousemove", "--window", viewer.window.number, 600, 300)
+        self.display.xdotool("keydown", "Shift_L")
+        viewer.wait_frames(2)
+        self.drop(viewer, self.plane)
+        self.display.xdotool("keyup", "Shift_L")
+        self.wait_for_total(viewer, 2300)
+        self.drop(viewer, self.plane)
+        self.wait_for_total(viewer, 800)
+        viewer.press("Drop adds", panel="Field")
+        viewer.wait_for_value("Field/Drop adds", lambda shown: shown == "on", "it is turned on")
+        self.drop(viewer, self.hills)
+        self.wait_for_total(viewer, 2300)
+        viewer.wait_for_value("Field/File", lambda shown: shown == before, "the new one is chosen")
+        self.assert_ends_well(viewer)
+
+    def test_what_is_wrong_with_a_second_one_leaves_the_first(self):
+        broken = self.folder / "broken.sward"
+        broken.write_bytes(self.hills.read_bytes()[:2000])
+        viewer = self.open(self.hills)
+        viewer.press("Drop adds", panel="Field")
+        viewer.wait_frames(2)
+        self.drop(viewer, broken)
+        viewer.wait_for_value("Message/Error", lambda shown: "broken.sward" in shown, "it complains")
+        self.wait_for_total(viewer, 1500)
+        self.assert_ends_well(viewer)
+
+    def test_a_click_tells_whose_a_blade_is_and_its_own_id(self):
+        rows = {}
+        for field in (self.hills, self.plane):
+            table = field.with_suffix(".csv")
+            subprocess.run([SWARD, "export", field, "-o", table, "--force"], check=True,
+                           stderr=subprocess.DEVNULL)
+            with open(table) as file:
+                rows[field.name] = {row["id"]: row for row in csv.DictReader(file)}
+        viewer = self.open(self.hills, self.plane, "--camera", "top")
+        viewer.key("space")
+        seen = set()
+        for i in range(120):
+            viewer.click_at(470 + 37 * i % 400, 80 + 29 * i % 440)
+            told = viewer.controls()
+            if "Blade/Id" not in told:
+                continue
+            field = told["Blade/Field"]["shows"]
+            row = rows[field].get(told["Blade/Id"]["shows"])
+            self.assertIsNotNone(row, f"{field} has such a blade")
+            self.assertEqual(row["patch"], told["Blade/Patch"]["shows"])
+            for axis, shown in zip("xyz", told["Blade/Root"]["shows"].split()):
+                self.assertAlmostEqual(float(row[axis]), float(shown), delta=0.002)
+            seen.add(field)
+            if len(seen) == 2:
+                break
+        self.assertEqual(seen, set(rows), "blades of both are met")
+        self.assert_ends_well(viewer)
+
+    def test_only_the_one_that_changed_or_was_chosen_is_exchanged(self):
+        moving = self.folder / "moving.sward"
+        bake("plane", 300, moving)
+        viewer = self.open(self.hills, moving, "--watch")
+        self.wait_for_total(viewer, 1800)
+        bake("plane", 400, moving)
+        self.wait_for_total(viewer, 1900)
+        # What is grown again takes the place of the one that is chosen.
+        viewer.click("Field/Show 1", 0.2)
+        viewer.press("Ground", panel="Meadow")
+        viewer.display.xdotool("type", "--window", viewer.window.number, "--delay", "150", "plane")
+        viewer.wait_for_value("Meadow/Ground", lambda shown: shown == "plane", "it is typed")
+        self.assertEqual(viewer.shows("Meadow/Count"), "1500")
+        viewer.press("Bake again", panel="Meadow")
+        viewer.open_panel("Field")
+        viewer.wait_for_value("Field/Show 1", lambda shown: shown.startswith("plane "),
+                              "it has taken the place of the first")
+        self.assertTrue(viewer.shows("Field/Show 2").startswith("moving.sward"))
+        self.wait_for_total(viewer, 1900)
+        self.assert_ends_well(viewer)
+
+
+class TogetherTest(unittest.TestCase):
+    """The same without a window."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="sward-render-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        bake("hills", 3000, cls.folder / "hills.sward")
+        bake("plane", 2000, cls.folder / "plane.sward")
+
+    def view(self, *arguments, code=0):
+        done = subprocess.run([VIEWER, *map(str, arguments)], cwd=self.folder, text=True,
+                              capture_output=True)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def render(self, *fields, name):
+        self.view("render", *fields, "-o", name, "--stats", "stats.json", "--force", "--camera",
+                  "eye.json", "--wind-strength", "0", "--size", "160x90", "--validation", "-q")
+        return json.loads((self.folder / "stats.json").read_text())["blades"]
+
+    def test_it_is_one_picture_whatever_their_order(self):
+        # The plane runs through the hills: each hides some of the other.
+        (self.folder / "eye.json").write_text('{"eye": [0, 9, 34], "target": [0, 0, 0]}')
+        counts = self.render("hills.sward", "plane.sward", name="both.png")
+        self.assertEqual(counts["total"], 5000)
+        again = self.render("plane.sward", "hills.sward", name="turned.png")
+        self.assertEqual(again["total"], 5000)
+        self.assertAlmostEqual(again["drawn"], counts["drawn"], delta=5)
+        self.render("hills.sward", name="hills.png")
+        self.render("plane.sward", name="plane.png")
+
+        from skimage.io import imread
+        pictures = {name: imread(self.folder / f"{name}.png")[..., :3].astype(int)
+                    for name in ("both", "turned", "hills", "plane")}
+
+        # A blade's shade is drawn from its number, which is another in another order: the mean of
+        # some pixels is compared.
+        def differs(a, b):
+            change = (pictures[a] - pictures[b]).reshape(9, 10, 16, 10, 3).mean(axis=(1, 3))
+            return abs(change).max()
+
+        self.assertLess(differs("both", "turned"), 12)
+        self.assertGreater(differs("both", "hills"), 30)
+        self.assertGreater(differs("both", "plane"), 30)
+
+    def test_what_cannot_be_joined_is_told_by_name(self):
+        bake("hills", 100, self.folder / "far.sward")
+        done = self.view("render", "hills.sward", "plane.sward", "-o", "no.png", "--dump-blades",
+                         "no.csv", code=1)
+        self.assertIn("--dump-blades", done.stderr)
+        self.assertFalse((self.folder / "no.png").exists())
+        kinds = []
+        for i in range(9):
+            name = f"kind{i}.sward"
+            bake("plane", 10, self.folder / name, "--set", f"species.0.gloss=0.{i + 1}")
+            kinds.append(name)
+        done = self.view("render", *kinds, "-o", "no.png", code=3)
+        self.assertIn("species", done.stderr)
+        self.assertIn("kind", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
