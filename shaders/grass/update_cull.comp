@@ -3,7 +3,8 @@
 #extension GL_EXT_buffer_reference_uvec2 : require
 // Moves the blades of the live patches, judges each, and lists those that are to be drawn. One
 // work-group per patch at a time; survivors gather in shared memory, so that a patch costs one atomic
-// on the list. Nothing here depends on the size of a subgroup.
+// on the list. Nothing here depends on the size of a subgroup. Where several views share the blades,
+// one role of this shader moves them for all views, and another judges them for each.
 #include "shaders/shared/passes.h"
 #include "shaders/shared/visibility.h"
 
@@ -17,6 +18,7 @@ layout(push_constant, scalar) uniform Block { UpdatePush push; };
 // cost nothing.
 layout(constant_id = 0) const uint windCounts = 0u;
 layout(constant_id = 1) const bool hasColliders = false;
+layout(constant_id = 3) const uint role = moveAndJudge;
 
 shared uint fateTally[fateCount]; // of one patch
 shared uint fateSums[fateCount];  // of all patches of the group
@@ -70,6 +72,21 @@ void report(uint thread)
     }
 }
 
+/// How many of a patch's blades any of the views asks for. What one of them asks for is moved in the
+/// pass of the first that sees the patch, for all of them: the others find that no time has passed.
+uint wantedByAll(Patch cell, uint patchIndex, float elapsed, uint own, inout bool moves)
+{
+    uint wanted = own;
+    for (uint i = 0u; i < push.viewCount; ++i) {
+        const Eyepoint other = push.views.at[i].view;
+        wanted = max(wanted, thickEnough(other, cell));
+        moves = moves || movesNow(push.views.at[i].pace, patchIndex,
+                                  boxDistance(other.eye, cell.boundsLow, cell.boundsHigh), elapsed);
+    }
+    moves = moves && elapsed > 0.0f;
+    return wanted;
+}
+
 /// Moves and judges the first `count` blades of a patch; the others are thinned out.
 void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
 {
@@ -78,26 +95,30 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
     if (thread < fateCount)
         fateTally[thread] = 0u;
     float elapsed = max(JUDGED.time - JUDGED.patchTimes.at[patchIndex], 0.0f);
-    const bool moves = push.onlyUpdate != 0u ||
-                       movesNow(JUDGED.pace, patchIndex,
-                                boxDistance(view.eye, cell.boundsLow, cell.boundsHigh), elapsed);
+    bool moves = role != onlyJudge &&
+                 (push.onlyUpdate != 0u ||
+                  movesNow(JUDGED.pace, patchIndex,
+                           boxDistance(view.eye, cell.boundsLow, cell.boundsHigh), elapsed));
+    const uint moved = role == onlyMove ? wantedByAll(cell, patchIndex, elapsed, count, moves) : count;
     elapsed = moves ? elapsed : 0.0f;
     const uint movedBefore = JUDGED.patchCounts.at[patchIndex];
     barrier();
     const ColliderMask near = collidersNear(cell, elapsed, thread);
 
-    for (uint i = thread; i < count; i += gl_WorkGroupSize.x) {
+    for (uint i = thread; i < moved; i += gl_WorkGroupSize.x) {
         const uint index = cell.firstBlade + i;
+        const float since = role == onlyJudge ? 0.0f : i < movedBefore ? elapsed : settlingTime;
+        if (role == onlyMove && since <= 0.0f)
+            continue;
         const Blade blade = unpackBlade(JUDGED.blades.at[index], cell);
 
         // Move it. At a standstill the stored state stays as it is, to the bit.
         BladeState state = JUDGED.states.at[index];
-        const float since = i < movedBefore ? elapsed : settlingTime;
         if (since > 0.0f) {
             state = advanceBlade(blade, nature, near, state, JUDGED.time, since);
             JUDGED.states.at[index] = state;
         }
-        if (push.onlyUpdate != 0u)
+        if (role == onlyMove || push.onlyUpdate != 0u)
             continue;
 
         // Judge it, and keep it if it shall be drawn.
@@ -111,7 +132,7 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
                 VisibleBlade(index, patchIndex, verdict.widthFactor, verdict.pixels);
         noteFate(index, verdict.fate);
     }
-    for (uint i = count + thread; i < cell.bladeCount; i += gl_WorkGroupSize.x)
+    for (uint i = count + thread; role != onlyMove && i < cell.bladeCount; i += gl_WorkGroupSize.x)
         noteFate(cell.firstBlade + i, fateLod);
     barrier();
 
@@ -125,10 +146,10 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
         }
         if (moves) {
             JUDGED.patchTimes.at[patchIndex] = JUDGED.time;
-            simulatedSum += count;
+            simulatedSum += moved;
         }
-        if (moves || count > movedBefore)
-            JUDGED.patchCounts.at[patchIndex] = count;
+        if (role != onlyJudge && (moves || moved > movedBefore))
+            JUDGED.patchCounts.at[patchIndex] = moved;
     }
     if (thread < fateCount)
         fateSums[thread] +=

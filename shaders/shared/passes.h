@@ -35,14 +35,20 @@ struct UpdatePush {
     WalkLevelArray levels; ///< the first says how many they are
     WalkLevelArray rounds; ///< each round's length of the list, and work-groups to rasterise it
     UintArray owners;      ///< indices of the patches that own blades
+    FrameArray views;      ///< for which blades are moved, where they are several
     uint ownerCount;
     uint onlyUpdate; ///< 1: move every blade of every owner, judge and count none
     uint firstLive;  ///< the round's first live patch …
     uint mostLive;   ///< … and how many it takes at most
     uint round;
-    uint reserved;
+    uint viewCount; ///< frames at `views`
 };
-SHARED_LAYOUT(UpdatePush, 64)
+SHARED_LAYOUT(UpdatePush, 72)
+
+// What the update does about a live patch.
+SHARED_CONST uint moveAndJudge = 0u;
+SHARED_CONST uint onlyMove = 1u;  ///< as far as any of the views asks; lists nothing
+SHARED_CONST uint onlyJudge = 2u; ///< where blades have been moved to
 
 /// No more rounds than these: an empty one costs some microseconds.
 SHARED_CONST uint mostRounds = 32u;

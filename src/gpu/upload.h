@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/buffer.h"
+#include "gpu/buffer_upload.h"
 #include "gpu/commands.h"
 #include "gpu/context.h"
 #include "gpu/handle.h"
@@ -17,24 +17,17 @@ namespace sward::gpu {
 
 /// Brings bytes from the CPU into buffers and images through a staging buffer of bounded size,
 /// however many there are: while the device copies one half, the CPU fills the other.
-class Uploader {
+class Uploader : public BufferUpload {
 public:
     static constexpr VkDeviceSize defaultStagingBytes = VkDeviceSize(32) << 20;
 
     explicit Uploader(const DeviceContext& context,
                       VkDeviceSize stagingBytes = defaultStagingBytes);
-    Uploader(const Uploader&) = delete;
-    Uploader& operator=(const Uploader&) = delete;
-    ~Uploader();
+    ~Uploader() override;
 
-    /// Copies `bytes` to `target` from byte `offset` on. The source may die afterwards.
-    void toBuffer(const Buffer& target, std::span<const std::byte> bytes, VkDeviceSize offset = 0);
-
-    template <typename T>
-    void toBuffer(const Buffer& target, std::span<const T> elements, VkDeviceSize offset = 0)
-    {
-        toBuffer(target, std::as_bytes(elements), offset);
-    }
+    using BufferUpload::toBuffer;
+    void toBuffer(const Buffer& target, std::span<const std::byte> bytes,
+                  VkDeviceSize offset = 0) override;
 
     /// Fills level 0 with tightly packed rows, makes the other levels by halving, and leaves the
     /// image ready to be sampled. Former contents are given up.

@@ -16,6 +16,31 @@ struct Tables {
 
 } // namespace
 
+VkDeviceSize tableBytes()
+{
+    return sizeof(Tables);
+}
+
+void writeTables(TablePlace place, const FieldShape& field, const std::vector<WindSource>& winds,
+                 std::span<const shared::Collider> colliders, shared::Frame& frame)
+{
+    expect(winds.size() <= shared::maxWindSources, "at most maxWindSources blow at once");
+    expect(colliders.size() <= shared::maxColliders, "at most maxColliders collide");
+    const std::vector<shared::WindSource> blown = blowing(winds, field.origin);
+    std::memcpy(place.mapped + offsetof(Tables, winds), blown.data(),
+                blown.size() * sizeof(shared::WindSource));
+    if (!colliders.empty())
+        std::memcpy(place.mapped + offsetof(Tables, colliders), colliders.data(),
+                    colliders.size_bytes());
+
+    shared::Nature& nature = frame.nature;
+    const glm::vec3 size = field.content.isEmpty() ? glm::vec3(0.0f) : field.content.size();
+    nature.wind = together(blown, std::max({size.x, size.y, size.z}));
+    nature.wind.sources.address = place.address + offsetof(Tables, winds);
+    nature.colliderCount = static_cast<std::uint32_t>(colliders.size());
+    nature.colliders.address = place.address + offsetof(Tables, colliders);
+}
+
 FrameTables::FrameTables(const gpu::DeviceContext& context)
     : buffer_(context, {.name = "frame/tables",
                         .bytes = sizeof(Tables),
@@ -32,26 +57,11 @@ VkDeviceSize FrameTables::bytes()
 void FrameTables::write(const FieldShape& field, const FrameSettings& settings, double time,
                         double before, shared::Frame& frame) const
 {
-    expect(settings.winds.size() <= shared::maxWindSources, "at most maxWindSources blow at once");
-    expect(settings.colliders.size() <= shared::maxColliders, "at most maxColliders collide");
-    std::byte* mapped = buffer_.mapped().data();
-
-    const std::vector<shared::WindSource> winds = blowing(settings.winds, field.origin);
-    std::memcpy(mapped + offsetof(Tables, winds), winds.data(),
-                winds.size() * sizeof(shared::WindSource));
-    for (std::size_t i = 0; i < settings.colliders.size(); ++i) {
-        const shared::Collider collider =
-            colliderAt(settings.colliders[i], field.origin, time, before);
-        std::memcpy(mapped + offsetof(Tables, colliders) + i * sizeof collider, &collider,
-                    sizeof collider);
-    }
-
-    shared::Nature& nature = frame.nature;
-    const glm::vec3 size = field.content.isEmpty() ? glm::vec3(0.0f) : field.content.size();
-    nature.wind = together(winds, std::max({size.x, size.y, size.z}));
-    nature.wind.sources.address = buffer_.address() + offsetof(Tables, winds);
-    nature.colliderCount = static_cast<std::uint32_t>(settings.colliders.size());
-    nature.colliders.address = buffer_.address() + offsetof(Tables, colliders);
+    std::vector<shared::Collider> colliders;
+    for (const Collider& collider : settings.colliders)
+        colliders.push_back(colliderAt(collider, field.origin, time, before));
+    writeTables({buffer_.mapped().data(), buffer_.address()}, field, settings.winds, colliders,
+                frame);
 }
 
 } // namespace sward::render

@@ -6,7 +6,23 @@
 #include "render/frame_settings.h"
 #include "shaders/shared/frame.h"
 
+#include <cstddef>
+#include <span>
+#include <vector>
+
 namespace sward::render {
+
+/// Mapped memory for a frame's tables, and where the device finds it.
+struct TablePlace {
+    std::byte* mapped = nullptr; ///< tableBytes() of them
+    VkDeviceAddress address = 0;
+};
+VkDeviceSize tableBytes();
+
+/// Writes a frame's sources of wind and its colliders, both as `field` counts, and what the frame
+/// knows of them into `frame`. At most shared::maxWindSources and shared::maxColliders of each.
+void writeTables(TablePlace place, const FieldShape& field, const std::vector<WindSource>& winds,
+                 std::span<const shared::Collider> colliders, shared::Frame& frame);
 
 /// What a frame knows in more than one: its sources of wind and its colliders, in memory that the
 /// CPU writes and the device reads.

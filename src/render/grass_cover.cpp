@@ -183,7 +183,7 @@ LeafAreaGrid leafAreaOf(const field::FieldView& field)
     return grid;
 }
 
-GrassCover::GrassCover(const gpu::DeviceContext& context, gpu::Uploader& uploader,
+GrassCover::GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
                        const field::FieldView& field)
 {
     const LeafAreaGrid grid = leafAreaOf(field);
@@ -192,7 +192,7 @@ GrassCover::GrassCover(const gpu::DeviceContext& context, gpu::Uploader& uploade
         context, {.name = "grass cover",
                   .bytes = grid.values.size() * sizeof(float),
                   .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
-    uploader.toBuffer(values_, std::span<const float>(grid.values));
+    upload.toBuffer(values_, std::span<const float>(grid.values));
 }
 
 void GrassCover::describe(shared::Frame& frame) const

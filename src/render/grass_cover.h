@@ -2,8 +2,8 @@
 
 #include "field/field.h"
 #include "gpu/buffer.h"
+#include "gpu/buffer_upload.h"
 #include "gpu/context.h"
-#include "gpu/upload.h"
 #include "shaders/shared/cover.h"
 #include "shaders/shared/frame.h"
 
@@ -35,8 +35,8 @@ LeafAreaGrid leafAreaOf(const field::FieldView& field);
 /// The same in device memory, made once.
 class GrassCover {
 public:
-    /// Begins the upload; it is complete after `uploader.finish()`.
-    GrassCover(const gpu::DeviceContext& context, gpu::Uploader& uploader,
+    /// Begins the upload; it is complete when `upload` is.
+    GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
                const field::FieldView& field);
 
     /// After the frame's draw distance is known.

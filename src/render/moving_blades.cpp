@@ -45,7 +45,7 @@ void MovingBlades::findLive(VkCommandBuffer commands, VkDeviceAddress judged,
                             gpu::Timestamps* timestamps) const
 {
     const PassScope scope(*context_, commands, timestamps, "cull");
-    walk_.record(commands, buffers_.tree(), judged);
+    walk_.record(commands, buffers_.baked(), buffers_.list(), judged);
     gpu::computeToCompute(commands);
 }
 
@@ -53,12 +53,14 @@ void MovingBlades::moveAndList(VkCommandBuffer commands, VkDeviceAddress judged,
                                std::uint32_t round, gpu::Timestamps* timestamps) const
 {
     const PassScope scope(*context_, commands, timestamps, "update");
-    update_.record(commands, buffers_, judged, variant_, UpdateCullPass::Scope::visible, round);
+    update_.record(commands, buffers_.baked(), buffers_.list(), judged, variant_,
+                   UpdateCullPass::Scope::visible, round);
 }
 
 void MovingBlades::moveAll(VkCommandBuffer commands, VkDeviceAddress frame) const
 {
-    update_.record(commands, buffers_, frame, variant_, UpdateCullPass::Scope::all);
+    update_.record(commands, buffers_.baked(), buffers_.list(), frame, variant_,
+                   UpdateCullPass::Scope::all);
 }
 
 } // namespace sward::render

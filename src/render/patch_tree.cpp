@@ -3,19 +3,6 @@
 #include <algorithm>
 
 namespace sward::render {
-namespace {
-
-gpu::Buffer storage(const gpu::DeviceContext& context, const char* name, VkDeviceSize bytes)
-{
-    return {context,
-            {.name = name,
-             .bytes = bytes,
-             .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                      VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT}};
-}
-
-} // namespace
-
 std::vector<shared::Subtree> subtreesOf(const field::FieldView& field)
 {
     std::vector<shared::Subtree> subtrees(field.patches.size());
@@ -38,7 +25,7 @@ std::vector<shared::Subtree> subtreesOf(const field::FieldView& field)
     return subtrees;
 }
 
-PatchTree::PatchTree(const gpu::DeviceContext& context, gpu::Uploader& uploader,
+PatchTree::PatchTree(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
                      const field::FieldView& field, std::uint32_t start)
 {
     // Patches lie level by level.
@@ -59,25 +46,12 @@ PatchTree::PatchTree(const gpu::DeviceContext& context, gpu::Uploader& uploader,
     }
     steps_ = levels == 0 ? 0 : levels - startLevel_;
 
-    std::size_t owners = 0;
-    for (const shared::Patch& cell : patches)
-        owners += cell.bladeCount > 0 ? 1 : 0;
     const std::vector<shared::Subtree> subtrees = subtreesOf(field);
-    subtrees_ = storage(context, "tree/subtrees", subtrees.size() * sizeof(shared::Subtree));
-    uploader.toBuffer(subtrees_, std::span<const shared::Subtree>(subtrees));
-    queue_ = storage(context, "tree/queue", (patches.size() - startCount_) * sizeof(std::uint32_t));
-    live_ = storage(context, "tree/live patches", owners * sizeof(shared::LivePatch));
-    levels_ = storage(context, "tree/levels", (steps_ + 1) * sizeof(shared::WalkLevel));
-}
-
-void PatchTree::clear(VkCommandBuffer commands) const
-{
-    vkCmdFillBuffer(commands, levels_.get(), 0, VK_WHOLE_SIZE, 0);
-}
-
-VkDeviceSize PatchTree::bytes() const
-{
-    return subtrees_.bytes() + queue_.bytes() + live_.bytes() + levels_.bytes();
+    subtrees_ = gpu::Buffer(
+        context, {.name = "tree/subtrees",
+                  .bytes = subtrees.size() * sizeof(shared::Subtree),
+                  .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+    upload.toBuffer(subtrees_, std::span<const shared::Subtree>(subtrees));
 }
 
 } // namespace sward::render

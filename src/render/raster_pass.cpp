@@ -126,11 +126,11 @@ shared::RasterPush RasterPass::pushFor(const Input& input) const
     return {.frame = input.frame,
             .judged = input.judged,
             .visibility = visibility_.address(),
-            .rounds = input.field->rounds().address(),
+            .rounds = input.field->list().rounds().address(),
             .large = largeParts_.address(),
             .largeCount = largeCount_.address(),
-            .owners = input.field->owners(),
-            .firstOwners = input.field->firstOwners(),
+            .owners = input.field->baked().owners(),
+            .firstOwners = input.field->baked().firstOwners(),
             .size = {size_.width, size_.height},
             .isBgr = isBgr(target_.colorFormat) ? 1u : 0u,
             .round = 0};
@@ -154,7 +154,8 @@ void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input,
     push.round = round;
     blades_.bind(commands);
     blades_.push(commands, push);
-    vkCmdDispatchIndirect(commands, input.field->rounds().get(), round * sizeof(shared::WalkLevel));
+    vkCmdDispatchIndirect(commands, input.field->list().rounds().get(),
+                          round * sizeof(shared::WalkLevel));
 }
 
 void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input) const

@@ -16,8 +16,8 @@
 
 namespace sward::render {
 
-/// What the graphics pipeline draws after the ground where it draws the blades, too: these, the sky,
-/// and the picture of all samples.
+/// What the graphics pipeline draws after the ground where it draws the blades, too: these, the
+/// sky, and the picture of all samples.
 class TessellatedPass {
 public:
     TessellatedPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
@@ -29,7 +29,8 @@ public:
     /// Makes ready for a frame in the colours of the wind or in its own.
     void prepare(const gpu::ShaderLibrary& shaders, bool paintsWind);
 
-    /// What the samples of the rendering are to be resolved into; null where a pixel has one sample.
+    /// What the samples of the rendering are to be resolved into; null where a pixel has one
+    /// sample.
     VkImageView begin(VkCommandBuffer commands) const;
 
     /// Inside a rendering on top of the ground.

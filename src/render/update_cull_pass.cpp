@@ -29,43 +29,49 @@ void UpdateCullPass::prepare(const gpu::ShaderLibrary& shaders, Variant variant)
     if (pipelines_.contains(variant))
         return;
     pipelines_.emplace(
-        variant, gpu::ComputePipeline(*context_, shaders,
-                                      {.name = "update and cull",
-                                       .shader = "update_cull.comp",
-                                       .pushConstantBytes = sizeof(shared::UpdatePush),
-                                       .setLayouts = {},
-                                       .constants = {{.id = 0, .value = variant.windCounts},
-                                                     {.id = 1, .value = variant.hasColliders},
-                                                     {.id = 2, .value = threadsOf(*context_)}}}));
+        variant,
+        gpu::ComputePipeline(
+            *context_, shaders,
+            {.name = "update and cull",
+             .shader = "update_cull.comp",
+             .pushConstantBytes = sizeof(shared::UpdatePush),
+             .setLayouts = {},
+             .constants = {{.id = 0, .value = variant.windCounts},
+                           {.id = 1, .value = variant.hasColliders},
+                           {.id = 2, .value = threadsOf(*context_)},
+                           {.id = 3, .value = static_cast<std::uint32_t>(variant.role)}}}));
 }
 
-void UpdateCullPass::record(VkCommandBuffer commands, const FieldBuffers& field,
-                            VkDeviceAddress frame, Variant variant, Scope scope,
-                            std::uint32_t round) const
+void UpdateCullPass::record(VkCommandBuffer commands, const BakedBlades& blades,
+                            const VisibleBlades& found, VkDeviceAddress frame, Variant variant,
+                            Scope scope, std::uint32_t round, VkDeviceAddress views,
+                            std::uint32_t viewCount) const
 {
-    if (field.ownerCount() == 0)
+    if (blades.ownerCount() == 0)
         return;
-    const auto found = pipelines_.find(variant);
-    expect(found != pipelines_.end(), "the update has been prepared for the frame's wind");
-    const gpu::ComputePipeline& pipeline = found->second;
+    const auto made = pipelines_.find(variant);
+    expect(made != pipelines_.end(), "the update has been prepared for the frame's wind");
+    const gpu::ComputePipeline& pipeline = made->second;
     pipeline.bind(commands);
     pipeline.push(commands, shared::UpdatePush{.judged = frame,
-                                               .live = field.tree().live(),
-                                               .levels = field.tree().levels().address(),
-                                               .rounds = field.rounds().address(),
-                                               .owners = field.owners(),
-                                               .ownerCount = field.ownerCount(),
+                                               .live = found.live(),
+                                               .levels = found.levels().address(),
+                                               .rounds = found.rounds().address(),
+                                               .owners = blades.owners(),
+                                               .views = views,
+                                               .ownerCount = blades.ownerCount(),
                                                .onlyUpdate = scope == Scope::all ? 1u : 0u,
-                                               .firstLive = round * field.roundPatches(),
-                                               .mostLive = field.roundPatches(),
+                                               .firstLive = round * found.roundPatches(),
+                                               .mostLive = found.roundPatches(),
                                                .round = round,
-                                               .reserved = 0});
+                                               .viewCount = viewCount});
     // One work-group per patch, or one for several where they are more than one can count.
     if (scope == Scope::all)
         vkCmdDispatch(commands,
-                      std::min(shared::updateGroups(field.ownerCount()), shared::mostGroups), 1, 1);
+                      std::min(shared::updateGroups(blades.ownerCount()), shared::mostGroups), 1,
+                      1);
     else
-        vkCmdDispatchIndirect(commands, field.tree().levels().get(),
+        vkCmdDispatchIndirect(commands, found.levels().get(),
                               shared::liveLevel * sizeof(shared::WalkLevel));
 }
 

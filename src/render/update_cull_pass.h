@@ -3,7 +3,8 @@
 #include "gpu/compute_pipeline.h"
 #include "gpu/context.h"
 #include "gpu/shader_library.h"
-#include "render/field_buffers.h"
+#include "render/baked_blades.h"
+#include "render/visible_blades.h"
 
 #include <vulkan/vulkan.h>
 
@@ -13,15 +14,24 @@
 
 namespace sward::render {
 
-/// Moves the blades of the live patches, judges them, and lists those that are to be drawn.
+/// Moves the blades of the live patches, judges them, and lists those that are to be drawn; or does
+/// the one or the other alone.
 class UpdateCullPass {
 public:
     explicit UpdateCullPass(const gpu::DeviceContext& context);
 
+    /// What is done about a live patch.
+    enum class Role : std::uint32_t {
+        moveAndJudge = 0,
+        move = 1,  ///< as far as any of several views asks, once in a frame; lists nothing
+        judge = 2, ///< where blades have been moved to
+    };
+
     /// What the shader is made for.
     struct Variant {
-        std::uint32_t windCounts = 0; ///< shared::Wind::counts
-        bool hasColliders = false;
+        std::uint32_t windCounts = 0; ///< shared::Wind::counts; 0 where nothing is moved
+        bool hasColliders = false;    ///< false where nothing is moved
+        Role role = Role::moveAndJudge;
         auto operator<=>(const Variant&) const = default;
     };
 
@@ -34,9 +44,11 @@ public:
     };
 
     /// Between a barrier from the clearing of the counts, or from the walk, and one to the draw.
-    /// `variant` has been prepared.
-    void record(VkCommandBuffer commands, const FieldBuffers& field, VkDeviceAddress frame,
-                Variant variant, Scope scope, std::uint32_t round = 0) const;
+    /// `variant` has been prepared. `views` are `viewCount` frames on end for which Role::move
+    /// moves blades.
+    void record(VkCommandBuffer commands, const BakedBlades& blades, const VisibleBlades& found,
+                VkDeviceAddress frame, Variant variant, Scope scope, std::uint32_t round = 0,
+                VkDeviceAddress views = 0, std::uint32_t viewCount = 0) const;
 
 private:
     const gpu::DeviceContext* context_;

@@ -14,28 +14,36 @@ WalkPass::WalkPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& 
 {
 }
 
-void WalkPass::record(VkCommandBuffer commands, const PatchTree& tree, VkDeviceAddress judged) const
+void WalkPass::record(VkCommandBuffer commands, const BakedBlades& blades,
+                      const VisibleBlades& found, VkDeviceAddress judged) const
 {
-    if (tree.steps() == 0)
-        return;
+    for (std::uint32_t step = 0; step < blades.tree().steps(); ++step) {
+        if (step > 0)
+            gpu::computeToCompute(commands);
+        recordStep(commands, blades, found, judged, step);
+    }
+}
+
+void WalkPass::recordStep(VkCommandBuffer commands, const BakedBlades& blades,
+                          const VisibleBlades& found, VkDeviceAddress judged,
+                          std::uint32_t step) const
+{
+    const PatchTree& tree = blades.tree();
     walk_.bind(commands);
-    for (std::uint32_t step = 0; step < tree.steps(); ++step) {
-        walk_.push(commands, shared::WalkPush{.judged = judged,
-                                              .subtrees = tree.subtrees(),
-                                              .queue = tree.queue(),
-                                              .live = tree.live(),
-                                              .levels = tree.levels().address(),
-                                              .startCount = tree.startCount(),
-                                              .startLevel = tree.startLevel(),
-                                              .level = step,
-                                              .reserved = 0});
-        if (step == 0) {
-            const auto groups = gpu::groupsFor(tree.startCount(), shared::walkThreads);
-            vkCmdDispatch(commands, static_cast<std::uint32_t>(groups), 1, 1);
-            continue;
-        }
-        gpu::computeToCompute(commands);
-        vkCmdDispatchIndirect(commands, tree.levels().get(), step * sizeof(shared::WalkLevel));
+    walk_.push(commands, shared::WalkPush{.judged = judged,
+                                          .subtrees = tree.subtrees(),
+                                          .queue = found.queue(),
+                                          .live = found.live(),
+                                          .levels = found.levels().address(),
+                                          .startCount = tree.startCount(),
+                                          .startLevel = tree.startLevel(),
+                                          .level = step,
+                                          .reserved = 0});
+    if (step == 0) {
+        const auto groups = gpu::groupsFor(tree.startCount(), shared::walkThreads);
+        vkCmdDispatch(commands, static_cast<std::uint32_t>(groups), 1, 1);
+    } else {
+        vkCmdDispatchIndirect(commands, found.levels().get(), step * sizeof(shared::WalkLevel));
     }
 }
 

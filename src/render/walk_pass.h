@@ -3,7 +3,8 @@
 #include "gpu/compute_pipeline.h"
 #include "gpu/context.h"
 #include "gpu/shader_library.h"
-#include "render/patch_tree.h"
+#include "render/baked_blades.h"
+#include "render/visible_blades.h"
 
 #include <vulkan/vulkan.h>
 
@@ -17,7 +18,13 @@ public:
 
     /// Between a barrier from the clearing of tree and counts, and one from compute shaders to a
     /// dispatch. `judged` is the shared::Frame by whose camera nodes are judged.
-    void record(VkCommandBuffer commands, const PatchTree& tree, VkDeviceAddress judged) const;
+    void record(VkCommandBuffer commands, const BakedBlades& blades, const VisibleBlades& found,
+                VkDeviceAddress judged) const;
+
+    /// One of the tree's steps() of it: walks of several trees are recorded step by step, with a
+    /// barrier from compute shaders to a dispatch between one step and the next.
+    void recordStep(VkCommandBuffer commands, const BakedBlades& blades, const VisibleBlades& found,
+                    VkDeviceAddress judged, std::uint32_t step) const;
 
 private:
     const gpu::DeviceContext* context_;

@@ -155,8 +155,8 @@ std::size_t fillValues(Values& v)
               v.groundMaterial.image, v.groundMaterial.flags);
     n.fillAll(v.windSource, v.collider);
     shared::UpdatePush& u = v.updatePush;
-    n.fillAll(u.judged, u.live, u.levels, u.rounds, u.owners, u.ownerCount, u.onlyUpdate,
-              u.firstLive, u.mostLive, u.round, u.reserved);
+    n.fillAll(u.judged, u.live, u.levels, u.rounds, u.owners, u.views, u.ownerCount, u.onlyUpdate,
+              u.firstLive, u.mostLive, u.round, u.viewCount);
     shared::WalkPush& w = v.walkPush;
     n.fillAll(w.judged, w.subtrees, w.queue, w.live, w.levels, w.startCount, w.startLevel, w.level,
               w.reserved);

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/random.h"
 #include "gpu/commands.h"
+#include "gpu/upload.h"
 #include "picture.h"
 #include "render/attachments.h"
 #include "render/camera_presets.h"

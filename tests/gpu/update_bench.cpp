@@ -64,9 +64,9 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
     gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
         gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
         if (scope == render::UpdateCullPass::Scope::visible)
-            walk_.record(commands, buffers_.tree(), constants.address());
+            walk_.record(commands, buffers_.baked(), buffers_.list(), constants.address());
         gpu::computeToCompute(commands);
-        pass_.record(commands, buffers_, constants.address(), variant, scope);
+        pass_.record(commands, buffers_.baked(), buffers_.list(), constants.address(), variant, scope);
     });
 
     Result result;

@@ -309,12 +309,13 @@ void main()
     put(uvec2(sources.at[0].updatePush.at[1].levels));
     put(uvec2(sources.at[0].updatePush.at[1].rounds));
     put(uvec2(sources.at[0].updatePush.at[1].owners));
+    put(uvec2(sources.at[0].updatePush.at[1].views));
     put(sources.at[0].updatePush.at[1].ownerCount);
     put(sources.at[0].updatePush.at[1].onlyUpdate);
     put(sources.at[0].updatePush.at[1].firstLive);
     put(sources.at[0].updatePush.at[1].mostLive);
     put(sources.at[0].updatePush.at[1].round);
-    put(sources.at[0].updatePush.at[1].reserved);
+    put(sources.at[0].updatePush.at[1].viewCount);
 
     put(uvec2(sources.at[0].walkPush.at[1].judged));
     put(uvec2(sources.at[0].walkPush.at[1].subtrees));

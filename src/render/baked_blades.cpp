@@ -1,0 +1,99 @@
+#include "render/baked_blades.h"
+
+#include "core/error.h"
+#include "shaders/shared/passes.h"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace sward::render {
+namespace {
+
+/// Indices of the patches that own blades, in the order of their blades.
+std::vector<std::uint32_t> ownersOf(const field::FieldView& field)
+{
+    std::vector<std::uint32_t> owners;
+    for (std::size_t i = 0; i < field.patches.size(); ++i)
+        if (field.patches[i].bladeCount > 0)
+            owners.push_back(static_cast<std::uint32_t>(i));
+    std::sort(owners.begin(), owners.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return field.patches[a].firstBlade < field.patches[b].firstBlade;
+    });
+    return owners;
+}
+
+/// The places among `owners` at which the search for a blade's patch begins.
+std::vector<std::uint32_t> firstOwnersOf(const field::FieldView& field,
+                                         const std::vector<std::uint32_t>& owners)
+{
+    std::vector<std::uint32_t> first;
+    std::uint32_t place = 0;
+    for (std::size_t blade = 0; blade < field.blades.size(); blade += shared::ownerStride) {
+        const auto end = [&] {
+            const shared::Patch& cell = field.patches[owners[place]];
+            return std::size_t(cell.firstBlade) + cell.bladeCount;
+        };
+        while (end() <= blade)
+            ++place;
+        first.push_back(place);
+    }
+    return first;
+}
+
+} // namespace
+
+BakedBlades::BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
+                         const field::FieldView& field, std::uint32_t walkStart)
+{
+    if (field.blades.size() > std::numeric_limits<std::uint32_t>::max())
+        fail(ErrorKind::unsupported, "the field has {} blades; one view draws at most {}",
+             field.blades.size(), std::numeric_limits<std::uint32_t>::max());
+    const std::vector<std::uint32_t> owners = ownersOf(field);
+    const std::vector<std::uint32_t> firstOwners = firstOwnersOf(field, owners);
+    bladeCount_ = static_cast<std::uint32_t>(field.blades.size());
+    patchCount_ = static_cast<std::uint32_t>(field.patches.size());
+    ownerCount_ = static_cast<std::uint32_t>(owners.size());
+    bladeSize_ = field::meanBladeSize(field);
+    std::vector<shared::Species> species;
+    for (const field::Species& kind : field.species)
+        species.push_back(kind.look);
+    species.resize(shared::maxSpecies, species.empty() ? shared::Species{} : species.front());
+
+    // As it lies in the file.
+    blades_ = allocate(context, "field/blades", field.blades.size_bytes());
+    patches_ = allocate(context, "field/patches", field.patches.size_bytes());
+    owners_ = allocate(context, "field/owners", owners.size() * sizeof(std::uint32_t));
+    firstOwners_ =
+        allocate(context, "field/first owners", firstOwners.size() * sizeof(std::uint32_t));
+    species_ = allocate(context, "field/species", species.size() * sizeof(shared::Species));
+    upload.toBuffer(blades_, field.blades);
+    upload.toBuffer(patches_, field.patches);
+    upload.toBuffer(owners_, std::span<const std::uint32_t>(owners));
+    upload.toBuffer(firstOwners_, std::span<const std::uint32_t>(firstOwners));
+    upload.toBuffer(species_, std::span<const shared::Species>(species));
+    tree_.emplace(context, upload, field, walkStart);
+    bytes_ += tree_->bytes();
+}
+
+gpu::Buffer BakedBlades::allocate(const gpu::DeviceContext& context, const char* name,
+                                  VkDeviceSize bytes)
+{
+    bytes_ += bytes;
+    return {context,
+            {.name = name,
+             .bytes = bytes,
+             .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}};
+}
+
+void BakedBlades::describe(shared::Frame& frame) const
+{
+    frame.blades = blades_.address();
+    frame.patches = patches_.address();
+    frame.species = species_.address();
+    frame.patchCount = patchCount_;
+    frame.bladeCount = bladeCount_;
+}
+
+} // namespace sward::render

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "field/distributions.h"
+#include "field/field.h"
+#include "gpu/buffer.h"
+#include "gpu/buffer_upload.h"
+#include "gpu/context.h"
+#include "render/patch_tree.h"
+#include "shaders/shared/frame.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <optional>
+
+namespace sward::render {
+
+/// What a field's bake has written about its blades, in device memory. It never changes.
+class BakedBlades {
+public:
+    /// Begins the upload; it is complete when `upload` is. `walkStart`: see PatchTree.
+    BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
+                const field::FieldView& field, std::uint32_t walkStart = shared::walkStart);
+
+    /// Writes addresses and counts into a frame.
+    void describe(shared::Frame& frame) const;
+
+    std::uint32_t bladeCount() const { return bladeCount_; }
+    std::uint32_t patchCount() const { return patchCount_; }
+    std::uint32_t ownerCount() const { return ownerCount_; }     ///< patches that own blades
+    VkDeviceAddress owners() const { return owners_.address(); } ///< in the order of their blades
+
+    /// Per shared::ownerStride blades: place among the owners of the first one's.
+    VkDeviceAddress firstOwners() const { return firstOwners_.address(); }
+    field::BladeSize bladeSize() const { return bladeSize_; } ///< mean over all blades
+    const PatchTree& tree() const { return *tree_; }
+    VkDeviceSize bytes() const { return bytes_; }
+
+private:
+    gpu::Buffer allocate(const gpu::DeviceContext& context, const char* name, VkDeviceSize bytes);
+
+    std::uint32_t bladeCount_ = 0;
+    std::uint32_t patchCount_ = 0;
+    std::uint32_t ownerCount_ = 0;
+    field::BladeSize bladeSize_;
+    VkDeviceSize bytes_ = 0;
+
+    gpu::Buffer blades_;
+    gpu::Buffer patches_;
+    gpu::Buffer species_;
+    gpu::Buffer owners_;
+    gpu::Buffer firstOwners_;
+    std::optional<PatchTree> tree_;
+};
+
+} // namespace sward::render

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/context.h"
+#include "render/baked_blades.h"
+#include "shaders/shared/frame.h"
+
+#include <vulkan/vulkan.h>
+
+namespace sward::render {
+
+/// How the blades of one field in one place are bent, and since when: what moves between frames.
+class BladeStates {
+public:
+    BladeStates(const gpu::DeviceContext& context, const BakedBlades& blades);
+
+    /// Writes addresses into a frame.
+    void describe(shared::Frame& frame) const;
+
+    /// Puts every blade at rest, last moved at `time` [s].
+    void rest(VkCommandBuffer commands, float time) const;
+
+    const gpu::Buffer& states() const { return states_; } ///< shared::BladeState
+    VkDeviceSize bytes() const;
+
+private:
+    gpu::Buffer states_;
+    gpu::Buffer patchTimes_;
+    gpu::Buffer patchCounts_;
+};
+
+} // namespace sward::render
