@@ -34,7 +34,8 @@ set(doors
   terrain/load.h terrain/recipe.h
   bake/bake.h bake/meadow.h bake/report.h bake/settings.h
   gpu/context.h gpu/features.h
-  render/camera_presets.h render/field_renderer.h render/look_settings.h render/settings_file.h)
+  render/camera_presets.h render/field_renderer.h render/grass.h render/look_settings.h
+  render/settings_file.h)
 install(CODE "set(SWARD_DOORS \"${doors}\")
 set(SWARD_SOURCE_DIR \"${CMAKE_SOURCE_DIR}\")
 set(SWARD_INCLUDE_DIR \"${CMAKE_INSTALL_INCLUDEDIR}\")" COMPONENT development)

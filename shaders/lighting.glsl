@@ -10,6 +10,11 @@
 /// Whether ground and blades show the wind; known when the pipeline is made.
 layout(constant_id = 0) const bool paintsWind = false;
 
+/// To whom the picture goes: 0 to Sward's own film, 1 to a host's as it is, 2 to a host's own film.
+layout(constant_id = 9) const uint handedTo = 0u;
+const uint handedToFilm = 0u;
+const uint handedToHostFilm = 2u;
+
 float luminance(vec3 color)
 {
     return dot(color, vec3(0.2126, 0.7152, 0.0722));
@@ -88,6 +93,8 @@ vec3 throughAir(vec3 color, vec3 position)
 /// Mapping Curve", 2015), a little desaturated where it is bright.
 vec3 develop(vec3 radiance)
 {
+    if (handedTo == handedToHostFilm)
+        return radiance * FRAME.exposure;
     const vec3 x = radiance * FRAME.exposure * 0.80;
     const vec3 film = (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14);
     return clamp(film, 0.0, 1.0);

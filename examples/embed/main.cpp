@@ -1,199 +1,120 @@
-// A host with a Vulkan of its own, without a window, draws a field of grass into its own picture:
-//   embed FIELD.sward OUT.png
-// What Sward asks for stands at the numbers 1 to 5; the rest is what any engine has already.
-#include <png.h>
+// A host with a Vulkan of its own, without a window, draws grass among its own boxes:
+//   embed FIELD.sward OUT.png [forward] [render-pass]
+// What Sward asks for stands at the numbers 1 to 7, the features at Host's constructor.
+#include "host.h"
+
+#include <glm/ext/matrix_transform.hpp>
 #include <sward/field/read.h>
-#include <sward/gpu/features.h>
-#include <sward/render/field_renderer.h>
+#include <sward/render/grass.h>
 
+#include <algorithm>
 #include <cstdio>
-#include <functional>
+#include <exception>
+#include <memory>
 #include <stdexcept>
-#include <string>
-#include <vector>
+#include <string_view>
 
-using namespace sward;
-constexpr VkFormat format = VK_FORMAT_R8G8B8A8_SRGB;
-constexpr std::uint32_t width = 640, height = 360;
-constexpr auto undefined = VK_IMAGE_LAYOUT_UNDEFINED, target = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-constexpr VkImageSubresourceRange wholeImage{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+namespace field = sward::field;
+namespace gpu = sward::gpu;
+namespace render = sward::render;
 
-void check(VkResult result, const char* call)
+namespace {
+
+/// Depth convention and rendering scope, as the words after the paths say.
+bool isAsked(int argc, char** argv, std::string_view word)
 {
-    if (result != VK_SUCCESS)
-        throw std::runtime_error(std::string(call) + " failed");
+    return std::find(argv + 3, argv + argc, word) != argv + argc;
 }
 
-struct Host {
-    VkInstance instance = VK_NULL_HANDLE;
-    VkPhysicalDevice physical = VK_NULL_HANDLE;
-    VkDevice device = VK_NULL_HANDLE;
-    VkQueue queue = VK_NULL_HANDLE; // of family 0, which draws and computes on every desktop
-    VkCommandPool pool = VK_NULL_HANDLE;
-    VkImage image = VK_NULL_HANDLE;
-    VkDeviceMemory imageMemory = VK_NULL_HANDLE;
-    VkImageView view = VK_NULL_HANDLE;
-    gpu::OptionalFeatures features;
+/// A box of this size under a placement, its top at the placement's ground.
+Box slab(const render::Placement& placement, double width)
+{
+    const glm::dvec3 low = placement.position - placement.rotation * glm::dvec3(0.0, 0.1, 0.0);
+    return {glm::translate(glm::dmat4(1.0), low) * glm::dmat4(glm::mat4_cast(placement.rotation)) *
+                glm::scale(glm::dmat4(1.0), {0.5 * width, 0.1, 0.5 * width}),
+            {0.16f, 0.11f, 0.06f}};
+}
 
-    Host()
-    {
-        const VkApplicationInfo application{
-            VK_STRUCTURE_TYPE_APPLICATION_INFO, nullptr, "embed", 0, nullptr, 0, VK_API_VERSION_1_3};
-        const VkInstanceCreateInfo instanceInfo{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO, nullptr, 0, &application};
-        check(vkCreateInstance(&instanceInfo, nullptr, &instance), "vkCreateInstance");
-        std::uint32_t one = 1;
-        if (vkEnumeratePhysicalDevices(instance, &one, &physical) < VK_SUCCESS || one == 0)
-            throw std::runtime_error("there is no Vulkan device");
-
-        // 1. Features: what must be there, and what is used where it is; the host adds its own.
-        gpu::FeatureChain supported, wanted;
-        vkGetPhysicalDeviceFeatures2(physical, &supported.core);
-        for (const std::string& name : gpu::missingFeatures(supported))
-            throw std::runtime_error("the device has no " + name);
-        features = gpu::enableFeatures(supported, wanted);
-
-        const float priority = 1.0f;
-        const VkDeviceQueueCreateInfo queues{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO, nullptr, 0, 0, 1, &priority};
-        const VkDeviceCreateInfo deviceInfo{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &wanted.core, 0, 1, &queues};
-        check(vkCreateDevice(physical, &deviceInfo, nullptr, &device), "vkCreateDevice");
-        vkGetDeviceQueue(device, 0, 0, &queue);
-        const VkCommandPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
-        check(vkCreateCommandPool(device, &poolInfo, nullptr, &pool), "vkCreateCommandPool");
-
-        // The picture. Sward asks for the first two usages.
-        VkImageCreateInfo imageInfo{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO, nullptr, 0, VK_IMAGE_TYPE_2D, format};
-        imageInfo.extent = {width, height, 1};
-        imageInfo.mipLevels = imageInfo.arrayLayers = 1;
-        imageInfo.samples = VK_SAMPLE_COUNT_1_BIT;
-        imageInfo.usage =
-            VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-        check(vkCreateImage(device, &imageInfo, nullptr, &image), "vkCreateImage");
-        VkMemoryRequirements needs;
-        vkGetImageMemoryRequirements(device, image, &needs);
-        imageMemory = allocate(needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
-        check(vkBindImageMemory(device, image, imageMemory, 0), "vkBindImageMemory");
-        VkImageViewCreateInfo viewInfo{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO, nullptr, 0, image};
-        viewInfo.viewType = VK_IMAGE_VIEW_TYPE_2D;
-        viewInfo.format = format;
-        viewInfo.subresourceRange = wholeImage;
-        check(vkCreateImageView(device, &viewInfo, nullptr, &view), "vkCreateImageView");
-    }
-
-    ~Host()
-    {
-        vkDestroyImageView(device, view, nullptr);
-        vkDestroyImage(device, image, nullptr);
-        vkFreeMemory(device, imageMemory, nullptr);
-        vkDestroyCommandPool(device, pool, nullptr);
-        vkDestroyDevice(device, nullptr);
-        vkDestroyInstance(instance, nullptr);
-    }
-
-    VkDeviceMemory allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags flags) const
-    {
-        VkPhysicalDeviceMemoryProperties memory;
-        vkGetPhysicalDeviceMemoryProperties(physical, &memory);
-        VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, nullptr, needs.size, 0};
-        while ((needs.memoryTypeBits >> info.memoryTypeIndex & 1u) == 0 ||
-               (memory.memoryTypes[info.memoryTypeIndex].propertyFlags & flags) != flags)
-            ++info.memoryTypeIndex;
-        VkDeviceMemory result = VK_NULL_HANDLE;
-        check(vkAllocateMemory(device, &info, nullptr, &result), "vkAllocateMemory");
-        return result;
-    }
-
-    void turn(VkCommandBuffer commands, VkImageLayout from, VkImageLayout to) const
-    {
-        constexpr VkPipelineStageFlags all = VK_PIPELINE_STAGE_ALL_COMMANDS_BIT;
-        constexpr VkAccessFlags any = VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT;
-        VkImageMemoryBarrier barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER, nullptr, any, any};
-        barrier.oldLayout = from;
-        barrier.newLayout = to;
-        barrier.image = image;
-        barrier.subresourceRange = wholeImage;
-        vkCmdPipelineBarrier(commands, all, all, 0, 0, nullptr, 0, nullptr, 1, &barrier);
-    }
-
-    void submitAndWait(const std::function<void(VkCommandBuffer)>& record) const
-    {
-        const VkCommandBufferAllocateInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr, pool,
-                                               VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
-        VkCommandBuffer commands = VK_NULL_HANDLE;
-        check(vkAllocateCommandBuffers(device, &info, &commands), "vkAllocateCommandBuffers");
-        const VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-        check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
-        record(commands);
-        check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
-        const VkSubmitInfo submission{VK_STRUCTURE_TYPE_SUBMIT_INFO, nullptr, 0, nullptr, nullptr, 1, &commands};
-        check(vkQueueSubmit(queue, 1, &submission, VK_NULL_HANDLE), "vkQueueSubmit");
-        check(vkQueueWaitIdle(queue), "vkQueueWaitIdle");
-        vkFreeCommandBuffers(device, pool, 1, &commands);
-    }
-
-    void save(const char* path) const
-    {
-        const VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, nullptr, 0, 4 * width * height,
-                                      VK_BUFFER_USAGE_TRANSFER_DST_BIT};
-        VkBuffer buffer = VK_NULL_HANDLE;
-        check(vkCreateBuffer(device, &info, nullptr, &buffer), "vkCreateBuffer");
-        VkMemoryRequirements needs;
-        vkGetBufferMemoryRequirements(device, buffer, &needs);
-        const VkDeviceMemory memory =
-            allocate(needs, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
-        check(vkBindBufferMemory(device, buffer, memory, 0), "vkBindBufferMemory");
-        submitAndWait([&](VkCommandBuffer commands) {
-            constexpr VkImageLayout source = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
-            turn(commands, target, source);
-            const VkBufferImageCopy region{0, 0, 0, {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1}, {}, {width, height, 1}};
-            vkCmdCopyImageToBuffer(commands, image, source, buffer, 1, &region);
-        });
-        void* pixels = nullptr;
-        check(vkMapMemory(device, memory, 0, VK_WHOLE_SIZE, 0, &pixels), "vkMapMemory");
-        png_image png{nullptr, PNG_IMAGE_VERSION, width, height, PNG_FORMAT_RGBA, 0, 0, 0, {}};
-        if (png_image_write_to_file(&png, path, 0, pixels, 0, nullptr) == 0)
-            throw std::runtime_error(std::string(path) + ": " + png.message);
-        vkDestroyBuffer(device, buffer, nullptr);
-        vkFreeMemory(device, memory, nullptr);
-    }
-};
+Box block(glm::dvec3 middle, glm::dvec3 half, glm::vec3 color)
+{
+    return {glm::translate(glm::dmat4(1.0), middle) * glm::scale(glm::dmat4(1.0), half), color};
+}
 
 void draw(const Host& host, const char* fieldPath, const char* picturePath)
 {
-    // 2. A field needs no device.
-    const field::MappedField mapped = field::readField(fieldPath);
-    const field::FieldView field = mapped.view();
-
-    // 3. The device's context, which outlives the renderer.
+    // 1. The device's context, which outlives all grass.
     const gpu::DeviceContext context =
         gpu::describeDevice(host.physical, host.device, 0, host.queue, host.features, false);
-    render::FieldRenderer renderer(context, field, {.colorFormat = format});
 
-    // 4. Camera, sun, and what rolls through the grass are the host's.
-    const Aabb content = renderer.content();
-    const glm::dvec3 middle = field.origin + glm::dvec3(content.centre());
-    const double extent = static_cast<double>(content.high.x - content.low.x);
-    const render::Camera camera{.eye = middle + extent * glm::dvec3(0.25, 0.22, 0.6), .target = middle};
-    const std::vector<render::Collider::Waypoint> way{{0.0, {-0.3 * extent, 0, 0}}, {1.0, {0.1 * extent, 0, 0}}};
-    render::FrameSettings settings = render::FrameSettings::of(field);
-    settings.sunDirection = {-0.5f, 0.4f, 0.6f};
-    settings.colliders = {{.from = middle, .to = middle, .radius = 0.05 * extent, .path = way}};
+    // 2. A field needs no device to be read; it comes there by the host's own commands.
+    const field::MappedField mapped = field::readField(fieldPath);
+    const auto lawn = std::make_shared<render::ResidentField>(context, mapped.view());
+    host.submitAndWait([&](VkCommandBuffer commands) { lawn->recordUpload(commands); });
+    lawn->releaseStaging();
 
-    // 5. Frames, into the host's command buffers.
-    for (int frame = 0; frame <= 5; ++frame)
+    // 3. All grass of the world, and what it is drawn into.
+    render::Grass grass(context, {.framesInFlight = 1});
+    render::HostTarget scope{.colorFormats = {colorFormat}, .depthFormat = depthFormat};
+    scope.hasReversedZ = host.isReversed;
+    scope.renderPass = host.renderPass;
+    const render::BladeTarget target(context, scope);
+
+    // 4. The same lawn twice: on a slope, and half as large.
+    const double extent = static_cast<double>(lawn->content().size().x);
+    const render::Placement slope{.position = {-2.2, 0.7, -1.0},
+                                  .rotation = glm::angleAxis(-0.35, glm::dvec3(0.0, 0.0, 1.0)),
+                                  .scale = 5.0 / extent};
+    const render::Placement small{.position = {2.4, 0.0, 0.0}, .scale = 2.5 / extent};
+    grass.add({lawn, slope});
+    grass.add({lawn, small});
+
+    // The host's world: slabs below, posts that stand in the grass, a block that rolls through it.
+    std::vector<Box> boxes{slab(slope, 5.0), slab(small, 2.5),
+                           block({2.4, 0.35, 0.3}, {0.12, 0.5, 0.12}, {0.6f, 0.1f, 0.08f}),
+                           block({-1.2, 0.7, 0.2}, {0.15, 0.9, 0.15}, {0.7f, 0.6f, 0.4f}), Box{}};
+    render::FrameSettings settings = render::FrameSettings::of(mapped.view());
+    settings.sunDirection = {-0.5f, 0.6f, 0.6f};
+    const glm::dmat4 worldToClip =
+        host.projection(0.62) *
+        glm::lookAt(glm::dvec3(0.3, 2.6, 7.0), glm::dvec3(-0.45, 0.45, 0.0), glm::dvec3(0, 1, 0));
+    const render::HostView view{
+        .worldToClip = worldToClip, .size = {size.width, size.height}, .hasReversedZ = host.isReversed};
+
+    for (int frame = 0; frame <= 5; ++frame) {
+        const glm::dvec3 ball(1.5 + 0.15 * frame, 0.15, 0.8);
+        boxes.back() = block(ball, glm::dvec3(0.12), {0.9f, 0.75f, 0.1f});
+        const render::HostCollider colliders[]{
+            {.from = ball, .to = ball, .radius = 0.25, .velocity = {0.75f, 0.0f, 0.0f}}};
+
+        // 5. A frame begins when the former one in its slot has completed.
+        grass.begin(0, {.time = frame / 5.0, .views = {&view, 1}, .settings = settings, .colliders = colliders});
         host.submitAndWait([&](VkCommandBuffer commands) {
-            if (frame == 0)
-                host.turn(commands, undefined, target);
-            renderer.record(commands, {host.image, host.view, {width, height}}, camera, settings, frame / 5.0);
+            // 6. Outside of a rendering: blades move once, and are judged for each view.
+            grass.recordUpdate(commands);
+            grass.recordCull(commands, 0);
+            // 7. In the host's own rendering, among its own things.
+            host.beginPicture(commands);
+            host.draw(commands, boxes, worldToClip, settings.sunDirection);
+            const VkViewport viewport{0, 0, float(size.width), float(size.height), 0, 1};
+            const VkRect2D all{{0, 0}, size};
+            vkCmdSetViewport(commands, 0, 1, &viewport);
+            vkCmdSetScissor(commands, 0, 1, &all);
+            grass.recordDraw(commands, 0, target);
+            host.endPicture(commands);
         });
+    }
     host.save(picturePath);
-    std::printf("%s drew %llu blades\n", context.name.c_str(), static_cast<unsigned long long>(renderer.stats().drawn));
+    std::printf("%s drew %llu blades\n", context.name.c_str(),
+                static_cast<unsigned long long>(grass.stats(0, 0).drawn));
 }
+
+} // namespace
 
 int main(int argc, char** argv)
 try {
-    if (argc != 3)
-        throw std::runtime_error("usage: embed FIELD.sward OUT.png");
-    draw(Host(), argv[1], argv[2]);
+    if (argc < 3)
+        throw std::runtime_error("usage: embed FIELD.sward OUT.png [forward] [render-pass]");
+    draw(Host(!isAsked(argc, argv, "forward"), isAsked(argc, argv, "render-pass")), argv[1], argv[2]);
 } catch (const std::exception& error) {
     std::fprintf(stderr, "embed: %s\n", error.what());
     return 1;

@@ -34,5 +34,6 @@ void main()
     point.rootColor = inRootColor;
     point.tipColor = inTipColor;
     point.material = inMaterial;
-    outColor = vec4(bladePicture(point), 1.0 - softness(length(FRAME.view.eye - inPosition), 1.0));
+    const float soft = handedTo == handedToFilm ? softness(length(FRAME.view.eye - inPosition), 1.0) : 0.0;
+    outColor = vec4(bladePicture(point), 1.0 - soft);
 }

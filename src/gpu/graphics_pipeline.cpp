@@ -113,8 +113,11 @@ GraphicsPipeline::GraphicsPipeline(const DeviceContext& context, const ShaderLib
     depth.depthWriteEnable = hasDepth && settings.depthWrite ? VK_TRUE : VK_FALSE;
     depth.depthCompareOp = settings.depthCompare;
 
-    const std::vector<VkPipelineColorBlendAttachmentState> attachments(settings.colorFormats.size(),
-                                                                       blending(settings.blend));
+    std::vector<VkPipelineColorBlendAttachmentState> attachments(settings.colorFormats.size(),
+                                                                 blending(settings.blend));
+    for (std::size_t i = 0; i < attachments.size(); ++i)
+        if ((settings.writtenColors >> i & 1u) == 0)
+            attachments[i] = {};
     VkPipelineColorBlendStateCreateInfo blend{};
     blend.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
     blend.attachmentCount = static_cast<std::uint32_t>(attachments.size());
@@ -132,10 +135,13 @@ GraphicsPipeline::GraphicsPipeline(const DeviceContext& context, const ShaderLib
     rendering.colorAttachmentCount = static_cast<std::uint32_t>(settings.colorFormats.size());
     rendering.pColorAttachmentFormats = settings.colorFormats.data();
     rendering.depthAttachmentFormat = settings.depthFormat;
+    rendering.stencilAttachmentFormat = settings.stencilFormat;
 
     VkGraphicsPipelineCreateInfo create{};
     create.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
-    create.pNext = &rendering;
+    create.pNext = settings.renderPass == VK_NULL_HANDLE ? &rendering : nullptr;
+    create.renderPass = settings.renderPass;
+    create.subpass = settings.subpass;
     create.stageCount = static_cast<std::uint32_t>(stages.stages.size());
     create.pStages = stages.stages.data();
     create.pVertexInputState = &vertexInput;

@@ -34,7 +34,11 @@ struct GraphicsPipelineSettings {
     std::vector<SpecializationConstant> constants{}; ///< given to every stage
 
     std::vector<VkFormat> colorFormats{};
-    VkFormat depthFormat = VK_FORMAT_UNDEFINED; ///< undefined: no depth attachment
+    VkFormat depthFormat = VK_FORMAT_UNDEFINED;   ///< undefined: no depth attachment
+    VkFormat stencilFormat = VK_FORMAT_UNDEFINED; ///< of an attachment that is left alone
+    std::uint32_t writtenColors = ~0u;            ///< bits; what is drawn leaves others alone
+    VkRenderPass renderPass = VK_NULL_HANDLE;     ///< null: dynamic rendering
+    std::uint32_t subpass = 0;                    ///< of the render pass
     std::uint32_t samples = 1;
     bool sampleShading = false; ///< runs the fragment shader once per sample, where the device can
 

@@ -4,8 +4,7 @@
 
 namespace sward::render {
 
-BladePass::BladePass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-                     const TargetSettings& target)
+gpu::GraphicsPipelineSettings tessellatedBlades()
 {
     gpu::GraphicsPipelineSettings settings;
     settings.name = "blades";
@@ -15,6 +14,13 @@ BladePass::BladePass(const gpu::DeviceContext& context, const gpu::ShaderLibrary
     settings.fragmentShader = "blade.frag";
     settings.patchControlPoints = 1;
     settings.pushConstantBytes = sizeof(shared::ViewPush);
+    return settings;
+}
+
+BladePass::BladePass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                     const TargetSettings& target)
+{
+    gpu::GraphicsPipelineSettings settings = tessellatedBlades();
     settings.colorFormats = {target.colorFormat};
     settings.depthFormat = depthFormat;
     settings.samples = target.samples;

@@ -10,6 +10,9 @@
 
 namespace sward::render {
 
+/// What every pipeline that draws blades by tessellation has in common.
+gpu::GraphicsPipelineSettings tessellatedBlades();
+
 /// Draws the visible blades by tessellation: one control point per blade, drawChunk
 /// blades to an instance.
 class BladePass {

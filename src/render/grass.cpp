@@ -1,0 +1,249 @@
+#include "render/grass.h"
+
+#include "core/embedded.h"
+#include "core/expect.h"
+#include "gpu/barrier.h"
+#include "gpu/debug.h"
+#include "gpu/shader_library.h"
+#include "render/placed_field.h"
+#include "render/update_cull_pass.h"
+#include "render/walk_pass.h"
+#include "shaders/shared/passes.h"
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+namespace sward::embedded {
+std::span<const EmbeddedFile> shaders();
+} // namespace sward::embedded
+
+namespace sward::render {
+namespace {
+
+constexpr UpdateCullPass::Variant judging{0, false, UpdateCullPass::Role::judge};
+
+} // namespace
+
+struct Grass::Parts {
+    Parts(const gpu::DeviceContext& deviceContext, const Settings& wanted)
+        : context(deviceContext)
+        , settings(wanted)
+        , walk(context, shaders)
+        , update(context)
+        , frameOfSlot(wanted.framesInFlight, 0)
+    {
+        update.prepare(shaders, judging);
+    }
+
+    /// An instance that commands in flight may still use.
+    struct Removed {
+        std::unique_ptr<PlacedField> field;
+        std::uint32_t lastFrame = 0;
+    };
+
+    const gpu::DeviceContext& context;
+    Settings settings;
+    gpu::ShaderLibrary shaders{embedded::shaders()};
+    WalkPass walk;
+    UpdateCullPass update;
+    std::map<std::uint64_t, std::unique_ptr<PlacedField>> placed;
+    std::vector<Removed> removed;
+    std::uint64_t lastId = 0;
+
+    // The frame that is being recorded.
+    std::vector<std::uint32_t> frameOfSlot; ///< number of the frame last begun in each
+    std::uint32_t frame = 0;                ///< its number, from 1
+    std::uint32_t slot = 0;
+    std::uint32_t viewCount = 0;
+    double time = 0.0;
+    UpdateCullPass::Variant moving;
+
+    /// Calls `use` for each instance that is in the frame.
+    template <typename Use>
+    void forEach(const Use& use) const
+    {
+        for (const auto& [id, field] : placed)
+            if (field->isInFrame(frame))
+                use(*field);
+    }
+
+    void walkAll(VkCommandBuffer commands, std::uint32_t firstView, std::uint32_t endView,
+                 bool isUpdate) const;
+};
+
+Grass::Grass(const gpu::DeviceContext& context, const Settings& settings)
+    : parts_(std::make_unique<Parts>(context, settings))
+{
+    expect(settings.framesInFlight >= 1, "at least one frame is in flight");
+    expect(settings.mostViews >= 1, "a frame has at least one view");
+}
+
+Grass::~Grass() = default;
+
+InstanceId Grass::add(const FieldInstance& instance)
+{
+    Parts& parts = *parts_;
+    expect(instance.field != nullptr, "an instance is one of a field");
+    expect(instance.placement.scale > 0.0, "an instance has a size");
+    const std::uint64_t id = ++parts.lastId;
+    parts.placed.emplace(id,
+                         std::make_unique<PlacedField>(parts.context, instance, parts.settings));
+    return InstanceId{id};
+}
+
+void Grass::move(InstanceId id, const Placement& placement)
+{
+    const auto found = parts_->placed.find(static_cast<std::uint64_t>(id));
+    expect(found != parts_->placed.end(), "there is such an instance");
+    expect(placement.scale > 0.0, "an instance has a size");
+    found->second->place(placement);
+}
+
+void Grass::remove(InstanceId id)
+{
+    const auto found = parts_->placed.find(static_cast<std::uint64_t>(id));
+    expect(found != parts_->placed.end(), "there is such an instance");
+    parts_->removed.push_back({std::move(found->second), parts_->frame});
+    parts_->placed.erase(found);
+}
+
+void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
+{
+    Parts& parts = *parts_;
+    expect(slot < parts.settings.framesInFlight, "the slot is one of the frames in flight");
+    expect(frame.views.size() <= parts.settings.mostViews, "a frame has at most mostViews");
+
+    // The slot's former frame has completed, and every one before it.
+    std::erase_if(parts.removed, [&](const Parts::Removed& removed) {
+        return removed.lastFrame <= parts.frameOfSlot[slot];
+    });
+    parts.frameOfSlot[slot] = ++parts.frame;
+    parts.slot = slot;
+    parts.viewCount = static_cast<std::uint32_t>(frame.views.size());
+    parts.time = frame.time;
+
+    const std::vector<shared::DepthPyramid> pyramids(frame.views.size());
+    for (const auto& [id, field] : parts.placed) {
+        if (!field->isUploaded())
+            continue;
+        field->write(slot, frame, parts.frame, pyramids);
+        const shared::Nature& nature = field->nature();
+        parts.moving = {nature.wind.counts, nature.colliderCount > 0, UpdateCullPass::Role::move};
+        parts.update.prepare(parts.shaders, parts.moving);
+    }
+}
+
+void Grass::Parts::walkAll(VkCommandBuffer commands, std::uint32_t firstView, std::uint32_t endView,
+                           bool isUpdate) const
+{
+    std::uint32_t steps = 0;
+    forEach(
+        [&](const PlacedField& field) { steps = std::max(steps, field.blades().tree().steps()); });
+    for (std::uint32_t step = 0; step < steps; ++step) {
+        forEach([&](const PlacedField& field) {
+            if (step >= field.blades().tree().steps())
+                return;
+            for (std::uint32_t view = firstView; view < endView; ++view)
+                walk.recordStep(
+                    commands, field.blades(), field.list(view),
+                    isUpdate ? field.updateFrame(slot, view) : field.judgedFrame(slot, view), step);
+        });
+        gpu::computeToCompute(commands);
+    }
+}
+
+void Grass::recordUpdate(VkCommandBuffer commands) noexcept
+{
+    const Parts& parts = *parts_;
+    const gpu::LabelScope label(parts.context, commands, "grass/update");
+
+    // Wait for the frame before, and empty what it has filled.
+    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::transferAccess);
+    for (const auto& [id, field] : parts.placed) {
+        if (!field->isInFrame(parts.frame))
+            continue;
+        vkCmdFillBuffer(commands, field->moved().get(), 0, VK_WHOLE_SIZE, 0);
+        for (std::uint32_t view = 0; view < parts.viewCount; ++view)
+            field->list(view).clear(commands);
+        // No blade is still on its way from the straight pose it was baked in.
+        if (field->beginsToMove())
+            field->states().rest(commands,
+                                 static_cast<float>(parts.time - double(shared::settlingTime)));
+    }
+    gpu::transferToCompute(commands);
+
+    // Each view moves what none before it has moved.
+    parts.walkAll(commands, 0, parts.viewCount, true);
+    for (std::uint32_t view = 0; view < parts.viewCount; ++view) {
+        if (view > 0)
+            gpu::computeToCompute(commands);
+        parts.forEach([&](const PlacedField& field) {
+            parts.update.record(commands, field.blades(), field.list(view),
+                                field.updateFrame(parts.slot, view), parts.moving,
+                                UpdateCullPass::Scope::visible, 0, field.updateFrame(parts.slot, 0),
+                                parts.viewCount);
+        });
+    }
+    gpu::computeToTransfer(commands);
+    parts.forEach([&](const PlacedField& field) { field.recordMoved(commands, parts.slot); });
+    gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostAccess);
+}
+
+void Grass::recordCull(VkCommandBuffer commands, std::uint32_t view) noexcept
+{
+    const Parts& parts = *parts_;
+    expect(view < parts.viewCount, "the view is one of the frame's");
+    const gpu::LabelScope label(parts.context, commands, "grass/cull");
+    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::transferAccess);
+    parts.forEach([&](const PlacedField& field) { field.list(view).clear(commands); });
+    gpu::transferToCompute(commands);
+    parts.walkAll(commands, view, view + 1, false);
+    parts.forEach([&](const PlacedField& field) {
+        parts.update.record(commands, field.blades(), field.list(view),
+                            field.judgedFrame(parts.slot, view), judging,
+                            UpdateCullPass::Scope::visible);
+    });
+    gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
+    parts.forEach(
+        [&](const PlacedField& field) { field.recordCounts(commands, parts.slot, view); });
+    gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostAccess);
+}
+
+void Grass::recordDraw(VkCommandBuffer commands, std::uint32_t view,
+                       const BladeTarget& target) const noexcept
+{
+    const Parts& parts = *parts_;
+    expect(view < parts.viewCount, "the view is one of the frame's");
+    const gpu::LabelScope label(parts.context, commands, "grass/draw");
+    target.pipeline().bind(commands);
+    parts.forEach([&](const PlacedField& field) {
+        if (field.blades().bladeCount() == 0)
+            return;
+        target.pipeline().push(commands, shared::ViewPush{field.drawnFrame(parts.slot, view)});
+        vkCmdDrawIndirect(commands, field.list(view).draw().get(), 0, 1,
+                          sizeof(shared::DrawArguments));
+    });
+}
+
+FrameStats Grass::stats(std::uint32_t view, std::uint32_t slot) const
+{
+    expect(slot < parts_->settings.framesInFlight, "the slot is one of the frames in flight");
+    expect(view < parts_->settings.mostViews, "the view is one of a frame's");
+    FrameStats sum;
+    for (const auto& [id, field] : parts_->placed)
+        field->addCounts(slot, view, sum);
+    return sum;
+}
+
+VkDeviceSize Grass::deviceBytes() const
+{
+    VkDeviceSize sum = 0;
+    for (const auto& [id, field] : parts_->placed)
+        sum += field->bytes();
+    for (const Parts::Removed& removed : parts_->removed)
+        sum += removed.field->bytes();
+    return sum;
+}
+
+} // namespace sward::render

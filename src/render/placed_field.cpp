@@ -1,0 +1,197 @@
+#include "render/placed_field.h"
+
+#include "core/expect.h"
+#include "render/frame_tables.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace sward::render {
+namespace {
+
+// Frames of a view.
+constexpr std::uint32_t forUpdate = 0;
+constexpr std::uint32_t forJudging = 1;
+constexpr std::uint32_t forDrawing = 2;
+constexpr std::uint32_t frameKinds = 3;
+
+gpu::Buffer countsBuffer(const gpu::DeviceContext& context, const char* name, std::uint32_t count,
+                         gpu::MemoryUse memory)
+{
+    return {context,
+            {.name = name,
+             .bytes = count * sizeof(shared::DrawArguments),
+             .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
+                      VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+             .memory = memory}};
+}
+
+/// As the shaders read it, in the field's space.
+shared::Collider placed(const HostCollider& collider, const Placement& placement, glm::dvec3 origin)
+{
+    shared::Collider result = {};
+    result.from = glm::vec3(placement.placeInField(collider.from) - origin);
+    result.to = glm::vec3(placement.placeInField(collider.to) - origin);
+    result.radius = static_cast<float>(collider.radius / placement.scale);
+    result.velocity =
+        placement.directionInField(collider.velocity) / static_cast<float>(placement.scale);
+    return result;
+}
+
+} // namespace
+
+PlacedField::PlacedField(const gpu::DeviceContext& context, const FieldInstance& instance,
+                         const Grass::Settings& settings)
+    : context_(&context)
+    , instance_(instance)
+    , settings_(settings)
+    , states_(context, instance.field->parts().blades)
+    , moved_(countsBuffer(context, "instance/moved", 1, gpu::MemoryUse::device))
+{
+    const VkDeviceSize bytes =
+        tableBytes() + frameKinds * settings.mostViews * sizeof(shared::Frame);
+    for (std::uint32_t i = 0; i < settings.framesInFlight; ++i) {
+        slots_.push_back({gpu::Buffer(context, {.name = "instance/constants",
+                                                .bytes = bytes,
+                                                .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                                                .memory = gpu::MemoryUse::upload}),
+                          countsBuffer(context, "instance/counts", 1 + settings.mostViews,
+                                       gpu::MemoryUse::readback)});
+        std::ranges::fill(slots_.back().counts.mapped(), std::byte{0});
+    }
+}
+
+void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32_t number,
+                        std::span<const shared::DepthPyramid> pyramids)
+{
+    const ResidentField::Parts& field = instance_.field->parts();
+    const Placement& placement = instance_.placement;
+    while (lists_.size() < frame.views.size())
+        lists_.emplace_back(*context_, field.blades, field.blades.ownerCount(),
+                            settings_.mostListed);
+    std::ranges::fill(slots_[slot].counts.mapped(), std::byte{0});
+
+    // What is the same in all views.
+    FrameSettings settings = inField(placement, frame.settings);
+    settings.fogDensity = std::max(settings.fogDensity, 0.0f);
+    std::vector<shared::Collider> colliders;
+    for (const HostCollider& collider : frame.colliders)
+        colliders.push_back(placed(collider, placement, field.shape.origin));
+    const gpu::Buffer& constants = slots_[slot].constants;
+    shared::Frame tabled = {};
+    writeTables({constants.mapped().data(), constants.address()}, field.shape, settings.winds,
+                colliders, tabled);
+
+    for (std::uint32_t i = 0; i < frame.views.size(); ++i) {
+        const HostView& view = frame.views[i];
+        const glm::dmat4 toWorld = placement.toWorld(field.shape.origin);
+        const glm::dmat4 toClip = view.worldToClip * toWorld;
+        const auto seenBy = [&](const glm::dmat4& matrix) {
+            return viewMatricesOf(matrix, view.hasReversedZ, view.size, field.shape.content);
+        };
+        shared::Frame drawn =
+            frameOf(field.shape, seenBy(toClip), settings, frame.time, view.samples);
+        if (isParallel(toClip))
+            drawn.view.cullMask &= ~shared::cullDistance;
+        drawn.pace.frame = number;
+        drawn.nature.wind = tabled.nature.wind;
+        drawn.nature.colliderCount = tabled.nature.colliderCount;
+        drawn.nature.colliders = tabled.nature.colliders;
+        field.blades.describe(drawn);
+        states_.describe(drawn);
+        lists_[i].describe(drawn);
+        field.cover.describe(drawn);
+        nature_ = drawn.nature;
+
+        shared::Frame judged = drawn;
+        if (view.judgedFrom)
+            look(judged, seenBy(*view.judgedFrom * toWorld));
+        judged.pyramid = pyramids[i];
+        shared::Frame updated = judged;
+        updated.draw = moved_.address();
+        updated.pyramid = {};
+        updated.view.cullMask &= ~shared::cullOcclusion;
+        drawn.viewProjection = glm::mat4(toClip);
+        put(slot, forUpdate, i, updated);
+        put(slot, forJudging, i, judged);
+        put(slot, forDrawing, i, drawn);
+    }
+    written_ = number;
+}
+
+VkDeviceSize PlacedField::frameOffset(std::uint32_t kind, std::uint32_t view) const
+{
+    expect(view < lists_.size(), "the view is one of the frame's");
+    return tableBytes() + (VkDeviceSize(kind) * settings_.mostViews + view) * sizeof(shared::Frame);
+}
+
+void PlacedField::put(std::uint32_t slot, std::uint32_t kind, std::uint32_t view,
+                      const shared::Frame& frame) const
+{
+    std::memcpy(slots_[slot].constants.mapped().data() + frameOffset(kind, view), &frame,
+                sizeof frame);
+}
+
+VkDeviceAddress PlacedField::updateFrame(std::uint32_t slot, std::uint32_t view) const
+{
+    return slots_[slot].constants.address() + frameOffset(forUpdate, view);
+}
+
+VkDeviceAddress PlacedField::judgedFrame(std::uint32_t slot, std::uint32_t view) const
+{
+    return slots_[slot].constants.address() + frameOffset(forJudging, view);
+}
+
+VkDeviceAddress PlacedField::drawnFrame(std::uint32_t slot, std::uint32_t view) const
+{
+    return slots_[slot].constants.address() + frameOffset(forDrawing, view);
+}
+
+bool PlacedField::beginsToMove()
+{
+    return !std::exchange(hasMoved_, true);
+}
+
+void PlacedField::recordMoved(VkCommandBuffer commands, std::uint32_t slot) const
+{
+    const VkBufferCopy first{0, 0, sizeof(shared::DrawArguments)};
+    vkCmdCopyBuffer(commands, moved_.get(), slots_[slot].counts.get(), 1, &first);
+}
+
+void PlacedField::recordCounts(VkCommandBuffer commands, std::uint32_t slot,
+                               std::uint32_t view) const
+{
+    const VkBufferCopy one{0, (1 + view) * sizeof(shared::DrawArguments),
+                           sizeof(shared::DrawArguments)};
+    vkCmdCopyBuffer(commands, lists_[view].draw().get(), slots_[slot].counts.get(), 1, &one);
+}
+
+void PlacedField::addCounts(std::uint32_t slot, std::uint32_t view, FrameStats& sum) const
+{
+    const auto counts = slots_[slot].counts.mappedAs<shared::DrawArguments>();
+    const auto& fates = counts[1 + view].fates;
+    sum.total += blades().bladeCount();
+    sum.resident += isUploaded() ? blades().bladeCount() : 0;
+    sum.streamedOut += isUploaded() ? 0 : blades().bladeCount();
+    sum.simulated += counts[0].simulated;
+    sum.drawn += fates[shared::fateDrawn];
+    sum.lod += fates[shared::fateLod];
+    sum.culledPatch += fates[shared::fatePatch];
+    sum.culledOrientation += fates[shared::fateOrientation];
+    sum.culledFrustum += fates[shared::fateFrustum];
+    sum.culledDistance += fates[shared::fateDistance];
+    sum.culledOcclusion += fates[shared::fateOcclusion];
+}
+
+VkDeviceSize PlacedField::bytes() const
+{
+    VkDeviceSize sum = states_.bytes() + moved_.bytes();
+    for (const VisibleBlades& list : lists_)
+        sum += list.bytes();
+    for (const Slot& slot : slots_)
+        sum += slot.constants.bytes() + slot.counts.bytes();
+    return sum;
+}
+
+} // namespace sward::render

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "gpu/buffer.h"
+#include "render/blade_states.h"
+#include "render/frame_slot.h"
+#include "render/grass.h"
+#include "render/resident_parts.h"
+#include "render/visible_blades.h"
+#include "shaders/shared/frame.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace sward::render {
+
+/// One instance: a field's blades with states of their own, and what its frames know.
+class PlacedField {
+public:
+    PlacedField(const gpu::DeviceContext& context, const FieldInstance& instance,
+                const Grass::Settings& settings);
+
+    void place(const Placement& placement) { instance_.placement = placement; }
+
+    /// Writes a frame of number `number` where shaders will read it, and makes lists for its views
+    /// unless there are some.
+    void write(std::uint32_t slot, const GrassFrame& frame, std::uint32_t number,
+               std::span<const shared::DepthPyramid> pyramids);
+
+    bool isInFrame(std::uint32_t number) const { return written_ == number; }
+    bool isUploaded() const { return instance_.field->isUploaded(); }
+
+    const BakedBlades& blades() const { return instance_.field->parts().blades; }
+    const BladeStates& states() const { return states_; }
+    const VisibleBlades& list(std::uint32_t view) const { return lists_[view]; }
+    const gpu::Buffer& moved() const { return moved_; } ///< shared::DrawArguments of the update
+
+    /// Frames of one view: by which its blades are moved, judged, and drawn. Those of the update
+    /// lie on end.
+    VkDeviceAddress updateFrame(std::uint32_t slot, std::uint32_t view) const;
+    VkDeviceAddress judgedFrame(std::uint32_t slot, std::uint32_t view) const;
+    VkDeviceAddress drawnFrame(std::uint32_t slot, std::uint32_t view) const;
+
+    /// What blows and collides in the frame written last.
+    const shared::Nature& nature() const { return nature_; }
+
+    /// Whether the blades have ever moved; says from now on that they have.
+    bool beginsToMove();
+
+    /// Copies counts to where counts() finds them, after a barrier to transfers.
+    void recordMoved(VkCommandBuffer commands, std::uint32_t slot) const;
+    void recordCounts(VkCommandBuffer commands, std::uint32_t slot, std::uint32_t view) const;
+    void addCounts(std::uint32_t slot, std::uint32_t view, FrameStats& sum) const;
+
+    VkDeviceSize bytes() const;
+
+private:
+    struct Slot {
+        gpu::Buffer constants; ///< tables, then three frames for each view
+        gpu::Buffer counts;    ///< shared::DrawArguments of the update, then of each view
+    };
+
+    VkDeviceSize frameOffset(std::uint32_t kind, std::uint32_t view) const;
+    void put(std::uint32_t slot, std::uint32_t kind, std::uint32_t view,
+             const shared::Frame& frame) const;
+
+    const gpu::DeviceContext* context_;
+    FieldInstance instance_;
+    Grass::Settings settings_;
+    BladeStates states_;
+    gpu::Buffer moved_;
+    std::vector<VisibleBlades> lists_;
+    std::vector<Slot> slots_;
+    shared::Nature nature_ = {};
+    std::uint32_t written_ = 0; ///< number of the frame written last
+    bool hasMoved_ = false;
+};
+
+} // namespace sward::render

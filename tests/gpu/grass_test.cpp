@@ -1,0 +1,307 @@
+// Grass in a host's own frames: instances, views, scopes and conventions of depth.
+
+#include "gpu/commands.h"
+#include "gpu/frame_ring.h"
+#include "gpu/image.h"
+#include "gpu/image_use.h"
+#include "gpu/readback.h"
+#include "gpu/rendering.h"
+#include "picture.h"
+#include "render/grass.h"
+#include "support/fields/fields.h"
+#include "support/gpu/gpu_fixture.h"
+
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+namespace sward::render {
+namespace {
+
+constexpr std::uint64_t seed = 11;
+constexpr glm::uvec2 size(160, 90);
+constexpr VkFormat colorFormat = VK_FORMAT_R8G8B8A8_UNORM;
+
+/// From the world to clip space in either convention of depth.
+glm::dmat4 perspective(bool isReversed, double near = 0.1, double far = 200.0)
+{
+    const double focal = 2.0;
+    const double range = 1.0 / (far - near);
+    glm::dmat4 matrix(0.0);
+    matrix[0][0] = focal * double(size.y) / double(size.x);
+    matrix[1][1] = -focal;
+    matrix[2][2] = isReversed ? near * range : -far * range;
+    matrix[3][2] = (isReversed ? 1.0 : -1.0) * near * far * range;
+    matrix[2][3] = -1.0;
+    return matrix;
+}
+
+HostView lookingFrom(glm::dvec3 eye, bool isReversed = true)
+{
+    return {.worldToClip = perspective(isReversed) *
+                           glm::lookAt(eye, glm::dvec3(0.0), glm::dvec3(0.0, 1.0, 0.0)),
+            .size = size,
+            .hasReversedZ = isReversed};
+}
+
+/// A host's colour and depth, and what draws into them.
+class HostPicture {
+public:
+    HostPicture(const gpu::DeviceContext& context, glm::uvec2 extent, bool isReversed = true)
+        : context_(context)
+        , extent_{extent.x, extent.y}
+        , isReversed_(isReversed)
+        , color_(context,
+                 {.name = "host/color",
+                  .format = colorFormat,
+                  .extent = extent_,
+                  .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT})
+        , depth_(context, {.name = "host/depth",
+                           .format = VK_FORMAT_D32_SFLOAT,
+                           .extent = extent_,
+                           .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
+                                    VK_IMAGE_USAGE_SAMPLED_BIT})
+        , target_(context, {.colorFormats = {colorFormat}, .hasReversedZ = isReversed})
+    {
+    }
+
+    /// Records a picture of nothing but one view's grass, in front of `depth`.
+    void draw(VkCommandBuffer commands, const Grass& grass, std::uint32_t view) const
+    {
+        gpu::transition(commands, color_, gpu::ImageUse::undefined, gpu::ImageUse::colorTarget);
+        gpu::transition(commands, depth_, gpu::ImageUse::undefined, gpu::ImageUse::depthTarget);
+        const gpu::ColorAttachment color{.view = color_.view(),
+                                         .resolve = VK_NULL_HANDLE,
+                                         .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}};
+        const gpu::DepthAttachment depth{.view = depth_.view(), .clear = isReversed_ ? 0.0f : 1.0f};
+        const gpu::RenderingScope scope(commands, extent_, std::span(&color, 1), depth);
+        grass.recordDraw(commands, view, target_);
+    }
+
+    std::vector<std::byte> pixels() const
+    {
+        return gpu::readImage(context_, color_, gpu::ImageUse::colorTarget);
+    }
+
+    /// How many pixels show grass.
+    std::size_t covered() const
+    {
+        const std::vector<std::byte> all = pixels();
+        std::size_t count = 0;
+        for (std::size_t i = 3; i < all.size(); i += 4)
+            count += all[i] != std::byte{0} ? 1u : 0u;
+        return count;
+    }
+
+private:
+    const gpu::DeviceContext& context_;
+    VkExtent2D extent_;
+    bool isReversed_;
+    gpu::Image color_;
+    gpu::Image depth_;
+    BladeTarget target_;
+};
+
+class GrassTest : public test::GpuTest {
+protected:
+    std::shared_ptr<ResidentField> upload(const field::Field& made) const
+    {
+        auto resident = std::make_shared<ResidentField>(context(), field::viewOf(made));
+        gpu::submitAndWait(context(),
+                           [&](VkCommandBuffer commands) { resident->recordUpload(commands); });
+        resident->releaseStaging();
+        return resident;
+    }
+
+    /// One frame, waited for: everything of each view into a picture of its own.
+    void drawFrame(Grass& grass, double time, std::span<const HostView> views,
+                   std::span<const HostPicture* const> pictures,
+                   std::span<const HostCollider> colliders = {}) const
+    {
+        grass.begin(0,
+                    {.time = time, .views = views, .settings = settings_, .colliders = colliders});
+        gpu::submitAndWait(context(), [&](VkCommandBuffer commands) {
+            grass.recordUpdate(commands);
+            for (std::uint32_t view = 0; view < pictures.size(); ++view) {
+                grass.recordCull(commands, view);
+                pictures[view]->draw(commands, grass, view);
+            }
+        });
+    }
+
+    std::vector<std::byte> drawnAlone(Grass& grass, double time, const HostView& view) const
+    {
+        const HostPicture picture(context(), view.size, view.hasReversedZ);
+        const HostPicture* const pictures[]{&picture};
+        drawFrame(grass, time, {&view, 1}, pictures);
+        return picture.pixels();
+    }
+
+    field::Field field_ = test::makeField({.blades = 3000, .extent = 4.0f, .seed = seed});
+    FrameSettings settings_ = FrameSettings::of(field::viewOf(field_));
+    const Grass::Settings oneSlot_{.framesInFlight = 1};
+};
+
+TEST_F(GrassTest, DrawsTheSameInEitherConventionOfDepth)
+{
+    Grass grass(context(), oneSlot_);
+    grass.add({upload(field_), {}});
+    const auto reversed = drawnAlone(grass, 1.0, lookingFrom({2.0, 2.5, 4.0}));
+    const std::uint64_t drawn = grass.stats(0, 0).drawn;
+    const auto forward = drawnAlone(grass, 1.0, lookingFrom({2.0, 2.5, 4.0}, false));
+    EXPECT_EQ(grass.stats(0, 0).drawn, drawn);
+    EXPECT_GT(drawn, 1000u);
+    EXPECT_LT(test::differingPixels(reversed, forward), size.x * size.y / 100);
+}
+
+TEST_F(GrassTest, LooksTheSameWhereWorldAndCameraAreMovedTogether)
+{
+    // A field that is turned, moved far away and doubled looks like itself from a camera that was
+    // turned, moved and doubled with it, in a world of which that holds, too.
+    const auto resident = upload(field_);
+    const Placement placement{.position = {3e4, -2e3, 5e4},
+                              .rotation = glm::angleAxis(1.1, glm::normalize(glm::dvec3(1, 2, -1))),
+                              .scale = 2.0};
+    const HostView view = lookingFrom({2.0, 2.5, 4.0});
+    HostView moved = view;
+    moved.worldToClip = view.worldToClip * glm::inverse(placement.toWorld({}));
+    FrameSettings movedSettings = settings_;
+    const auto turn = [&](glm::vec3 v) { return glm::vec3(placement.rotation * glm::dvec3(v)); };
+    movedSettings.sunDirection = turn(settings_.sunDirection);
+    movedSettings.nature.gravityDirection = turn(settings_.nature.gravityDirection);
+    movedSettings.nature.drawDistance *= 2.0f;
+    for (WindSource& wind : movedSettings.winds) {
+        wind.source.direction = turn(wind.source.direction);
+        wind.source.size *= 2.0f;
+        wind.source.speed *= 2.0f;
+    }
+    const HostCollider ball{.from = {0.3, 0.2, 0.5}, .to = {0.3, 0.2, 0.5}, .radius = 0.4};
+    HostCollider movedBall = ball;
+    movedBall.from = movedBall.to = glm::dvec3(placement.toWorld({}) * glm::dvec4(ball.from, 1.0));
+    movedBall.radius *= 2.0;
+
+    Grass here(context(), oneSlot_);
+    Grass there(context(), oneSlot_);
+    here.add({resident, {}});
+    there.add({resident, placement});
+    const HostPicture picture(context(), size);
+    const HostPicture* const pictures[]{&picture};
+    for (const double time : {1.0, 1.1, 1.2}) {
+        drawFrame(here, time, {&view, 1}, pictures, {&ball, 1});
+        const auto expected = picture.pixels();
+        std::swap(settings_, movedSettings);
+        drawFrame(there, time, {&moved, 1}, pictures, {&movedBall, 1});
+        std::swap(settings_, movedSettings);
+        // Rounding moves an edge by less than a pixel.
+        EXPECT_LT(test::differingPixels(expected, picture.pixels()), size.x * size.y / 20) << time;
+        EXPECT_NEAR(double(here.stats(0, 0).drawn), double(there.stats(0, 0).drawn), 10.0);
+    }
+    EXPECT_GT(here.stats(0, 0).drawn, 1000u);
+}
+
+TEST_F(GrassTest, MovesEachBladeOnceForTwoViews)
+{
+    // Without level of detail, so that both views ask for the same of a patch.
+    settings_.levelOfDetail = false;
+    settings_.pace.everyFrame = 1e6f;
+    const auto resident = upload(field_);
+    // From either side, so near that each sees blades that the other does not.
+    const HostView views[]{lookingFrom({0.3, 0.8, 2.2}), lookingFrom({0.3, 0.8, -2.2})};
+    Grass both(context(), oneSlot_);
+    Grass first(context(), oneSlot_);
+    Grass second(context(), oneSlot_);
+    for (Grass* grass : {&both, &first, &second})
+        grass->add({resident, {}});
+    const HostPicture a(context(), size);
+    const HostPicture b(context(), size);
+    const HostPicture* const pictures[]{&a, &b};
+    for (const double time : {1.0, 1.05, 1.1, 1.4}) {
+        drawFrame(both, time, views, pictures);
+        EXPECT_EQ(test::differingPixels(a.pixels(), drawnAlone(first, time, views[0])), 0u) << time;
+        EXPECT_EQ(test::differingPixels(b.pixels(), drawnAlone(second, time, views[1])), 0u)
+            << time;
+        const std::uint64_t moved = both.stats(0, 0).simulated;
+        EXPECT_LE(moved, field_.blades.size());
+        EXPECT_GE(moved, std::max(first.stats(0, 0).simulated, second.stats(0, 0).simulated));
+        EXPECT_LT(moved, first.stats(0, 0).simulated + second.stats(0, 0).simulated);
+    }
+    // At a standstill nothing moves.
+    drawFrame(both, 1.4, views, pictures);
+    EXPECT_EQ(both.stats(0, 0).simulated, 0u);
+}
+
+TEST_F(GrassTest, ComesAndGoesWhileFramesAreInFlight)
+{
+    // Sixteen instances; in every frame one goes, one comes, one moves, and the picture's size
+    // changes.
+    constexpr std::uint32_t slots = 2;
+    Grass grass(context(), {.framesInFlight = slots});
+    const auto resident = std::make_shared<ResidentField>(context(), field::viewOf(field_));
+    const auto placed = [&](int i) {
+        return FieldInstance{
+            resident, {.position = {(i % 4 - 1.5) * 2.0, 0.0, (i / 4 - 1.5) * 2.0}, .scale = 0.4}};
+    };
+    std::vector<InstanceId> ids;
+    for (int i = 0; i < 16; ++i)
+        ids.push_back(grass.add(placed(i)));
+
+    gpu::FrameRing ring(context(), slots);
+    std::array<std::unique_ptr<HostPicture>, slots> pictures;
+    VkDeviceSize bytesOf16 = 0;
+    for (int frame = 0; frame < 12; ++frame) {
+        const gpu::FrameRing::Frame recorded = ring.begin();
+        const glm::uvec2 extent(size.x + 16u * unsigned(frame % 5), size.y);
+        pictures[recorded.slot] = std::make_unique<HostPicture>(context(), extent);
+        HostView view = lookingFrom({1.0, 4.0, 7.0});
+        view.size = extent;
+        // The first two frames bring the field; it is drawn from the second on.
+        resident->recordUpload(recorded.commands, frame == 0   ? resident->stagingBytes() / 2
+                                                  : frame == 1 ? VK_WHOLE_SIZE
+                                                               : 0);
+        EXPECT_EQ(resident->isUploaded(), frame >= 1);
+        if (frame == 4)
+            resident->releaseStaging();
+        if (frame > 4) {
+            grass.remove(ids[std::size_t(frame)]);
+            ids[std::size_t(frame)] = grass.add(placed(frame));
+            grass.move(ids[std::size_t(frame - 1)], placed(frame + 1).placement);
+        }
+        grass.begin(recorded.slot,
+                    {.time = 0.1 * frame, .views = {&view, 1}, .settings = settings_});
+        grass.recordUpdate(recorded.commands);
+        grass.recordCull(recorded.commands, 0);
+        pictures[recorded.slot]->draw(recorded.commands, grass, 0);
+        ring.submit(recorded);
+        if (frame == 4)
+            bytesOf16 = grass.deviceBytes();
+    }
+    ring.finish();
+    EXPECT_EQ(grass.stats(0, 1).total, 16 * field_.blades.size());
+    EXPECT_GT(pictures[1]->covered(), 1000u);
+
+    // What was removed has been freed, but for what the last frames may use.
+    EXPECT_LE(grass.deviceBytes(), bytesOf16 + slots * bytesOf16 / 16);
+    EXPECT_EQ(resident->stagingBytes(), 0u);
+    for (const InstanceId id : ids)
+        grass.remove(id);
+    EXPECT_GT(grass.deviceBytes(), bytesOf16);
+    for (const std::uint32_t slot : {0u, 1u})
+        grass.begin(slot, {.time = 2.0, .settings = settings_});
+    EXPECT_EQ(grass.deviceBytes(), 0u);
+}
+
+TEST_F(GrassTest, ListsNoMoreThanItHasRoomFor)
+{
+    Grass grass(context(), {.framesInFlight = 1, .mostListed = 200});
+    grass.add({upload(field_), {}});
+    drawnAlone(grass, 1.0, lookingFrom({2.0, 2.5, 4.0}));
+    EXPECT_GT(grass.stats(0, 0).drawn, 1000u);
+}
+
+} // namespace
+} // namespace sward::render
