@@ -1,6 +1,18 @@
-// The finest level of the depth pyramid. The including shader declares `depths` and farthestAt().
+// The finest level of the depth pyramid. The including shader declares `depths`, and defines
+// farthestAt(), the reversed depth of the farthest of a pixel's samples.
 layout(local_size_x = pyramidThreads, local_size_y = pyramidThreads) in;
 layout(push_constant, scalar) uniform Block { PyramidPush push; };
+
+/// Whether depths are 0 near and 1 far; known when the pipeline is made.
+layout(constant_id = 0) const bool hasForwardZ = false;
+
+/// A depth as it is with 1 near and 0 far.
+float reversed(float depth)
+{
+    return hasForwardZ ? 1.0 - depth : depth;
+}
+
+float farthestAt(ivec2 pixel);
 
 void main()
 {
@@ -16,5 +28,5 @@ void main()
         for (uint x = low.x; x < high.x; ++x)
             farthest = min(farthest, farthestAt(ivec2(x, y)));
     DepthArray depths = pyramid.depths;
-    depths.at[pyramid.first[0] + cell.y * cells.x + cell.x] = farthest;
+    depths.at[pyramid.first[0] + cell.y * cells.x + cell.x] = farthest - push.slack;
 }

@@ -5,9 +5,9 @@
 
 layout(set = 0, binding = 0) uniform sampler2D depths;
 
+#include "shaders/culling/first_level.glsl"
+
 float farthestAt(ivec2 pixel)
 {
-    return texelFetch(depths, pixel, 0).x;
+    return reversed(texelFetch(depths, pixel, 0).x);
 }
-
-#include "shaders/culling/first_level.glsl"

@@ -71,8 +71,8 @@ SHARED_CONST uint pyramidThreads = 8u;
 
 struct PyramidPush {
     FrameArray frame;
-    uint level; ///< that is filled
-    uint reserved;
+    uint level;  ///< that is filled
+    float slack; ///< by which what was drawn is taken to be farther than its depth says
 };
 SHARED_LAYOUT(PyramidPush, 16)
 

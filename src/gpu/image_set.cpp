@@ -80,16 +80,11 @@ ImageSet::ImageSet(const DeviceContext& context, const ImageSetLayout& layout,
     setName(context, set_, name);
 }
 
-void ImageSet::setSampled(std::uint32_t index, VkImageView view, VkSampler sampler)
+void ImageSet::setSampled(std::uint32_t index, VkImageView view, VkSampler sampler,
+                          VkImageLayout layout)
 {
     write(sampledBinding, index, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-          {sampler, view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
-}
-
-void ImageSet::setSampledGeneral(std::uint32_t index, VkImageView view, VkSampler sampler)
-{
-    write(sampledBinding, index, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-          {sampler, view, VK_IMAGE_LAYOUT_GENERAL});
+          {sampler, view, layout});
 }
 
 void ImageSet::setStorage(std::uint32_t index, VkImageView view)

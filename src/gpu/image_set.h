@@ -44,11 +44,9 @@ public:
     ImageSet() = default;
     ImageSet(const DeviceContext& context, const ImageSetLayout& layout, const std::string& name);
 
-    /// `view` is of an image in ImageUse::sampled.
-    void setSampled(std::uint32_t index, VkImageView view, VkSampler sampler);
-
-    /// The same for an image that stays in ImageUse::storage while it is sampled.
-    void setSampledGeneral(std::uint32_t index, VkImageView view, VkSampler sampler);
+    /// `view` is of an image in ImageUse::sampled, or in `layout` while it is sampled.
+    void setSampled(std::uint32_t index, VkImageView view, VkSampler sampler,
+                    VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
 
     /// `view` is of one mip level of an image in ImageUse::storage.
     void setStorage(std::uint32_t index, VkImageView view);

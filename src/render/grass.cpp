@@ -6,12 +6,15 @@
 #include "gpu/debug.h"
 #include "gpu/shader_library.h"
 #include "render/placed_field.h"
+#include "render/pyramid_pass.h"
 #include "render/update_cull_pass.h"
 #include "render/walk_pass.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
 #include <map>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace sward::embedded {
@@ -32,6 +35,7 @@ struct Grass::Parts {
         , walk(context, shaders)
         , update(context)
         , frameOfSlot(wanted.framesInFlight, 0)
+        , depths(wanted.framesInFlight * wanted.mostViews)
     {
         update.prepare(shaders, judging);
     }
@@ -58,6 +62,17 @@ struct Grass::Parts {
     std::uint32_t viewCount = 0;
     double time = 0.0;
     UpdateCullPass::Variant moving;
+
+    /// What hides the blades of a view, in each slot.
+    struct ViewDepth {
+        DepthCells cells;
+        const PyramidPass* pyramid = nullptr; ///< null: nothing hides any
+    };
+    std::vector<ViewDepth> depths; ///< view after view of slot after slot
+    std::map<std::tuple<std::uint32_t, bool, float>, PyramidPass> pyramids; ///< by their settings
+
+    ViewDepth& depthOf(std::uint32_t view) { return depths[slot * settings.mostViews + view]; }
+    shared::DepthPyramid lookAtDepth(const HostView& view, ViewDepth& depth);
 
     /// Calls `use` for each instance that is in the frame.
     template <typename Use>
@@ -123,7 +138,14 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
     parts.viewCount = static_cast<std::uint32_t>(frame.views.size());
     parts.time = frame.time;
 
-    const std::vector<shared::DepthPyramid> pyramids(frame.views.size());
+    std::vector<shared::DepthPyramid> pyramids;
+    for (const HostView& view : frame.views) {
+        const auto index = static_cast<std::uint32_t>(pyramids.size());
+        const bool hides = (frame.settings.cullMask & shared::cullOcclusion) != 0;
+        Parts::ViewDepth& depth = parts.depthOf(index);
+        depth.pyramid = nullptr;
+        pyramids.push_back(hides ? parts.lookAtDepth(view, depth) : shared::DepthPyramid{});
+    }
     for (const auto& [id, field] : parts.placed) {
         if (!field->isUploaded())
             continue;
@@ -132,6 +154,19 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
         parts.moving = {nature.wind.counts, nature.colliderCount > 0, UpdateCullPass::Role::move};
         parts.update.prepare(parts.shaders, parts.moving);
     }
+}
+
+shared::DepthPyramid Grass::Parts::lookAtDepth(const HostView& view, ViewDepth& depth)
+{
+    // Depths say nothing of what a frozen camera sees.
+    if (!view.depth || view.judgedFrom)
+        return {};
+    const PyramidPass::Settings wanted{view.depth->samples, view.hasReversedZ, view.depth->slack};
+    const auto made = pyramids.try_emplace({wanted.samples, wanted.hasReversedZ, wanted.slack},
+                                           context, shaders, wanted);
+    depth.pyramid = &made.first->second;
+    depth.pyramid->fit(depth.cells, view.depth->view, view.depth->layout, view.size);
+    return depth.cells.layout;
 }
 
 void Grass::Parts::walkAll(VkCommandBuffer commands, std::uint32_t firstView, std::uint32_t endView,
@@ -195,9 +230,18 @@ void Grass::recordCull(VkCommandBuffer commands, std::uint32_t view) noexcept
     const Parts& parts = *parts_;
     expect(view < parts.viewCount, "the view is one of the frame's");
     const gpu::LabelScope label(parts.context, commands, "grass/cull");
-    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::transferAccess);
+    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::fillAccess);
     parts.forEach([&](const PlacedField& field) { field.list(view).clear(commands); });
-    gpu::transferToCompute(commands);
+    const Parts::ViewDepth& depth = parts_->depthOf(view);
+    if (depth.pyramid != nullptr) {
+        // Of all frames of the view only one says where the cells lie.
+        bool isFilled = false;
+        parts.forEach([&](const PlacedField& field) {
+            if (!std::exchange(isFilled, true))
+                depth.pyramid->record(commands, depth.cells, field.judgedFrame(parts.slot, view));
+        });
+    }
+    gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
     parts.walkAll(commands, view, view + 1, false);
     parts.forEach([&](const PlacedField& field) {
         parts.update.record(commands, field.blades(), field.list(view),
@@ -243,6 +287,8 @@ VkDeviceSize Grass::deviceBytes() const
         sum += field->bytes();
     for (const Parts::Removed& removed : parts_->removed)
         sum += removed.field->bytes();
+    for (const Parts::ViewDepth& depth : parts_->depths)
+        sum += depth.cells.bytes();
     return sum;
 }
 

@@ -73,7 +73,8 @@ public:
     /// outside of a rendering, as recordCull().
     void recordUpdate(VkCommandBuffer commands) noexcept;
 
-    /// Lists the blades that one of the frame's views sees. After recordUpdate().
+    /// Lists the blades that one of the frame's views sees, after recordUpdate(), and after the
+    /// drawing of the view's depth, if any, has been made visible to compute shaders.
     void recordCull(VkCommandBuffer commands, std::uint32_t view) noexcept;
 
     /// Draws them, inside the host's rendering, whose viewport and scissor are set. Any number of

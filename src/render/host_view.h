@@ -18,6 +18,9 @@ struct HostDepth {
                                        ///< as the view's picture, whose first pixel is its first
     VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL; ///< when it is read
     std::uint32_t samples = 1;                                       ///< 1, 2, 4 or 8
+    /// By how much what was drawn may be farther than its depth says: two steps of 32 or 24 bits;
+    /// 16 bits have 3e-5.
+    float slack = 1.2e-7f;
 };
 
 /// One view of a frame as an engine has it: an eye of two, a shadow's cascade, a mirror.

@@ -169,7 +169,7 @@ std::size_t fillValues(Values& v)
     n.fillAll(v.largePart.visible.blade, v.largePart.visible.patchIndex,
               v.largePart.visible.widthFactor, v.largePart.visible.pixels, v.largePart.part,
               v.largePart.parts);
-    n.fillAll(v.pyramidPush.frame, v.pyramidPush.level, v.pyramidPush.reserved);
+    n.fillAll(v.pyramidPush.frame, v.pyramidPush.level, v.pyramidPush.slack);
     n.fillAll(v.viewPush.frame);
     n.fillAll(v.groundPush.frame, v.groundPush.vertices, v.groundPush.materials,
               v.groundPush.visibility, v.groundPush.material, v.groundPush.width);

@@ -357,7 +357,7 @@ void main()
 
     put(uvec2(sources.at[0].pyramidPush.at[1].frame));
     put(sources.at[0].pyramidPush.at[1].level);
-    put(sources.at[0].pyramidPush.at[1].reserved);
+    put(sources.at[0].pyramidPush.at[1].slack);
     put(uvec2(sources.at[0].viewPush.at[1].frame));
     put(uvec2(sources.at[0].groundPush.at[1].frame));
     put(uvec2(sources.at[0].groundPush.at[1].vertices));
