@@ -47,14 +47,14 @@ FieldBuffers::Records recordsFor(Geometry geometry, const FieldRenderer::Setting
             .roundPatches = wanted.roundPatches};
 }
 
-/// The rasteriser reads what the graphics pipeline has drawn. With one sample a pixel, what solid
-/// things look like is asked only where no blade hides them; with four, blades seldom hide all.
+/// The rasteriser reads what the graphics pipeline has drawn. What solid things look like is asked
+/// only where no blade hides them.
 TargetSettings targetFor(Geometry geometry, const FieldRenderer::Settings& wanted)
 {
     return {.colorFormat = wanted.colorFormat,
             .samples = wanted.samples,
             .isSampled = geometry == Geometry::raster,
-            .lightsLater = geometry == Geometry::raster && wanted.samples == 1};
+            .lightsLater = geometry == Geometry::raster};
 }
 
 /// Uploads all that a field brings, and waits for it.
@@ -242,8 +242,7 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
     if (!findsReasons)
         parts.slots[slot].recordCounts(commands, parts.blades.buffers().draw());
     if (parts.raster) {
-        if (targetFor(parts.geometry, parts.settings).lightsLater)
-            parts.lightSolid(commands, target, slot, timestamps);
+        parts.lightSolid(commands, target, slot, timestamps);
         parts.resolve(commands, target, slot, listedBy, timestamps);
     } else {
         parts.drawBlades(commands, target, slot, timestamps);
@@ -269,7 +268,7 @@ void FieldRenderer::Parts::drawSolid(VkCommandBuffer commands, const Target& tar
     const gpu::DepthAttachment depth{.view = attachments.depth().view(), .clear = 0.0f};
     const VkExtent2D extent{target.size.x, target.size.y};
     const PassScope scope(context, commands, timestamps, "ground");
-    if (targetFor(geometry, settings).lightsLater) {
+    if (raster) {
         const gpu::RenderingScope rendering(commands, extent, {}, depth);
         solid.recordDepth(commands, frame);
         return;
@@ -345,9 +344,7 @@ void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, std::uint32_t 
     gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
                     gpu::ImageUse::sampled);
     // Bound with the depth, and not read yet.
-    const bool isLit = !targetFor(geometry, settings).lightsLater;
-    gpu::transition(commands, attachments.color(),
-                    isLit ? gpu::ImageUse::colorTarget : gpu::ImageUse::undefined,
+    gpu::transition(commands, attachments.color(), gpu::ImageUse::undefined,
                     gpu::ImageUse::sampled);
     const RasterPass::Input input{&blades.buffers(), slots[slot].frame.address(), judged};
     {
