@@ -14,9 +14,11 @@ vec4 groundAt(ivec2 pixel, int s)
     return texelFetch(pictures[0], pixel, s);
 }
 
+#include "shaders/raster/stored.glsl"
+
 void put(ivec2 pixel, vec4 color)
 {
-    imageStore(shaded, pixel, color);
+    imageStore(shaded, pixel, halfRounded(color));
 }
 
 #include "shaders/raster/resolve.glsl"

@@ -46,7 +46,7 @@ SHARED_FN vec3 tangentAt(Ribbon ribbon, float t)
 
 /// The cross-section at `t`. Where the view sees less than `leastWidth` [m at 1 m distance], be it
 /// that the blade is far, that it ends, or that it is seen edge-on, it is drawn that wide, across
-/// the view, so that no row of samples misses it, and weighs the less.
+/// the view, so that few rows of samples miss it, and weighs the less.
 SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float leastWidth)
 {
     const vec3 centre = bezierPoint(ribbon.v0, ribbon.v1, ribbon.v2, t);

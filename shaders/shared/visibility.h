@@ -21,11 +21,12 @@ struct Verdict {
     vec3 high;
 };
 
-/// Share of the blades that is drawn at `distance` [m].
+/// Share of the blades that is drawn at `distance` [m]: lodFullShare where none is left out or fades,
+/// as everywhere without level of detail.
 SHARED_FN float shareAt(Eyepoint view, float distance)
 {
     if (view.lodThreshold <= 0.0f)
-        return 1.0f;
+        return lodFullShare;
     return lodShare(view.lodWidth * view.pixelsPerUnit / max(distance, 1e-6f), view.lodThreshold);
 }
 

@@ -53,13 +53,13 @@ struct FrameSettings {
     bool leavesThinned = true;
     bool levelOfDetail = true; ///< leave out and widen blades narrower than lodThreshold
     float lodThreshold = 0.3f; ///< [pixels], (0, 100]
-    float leastPixels = 1.0f;  ///< [samples' distances] blades are drawn no narrower while
+    float leastPixels = 0.8f;  ///< [samples' distances] blades are drawn no narrower while
                                ///< levelOfDetail is on; 0: as narrow as they are
     /// Cosine beyond which blades are cut as edge-on, 1: never. Not given: never while they are
     /// drawn no narrower than leastPixels, which leaves nothing to cut; else the paper's.
     std::optional<float> mostEdgeOn;
     int tessellationLevel =
-        0; ///< segments along a blade, 1 to 64; 0: by size on the screen, at most 12
+        0; ///< segments along a blade, 1 to 64; 0: by size on the screen, at most 16
     std::vector<LevelStep> levelSteps; ///< at most 4, rising; empty: by size on the screen
     Buckets buckets;                   ///< the paper's thinning
     Pace pace;                         ///< how often blades move

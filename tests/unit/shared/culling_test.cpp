@@ -1,5 +1,6 @@
 #include "shaders/shared/bezier.h"
 #include "shaders/shared/culling.h"
+#include "shaders/shared/visibility.h"
 #include "unit/shared/random_vectors.h"
 
 #include <gtest/gtest.h>
@@ -127,6 +128,21 @@ TEST(LevelOfDetail, ChangesContinuouslyAndKeepsTheCoarseOnes)
     }
     EXPECT_EQ(lodWidthFactor(0.9999f, lodShare(2.0f, 1.0f)), 1.0f);
     EXPECT_GT(lodShare(1e-9f, 1.0f), 0.0f);
+}
+
+TEST(LevelOfDetail, SwitchedOffDrawsEveryBladeAsWideAsItIs)
+{
+    Eyepoint view = {};
+    view.pixelsPerUnit = 500.0f;
+    view.lodWidth = 0.02f;
+    view.lodThreshold = 0.0f;
+    Blade blade = {};
+    blade.height = 0.5f;
+    tests::Dice dice(4);
+    for (int i = 0; i < 10'000; ++i) {
+        const float distance = dice.number(0.0f, 1e4f);
+        EXPECT_EQ(drawnSize(view, blade, dice.number(0.0f, 1.0f), distance).widthFactor, 1.0f);
+    }
 }
 
 TEST(BoxDistance, IsZeroInsideAndEuclideanOutside)
