@@ -4,6 +4,9 @@
 #   -gV is never used: glslang 12 writes modules with it that spirv-val rejects.
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
+# The viewer compiles with the same, where it reloads shaders.
+set(SWARD_GLSLANG_FLAGS --quiet -V --target-env vulkan1.3 -g)
+set(SWARD_SPIRV_VAL_FLAGS --target-env vulkan1.3 --scalar-block-layout)
 
 function(sward_add_shaders target)
   set(modules "")
@@ -11,9 +14,9 @@ function(sward_add_shaders target)
     get_filename_component(name ${source} NAME)
     set(module ${CMAKE_CURRENT_BINARY_DIR}/${name}.spv)
     add_custom_command(OUTPUT ${module}
-      COMMAND ${GLSLANG_VALIDATOR} --quiet -V --target-env vulkan1.3 -g -I${CMAKE_CURRENT_FUNCTION_LIST_DIR}/..
+      COMMAND ${GLSLANG_VALIDATOR} ${SWARD_GLSLANG_FLAGS} -I${CMAKE_CURRENT_FUNCTION_LIST_DIR}/..
               --depfile ${module}.d -o ${module} ${CMAKE_CURRENT_SOURCE_DIR}/${source}
-      COMMAND ${SPIRV_VAL} --target-env vulkan1.3 --scalar-block-layout ${module}
+      COMMAND ${SPIRV_VAL} ${SWARD_SPIRV_VAL_FLAGS} ${module}
       DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${source}
       DEPFILE ${module}.d
       COMMENT "Compiling shader ${source}"

@@ -97,7 +97,7 @@ struct FieldRenderer::Parts {
     const gpu::DeviceContext& context;
     Settings settings;
     Geometry geometry;
-    gpu::ShaderLibrary shaders{embedded::shaders()};
+    gpu::ShaderLibrary shaders{settings.shaders.empty() ? embedded::shaders() : settings.shaders};
     Attachments attachments;
     MovingBlades blades;
     GroundBuffers ground;

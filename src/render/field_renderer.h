@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/embedded.h"
 #include "field/field.h"
 #include "render/camera.h"
 #include "render/frame_settings.h"
@@ -10,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace sward::gpu {
@@ -42,6 +44,9 @@ public:
         /// The rasteriser updates and draws so many patches of up to 256 blades at a time, or a
         /// 32nd of all if that is more: 16 bytes for each of their blades.
         std::uint32_t roundPatches = 65536;
+
+        /// SPIR-V modules, which outlive the renderer; empty: those that are built in.
+        std::span<const EmbeddedFile> shaders{};
     };
 
     /// Outlived by the context. `field` may die, except that dumpBlades() needs it again. Throws

@@ -31,12 +31,15 @@ Navigation::Place placeOf(const ShownField& field, const render::FrameSettings& 
 } // namespace
 
 Exhibit::Exhibit(const gpu::Device& device, std::unique_ptr<ShownField> field,
-                 const render::FieldRenderer::Settings& wanted, const render::Camera& home,
+                 const render::FieldRenderer::Settings& wanted,
+                 std::shared_ptr<const ShaderModules> shaders, const render::Camera& home,
                  const render::FrameSettings& settings, float aspect)
-    : field_(std::move(field))
-    , renderer_(device, field_->view, wanted)
+    : device_(device)
+    , field_(std::move(field))
+    , wanted_(wanted)
     , navigation_(home, placeOf(*field_, settings))
 {
+    drawWith(std::move(shaders));
     // Places to begin with: four views of the whole, then those that the field brings.
     using render::CameraPreset;
     int number = 1;
@@ -54,6 +57,16 @@ Exhibit::Exhibit(const gpu::Device& device, std::unique_ptr<ShownField> field,
         camera.fovY = saved.fovY;
         navigation_.setBookmark(number++, camera);
     }
+}
+
+void Exhibit::drawWith(std::shared_ptr<const ShaderModules> shaders)
+{
+    render::FieldRenderer::Settings wanted = wanted_;
+    if (shaders)
+        wanted.shaders = shaders->files;
+    auto renderer = std::make_unique<render::FieldRenderer>(device_, field_->view, wanted);
+    renderer_ = std::move(renderer);
+    shaders_ = std::move(shaders);
 }
 
 glm::dvec3 upAt(const render::FrameSettings& settings, const glm::dvec3& place)

@@ -57,15 +57,7 @@ std::vector<std::string> argumentsFor(const fs::path& part, glm::uvec2 size, dou
 
 fs::path Film::program()
 {
-    const char* path = std::getenv("PATH");
-    std::istringstream folders(path == nullptr ? "" : path);
-    for (std::string folder; std::getline(folders, folder, ':');) {
-        const fs::path program = fs::path(folder) / "ffmpeg";
-        std::error_code error;
-        if (fs::is_regular_file(program, error) && ::access(program.c_str(), X_OK) == 0)
-            return program;
-    }
-    return {};
+    return programNamed("ffmpeg");
 }
 
 Film::Film(fs::path path, glm::uvec2 size, double step)

@@ -94,10 +94,11 @@ struct Stage {
     std::optional<BakeDifference> difference;
     bool showsFormer = false; ///< the field before the last bake
     std::optional<PickedBlade> picked;
-    std::string error;      ///< stays until it is closed
-    std::string notice;     ///< goes by itself
-    bool hasFfmpeg = false; ///< which makes films
-    float heading = 0.0f;   ///< [rad] of the view: 0 is +x, π/2 is +z
+    std::string error;       ///< stays until it is closed
+    std::string shaderError; ///< stays until the shaders compile again
+    std::string notice;      ///< goes by itself
+    bool hasFfmpeg = false;  ///< which makes films
+    float heading = 0.0f;    ///< [rad] of the view: 0 is +x, π/2 is +z
     bool walking = false;
     bool recording = false;
     bool replaying = false;

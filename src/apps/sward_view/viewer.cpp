@@ -13,6 +13,10 @@
 #include <array>
 #include <iterator>
 
+namespace sward::embedded {
+std::span<const EmbeddedFile> shaders();
+} // namespace sward::embedded
+
 namespace sward::view {
 namespace {
 
@@ -109,6 +113,8 @@ Viewer::Viewer(Window& window, const ViewerOptions& options)
         stage_.automaticScale = false;
         stage_.scale = options.resolution;
     }
+    if (!options.shaderFolder.empty())
+        shaders_.emplace(options.shaderFolder, embedded::shaders());
     controlMap_.writeTo(options.controlsFile);
     layout_.shown = options.panel != "off";
     if (!options.panel.empty() && layout_.shown && !layout_.openPanel(options.panel))

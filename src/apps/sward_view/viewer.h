@@ -3,7 +3,6 @@
 #include "apps/sward_view/bookmarks.h"
 #include "apps/sward_view/capture.h"
 #include "apps/sward_view/exhibit.h"
-#include "apps/sward_view/frame_options.h"
 #include "apps/sward_view/interface/controls.h"
 #include "apps/sward_view/interface/interface.h"
 #include "apps/sward_view/interface/layout.h"
@@ -11,7 +10,9 @@
 #include "apps/sward_view/opening.h"
 #include "apps/sward_view/path_recorder.h"
 #include "apps/sward_view/scaled_picture.h"
+#include "apps/sward_view/shader_sources.h"
 #include "apps/sward_view/stage.h"
+#include "apps/sward_view/viewer_options.h"
 #include "apps/sward_view/watched_file.h"
 #include "apps/sward_view/window.h"
 #include "gpu/frame_ring.h"
@@ -23,16 +24,6 @@
 #include <vector>
 
 namespace sward::view {
-
-/// What the window is opened with, beside what every command has.
-struct ViewerOptions {
-    const FrameOptions* frame = nullptr;
-    std::string panel;        ///< that is open at first; "off": nothing but the picture
-    std::string controlsFile; ///< where each control is told; empty: nowhere
-    std::string meadow;       ///< preset of a mesh that is opened; empty: the first
-    float resolution = 0.0f;  ///< share of the window's width and height that is drawn; 0: by time
-    double seconds = 0.0;     ///< closes by itself so long after the first field is there
-};
 
 /// Shows fields in a window: steers the camera, keeps the time, draws with two frames in flight,
 /// and does what its panels ask for.
@@ -70,15 +61,18 @@ private:
     // viewer_wishes.cpp: what takes longer than a frame
     void fulfil();
     void fulfilFiles(const Wishes& wishes);
+    void complain(const std::string& message);
+    void notice(const std::string& message);
+
+    // viewer_fields.cpp: which fields are shown
     void fulfilFields(const Wishes& wishes);
     void open(std::vector<std::string> inputs);
     void exchange(std::size_t member, const std::string& input, const MeadowWishes& wishes);
-    void choose(std::size_t member);
     void takeOpened();
     void show(Opening::Opened opened);
+    void choose(std::size_t member);
     void watch();
-    void complain(const std::string& message);
-    void notice(const std::string& message);
+    void reloadShaders();
 
     Window& window_;
     const ViewerOptions& options_;
@@ -97,6 +91,7 @@ private:
     ControlMap controlMap_;
     Controls controls_;
     Layout layout_;
+    std::optional<ShaderSources> shaders_;
     std::unique_ptr<Exhibit> exhibit_;
     std::unique_ptr<Exhibit> former_; ///< before the last bake
     Opening opening_;

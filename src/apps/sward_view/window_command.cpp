@@ -97,6 +97,15 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
     app.add_option("--controls", options->viewer.controlsFile,
                    "Tell where each control is and what it shows, a few times a second, for tests")
         ->type_name("JSON");
+#ifdef SWARD_SHADER_FOLDER
+    // The program may have gone elsewhere without its sources.
+    if (std::filesystem::is_directory(SWARD_SHADER_FOLDER))
+        options->viewer.shaderFolder = SWARD_SHADER_FOLDER;
+    app.add_option("--shaders", options->viewer.shaderFolder,
+                   "In this build: folder of shaders that are compiled and shown whenever they "
+                   "change; '' for none [the source tree's]")
+        ->type_name("DIR");
+#endif
     app.add_option_function<std::string>(
            "--exit-after",
            [options](const std::string& text) {

@@ -189,6 +189,18 @@ void Layout::drawMessages(Controls& controls, Stage& stage)
         ImGui::End();
         return;
     }
+    if (!stage.shaderError.empty()) {
+        beginCentred("shaders", place, {0.5f, 0.0f});
+        ImGui::PushStyleColor(ImGuiCol_Text, controls.style().color(palette::alarm));
+        ImGui::TextUnformatted("The shaders do not compile; the last good ones draw");
+        ImGui::PopStyleColor();
+        ImGui::PushTextWrapPos(std::max(size.x - left - 80.0f, 160.0f));
+        ImGui::TextUnformatted(stage.shaderError.c_str());
+        ImGui::PopTextWrapPos();
+        controls.tell("Shaders", stage.shaderError, nullptr);
+        ImGui::End();
+        return;
+    }
     std::string text = stage.notice;
     if (!stage.loading.empty())
         text = fmt::format("Reading {} ...", stage.loading);

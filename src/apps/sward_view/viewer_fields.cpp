@@ -1,0 +1,231 @@
+// Which fields are shown: opened, baked, added, taken away, watched.
+#include "apps/sward_view/camera_file.h"
+#include "apps/sward_view/viewer.h"
+#include "core/error.h"
+#include "core/log.h"
+#include "render/raster_pass.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sward::view {
+namespace {
+
+constexpr double watchInterval = 0.25; ///< [s] between looks at watched files
+
+// Of few pixels each is shaded once: on a CPU that is worth more than the tessellator's speed.
+render::Geometry geometryFor(const gpu::Device& device, VkFormat format, bool fewPixels)
+{
+    return device.isCpu() && fewPixels &&
+                   render::obstacleToRaster(device.context(), format) == nullptr
+               ? render::Geometry::raster
+               : render::Geometry::automatic;
+}
+
+} // namespace
+
+void Viewer::fulfilFields(const Wishes& wishes)
+{
+    if (!wishes.open.empty())
+        open(wishes.open);
+    waiting_.insert(waiting_.end(), wishes.add.begin(), wishes.add.end());
+    if (wishes.cancelBake)
+        opening_.cancel();
+    if (!exhibit_) {
+        if (wishes.bake)
+            open({stage_.meadow.ground});
+        else if (!opening_.isBusy() && !waiting_.empty())
+            open(std::exchange(waiting_, {}));
+        return;
+    }
+    if (wishes.bake)
+        exchange(stage_.chosen, stage_.meadow.ground, stage_.meadow);
+    if (wishes.choose)
+        choose(*wishes.choose);
+
+    // What comes beside the rest waits until the rest stands.
+    OpenedFields others = exhibit_->field().members;
+    if (opening_.isBusy())
+        return;
+    if (wishes.remove && others.size() > 1) {
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(*wishes.remove));
+        opening_.open({{}, std::move(others), 0}, {});
+    } else if (!waiting_.empty()) {
+        stage_.error.clear();
+        const std::size_t place = others.size();
+        opening_.open({std::exchange(waiting_, {}), std::move(others), place}, stage_.meadow);
+    }
+}
+
+void Viewer::open(std::vector<std::string> inputs)
+{
+    stage_.error.clear();
+    waiting_.clear();
+    opening_.open({std::move(inputs), {}, 0}, stage_.meadow);
+}
+
+void Viewer::exchange(std::size_t member, const std::string& input, const MeadowWishes& wishes)
+{
+    stage_.error.clear();
+    OpenedFields others = exhibit_->field().members;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(member));
+    opening_.open({{input}, std::move(others), member}, wishes);
+}
+
+void Viewer::takeOpened()
+{
+    try {
+        if (auto opened = opening_.poll())
+            show(std::move(*opened));
+    } catch (const Error& error) {
+        // Without a field there is nothing to go back to.
+        if (isFirstInput_)
+            throw;
+        if (error.kind() == ErrorKind::interrupted)
+            notice("The bake was cancelled");
+        else
+            complain(error.what());
+    }
+}
+
+void Viewer::show(Opening::Opened opened)
+{
+    const FrameOptions& frame = *options_.frame;
+    const OpenedFields members = opened.field->members;
+    const field::FieldView& view = opened.field->view;
+    const std::string first = members[0]->source.input;
+    log::info("{}: {} blades in {} patches", opened.field->name, view.blades.size(),
+              view.patches.size());
+
+    // What was shown, with more or less beside it or grown again, is seen with the same eyes and
+    // settings.
+    const bool isSame =
+        exhibit_ && std::any_of(members.begin(), members.end(), [this](const auto& member) {
+            return exhibit_->field().has(member->source.input);
+        });
+    const bool isExchange = isSame && opened.count == 1 &&
+                            exhibit_->field().members.size() == members.size() &&
+                            exhibit_->field().members[opened.place]->source.input ==
+                                members[opened.place]->source.input;
+    const bool isBaked = opened.count == 1 && !members[opened.place]->source.report.empty();
+    render::FrameSettings settings = isSame ? stage_.settings : frame.settingsFor(view);
+    CameraPath path = chooseCamera(frame.camera, view, aspect());
+    const render::Camera home = path.at(0.0);
+    auto next = std::make_unique<Exhibit>(
+        device_, std::move(opened.field),
+        render::FieldRenderer::Settings{
+            .colorFormat = swapchain_.format(),
+            .samples = frame.samples.value_or(device_.isCpu() ? 1 : 4),
+            .framesInFlight = 2,
+            .geometry = geometryFor(device_, swapchain_.format(), stage_.automaticScale),
+            .recordFates = true},
+        shaders_ ? shaders_->modules() : nullptr, home, stage_.settings, aspect());
+    device_.waitIdle();
+
+    for (const auto& [number, camera] : bookmarks_.of(first))
+        next->navigation().setBookmark(number, camera);
+    stage_.difference.reset();
+    former_.reset();
+    if (isSame)
+        next->navigation().show(exhibit_->navigation().camera());
+    if (isExchange && isBaked) {
+        const field::Summary& before = exhibit_->field().members[opened.place]->summary;
+        const field::Summary& after = members[opened.place]->summary;
+        stage_.difference =
+            BakeDifference{before.blades, after.blades, before.heightMean, after.heightMean};
+        former_ = std::move(exhibit_);
+    }
+    std::swap(exhibit_, next);
+    stage_.settings = std::move(settings);
+    stage_.showsFormer = false;
+    stage_.picked.reset();
+    stage_.hand.forget();
+    stage_.error.clear();
+    // What was asked for stays in the panel as it was.
+    const MeadowWishes asked = stage_.meadow;
+    const bool isAsked =
+        opened.count == 1 && (isBaked || (isExchange && stage_.chosen == opened.place));
+    choose(opened.count > 0 ? opened.place : std::min(stage_.chosen, members.size() - 1));
+    if (isAsked) {
+        stage_.meadow = asked;
+        if (isBaked)
+            stage_.meadow.ground = members[opened.place]->source.input;
+    }
+    if (path.size() > 1 && !isSame)
+        recorder_.play(std::move(path));
+    if (frame.watch && !watchedSettings_)
+        watchedSettings_.emplace(frame.settingsFile);
+    timestamps_.clearHistory();
+    frames_ = framesAtTitle_ = 0;
+    lastTitle_ = Clock::now();
+    if (!firstShown_)
+        firstShown_ = lastTitle_;
+    isFirstInput_ = false;
+    for (std::size_t i = opened.count; i-- > 0;)
+        recent_.add(members[opened.place + i]->source.input);
+    bookmarks_.keepOnly(recent_.inputs());
+}
+
+void Viewer::choose(std::size_t member)
+{
+    const OpenedField& field = *exhibit_->field().members.at(member);
+    stage_.chosen = member;
+    stage_.bakeReport = field.source.report;
+    stage_.meadow = wishesOf(*field.mapped.view().provenance);
+    // What was grown elsewhere can be grown again here, once its ground is named.
+    if (!field.source.report.empty())
+        stage_.meadow.ground = field.source.input;
+}
+
+void Viewer::watch()
+{
+    if (!exhibit_)
+        return;
+    const Clock::time_point now = Clock::now();
+    if (std::chrono::duration<double>(now - lastLook_).count() < watchInterval)
+        return;
+    lastLook_ = now;
+    if (shaders_)
+        reloadShaders();
+    if (stage_.picked)
+        stage_.picked = lookAgain(exhibit_->renderer(), exhibit_->field(), *stage_.picked);
+    // What changes while something is on its way is seen afterwards.
+    if (!options_.frame->watch || opening_.isBusy())
+        return;
+    const OpenedFields& members = exhibit_->field().members;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        FieldSource& source = members[i]->source;
+        if (!source.watched.hasChanged())
+            continue;
+        log::info("{}: has changed", source.input);
+        exchange(i, source.input,
+                 i == stage_.chosen ? stage_.meadow
+                                    : wishesOf(*members[i]->mapped.view().provenance));
+        break;
+    }
+    if (watchedSettings_ && watchedSettings_->hasChanged()) {
+        // Half a sentence is no reason to close the window: the next look finds the whole one.
+        stage_.settings = options_.frame->settingsFor(exhibit_->field().view);
+        stage_.hand.forget();
+        log::info("{}: read again", options_.frame->settingsFile);
+    }
+}
+
+void Viewer::reloadShaders()
+{
+    const bool areNew = shaders_->poll();
+    stage_.shaderError = shaders_->complaint();
+    if (!areNew)
+        return;
+    device_.waitIdle();
+    exhibit_->drawWith(shaders_->modules());
+    former_.reset();
+    stage_.difference.reset();
+    stage_.showsFormer = false;
+    stage_.picked.reset();
+    frames_ = framesAtTitle_ = 0;
+    timestamps_.clearHistory();
+    notice("The shaders are compiled anew");
+}
+
+} // namespace sward::view
