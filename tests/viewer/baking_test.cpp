@@ -44,6 +44,15 @@ TEST(BakeArguments, NameOnlyWhatIsWanted)
                             "clump_size_m=1"));
 }
 
+TEST(BakeArguments, NameAMeadowOfTheUsersOwnInsteadOfABuiltInOne)
+{
+    MeadowWishes wishes;
+    wishes.ground = "hills";
+    wishes.meadow = 1;
+    wishes.meadowFile = "moor.json";
+    EXPECT_THAT(bakeArguments(wishes), ElementsAre("hills", "--meadow", "moor.json"));
+}
+
 TEST(WishesOf, AFieldAreThoseItWasBakedWith)
 {
     const MeadowWishes wishes = wishesOf(

@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -16,6 +17,7 @@ from viewer import Viewer  # noqa: E402
 
 SWARD = os.environ["SWARD_PROGRAM"]
 VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
+ROOT = Path(__file__).resolve().parents[2]
 
 
 class OpeningTest(unittest.TestCase):
@@ -103,6 +105,25 @@ class OpeningTest(unittest.TestCase):
         viewer.wait(lambda: "Message/Error" not in viewer.controls(), "the message is gone")
         self.assert_ends_well(viewer)
 
+    def test_the_window_is_there_in_a_second_and_usable_before_its_field(self):
+        begin = time.monotonic()
+        viewer = self.open("hills", field=False)
+        # Nothing of what takes long comes before it: it takes a tenth of that.
+        self.assertLess(time.monotonic() - begin, 1.0)
+        baker = viewer.wait(lambda: self.child_of(viewer), "the baker runs")
+        os.kill(baker, signal.SIGSTOP)
+        self.assertEqual(viewer.shows("Status/Numbers"), "no field")
+        self.assertIn("Growing grass", viewer.shows("Message/Notice"))
+        viewer.open_panel("Physics")
+        viewer.set("Recovery", "Physics", 0.9)
+        self.assertGreater(float(viewer.shows("Physics/Recovery")), 20)
+        viewer.key("h")
+        self.assertIn("Keys/Close", viewer.controls())
+        viewer.key("h")
+        os.kill(baker, signal.SIGCONT)
+        viewer.wait_for_field()
+        self.assert_ends_well(viewer)
+
     def test_a_bake_that_is_killed_or_cancelled_harms_nothing(self):
         viewer = self.open(self.field)
         self.set_ground(viewer, "hills")
@@ -168,6 +189,23 @@ class OpeningTest(unittest.TestCase):
         self.field.unlink()
         viewer.wait_frames(5)
         self.assertEqual(viewer.shows("Field/Blades"), "700")
+        self.assert_ends_well(viewer)
+
+    def test_a_mesh_is_baked_again_when_it_or_its_meadow_changes(self):
+        mesh, meadow = self.folder / "ground.glb", self.folder / "own.json"
+        shutil.copy(self.mesh, mesh)
+        shutil.copy(ROOT / "assets/meadows/lawn.json", meadow)
+        viewer = self.open(mesh, "--meadow", meadow, "--watch", "--panel", "field")
+        blades = viewer.shows("Field/Blades")
+        self.assertIn("Field/bluegrass", viewer.controls())
+        # Other grass, as high as before: what was sown is told by its species.
+        text = meadow.read_text()
+        meadow.write_text(text.replace('"bluegrass"', '"moorgrass"'))
+        viewer.wait(lambda: "Field/moorgrass" in viewer.controls(), "the other meadow is sown")
+        self.assertEqual(viewer.shows("Field/Blades"), blades)
+        subprocess.run([SWARD, "terrain", "hills", "-o", mesh, "--force"], check=True)
+        viewer.wait_for_value("Field/Blades", lambda shown: shown != blades, "the other ground bears")
+        self.assertIn("Field/moorgrass", viewer.controls())
         self.assert_ends_well(viewer)
 
     def test_a_picture_that_cannot_be_written_is_told(self):

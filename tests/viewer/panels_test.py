@@ -3,6 +3,7 @@ keys, and what follows is read from the controls themselves and from the picture
 
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -15,6 +16,9 @@ from viewer import Viewer  # noqa: E402
 
 SWARD = os.environ["SWARD_PROGRAM"]
 VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
+ROOT = Path(__file__).resolve().parents[2]
+PANELS = ("Field", "Meadow", "Physics", "Wind", "Culling", "Colliders", "Look", "Camera", "Profile",
+          "Capture")
 SIZE = (900, 600)
 GRASS = (440, 20, 440, 500)  # left, top, width, height of the picture beside an open panel
 
@@ -259,6 +263,71 @@ class PanelsTest(unittest.TestCase):
         viewer.key("7")
         viewer.wait(lambda: share_that_differs(set_there, self.grass(viewer)) < 0.05,
                     "it shows the place that was set")
+        self.assert_ends_well(viewer)
+
+    def test_every_control_of_every_panel_tells_what_it_is_with_unit_and_range(self):
+        viewer = self.open(self.field)
+        for panel, button in (("Colliders", "Add capsule"), ("Wind", "Add a source")):
+            viewer.press(button, panel=panel)
+        kinds = {}
+        for panel in PANELS:
+            viewer.open_panel(panel)
+            viewer.wait_frames(2)
+            told = {name: control for name, control in viewer.controls().items()
+                    if name.startswith(panel + "/")}
+            self.assertGreater(len(told), 3, panel)
+            for name, control in told.items():
+                with self.subTest(control=name):
+                    about = control["about"]
+                    self.assertGreater(len(about), 8, "it tells what it is")
+                    kind = control["kind"]
+                    kinds.setdefault(kind, []).append(name)
+                    if kind == "number":
+                        # A second line: from, to, and the unit unless the first one names it.
+                        self.assertRegex(about, r"\n-?[\d.e+-]+ to [\d.e+-]+")
+                    if kind in ("toggle", "choice", "color", "place", "compass"):
+                        self.assertIn("\n", about)
+                    if kind == "place":
+                        self.assertIn(" in m", about)
+        # Each kind was met, in all more than sixty that can be turned.
+        self.assertEqual(set(kinds), {"", "number", "toggle", "choice", "color", "text", "place",
+                                      "compass", "button"})
+        self.assertGreater(sum(len(names) for kind, names in kinds.items() if kind), 60)
+        # Numbers without a unit are shares, counts, or say in words what they are.
+        for name in ("Wind/1/Strength", "Physics/Recovery", "Look/Azimuth", "Culling/Draw distance",
+                     "Colliders/Radius", "Capture/Apart", "Meadow/Slope to"):
+            viewer.open_panel(name.split("/")[0])
+            control = viewer.wait(lambda name=name: viewer.controls().get(name), name)
+            self.assertRegex(control["about"], r"to [\d.e+-]+ (1/s|m|s|°);", name)
+
+        # It is really shown where the mouse rests.
+        viewer.open_panel("Physics")
+        self.display.xdotool("mousemove", "--window", viewer.window.number,
+                             *viewer.centre("Physics/Strength"))
+        shown = viewer.wait(lambda: viewer.shows("Tooltip/Physics/Strength"), "the tooltip is there")
+        self.assertIn("0 to 40 1/s", shown)
+        self.assert_ends_well(viewer)
+
+    def test_the_key_sheet_has_every_key(self):
+        sources = ROOT / "src" / "apps" / "sward_view"
+        names = {"ESCAPE": "Escape", "HOME": "Home", "SPACE": "Space", "PERIOD": ".", "TAB": "Tab"}
+        codes = re.findall(r"{GLFW_KEY_(\w+), Key::", (sources / "window.cpp").read_text())
+        self.assertGreater(len(codes), 10)
+        viewer = self.open(self.field)
+        viewer.key("h")
+        viewer.wait(lambda: "Keys/Close" in viewer.controls(), "the sheet is there")
+        sheet = {name.split("/", 1)[1] for name in viewer.controls() if name.startswith("Keys/")}
+        for code in codes:
+            self.assertIn(names.get(code, code), sheet)
+        self.assertTrue({"1 to 9", "Right drag + W A S D Q E", "Wheel", "Left drag",
+                         "Drop, Shift+drop"} <= sheet)
+        # The page has the same.
+        page = (ROOT / "docs" / "viewer.md").read_text()
+        rows = page[page.index("| input | does |"):page.index("Each control has a tooltip")].lower()
+        for code in codes:
+            name = "full stop" if code == "PERIOD" else names.get(code, code).lower()
+            self.assertRegex(rows, rf"(\| |, ){re.escape(name)}( \||,)", name)
+        viewer.key("h")
         self.assert_ends_well(viewer)
 
     def test_panels_hide_and_the_key_sheet_comes_and_goes(self):

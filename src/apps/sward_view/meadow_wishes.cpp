@@ -93,7 +93,7 @@ std::vector<std::string> bakeArguments(const MeadowWishes& wishes)
         arguments.emplace_back(option);
         arguments.push_back(std::move(value));
     };
-    add("--meadow", meadowNames[wishes.meadow]);
+    add("--meadow", wishes.meadowFile.empty() ? meadowNames[wishes.meadow] : wishes.meadowFile);
     if (wishes.amount == 1)
         add("--density", fmt::format("{:g}", wishes.density));
     if (wishes.amount == 2)

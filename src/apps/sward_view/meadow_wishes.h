@@ -9,6 +9,7 @@ namespace sward::view {
 struct MeadowWishes {
     std::string ground;     ///< a mesh, a recipe, or a built-in's name
     int meadow = 0;         ///< index into meadowNames
+    std::string meadowFile; ///< a meadow of the user's instead; empty: none
     int amount = 0;         ///< 0: the baker's density, 1: density, 2: spacing, 3: count
     float density = 300.0f; ///< [1/m²]
     float spacing = 0.05f;  ///< [m]

@@ -46,7 +46,7 @@ void Opening::goOn()
 {
     while (sources_.size() < order_.inputs.size()) {
         const std::string& input = order_.inputs[sources_.size()];
-        sources_.push_back({input, input, {}, WatchedFile(input)});
+        sources_.push_back({input, input, {}, WatchedFile(input), {}, {}});
         if (!wantsBaking(input))
             continue;
         log::info("{}: is not a field; growing grass on it first", input);
@@ -58,6 +58,9 @@ void Opening::goOn()
             throw;
         }
         sources_.back().file = bakings_.back()->field();
+        sources_.back().wishes = wishes_;
+        if (!wishes_.meadowFile.empty())
+            sources_.back().watchedMeadow = WatchedFile(wishes_.meadowFile);
         return;
     }
     loader_ = std::make_unique<FieldLoader>(sources_, order_.among, order_.place);

@@ -105,9 +105,12 @@ Viewer::Viewer(Window& window, const ViewerOptions& options)
     stage_.hasFfmpeg = !Film::program().empty();
     if (!options.frame->settingsFile.empty())
         stage_.settingsFile = options.frame->settingsFile;
-    for (std::size_t i = 0; i < std::size(meadowNames); ++i)
-        if (options.meadow == meadowNames[i])
-            stage_.meadow.meadow = static_cast<int>(i);
+    const auto* const known =
+        std::find(std::begin(meadowNames), std::end(meadowNames), options.meadow);
+    if (known != std::end(meadowNames))
+        stage_.meadow.meadow = static_cast<int>(known - std::begin(meadowNames));
+    else
+        stage_.meadow.meadowFile = options.meadow;
     stage_.scale = static_cast<float>(resolution_.scale());
     if (options.resolution > 0.0f) {
         stage_.automaticScale = false;

@@ -141,16 +141,11 @@ void Viewer::show(Opening::Opened opened)
     stage_.picked.reset();
     stage_.hand.forget();
     stage_.error.clear();
-    // What was asked for stays in the panel as it was.
-    const MeadowWishes asked = stage_.meadow;
-    const bool isAsked =
-        opened.count == 1 && (isBaked || (isExchange && stage_.chosen == opened.place));
-    choose(opened.count > 0 ? opened.place : std::min(stage_.chosen, members.size() - 1));
-    if (isAsked) {
-        stage_.meadow = asked;
-        if (isBaked)
-            stage_.meadow.ground = members[opened.place]->source.input;
-    }
+    // What is asked for in the panel meanwhile stays there.
+    if (isExchange && stage_.chosen == opened.place)
+        stage_.bakeReport = members[opened.place]->source.report;
+    else
+        choose(opened.count > 0 ? opened.place : std::min(stage_.chosen, members.size() - 1));
     if (path.size() > 1 && !isSame)
         recorder_.play(std::move(path));
     if (frame.watch && !watchedSettings_)
@@ -171,10 +166,9 @@ void Viewer::choose(std::size_t member)
     const OpenedField& field = *exhibit_->field().members.at(member);
     stage_.chosen = member;
     stage_.bakeReport = field.source.report;
-    stage_.meadow = wishesOf(*field.mapped.view().provenance);
     // What was grown elsewhere can be grown again here, once its ground is named.
-    if (!field.source.report.empty())
-        stage_.meadow.ground = field.source.input;
+    stage_.meadow =
+        field.source.wishes ? *field.source.wishes : wishesOf(*field.mapped.view().provenance);
 }
 
 void Viewer::watch()
@@ -195,12 +189,12 @@ void Viewer::watch()
     const OpenedFields& members = exhibit_->field().members;
     for (std::size_t i = 0; i < members.size(); ++i) {
         FieldSource& source = members[i]->source;
-        if (!source.watched.hasChanged())
+        const bool isOther = source.watched.hasChanged();
+        if (!source.watchedMeadow.hasChanged() && !isOther)
             continue;
-        log::info("{}: has changed", source.input);
+        log::info("{}: has changed", isOther ? source.input : source.wishes->meadowFile);
         exchange(i, source.input,
-                 i == stage_.chosen ? stage_.meadow
-                                    : wishesOf(*members[i]->mapped.view().provenance));
+                 i == stage_.chosen ? stage_.meadow : source.wishes.value_or(MeadowWishes()));
         break;
     }
     if (watchedSettings_ && watchedSettings_->hasChanged()) {

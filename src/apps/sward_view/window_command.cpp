@@ -7,8 +7,11 @@
 #include "core/log.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <string>
@@ -43,6 +46,11 @@ int showWindow(WindowOptions& options)
     for (const std::string& input : frame.fields)
         if (!wantsBaking(input) && !std::filesystem::exists(input))
             fail(ErrorKind::io, "{}: no such file", input);
+    const std::string& meadow = options.viewer.meadow;
+    if (!meadow.empty() && !std::filesystem::exists(meadow) &&
+        std::find(std::begin(meadowNames), std::end(meadowNames), meadow) == std::end(meadowNames))
+        fail(ErrorKind::usage, "--meadow: '{}' is not one of {}, nor a file", meadow,
+             fmt::join(meadowNames, ", "));
     const std::string name =
         frame.fields.empty() ? "" : std::filesystem::path(frame.fields[0]).filename().string();
     Window window(frame.size, name.empty() ? "Sward" : "Sward: " + name);
@@ -77,9 +85,8 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
     app.add_flag("--watch", options->frame.watch,
                  "Open the files, and read the settings, again whenever they change");
     app.add_option("--meadow", options->viewer.meadow,
-                   "What is sown on a mesh: meadow, lawn, steppe [meadow]")
-        ->type_name("NAME")
-        ->check(CLI::IsMember({"meadow", "lawn", "steppe"}).description(""));
+                   "What is sown on a mesh: meadow, lawn, steppe, or a file of your own [meadow]")
+        ->type_name("NAME|FILE");
     app.add_option("--panel", options->viewer.panel,
                    "Panel that is open at first: field, meadow, physics, wind, culling, colliders, "
                    "look, camera, profile, capture; off shows the picture alone")

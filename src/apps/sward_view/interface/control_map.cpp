@@ -17,11 +17,9 @@ void ControlMap::finishFrame(double seconds)
         written_ = seconds;
         nlohmann::json json = nlohmann::json::object();
         for (const auto& [name, place] : places_)
-            json[name] = {{"x", place.x},
-                          {"y", place.y},
-                          {"width", place.width},
-                          {"height", place.height},
-                          {"shows", place.shows}};
+            json[name] = {{"x", place.x},           {"y", place.y},         {"width", place.width},
+                          {"height", place.height}, {"shows", place.shows}, {"about", place.about},
+                          {"kind", place.kind}};
         // Renamed, so that a reader never sees half of it; no disk need hear of it.
         const std::filesystem::path part = path_.string() + ".part";
         std::ofstream(part) << json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace);

@@ -14,6 +14,8 @@ public:
     struct Place {
         float x = 0.0f, y = 0.0f, width = 0.0f, height = 0.0f; ///< [pixels of the window]
         std::string shows;
+        std::string about; ///< its tooltip
+        std::string kind;  ///< "number", "toggle" …; empty for what only tells
     };
 
     /// Where write() puts it; empty: nowhere.

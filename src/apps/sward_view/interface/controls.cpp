@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace sward::view {
 namespace {
@@ -65,11 +66,13 @@ void Controls::label(const char* name)
     ImGui::SetNextItemWidth(-1.0f);
 }
 
-void Controls::finish(const char* name, const std::string& shows, const std::string& about)
+void Controls::finish(const char* name, const std::string& shows, const std::string& about,
+                      const char* kind)
 {
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
-    map_.add(panel_ + "/" + name, {low.x, low.y, high.x - low.x, high.y - low.y, shows});
+    map_.add(panel_ + "/" + name,
+             {low.x, low.y, high.x - low.x, high.y - low.y, shows, about, kind});
     if (about.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         return;
     ImGui::BeginTooltip();
@@ -77,11 +80,12 @@ void Controls::finish(const char* name, const std::string& shows, const std::str
     ImGui::TextUnformatted(about.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+    map_.add("Tooltip/" + panel_ + "/" + name, {low.x, low.y, 0.0f, 0.0f, about, {}, {}});
 }
 
 void Controls::tell(const char* name, const std::string& shows, const char* about)
 {
-    finish(name, shows, about == nullptr ? "" : about);
+    finish(name, shows, about == nullptr ? "" : about, "");
 }
 
 void Controls::fact(const char* name, const std::string& shows, const char* about)
@@ -90,14 +94,15 @@ void Controls::fact(const char* name, const std::string& shows, const char* abou
     ImGui::PushTextWrapPos(0.0f);
     ImGui::TextUnformatted(shows.c_str());
     ImGui::PopTextWrapPos();
-    finish(name, shows, about == nullptr ? "" : about);
+    finish(name, shows, about == nullptr ? "" : about, "");
 }
 
 bool Controls::number(const char* name, float& value, const Extent& extent, const char* about)
 {
     label(name);
-    const std::string format =
-        *extent.unit == 0 ? extent.format : fmt::format("{} {}", extent.format, extent.unit);
+    const std::string format = *extent.unit == 0 || std::strchr(extent.format, '%') == nullptr
+                                   ? extent.format
+                                   : fmt::format("{} {}", extent.format, extent.unit);
     const bool turned =
         ImGui::SliderFloat(hidden(name).c_str(), &value, extent.low, extent.high, format.c_str(),
                            extent.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
@@ -107,7 +112,8 @@ bool Controls::number(const char* name, float& value, const Extent& extent, cons
     finish(name, fmt::format("{:g}", value),
            rangeText(about, static_cast<double>(extent.low), static_cast<double>(extent.high),
                      extent.unit) +
-               "; Ctrl+click to type");
+               "; Ctrl+click to type",
+           "number");
     return turned;
 }
 
@@ -126,7 +132,8 @@ bool Controls::wholeNumber(const char* name, int& value, int low, int high, cons
     const bool turned = ImGui::SliderInt(hidden(name).c_str(), &value, low, high);
     if (turned)
         value = std::clamp(value, low, high);
-    finish(name, std::to_string(value), rangeText(about, low, high, ""));
+    finish(name, std::to_string(value), rangeText(about, low, high, "") + "; Ctrl+click to type",
+           "number");
     return turned;
 }
 
@@ -134,7 +141,7 @@ bool Controls::toggle(const char* name, bool& value, const char* about)
 {
     label(name);
     const bool turned = ImGui::Checkbox(hidden(name).c_str(), &value);
-    finish(name, value ? "on" : "off", std::string(about) + "\non or off");
+    finish(name, value ? "on" : "off", std::string(about) + "\non or off", "toggle");
     return turned;
 }
 
@@ -147,7 +154,8 @@ bool Controls::choice(const char* name, int& value, std::span<const char* const>
     std::string all;
     for (const char* word : words)
         all += (all.empty() ? "" : ", ") + std::string(word);
-    finish(name, words[static_cast<std::size_t>(value)], fmt::format("{}\n{}", about, all));
+    finish(name, words[static_cast<std::size_t>(value)], fmt::format("{}\n{}", about, all),
+           "choice");
     return turned;
 }
 
@@ -158,7 +166,7 @@ bool Controls::color(const char* name, glm::vec3& value, const char* about)
                                           ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR |
                                               ImGuiColorEditFlags_NoInputs);
     finish(name, fmt::format("{:.3f} {:.3f} {:.3f}", value.x, value.y, value.z),
-           std::string(about) + "\nlinear radiance, 0 to 100 a channel");
+           std::string(about) + "\nlinear radiance, 0 to 100 a channel", "color");
     if (turned)
         value = glm::clamp(value, glm::vec3(0.0f), glm::vec3(100.0f));
     return turned;
@@ -168,7 +176,7 @@ bool Controls::text(const char* name, std::string& value, const char* hint, cons
 {
     label(name);
     const bool turned = ImGui::InputTextWithHint(hidden(name).c_str(), hint, &value);
-    finish(name, value, about);
+    finish(name, value, about, "text");
     return turned;
 }
 
@@ -178,7 +186,8 @@ bool Controls::place(const char* name, glm::dvec3& value, const char* about)
     const bool turned = ImGui::DragScalarN(hidden(name).c_str(), ImGuiDataType_Double, &value.x, 3,
                                            0.05f, nullptr, nullptr, "%.2f");
     finish(name, fmt::format("{:.2f} {:.2f} {:.2f}", value.x, value.y, value.z),
-           std::string(about) + "\nx, y, z in m, world space; drag, or Ctrl+click to type");
+           std::string(about) + "\nx, y, z in m, world space; drag, or Ctrl+click to type",
+           "place");
     return turned;
 }
 
@@ -238,14 +247,15 @@ bool Controls::compass(const char* name, glm::vec3& value, float ahead, const ch
     list.AddTriangleFilled(point(0.85f, 0.0f), point(0.3f, 0.28f), point(0.3f, -0.28f), color);
     const float degrees = std::remainder(glm::degrees(heading), 360.0f);
     finish(name, fmt::format("{:.0f}", degrees),
-           std::string(about) + "\ndrag the arrow; up is where the camera looks");
+           std::string(about) + "\ndrag the arrow, -180 to 180 °; up is where the camera looks",
+           "compass");
     return turned;
 }
 
 bool Controls::button(const char* name, const char* about, bool wide)
 {
     const bool pressed = ImGui::Button(name, {wide ? -1.0f : 0.0f, 0.0f});
-    finish(name, "", about);
+    finish(name, "", about, "button");
     return pressed;
 }
 

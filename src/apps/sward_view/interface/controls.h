@@ -15,8 +15,8 @@ namespace sward::view {
 struct Extent {
     float low = 0.0f;
     float high = 1.0f;
-    const char* unit = ""; ///< "m", "1/s"; empty: none
-    const char* format = "%.2f";
+    const char* unit = "";       ///< "m", "1/s"; empty: none
+    const char* format = "%.2f"; ///< with the unit behind it if it shows a number
     bool logarithmic = false;
 };
 
@@ -68,7 +68,8 @@ public:
 
 private:
     void label(const char* name);
-    void finish(const char* name, const std::string& shows, const std::string& about);
+    void finish(const char* name, const std::string& shows, const std::string& about,
+                const char* kind);
 
     const Style& style_;
     ControlMap& map_;

@@ -252,9 +252,11 @@ void Layout::drawWelcome(Controls& controls, Stage& stage)
     if (stage.recent != nullptr && !stage.recent->inputs().empty())
         controls.section("Open recent");
     if (stage.recent != nullptr)
-        for (const std::string& input : stage.recent->inputs())
+        for (const std::string& input : stage.recent->inputs()) {
             if (ImGui::Selectable(input.c_str()))
                 stage.wishes.open = {input};
+            controls.tell(input.c_str(), input, "Opens it again");
+        }
     controls.section("Or a built-in ground");
     for (const char* name : {"hills", "sphere", "dunes", "arch"}) {
         if (controls.button(name, "Grows grass on it, and shows it"))
@@ -277,6 +279,7 @@ void Layout::drawKeySheet(Controls& controls)
         ImGui::PushStyleColor(ImGuiCol_Text, controls.style().color(palette::dim));
         ImGui::TextUnformatted(line.meaning);
         ImGui::PopStyleColor();
+        controls.tell(line.keys, line.meaning, nullptr);
     }
     if (controls.button("Close", "H or Escape"))
         keySheet = false;

@@ -84,7 +84,7 @@ void drawCullingPanel(Controls& controls, Stage& stage)
     // Beyond the slider's end every blade is drawn.
     const bool all = settings.nature.drawDistance >= farthest;
     if (controls.number("Draw distance", settings.nature.drawDistance,
-                        {0.5f, farthest, all ? "" : "m", all ? "all" : "%.1f", true},
+                        {0.5f, farthest, "m", all ? "all" : "%.1f", true},
                         "Blades farther away are not drawn; at the end all are") &&
         settings.nature.drawDistance >= farthest)
         settings.nature.drawDistance = field::Defaults().drawDistance;

@@ -44,7 +44,13 @@ void drawMeadowPanel(Controls& controls, Stage& stage)
     controls.text("Ground", meadow.ground, "a mesh, a recipe, or hills",
                   "What grass grows on: .glb .gltf .obj .ply .stl .off, a heightmap, a recipe "
                   ".json, or plane sphere hills dunes torus arch");
+    ImGui::BeginDisabled(!meadow.meadowFile.empty());
     controls.choice("Meadow", meadow.meadow, meadowNames, "What is sown: species and their shares");
+    ImGui::EndDisabled();
+    controls.text(
+        "Meadow file", meadow.meadowFile, "none: the one above",
+        "A meadow of your own (.json, as for sward bake --meadow), sown instead of the one "
+        "above; with --watch the field is baked again when it changes");
     drawAmount(controls, meadow);
     controls.number("Slope from", meadow.slopeLow, {0.0f, 180.0f, "°", "%.0f"},
                     "Nothing grows on gentler slopes");
