@@ -51,7 +51,7 @@ TEST(InternalResolution, ComesBackWhenThereIsRoomAgain)
     EXPECT_EQ(settled(resolution, 0.001, 0.02), 1.0);
 }
 
-TEST(InternalResolution, NeverDrawsLessThanAFifth)
+TEST(InternalResolution, NeverDrawsLessThanItsLowest)
 {
     InternalResolution resolution(wanted, 1.0);
     EXPECT_EQ(settled(resolution, 5.0, 5.0), InternalResolution::lowest);

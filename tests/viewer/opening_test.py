@@ -187,8 +187,25 @@ class OpeningTest(unittest.TestCase):
         other.rename(self.field)
         viewer.wait_for_value("Message/Error", lambda shown: "hills.sward" in shown, "it complains")
         self.field.unlink()
-        viewer.wait_frames(5)
+        viewer.wait_for_value("Message/Error", lambda shown: "is gone" in shown, "it is told")
         self.assertEqual(viewer.shows("Field/Blades"), "700")
+        self.assert_ends_well(viewer)
+
+    def test_a_file_that_is_cut_and_removed_while_it_is_shown_harms_nothing(self):
+        viewer = self.open(self.field, "--camera", "top", "--panel", "field")
+        viewer.key("space")
+        # In place, as `cp` does it: whoever had only mapped the file would end by a signal.
+        os.truncate(self.field, 100)
+        for x in range(450, 700, 16):
+            viewer.click_at(x, 260)
+            if viewer.shows("Blade/Id"):
+                break
+        self.assertIn("Blade/Id", viewer.controls(), "a blade is met")
+        viewer.click("Blade/Forget it")
+        self.field.unlink()
+        viewer.wait_for_value("Message/Error", lambda shown: "hills.sward: the file is gone" in shown,
+                              "it is told")
+        self.assertEqual(viewer.shows("Field/Blades"), "1 500")
         self.assert_ends_well(viewer)
 
     def test_a_mesh_is_baked_again_when_it_or_its_meadow_changes(self):

@@ -8,7 +8,7 @@ namespace sward::view {
 /// of a quarter of the width is a matter of a tenth of the time.
 class InternalResolution {
 public:
-    static constexpr double lowest = 0.2; ///< of width and height
+    static constexpr double lowest = 0.16; ///< of width and height
     static constexpr double highest = 1.0;
 
     /// `wanted` [s]: what a frame may take; `begin`: the first frame's scale.

@@ -1,5 +1,7 @@
 #include "apps/sward_view/shown_field.h"
 
+#include "core/mapped_file.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,6 +9,18 @@
 
 namespace sward::view {
 namespace {
+
+/// A file that is larger is mapped [bytes]: its copy would take the memory of others.
+constexpr std::uintmax_t largestCopy = std::uintmax_t(1) << 30;
+
+// A copy of a file: whoever writes over it while it is shown harms nothing. Nothing for a large
+// one.
+std::vector<std::byte> bytesOf(const std::filesystem::path& file)
+{
+    std::error_code unknown;
+    const std::uintmax_t size = std::filesystem::file_size(file, unknown);
+    return unknown || size > largestCopy ? std::vector<std::byte>() : readFile(file);
+}
 
 std::vector<field::Member> membersOf(const OpenedFields& fields)
 {
@@ -42,7 +56,9 @@ OpenedFields readAmong(std::vector<FieldSource> sources, OpenedFields others, st
 
 OpenedField::OpenedField(FieldSource from)
     : source(std::move(from))
-    , mapped(field::readField(source.file))
+    , bytes(bytesOf(source.file))
+    , mapped(bytes.empty() ? field::readField(source.file)
+                           : field::readField(bytes, source.file.string()))
     , summary(field::summarise(mapped.view()))
     , name(std::filesystem::path(source.input).filename().string())
 {

@@ -35,6 +35,7 @@ struct OpenedField {
     explicit OpenedField(FieldSource source);
 
     FieldSource source;
+    std::vector<std::byte> bytes; ///< of the file, unless it is large
     field::MappedField mapped;
     field::Summary summary;
     std::string name; ///< the last part of its input

@@ -184,13 +184,16 @@ void Viewer::watch()
     if (stage_.picked)
         stage_.picked = lookAgain(exhibit_->renderer(), exhibit_->field(), *stage_.picked);
     // What changes while something is on its way is seen afterwards.
-    if (!options_.frame->watch || opening_.isBusy())
+    if (opening_.isBusy())
         return;
     const OpenedFields& members = exhibit_->field().members;
     for (std::size_t i = 0; i < members.size(); ++i) {
         FieldSource& source = members[i]->source;
         const bool isOther = source.watched.hasChanged();
-        if (!source.watchedMeadow.hasChanged() && !isOther)
+        const bool isSownAnew = source.watchedMeadow.hasChanged();
+        if (source.watched.hasGone())
+            complain(source.input + ": the file is gone; what is shown stays");
+        if (!options_.frame->watch || !(isOther || isSownAnew))
             continue;
         log::info("{}: has changed", isOther ? source.input : source.wishes->meadowFile);
         exchange(i, source.input,

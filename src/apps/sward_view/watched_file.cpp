@@ -9,6 +9,7 @@ WatchedFile::WatchedFile(std::filesystem::path path)
     : path_(std::move(path))
     , known_(look())
     , last_(known_)
+    , isTold_(known_ == Look())
 {
 }
 
@@ -17,10 +18,18 @@ bool WatchedFile::hasChanged()
     const Look now = look();
     const bool stands = now == last_;
     last_ = now;
+    isGone_ = stands && now == Look();
+    if (now != Look())
+        isTold_ = false;
     if (!stands || now == known_ || now == Look())
         return false;
     known_ = now;
     return true;
+}
+
+bool WatchedFile::hasGone()
+{
+    return isGone_ && !std::exchange(isTold_, true);
 }
 
 WatchedFile::Look WatchedFile::look() const

@@ -14,6 +14,9 @@ public:
     /// that is gone has not changed.
     bool hasChanged();
 
+    /// Whether it was there, and was not at the last two looks; true once.
+    bool hasGone();
+
 private:
     struct Look {
         std::filesystem::file_time_type written{};
@@ -26,6 +29,8 @@ private:
     std::filesystem::path path_;
     Look known_;
     Look last_;
+    bool isGone_ = false; ///< at the last two looks
+    bool isTold_ = true;  ///< that it is gone
 };
 
 } // namespace sward::view

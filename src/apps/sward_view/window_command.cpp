@@ -98,7 +98,7 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
                    options->viewer.resolution = static_cast<float>(
                        apps::parseNumber("--resolution", text, InternalResolution::lowest, 1.0));
            },
-           "Share of the window's width and height that is drawn, 0.2 to 1; auto: fewer pixels "
+           "Share of the window's width and height that is drawn, 0.16 to 1; auto: fewer pixels "
            "when frames take long [auto]")
         ->type_name("auto|F");
     app.add_option("--controls", options->viewer.controlsFile,

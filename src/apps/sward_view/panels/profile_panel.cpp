@@ -1,4 +1,5 @@
 #include "apps/sward_view/interface/units.h"
+#include "apps/sward_view/internal_resolution.h"
 #include "apps/sward_view/panels/panels.h"
 
 #include <fmt/core.h>
@@ -46,7 +47,8 @@ void drawProfilePanel(Controls& controls, Stage& stage)
     controls.toggle("Automatic", stage.automaticScale,
                     "Draws fewer pixels than the window has when frames take too long");
     ImGui::BeginDisabled(stage.automaticScale);
-    controls.number("Scale", stage.scale, {0.2f, 1.0f}, "Drawn share of width and height");
+    controls.number("Scale", stage.scale, {static_cast<float>(InternalResolution::lowest), 1.0f},
+                    "Drawn share of width and height");
     ImGui::EndDisabled();
 
     controls.section("Passes");
