@@ -116,7 +116,7 @@ Viewer::Viewer(Window& window, const ViewerOptions& options)
         stage_.automaticScale = false;
         stage_.scale = options.resolution;
     }
-    if (!options.shaderFolder.empty())
+    if (!options.shaderFolder.empty() && options.shaderFolder != "none")
         shaders_.emplace(options.shaderFolder, embedded::shaders());
     controlMap_.writeTo(options.controlsFile);
     layout_.shown = options.panel != "off";

@@ -11,7 +11,7 @@ struct ViewerOptions {
     const FrameOptions* frame = nullptr;
     std::string panel;        ///< that is open at first; "off": nothing but the picture
     std::string controlsFile; ///< where each control is told; empty: nowhere
-    std::string shaderFolder; ///< whose changes are compiled and shown; empty: none
+    std::string shaderFolder; ///< whose changes are compiled and shown; empty or "none": none
     std::string meadow;       ///< name or file of what is sown on a mesh; empty: the first
     float resolution = 0.0f;  ///< share of the window's width and height that is drawn; 0: by time
     double seconds = 0.0;     ///< closes by itself so long after the first field is there

@@ -110,8 +110,9 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
         options->viewer.shaderFolder = SWARD_SHADER_FOLDER;
     app.add_option("--shaders", options->viewer.shaderFolder,
                    "In this build: folder of shaders that are compiled and shown whenever they "
-                   "change; '' for none [the source tree's]")
-        ->type_name("DIR");
+                   "change; none: watch none [the source tree's]")
+        ->type_name("DIR|none")
+        ->envname("SWARD_SHADERS");
 #endif
     app.add_option_function<std::string>(
            "--exit-after",

@@ -56,7 +56,8 @@ void Overlay::tell(const Stage& stage, ControlMap& map) const
         if (clip.w < nearestDepth)
             continue;
         const glm::vec2 place(onScreen(clip));
-        map.add(fmt::format("Picture/Collider {}", i + 1), {place.x, place.y, 0.0f, 0.0f, {}, {}, {}});
+        map.add(fmt::format("Picture/Collider {}", i + 1),
+                {place.x, place.y, 0.0f, 0.0f, {}, {}, {}});
     }
 }
 
