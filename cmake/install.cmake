@@ -33,7 +33,7 @@ set(doors
   field/field.h field/inspect.h field/read.h field/write.h
   terrain/load.h terrain/recipe.h
   bake/bake.h bake/meadow.h bake/report.h bake/settings.h
-  gpu/context.h gpu/features.h
+  gpu/context.h gpu/features.h gpu/host_device.h
   render/camera_presets.h render/field_renderer.h render/grass.h render/look_settings.h
   render/settings_file.h)
 install(CODE "set(SWARD_DOORS \"${doors}\")

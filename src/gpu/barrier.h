@@ -1,5 +1,7 @@
 #pragma once
 
+#include "gpu/recording.h"
+
 #include <vulkan/vulkan.h>
 
 namespace sward::gpu {
@@ -36,7 +38,7 @@ constexpr Access dispatchAccess{VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT |
                                     VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT};
 constexpr Access hostAccess{VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT};
 
-inline void memoryBarrier(VkCommandBuffer commands, const Access& before, const Access& after)
+inline void memoryBarrier(const Recording& commands, const Access& before, const Access& after)
 {
     VkMemoryBarrier2 barrier{};
     barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
@@ -48,47 +50,47 @@ inline void memoryBarrier(VkCommandBuffer commands, const Access& before, const 
     dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
     dependency.memoryBarrierCount = 1;
     dependency.pMemoryBarriers = &barrier;
-    vkCmdPipelineBarrier2(commands, &dependency);
+    commands.vk->CmdPipelineBarrier2(commands, &dependency);
 }
 
 /// Whatever came before → clear, fill or copy: the first barrier of a frame that reuses its lists.
-inline void anythingToTransfer(VkCommandBuffer commands)
+inline void anythingToTransfer(const Recording& commands)
 {
     memoryBarrier(commands, anyAccess, transferAccess);
 }
 
 /// Clear, fill or copy → compute shaders.
-inline void transferToCompute(VkCommandBuffer commands)
+inline void transferToCompute(const Recording& commands)
 {
     memoryBarrier(commands, transferAccess, computeAccess);
 }
 
 /// Compute → compute shaders, indirect dispatch included.
-inline void computeToCompute(VkCommandBuffer commands)
+inline void computeToCompute(const Recording& commands)
 {
     memoryBarrier(commands, computeAccess, dispatchAccess);
 }
 
 /// Compute → indirect arguments, indices, and what the stages of a draw read.
-inline void computeToDraw(VkCommandBuffer commands)
+inline void computeToDraw(const Recording& commands)
 {
     memoryBarrier(commands, computeAccess, drawAccess);
 }
 
 /// Draw → compute shaders that overwrite what the draw has read, or read what it has stored.
-inline void drawToCompute(VkCommandBuffer commands)
+inline void drawToCompute(const Recording& commands)
 {
     memoryBarrier(commands, drawAccess, computeAccess);
 }
 
 /// Compute → copy.
-inline void computeToTransfer(VkCommandBuffer commands)
+inline void computeToTransfer(const Recording& commands)
 {
     memoryBarrier(commands, computeAccess, transferAccess);
 }
 
 /// Compute or copy → the CPU, after the submission's fence.
-inline void anythingToHost(VkCommandBuffer commands)
+inline void anythingToHost(const Recording& commands)
 {
     memoryBarrier(commands, anyAccess, hostAccess);
 }

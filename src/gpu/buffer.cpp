@@ -28,23 +28,18 @@ Buffer::Buffer(const DeviceContext& context, const BufferSettings& settings)
     create.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
 
     VkBuffer buffer = VK_NULL_HANDLE;
-    check(vkCreateBuffer(context.device, &create, nullptr, &buffer), "vkCreateBuffer");
-    buffer_ = {context.device, buffer};
+    check(context.vk.CreateBuffer(context.device, &create, context.allocation, &buffer),
+          "vkCreateBuffer");
+    buffer_ = {context, buffer};
     setName(context, buffer, settings.name);
     memory_ = allocateFor(context, buffer, settings.memory, settings.name);
 
     VkBufferDeviceAddressInfo place{};
     place.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO;
     place.buffer = buffer;
-    address_ = vkGetBufferDeviceAddress(context.device, &place);
+    address_ = context.vk.GetBufferDeviceAddress(context.device, &place);
 
-    // Mapped for its whole life; freeing the memory ends the mapping.
-    if (settings.memory != MemoryUse::device) {
-        void* mapped = nullptr;
-        check(vkMapMemory(context.device, memory_.get(), 0, VK_WHOLE_SIZE, 0, &mapped),
-              "vkMapMemory");
-        mapped_ = static_cast<std::byte*>(mapped);
-    }
+    mapped_ = memory_.mapped();
 }
 
 } // namespace sward::gpu

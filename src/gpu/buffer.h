@@ -52,7 +52,7 @@ private:
     VkDeviceAddress address_ = 0;
     std::byte* mapped_ = nullptr;
     Memory memory_;
-    Unique<VkBuffer, vkDestroyBuffer> buffer_;
+    Owned<VkBuffer, &DeviceFunctions::DestroyBuffer> buffer_;
 };
 
 } // namespace sward::gpu

@@ -16,8 +16,9 @@ CommandPool::CommandPool(const DeviceContext& context)
     create.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
     create.queueFamilyIndex = context.queueFamily;
     VkCommandPool pool = VK_NULL_HANDLE;
-    check(vkCreateCommandPool(context.device, &create, nullptr, &pool), "vkCreateCommandPool");
-    pool_ = {context.device, pool};
+    check(context.vk.CreateCommandPool(context.device, &create, context.allocation, &pool),
+          "vkCreateCommandPool");
+    pool_ = {context, pool};
 }
 
 VkCommandBuffer CommandPool::allocate(const std::string& name) const
@@ -82,8 +83,9 @@ Fence createFence(const DeviceContext& context, bool signalled)
     if (signalled)
         create.flags = VK_FENCE_CREATE_SIGNALED_BIT;
     VkFence fence = VK_NULL_HANDLE;
-    check(vkCreateFence(context.device, &create, nullptr, &fence), "vkCreateFence");
-    return {context.device, fence};
+    check(context.vk.CreateFence(context.device, &create, context.allocation, &fence),
+          "vkCreateFence");
+    return {context, fence};
 }
 
 Semaphore createSemaphore(const DeviceContext& context, const std::string& name)
@@ -91,9 +93,10 @@ Semaphore createSemaphore(const DeviceContext& context, const std::string& name)
     VkSemaphoreCreateInfo create{};
     create.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO;
     VkSemaphore semaphore = VK_NULL_HANDLE;
-    check(vkCreateSemaphore(context.device, &create, nullptr, &semaphore), "vkCreateSemaphore");
+    check(context.vk.CreateSemaphore(context.device, &create, context.allocation, &semaphore),
+          "vkCreateSemaphore");
     setName(context, semaphore, name);
-    return {context.device, semaphore};
+    return {context, semaphore};
 }
 
 void wait(const DeviceContext& context, VkFence fence)

@@ -21,7 +21,7 @@ public:
 
 private:
     const DeviceContext& context_;
-    Unique<VkCommandPool, vkDestroyCommandPool> pool_;
+    Owned<VkCommandPool, &DeviceFunctions::DestroyCommandPool> pool_;
 };
 
 /// Begins recording what is submitted once; the device must be done with what was recorded before.

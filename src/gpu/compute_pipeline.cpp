@@ -26,15 +26,16 @@ ComputePipeline::ComputePipeline(const DeviceContext& context, const ShaderLibra
     create.layout = layout_.get();
 
     VkPipeline pipeline = VK_NULL_HANDLE;
-    check(vkCreateComputePipelines(context.device, VK_NULL_HANDLE, 1, &create, nullptr, &pipeline),
+    check(context.vk.CreateComputePipelines(context.device, context.pipelineCache, 1, &create,
+                                            context.allocation, &pipeline),
           "vkCreateComputePipelines");
-    pipeline_ = {context.device, pipeline};
+    pipeline_ = {context, pipeline};
     setName(context, pipeline, settings.name);
 }
 
-void ComputePipeline::bind(VkCommandBuffer commands) const
+void ComputePipeline::bind(const Recording& commands) const
 {
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_.get());
+    commands.vk->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_.get());
 }
 
 VkExtent2D groupGrid(const DeviceContext& context, std::uint64_t groups)

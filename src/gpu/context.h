@@ -1,5 +1,8 @@
 #pragma once
 
+#include "gpu/device_functions.h"
+#include "gpu/host_memory.h"
+
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
@@ -50,6 +53,11 @@ struct DeviceContext {
 
     OptionalFeatures features; ///< that are enabled
     DebugFunctions debug;      ///< null without the extension
+    DeviceFunctions vk;        ///< all that is called of the device
+
+    const VkAllocationCallbacks* allocation = nullptr; ///< a host's, or null
+    VkPipelineCache pipelineCache = VK_NULL_HANDLE;    ///< a host's, or null
+    HostMemory hostMemory;                             ///< a host's, or no functions
 
     /// Whether it is a CPU that plays a GPU.
     bool isCpu() const { return type == VK_PHYSICAL_DEVICE_TYPE_CPU; }
@@ -63,5 +71,11 @@ struct DeviceContext {
 /// says whether the debug functions may be asked for.
 DeviceContext describeDevice(VkPhysicalDevice physical, VkDevice device, std::uint32_t queueFamily,
                              VkQueue queue, const OptionalFeatures& enabled, bool hasDebugUtils);
+
+/// Name and version of a driver in one text.
+std::string driverText(const VkPhysicalDeviceDriverProperties& driver);
+
+/// [bytes]
+std::uint64_t largestDeviceLocalHeap(const VkPhysicalDeviceMemoryProperties& memory);
 
 } // namespace sward::gpu

@@ -1,6 +1,7 @@
 #include "gpu/device_report.h"
 
 #include "gpu/check.h"
+#include "gpu/context.h"
 #include "gpu/features.h"
 
 #include <fmt/format.h>
@@ -111,20 +112,6 @@ std::vector<DeviceReport> listDevices(const Instance& instance, VkSurfaceKHR sur
     for (VkPhysicalDevice device : devices)
         reports.push_back(reportOn(device, reports.size(), surface));
     return reports;
-}
-
-std::string driverText(const VkPhysicalDeviceDriverProperties& driver)
-{
-    return fmt::format("{} {}", driver.driverName, driver.driverInfo);
-}
-
-std::uint64_t largestDeviceLocalHeap(const VkPhysicalDeviceMemoryProperties& memory)
-{
-    std::uint64_t largest = 0;
-    for (std::uint32_t i = 0; i < memory.memoryHeapCount; ++i)
-        if ((memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) != 0)
-            largest = std::max<std::uint64_t>(largest, memory.memoryHeaps[i].size);
-    return largest;
 }
 
 } // namespace sward::gpu

@@ -34,10 +34,4 @@ struct DeviceReport {
 std::vector<DeviceReport> listDevices(const Instance& instance,
                                       VkSurfaceKHR surface = VK_NULL_HANDLE);
 
-/// Name and version of a driver in one text.
-std::string driverText(const VkPhysicalDeviceDriverProperties& driver);
-
-/// [bytes]
-std::uint64_t largestDeviceLocalHeap(const VkPhysicalDeviceMemoryProperties& memory);
-
 } // namespace sward::gpu

@@ -156,15 +156,16 @@ GraphicsPipeline::GraphicsPipeline(const DeviceContext& context, const ShaderLib
     create.layout = layout_.get();
 
     VkPipeline pipeline = VK_NULL_HANDLE;
-    check(vkCreateGraphicsPipelines(context.device, VK_NULL_HANDLE, 1, &create, nullptr, &pipeline),
+    check(context.vk.CreateGraphicsPipelines(context.device, context.pipelineCache, 1, &create,
+                                             context.allocation, &pipeline),
           "vkCreateGraphicsPipelines");
-    pipeline_ = {context.device, pipeline};
+    pipeline_ = {context, pipeline};
     setName(context, pipeline, settings.name);
 }
 
-void GraphicsPipeline::bind(VkCommandBuffer commands) const
+void GraphicsPipeline::bind(const Recording& commands) const
 {
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
+    commands.vk->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
 }
 
 } // namespace sward::gpu

@@ -2,6 +2,7 @@
 
 #include "gpu/context.h"
 #include "gpu/pipeline_layout.h"
+#include "gpu/recording.h"
 #include "gpu/shader_library.h"
 
 #include <vulkan/vulkan.h>
@@ -61,10 +62,10 @@ public:
     VkPipeline get() const { return pipeline_.get(); }
     const PipelineLayout& layout() const { return layout_; }
 
-    void bind(VkCommandBuffer commands) const;
+    void bind(const Recording& commands) const;
 
     template <typename T>
-    void push(VkCommandBuffer commands, const T& constants) const
+    void push(const Recording& commands, const T& constants) const
     {
         layout_.push(commands, constants);
     }

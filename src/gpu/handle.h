@@ -1,5 +1,7 @@
 #pragma once
 
+#include "gpu/owned.h"
+
 #include <vulkan/vulkan.h>
 
 #include <utility>
@@ -72,9 +74,12 @@ private:
     Handle handle_ = VK_NULL_HANDLE;
 };
 
-using Fence = Unique<VkFence, vkDestroyFence>;
-using Semaphore = Unique<VkSemaphore, vkDestroySemaphore>;
-using ImageView = Unique<VkImageView, vkDestroyImageView>;
+using Fence = Owned<VkFence, &DeviceFunctions::DestroyFence>;
+using Semaphore = Owned<VkSemaphore, &DeviceFunctions::DestroySemaphore>;
+using ImageView = Owned<VkImageView, &DeviceFunctions::DestroyImageView>;
+// A host with a loader of its own has no functions to link with, and no surface of ours.
+#ifndef VK_NO_PROTOTYPES
 using Surface = Unique<VkSurfaceKHR, vkDestroySurfaceKHR, VkInstance>;
+#endif
 
 } // namespace sward::gpu

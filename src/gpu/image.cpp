@@ -42,9 +42,10 @@ ImageView createView(const DeviceContext& context, const Image& image, std::uint
     create.format = image.format();
     create.subresourceRange = {image.aspect(), firstMip, mips, 0, 1};
     VkImageView view = VK_NULL_HANDLE;
-    check(vkCreateImageView(context.device, &create, nullptr, &view), "vkCreateImageView");
+    check(context.vk.CreateImageView(context.device, &create, context.allocation, &view),
+          "vkCreateImageView");
     setName(context, view, name);
-    return {context.device, view};
+    return {context, view};
 }
 
 } // namespace
@@ -74,12 +75,13 @@ Image::Image(const DeviceContext& context, const ImageSettings& settings)
     create.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
 
     VkImage image = VK_NULL_HANDLE;
-    check(vkCreateImage(context.device, &create, nullptr, &image), "vkCreateImage");
-    image_ = {context.device, image};
+    check(context.vk.CreateImage(context.device, &create, context.allocation, &image),
+          "vkCreateImage");
+    image_ = {context, image};
     setName(context, image, settings.name);
     memory_ = allocateFor(context, image, settings.name);
     VkMemoryRequirements requirements{};
-    vkGetImageMemoryRequirements(context.device, image, &requirements);
+    context.vk.GetImageMemoryRequirements(context.device, image, &requirements);
     memoryBytes_ = requirements.size;
 
     // An image that is only copied has no use for views, and Vulkan allows none.

@@ -50,7 +50,7 @@ private:
     VkImageAspectFlags aspect_ = 0;
     VkDeviceSize memoryBytes_ = 0;
     Memory memory_;
-    Unique<VkImage, vkDestroyImage> image_;
+    Owned<VkImage, &DeviceFunctions::DestroyImage> image_;
     ImageView view_;
     std::vector<ImageView> mipViews_;
 };

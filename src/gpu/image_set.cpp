@@ -41,15 +41,16 @@ ImageSetLayout::ImageSetLayout(const DeviceContext& context, const ImageSetSetti
     create.bindingCount = static_cast<std::uint32_t>(bindings.size());
     create.pBindings = bindings.data();
     VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-    check(vkCreateDescriptorSetLayout(context.device, &create, nullptr, &layout),
-          "vkCreateDescriptorSetLayout");
-    layout_ = {context.device, layout};
+    check(
+        context.vk.CreateDescriptorSetLayout(context.device, &create, context.allocation, &layout),
+        "vkCreateDescriptorSetLayout");
+    layout_ = {context, layout};
     setName(context, layout, settings.name);
 }
 
 ImageSet::ImageSet(const DeviceContext& context, const ImageSetLayout& layout,
                    const std::string& name)
-    : device_(context.device)
+    : context_(&context)
     , sampledCount_(layout.sampledCount())
     , isSet_(layout.sampledCount() + layout.storageCount(), false)
 {
@@ -67,8 +68,9 @@ ImageSet::ImageSet(const DeviceContext& context, const ImageSetLayout& layout,
     create.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
     create.pPoolSizes = sizes.data();
     VkDescriptorPool pool = VK_NULL_HANDLE;
-    check(vkCreateDescriptorPool(device_, &create, nullptr, &pool), "vkCreateDescriptorPool");
-    pool_ = {device_, pool};
+    check(context.vk.CreateDescriptorPool(context.device, &create, context.allocation, &pool),
+          "vkCreateDescriptorPool");
+    pool_ = {context, pool};
 
     VkDescriptorSetLayout setLayout = layout.get();
     VkDescriptorSetAllocateInfo allocate{};
@@ -76,7 +78,8 @@ ImageSet::ImageSet(const DeviceContext& context, const ImageSetLayout& layout,
     allocate.descriptorPool = pool;
     allocate.descriptorSetCount = 1;
     allocate.pSetLayouts = &setLayout;
-    check(vkAllocateDescriptorSets(device_, &allocate, &set_), "vkAllocateDescriptorSets");
+    check(context.vk.AllocateDescriptorSets(context.device, &allocate, &set_),
+          "vkAllocateDescriptorSets");
     setName(context, set_, name);
 }
 
@@ -108,15 +111,16 @@ void ImageSet::write(std::uint32_t binding, std::uint32_t index, VkDescriptorTyp
     change.descriptorCount = 1;
     change.descriptorType = type;
     change.pImageInfo = &image;
-    vkUpdateDescriptorSets(device_, 1, &change, 0, nullptr);
+    context_->vk.UpdateDescriptorSets(context_->device, 1, &change, 0, nullptr);
     isSet_[element] = true;
 }
 
-void ImageSet::bind(VkCommandBuffer commands, VkPipelineBindPoint point,
+void ImageSet::bind(const Recording& commands, VkPipelineBindPoint point,
                     const PipelineLayout& layout, std::uint32_t setIndex) const
 {
     expect(std::ranges::find(isSet_, false) == isSet_.end(), "every image of the set is set");
-    vkCmdBindDescriptorSets(commands, point, layout.get(), setIndex, 1, &set_, 0, nullptr);
+    commands.vk->CmdBindDescriptorSets(commands, point, layout.get(), setIndex, 1, &set_, 0,
+                                       nullptr);
 }
 
 } // namespace sward::gpu

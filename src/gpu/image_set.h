@@ -3,6 +3,7 @@
 #include "gpu/context.h"
 #include "gpu/handle.h"
 #include "gpu/pipeline_layout.h"
+#include "gpu/recording.h"
 
 #include <vulkan/vulkan.h>
 
@@ -32,7 +33,7 @@ public:
     std::uint32_t storageCount() const { return storageCount_; }
 
 private:
-    Unique<VkDescriptorSetLayout, vkDestroyDescriptorSetLayout> layout_;
+    Owned<VkDescriptorSetLayout, &DeviceFunctions::DestroyDescriptorSetLayout> layout_;
     std::uint32_t sampledCount_ = 0;
     std::uint32_t storageCount_ = 0;
 };
@@ -51,15 +52,15 @@ public:
     /// `view` is of one mip level of an image in ImageUse::storage.
     void setStorage(std::uint32_t index, VkImageView view);
 
-    void bind(VkCommandBuffer commands, VkPipelineBindPoint point, const PipelineLayout& layout,
+    void bind(const Recording& commands, VkPipelineBindPoint point, const PipelineLayout& layout,
               std::uint32_t setIndex = 0) const;
 
 private:
     void write(std::uint32_t binding, std::uint32_t index, VkDescriptorType type,
                const VkDescriptorImageInfo& image);
 
-    VkDevice device_ = VK_NULL_HANDLE;
-    Unique<VkDescriptorPool, vkDestroyDescriptorPool> pool_;
+    const DeviceContext* context_ = nullptr;
+    Owned<VkDescriptorPool, &DeviceFunctions::DestroyDescriptorPool> pool_;
     VkDescriptorSet set_ = VK_NULL_HANDLE;
     std::uint32_t sampledCount_ = 0;
     std::vector<bool> isSet_; ///< the sampled ones, then the storage images

@@ -1,10 +1,12 @@
 #include "gpu/memory.h"
 
 #include "core/error.h"
+#include "core/expect.h"
 #include "gpu/check.h"
 #include "gpu/debug.h"
 
 #include <bit>
+#include <utility>
 
 namespace sward::gpu {
 namespace {
@@ -35,39 +37,87 @@ Wish wishFor(MemoryUse use)
     return {VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT};
 }
 
+/// A block of its own, mapped if it is to be.
+VkResult allocateBlock(const DeviceContext& context, const MemoryRequest& request, const void* next,
+                       MemoryPiece& piece)
+{
+    VkMemoryAllocateInfo create{};
+    create.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+    create.pNext = next;
+    create.allocationSize = request.requirements.size;
+    create.memoryTypeIndex = request.type;
+    const VkResult result =
+        context.vk.AllocateMemory(context.device, &create, context.allocation, &piece.memory);
+    if (result != VK_SUCCESS)
+        return result;
+    setName(context, piece.memory, request.name);
+    // Freeing the memory ends the mapping.
+    return request.isMapped ? context.vk.MapMemory(context.device, piece.memory, 0, VK_WHOLE_SIZE,
+                                                   0, &piece.mapped)
+                            : VK_SUCCESS;
+}
+
 Memory allocate(const DeviceContext& context, const VkMemoryRequirements& requirements,
-                MemoryUse use, const void* next, const std::string& name)
+                MemoryUse use, bool hasAddress, const void* next, const std::string& name)
 {
     const std::optional<std::uint32_t> type =
         chooseMemoryType(context.memory, requirements.memoryTypeBits, use);
     if (!type)
         fail(ErrorKind::unsupported, "{} has no memory type for '{}'", context.name, name);
 
-    VkMemoryAllocateInfo create{};
-    create.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
-    create.pNext = next;
-    create.allocationSize = requirements.size;
-    create.memoryTypeIndex = *type;
-
     // Say what did not fit and into what, since the cure is a smaller thing or another device.
+    const MemoryRequest request{requirements, *type, use != MemoryUse::device, hasAddress,
+                                name.c_str()};
     const VkDeviceSize heap =
         context.memory.memoryHeaps[context.memory.memoryTypes[*type].heapIndex].size;
-    VkDeviceMemory memory = VK_NULL_HANDLE;
-    const VkResult result = requirements.size > heap
-                                ? VK_ERROR_OUT_OF_DEVICE_MEMORY
-                                : vkAllocateMemory(context.device, &create, nullptr, &memory);
+    MemoryPiece piece;
+    VkResult result = VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    if (requirements.size <= heap)
+        result = context.hostMemory.allocate != nullptr
+                     ? context.hostMemory.allocate(context.hostMemory.allocator, request, piece)
+                     : allocateBlock(context, request, next, piece);
     if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY)
         fail(ErrorKind::runtime,
              "not enough memory for '{}': it needs {:.1f} MiB, and the heap of {} has {:.1f} MiB "
              "in all",
              name, static_cast<double>(requirements.size) / bytesPerMiB, context.name,
              static_cast<double>(heap) / bytesPerMiB);
+    Memory memory(context, piece);
     check(result, "vkAllocateMemory");
-    setName(context, memory, name);
-    return {context.device, memory};
+    expect(!request.isMapped || piece.mapped != nullptr, "memory is mapped where it is to be");
+    return memory;
 }
 
 } // namespace
+
+Memory::Memory(const DeviceContext& context, const MemoryPiece& piece)
+    : context_(&context)
+    , piece_(piece)
+{
+}
+
+Memory::Memory(Memory&& other) noexcept
+    : context_(other.context_)
+    , piece_(std::exchange(other.piece_, {}))
+{
+}
+
+Memory& Memory::operator=(Memory&& other) noexcept
+{
+    std::swap(context_, other.context_);
+    std::swap(piece_, other.piece_);
+    return *this;
+}
+
+Memory::~Memory()
+{
+    if (piece_.memory == VK_NULL_HANDLE)
+        return;
+    if (context_->hostMemory.release != nullptr)
+        context_->hostMemory.release(context_->hostMemory.allocator, piece_);
+    else
+        context_->vk.FreeMemory(context_->device, piece_.memory, context_->allocation);
+}
 
 std::optional<std::uint32_t> chooseMemoryType(const VkPhysicalDeviceMemoryProperties& memory,
                                               std::uint32_t allowed, MemoryUse use)
@@ -93,7 +143,7 @@ Memory allocateFor(const DeviceContext& context, VkBuffer buffer, MemoryUse use,
                    const std::string& name)
 {
     VkMemoryRequirements requirements{};
-    vkGetBufferMemoryRequirements(context.device, buffer, &requirements);
+    context.vk.GetBufferMemoryRequirements(context.device, buffer, &requirements);
 
     VkMemoryDedicatedAllocateInfo dedicated{};
     dedicated.sType = VK_STRUCTURE_TYPE_MEMORY_DEDICATED_ALLOCATE_INFO;
@@ -103,22 +153,24 @@ Memory allocateFor(const DeviceContext& context, VkBuffer buffer, MemoryUse use,
     flags.pNext = &dedicated;
     flags.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
 
-    Memory memory = allocate(context, requirements, use, &flags, name);
-    check(vkBindBufferMemory(context.device, buffer, memory.get(), 0), "vkBindBufferMemory");
+    Memory memory = allocate(context, requirements, use, true, &flags, name);
+    check(context.vk.BindBufferMemory(context.device, buffer, memory.get(), memory.offset()),
+          "vkBindBufferMemory");
     return memory;
 }
 
 Memory allocateFor(const DeviceContext& context, VkImage image, const std::string& name)
 {
     VkMemoryRequirements requirements{};
-    vkGetImageMemoryRequirements(context.device, image, &requirements);
+    context.vk.GetImageMemoryRequirements(context.device, image, &requirements);
 
     VkMemoryDedicatedAllocateInfo dedicated{};
     dedicated.sType = VK_STRUCTURE_TYPE_MEMORY_DEDICATED_ALLOCATE_INFO;
     dedicated.image = image;
 
-    Memory memory = allocate(context, requirements, MemoryUse::device, &dedicated, name);
-    check(vkBindImageMemory(context.device, image, memory.get(), 0), "vkBindImageMemory");
+    Memory memory = allocate(context, requirements, MemoryUse::device, false, &dedicated, name);
+    check(context.vk.BindImageMemory(context.device, image, memory.get(), memory.offset()),
+          "vkBindImageMemory");
     return memory;
 }
 

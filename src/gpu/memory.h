@@ -1,17 +1,33 @@
 #pragma once
 
 #include "gpu/context.h"
-#include "gpu/handle.h"
 
 #include <vulkan/vulkan.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 namespace sward::gpu {
 
-using Memory = Unique<VkDeviceMemory, vkFreeMemory>;
+/// Memory of a device: a block of its own, or a piece that a host's allocator has given.
+class Memory {
+public:
+    Memory() = default;
+    Memory(const DeviceContext& context, const MemoryPiece& piece);
+    Memory(Memory&& other) noexcept;
+    Memory& operator=(Memory&& other) noexcept;
+    ~Memory();
+
+    VkDeviceMemory get() const { return piece_.memory; }
+    VkDeviceSize offset() const { return piece_.offset; }
+    std::byte* mapped() const { return static_cast<std::byte*>(piece_.mapped); }
+
+private:
+    const DeviceContext* context_ = nullptr;
+    MemoryPiece piece_;
+};
 
 /// Who touches the memory.
 enum class MemoryUse {
@@ -25,8 +41,8 @@ enum class MemoryUse {
 std::optional<std::uint32_t> chooseMemoryType(const VkPhysicalDeviceMemoryProperties& memory,
                                               std::uint32_t allowed, MemoryUse use);
 
-/// Memory for one buffer or one image. Throws Error{runtime} that names the thing, the size and the
-/// heap if there is not enough.
+/// Memory for one buffer or one image, bound to it. Throws Error{runtime} that names the thing, the
+/// size and the heap if there is not enough.
 Memory allocateFor(const DeviceContext& context, VkBuffer buffer, MemoryUse use,
                    const std::string& name);
 Memory allocateFor(const DeviceContext& context, VkImage image, const std::string& name);

@@ -24,9 +24,9 @@ PipelineLayout::PipelineLayout(const DeviceContext& context, const std::string& 
     create.pushConstantRangeCount = pushConstantBytes > 0 ? 1 : 0;
     create.pPushConstantRanges = &range;
     VkPipelineLayout layout = VK_NULL_HANDLE;
-    check(vkCreatePipelineLayout(context.device, &create, nullptr, &layout),
+    check(context.vk.CreatePipelineLayout(context.device, &create, context.allocation, &layout),
           "vkCreatePipelineLayout");
-    layout_ = {context.device, layout};
+    layout_ = {context, layout};
     setName(context, layout, name);
 }
 

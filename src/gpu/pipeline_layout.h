@@ -3,6 +3,7 @@
 #include "core/expect.h"
 #include "gpu/context.h"
 #include "gpu/handle.h"
+#include "gpu/recording.h"
 
 #include <vulkan/vulkan.h>
 
@@ -14,7 +15,7 @@
 
 namespace sward::gpu {
 
-using Pipeline = Unique<VkPipeline, vkDestroyPipeline>;
+using Pipeline = Owned<VkPipeline, &DeviceFunctions::DestroyPipeline>;
 
 /// What every Vulkan device grants, and all that lavapipe has.
 constexpr std::uint32_t maxPushConstantBytes = 128;
@@ -32,15 +33,16 @@ public:
 
     /// `constants` has exactly the layout's bytes.
     template <typename T>
-    void push(VkCommandBuffer commands, const T& constants) const
+    void push(const Recording& commands, const T& constants) const
     {
         static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= maxPushConstantBytes);
         expect(sizeof(T) == pushConstantBytes_, "the push constants have the pipeline's size");
-        vkCmdPushConstants(commands, layout_.get(), stages_, 0, pushConstantBytes_, &constants);
+        commands.vk->CmdPushConstants(commands, layout_.get(), stages_, 0, pushConstantBytes_,
+                                      &constants);
     }
 
 private:
-    Unique<VkPipelineLayout, vkDestroyPipelineLayout> layout_;
+    Owned<VkPipelineLayout, &DeviceFunctions::DestroyPipelineLayout> layout_;
     VkShaderStageFlags stages_ = 0;
     std::uint32_t pushConstantBytes_ = 0;
 };

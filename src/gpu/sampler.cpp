@@ -33,9 +33,10 @@ Sampler createSampler(const DeviceContext& context, const SamplerSettings& setti
         context.features.anisotropicSampling && create.maxAnisotropy > 1.0f ? VK_TRUE : VK_FALSE;
 
     VkSampler sampler = VK_NULL_HANDLE;
-    check(vkCreateSampler(context.device, &create, nullptr, &sampler), "vkCreateSampler");
+    check(context.vk.CreateSampler(context.device, &create, context.allocation, &sampler),
+          "vkCreateSampler");
     setName(context, sampler, settings.name);
-    return {context.device, sampler};
+    return {context, sampler};
 }
 
 } // namespace sward::gpu

@@ -9,7 +9,7 @@
 
 namespace sward::gpu {
 
-using Sampler = Unique<VkSampler, vkDestroySampler>;
+using Sampler = Owned<VkSampler, &DeviceFunctions::DestroySampler>;
 
 struct SamplerSettings {
     std::string name{};

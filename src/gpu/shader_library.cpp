@@ -43,9 +43,10 @@ ShaderModule ShaderLibrary::module(const DeviceContext& context, std::string_vie
     create.codeSize = words.size_bytes();
     create.pCode = words.data();
     VkShaderModule module = VK_NULL_HANDLE;
-    check(vkCreateShaderModule(context.device, &create, nullptr, &module), "vkCreateShaderModule");
+    check(context.vk.CreateShaderModule(context.device, &create, context.allocation, &module),
+          "vkCreateShaderModule");
     setName(context, module, std::string(name));
-    return {context.device, module};
+    return {context, module};
 }
 
 } // namespace sward::gpu

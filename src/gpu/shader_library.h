@@ -12,7 +12,7 @@
 
 namespace sward::gpu {
 
-using ShaderModule = Unique<VkShaderModule, vkDestroyShaderModule>;
+using ShaderModule = Owned<VkShaderModule, &DeviceFunctions::DestroyShaderModule>;
 
 /// SPIR-V modules by the name of their source: "ground.vert" finds the file "ground.vert.spv".
 class ShaderLibrary {

@@ -28,7 +28,7 @@ void StagedUpload::toBuffer(const Buffer& target, std::span<const std::byte> byt
     copies_.push_back({std::move(staging), target.get(), offset});
 }
 
-void StagedUpload::record(VkCommandBuffer commands, VkDeviceSize mostBytes) noexcept
+void StagedUpload::record(const Recording& commands, VkDeviceSize mostBytes) noexcept
 {
     if (isRecorded() || mostBytes == 0)
         return;
@@ -36,7 +36,7 @@ void StagedUpload::record(VkCommandBuffer commands, VkDeviceSize mostBytes) noex
         const Copy& copy = copies_[next_];
         const VkDeviceSize size = std::min(copy.staging.bytes() - recorded_, mostBytes);
         const VkBufferCopy region{recorded_, copy.offset + recorded_, size};
-        vkCmdCopyBuffer(commands, copy.staging.get(), copy.target, 1, &region);
+        commands.vk->CmdCopyBuffer(commands, copy.staging.get(), copy.target, 1, &region);
         recorded_ += size;
         mostBytes -= size;
         if (recorded_ == copy.staging.bytes()) {

@@ -2,6 +2,7 @@
 
 #include "gpu/buffer_upload.h"
 #include "gpu/context.h"
+#include "gpu/recording.h"
 
 #include <vulkan/vulkan.h>
 
@@ -26,7 +27,7 @@ public:
 
     /// Records copies of at most `mostBytes` more, and a barrier to whatever comes after them.
     /// Nobody uses the targets on the device before.
-    void record(VkCommandBuffer commands, VkDeviceSize mostBytes) noexcept;
+    void record(const Recording& commands, VkDeviceSize mostBytes) noexcept;
 
     bool isRecorded() const { return next_ == copies_.size(); } ///< all of it
 

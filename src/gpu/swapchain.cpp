@@ -182,8 +182,9 @@ void Swapchain::takeImages()
         create.format = format_.format;
         create.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
         VkImageView view = VK_NULL_HANDLE;
-        check(vkCreateImageView(context_.device, &create, nullptr, &view), "vkCreateImageView");
-        images_.push_back({image, {context_.device, view}});
+        check(context_.vk.CreateImageView(context_.device, &create, context_.allocation, &view),
+              "vkCreateImageView");
+        images_.push_back({image, {context_, view}});
         setName(context_, image, "window " + std::to_string(images_.size() - 1));
     }
     while (finished_.size() < images_.size())

@@ -35,8 +35,9 @@ Timestamps::Timestamps(const DeviceContext& context, const TimestampSettings& se
     create.queryType = VK_QUERY_TYPE_TIMESTAMP;
     create.queryCount = settings.slots * settings.scopes * 2;
     VkQueryPool queries = VK_NULL_HANDLE;
-    check(vkCreateQueryPool(context.device, &create, nullptr, &queries), "vkCreateQueryPool");
-    queries_ = {context.device, queries};
+    check(context.vk.CreateQueryPool(context.device, &create, context.allocation, &queries),
+          "vkCreateQueryPool");
+    queries_ = {context, queries};
     setName(context, queries, "timestamps");
 }
 

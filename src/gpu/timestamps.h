@@ -63,7 +63,7 @@ private:
 
     const DeviceContext& context_;
     TimestampSettings settings_;
-    Unique<VkQueryPool, vkDestroyQueryPool> queries_;
+    Owned<VkQueryPool, &DeviceFunctions::DestroyQueryPool> queries_;
     std::vector<std::vector<std::string>> pending_; ///< by slot: names of the scopes in flight
     std::uint32_t slot_ = 0;
     std::vector<Series> series_;

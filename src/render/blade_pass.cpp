@@ -28,14 +28,14 @@ BladePass::BladePass(const gpu::DeviceContext& context, const gpu::ShaderLibrary
     pipeline_ = gpu::GraphicsPipeline(context, shaders, settings);
 }
 
-void BladePass::record(VkCommandBuffer commands, const FieldBuffers& field,
+void BladePass::record(const gpu::Recording& commands, const FieldBuffers& field,
                        VkDeviceAddress frame) const
 {
     if (field.bladeCount() == 0)
         return;
     pipeline_.bind(commands);
     pipeline_.push(commands, shared::ViewPush{frame});
-    vkCmdDrawIndirect(commands, field.draw().get(), 0, 1, sizeof(shared::DrawArguments));
+    commands.vk->CmdDrawIndirect(commands, field.draw().get(), 0, 1, sizeof(shared::DrawArguments));
 }
 
 } // namespace sward::render

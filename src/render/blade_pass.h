@@ -2,6 +2,7 @@
 
 #include "gpu/context.h"
 #include "gpu/graphics_pipeline.h"
+#include "gpu/recording.h"
 #include "gpu/shader_library.h"
 #include "render/field_buffers.h"
 #include "render/target_settings.h"
@@ -21,7 +22,8 @@ public:
               const TargetSettings& target);
 
     /// Inside a rendering.
-    void record(VkCommandBuffer commands, const FieldBuffers& field, VkDeviceAddress frame) const;
+    void record(const gpu::Recording& commands, const FieldBuffers& field,
+                VkDeviceAddress frame) const;
 
 private:
     gpu::GraphicsPipeline pipeline_;

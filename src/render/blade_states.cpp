@@ -31,13 +31,14 @@ void BladeStates::describe(shared::Frame& frame) const
     frame.patchCounts = patchCounts_.address();
 }
 
-void BladeStates::rest(VkCommandBuffer commands, float time) const
+void BladeStates::rest(const gpu::Recording& commands, float time) const
 {
     // A state of zeros is a blade that stands straight up.
-    vkCmdFillBuffer(commands, states_.get(), 0, VK_WHOLE_SIZE, 0);
-    vkCmdFillBuffer(commands, patchTimes_.get(), 0, VK_WHOLE_SIZE,
-                    std::bit_cast<std::uint32_t>(time));
-    vkCmdFillBuffer(commands, patchCounts_.get(), 0, VK_WHOLE_SIZE, shared::maxPatchBlades);
+    commands.vk->CmdFillBuffer(commands, states_.get(), 0, VK_WHOLE_SIZE, 0);
+    commands.vk->CmdFillBuffer(commands, patchTimes_.get(), 0, VK_WHOLE_SIZE,
+                               std::bit_cast<std::uint32_t>(time));
+    commands.vk->CmdFillBuffer(commands, patchCounts_.get(), 0, VK_WHOLE_SIZE,
+                               shared::maxPatchBlades);
 }
 
 VkDeviceSize BladeStates::bytes() const

@@ -2,6 +2,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/context.h"
+#include "gpu/recording.h"
 #include "render/baked_blades.h"
 #include "shaders/shared/frame.h"
 
@@ -18,7 +19,7 @@ public:
     void describe(shared::Frame& frame) const;
 
     /// Puts every blade at rest, last moved at `time` [s].
-    void rest(VkCommandBuffer commands, float time) const;
+    void rest(const gpu::Recording& commands, float time) const;
 
     const gpu::Buffer& states() const { return states_; } ///< shared::BladeState
     VkDeviceSize bytes() const;

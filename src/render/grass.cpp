@@ -83,7 +83,7 @@ struct Grass::Parts {
                 use(*field);
     }
 
-    void walkAll(VkCommandBuffer commands, std::uint32_t firstView, std::uint32_t endView,
+    void walkAll(const gpu::Recording& commands, std::uint32_t firstView, std::uint32_t endView,
                  bool isUpdate) const;
 };
 
@@ -169,8 +169,8 @@ shared::DepthPyramid Grass::Parts::lookAtDepth(const HostView& view, ViewDepth& 
     return depth.cells.layout;
 }
 
-void Grass::Parts::walkAll(VkCommandBuffer commands, std::uint32_t firstView, std::uint32_t endView,
-                           bool isUpdate) const
+void Grass::Parts::walkAll(const gpu::Recording& commands, std::uint32_t firstView,
+                           std::uint32_t endView, bool isUpdate) const
 {
     std::uint32_t steps = 0;
     forEach(
@@ -188,9 +188,10 @@ void Grass::Parts::walkAll(VkCommandBuffer commands, std::uint32_t firstView, st
     }
 }
 
-void Grass::recordUpdate(VkCommandBuffer commands) noexcept
+void Grass::recordUpdate(VkCommandBuffer buffer) noexcept
 {
     const Parts& parts = *parts_;
+    const gpu::Recording commands(parts.context, buffer);
     const gpu::LabelScope label(parts.context, commands, "grass/update");
 
     // Wait for the frame before, and empty what it has filled.
@@ -198,7 +199,7 @@ void Grass::recordUpdate(VkCommandBuffer commands) noexcept
     for (const auto& [id, field] : parts.placed) {
         if (!field->isInFrame(parts.frame))
             continue;
-        vkCmdFillBuffer(commands, field->moved().get(), 0, VK_WHOLE_SIZE, 0);
+        commands.vk->CmdFillBuffer(commands, field->moved().get(), 0, VK_WHOLE_SIZE, 0);
         for (std::uint32_t view = 0; view < parts.viewCount; ++view)
             field->list(view).clear(commands);
         // No blade is still on its way from the straight pose it was baked in.
@@ -225,10 +226,11 @@ void Grass::recordUpdate(VkCommandBuffer commands) noexcept
     gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostAccess);
 }
 
-void Grass::recordCull(VkCommandBuffer commands, std::uint32_t view) noexcept
+void Grass::recordCull(VkCommandBuffer buffer, std::uint32_t view) noexcept
 {
     const Parts& parts = *parts_;
     expect(view < parts.viewCount, "the view is one of the frame's");
+    const gpu::Recording commands(parts.context, buffer);
     const gpu::LabelScope label(parts.context, commands, "grass/cull");
     gpu::memoryBarrier(commands, gpu::anyAccess, gpu::fillAccess);
     parts.forEach([&](const PlacedField& field) { field.list(view).clear(commands); });
@@ -254,19 +256,20 @@ void Grass::recordCull(VkCommandBuffer commands, std::uint32_t view) noexcept
     gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostAccess);
 }
 
-void Grass::recordDraw(VkCommandBuffer commands, std::uint32_t view,
+void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view,
                        const BladeTarget& target) const noexcept
 {
     const Parts& parts = *parts_;
     expect(view < parts.viewCount, "the view is one of the frame's");
+    const gpu::Recording commands(parts.context, buffer);
     const gpu::LabelScope label(parts.context, commands, "grass/draw");
     target.pipeline().bind(commands);
     parts.forEach([&](const PlacedField& field) {
         if (field.blades().bladeCount() == 0)
             return;
         target.pipeline().push(commands, shared::ViewPush{field.drawnFrame(parts.slot, view)});
-        vkCmdDrawIndirect(commands, field.list(view).draw().get(), 0, 1,
-                          sizeof(shared::DrawArguments));
+        commands.vk->CmdDrawIndirect(commands, field.list(view).draw().get(), 0, 1,
+                                     sizeof(shared::DrawArguments));
     });
 }
 

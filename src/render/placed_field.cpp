@@ -153,18 +153,19 @@ bool PlacedField::beginsToMove()
     return !std::exchange(hasMoved_, true);
 }
 
-void PlacedField::recordMoved(VkCommandBuffer commands, std::uint32_t slot) const
+void PlacedField::recordMoved(const gpu::Recording& commands, std::uint32_t slot) const
 {
     const VkBufferCopy first{0, 0, sizeof(shared::DrawArguments)};
-    vkCmdCopyBuffer(commands, moved_.get(), slots_[slot].counts.get(), 1, &first);
+    commands.vk->CmdCopyBuffer(commands, moved_.get(), slots_[slot].counts.get(), 1, &first);
 }
 
-void PlacedField::recordCounts(VkCommandBuffer commands, std::uint32_t slot,
+void PlacedField::recordCounts(const gpu::Recording& commands, std::uint32_t slot,
                                std::uint32_t view) const
 {
     const VkBufferCopy one{0, (1 + view) * sizeof(shared::DrawArguments),
                            sizeof(shared::DrawArguments)};
-    vkCmdCopyBuffer(commands, lists_[view].draw().get(), slots_[slot].counts.get(), 1, &one);
+    commands.vk->CmdCopyBuffer(commands, lists_[view].draw().get(), slots_[slot].counts.get(), 1,
+                               &one);
 }
 
 void PlacedField::addCounts(std::uint32_t slot, std::uint32_t view, FrameStats& sum) const

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/buffer.h"
+#include "gpu/recording.h"
 #include "render/blade_states.h"
 #include "render/frame_slot.h"
 #include "render/grass.h"
@@ -49,8 +50,8 @@ public:
     bool beginsToMove();
 
     /// Copies counts to where counts() finds them, after a barrier to transfers.
-    void recordMoved(VkCommandBuffer commands, std::uint32_t slot) const;
-    void recordCounts(VkCommandBuffer commands, std::uint32_t slot, std::uint32_t view) const;
+    void recordMoved(const gpu::Recording& commands, std::uint32_t slot) const;
+    void recordCounts(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t view) const;
     void addCounts(std::uint32_t slot, std::uint32_t view, FrameStats& sum) const;
 
     VkDeviceSize bytes() const;

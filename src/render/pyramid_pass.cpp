@@ -71,7 +71,7 @@ void PyramidPass::fit(DepthCells& cells, VkImageView depth, VkImageLayout layout
     cells.picture.setSampled(0, depth, sampler_.get(), layout);
 }
 
-void PyramidPass::record(VkCommandBuffer commands, const DepthCells& cells,
+void PyramidPass::record(const gpu::Recording& commands, const DepthCells& cells,
                          VkDeviceAddress frame) const
 {
     const shared::DepthPyramid& layout = cells.layout;
@@ -84,8 +84,8 @@ void PyramidPass::record(VkCommandBuffer commands, const DepthCells& cells,
         if (level > 0)
             gpu::computeToCompute(commands);
         pipeline.push(commands, shared::PyramidPush{frame, level, slack_});
-        vkCmdDispatch(commands, groupsFor(shared::pyramidCells(layout.size.x, level)),
-                      groupsFor(shared::pyramidCells(layout.size.y, level)), 1);
+        commands.vk->CmdDispatch(commands, groupsFor(shared::pyramidCells(layout.size.x, level)),
+                                 groupsFor(shared::pyramidCells(layout.size.y, level)), 1);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "gpu/compute_pipeline.h"
 #include "gpu/context.h"
 #include "gpu/image_set.h"
+#include "gpu/recording.h"
 #include "gpu/sampler.h"
 #include "gpu/shader_library.h"
 #include "shaders/shared/frame.h"
@@ -44,7 +45,8 @@ public:
 
     /// Fills them, between barriers from the drawing of depth and to compute shaders. The frame
     /// knows their layout.
-    void record(VkCommandBuffer commands, const DepthCells& cells, VkDeviceAddress frame) const;
+    void record(const gpu::Recording& commands, const DepthCells& cells,
+                VkDeviceAddress frame) const;
 
 private:
     const gpu::DeviceContext* context_;

@@ -4,8 +4,9 @@
 
 namespace sward::render {
 
-ResidentField::Parts::Parts(const gpu::DeviceContext& context, const field::FieldView& field)
-    : upload(context)
+ResidentField::Parts::Parts(const gpu::DeviceContext& deviceContext, const field::FieldView& field)
+    : context(deviceContext)
+    , upload(context)
     , blades(context, upload, field)
     , cover(context, upload, field)
     , shape{field.origin, field.bounds(), blades.bladeSize()}
@@ -22,7 +23,7 @@ ResidentField::~ResidentField() = default;
 
 void ResidentField::recordUpload(VkCommandBuffer commands, VkDeviceSize mostBytes) noexcept
 {
-    parts_->upload.record(commands, mostBytes);
+    parts_->upload.record({parts_->context, commands}, mostBytes);
 }
 
 bool ResidentField::isUploaded() const

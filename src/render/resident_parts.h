@@ -10,8 +10,9 @@ namespace sward::render {
 
 /// What a resident field consists of.
 struct ResidentField::Parts {
-    Parts(const gpu::DeviceContext& context, const field::FieldView& field);
+    Parts(const gpu::DeviceContext& deviceContext, const field::FieldView& field);
 
+    const gpu::DeviceContext& context;
     gpu::StagedUpload upload; ///< before what it uploads to
     BakedBlades blades;
     GrassCover cover;

@@ -42,7 +42,7 @@ void UpdateCullPass::prepare(const gpu::ShaderLibrary& shaders, Variant variant)
                            {.id = 3, .value = static_cast<std::uint32_t>(variant.role)}}}));
 }
 
-void UpdateCullPass::record(VkCommandBuffer commands, const BakedBlades& blades,
+void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& blades,
                             const VisibleBlades& found, VkDeviceAddress frame, Variant variant,
                             Scope scope, std::uint32_t round, VkDeviceAddress views,
                             std::uint32_t viewCount) const
@@ -67,12 +67,12 @@ void UpdateCullPass::record(VkCommandBuffer commands, const BakedBlades& blades,
                                                .viewCount = viewCount});
     // One work-group per patch, or one for several where they are more than one can count.
     if (scope == Scope::all)
-        vkCmdDispatch(commands,
-                      std::min(shared::updateGroups(blades.ownerCount()), shared::mostGroups), 1,
-                      1);
+        commands.vk->CmdDispatch(
+            commands, std::min(shared::updateGroups(blades.ownerCount()), shared::mostGroups), 1,
+            1);
     else
-        vkCmdDispatchIndirect(commands, found.levels().get(),
-                              shared::liveLevel * sizeof(shared::WalkLevel));
+        commands.vk->CmdDispatchIndirect(commands, found.levels().get(),
+                                         shared::liveLevel * sizeof(shared::WalkLevel));
 }
 
 } // namespace sward::render

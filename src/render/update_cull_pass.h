@@ -2,6 +2,7 @@
 
 #include "gpu/compute_pipeline.h"
 #include "gpu/context.h"
+#include "gpu/recording.h"
 #include "gpu/shader_library.h"
 #include "render/baked_blades.h"
 #include "render/visible_blades.h"
@@ -46,9 +47,10 @@ public:
     /// Between a barrier from the clearing of the counts, or from the walk, and one to the draw.
     /// `variant` has been prepared. `views` are `viewCount` frames on end for which Role::move
     /// moves blades.
-    void record(VkCommandBuffer commands, const BakedBlades& blades, const VisibleBlades& found,
-                VkDeviceAddress frame, Variant variant, Scope scope, std::uint32_t round = 0,
-                VkDeviceAddress views = 0, std::uint32_t viewCount = 0) const;
+    void record(const gpu::Recording& commands, const BakedBlades& blades,
+                const VisibleBlades& found, VkDeviceAddress frame, Variant variant, Scope scope,
+                std::uint32_t round = 0, VkDeviceAddress views = 0,
+                std::uint32_t viewCount = 0) const;
 
 private:
     const gpu::DeviceContext* context_;

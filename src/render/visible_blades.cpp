@@ -44,13 +44,13 @@ void VisibleBlades::describe(shared::Frame& frame) const
     frame.visibleCapacity = listLength_;
 }
 
-void VisibleBlades::clear(VkCommandBuffer commands) const
+void VisibleBlades::clear(const gpu::Recording& commands) const
 {
     shared::DrawArguments none = {};
     none.vertexCount = shared::drawChunk;
-    vkCmdUpdateBuffer(commands, draw_.get(), 0, sizeof none, &none);
-    vkCmdFillBuffer(commands, rounds_.get(), 0, VK_WHOLE_SIZE, 0);
-    vkCmdFillBuffer(commands, levels_.get(), 0, VK_WHOLE_SIZE, 0);
+    commands.vk->CmdUpdateBuffer(commands, draw_.get(), 0, sizeof none, &none);
+    commands.vk->CmdFillBuffer(commands, rounds_.get(), 0, VK_WHOLE_SIZE, 0);
+    commands.vk->CmdFillBuffer(commands, levels_.get(), 0, VK_WHOLE_SIZE, 0);
 }
 
 } // namespace sward::render

@@ -2,6 +2,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/context.h"
+#include "gpu/recording.h"
 #include "render/baked_blades.h"
 #include "shaders/shared/frame.h"
 
@@ -24,7 +25,7 @@ public:
     void describe(shared::Frame& frame) const;
 
     /// Empties the list, the counts, and what the walk has found.
-    void clear(VkCommandBuffer commands) const;
+    void clear(const gpu::Recording& commands) const;
 
     /// How often the live patches fill the list at most, and by how many at a time.
     std::uint32_t roundCount() const { return roundCount_; }

@@ -14,7 +14,7 @@ WalkPass::WalkPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& 
 {
 }
 
-void WalkPass::record(VkCommandBuffer commands, const BakedBlades& blades,
+void WalkPass::record(const gpu::Recording& commands, const BakedBlades& blades,
                       const VisibleBlades& found, VkDeviceAddress judged) const
 {
     for (std::uint32_t step = 0; step < blades.tree().steps(); ++step) {
@@ -24,7 +24,7 @@ void WalkPass::record(VkCommandBuffer commands, const BakedBlades& blades,
     }
 }
 
-void WalkPass::recordStep(VkCommandBuffer commands, const BakedBlades& blades,
+void WalkPass::recordStep(const gpu::Recording& commands, const BakedBlades& blades,
                           const VisibleBlades& found, VkDeviceAddress judged,
                           std::uint32_t step) const
 {
@@ -41,9 +41,10 @@ void WalkPass::recordStep(VkCommandBuffer commands, const BakedBlades& blades,
                                           .reserved = 0});
     if (step == 0) {
         const auto groups = gpu::groupsFor(tree.startCount(), shared::walkThreads);
-        vkCmdDispatch(commands, static_cast<std::uint32_t>(groups), 1, 1);
+        commands.vk->CmdDispatch(commands, static_cast<std::uint32_t>(groups), 1, 1);
     } else {
-        vkCmdDispatchIndirect(commands, found.levels().get(), step * sizeof(shared::WalkLevel));
+        commands.vk->CmdDispatchIndirect(commands, found.levels().get(),
+                                         step * sizeof(shared::WalkLevel));
     }
 }
 

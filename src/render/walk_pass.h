@@ -2,6 +2,7 @@
 
 #include "gpu/compute_pipeline.h"
 #include "gpu/context.h"
+#include "gpu/recording.h"
 #include "gpu/shader_library.h"
 #include "render/baked_blades.h"
 #include "render/visible_blades.h"
@@ -18,13 +19,13 @@ public:
 
     /// Between a barrier from the clearing of tree and counts, and one from compute shaders to a
     /// dispatch. `judged` is the shared::Frame by whose camera nodes are judged.
-    void record(VkCommandBuffer commands, const BakedBlades& blades, const VisibleBlades& found,
-                VkDeviceAddress judged) const;
+    void record(const gpu::Recording& commands, const BakedBlades& blades,
+                const VisibleBlades& found, VkDeviceAddress judged) const;
 
     /// One of the tree's steps() of it: walks of several trees are recorded step by step, with a
     /// barrier from compute shaders to a dispatch between one step and the next.
-    void recordStep(VkCommandBuffer commands, const BakedBlades& blades, const VisibleBlades& found,
-                    VkDeviceAddress judged, std::uint32_t step) const;
+    void recordStep(const gpu::Recording& commands, const BakedBlades& blades,
+                    const VisibleBlades& found, VkDeviceAddress judged, std::uint32_t step) const;
 
 private:
     const gpu::DeviceContext* context_;

@@ -150,6 +150,17 @@ class Components(GuestTest):
                                                     encoding="utf-8")
         self.assertIn("sheep", self.configure(succeeds=False))
 
+    def test_a_host_with_a_loader_of_its_own_is_not_linked_with_vulkan(self):
+        field = self.bake("--count", "300")
+        shutil.copy(ROOT / "tests/package/own_loader.cpp", self.folder / "main.cpp")
+        flags = self.run_here("pkg-config", "--cflags", "--libs", "sward-render",
+                              PKG_CONFIG_PATH=str(PREFIX / "lib/pkgconfig")).split()
+        self.assertIn("-lvulkan", flags)
+        flags.remove("-lvulkan")
+        self.run_here(COMPILER, "-std=c++20", "-DVK_NO_PROTOTYPES", "main.cpp", *flags, "-o", "guest")
+        self.assertNotIn("vulkan", libraries_of(self.folder / "guest"))
+        self.assertRegex(self.run_here("./guest", field), r"^llvmpipe.* lists blades\n$")
+
     def test_pkg_config_says_the_same(self):
         field = self.bake("--count", "300")
         for component, arguments in {"field": [field], "bake": ["new.sward"], "render": ["-"]}.items():

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+namespace sward::gpu {
+
+// Vulkan's functions that passes and what they are made of call, by the name behind "vk". What only
+// a program with a device of its own needs is linked instead.
+// clang-format off
+#define SWARD_DEVICE_FUNCTIONS(each)                                                               \
+    each(AllocateMemory) each(FreeMemory) each(MapMemory)                                          \
+    each(BindBufferMemory) each(BindImageMemory)                                                   \
+    each(GetBufferMemoryRequirements) each(GetImageMemoryRequirements)                             \
+    each(CreateBuffer) each(DestroyBuffer) each(GetBufferDeviceAddress)                            \
+    each(CreateImage) each(DestroyImage) each(CreateImageView) each(DestroyImageView)              \
+    each(CreateSampler) each(DestroySampler)                                                       \
+    each(CreateShaderModule) each(DestroyShaderModule)                                             \
+    each(CreatePipelineLayout) each(DestroyPipelineLayout)                                         \
+    each(CreateComputePipelines) each(CreateGraphicsPipelines) each(DestroyPipeline)               \
+    each(CreateDescriptorSetLayout) each(DestroyDescriptorSetLayout)                               \
+    each(CreateDescriptorPool) each(DestroyDescriptorPool)                                         \
+    each(AllocateDescriptorSets) each(UpdateDescriptorSets)                                        \
+    each(CreateCommandPool) each(DestroyCommandPool)                                               \
+    each(CreateFence) each(DestroyFence) each(CreateSemaphore) each(DestroySemaphore)              \
+    each(CreateQueryPool) each(DestroyQueryPool)                                                   \
+    each(CmdBindPipeline) each(CmdBindDescriptorSets) each(CmdPushConstants)                       \
+    each(CmdDispatch) each(CmdDispatchIndirect) each(CmdDrawIndirect)                              \
+    each(CmdCopyBuffer) each(CmdFillBuffer) each(CmdUpdateBuffer) each(CmdPipelineBarrier2)
+// clang-format on
+
+/// The functions of one device.
+struct DeviceFunctions {
+#define SWARD_DEVICE_FUNCTION(name) PFN_vk##name name = nullptr;
+    SWARD_DEVICE_FUNCTIONS(SWARD_DEVICE_FUNCTION)
+#undef SWARD_DEVICE_FUNCTION
+};
+
+/// Those of the loader that the program is linked with.
+const DeviceFunctions& linkedFunctions();
+
+/// Those that a device names itself. Throws Error{unsupported} that names one that is not there.
+DeviceFunctions loadFunctions(VkDevice device, PFN_vkGetDeviceProcAddr getDeviceProcAddr);
+
+} // namespace sward::gpu
