@@ -1,45 +1,4 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Cuts one blade along its length, and a folded one along its middle.
-
-layout(vertices = 1) out;
-
-layout(location = 0) in vec4 inV0[];
-layout(location = 1) in vec4 inV1[];
-layout(location = 2) in vec4 inV2[];
-layout(location = 3) in vec4 inAxis[];
-layout(location = 4) flat in uvec3 inWhich[];
-layout(location = 5) in vec4 inRootColor[];
-layout(location = 6) in vec4 inTipColor[];
-layout(location = 7) in vec4 inMaterial[];
-
-layout(location = 0) patch out vec4 outV0;
-layout(location = 1) patch out vec4 outV1;
-layout(location = 2) patch out vec4 outV2;
-layout(location = 3) patch out vec4 outAxis;
-layout(location = 4) patch out uvec3 outWhich;
-layout(location = 5) patch out vec4 outRootColor;
-layout(location = 6) patch out vec4 outTipColor;
-layout(location = 7) patch out vec4 outMaterial;
-
-void main()
-{
-    // A patch without a blade: level 0 ends it here.
-    const float level = float(inWhich[0].y);
-    const float across = min(level, inV2[0].w > 0.0 ? 2.0 : 1.0);
-    gl_TessLevelOuter[0] = level;
-    gl_TessLevelOuter[1] = across;
-    gl_TessLevelOuter[2] = level;
-    gl_TessLevelOuter[3] = across;
-    gl_TessLevelInner[0] = max(across, 1.0);
-    gl_TessLevelInner[1] = level;
-
-    outV0 = inV0[0];
-    outV1 = inV1[0];
-    outV2 = inV2[0];
-    outAxis = inAxis[0];
-    outWhich = inWhich[0];
-    outRootColor = inRootColor[0];
-    outTipColor = inTipColor[0];
-    outMaterial = inMaterial[0];
-}
+// A stage of blades by tessellation.
+#include "shaders/grass/blade_control.glsl"

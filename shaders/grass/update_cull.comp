@@ -19,6 +19,7 @@ layout(push_constant, scalar) uniform Block { UpdatePush push; };
 layout(constant_id = 0) const uint windCounts = 0u;
 layout(constant_id = 1) const bool hasColliders = false;
 layout(constant_id = 3) const uint role = moveAndJudge;
+layout(constant_id = 4) const bool keepsBefore = false;
 
 shared uint fateTally[fateCount]; // of one patch
 shared uint fateSums[fateCount];  // of all patches of the group
@@ -115,7 +116,13 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
         // Move it. At a standstill the stored state stays as it is, to the bit.
         BladeState state = JUDGED.states.at[index];
         if (since > 0.0f) {
+            const BladeState before = state;
             state = advanceBlade(blade, nature, near, state, JUDGED.time, since);
+            // One that was thinned out comes back from nowhere.
+            if (keepsBefore) {
+                StateArray kept = push.before;
+                kept.at[index] = i < movedBefore ? before : state;
+            }
             JUDGED.states.at[index] = state;
         }
         if (role == onlyMove || push.onlyUpdate != 0u)

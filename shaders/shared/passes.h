@@ -36,6 +36,7 @@ struct UpdatePush {
     WalkLevelArray rounds; ///< each round's length of the list, and work-groups to rasterise it
     UintArray owners;      ///< indices of the patches that own blades
     FrameArray views;      ///< for which blades are moved, where they are several
+    StateArray before;     ///< where states are kept that blades are moved from, if they are
     uint ownerCount;
     uint onlyUpdate; ///< 1: move every blade of every owner, judge and count none
     uint firstLive;  ///< the round's first live patch …
@@ -43,7 +44,7 @@ struct UpdatePush {
     uint round;
     uint viewCount; ///< frames at `views`
 };
-SHARED_LAYOUT(UpdatePush, 72)
+SHARED_LAYOUT(UpdatePush, 80)
 
 // What the update does about a live patch.
 SHARED_CONST uint moveAndJudge = 0u;
@@ -143,6 +144,23 @@ struct ViewPush {
     FrameArray frame;
 };
 SHARED_LAYOUT(ViewPush, 8)
+
+/// How a view of a field came about since the frame before.
+struct Motion {
+    mat4 clipBefore;         ///< from the field's places to the clip space of then
+    StateArray statesBefore; ///< of blades before they moved, where they have moved in this frame
+    uint moves;              ///< 0: none has, no time has passed
+    uint reserved;
+};
+SHARED_LAYOUT(Motion, 80)
+
+SHARED_BUFFER(MotionArray, Motion, )
+
+struct MotionPush {
+    FrameArray frame;
+    MotionArray motion;
+};
+SHARED_LAYOUT(MotionPush, 16)
 
 struct GroundPush {
     FrameArray frame;

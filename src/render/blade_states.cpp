@@ -16,12 +16,16 @@ gpu::Buffer allocate(const gpu::DeviceContext& context, const char* name, VkDevi
 
 } // namespace
 
-BladeStates::BladeStates(const gpu::DeviceContext& context, const BakedBlades& blades)
+BladeStates::BladeStates(const gpu::DeviceContext& context, const BakedBlades& blades,
+                         bool keepsBefore)
     : states_(allocate(context, "field/states", blades.bladeCount() * sizeof(shared::BladeState)))
     , patchTimes_(allocate(context, "field/patch times", blades.patchCount() * sizeof(float)))
     , patchCounts_(
           allocate(context, "field/patch counts", blades.patchCount() * sizeof(std::uint32_t)))
 {
+    if (keepsBefore)
+        before_ = allocate(context, "field/states before",
+                           blades.bladeCount() * sizeof(shared::BladeState));
 }
 
 void BladeStates::describe(shared::Frame& frame) const
@@ -43,7 +47,7 @@ void BladeStates::rest(const gpu::Recording& commands, float time) const
 
 VkDeviceSize BladeStates::bytes() const
 {
-    return states_.bytes() + patchTimes_.bytes() + patchCounts_.bytes();
+    return states_.bytes() + before_.bytes() + patchTimes_.bytes() + patchCounts_.bytes();
 }
 
 } // namespace sward::render

@@ -13,7 +13,9 @@ namespace sward::render {
 /// How the blades of one field in one place are bent, and since when: what moves between frames.
 class BladeStates {
 public:
-    BladeStates(const gpu::DeviceContext& context, const BakedBlades& blades);
+    /// `keepsBefore`: also the states from which blades were last moved.
+    BladeStates(const gpu::DeviceContext& context, const BakedBlades& blades,
+                bool keepsBefore = false);
 
     /// Writes addresses into a frame.
     void describe(shared::Frame& frame) const;
@@ -21,11 +23,13 @@ public:
     /// Puts every blade at rest, last moved at `time` [s].
     void rest(const gpu::Recording& commands, float time) const;
 
-    const gpu::Buffer& states() const { return states_; } ///< shared::BladeState
+    const gpu::Buffer& states() const { return states_; }        ///< shared::BladeState
+    VkDeviceAddress before() const { return before_.address(); } ///< the same, if they are kept
     VkDeviceSize bytes() const;
 
 private:
     gpu::Buffer states_;
+    gpu::Buffer before_;
     gpu::Buffer patchTimes_;
     gpu::Buffer patchCounts_;
 };

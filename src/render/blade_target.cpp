@@ -1,8 +1,10 @@
 #include "render/blade_target.h"
 
 #include "core/embedded.h"
+#include "core/expect.h"
 #include "gpu/shader_library.h"
 #include "render/blade_pass.h"
+#include "shaders/shared/passes.h"
 
 namespace sward::embedded {
 std::span<const EmbeddedFile> shaders();
@@ -19,7 +21,7 @@ gpu::GraphicsPipelineSettings pipelineFor(const HostTarget& target)
 {
     gpu::GraphicsPipelineSettings settings = tessellatedBlades();
     settings.colorFormats = target.colorFormats;
-    settings.writtenColors = 1;
+    settings.writtenColors = target.writesMotion ? 3 : 1;
     settings.depthFormat = target.depthFormat;
     settings.stencilFormat = target.stencilFormat;
     settings.renderPass = target.renderPass;
@@ -27,6 +29,15 @@ gpu::GraphicsPipelineSettings pipelineFor(const HostTarget& target)
     settings.samples = target.samples;
     settings.depthCompare = target.hasReversedZ ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_LESS;
     settings.constants = {{.id = 9, .value = target.keepsRadiance ? toHostFilm : toHost}};
+    if (target.writesMotion) {
+        expect(target.colorFormats.size() >= 2, "motion has an attachment");
+        settings.name = "blades/motion";
+        settings.vertexShader = "blade_motion.vert";
+        settings.tessellationControlShader = "blade_motion.tesc";
+        settings.tessellationEvaluationShader = "blade_motion.tese";
+        settings.fragmentShader = "blade_motion.frag";
+        settings.pushConstantBytes = sizeof(shared::MotionPush);
+    }
     if (target.colorFormats.empty()) {
         settings.name = "blades/depth";
         settings.fragmentShader = "blade_depth.frag";

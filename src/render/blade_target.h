@@ -13,9 +13,14 @@ namespace sward::render {
 /// What a host draws blades into: its own rendering scope, by dynamic rendering or by a render
 /// pass.
 struct HostTarget {
-    /// Of the scope's colour attachments: blades are drawn into the first, and others are left
-    /// alone (then the device has `independentBlend`). None: a shadow's map, or depth beforehand.
+    /// Of the scope's colour attachments: blades are drawn into the first, their motion into the
+    /// second if `writesMotion`, and others are left alone (then the device has
+    /// `independentBlend`). None: a shadow's map, or depth beforehand.
     std::vector<VkFormat> colorFormats{};
+
+    /// Two channels: where a point was in the frame before, minus where it is, in widths and
+    /// heights of the picture, y downwards. Asks for Grass::Settings::keepsMotion.
+    bool writesMotion = false;
     VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;  ///< of the scope's depth attachment
     VkFormat stencilFormat = VK_FORMAT_UNDEFINED; ///< of its stencil attachment; it is left alone
     std::uint32_t samples = 1;                    ///< 1, 2, 4 or 8

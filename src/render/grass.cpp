@@ -151,7 +151,8 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
             continue;
         field->write(slot, frame, parts.frame, pyramids);
         const shared::Nature& nature = field->nature();
-        parts.moving = {nature.wind.counts, nature.colliderCount > 0, UpdateCullPass::Role::move};
+        parts.moving = {nature.wind.counts, nature.colliderCount > 0, UpdateCullPass::Role::move,
+                        parts.settings.keepsMotion};
         parts.update.prepare(parts.shaders, parts.moving);
     }
 }
@@ -218,7 +219,7 @@ void Grass::recordUpdate(VkCommandBuffer buffer) noexcept
             parts.update.record(commands, field.blades(), field.list(view),
                                 field.updateFrame(parts.slot, view), parts.moving,
                                 UpdateCullPass::Scope::visible, 0, field.updateFrame(parts.slot, 0),
-                                parts.viewCount);
+                                parts.viewCount, field.states().before());
         });
     }
     gpu::computeToTransfer(commands);
@@ -263,11 +264,18 @@ void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view,
     expect(view < parts.viewCount, "the view is one of the frame's");
     const gpu::Recording commands(parts.context, buffer);
     const gpu::LabelScope label(parts.context, commands, "grass/draw");
+    expect(!target.settings().writesMotion || parts.settings.keepsMotion,
+           "who asks for motion has it kept");
     target.pipeline().bind(commands);
     parts.forEach([&](const PlacedField& field) {
         if (field.blades().bladeCount() == 0)
             return;
-        target.pipeline().push(commands, shared::ViewPush{field.drawnFrame(parts.slot, view)});
+        const VkDeviceAddress drawn = field.drawnFrame(parts.slot, view);
+        if (target.settings().writesMotion)
+            target.pipeline().push(commands,
+                                   shared::MotionPush{drawn, field.motion(parts.slot, view)});
+        else
+            target.pipeline().push(commands, shared::ViewPush{drawn});
         commands.vk->CmdDrawIndirect(commands, field.list(view).draw().get(), 0, 1,
                                      sizeof(shared::DrawArguments));
     });

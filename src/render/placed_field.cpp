@@ -46,11 +46,12 @@ PlacedField::PlacedField(const gpu::DeviceContext& context, const FieldInstance&
     : context_(&context)
     , instance_(instance)
     , settings_(settings)
-    , states_(context, instance.field->parts().blades)
+    , states_(context, instance.field->parts().blades, settings.keepsMotion)
     , moved_(countsBuffer(context, "instance/moved", 1, gpu::MemoryUse::device))
 {
     const VkDeviceSize bytes =
-        tableBytes() + frameKinds * settings.mostViews * sizeof(shared::Frame);
+        tableBytes() +
+        settings.mostViews * (frameKinds * sizeof(shared::Frame) + sizeof(shared::Motion));
     for (std::uint32_t i = 0; i < settings.framesInFlight; ++i) {
         slots_.push_back({gpu::Buffer(context, {.name = "instance/constants",
                                                 .bytes = bytes,
@@ -116,8 +117,34 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
         put(slot, forUpdate, i, updated);
         put(slot, forJudging, i, judged);
         put(slot, forDrawing, i, drawn);
+        const shared::Motion since = motionOf(frame, view);
+        std::memcpy(constants.mapped().data() + motionOffset(i), &since, sizeof since);
     }
     written_ = number;
+    placementBefore_ = placement;
+    timeBefore_ = frame.time;
+}
+
+shared::Motion PlacedField::motionOf(const GrassFrame& frame, const HostView& view) const
+{
+    const Placement& before = written_ == 0 ? instance_.placement : placementBefore_;
+    shared::Motion motion = {};
+    motion.clipBefore = glm::mat4(view.clipBefore.value_or(view.worldToClip) *
+                                  before.toWorld(instance_.field->parts().shape.origin));
+    motion.statesBefore = states_.before();
+    motion.moves = hasMoved_ && frame.time > timeBefore_ ? 1 : 0;
+    return motion;
+}
+
+VkDeviceSize PlacedField::motionOffset(std::uint32_t view) const
+{
+    return tableBytes() + VkDeviceSize(frameKinds) * settings_.mostViews * sizeof(shared::Frame) +
+           view * sizeof(shared::Motion);
+}
+
+VkDeviceAddress PlacedField::motion(std::uint32_t slot, std::uint32_t view) const
+{
+    return slots_[slot].constants.address() + motionOffset(view);
 }
 
 VkDeviceSize PlacedField::frameOffset(std::uint32_t kind, std::uint32_t view) const

@@ -8,6 +8,7 @@
 #include "render/resident_parts.h"
 #include "render/visible_blades.h"
 #include "shaders/shared/frame.h"
+#include "shaders/shared/passes.h"
 
 #include <vulkan/vulkan.h>
 
@@ -43,6 +44,9 @@ public:
     VkDeviceAddress judgedFrame(std::uint32_t slot, std::uint32_t view) const;
     VkDeviceAddress drawnFrame(std::uint32_t slot, std::uint32_t view) const;
 
+    /// shared::Motion of one view.
+    VkDeviceAddress motion(std::uint32_t slot, std::uint32_t view) const;
+
     /// What blows and collides in the frame written last.
     const shared::Nature& nature() const { return nature_; }
 
@@ -58,10 +62,12 @@ public:
 
 private:
     struct Slot {
-        gpu::Buffer constants; ///< tables, then three frames for each view
+        gpu::Buffer constants; ///< tables, three frames for each view, shared::Motion of each
         gpu::Buffer counts;    ///< shared::DrawArguments of the update, then of each view
     };
 
+    VkDeviceSize motionOffset(std::uint32_t view) const;
+    shared::Motion motionOf(const GrassFrame& frame, const HostView& view) const;
     VkDeviceSize frameOffset(std::uint32_t kind, std::uint32_t view) const;
     void put(std::uint32_t slot, std::uint32_t kind, std::uint32_t view,
              const shared::Frame& frame) const;
@@ -74,6 +80,8 @@ private:
     std::vector<VisibleBlades> lists_;
     std::vector<Slot> slots_;
     shared::Nature nature_ = {};
+    Placement placementBefore_; ///< of the frame written before
+    double timeBefore_ = 0.0;
     std::uint32_t written_ = 0; ///< number of the frame written last
     bool hasMoved_ = false;
 };

@@ -29,23 +29,23 @@ void UpdateCullPass::prepare(const gpu::ShaderLibrary& shaders, Variant variant)
     if (pipelines_.contains(variant))
         return;
     pipelines_.emplace(
-        variant,
-        gpu::ComputePipeline(
-            *context_, shaders,
-            {.name = "update and cull",
-             .shader = "update_cull.comp",
-             .pushConstantBytes = sizeof(shared::UpdatePush),
-             .setLayouts = {},
-             .constants = {{.id = 0, .value = variant.windCounts},
-                           {.id = 1, .value = variant.hasColliders},
-                           {.id = 2, .value = threadsOf(*context_)},
-                           {.id = 3, .value = static_cast<std::uint32_t>(variant.role)}}}));
+        variant, gpu::ComputePipeline(
+                     *context_, shaders,
+                     {.name = "update and cull",
+                      .shader = "update_cull.comp",
+                      .pushConstantBytes = sizeof(shared::UpdatePush),
+                      .setLayouts = {},
+                      .constants = {{.id = 0, .value = variant.windCounts},
+                                    {.id = 1, .value = variant.hasColliders},
+                                    {.id = 2, .value = threadsOf(*context_)},
+                                    {.id = 3, .value = static_cast<std::uint32_t>(variant.role)},
+                                    {.id = 4, .value = variant.keepsBefore}}}));
 }
 
 void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& blades,
                             const VisibleBlades& found, VkDeviceAddress frame, Variant variant,
                             Scope scope, std::uint32_t round, VkDeviceAddress views,
-                            std::uint32_t viewCount) const
+                            std::uint32_t viewCount, VkDeviceAddress before) const
 {
     if (blades.ownerCount() == 0)
         return;
@@ -59,6 +59,7 @@ void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& b
                                                .rounds = found.rounds().address(),
                                                .owners = blades.owners(),
                                                .views = views,
+                                               .before = before,
                                                .ownerCount = blades.ownerCount(),
                                                .onlyUpdate = scope == Scope::all ? 1u : 0u,
                                                .firstLive = round * found.roundPatches(),

@@ -33,6 +33,7 @@ public:
         std::uint32_t windCounts = 0; ///< shared::Wind::counts; 0 where nothing is moved
         bool hasColliders = false;    ///< false where nothing is moved
         Role role = Role::moveAndJudge;
+        bool keepsBefore = false; ///< states from which blades are moved
         auto operator<=>(const Variant&) const = default;
     };
 
@@ -46,11 +47,11 @@ public:
 
     /// Between a barrier from the clearing of the counts, or from the walk, and one to the draw.
     /// `variant` has been prepared. `views` are `viewCount` frames on end for which Role::move
-    /// moves blades.
+    /// moves blades; at `before` it keeps the states from which it moves them, if the variant does.
     void record(const gpu::Recording& commands, const BakedBlades& blades,
                 const VisibleBlades& found, VkDeviceAddress frame, Variant variant, Scope scope,
-                std::uint32_t round = 0, VkDeviceAddress views = 0,
-                std::uint32_t viewCount = 0) const;
+                std::uint32_t round = 0, VkDeviceAddress views = 0, std::uint32_t viewCount = 0,
+                VkDeviceAddress before = 0) const;
 
 private:
     const gpu::DeviceContext* context_;

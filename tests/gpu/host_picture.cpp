@@ -16,14 +16,16 @@ namespace sward::test {
 namespace {
 
 constexpr VkFormat colorFormat = VK_FORMAT_R8G8B8A8_UNORM;
+constexpr VkFormat motionFormat = VK_FORMAT_R32G32_SFLOAT;
 constexpr double near = 0.1; // [m]
 constexpr double far = 200.0;
 
-gpu::Image colorImage(const gpu::DeviceContext& context, VkExtent2D extent, std::uint32_t samples)
+gpu::Image colorImage(const gpu::DeviceContext& context, VkFormat format, VkExtent2D extent,
+                      std::uint32_t samples)
 {
     return {context,
             {.name = "host/color",
-             .format = colorFormat,
+             .format = format,
              .extent = extent,
              .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
              .samples = samples}};
@@ -34,6 +36,9 @@ render::HostTarget targetOf(const HostPicture::Settings& settings)
     render::HostTarget target{.samples = settings.samples, .hasReversedZ = settings.isReversed};
     if (settings.hasColor)
         target.colorFormats = {colorFormat};
+    target.writesMotion = settings.hasMotion;
+    if (settings.hasMotion)
+        target.colorFormats.push_back(motionFormat);
     return target;
 }
 
@@ -70,8 +75,9 @@ HostPicture::HostPicture(const gpu::DeviceContext& context, const Settings& sett
     : context_(context)
     , settings_(settings)
     , extent_{settings.size.x, settings.size.y}
-    , color_(colorImage(context, extent_, settings.samples))
-    , resolved_(colorImage(context, extent_, 1))
+    , color_(colorImage(context, colorFormat, extent_, settings.samples))
+    , resolved_(colorImage(context, colorFormat, extent_, 1))
+    , motion_(colorImage(context, motionFormat, extent_, 1))
     , depth_(context, {.name = "host/depth",
                        .format = VK_FORMAT_D32_SFLOAT,
                        .extent = extent_,
@@ -106,19 +112,23 @@ render::HostDepth HostPicture::depth() const
 void HostPicture::record(VkCommandBuffer commands, const render::Grass& grass, std::uint32_t view,
                          bool hasWall) const
 {
-    for (const gpu::Image* image : {&color_, &resolved_})
+    for (const gpu::Image* image : {&color_, &resolved_, &motion_})
         gpu::transition(commands, *image, gpu::ImageUse::undefined, gpu::ImageUse::colorTarget);
     gpu::transition(commands, depth_, hasWall ? gpu::ImageUse::sampled : gpu::ImageUse::undefined,
                     gpu::ImageUse::depthTarget);
-    const gpu::ColorAttachment color{.view = color_.view(),
-                                     .resolve =
-                                         settings_.samples > 1 ? resolved_.view() : VK_NULL_HANDLE,
-                                     .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}};
+    std::vector<gpu::ColorAttachment> colors;
+    if (settings_.hasColor)
+        colors.push_back({.view = color_.view(),
+                          .resolve = settings_.samples > 1 ? resolved_.view() : VK_NULL_HANDLE,
+                          .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}});
+    if (settings_.hasMotion)
+        colors.push_back({.view = motion_.view(),
+                          .resolve = VK_NULL_HANDLE,
+                          .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}});
     gpu::DepthAttachment depth{.view = depth_.view(), .clear = std::nullopt};
     if (!hasWall)
         depth.clear = settings_.isReversed ? 0.0f : 1.0f;
-    const gpu::RenderingScope scope(commands, extent_,
-                                    std::span(&color, settings_.hasColor ? 1 : 0), depth);
+    const gpu::RenderingScope scope(commands, extent_, colors, depth);
     grass.recordDraw(commands, view, target_);
 }
 
@@ -144,6 +154,15 @@ std::vector<float> HostPicture::depths() const
     std::vector<float> depths(bytes.size() / sizeof(float));
     std::memcpy(depths.data(), bytes.data(), bytes.size());
     return depths;
+}
+
+std::vector<glm::vec2> HostPicture::motion() const
+{
+    const std::vector<std::byte> bytes =
+        gpu::readImage(context_, motion_, gpu::ImageUse::colorTarget);
+    std::vector<glm::vec2> motion(bytes.size() / sizeof(glm::vec2));
+    std::memcpy(motion.data(), bytes.data(), bytes.size());
+    return motion;
 }
 
 std::size_t pixelsApart(const std::vector<std::byte>& a, const std::vector<std::byte>& b, int most)

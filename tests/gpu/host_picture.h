@@ -35,7 +35,8 @@ public:
         glm::uvec2 size = hostSize;
         bool isReversed = true;
         std::uint32_t samples = 1;
-        bool hasColor = true; ///< else depth alone
+        bool hasColor = true;   ///< else depth alone
+        bool hasMotion = false; ///< beside the colour
     };
 
     HostPicture(const gpu::DeviceContext& context, const Settings& settings);
@@ -52,6 +53,7 @@ public:
     std::vector<std::byte> pixels() const;
     std::size_t covered() const; ///< pixels that show grass
     std::vector<float> depths() const;
+    std::vector<glm::vec2> motion() const; ///< 0 where there is no grass
 
 private:
     const gpu::DeviceContext& context_;
@@ -59,6 +61,7 @@ private:
     VkExtent2D extent_;
     gpu::Image color_;
     gpu::Image resolved_;
+    gpu::Image motion_;
     gpu::Image depth_;
     render::BladeTarget target_;
 };

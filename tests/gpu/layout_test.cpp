@@ -121,6 +121,8 @@ struct Values {
     shared::PyramidPush pyramidPush;
     shared::ViewPush viewPush;
     shared::GroundPush groundPush;
+    shared::Motion motion;
+    shared::MotionPush motionPush;
 };
 
 std::size_t fillValues(Values& v)
@@ -155,8 +157,8 @@ std::size_t fillValues(Values& v)
               v.groundMaterial.image, v.groundMaterial.flags);
     n.fillAll(v.windSource, v.collider);
     shared::UpdatePush& u = v.updatePush;
-    n.fillAll(u.judged, u.live, u.levels, u.rounds, u.owners, u.views, u.ownerCount, u.onlyUpdate,
-              u.firstLive, u.mostLive, u.round, u.viewCount);
+    n.fillAll(u.judged, u.live, u.levels, u.rounds, u.owners, u.views, u.before, u.ownerCount,
+              u.onlyUpdate, u.firstLive, u.mostLive, u.round, u.viewCount);
     shared::WalkPush& w = v.walkPush;
     n.fillAll(w.judged, w.subtrees, w.queue, w.live, w.levels, w.startCount, w.startLevel, w.level,
               w.reserved);
@@ -173,6 +175,8 @@ std::size_t fillValues(Values& v)
     n.fillAll(v.viewPush.frame);
     n.fillAll(v.groundPush.frame, v.groundPush.vertices, v.groundPush.materials,
               v.groundPush.visibility, v.groundPush.material, v.groundPush.width);
+    n.fillAll(v.motion.clipBefore, v.motion.statesBefore, v.motion.moves, v.motion.reserved);
+    n.fillAll(v.motionPush.frame, v.motionPush.motion);
     return n.count();
 }
 
@@ -197,7 +201,7 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
     const std::size_t words = fillValues(values);
 
     // The frame is reached as element 0 everywhere, so here, too.
-    std::array<gpu::Buffer, 22> buffers = {secondElement(context(), values.blade),
+    std::array<gpu::Buffer, 24> buffers = {secondElement(context(), values.blade),
                                            secondElement(context(), values.packedBlade),
                                            secondElement(context(), values.state),
                                            secondElement(context(), values.cell),
@@ -218,7 +222,9 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
                                            secondElement(context(), values.largePart),
                                            secondElement(context(), values.pyramidPush),
                                            secondElement(context(), values.viewPush),
-                                           secondElement(context(), values.groundPush)};
+                                           secondElement(context(), values.groundPush),
+                                           secondElement(context(), values.motion),
+                                           secondElement(context(), values.motionPush)};
     std::memcpy(buffers[4].mapped().data(), &values.frame, sizeof values.frame);
 
     const gpu::Buffer sources(context(), {.name = "sources",

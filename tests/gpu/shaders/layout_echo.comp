@@ -12,6 +12,7 @@ SHARED_BUFFER(WalkPushArray, WalkPush, readonly)
 SHARED_BUFFER(RasterPushArray, RasterPush, readonly)
 SHARED_BUFFER(PyramidPushArray, PyramidPush, readonly)
 SHARED_BUFFER(ViewPushArray, ViewPush, readonly)
+SHARED_BUFFER(MotionPushArray, MotionPush, readonly)
 SHARED_BUFFER(GroundPushArray, GroundPush, readonly)
 
 struct Sources {
@@ -37,6 +38,8 @@ struct Sources {
     PyramidPushArray pyramidPush;
     ViewPushArray viewPush;
     GroundPushArray groundPush;
+    MotionArray motion;
+    MotionPushArray motionPush;
 };
 SHARED_BUFFER(SourcesArray, Sources, readonly)
 
@@ -310,6 +313,7 @@ void main()
     put(uvec2(sources.at[0].updatePush.at[1].rounds));
     put(uvec2(sources.at[0].updatePush.at[1].owners));
     put(uvec2(sources.at[0].updatePush.at[1].views));
+    put(uvec2(sources.at[0].updatePush.at[1].before));
     put(sources.at[0].updatePush.at[1].ownerCount);
     put(sources.at[0].updatePush.at[1].onlyUpdate);
     put(sources.at[0].updatePush.at[1].firstLive);
@@ -365,4 +369,12 @@ void main()
     put(uvec2(sources.at[0].groundPush.at[1].visibility));
     put(sources.at[0].groundPush.at[1].material);
     put(sources.at[0].groundPush.at[1].width);
+
+    for (int column = 0; column < 4; ++column)
+        put(sources.at[0].motion.at[1].clipBefore[column]);
+    put(uvec2(sources.at[0].motion.at[1].statesBefore));
+    put(sources.at[0].motion.at[1].moves);
+    put(sources.at[0].motion.at[1].reserved);
+    put(uvec2(sources.at[0].motionPush.at[1].frame));
+    put(uvec2(sources.at[0].motionPush.at[1].motion));
 }

@@ -1,0 +1,80 @@
+// A point of the blade: across its width axis (x) and along its curve (y).
+#include "shaders/shared/passes.h"
+#include "shaders/shared/ribbon.h"
+
+layout(quads, equal_spacing, ccw) in;
+#ifdef HAS_MOTION
+layout(push_constant, scalar) uniform Block { MotionPush push; };
+#else
+layout(push_constant, scalar) uniform Block { ViewPush push; };
+#endif
+#define FRAME push.frame.at[0]
+
+layout(location = 0) patch in vec4 inV0;
+layout(location = 1) patch in vec4 inV1;
+layout(location = 2) patch in vec4 inV2;
+layout(location = 3) patch in vec4 inAxis;
+layout(location = 4) patch in uvec3 inWhich;
+layout(location = 5) patch in vec4 inRootColor;
+layout(location = 6) patch in vec4 inTipColor;
+layout(location = 7) patch in vec4 inMaterial;
+#ifdef HAS_MOTION
+layout(location = 8) patch in vec4 inV1Before;
+layout(location = 9) patch in vec4 inV2Before;
+#endif
+
+layout(location = 0) centroid out vec3 outPosition;
+layout(location = 1) centroid out vec3 outTangent;
+layout(location = 2) centroid out vec3 outAxis;
+layout(location = 3) centroid out vec4 outPlace; // −1 … 1 across, 0 … 1 along, [m] wide and drawn
+layout(location = 4) centroid out vec4 outRootColor;
+layout(location = 5) centroid out vec4 outTipColor;
+layout(location = 6) centroid out vec4 outMaterial;
+layout(location = 7) centroid out vec4 outUp; // and the fold
+layout(location = 8) flat out uint outBlade;
+#ifdef HAS_MOTION
+layout(location = 9) centroid out vec4 outClip;
+layout(location = 10) centroid out vec4 outClipBefore;
+#endif
+
+/// A point of a rib, from its left (0) to its right (1).
+vec3 onRib(Rib rib, float u)
+{
+    return u < 0.5 ? mix(rib.left, rib.ridge, 2.0 * u) : mix(rib.ridge, rib.right, 2.0 * u - 1.0);
+}
+
+void main()
+{
+    Ribbon ribbon;
+    ribbon.v0 = inV0.xyz;
+    ribbon.v1 = inV1.xyz;
+    ribbon.v2 = inV2.xyz;
+    ribbon.axis = inAxis.xyz;
+    ribbon.width = inV0.w;
+    ribbon.fold = inV2.w;
+    ribbon.outline = Outline(inWhich.x, inV1.w, float(inWhich.y), inAxis.w);
+
+    // A quad of several rows always has a column of vertices in its middle. Where no fold needs it
+    // they fall on the right edge, and what is right of them vanishes: two triangles a row.
+    const float u = ribbon.fold > 0.0 || gl_TessCoord.x == 0.0 ? gl_TessCoord.x : 1.0;
+    const Rib rib = ribAt(ribbon, gl_TessCoord.y, FRAME.view.eye, FRAME.view.leastWidth);
+    outPosition = onRib(rib, u);
+    outTangent = rib.tangent;
+    outAxis = ribbon.axis;
+    outPlace = vec4(2.0 * u - 1.0, gl_TessCoord.y, rib.wide, rib.drawn);
+    outRootColor = inRootColor;
+    outTipColor = inTipColor;
+    outMaterial = inMaterial;
+    outUp = vec4(normalize(ribbon.v1 - ribbon.v0), ribbon.fold);
+    outBlade = inWhich.z;
+    gl_Position = FRAME.viewProjection * vec4(outPosition, 1.0);
+
+#ifdef HAS_MOTION
+    Ribbon before = ribbon;
+    before.v1 = inV1Before.xyz;
+    before.v2 = inV2Before.xyz;
+    const Rib ribBefore = ribAt(before, gl_TessCoord.y, FRAME.view.eye, FRAME.view.leastWidth);
+    outClip = gl_Position;
+    outClipBefore = push.motion.at[0].clipBefore * vec4(onRib(ribBefore, u), 1.0);
+#endif
+}
