@@ -53,10 +53,10 @@ class FieldsTest(unittest.TestCase):
                               lambda shown: f" of {total:,} blades".replace(",", " ") in shown,
                               f"{total} blades are shown")
 
-    def drop(self, viewer, path):
+    def drop(self, viewer, *paths):
         # In a process of its own: Xlib ends the whole program when something is wrong.
         subprocess.run([sys.executable, Path(__file__).with_name("drop.py"), self.display.name,
-                        viewer.window.number, path.as_uri()], check=True)
+                        viewer.window.number, *(path.as_uri() for path in paths)], check=True)
 
     def test_each_of_several_is_listed_and_may_go_and_come(self):
         viewer = self.open(self.hills, self.plane)
@@ -90,6 +90,12 @@ class FieldsTest(unittest.TestCase):
         viewer.wait_for_value("Field/Drop adds", lambda shown: shown == "on", "it is turned on")
         self.drop(viewer, self.hills)
         self.wait_for_total(viewer, 2300)
+        # Two at once, beside the two that are there.
+        self.drop(viewer, self.plane, self.plane)
+        self.wait_for_total(viewer, 3900)
+        viewer.click("Field/Remove 4")
+        self.wait_for_total(viewer, 3100)
+        viewer.click("Field/Show 2", 0.2)
         viewer.wait_for_value("Field/File", lambda shown: shown == before, "the new one is chosen")
         self.assert_ends_well(viewer)
 

@@ -29,11 +29,13 @@ class SoakTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         place = Path(folder.name)
         field = place / "hills.sward"
-        subprocess.run([SWARD, "bake", "hills", "--count", "1000", "--blade-scale", "8", "-o",
-                        field, "-q"], check=True)
+        other = place / "plane.sward"
+        for ground, path in (("hills", field), ("plane", other)):
+            subprocess.run([SWARD, "bake", ground, "--count", "1000", "--blade-scale", "8", "-o",
+                            path, "-q"], check=True)
         display = Display()
         self.addCleanup(display.close)
-        viewer = Viewer(VIEWER, display, place, [field, "--size", f"{WIDTH}x{HEIGHT}"])
+        viewer = Viewer(VIEWER, display, place, [field, other, "--size", f"{WIDTH}x{HEIGHT}"])
         self.addCleanup(viewer.close)
         viewer.wait_for_field()
 
