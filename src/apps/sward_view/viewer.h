@@ -92,6 +92,7 @@ private:
     Controls controls_;
     Layout layout_;
     std::optional<ShaderSources> shaders_;
+    std::shared_ptr<const ShaderModules> goodShaders_; ///< that have drawn; null: built in
     std::unique_ptr<Exhibit> exhibit_;
     std::unique_ptr<Exhibit> former_; ///< before the last bake
     Opening opening_;

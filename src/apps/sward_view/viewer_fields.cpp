@@ -119,7 +119,7 @@ void Viewer::show(Opening::Opened opened)
             .framesInFlight = 2,
             .geometry = geometryFor(device_, swapchain_.format(), stage_.automaticScale),
             .recordFates = true},
-        shaders_ ? shaders_->modules() : nullptr, home, stage_.settings, aspect());
+        goodShaders_, home, stage_.settings, aspect());
     device_.waitIdle();
 
     for (const auto& [number, camera] : bookmarks_.of(first))
@@ -214,8 +214,10 @@ void Viewer::reloadShaders()
     stage_.shaderError = shaders_->complaint();
     if (!areNew)
         return;
+    // What the device will not take is told like anything that did not work.
     device_.waitIdle();
     exhibit_->drawWith(shaders_->modules());
+    goodShaders_ = shaders_->modules();
     former_.reset();
     stage_.difference.reset();
     stage_.showsFormer = false;
