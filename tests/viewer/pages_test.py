@@ -1,9 +1,11 @@
 """Manual pages and completions say what --help says."""
 
 import os
+import pty
 import re
 import shlex
 import subprocess
+import tempfile
 import unittest
 
 SWARD = os.environ["SWARD_PROGRAM"]
@@ -22,6 +24,26 @@ def complete(program, name, *words):
               f"COMP_CWORD={len(words)}\n_{name.replace('-', '_')} 2>/dev/null\n"
               'printf "%s\\n" "${COMPREPLY[@]}"\n')
     return said("bash", "-c", script).split()
+
+
+def said_on_a_terminal(*arguments, **environment):
+    """What a program says on stderr where that is a terminal."""
+    ours, theirs = pty.openpty()
+    done = subprocess.Popen(arguments, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                            stderr=theirs, env={**os.environ, "TERM": "xterm", **environment})
+    os.close(theirs)
+    text = b""
+    while True:
+        try:
+            part = os.read(ours, 4096)
+        except OSError:  # the other end is closed
+            part = b""
+        if not part:
+            break
+        text += part
+    os.close(ours)
+    done.wait()
+    return text.decode()
 
 
 class PagesTest(unittest.TestCase):
@@ -58,6 +80,22 @@ class PagesTest(unittest.TestCase):
                 text = said(program, command, "--help")
                 self.assertNotIn("\033", text)
                 self.assertIn("Example", text, f"{name} {command}")
+
+    def test_only_a_terminal_has_colours_and_never_with_no_color(self):
+        folder = tempfile.TemporaryDirectory(prefix="sward-pages-")
+        self.addCleanup(folder.cleanup)
+        field, picture = f"{folder.name}/f.sward", f"{folder.name}/p.png"
+        color = re.compile(r"\033\[[0-9;]*m")
+        for arguments in ((SWARD, "bake", "plane", "--count", "50", "-o", field, "--force"),
+                          (SWARD_VIEW, "render", field, "-o", picture, "--size", "16x16", "--force")):
+            with self.subTest(program=arguments[0]):
+                self.assertRegex(said_on_a_terminal(*arguments, NO_COLOR=""), color)
+                without = said_on_a_terminal(*arguments, NO_COLOR="1")
+                self.assertNotRegex(without, color)
+                self.assertIn(" 100 %", without, "the bar is there without its colour")
+                dumb = said_on_a_terminal(*arguments, NO_COLOR="", TERM="dumb")
+                piped = subprocess.run(arguments, capture_output=True, text=True).stderr
+                self.assertNotIn("\033", dumb + piped)
 
 
 if __name__ == "__main__":
