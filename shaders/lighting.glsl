@@ -10,10 +10,12 @@
 /// Whether ground and blades show the wind; known when the pipeline is made.
 layout(constant_id = 0) const bool paintsWind = false;
 
-/// To whom the picture goes: 0 to Sward's own film, 1 to a host's as it is, 2 to a host's own film.
+/// To whom the picture goes: 0 to Sward's own film, 1 to a host's as it is, 2 to a host's own film,
+/// 3 to nobody, who wants depth alone.
 layout(constant_id = 9) const uint handedTo = 0u;
 const uint handedToFilm = 0u;
 const uint handedToHostFilm = 2u;
+const uint handedToNobody = 3u;
 
 float luminance(vec3 color)
 {

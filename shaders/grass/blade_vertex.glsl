@@ -39,7 +39,9 @@ void main()
     outAxis = vec4(ribbon.axis, ribbon.outline.scale);
     outWhich = uvec3(ribbon.outline.shape, uint(ribbon.outline.segments), visible.blade);
 
-    const BladeSurface surface = bladeSurface(drawn, visible);
+    BladeSurface surface = BladeSurface(vec4(0.0), vec4(0.0), vec4(0.0));
+    if (handedTo != handedToNobody)
+        surface = bladeSurface(drawn, visible);
     outRootColor = surface.root;
     outTipColor = surface.tip;
     outMaterial = surface.material;

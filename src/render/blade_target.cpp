@@ -16,6 +16,7 @@ namespace {
 // To whom lighting.glsl hands the picture.
 constexpr std::uint32_t toHost = 1;
 constexpr std::uint32_t toHostFilm = 2;
+constexpr std::uint32_t toNobody = 3;
 
 gpu::GraphicsPipelineSettings pipelineFor(const HostTarget& target)
 {
@@ -41,6 +42,7 @@ gpu::GraphicsPipelineSettings pipelineFor(const HostTarget& target)
     if (target.colorFormats.empty()) {
         settings.name = "blades/depth";
         settings.fragmentShader = "blade_depth.frag";
+        settings.constants = {{.id = 9, .value = toNobody}};
     }
     return settings;
 }

@@ -281,6 +281,13 @@ void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view,
     });
 }
 
+void Grass::recordDepth(VkCommandBuffer commands, std::uint32_t view,
+                        const BladeTarget& target) const noexcept
+{
+    expect(target.settings().colorFormats.empty(), "a shadow's map has no colours");
+    recordDraw(commands, view, target);
+}
+
 FrameStats Grass::stats(std::uint32_t view, std::uint32_t slot) const
 {
     expect(slot < parts_->settings.framesInFlight, "the slot is one of the frames in flight");

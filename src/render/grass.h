@@ -55,8 +55,7 @@ public:
         std::uint32_t mostListed = 0xffffffffu; ///< blades of an instance drawn in a view, 16 bytes
     };
 
-    /// `context` outlives it.
-    Grass(const gpu::DeviceContext& context, const Settings& settings);
+    Grass(const gpu::DeviceContext& context, const Settings& settings); ///< context outlives it
     Grass(const Grass&) = delete;
     Grass& operator=(const Grass&) = delete;
     ~Grass(); ///< after the commands of the last frame
@@ -82,6 +81,10 @@ public:
     /// times after recordCull() of the view.
     void recordDraw(VkCommandBuffer commands, std::uint32_t view,
                     const BladeTarget& target) const noexcept;
+
+    /// Draws no more than their depth: a shadow's map, into a target without colours.
+    void recordDepth(VkCommandBuffer commands, std::uint32_t view,
+                     const BladeTarget& target) const noexcept;
 
     /// What became of the blades of a view, of all instances together, in the frame last begun in
     /// `slot`; after its commands have completed. `simulated` counts for all views.

@@ -129,7 +129,10 @@ void HostPicture::record(VkCommandBuffer commands, const render::Grass& grass, s
     if (!hasWall)
         depth.clear = settings_.isReversed ? 0.0f : 1.0f;
     const gpu::RenderingScope scope(commands, extent_, colors, depth);
-    grass.recordDraw(commands, view, target_);
+    if (settings_.hasColor)
+        grass.recordDraw(commands, view, target_);
+    else
+        grass.recordDepth(commands, view, target_);
 }
 
 std::vector<std::byte> HostPicture::pixels() const
