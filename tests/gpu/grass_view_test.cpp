@@ -4,11 +4,13 @@
 #include "host_picture.h"
 
 #include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace sward::render {
@@ -27,6 +29,34 @@ protected:
         return grass.stats(0, 0);
     }
 };
+
+TEST(HostView, KnowsACameraFromItsMatrixInEitherConvention)
+{
+    const Camera camera{
+        .eye = {3.0, 2.0, 5.0}, .target = {0.5, 0.0, -1.0}, .near = 0.2f, .far = 90.0f};
+    const Aabb content{{-2.0f, 0.0f, -2.0f}, {2.0f, 1.0f, 2.0f}};
+    const ViewMatrices expected = viewMatrices(camera, {}, test::hostSize, content);
+    const glm::dmat4 reversed(expected.viewProjection);
+    glm::dmat4 forward = reversed;
+    glm::dmat4 endless = reversed;
+    for (std::size_t column = 0; column < 4; ++column) {
+        forward[column][2] = reversed[column][3] - reversed[column][2];
+        endless[column][2] = column == 3 ? 0.2 : 0.0;
+    }
+    for (const auto& [matrix, hasReversedZ] :
+         {std::pair(reversed, true), std::pair(forward, false), std::pair(endless, true)}) {
+        EXPECT_FALSE(isParallel(matrix));
+        const ViewMatrices view = viewMatricesOf(matrix, hasReversedZ, test::hostSize, content);
+        EXPECT_NEAR(glm::distance(view.eye, expected.eye), 0.0f, 1e-4f);
+        EXPECT_NEAR(view.pixelsPerUnit, expected.pixelsPerUnit, 1e-3f);
+        // The far plane of the last is at infinity, and leaves nothing out.
+        const bool isEndless = matrix == endless;
+        for (std::size_t i = 0; i < (isEndless ? 5u : 6u); ++i)
+            EXPECT_NEAR(glm::distance(view.planes[i], expected.planes[i]), 0.0f, 1e-3f) << i;
+        if (isEndless)
+            EXPECT_EQ(view.planes[5], glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
+    }
+}
 
 TEST_F(GrassViewTest, LeavesOutWhatTheHostsDepthHidesAndNoPixelChanges)
 {
