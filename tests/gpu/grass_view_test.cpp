@@ -53,8 +53,9 @@ TEST(HostView, KnowsACameraFromItsMatrixInEitherConvention)
         const bool isEndless = matrix == endless;
         for (std::size_t i = 0; i < (isEndless ? 5u : 6u); ++i)
             EXPECT_NEAR(glm::distance(view.planes[i], expected.planes[i]), 0.0f, 1e-3f) << i;
-        if (isEndless)
+        if (isEndless) {
             EXPECT_EQ(view.planes[5], glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
+        }
     }
 }
 
