@@ -161,6 +161,40 @@ class Components(GuestTest):
         self.assertNotIn("vulkan", libraries_of(self.folder / "guest"))
         self.assertRegex(self.run_here("./guest", field), r"^llvmpipe.* lists blades\n$")
 
+    def test_glm_of_another_setting_lives_in_the_same_program(self):
+        """Vectors of the two settings have two names, so that neither calls the other's functions."""
+        field = self.bake("--count", "300")
+        (self.folder / "other.cpp").write_text("""
+            #include <glm/geometric.hpp>
+            #include <glm/vec3.hpp>
+            glm::vec3 doubled(glm::vec3 v) { return v + v; }
+            float twice(float x) { return glm::length(doubled(glm::vec3(x, 0.0f, 0.0f))); }
+            """, encoding="utf-8")
+        (self.folder / "main.cpp").write_text("""
+            #include <sward/field/read.h>
+            #include <cstdio>
+            float twice(float x);
+            int main(int, char** argv)
+            {
+                const auto file = sward::field::readField(argv[1]);
+                std::printf("%g %g\\n", double(twice(file.view().bounds().size().x)),
+                            double(2.0f * file.view().bounds().size().x));
+            }""", encoding="utf-8")
+        flags = self.run_here("pkg-config", "--cflags", "--libs", "sward-field",
+                              PKG_CONFIG_PATH=str(PREFIX / "lib/pkgconfig")).split()
+        self.assertIn("-DGLM_FORCE_SIZE_T_LENGTH", flags)
+        self.run_here(COMPILER, "-std=c++20", "-c", "other.cpp", "-o", "other.o")
+        self.run_here(COMPILER, "-std=c++20", "main.cpp", "other.o", *flags, "-o", "guest")
+        ours, theirs = self.run_here("./guest", field).split()
+        self.assertEqual(ours, theirs)
+        # Passing vectors between the two is what does not link.
+        (self.folder / "main.cpp").write_text("""
+            #include <glm/vec3.hpp>
+            glm::vec3 doubled(glm::vec3 v);
+            int main() { return int(doubled(glm::vec3(1.0f)).x); }""", encoding="utf-8")
+        self.assertIn("doubled", self.run_here(COMPILER, "-std=c++20", "main.cpp", "other.o", *flags,
+                                               "-o", "guest", succeeds=False))
+
     def test_pkg_config_says_the_same(self):
         field = self.bake("--count", "300")
         for component, arguments in {"field": [field], "bake": ["new.sward"], "render": ["-"]}.items():
