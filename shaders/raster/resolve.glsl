@@ -84,8 +84,9 @@ Found find(Lens lens, Ribbon ribbon, vec2 pixel, float depth)
     return found;
 }
 
-/// What the film sees of a blade at sample `s` of a pixel, and 1 − softness.
-vec4 shade(Lens lens, uint index, vec2 pixel, uint s, float depth)
+/// What the film sees of a blade in the middle of the samples of a pixel, as bits, at which it is
+/// seen, and 1 − softness. It lies at `depth` at one of them, `s`.
+vec4 shade(Lens lens, uint index, vec2 pixel, uint samples, uint s, float depth)
 {
     const uint patchIndex = patchOf(index);
     const Patch cell = FRAME.patches.at[patchIndex];
@@ -94,11 +95,7 @@ vec4 shade(Lens lens, uint index, vec2 pixel, uint s, float depth)
     const DrawnBlade drawn = drawnBlade(visible, blade);
     const BladeSurface surface = bladeSurface(drawn, visible);
     const Found found = find(lens, drawn.ribbon, pixel + samplePlace(s), depth);
-    uint covered = 1u << s;
-    for (uint other = 0u; other < samplesPerPixel; ++other)
-        if (seenAt(found.a.seen, found.b.seen, found.c.seen, pixel + samplePlace(other)).least >= 0.0)
-            covered |= 1u << other;
-    const SeenPoint seen = seenAt(found.a.seen, found.b.seen, found.c.seen, pixel + shadedPlace(covered));
+    const SeenPoint seen = seenAt(found.a.seen, found.b.seen, found.c.seen, pixel + middleOf(samples));
     const vec3 inside = max(seen.shares, vec3(0.0));
     const vec3 shares = inside / max(inside.x + inside.y + inside.z, 1e-6);
     BladePoint point;
@@ -139,16 +136,14 @@ void main()
                 sky += 1.0;
             continue;
         }
-        // Shade a blade where the first of its samples stands for all of them.
-        bool isFirst = true;
-        for (uint other = 0u; other < s; ++other)
-            isFirst = isFirst && blades[other] != blades[s];
-        if (!isFirst)
-            continue;
-        float count = 0.0;
-        for (uint other = s; other < samplesPerPixel; ++other)
-            count += blades[other] == blades[s] ? 1.0 : 0.0;
-        sum += count * shade(lens, blades[s] - 1u, vec2(pixel), s, depths[s]);
+        // Once for all samples of a blade. They lie in the order of rows: the middle one is taken,
+        // since the first would be nearer to the tip than what is seen.
+        uint samples = 0u;
+        for (uint other = 0u; other < samplesPerPixel; ++other)
+            samples |= blades[other] == blades[s] ? 1u << other : 0u;
+        const uint count = uint(bitCount(samples));
+        if (uint(bitCount(samples & ((1u << s) - 1u))) == count / 2u)
+            sum += float(count) * shade(lens, blades[s] - 1u, vec2(pixel), samples, s, depths[s]);
     }
     if (sky > 0.0) {
         const vec2 middle = vec2(pixel) + 0.5;

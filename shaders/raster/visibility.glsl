@@ -30,13 +30,6 @@ vec2 samplePlace(uint s)
     return samplesPerPixel == 1u ? vec2(0.5) : fourPlaces[s];
 }
 
-/// Where in a pixel a triangle is shaded that covers some of its samples: in the middle if it covers
-/// them all, else at the first, as by a GPU's centroid interpolation.
-vec2 shadedPlace(uint covered)
-{
-    return covered == (1u << samplesPerPixel) - 1u ? vec2(0.5) : samplePlace(uint(findLSB(covered)));
-}
-
 /// The middle of the samples of a pixel that are covered, of which there is one at least. What is
 /// linear in the pixel has there its mean over them: a share of samples kept by its value at one of
 /// them alone, always the uppermost, would lean towards the tips of blades and lose 4 % of them.

@@ -20,11 +20,12 @@ Picture::Picture(const gpu::DeviceContext& context, glm::uvec2 size)
 }
 
 void Picture::draw(render::FieldRenderer& renderer, const render::Camera& camera,
-                   const render::FrameSettings& settings, double time)
+                   const render::FrameSettings& settings, double time, glm::vec2 jitter)
 {
     gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
         gpu::transition(commands, image_, gpu::ImageUse::undefined, gpu::ImageUse::colorTarget);
-        renderer.record(commands, {image_.get(), image_.view(), size_}, camera, settings, time);
+        renderer.record(commands, {image_.get(), image_.view(), size_}, camera, settings, time, 0,
+                        nullptr, jitter);
     });
 }
 

@@ -18,9 +18,10 @@ class Picture {
 public:
     Picture(const gpu::DeviceContext& context, glm::uvec2 size);
 
-    /// One frame, waited for.
+    /// One frame, waited for. `jitter` [pixels].
     void draw(render::FieldRenderer& renderer, const render::Camera& camera,
-              const render::FrameSettings& settings, double time);
+              const render::FrameSettings& settings, double time,
+              glm::vec2 jitter = glm::vec2(0.0f));
 
     std::vector<std::byte> pixels() const; ///< R G B A, rows from the top
     glm::uvec2 size() const { return size_; }

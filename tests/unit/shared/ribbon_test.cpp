@@ -58,6 +58,23 @@ TEST(Outline, KeepsItsAreaHoweverItIsCut)
             }
 }
 
+TEST(Outline, HasItsFirstMomentInASingleSegment)
+{
+    for (uint shape = 0; shape < shapeCount; ++shape)
+        for (const float threshold : thresholds) {
+            const Outline single = outlineOf(shape, threshold, 1.0f);
+            constexpr int points = 200'000;
+            double excess = 0.0;
+            for (int i = 0; i < points; ++i) {
+                const float t = (float(i) + 0.5f) / float(points);
+                const vec2 wanted = outlineAt(shape, threshold, t);
+                const vec2 found = edgesAt(single, t);
+                excess += double(t * (found.y - found.x - (wanted.y - wanted.x))) / points;
+            }
+            EXPECT_NEAR(excess, 0.0, 2e-4) << "shape " << shape << ", threshold " << threshold;
+        }
+}
+
 TEST(Outline, OfTheQuadraticHasOneStraightEdge)
 {
     for (float t = 0.0f; t <= 1.0f; t += 0.1f)
