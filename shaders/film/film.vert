@@ -1,7 +1,8 @@
 #version 460
-// One triangle over the whole picture.
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/whole_picture.glsl"
 
 void main()
 {
-    gl_Position = vec4((gl_VertexIndex & 1) * 4 - 1, (gl_VertexIndex & 2) * 2 - 1, 0.0, 1.0);
+    gl_Position = vec4(cornerOfPicture(gl_VertexIndex), 0.0, 1.0);
 }

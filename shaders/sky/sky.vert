@@ -6,12 +6,13 @@
 layout(push_constant, scalar) uniform Block { ViewPush push; };
 
 #include "shaders/sky/sky_light.glsl"
+#include "shaders/whole_picture.glsl"
 
 layout(location = 0) out vec3 outRay;
 
 void main()
 {
-    const vec2 place = vec2((gl_VertexIndex & 1) * 4 - 1, (gl_VertexIndex & 2) * 2 - 1);
+    const vec2 place = cornerOfPicture(gl_VertexIndex);
     outRay = rayThrough(place);
     gl_Position = vec4(place, 0.0, 1.0);
 }

@@ -10,6 +10,11 @@ std::uint64_t bladeId(BladeKey key)
            11;
 }
 
+std::uint64_t FieldView::idOf(std::size_t blade) const
+{
+    return keys.empty() ? blade : bladeId(keys[blade]);
+}
+
 Aabb FieldView::bounds() const
 {
     Aabb box;

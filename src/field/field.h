@@ -89,6 +89,9 @@ struct FieldView {
 
     /// Box of everything that can be seen, relative to the origin; empty if there is nothing.
     Aabb bounds() const;
+
+    /// Of a blade by its place: bladeId() of its key, or the place where the field has no keys.
+    std::uint64_t idOf(std::size_t blade) const;
 };
 
 FieldView viewOf(const Field& field);

@@ -42,7 +42,7 @@ void writeCsv(const field::FieldView& field, const std::filesystem::path& path,
     for (std::uint32_t p = 0; p < field.patches.size(); ++p) {
         const shared::Patch& patch = field.patches[p];
         for (std::size_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i)
-            appendRow(text, idOf(field, i), field.origin, bladeOf(field, p, i, settings.source), p);
+            appendRow(text, field.idOf(i), field.origin, bladeOf(field, p, i, settings.source), p);
         if (text.size() >= writeSize) {
             file.write(std::string_view(text.data(), text.size()));
             text.clear();

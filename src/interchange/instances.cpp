@@ -18,11 +18,6 @@ bool isFinite(const shared::Blade& blade)
 
 } // namespace
 
-std::uint64_t idOf(const field::FieldView& field, std::size_t index)
-{
-    return field.keys.empty() ? index : field::bladeId(field.keys[index]);
-}
-
 glm::quat orientation(const glm::vec3& up, float facing)
 {
     // Single precision has left the frame square to some 1e-7; make it exact before it is a turn.
@@ -54,7 +49,7 @@ std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGrou
         for (std::size_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i) {
             Instance instance;
             instance.blade = bladeOf(field, p, i, source);
-            instance.id = idOf(field, i);
+            instance.id = field.idOf(i);
             instance.place = glm::vec3(glm::dvec3(instance.blade.root) - group.place);
             instance.rotation = orientation(instance.blade.up, instance.blade.facing);
             instances.push_back(instance);

@@ -33,9 +33,6 @@ std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGrou
 /// frame of shared/blade.h; +X then is the opposite of its width axis.
 glm::quat orientation(const glm::vec3& up, float facing);
 
-/// Id of blade `index`.
-std::uint64_t idOf(const field::FieldView& field, std::size_t index);
-
 /// Mean stiffness of each species' blades; 0.5 for a species without blades.
 std::vector<float> meanStiffness(const field::FieldView& field);
 

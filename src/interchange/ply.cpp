@@ -104,7 +104,7 @@ void writePly(const field::FieldView& field, const std::filesystem::path& path,
     for (std::uint32_t p = 0; p < field.patches.size(); ++p) {
         const shared::Patch& patch = field.patches[p];
         for (std::size_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i)
-            points.addBlade(bladeOf(field, p, i, settings.source), field.origin, idOf(field, i));
+            points.addBlade(bladeOf(field, p, i, settings.source), field.origin, field.idOf(i));
         if (points.size() >= writeSize)
             points.writeTo(file);
         progress.advance(patch.bladeCount);

@@ -1,6 +1,7 @@
 #include "interchange/usda.h"
 
 #include "core/atomic_file.h"
+#include "core/srgb.h"
 #include "interchange/blade_groups.h"
 #include "interchange/instances.h"
 #include "interchange/usda_blade.h"
@@ -17,12 +18,6 @@ namespace sward::interchange {
 namespace {
 
 using Out = std::back_insert_iterator<fmt::memory_buffer>;
-
-// Transfer function of sRGB (IEC 61966-2-1): USD's colours are linear.
-float linearOf(float x)
-{
-    return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
-}
 
 void appendVector(Out out, float x, float y, float z)
 {
@@ -73,6 +68,7 @@ void appendClump(Out out, const Instance& i)
 
 void appendTint(Out out, const Instance& i)
 {
+    // USD's colours are linear.
     fmt::format_to(out, "({:.6g}, {:.6g}, {:.6g})", linearOf(i.blade.tint.x),
                    linearOf(i.blade.tint.y), linearOf(i.blade.tint.z));
 }

@@ -40,12 +40,6 @@ std::vector<T> readPart(const gpu::DeviceContext& context, const gpu::Buffer& bu
     return elements;
 }
 
-// A field may come without keys.
-std::uint64_t idOf(const field::FieldView& field, std::size_t index)
-{
-    return field.keys.empty() ? index : field::bladeId(field.keys[index]);
-}
-
 } // namespace
 
 std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& context,
@@ -67,7 +61,7 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
             const std::size_t index = cell.firstBlade + i;
             records[index] = recordOf(shared::unpackBlade(field.blades[index], cell), states[index],
                                       field.origin);
-            records[index].id = idOf(field, index);
+            records[index].id = field.idOf(index);
             records[index].fate = fates.empty() ? shared::fatePatch : fates[index];
         }
     }
@@ -98,7 +92,7 @@ std::vector<FieldRenderer::BladeRecord> readPatch(const gpu::DeviceContext& cont
         const std::size_t index = cell.firstBlade + i;
         records[i] =
             recordOf(shared::unpackBlade(field.blades[index], cell), states[i], field.origin);
-        records[i].id = idOf(field, index);
+        records[i].id = field.idOf(index);
         records[i].fate = fates[i];
     }
     return records;

@@ -1,5 +1,6 @@
 // Level of detail hides as much of the ground as all blades would, and jumps no more than a drive.
 
+#include "core/srgb.h"
 #include "picture.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
@@ -92,12 +93,6 @@ constexpr float side = 60.0f; ///< [m] of the flat field
 constexpr std::size_t bands = 8;
 constexpr glm::uvec2 bandSize(128, 80);
 
-double linearOf(std::byte value)
-{
-    const double c = std::to_integer<int>(value) / 255.0;
-    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-}
-
 /// Light of each of 8 bands of rows from the lower rim of the picture to `horizon`.
 std::array<double, bands> lightOf(const std::vector<std::byte>& pixels, std::uint32_t horizon)
 {
@@ -105,8 +100,9 @@ std::array<double, bands> lightOf(const std::vector<std::byte>& pixels, std::uin
     const auto rows = std::uint32_t((bandSize.y - horizon) / bands);
     for (std::uint32_t y = horizon; y < horizon + bands * rows; ++y)
         for (std::uint32_t x = 0; x < bandSize.x; ++x)
-            sums[(y - horizon) / rows] +=
-                linearOf(pixels[4 * (std::size_t(y) * bandSize.x + x) + 1]);
+            sums[(y - horizon) / rows] += double(linearOf(
+                float(std::to_integer<int>(pixels[4 * (std::size_t(y) * bandSize.x + x) + 1])) /
+                255.0f));
     return sums;
 }
 

@@ -1,6 +1,7 @@
 // What the picture shows beside blades: colliders where they are, sun and air as the settings say,
 // and grass as bright as the reference at every distance.
 
+#include "core/srgb.h"
 #include "picture.h"
 #include "render/look_settings.h"
 #include "support/fields/display_ground.h"
@@ -32,10 +33,7 @@ Rgb at(const std::vector<std::byte>& pixels, std::uint32_t x, std::uint32_t y)
 /// Linear luminance of a pixel.
 double luminanceOf(Rgb color)
 {
-    const auto linear = [](int value) {
-        const double c = value / 255.0;
-        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-    };
+    const auto linear = [](int value) { return double(linearOf(float(value) / 255.0f)); };
     return 0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b);
 }
 

@@ -1,6 +1,7 @@
 // Grass is as bright at every distance as a reference of it: no ring shows where level of detail
 // thins, widens and softens it.
 
+#include "core/srgb.h"
 #include "picture.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
@@ -52,8 +53,7 @@ std::optional<std::size_t> ringAt(const Camera& camera, double x, double y)
 void add(Rings& sums, const Camera& camera, const std::vector<std::byte>& pixels, double weight)
 {
     const auto linear = [](std::byte value) {
-        const double c = std::to_integer<int>(value) / 255.0;
-        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+        return double(linearOf(float(std::to_integer<int>(value)) / 255.0f));
     };
     for (std::uint32_t y = 0; y < size.y; ++y)
         for (std::uint32_t x = 0; x < size.x; ++x)

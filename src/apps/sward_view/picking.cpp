@@ -72,7 +72,7 @@ std::uint64_t idOf(const PickedBlade& picked, const ShownField& shown)
 {
     const field::FieldView& own = shown.group.members()[picked.source.member].view;
     const std::size_t index = own.patches[picked.source.patch].firstBlade + picked.place;
-    return own.keys.empty() ? index : field::bladeId(own.keys[index]);
+    return own.idOf(index);
 }
 
 } // namespace

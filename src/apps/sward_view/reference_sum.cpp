@@ -1,6 +1,7 @@
 #include "apps/sward_view/reference_sum.h"
 
 #include "core/expect.h"
+#include "core/srgb.h"
 
 #include <algorithm>
 #include <array>
@@ -8,17 +9,6 @@
 
 namespace sward::view {
 namespace {
-
-// IEC 61966-2-1: sRGB to linear.
-float linearOf(float encoded)
-{
-    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
-}
-
-float encodedOf(float linear)
-{
-    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
-}
 
 std::array<float, 256> linearTable()
 {

@@ -2,6 +2,7 @@
 
 #include "core/embedded.h"
 #include "core/expect.h"
+#include "core/srgb.h"
 
 #include <algorithm>
 #include <array>
@@ -35,11 +36,6 @@ ImFont* addFont(std::string_view name, float size)
     return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(
         const_cast<unsigned char*>(found->bytes.data()), static_cast<int>(found->bytes.size()),
         size, &config, glyphs.data());
-}
-
-float linearOf(float srgb)
-{
-    return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
 }
 
 } // namespace
