@@ -3,6 +3,7 @@
 #ifndef SWARD_LIGHTING_GLSL
 #define SWARD_LIGHTING_GLSL
 
+#include "shaders/shared/distance_band.h"
 #include "shaders/shared/passes.h"
 
 #define FRAME push.frame.at[0]
@@ -16,6 +17,12 @@ layout(constant_id = 9) const uint handedTo = 0u;
 const uint handedToFilm = 0u;
 const uint handedToHostFilm = 2u;
 const uint handedToNobody = 3u;
+
+/// Whether the picture shows nothing but how much grass covers, by distance.
+bool showsBands()
+{
+    return FRAME.debugMode >= debugNear;
+}
 
 float luminance(vec3 color)
 {

@@ -32,7 +32,7 @@ void main()
     color += FRAME.sunColor * (0.5 * spot * sunlit);
 
     if (FRAME.debugMode != 0u)
-        color = vec3(0.5) * (0.5 + 0.5 * facing);
+        color = showsBands() ? vec3(0.0) : vec3(0.5) * (0.5 + 0.5 * facing);
     else
         color = throughAir(color, inPosition);
     outColor = vec4(develop(color), 1.0);

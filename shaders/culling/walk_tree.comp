@@ -12,6 +12,7 @@ layout(push_constant, scalar) uniform Block { WalkPush push; };
 #define JUDGED push.judged.at[0]
 
 #include "shaders/culling/hidden.glsl"
+#include "shaders/grass/pages.glsl"
 
 shared uint childTotal;
 shared uint liveTotal;
@@ -43,6 +44,8 @@ Step stepOf(Eyepoint view, Patch cell, Subtree below, bool isLeaf)
 {
     Step next = Step(0u, 0u, false, 0u, 0u);
     const uint blades = isLeaf ? cell.bladeCount : below.blades;
+    if (blades == 0u)
+        return next;
     if (patchCulled(view, cell, below.widest) || nodeHidden(view, cell, below.widest)) {
         next.unseen = blades;
         return next;
@@ -96,7 +99,9 @@ void main()
         uint firstChild = 0u;
         if (base + thread < count) {
             node = push.level == 0u ? base + thread : push.queue.at[first + base + thread];
-            const Patch cell = JUDGED.patches.at[node];
+            Patch cell = JUDGED.patches.at[node];
+            if (!isPresent(uvec2(JUDGED.pages), cell))
+                cell.bladeCount = 0u;
             firstChild = cell.firstChild;
             next = stepOf(view, cell, push.subtrees.at[node],
                           push.level == 0u && cell.level < push.startLevel);

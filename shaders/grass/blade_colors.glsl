@@ -65,7 +65,7 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible)
     else if (FRAME.debugMode == 2u)
         colors.tip = colorOf(visible.patchIndex);
     else if (FRAME.debugMode == debugReason)
-        colors.tip = fateColor(FRAME.fates.at[visible.blade]);
+        colors.tip = fateColor(FRAME.fates.at[placeOf(uvec2(FRAME.pages), visible.blade)]);
     if (paintsWind)
         colors.tip = colorOfWind(blade.root, blade.up);
     if (FRAME.debugMode != 0u)

@@ -43,6 +43,11 @@ vec3 bladePicture(BladePoint point)
     const vec3 sun = FRAME.sunDirection;
     const vec3 ray = FRAME.view.eye - point.position;
     const float distance = length(ray);
+    if (showsBands()) {
+        const uint band = distanceBand(distance, FRAME.view.drawDistance);
+        const uint channel = band - 3u * (FRAME.debugMode - debugNear);
+        return vec3(channel == 0u, channel == 1u, channel == 2u);
+    }
     const vec3 toEye = ray / max(distance, 1e-6);
     const vec3 n = bladeNormal(point, toEye, distance);
     const vec3 albedo = mix(point.rootColor.rgb, point.tipColor.rgb, smoothstep(-0.15, 0.8, along));

@@ -3,6 +3,7 @@
 #ifndef SWARD_DRAWN_BLADE_GLSL
 #define SWARD_DRAWN_BLADE_GLSL
 
+#include "shaders/grass/pages.glsl"
 #include "shaders/shared/passes.h"
 #include "shaders/shared/ribbon.h"
 
@@ -50,12 +51,12 @@ DrawnBlade drawnBlade(VisibleBlade visible, Blade blade, BladeState state)
 
 DrawnBlade drawnBlade(VisibleBlade visible, Blade blade)
 {
-    return drawnBlade(visible, blade, FRAME.states.at[visible.blade]);
+    return drawnBlade(visible, blade, FRAME.states.at[placeOf(uvec2(FRAME.pages), visible.blade)]);
 }
 
 DrawnBlade drawnBlade(VisibleBlade visible)
 {
-    return drawnBlade(visible, unpackBlade(FRAME.blades.at[visible.blade],
+    return drawnBlade(visible, unpackBlade(FRAME.blades.at[placeOf(uvec2(FRAME.pages), visible.blade)],
                                            FRAME.patches.at[visible.patchIndex]));
 }
 

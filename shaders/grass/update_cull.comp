@@ -13,6 +13,7 @@ layout(push_constant, scalar) uniform Block { UpdatePush push; };
 #define JUDGED push.judged.at[0]
 
 #include "shaders/culling/hidden.glsl"
+#include "shaders/grass/pages.glsl"
 
 // Known when the pipeline is made, so that winds that do not blow and colliders that are not there
 // cost nothing.
@@ -24,8 +25,10 @@ layout(constant_id = 4) const bool keepsBefore = false;
 shared uint fateTally[fateCount]; // of one patch
 shared uint fateSums[fateCount];  // of all patches of the group
 shared uint simulatedSum;
-shared uint mostFilled;
-shared uint listBase;
+shared uint mostFilled[2];
+shared uint listBase[2];
+shared uint kept[2];
+// Of one patch: those that the frame before has shown in front, the others from behind.
 shared VisibleBlade survivors[maxPatchBlades];
 shared uint colliderBits[colliderWords];
 
@@ -47,10 +50,10 @@ ColliderMask collidersNear(Patch cell, float elapsed, uint thread)
     return near;
 }
 
-void noteFate(uint blade, uint fate)
+void noteFate(uint place, uint fate)
 {
     if (uvec2(JUDGED.fates) != uvec2(0u))
-        JUDGED.fates.at[blade] = fate;
+        JUDGED.fates.at[place] = fate;
 }
 
 /// Adds what the group has counted to the frame's counts: all groups do so at the same address, so
@@ -63,14 +66,31 @@ void report(uint thread)
         return;
     if (simulatedSum > 0u)
         atomicAdd(JUDGED.draw.at[0].simulated, simulatedSum);
-    if (mostFilled > 0u) {
+    for (uint list = 0u; list < 2u; ++list) {
+        if (mostFilled[list] == 0u)
+            continue;
         WalkLevelArray rounds = push.rounds;
-        atomicMax(rounds.at[push.round].groups[0],
-                  min((mostFilled + rasterThreads - 1u) / rasterThreads, mostGroups));
-        rounds.at[push.round].groups[1] = 1u;
-        rounds.at[push.round].groups[2] = 1u;
-        atomicMax(JUDGED.draw.at[0].instanceCount, (mostFilled + drawChunk - 1u) / drawChunk);
+        const uint round_ = list == 0u ? push.round : push.lateRound;
+        atomicMax(rounds.at[round_].groups[0],
+                  min((mostFilled[list] + rasterThreads - 1u) / rasterThreads, mostGroups));
+        rounds.at[round_].groups[1] = 1u;
+        rounds.at[round_].groups[2] = 1u;
     }
+    atomicMax(JUDGED.draw.at[0].instanceCount, (mostFilled[0] + drawChunk - 1u) / drawChunk);
+}
+
+/// Whether the frame before has shown a blade that covers so many pixels; from now on it has not. To
+/// find out whether a small one is hidden costs more than to draw it: it counts as shown.
+bool takeSeen(uint blade, float pixels)
+{
+    if (uvec2(push.seenBefore) == uvec2(0u) || pixels <= largeBladePixels)
+        return true;
+    UintArray seen = push.seenBefore;
+    const uint bit = 1u << (blade % 32u);
+    const bool wasSeen = (seen.at[blade / 32u] & bit) != 0u;
+    if (wasSeen)
+        atomicAnd(seen.at[blade / 32u], ~bit);
+    return wasSeen;
 }
 
 /// How many of a patch's blades any of the views asks for. What one of them asks for is moved in the
@@ -95,6 +115,8 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
     const Patch cell = JUDGED.patches.at[patchIndex];
     if (thread < fateCount)
         fateTally[thread] = 0u;
+    if (thread < 2u)
+        kept[thread] = 0u;
     float elapsed = max(JUDGED.time - JUDGED.patchTimes.at[patchIndex], 0.0f);
     bool moves = role != onlyJudge &&
                  (push.onlyUpdate != 0u ||
@@ -108,13 +130,14 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
 
     for (uint i = thread; i < moved; i += gl_WorkGroupSize.x) {
         const uint index = cell.firstBlade + i;
+        const uint place = placeOf(uvec2(JUDGED.pages), index);
         const float since = role == onlyJudge ? 0.0f : i < movedBefore ? elapsed : settlingTime;
         if (role == onlyMove && since <= 0.0f)
             continue;
-        const Blade blade = unpackBlade(JUDGED.blades.at[index], cell);
+        const Blade blade = unpackBlade(JUDGED.blades.at[place], cell);
 
         // Move it. At a standstill the stored state stays as it is, to the bit.
-        BladeState state = JUDGED.states.at[index];
+        BladeState state = JUDGED.states.at[place];
         if (since > 0.0f) {
             const BladeState before = state;
             state = advanceBlade(blade, nature, near, state, JUDGED.time, since);
@@ -123,7 +146,7 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
                 StateArray kept = push.before;
                 kept.at[index] = i < movedBefore ? before : state;
             }
-            JUDGED.states.at[index] = state;
+            JUDGED.states.at[place] = state;
         }
         if (role == onlyMove || push.onlyUpdate != 0u)
             continue;
@@ -133,23 +156,29 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
         if (verdict.fate == fateDrawn && (view.cullMask & cullOcclusion) != 0u &&
             isHidden(verdict.low, verdict.high))
             verdict.fate = fateOcclusion;
-        const uint slot = atomicAdd(fateTally[verdict.fate], 1u);
-        if (verdict.fate == fateDrawn)
-            survivors[slot] =
+        atomicAdd(fateTally[verdict.fate], 1u);
+        if (verdict.fate == fateDrawn) {
+            const float pixels = pixelsCovered(blade, verdict.pixels, verdict.widthFactor);
+            const uint list = takeSeen(index, pixels) ? 0u : 1u;
+            const uint slot = atomicAdd(kept[list], 1u);
+            survivors[list == 0u ? slot : maxPatchBlades - 1u - slot] =
                 VisibleBlade(index, patchIndex, verdict.widthFactor, verdict.pixels);
-        noteFate(index, verdict.fate);
+        }
+        noteFate(place, verdict.fate);
     }
     for (uint i = count + thread; role != onlyMove && i < cell.bladeCount; i += gl_WorkGroupSize.x)
-        noteFate(cell.firstBlade + i, fateLod);
+        noteFate(placeOf(uvec2(JUDGED.pages), cell.firstBlade + i), fateLod);
     barrier();
 
     // Reserve room in the list, and count.
-    const uint kept = fateTally[fateDrawn];
     if (thread == 0u) {
-        if (kept > 0u) {
+        for (uint list = 0u; list < 2u; ++list) {
+            if (kept[list] == 0u)
+                continue;
             WalkLevelArray rounds = push.rounds;
-            listBase = atomicAdd(rounds.at[push.round].count, kept);
-            mostFilled = max(mostFilled, listBase + kept);
+            listBase[list] = atomicAdd(
+                rounds.at[list == 0u ? push.round : push.lateRound].count, kept[list]);
+            mostFilled[list] = max(mostFilled[list], listBase[list] + kept[list]);
         }
         if (moves) {
             JUDGED.patchTimes.at[patchIndex] = JUDGED.time;
@@ -164,9 +193,13 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
     barrier();
 
     // The list has room for every blade of a round; the guard is for a frame that was filled wrongly.
-    for (uint i = thread; i < kept; i += gl_WorkGroupSize.x)
-        if (listBase + i < JUDGED.visibleCapacity)
-            JUDGED.visible.at[listBase + i] = survivors[i];
+    for (uint i = thread; i < kept[0]; i += gl_WorkGroupSize.x)
+        if (listBase[0] + i < JUDGED.visibleCapacity)
+            JUDGED.visible.at[listBase[0] + i] = survivors[i];
+    for (uint i = thread; i < kept[1]; i += gl_WorkGroupSize.x)
+        if (listBase[1] + i < JUDGED.visibleCapacity)
+            JUDGED.visible.at[JUDGED.visibleCapacity - 1u - listBase[1] - i] =
+                survivors[maxPatchBlades - 1u - i];
     barrier();
 }
 
@@ -181,7 +214,8 @@ void main()
         fateSums[thread] = 0u;
     if (thread == 0u) {
         simulatedSum = 0u;
-        mostFilled = 0u;
+        mostFilled[0] = 0u;
+        mostFilled[1] = 0u;
     }
     // One loop: a driver that cannot jump over what it need not do would do the work of two.
     const bool all = push.onlyUpdate != 0u;
@@ -194,7 +228,10 @@ void main()
         uint count;
         if (all) {
             patchIndex = push.owners.at[i];
-            count = JUDGED.patches.at[patchIndex].bladeCount;
+            const Patch cell = JUDGED.patches.at[patchIndex];
+            if (!isPresent(uvec2(JUDGED.pages), cell))
+                continue;
+            count = cell.bladeCount;
         } else {
             const LivePatch live = push.live.at[i];
             patchIndex = live.patchIndex;

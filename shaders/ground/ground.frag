@@ -77,7 +77,7 @@ void main()
                        FRAME.sunColor * (facing * seen * sunBelow(leafArea, facing));
     vec3 color = albedo * light;
     if (FRAME.debugMode != 0u)
-        color = vec3(0.35) * (0.5 + 0.5 * facing);
+        color = showsBands() ? vec3(0.0) : vec3(0.35) * (0.5 + 0.5 * facing);
     else
         color = throughAir(color, inPosition);
     if (paintsWind)

@@ -22,11 +22,45 @@ void putSample(uvec2 pixel, uint s, float depth, uint blade)
         atomicMax(visibility.at[index], value);
 }
 
-/// The samples of a pixel, read together: most are nearer than what comes.
+/// Samples read two at a time: most are nearer than what comes.
 layout(buffer_reference, scalar, buffer_reference_align = 16) buffer VisibilityPairs
 {
     uvec4 at[];
 };
+
+/// Four samples of one row that lie next to each other: of one pixel, or of four.
+struct FourSamples {
+    uint index;   ///< of the first, a multiple of 4
+    uint covered; ///< as bits
+    float depths[4];
+};
+
+/// The depths that are there already, as bits.
+struct Before {
+    uvec4 depths;
+};
+
+/// Of four samples from `index` on, a multiple of 4. What lies behind the picture's last sample may
+/// be read.
+Before before(uint index)
+{
+    VisibilityPairs pairs = VisibilityPairs(uvec2(push.visibility));
+    const uvec4 low = pairs.at[index / 2u];
+    const uvec4 high = pairs.at[index / 2u + 1u];
+    return Before(uvec4(low.y, low.w, high.y, high.w));
+}
+
+void putFour(Before earlier, FourSamples four, uint blade)
+{
+    Visibility visibility = Visibility(uvec2(push.visibility));
+    SHARED_UNROLL for (uint s = 0u; s < 4u; ++s) {
+        // Of equal depths the atomic takes the larger id.
+        const uint bits = floatBitsToUint(four.depths[s]);
+        if ((four.covered & (1u << s)) != 0u && bits >= earlier.depths[s])
+            atomicMax(visibility.at[four.index + s],
+                      (uint64_t(bits) << 32u) | uint64_t(blade + 1u));
+    }
+}
 
 /// `covered`, as bits, of the samples of a pixel of one blade.
 void putSamples(uvec2 pixel, uint covered, float depths[samplesPerPixel], uint blade)
@@ -37,19 +71,12 @@ void putSamples(uvec2 pixel, uint covered, float depths[samplesPerPixel], uint b
                 putSample(pixel, s, depths[s], blade);
         return;
     }
-    Visibility visibility = Visibility(uvec2(push.visibility));
-    VisibilityPairs pairs = VisibilityPairs(uvec2(push.visibility));
-    const uint index = sampleIndex(pixel, 0u);
-    const uvec4 low = pairs.at[index / 2u];
-    const uvec4 high = pairs.at[index / 2u + 1u];
-    const uvec4 before = uvec4(low.y, low.w, high.y, high.w);
-    SHARED_UNROLL for (uint s = 0u; s < 4u; ++s) {
-        // Of equal depths the atomic takes the larger id.
-        const uint bits = floatBitsToUint(depths[s % samplesPerPixel]);
-        if ((covered & (1u << s)) != 0u && bits >= before[s])
-            atomicMax(visibility.at[index + s],
-                      (uint64_t(bits) << 32u) | uint64_t(blade + 1u));
-    }
+    FourSamples four;
+    four.index = sampleIndex(pixel, 0u);
+    four.covered = covered;
+    SHARED_UNROLL for (uint s = 0u; s < 4u; ++s)
+        four.depths[s] = depths[s % samplesPerPixel];
+    putFour(before(four.index), four, blade);
 }
 
 #endif

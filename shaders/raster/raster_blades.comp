@@ -6,13 +6,22 @@
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
+// Whether blades may be in memory in part; known when the pipeline is made.
+layout(constant_id = 3) const bool isPaged = false;
+#define MAY_BE_PAGED isPaged
+
 #include "shaders/grass/drawn_blade.glsl"
 #include "shaders/raster/strip.glsl"
+#include "shaders/raster/team.glsl"
 
 layout(local_size_x = rasterThreads) in;
 
+// Whether the blades of the list's end are taken, which all cover many pixels; known when the
+// pipeline is made.
+layout(constant_id = 2) const bool isLate = false;
+
 /// Gives a blade that covers so many pixels to teams; whether there was room.
-bool leftToTeams(VisibleBlade visible, float pixels)
+bool leftToTeams(Ribbon ribbon, uint blade, float pixels)
 {
     WalkLevelArray asked = push.largeCount;
     LargePartArray large = push.large;
@@ -20,20 +29,39 @@ bool leftToTeams(VisibleBlade visible, float pixels)
     const uint slot = atomicAdd(asked.at[0].count, parts);
     const bool hasRoom = slot + parts <= mostLargeParts;
     for (uint part = 0u; part < parts && slot + part < mostLargeParts; ++part)
-        large.at[slot + part] = LargePart(visible, part, hasRoom ? parts : 0u);
-    const uint perGroup = largeThreads / teamThreads;
-    atomicMax(asked.at[0].groups[0], min((slot + parts + perGroup - 1u) / perGroup, mostGroups));
+        large.at[slot + part] =
+            LargePart(ribbon.v0, ribbon.width, ribbon.v1, ribbon.fold, ribbon.v2,
+                      ribbon.outline.segments, ribbon.axis, ribbon.outline.tipThreshold,
+                      ribbon.outline.scale, ribbon.outline.shape, blade,
+                      hasRoom ? part | (parts << 16u) : 0u);
+    atomicMax(asked.at[0].groups[0],
+              min((slot + parts + teamsOfGroup - 1u) / teamsOfGroup, mostGroups));
     return hasRoom;
+}
+
+/// Whether a blade lies beside the picture; not asked again where the list left such blades out.
+bool isBeside(Lens lens, Ribbon ribbon, float height)
+{
+    if (uvec2(push.frame) == uvec2(push.judged) && (FRAME.view.cullMask & cullFrustum) != 0u)
+        return false;
+    const float margin = 0.5 * outlineMost * ribbon.width +
+                         ribMargin(length(ribbon.v0 - lens.eye) + height, lens.leastWidth);
+    bool beside = false;
+    SHARED_UNROLL for (uint i = 0u; i < 4u; ++i) beside =
+        beside || curveOutside(FRAME.view.planes[i], ribbon.v0, ribbon.v1, ribbon.v2, margin);
+    return beside;
 }
 
 void rasterise(Lens lens, VisibleBlade visible)
 {
     const DrawnBlade drawn = drawnBlade(visible);
     const Ribbon ribbon = drawn.ribbon;
+    if (isBeside(lens, ribbon, drawn.blade.height))
+        return;
     const float widthPixels = max(visible.pixels * ribbon.width / drawn.blade.height,
                                   lens.leastWidth * FRAME.view.pixelsPerUnit);
     const float pixels = visible.pixels * widthPixels;
-    if (pixels > largeBladePixels && leftToTeams(visible, pixels))
+    if ((isLate || pixels > largeBladePixels) && leftToTeams(ribbon, visible.blade, pixels))
         return;
 
     SeenRib before = seenRib(lens, ribbon, 0.0);
@@ -42,12 +70,12 @@ void rasterise(Lens lens, VisibleBlade visible)
         if (isCut(before) || isCut(after)) {
             // What this thread has drawn already will be drawn again, the same.
             if (!(isLost(before) && isLost(after))) {
-                leftToTeams(visible, pixels);
+                leftToTeams(ribbon, visible.blade, pixels);
                 return;
             }
         } else {
             screenSegment(screenRib(before), screenRib(after), ribbon.fold > 0.0,
-                          upperHalf(i, ribbon.outline.segments), visible.blade, Rows(0, 1));
+                          upperHalf(i, ribbon.outline.segments), visible.blade);
         }
         before = after;
     }
@@ -55,9 +83,10 @@ void rasterise(Lens lens, VisibleBlade visible)
 
 void main()
 {
-    const uint count = min(push.rounds.at[push.round].count, FRAME.visibleCapacity);
+    const uint capacity = FRAME.visibleCapacity;
+    const uint count = min(push.rounds.at[push.round].count, capacity);
     const Lens lens = lensOf();
     for (uint place = gl_GlobalInvocationID.x; place < count;
          place += gl_NumWorkGroups.x * rasterThreads)
-        rasterise(lens, FRAME.visible.at[place]);
+        rasterise(lens, FRAME.visible.at[isLate ? capacity - 1u - place : place]);
 }

@@ -84,14 +84,28 @@ Found find(Lens lens, Ribbon ribbon, vec2 pixel, float depth)
     return found;
 }
 
+/// In the next frame the blade counts as one that was seen, if that is asked of it.
+void noteSeen(VisibleBlade visible, Blade blade)
+{
+    if (uvec2(push.seen) == uvec2(0u) ||
+        pixelsCovered(blade, visible.pixels, visible.widthFactor) <= largeBladePixels)
+        return;
+    UintArray seen = push.seen;
+    const uint word = visible.blade / 32u;
+    const uint bit = 1u << (visible.blade % 32u);
+    if ((seen.at[word] & bit) == 0u)
+        atomicOr(seen.at[word], bit);
+}
+
 /// What the film sees of a blade in the middle of the samples of a pixel, as bits, at which it is
 /// seen, and 1 − softness. It lies at `depth` at one of them, `s`.
 vec4 shade(Lens lens, uint index, vec2 pixel, uint samples, uint s, float depth)
 {
     const uint patchIndex = patchOf(index);
     const Patch cell = FRAME.patches.at[patchIndex];
-    const Blade blade = unpackBlade(FRAME.blades.at[index], cell);
+    const Blade blade = unpackBlade(FRAME.blades.at[placeOf(uvec2(FRAME.pages), index)], cell);
     const VisibleBlade visible = visibleBlade(index, patchIndex, cell, blade);
+    noteSeen(visible, blade);
     const DrawnBlade drawn = drawnBlade(visible, blade);
     const BladeSurface surface = bladeSurface(drawn, visible);
     const Found found = find(lens, drawn.ribbon, pixel + samplePlace(s), depth);
@@ -142,8 +156,9 @@ void main()
         for (uint other = 0u; other < samplesPerPixel; ++other)
             samples |= blades[other] == blades[s] ? 1u << other : 0u;
         const uint count = uint(bitCount(samples));
-        if (uint(bitCount(samples & ((1u << s) - 1u))) == count / 2u)
-            sum += float(count) * shade(lens, blades[s] - 1u, vec2(pixel), samples, s, depths[s]);
+        if (uint(bitCount(samples & ((1u << s) - 1u))) != count / 2u)
+            continue;
+        sum += float(count) * shade(lens, blades[s] - 1u, vec2(pixel), samples, s, depths[s]);
     }
     if (sky > 0.0) {
         const vec2 middle = vec2(pixel) + 0.5;

@@ -27,8 +27,172 @@ vec2 intervalAt(float y, vec4 xs, vec4 ys, vec4 slopes, bvec4 lefts, bvec4 right
                 min(min(to.x, to.y), min(to.z, to.w)));
 }
 
-/// This thread takes every so-many-th row. False, and nothing done, where the quad is not convex.
-bool screenStrip(ScreenRib a, ScreenRib b, uint blade, Rows rows)
+/// What lies between two ribs, ready to be drawn row by row.
+struct Strip {
+    vec4 xs; ///< its corners, one after the other [pixels]
+    vec4 ys;
+    vec4 slopes; ///< of the sides from them [pixels per row]
+    uint hands;  ///< sides that bound it to the left, as bits, and from the fifth bit on to the right
+    float low;   ///< [pixels] where it begins and ends, downwards
+    float high;
+    float depth; ///< reversed, at the first corner …
+    vec2 depthStep; ///< … and what a pixel adds
+    float deepest;  ///< it has no other depths than these
+    float shallowest;
+    vec2 tStep;   ///< what a pixel adds to the way from the first rib to the second
+    vec2 weightA; ///< ScreenRib::weight of the first
+    vec2 weightB; ///< … and of the second
+};
+
+// What becomes of a strip.
+const uint stripDrawn = 0u;
+const uint stripUnseen = 1u; ///< nothing of it is seen
+const uint stripTwisted = 2u; ///< it is not convex: to be drawn as triangles
+
+/// What lies between two ribs, one of which goes from `a0` to `a1` and the other from `b0` to `b1`.
+uint stripOf(vec3 a0, vec3 a1, vec3 b0, vec3 b1, vec2 weightA, vec2 weightB, out Strip strip)
+{
+    const vec2 p0 = a0.xy;
+    const vec2 p1 = a1.xy;
+    const vec2 p2 = b1.xy;
+    const vec2 p3 = b0.xy;
+    if (!isConvex(p1 - p0, p2 - p1, p3 - p2, p0 - p3))
+        return stripTwisted;
+    const vec2 low = min(min(p0, p1), min(p2, p3));
+    const vec2 high = max(max(p0, p1), max(p2, p3));
+    const vec2 edge = vec2(push.size);
+    // A place is p0 + s · (p1 − p0) + t · (m − p0), m the middle of the farther rib.
+    const vec3 middle = 0.5 * (b0 + b1);
+    const vec2 across = p1 - p0;
+    const vec2 along = middle.xy - p0;
+    const float area = crossOf(across, along);
+    if (high.x < 0.0 || high.y < 0.0 || low.x > edge.x || low.y > edge.y || area == 0.0)
+        return stripUnseen;
+
+    const vec2 sStep = vec2(along.y, -along.x) / area;
+    strip.tStep = vec2(-across.y, across.x) / area;
+    strip.depth = a0.z;
+    strip.depthStep = sStep * (a1.z - a0.z) + strip.tStep * (middle.z - a0.z);
+    strip.shallowest = max(max(a0.z, a1.z), max(b0.z, b1.z));
+    strip.deepest = min(min(a0.z, a1.z), min(b0.z, b1.z));
+    strip.weightA = weightA;
+    strip.weightB = weightB;
+    strip.low = low.y;
+    strip.high = high.y;
+
+    // Sides that rise bound the quad on one hand, those that fall on the other.
+    strip.xs = vec4(p0.x, p1.x, p2.x, p3.x);
+    strip.ys = vec4(p0.y, p1.y, p2.y, p3.y);
+    const vec4 rises = strip.ys.yzwx - strip.ys;
+    strip.slopes = (strip.xs.yzwx - strip.xs) / mix(rises, vec4(1.0), equal(rises, vec4(0.0)));
+    const vec4 turned = area < 0.0 ? -rises : rises;
+    strip.hands = 0u;
+    SHARED_UNROLL for (uint i = 0u; i < 4u; ++i)
+        strip.hands |= turned[i] < 0.0 ? 1u << i : (turned[i] > 0.0 ? 16u << i : 0u);
+    return stripDrawn;
+}
+
+/// The first and the last row of pixels that a strip reaches.
+ivec2 rowsOf(Strip strip)
+{
+    return ivec2(int(max(floor(strip.low), 0.0)),
+                 int(min(floor(strip.high), float(push.size.y) - 1.0)));
+}
+
+/// Where the samples of a row of pixels lie in a strip, as pixels whose sample lies inside; the
+/// last one encloses them all.
+void spansOf(Strip strip, int row, out vec2 spans[samplesPerPixel], out ivec2 reach)
+{
+    const bvec4 lefts = notEqual(uvec4(strip.hands) & uvec4(1u, 2u, 4u, 8u), uvec4(0u));
+    const bvec4 rights = notEqual(uvec4(strip.hands) & uvec4(16u, 32u, 64u, 128u), uvec4(0u));
+    vec2 widest = vec2(1e30, -1e30);
+    SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s) {
+        const vec2 place = samplePlace(s);
+        const float y = float(row) + place.y;
+        spans[s] = intervalAt(y, strip.xs, strip.ys, strip.slopes, lefts, rights) - place.x;
+        if (y < strip.low || y > strip.high)
+            spans[s] = vec2(1e30, -1e30);
+        widest = vec2(min(widest.x, spans[s].x), max(widest.y, spans[s].y));
+    }
+    const float width = float(push.size.x);
+    reach = ivec2(int(clamp(ceil(widest.x), 0.0, width)),
+                  int(clamp(floor(widest.y), -1.0, width - 1.0)));
+}
+
+bool isThin(Strip strip)
+{
+    return strip.weightA.x < strip.weightA.y || strip.weightB.x < strip.weightB.y;
+}
+
+/// The share of the samples that a strip keeps `corner` [pixels] from its first corner.
+float shareKept(Strip strip, vec2 corner)
+{
+    const vec2 weight =
+        mix(strip.weightA, strip.weightB, clamp(dot(corner, strip.tStep), 0.0, 1.0));
+    return weight.x / max(weight.y, 1e-12);
+}
+
+float depthAt(Strip strip, vec2 corner)
+{
+    return clamp(strip.depth + dot(corner, strip.depthStep), strip.deepest, strip.shallowest);
+}
+
+/// Those from sample `index` on, a multiple of 4. The row begins with sample `start`.
+FourSamples fourOf(Strip strip, SampleMask mask, bool thin, int row, int start, int index,
+                   vec2 spans[samplesPerPixel], ivec2 reach)
+{
+    FourSamples four;
+    four.index = uint(index);
+    four.covered = 0u;
+    const vec2 first = vec2(strip.xs.x, strip.ys.x);
+    if (samplesPerPixel == 1u) {
+        SHARED_UNROLL for (int i = 0; i < 4; ++i) {
+            const int column = index + i - start;
+            const vec2 corner = vec2(column, row) - first + samplePlace(0u);
+            four.depths[i] = depthAt(strip, corner);
+            bool isInside = column >= reach.x && column <= reach.y;
+            if (thin)
+                isInside = isInside && keptBits(mask, shareKept(strip, corner)) != 0u;
+            four.covered |= isInside ? 1u << i : 0u;
+        }
+        return four;
+    }
+    const int column = (index - start) / int(samplesPerPixel);
+    const vec2 corner = vec2(column, row) - first;
+    SHARED_UNROLL for (uint s = 0u; s < 4u; ++s) {
+        const vec2 span = spans[s % samplesPerPixel];
+        if (column <= reach.y && float(column) >= span.x && float(column) <= span.y)
+            four.covered |= 1u << s;
+        four.depths[s] = depthAt(strip, corner + samplePlace(s % samplesPerPixel));
+    }
+    if (thin && four.covered != 0u)
+        four.covered &= keptBits(mask, shareKept(strip, corner + middleOf(four.covered)));
+    return four;
+}
+
+/// One row of pixels. Eight samples are read at a time: what takes long here is to wait for them.
+void drawRow(Strip strip, SampleMask mask, uint blade, int row)
+{
+    vec2 spans[samplesPerPixel];
+    ivec2 reach;
+    spansOf(strip, row, spans, reach);
+    if (reach.x > reach.y)
+        return;
+    const bool thin = isThin(strip);
+    const int samples = int(samplesPerPixel);
+    const int start = row * int(push.size.x) * samples;
+    const int end = start + reach.y * samples;
+    for (int index = (start + reach.x * samples) & ~3; index <= end; index += 8) {
+        const Before one = before(uint(index));
+        const Before two = before(uint(index + 4));
+        putFour(one, fourOf(strip, mask, thin, row, start, index, spans, reach), blade);
+        putFour(two, fourOf(strip, mask, thin, row, start, index + 4, spans, reach), blade);
+    }
+}
+
+/// Draws what lies between two ribs, by one thread: the same as a strip row by row, in one text, with
+/// which the compiler needs fewer registers. False, and nothing done, where the quad is not convex.
+bool screenStrip(ScreenRib a, ScreenRib b, uint blade)
 {
     const vec2 p0 = a.left.xy;
     const vec2 p1 = a.right.xy;
@@ -68,7 +232,7 @@ bool screenStrip(ScreenRib a, ScreenRib b, uint blade, Rows rows)
     const SampleMask mask = sampleMaskOf(blade, samplesPerPixel);
     const int first = int(max(floor(low.y), 0.0));
     const int last = int(min(floor(high.y), edge.y - 1.0));
-    for (int row = first + rows.first; row <= last; row += rows.step_) {
+    for (int row = first; row <= last; ++row) {
         // The interval of each row of samples, in pixels whose sample lies inside.
         vec2 spans[samplesPerPixel];
         vec2 widest = vec2(1e30, -1e30);
@@ -105,15 +269,22 @@ bool screenStrip(ScreenRib a, ScreenRib b, uint blade, Rows rows)
     return true;
 }
 
-/// What lies between two ribs of a ribbon.
-void screenSegment(ScreenRib a, ScreenRib b, bool isFolded, bool isUpper, uint blade, Rows rows)
+/// What lies between two ribs of a ribbon; this thread takes every so-many-th row of its triangles.
+void screenTriangles(ScreenRib a, ScreenRib b, bool isFolded, bool isUpper, uint blade, Rows rows)
 {
     if (isFolded) {
         screenQuad(a.left, a.ridge, b.left, b.ridge, a.weight, b.weight, isUpper, blade, rows);
         screenQuad(a.ridge, a.right, b.ridge, b.right, a.weight, b.weight, isUpper, blade, rows);
-    } else if (!screenStrip(a, b, blade, rows)) {
+    } else {
         screenQuad(a.left, a.right, b.left, b.right, a.weight, b.weight, isUpper, blade, rows);
     }
+}
+
+/// The same by one thread.
+void screenSegment(ScreenRib a, ScreenRib b, bool isFolded, bool isUpper, uint blade)
+{
+    if (isFolded || !screenStrip(a, b, blade))
+        screenTriangles(a, b, isFolded, isUpper, blade, Rows(0, 1));
 }
 
 #endif

@@ -53,7 +53,9 @@ struct Frame {
     DrawArray draw;
     FloatArray patchTimes; ///< per patch: the time its blades were last moved to [s] …
     UintArray patchCounts; ///< … and how many of them, the first so many
-    UintArray fates;       ///< per blade: its fate, or address 0 when nobody asks
+    UintArray fates;       ///< per blade in memory: its fate, or address 0 when nobody asks
+    UintArray pages;       ///< where each page of blades lies in memory (pages.h); address 0: all
+                           ///< blades are there, in their order
     DepthPyramid pyramid;  ///< what the ground hides; without depths nothing
 
     mat4 viewProjection; ///< reversed Z: 1 near, 0 far
@@ -83,7 +85,7 @@ struct Frame {
         fogFalloff; ///< [1/m] the air thins upwards as exp(−falloff · height); 0: alike everywhere
     float fogBase;  ///< [m] along skyUp, relative to the field's origin: where it has fogDensity
 };
-SHARED_LAYOUT(Frame, 688)
+SHARED_LAYOUT(Frame, 696)
 
 SHARED_BUFFER(FrameArray, Frame, readonly)
 

@@ -26,6 +26,27 @@ struct GroundMaterial {
 };
 SHARED_LAYOUT(GroundMaterial, 32)
 
+/// Triangles of the ground that lie together, and the box around them.
+struct GroundCluster {
+    vec3 low; ///< [m] relative to the field's origin
+    uint firstIndex;
+    vec3 high;
+    uint indexCount;
+};
+SHARED_LAYOUT(GroundCluster, 32)
+
+/// VkDrawIndexedIndirectCommand.
+struct IndexedDraw {
+    uint indexCount;
+    uint instanceCount;
+    uint firstIndex;
+    uint vertexOffset; ///< 0
+    uint firstInstance;
+};
+SHARED_LAYOUT(IndexedDraw, 20)
+
+SHARED_BUFFER(GroundClusterArray, GroundCluster, readonly)
+SHARED_BUFFER(IndexedDrawArray, IndexedDraw, )
 SHARED_BUFFER(GroundVertexArray, GroundVertex, readonly)
 SHARED_BUFFER(GroundMaterialArray, GroundMaterial, readonly)
 

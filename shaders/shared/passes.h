@@ -37,14 +37,17 @@ struct UpdatePush {
     UintArray owners;      ///< indices of the patches that own blades
     FrameArray views;      ///< for which blades are moved, where they are several
     StateArray before;     ///< where states are kept that blades are moved from, if they are
+    UintArray seenBefore;  ///< see RasterPush; address 0: all blades are listed in front
     uint ownerCount;
     uint onlyUpdate; ///< 1: move every blade of every owner, judge and count none
     uint firstLive;  ///< the round's first live patch …
     uint mostLive;   ///< … and how many it takes at most
     uint round;
+    uint lateRound; ///< the same of those blades that are listed from behind
     uint viewCount; ///< frames at `views`
+    uint reserved;
 };
-SHARED_LAYOUT(UpdatePush, 80)
+SHARED_LAYOUT(UpdatePush, 96)
 
 // What the update does about a live patch.
 SHARED_CONST uint moveAndJudge = 0u;
@@ -86,11 +89,12 @@ SHARED_CONST uint mostGroups = 65535u;
 /// Width and height of the tile of pixels that a work-group begins or resolves.
 SHARED_CONST uint rasterTile = 8u;
 
-/// A blade that covers more pixels than this is not rasterised by one thread, but by a team …
+/// A blade that covers more pixels than this is not rasterised by one thread, but by a team,
+/// and asked for whether other grass hides it; …
 SHARED_CONST float largeBladePixels = 256.0f;
 
 /// … or by several, each for so many of its pixels, …
-SHARED_CONST float teamPixels = 16384.0f;
+SHARED_CONST float teamPixels = 4096.0f;
 
 /// … but no more teams than these.
 SHARED_CONST uint mostTeams = 64u;
@@ -99,20 +103,25 @@ SHARED_CONST uint mostTeams = 64u;
 /// million pixels. Blades beyond them are rasterised by one thread each.
 SHARED_CONST uint mostLargeParts = 1048576u;
 
-/// Threads of a team, and of a work-group of teams.
-SHARED_CONST uint teamThreads = 32u;
+/// Threads of a work-group of teams.
 SHARED_CONST uint largeThreads = 64u;
-
-/// A team looks at so many segments of a blade at a time.
-SHARED_CONST uint teamSegments = 16u;
 
 /// What a team draws: a large blade, or every `parts`-th bundle of its rows.
 struct LargePart {
-    VisibleBlade visible;
-    uint part;  ///< < parts
-    uint parts; ///< 0: nothing, there was no room for all parts
+    vec3 v0; ///< the ribbon: see Ribbon
+    float width;
+    vec3 v1;
+    float fold;
+    vec3 v2;
+    float segments;
+    vec3 axis;
+    float tipThreshold;
+    float scale;
+    uint shape;
+    uint blade; ///< resident id
+    uint part;  ///< 0–15 which of so many parts, 16–31; 0: nothing, there was no room for all parts
 };
-SHARED_LAYOUT(LargePart, 24)
+SHARED_LAYOUT(LargePart, 80)
 
 SHARED_BUFFER(LargePartArray, LargePart, )
 
@@ -130,11 +139,16 @@ struct RasterPush {
     WalkLevelArray largeCount; ///< how many of them were asked for, and groups of teams for them
     UintArray owners;          ///< patches that own blades, in the order of their blades
     UintArray firstOwners; ///< per ownerStride blades: index into `owners` of the first one's patch
-    uvec2 size;            ///< [pixels]
-    uint isBgr;            ///< 1: the picture's first channel is blue
-    uint round;
+
+    /// A bit for each blade, by its resident id: whether a sample shows it. Those that the frame
+    /// before showed are drawn first, then the others as far as they are not hidden; so the bits
+    /// decide when a blade is looked at, and never whether it is seen. Address 0: nobody asks.
+    UintArray seen;
+    uvec2 size; ///< [pixels]
+    uint isBgr; ///< 1: the picture's first channel is blue
+    uint round; ///< whose list is rasterised: its first blades, or its last ones
 };
-SHARED_LAYOUT(RasterPush, 80)
+SHARED_LAYOUT(RasterPush, 88)
 
 /// A collider is drawn as so many quads around its axis, in so many rings from each pole.
 SHARED_CONST uint colliderSegments = 64u;
@@ -172,6 +186,23 @@ struct GroundPush {
     uint width; ///< [pixels] of the visibility
 };
 SHARED_LAYOUT(GroundPush, 40)
+
+/// Threads of a work-group that looks at clusters of the ground, one each, and words of their bits.
+SHARED_CONST uint groundThreads = 128u;
+SHARED_CONST uint groundWords = groundThreads / 32u;
+
+/// Which clusters of the ground are drawn. A first dispatch finds those that are seen, a second
+/// writes their draws, in the order of the clusters.
+struct GroundCullPush {
+    FrameArray frame;
+    GroundClusterArray clusters; ///< of one part of the ground
+    IndexedDrawArray draws;      ///< as many
+    UintArray seen;              ///< a bit for each cluster
+    UintArray drawCount;         ///< of them all
+    uint clusterCount;
+    uint looksForHidden; ///< 1: what the frame's pyramid hides is left out
+};
+SHARED_LAYOUT(GroundCullPush, 48)
 
 SHARED_END
 #endif

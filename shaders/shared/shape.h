@@ -87,8 +87,8 @@ SHARED_FN Outline outlineOf(uint shape, float tipThreshold, float segments)
 
 /// Width at the root and at the tip of the single segment that is nearest to an outline, by least
 /// squares: it has its area A and its first moment M = ∫ t·width dt, so a + b·t with
-/// a = 4A − 6M, b = 12M − 6A. With the area alone there is too much below the tip, which is what one
-/// sees of grass behind grass: far away it would be a tenth too bright.
+/// a = 4A − 6M, b = 12M − 6A. With the area alone there is too much below the tip, which is what
+/// one sees of grass behind grass: far away it would be a tenth too bright.
 SHARED_FN vec2 singleSegment(uint shape, float tipThreshold)
 {
     if (shape == shapeTriangleTip)

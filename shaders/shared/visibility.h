@@ -21,8 +21,8 @@ struct Verdict {
     vec3 high;
 };
 
-/// Share of the blades that is drawn at `distance` [m]: lodFullShare where none is left out or fades,
-/// as everywhere without level of detail.
+/// Share of the blades that is drawn at `distance` [m]: lodFullShare where none is left out or
+/// fades, as everywhere without level of detail.
 SHARED_FN float shareAt(Eyepoint view, float distance)
 {
     if (view.lodThreshold <= 0.0f)
@@ -42,6 +42,12 @@ SHARED_FN DrawnSize drawnSize(Eyepoint view, Blade blade, float rank, float dist
     size.widthFactor = lodWidthFactor(rank, shareAt(view, distance));
     size.pixels = blade.height * view.pixelsPerUnit / max(distance, 1e-6f);
     return size;
+}
+
+/// So many pixels a blade covers that is seen from its broad side, `height` [pixels] high.
+SHARED_FN float pixelsCovered(Blade blade, float height, float widthFactor)
+{
+    return height * height * widthFactor * blade.width / blade.height;
 }
 
 /// Progressive rank in [0, 1) of blade `i` of a patch among all blades around it.

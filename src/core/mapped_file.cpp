@@ -7,7 +7,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <utility>
 
@@ -35,6 +38,26 @@ std::size_t openRegular(const std::filesystem::path& path, Descriptor& file)
     if (!S_ISREG(status.st_mode))
         fail(ErrorKind::io, "{}: not a regular file", path.string());
     return static_cast<std::size_t>(status.st_size);
+}
+
+std::size_t pageSize()
+{
+    static const auto size = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+    return size;
+}
+
+/// The whole pages of memory that bytes lie on.
+struct Pages {
+    std::byte* begin = nullptr;
+    std::size_t size = 0; ///< [bytes]
+};
+
+Pages pagesOf(std::span<const std::byte> bytes)
+{
+    if (bytes.empty())
+        return {};
+    const std::size_t before = reinterpret_cast<std::uintptr_t>(bytes.data()) % pageSize();
+    return {const_cast<std::byte*>(bytes.data()) - before, bytes.size() + before};
 }
 
 } // namespace
@@ -69,6 +92,31 @@ MappedFile::~MappedFile()
 {
     if (data_ != nullptr)
         ::munmap(const_cast<std::byte*>(data_), size_);
+}
+
+bool isInMemory(std::span<const std::byte> bytes) noexcept
+{
+    std::array<unsigned char, 64> isThere{};
+    Pages pages = pagesOf(bytes);
+    while (pages.size > 0) {
+        const std::size_t size = std::min(pages.size, isThere.size() * pageSize());
+        // What the system does not tell counts as there: then a reader waits.
+        if (::mincore(pages.begin, size, isThere.data()) != 0)
+            return true;
+        const std::size_t count = (size + pageSize() - 1) / pageSize();
+        if (!std::all_of(isThere.begin(), isThere.begin() + static_cast<std::ptrdiff_t>(count),
+                         [](unsigned char page) { return (page & 1u) != 0; }))
+            return false;
+        pages = {pages.begin + size, pages.size - size};
+    }
+    return true;
+}
+
+void bringIntoMemory(std::span<const std::byte> bytes) noexcept
+{
+    const Pages pages = pagesOf(bytes);
+    if (pages.size > 0)
+        ::madvise(pages.begin, pages.size, MADV_WILLNEED);
 }
 
 std::vector<std::byte> readFile(const std::filesystem::path& path, std::size_t limit)

@@ -23,6 +23,13 @@ private:
     std::size_t size_ = 0;
 };
 
+/// Whether bytes of a mapped file can be read without waiting for a disk, as far as the system
+/// says.
+bool isInMemory(std::span<const std::byte> bytes) noexcept;
+
+/// Asks the system to bring them, and does not wait.
+void bringIntoMemory(std::span<const std::byte> bytes) noexcept;
+
 /// Reads a whole file of at most `limit` bytes. Throws Error{io} if it cannot, Error{input} if
 /// larger.
 std::vector<std::byte> readFile(const std::filesystem::path& path,

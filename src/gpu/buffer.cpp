@@ -5,6 +5,7 @@
 #include "gpu/debug.h"
 
 #include <algorithm>
+#include <array>
 
 namespace sward::gpu {
 namespace {
@@ -26,6 +27,13 @@ Buffer::Buffer(const DeviceContext& context, const BufferSettings& settings)
     create.size = std::max(settings.bytes, smallestBuffer);
     create.usage = settings.usage | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
     create.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+    const std::array families{context.queueFamily, context.copyQueueFamily};
+    if (settings.isFilledByCopyQueue && context.copyQueue != VK_NULL_HANDLE &&
+        families[0] != families[1]) {
+        create.sharingMode = VK_SHARING_MODE_CONCURRENT;
+        create.queueFamilyIndexCount = static_cast<std::uint32_t>(families.size());
+        create.pQueueFamilyIndices = families.data();
+    }
 
     VkBuffer buffer = VK_NULL_HANDLE;
     check(context.vk.CreateBuffer(context.device, &create, context.allocation, &buffer),

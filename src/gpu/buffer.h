@@ -18,6 +18,7 @@ struct BufferSettings {
     VkDeviceSize bytes = 0;
     VkBufferUsageFlags usage = 0; ///< besides being reached by its device address
     MemoryUse memory = MemoryUse::device;
+    bool isFilledByCopyQueue = false; ///< DeviceContext::copyQueue copies into it, if there is one
 };
 
 /// A buffer with memory of its own, reached by device address.

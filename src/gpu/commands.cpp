@@ -9,12 +9,17 @@
 namespace sward::gpu {
 
 CommandPool::CommandPool(const DeviceContext& context)
+    : CommandPool(context, context.queueFamily)
+{
+}
+
+CommandPool::CommandPool(const DeviceContext& context, std::uint32_t queueFamily)
     : context_(context)
 {
     VkCommandPoolCreateInfo create{};
     create.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
     create.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
-    create.queueFamilyIndex = context.queueFamily;
+    create.queueFamilyIndex = queueFamily;
     VkCommandPool pool = VK_NULL_HANDLE;
     check(context.vk.CreateCommandPool(context.device, &create, context.allocation, &pool),
           "vkCreateCommandPool");

@@ -5,6 +5,7 @@
 
 #include <vulkan/vulkan.h>
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -15,6 +16,7 @@ namespace sward::gpu {
 class CommandPool {
 public:
     explicit CommandPool(const DeviceContext& context);
+    CommandPool(const DeviceContext& context, std::uint32_t queueFamily);
 
     /// A command buffer that lives as long as the pool.
     VkCommandBuffer allocate(const std::string& name) const;

@@ -41,6 +41,11 @@ struct DeviceContext {
     VkQueue queue = VK_NULL_HANDLE; ///< graphics and compute; used by one thread at a time
     std::uint32_t queueFamily = 0;  ///< of the queue
 
+    /// A queue for copies beside it, used by nobody else, or null; and its family. The device then
+    /// has the feature timelineSemaphore.
+    VkQueue copyQueue = VK_NULL_HANDLE;
+    std::uint32_t copyQueueFamily = 0; ///< of the copyQueue
+
     std::string name;      ///< of the device
     std::string driver;    ///< name and version
     VkDriverId driverId{}; ///< VK_DRIVER_ID_MESA_LLVMPIPE on the CPU

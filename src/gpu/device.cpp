@@ -5,9 +5,29 @@
 #include "gpu/device_choice.h"
 #include "gpu/features.h"
 
+#include <optional>
 #include <vector>
 
 namespace sward::gpu {
+
+namespace {
+
+/// A family of queues that copy and do nothing else: such copies run beside everything.
+std::optional<std::uint32_t> copyFamilyOf(VkPhysicalDevice physical)
+{
+    std::uint32_t count = 0;
+    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
+    constexpr VkQueueFlags others = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+    for (std::uint32_t family = 0; family < count; ++family)
+        if ((families[family].queueFlags & (others | VK_QUEUE_TRANSFER_BIT)) ==
+            VK_QUEUE_TRANSFER_BIT)
+            return family;
+    return std::nullopt;
+}
+
+} // namespace
 
 Device::Device(const Instance& instance, const DeviceSettings& settings)
 {
@@ -25,17 +45,27 @@ Device::Device(const Instance& instance, const DeviceSettings& settings)
         extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
 
     const float priority = 1.0f;
-    VkDeviceQueueCreateInfo queueCreate{};
-    queueCreate.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
-    queueCreate.queueFamilyIndex = report_.queueFamily;
-    queueCreate.queueCount = 1;
-    queueCreate.pQueuePriorities = &priority;
+    std::vector<VkDeviceQueueCreateInfo> queues;
+    const auto addQueue = [&](std::uint32_t family) {
+        VkDeviceQueueCreateInfo queue{};
+        queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
+        queue.queueFamilyIndex = family;
+        queue.queueCount = 1;
+        queue.pQueuePriorities = &priority;
+        queues.push_back(queue);
+    };
+    addQueue(report_.queueFamily);
+    const std::optional<std::uint32_t> copyFamily =
+        settings.wantsCopyQueue ? copyFamilyOf(report_.physical) : std::nullopt;
+    if (copyFamily)
+        addQueue(*copyFamily);
+    wanted.vulkan12.timelineSemaphore = VK_TRUE; // of every device that is new enough
 
     VkDeviceCreateInfo create{};
     create.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
     create.pNext = &wanted.core;
-    create.queueCreateInfoCount = 1;
-    create.pQueueCreateInfos = &queueCreate;
+    create.queueCreateInfoCount = static_cast<std::uint32_t>(queues.size());
+    create.pQueueCreateInfos = queues.data();
     create.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
     create.ppEnabledExtensionNames = extensions.data();
 
@@ -48,6 +78,11 @@ Device::Device(const Instance& instance, const DeviceSettings& settings)
     context_ = describeDevice(report_.physical, device, report_.queueFamily, queue, enabled,
                               instance.hasDebugUtils());
     setName(context_, queue, "queue");
+    if (copyFamily) {
+        context_.copyQueueFamily = *copyFamily;
+        vkGetDeviceQueue(device, *copyFamily, 0, &context_.copyQueue);
+        setName(context_, context_.copyQueue, "queue for copies");
+    }
 }
 
 Device::~Device()

@@ -17,6 +17,8 @@ struct DeviceSettings {
 
     /// A surface that the device must be able to present to, if any.
     VkSurfaceKHR surface = VK_NULL_HANDLE;
+
+    bool wantsCopyQueue = false; ///< DeviceContext::copyQueue, where there is a family for copies
 };
 
 /// A device of our own with one queue for graphics, compute and, given a surface, presenting. Stays

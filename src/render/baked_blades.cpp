@@ -1,6 +1,8 @@
 #include "render/baked_blades.h"
 
 #include "core/error.h"
+#include "gpu/compute_pipeline.h"
+#include "shaders/shared/pages.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
@@ -45,7 +47,8 @@ std::vector<std::uint32_t> firstOwnersOf(const field::FieldView& field,
 } // namespace
 
 BakedBlades::BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
-                         const field::FieldView& field, std::uint32_t walkStart)
+                         const field::FieldView& field, std::uint32_t walkStart,
+                         std::uint32_t pages)
 {
     if (field.blades.size() > std::numeric_limits<std::uint32_t>::max())
         fail(ErrorKind::unsupported, "the field has {} blades; one view draws at most {}",
@@ -53,6 +56,7 @@ BakedBlades::BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& u
     const std::vector<std::uint32_t> owners = ownersOf(field);
     const std::vector<std::uint32_t> firstOwners = firstOwnersOf(field, owners);
     bladeCount_ = static_cast<std::uint32_t>(field.blades.size());
+    placeCount_ = pages == 0 ? bladeCount_ : pages * shared::pageBlades;
     patchCount_ = static_cast<std::uint32_t>(field.patches.size());
     ownerCount_ = static_cast<std::uint32_t>(owners.size());
     bladeSize_ = field::meanBladeSize(field);
@@ -62,35 +66,45 @@ BakedBlades::BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& u
     species.resize(shared::maxSpecies, species.empty() ? shared::Species{} : species.front());
 
     // As it lies in the file.
-    blades_ = allocate(context, "field/blades", field.blades.size_bytes());
+    blades_ =
+        allocate(context, "field/blades", placeCount_ * sizeof(shared::PackedBlade), pages > 0);
     patches_ = allocate(context, "field/patches", field.patches.size_bytes());
     owners_ = allocate(context, "field/owners", owners.size() * sizeof(std::uint32_t));
     firstOwners_ =
         allocate(context, "field/first owners", firstOwners.size() * sizeof(std::uint32_t));
     species_ = allocate(context, "field/species", species.size() * sizeof(shared::Species));
-    upload.toBuffer(blades_, field.blades);
+    if (pages == 0) {
+        upload.toBuffer(blades_, field.blades);
+    } else {
+        const std::vector<std::uint32_t> nowhere(
+            gpu::groupsFor(field.blades.size(), shared::pageBlades), shared::noPlace);
+        pages_ = allocate(context, "field/pages", nowhere.size() * sizeof(std::uint32_t));
+        upload.toBuffer(pages_, std::span<const std::uint32_t>(nowhere));
+    }
     upload.toBuffer(patches_, field.patches);
     upload.toBuffer(owners_, std::span<const std::uint32_t>(owners));
     upload.toBuffer(firstOwners_, std::span<const std::uint32_t>(firstOwners));
     upload.toBuffer(species_, std::span<const shared::Species>(species));
-    tree_.emplace(context, upload, field, walkStart);
+    tree_.emplace(context, upload, field, walkStart, pages > 0);
     bytes_ += tree_->bytes();
 }
 
 gpu::Buffer BakedBlades::allocate(const gpu::DeviceContext& context, const char* name,
-                                  VkDeviceSize bytes)
+                                  VkDeviceSize bytes, bool isFilledByCopyQueue)
 {
     bytes_ += bytes;
     return {context,
             {.name = name,
              .bytes = bytes,
-             .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}};
+             .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+             .isFilledByCopyQueue = isFilledByCopyQueue}};
 }
 
 void BakedBlades::describe(shared::Frame& frame) const
 {
     frame.blades = blades_.address();
     frame.patches = patches_.address();
+    frame.pages = pages_.address();
     frame.species = species_.address();
     frame.patchCount = patchCount_;
     frame.bladeCount = bladeCount_;

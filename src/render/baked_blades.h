@@ -18,17 +18,24 @@ namespace sward::render {
 /// What a field's bake has written about its blades, in device memory. It never changes.
 class BakedBlades {
 public:
-    /// Begins the upload; it is complete when `upload` is. `walkStart`: see PatchTree.
+    /// Begins the upload; it is complete when `upload` is. `walkStart`: see PatchTree. `pages`: if
+    /// not 0, there is room for so many pages of blades (pages.h), all of them empty.
     BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
-                const field::FieldView& field, std::uint32_t walkStart = shared::walkStart);
+                const field::FieldView& field, std::uint32_t walkStart = shared::walkStart,
+                std::uint32_t pages = 0);
 
     /// Writes addresses and counts into a frame.
     void describe(shared::Frame& frame) const;
 
-    std::uint32_t bladeCount() const { return bladeCount_; }
+    std::uint32_t bladeCount() const { return bladeCount_; } ///< of the field
+    std::uint32_t placeCount() const { return placeCount_; } ///< for blades, in memory
+    bool isPaged() const { return pages_.address() != 0; }   ///< else all blades are there
     std::uint32_t patchCount() const { return patchCount_; }
-    std::uint32_t ownerCount() const { return ownerCount_; }     ///< patches that own blades
-    VkDeviceAddress owners() const { return owners_.address(); } ///< in the order of their blades
+    std::uint32_t ownerCount() const { return ownerCount_; }       ///< patches that own blades
+    const gpu::Buffer& blades() const { return blades_; }          ///< shared::PackedBlade
+    VkDeviceAddress patches() const { return patches_.address(); } ///< shared::Patch
+    VkDeviceAddress pages() const { return pages_.address(); }     ///< Frame::pages
+    VkDeviceAddress owners() const { return owners_.address(); }   ///< in the order of their blades
 
     /// Per shared::ownerStride blades: place among the owners of the first one's.
     VkDeviceAddress firstOwners() const { return firstOwners_.address(); }
@@ -37,9 +44,11 @@ public:
     VkDeviceSize bytes() const { return bytes_; }
 
 private:
-    gpu::Buffer allocate(const gpu::DeviceContext& context, const char* name, VkDeviceSize bytes);
+    gpu::Buffer allocate(const gpu::DeviceContext& context, const char* name, VkDeviceSize bytes,
+                         bool isFilledByCopyQueue = false);
 
     std::uint32_t bladeCount_ = 0;
+    std::uint32_t placeCount_ = 0;
     std::uint32_t patchCount_ = 0;
     std::uint32_t ownerCount_ = 0;
     field::BladeSize bladeSize_;
@@ -47,6 +56,7 @@ private:
 
     gpu::Buffer blades_;
     gpu::Buffer patches_;
+    gpu::Buffer pages_; ///< nothing if all blades are there
     gpu::Buffer species_;
     gpu::Buffer owners_;
     gpu::Buffer firstOwners_;

@@ -3,6 +3,7 @@
 #include "gpu/check.h"
 #include "gpu/readback.h"
 #include "shaders/shared/frame.h"
+#include "shaders/shared/passes.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -27,17 +28,23 @@ FieldRenderer::BladeRecord recordOf(const shared::Blade& blade, const shared::Bl
     return record;
 }
 
-/// `count` elements of a buffer from the one at `first` on.
+/// The elements of a buffer that are those of some blades.
 template <typename T>
 std::vector<T> readPart(const gpu::DeviceContext& context, const gpu::Buffer& buffer,
-                        std::size_t first, std::size_t count)
+                        BladePart part)
 {
     const std::vector<std::byte> bytes =
-        gpu::readBuffer(context, buffer, first * sizeof(T), count * sizeof(T));
-    std::vector<T> elements(count);
-    if (count > 0)
+        gpu::readBuffer(context, buffer, part.first * sizeof(T), part.count * sizeof(T));
+    std::vector<T> elements(part.count);
+    if (part.count > 0)
         std::memcpy(elements.data(), bytes.data(), bytes.size());
     return elements;
+}
+
+template <typename T>
+void append(std::vector<T>& elements, const std::vector<T>& more)
+{
+    elements.insert(elements.end(), more.begin(), more.end());
 }
 
 } // namespace
@@ -49,7 +56,7 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
     gpu::check(vkDeviceWaitIdle(context.device), "vkDeviceWaitIdle");
     const auto states = gpu::readBufferAs<shared::BladeState>(context, buffers.states());
     const auto visible = gpu::readBufferAs<shared::VisibleBlade>(context, buffers.visible());
-    const auto draw = gpu::readBufferAs<shared::DrawArguments>(context, buffers.draw());
+    const auto rounds = gpu::readBufferAs<shared::WalkLevel>(context, buffers.list().rounds());
     std::vector<std::uint32_t> fates;
     if (buffers.fates().bytes() > 0)
         fates = gpu::readBufferAs<std::uint32_t>(context, buffers.fates());
@@ -66,27 +73,37 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
         }
     }
 
-    // The list knows which were drawn, and how wide.
-    const std::size_t drawn =
-        std::min<std::size_t>(draw[0].fates[shared::fateDrawn], visible.size());
-    for (std::size_t i = 0; i < drawn; ++i) {
-        records[visible[i].blade].lodWidth = visible[i].widthFactor;
-        records[visible[i].blade].fate = shared::fateDrawn;
-    }
+    // The list knows how wide blades were drawn, and the fates which of them other grass has
+    // hidden.
+    const auto drawn = [&](const shared::VisibleBlade& blade) {
+        if (!fates.empty() && fates[blade.blade] != shared::fateDrawn)
+            return;
+        records[blade.blade].lodWidth = blade.widthFactor;
+        records[blade.blade].fate = shared::fateDrawn;
+    };
+    const std::size_t first = std::min<std::size_t>(rounds[0].count, visible.size());
+    const std::size_t late =
+        std::min<std::size_t>(rounds[rounds.size() / 2].count, visible.size() - first);
+    std::for_each_n(visible.begin(), first, drawn);
+    std::for_each_n(visible.rbegin(), late, drawn);
     return records;
 }
 
-std::vector<FieldRenderer::BladeRecord> readPatch(const gpu::DeviceContext& context,
-                                                  const FieldBuffers& buffers,
-                                                  const field::FieldView& field,
-                                                  std::uint32_t patch)
+std::vector<FieldRenderer::BladeRecord>
+readPatch(const gpu::DeviceContext& context, const FieldBuffers& buffers,
+          const field::FieldView& field, std::uint32_t patch, std::span<const BladePart> parts)
 {
     const shared::Patch& cell = field.patches[patch];
-    const auto states =
-        readPart<shared::BladeState>(context, buffers.states(), cell.firstBlade, cell.bladeCount);
-    std::vector<std::uint32_t> fates(cell.bladeCount, shared::fatePatch);
-    if (buffers.fates().bytes() > 0)
-        fates = readPart<std::uint32_t>(context, buffers.fates(), cell.firstBlade, cell.bladeCount);
+    std::vector<shared::BladeState> states;
+    std::vector<std::uint32_t> fates;
+    for (const BladePart& part : parts) {
+        append(states, readPart<shared::BladeState>(context, buffers.states(), part));
+        if (buffers.fates().bytes() > 0)
+            append(fates, readPart<std::uint32_t>(context, buffers.fates(), part));
+    }
+    if (states.size() < cell.bladeCount)
+        return {};
+    fates.resize(cell.bladeCount, shared::fatePatch);
     std::vector<FieldRenderer::BladeRecord> records(cell.bladeCount);
     for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
         const std::size_t index = cell.firstBlade + i;

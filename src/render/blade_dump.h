@@ -4,8 +4,10 @@
 #include "gpu/context.h"
 #include "render/field_buffers.h"
 #include "render/field_renderer.h"
+#include "render/streaming.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace sward::render {
@@ -16,10 +18,10 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
                                                    const FieldBuffers& buffers,
                                                    const field::FieldView& field);
 
-/// The same for one patch; which of its blades were drawn wider is not asked.
-std::vector<FieldRenderer::BladeRecord> readPatch(const gpu::DeviceContext& context,
-                                                  const FieldBuffers& buffers,
-                                                  const field::FieldView& field,
-                                                  std::uint32_t patch);
+/// The same for one patch, whose blades lie in `parts` of the memory; none: nothing. Which of them
+/// were drawn wider is not asked.
+std::vector<FieldRenderer::BladeRecord>
+readPatch(const gpu::DeviceContext& context, const FieldBuffers& buffers,
+          const field::FieldView& field, std::uint32_t patch, std::span<const BladePart> parts);
 
 } // namespace sward::render

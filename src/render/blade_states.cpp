@@ -18,14 +18,14 @@ gpu::Buffer allocate(const gpu::DeviceContext& context, const char* name, VkDevi
 
 BladeStates::BladeStates(const gpu::DeviceContext& context, const BakedBlades& blades,
                          bool keepsBefore)
-    : states_(allocate(context, "field/states", blades.bladeCount() * sizeof(shared::BladeState)))
+    : states_(allocate(context, "field/states", blades.placeCount() * sizeof(shared::BladeState)))
     , patchTimes_(allocate(context, "field/patch times", blades.patchCount() * sizeof(float)))
     , patchCounts_(
           allocate(context, "field/patch counts", blades.patchCount() * sizeof(std::uint32_t)))
 {
     if (keepsBefore)
         before_ = allocate(context, "field/states before",
-                           blades.bladeCount() * sizeof(shared::BladeState));
+                           blades.placeCount() * sizeof(shared::BladeState));
 }
 
 void BladeStates::describe(shared::Frame& frame) const

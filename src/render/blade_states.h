@@ -23,7 +23,9 @@ public:
     /// Puts every blade at rest, last moved at `time` [s].
     void rest(const gpu::Recording& commands, float time) const;
 
-    const gpu::Buffer& states() const { return states_; }        ///< shared::BladeState
+    const gpu::Buffer& states() const { return states_; } ///< shared::BladeState
+    VkDeviceAddress patchTimes() const { return patchTimes_.address(); }
+    VkDeviceAddress patchCounts() const { return patchCounts_.address(); }
     VkDeviceAddress before() const { return before_.address(); } ///< the same, if they are kept
     VkDeviceSize bytes() const;
 

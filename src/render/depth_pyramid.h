@@ -39,6 +39,12 @@ public:
         pass_.record(commands, cells_, frame);
     }
 
+    /// The same but for the finest level, which another pass has filled.
+    void recordCoarser(VkCommandBuffer commands, VkDeviceAddress frame) const
+    {
+        pass_.recordCoarser(commands, cells_, frame);
+    }
+
     VkDeviceSize bytes() const { return cells_.bytes(); }
 
 private:

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "gpu/compute_pipeline.h"
+#include "shaders/shared/pages.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
@@ -22,11 +23,14 @@ const field::FieldView& refusingWhatCannotFit(const gpu::DeviceContext& context,
                                               const field::FieldView& field,
                                               FieldBuffers::Records records)
 {
+    const VkDeviceSize blades =
+        records.pages > 0 ? VkDeviceSize(records.pages) * shared::pageBlades : field.blades.size();
     const VkDeviceSize needed =
-        field.blades.size() * bytesPerBlade(records) + field.patches.size() * sizeof(shared::Patch);
+        blades * bytesPerBlade(records) + field.patches.size() * sizeof(shared::Patch);
     if (needed > context.deviceLocalBytes())
         fail(ErrorKind::runtime,
-             "the field's {} blades need {} MiB of device memory; {} has {} MiB",
+             "the field's {} blades need {} MiB of device memory; {} has {} MiB (with a budget, "
+             "--gpu-memory, it is shown in part)",
              field.blades.size(), needed >> 20, context.name, context.deviceLocalBytes() >> 20);
     return field;
 }
@@ -36,6 +40,8 @@ std::uint32_t roundOf(const BakedBlades& baked, FieldBuffers::Records records)
 {
     if (records.list)
         return baked.ownerCount();
+    if (baked.isPaged())
+        return records.roundPatches;
     return std::max(records.roundPatches, static_cast<std::uint32_t>(gpu::groupsFor(
                                               baked.ownerCount(), shared::mostRounds)));
 }
@@ -44,7 +50,7 @@ gpu::Buffer fatesOf(const gpu::DeviceContext& context, const BakedBlades& baked)
 {
     return {context,
             {.name = "field/fates",
-             .bytes = baked.bladeCount() * sizeof(std::uint32_t),
+             .bytes = baked.placeCount() * sizeof(std::uint32_t),
              .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
                       VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}};
 }
@@ -53,7 +59,8 @@ gpu::Buffer fatesOf(const gpu::DeviceContext& context, const BakedBlades& baked)
 
 FieldBuffers::FieldBuffers(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
                            const field::FieldView& field, Records records)
-    : baked_(context, upload, refusingWhatCannotFit(context, field, records), records.walkStart)
+    : baked_(context, upload, refusingWhatCannotFit(context, field, records), records.walkStart,
+             records.pages)
     , states_(context, baked_)
     , list_(context, baked_, roundOf(baked_, records), std::numeric_limits<std::uint32_t>::max())
 {
@@ -74,6 +81,12 @@ void FieldBuffers::clearFates(VkCommandBuffer commands) const
     // What the walk does not reach is left out with its patch.
     if (fates_.address() != 0)
         vkCmdFillBuffer(commands, fates_.get(), 0, VK_WHOLE_SIZE, shared::fatePatch);
+}
+
+std::uint32_t FieldBuffers::roundCount(std::uint64_t patches) const
+{
+    const std::uint64_t rounds = patches / list_.roundPatches() + 1;
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(rounds, list_.roundCount()));
 }
 
 VkDeviceSize FieldBuffers::bytes() const

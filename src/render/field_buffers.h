@@ -26,6 +26,7 @@ public:
         bool fates = false; ///< its fate
         std::uint32_t roundPatches = 65536;          ///< live patches of a round, or more
         std::uint32_t walkStart = shared::walkStart; ///< nodes that a walk begins with, or less
+        std::uint32_t pages = 0; ///< of blades that there is room for; 0: all blades are there
     };
 
     /// Begins the upload; it is complete when `upload` is. Throws Error{runtime} if the device's
@@ -50,11 +51,12 @@ public:
     std::uint32_t bladeCount() const { return baked_.bladeCount(); }
     field::BladeSize bladeSize() const { return baked_.bladeSize(); } ///< mean over all blades
 
-    /// How often the live patches fill the list of visible blades at most.
-    std::uint32_t roundCount() const { return list_.roundCount(); }
+    /// How often so many live patches, or all, fill the list of visible blades at most.
+    std::uint32_t roundCount(std::uint64_t patches) const;
     VkDeviceSize bytes() const;
 
     const gpu::Buffer& draw() const { return list_.draw(); } ///< shared::DrawArguments
+    const BladeStates& ownStates() const { return states_; }
     const gpu::Buffer& states() const { return states_.states(); }
     const gpu::Buffer& visible() const { return list_.visible(); }
     const gpu::Buffer& fates() const { return fates_; } ///< nothing unless they are recorded

@@ -5,23 +5,14 @@
 #include "core/expect.h"
 #include "gpu/barrier.h"
 #include "gpu/device.h"
-#include "gpu/image_use.h"
-#include "gpu/rendering.h"
-#include "render/attachments.h"
+#include "gpu/upload.h"
 #include "render/blade_dump.h"
-#include "render/depth_pyramid.h"
-#include "render/frame.h"
-#include "render/frame_slot.h"
-#include "render/grass_cover.h"
+#include "render/field_renderer_parts.h"
+#include "render/geometry_choice.h"
 #include "render/judged_frame.h"
-#include "render/moving_blades.h"
-#include "render/pass_scope.h"
-#include "render/raster_pass.h"
-#include "render/solid_pass.h"
-#include "render/sun_shadow.h"
-#include "render/tessellated_pass.h"
 
 #include <optional>
+#include <utility>
 
 namespace sward::embedded {
 std::span<const EmbeddedFile> shaders();
@@ -29,16 +20,6 @@ std::span<const EmbeddedFile> shaders();
 
 namespace sward::render {
 namespace {
-
-Geometry chooseGeometry(const gpu::DeviceContext& context, const FieldRenderer::Settings& wanted)
-{
-    const char* obstacle = obstacleToRaster(context, wanted.colorFormat);
-    if (wanted.geometry == Geometry::raster && obstacle != nullptr)
-        fail(ErrorKind::unsupported, "{} cannot rasterise blades: {}", context.name, obstacle);
-    if (wanted.geometry == Geometry::automatic)
-        return obstacle == nullptr && !context.isCpu() ? Geometry::raster : Geometry::tessellation;
-    return wanted.geometry;
-}
 
 FieldBuffers::Records recordsFor(Geometry geometry, const FieldRenderer::Settings& wanted)
 {
@@ -54,6 +35,7 @@ TargetSettings targetFor(Geometry geometry, const FieldRenderer::Settings& wante
     return {.colorFormat = wanted.colorFormat,
             .samples = wanted.samples,
             .isSampled = geometry == Geometry::raster,
+            .mayBePaged = wanted.deviceBytes > 0,
             .lightsLater = geometry == Geometry::raster};
 }
 
@@ -67,71 +49,42 @@ T uploaded(const gpu::DeviceContext& context, const Arguments&... arguments)
     return result;
 }
 
+template <typename T, typename... Arguments>
+std::optional<T> madeIf(bool isWanted, const Arguments&... arguments)
+{
+    return isWanted ? std::optional<T>(std::in_place, arguments...) : std::optional<T>();
+}
+
 } // namespace
 
-struct FieldRenderer::Parts {
-    Parts(const gpu::DeviceContext& deviceContext, const field::FieldView& field,
-          const Settings& wanted)
-        : context(deviceContext)
-        , settings(wanted)
-        , geometry(chooseGeometry(context, wanted))
-        , attachments(context, targetFor(geometry, wanted))
-        , blades(context, shaders,
-                 uploaded<FieldBuffers>(context, field, recordsFor(geometry, wanted)))
-        , ground(uploaded<GroundBuffers>(context, *field.ground))
-        , cover(uploaded<GrassCover>(context, field))
-        , sunShadow(context, shaders, ground.box())
-        , pyramid(context, shaders, wanted.samples)
-        , solid(context, shaders, targetFor(geometry, wanted), ground)
-        , shape{field.origin, field.bounds(), blades.buffers().bladeSize()}
-    {
-        expect(wanted.framesInFlight >= 1, "at least one frame is in flight");
-        if (geometry == Geometry::raster)
-            raster.emplace(context, shaders, targetFor(geometry, wanted));
-        else
-            tessellated.emplace(context, shaders, targetFor(geometry, wanted));
-        for (std::uint32_t i = 0; i < wanted.framesInFlight; ++i)
-            slots.emplace_back(context);
-    }
-
-    const gpu::DeviceContext& context;
-    Settings settings;
-    Geometry geometry;
-    gpu::ShaderLibrary shaders{settings.shaders.empty() ? embedded::shaders() : settings.shaders};
-    Attachments attachments;
-    MovingBlades blades;
-    GroundBuffers ground;
-    GrassCover cover;
-    SunShadowPass sunShadow;
-    DepthPyramid pyramid;
-    SolidPass solid;
-
-    std::optional<TessellatedPass> tessellated; ///< the one or …
-    std::optional<RasterPass> raster;           ///< … the other, by the geometry
-    FieldShape shape;
-    std::vector<FrameSlot> slots;
-    double lastTime = 0.0; ///< [s] of the frame before
-    std::uint32_t frameNumber = 0;
-    bool paintsWind = false;
-    bool hasPyramid = false; ///< of the picture's size, and of the culling camera
-
-    shared::Frame writeFrame(shared::Frame frame, const FrameSettings& wishes, double time,
-                             std::uint32_t slot);
-    VkDeviceAddress judge(const shared::Frame& frame, const FrameSettings& wishes, glm::uvec2 size,
-                          std::uint32_t slot);
-    void drawSolid(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
-                   gpu::Timestamps* timestamps);
-    void lightSolid(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
-                    gpu::Timestamps* timestamps);
-    void seeWhatIsHidden(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);
-    void drawBlades(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
-                    gpu::Timestamps* timestamps);
-    void rasterBlades(VkCommandBuffer commands, std::uint32_t slot, VkDeviceAddress judged,
-                      gpu::Timestamps* timestamps);
-    void resolve(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
-                 VkDeviceAddress judged, gpu::Timestamps* timestamps);
-    gpu::ColorAttachment colorAttachment(const Target& target) const;
-};
+FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field::FieldView& field,
+                            const Settings& wanted)
+    : context(deviceContext)
+    , settings(wanted)
+    , geometry(chooseGeometry(context, wanted))
+    , shaders(wanted.shaders.empty() ? embedded::shaders() : wanted.shaders)
+    , attachments(context, targetFor(geometry, wanted))
+    , ground(uploaded<GroundBuffers>(context, *field.ground))
+    , cover(uploaded<GrassCover>(context, field))
+    , sunShadow(context, shaders, ground.box())
+    , pyramid(context, shaders, wanted.samples)
+    , solid(context, shaders, targetFor(geometry, wanted), ground)
+    , tessellated(madeIf<TessellatedPass>(geometry == Geometry::tessellation, context, shaders,
+                                          targetFor(geometry, wanted)))
+    , raster(madeIf<RasterPass>(geometry == Geometry::raster, context, shaders,
+                                targetFor(geometry, wanted),
+                                static_cast<std::uint32_t>(field.blades.size())))
+    , plan(planWithin(field))
+    , blades(context, shaders, uploaded<FieldBuffers>(context, field, plan.records))
+    , shape{field.origin, field.bounds(), blades.buffers().bladeSize()}
+{
+    expect(wanted.framesInFlight >= 1, "at least one frame is in flight");
+    if (plan.records.pages > 0)
+        streaming.emplace(context, shaders, field, blades.buffers().baked(),
+                          blades.buffers().ownStates(), plan.streaming);
+    for (std::uint32_t i = 0; i < wanted.framesInFlight; ++i)
+        slots.emplace_back(context);
+}
 
 FieldRenderer::FieldRenderer(const gpu::Device& device, const field::FieldView& field,
                              const Settings& settings)
@@ -147,6 +100,53 @@ FieldRenderer::FieldRenderer(const gpu::DeviceContext& context, const field::Fie
 
 FieldRenderer::FieldRenderer(FieldRenderer&&) noexcept = default;
 FieldRenderer::~FieldRenderer() = default;
+
+/// What pictures take is known when they have been made once.
+MemoryPlan FieldRenderer::Parts::planWithin(const field::FieldView& field)
+{
+    const FieldBuffers::Records records = recordsFor(geometry, settings);
+    if (settings.deviceBytes == 0)
+        return {.records = records, .streaming = {}};
+    fit(settings.largestTarget);
+    return planFor(field, records,
+                   {.bytes = settings.deviceBytes,
+                    .others = bytesBesideBlades(),
+                    .framesInFlight = settings.framesInFlight,
+                    .waitsForDisk = settings.waitsForDisk});
+}
+
+void FieldRenderer::Parts::fit(glm::uvec2 size)
+{
+    if (!attachments.resize(size))
+        return;
+    pyramid.resize(attachments.depth());
+    hasPyramid = false;
+    if (raster)
+        raster->resize(attachments);
+    else
+        tessellated->resize(size);
+}
+
+/// Brings what is seen, and thins out what is drawn to what is there.
+void FieldRenderer::Parts::stream(shared::Frame& frame, const FrameSettings& wishes,
+                                  glm::uvec2 size, std::uint32_t slot)
+{
+    shared::Eyepoint seen = frame.view;
+    if (wishes.cullingCamera)
+        seen = judgedFrom(frame,
+                          viewMatrices(*wishes.cullingCamera, shape.origin, size, shape.content))
+                   .view;
+    streaming->choose(seen, slot);
+    frame.view.lodThreshold = seen.lodThreshold;
+}
+
+void FieldRenderer::Parts::recordStreaming(VkCommandBuffer commands, std::uint32_t slot,
+                                           double time) const
+{
+    gpu::memoryBarrier(commands, gpu::fillAccess, gpu::fillAccess);
+    streaming->record({context, commands}, slot, static_cast<float>(time));
+    gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
+}
 
 shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameSettings& wishes,
                                                double time, std::uint32_t slot)
@@ -199,16 +199,11 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
 
     const ViewMatrices view =
         viewMatrices(camera, parts.shape.origin, target.size, parts.shape.content, jitter);
-    if (parts.attachments.resize(target.size)) {
-        parts.pyramid.resize(parts.attachments.depth());
-        parts.hasPyramid = false;
-        if (parts.raster)
-            parts.raster->resize(parts.attachments);
-        else
-            parts.tessellated->resize(target.size);
-    }
-    const shared::Frame frame = parts.writeFrame(
-        frameOf(parts.shape, view, settings, time, parts.settings.samples), settings, time, slot);
+    parts.fit(target.size);
+    shared::Frame wanted = frameOf(parts.shape, view, settings, time, parts.settings.samples);
+    if (parts.streaming)
+        parts.stream(wanted, settings, target.size, slot);
+    const shared::Frame frame = parts.writeFrame(wanted, settings, time, slot);
     const VkDeviceAddress judged = parts.judge(frame, settings, target.size, slot);
     parts.sunShadow.record(commands, parts.ground, parts.slots[slot].frame.address(),
                            parts.solid.colliders());
@@ -222,161 +217,38 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
         parts.hasPyramid = looksForHidden;
     }
     parts.blades.begin(commands, time);
+    if (parts.streaming)
+        parts.recordStreaming(commands, slot, time);
     parts.blades.findLive(commands, judged, timestamps);
     VkDeviceAddress listedBy = judged;
     const bool findsReasons = settings.debug == DebugMode::reason;
     if (findsReasons) {
         // All blades are drawn, in the colours of what becomes of them.
-        parts.blades.moveAndList(commands, judged, 0, timestamps);
+        parts.blades.moveAndList(commands, judged, 0, 0, timestamps);
         parts.slots[slot].recordCounts(commands, parts.blades.buffers().draw());
         listedBy = parts.slots[slot].listing.address();
         parts.blades.beginAgain(commands);
         parts.blades.findLive(commands, listedBy, nullptr);
     }
+    // What blades hide is known of the camera that draws, and of no other.
+    const bool findsHidden = looksForHidden && !settings.cullingCamera && !findsReasons;
+    const RasterPass::Input raster{&parts.blades.buffers(), parts.slots[slot].frame.address(),
+                                   listedBy, findsHidden};
     if (parts.raster)
-        parts.rasterBlades(commands, slot, listedBy, timestamps);
+        parts.rasterBlades(commands, raster, timestamps);
     else
-        parts.blades.moveAndList(commands, listedBy, 0, timestamps);
+        parts.blades.moveAndList(commands, listedBy, 0, 0, timestamps);
 
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
     if (!findsReasons)
         parts.slots[slot].recordCounts(commands, parts.blades.buffers().draw());
     if (parts.raster) {
-        parts.lightSolid(commands, target, slot, timestamps);
-        parts.resolve(commands, target, slot, listedBy, timestamps);
+        parts.lightSolid(commands, target, slot, findsHidden, timestamps);
+        parts.resolve(commands, target, raster, timestamps);
     } else {
         parts.drawBlades(commands, target, slot, timestamps);
         parts.tessellated->finish(commands, target.view);
     }
-}
-
-gpu::ColorAttachment FieldRenderer::Parts::colorAttachment(const Target& target) const
-{
-    gpu::ColorAttachment color{
-        .view = target.view, .resolve = VK_NULL_HANDLE, .clear = std::nullopt};
-    if (attachments.hasColor())
-        color.view = attachments.color().view();
-    return color;
-}
-
-void FieldRenderer::Parts::drawSolid(VkCommandBuffer commands, const Target& target,
-                                     std::uint32_t slot, gpu::Timestamps* timestamps)
-{
-    gpu::transition(commands, attachments.depth(), gpu::ImageUse::undefined,
-                    gpu::ImageUse::depthTarget);
-    const VkDeviceAddress frame = slots[slot].frame.address();
-    const gpu::DepthAttachment depth{.view = attachments.depth().view(), .clear = 0.0f};
-    const VkExtent2D extent{target.size.x, target.size.y};
-    const PassScope scope(context, commands, timestamps, "ground");
-    if (raster) {
-        const gpu::RenderingScope rendering(commands, extent, {}, depth);
-        solid.recordDepth(commands, frame);
-        return;
-    }
-    if (attachments.hasColor())
-        gpu::transition(commands, attachments.color(), gpu::ImageUse::undefined,
-                        gpu::ImageUse::colorTarget);
-    gpu::ColorAttachment color = colorAttachment(target);
-    color.clear = std::array{0.0f, 0.0f, 0.0f, 1.0f};
-    const gpu::RenderingScope rendering(commands, extent, std::span(&color, 1), depth);
-    solid.record(commands, frame, {});
-}
-
-void FieldRenderer::Parts::lightSolid(VkCommandBuffer commands, const Target& target,
-                                      std::uint32_t slot, gpu::Timestamps* timestamps)
-{
-    const PassScope scope(context, commands, timestamps, "ground");
-    gpu::transition(commands, attachments.depth(), gpu::ImageUse::sampled,
-                    gpu::ImageUse::depthTarget);
-    gpu::transition(commands, attachments.color(), gpu::ImageUse::sampled,
-                    gpu::ImageUse::colorTarget);
-    {
-        gpu::ColorAttachment color = colorAttachment(target);
-        color.clear = std::array{0.0f, 0.0f, 0.0f, 1.0f};
-        const gpu::DepthAttachment depth{.view = attachments.depth().view(), .clear = std::nullopt};
-        const gpu::RenderingScope rendering(commands, {target.size.x, target.size.y},
-                                            std::span(&color, 1), depth);
-        solid.record(commands, slots[slot].frame.address(), {raster->visibility(), target.size.x});
-    }
-    gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
-                    gpu::ImageUse::sampled);
-    gpu::transition(commands, attachments.color(), gpu::ImageUse::colorTarget,
-                    gpu::ImageUse::sampled);
-}
-
-void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, std::uint32_t slot,
-                                           gpu::Timestamps* timestamps)
-{
-    gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
-                    gpu::ImageUse::sampled);
-    {
-        const PassScope scope(context, commands, timestamps, "pyramid");
-        // The frame before may still be looking at what is filled anew.
-        gpu::memoryBarrier(commands, gpu::computeAccess, gpu::computeAccess);
-        pyramid.record(commands, slots[slot].frame.address());
-    }
-    gpu::transition(commands, attachments.depth(), gpu::ImageUse::sampled,
-                    gpu::ImageUse::depthTarget);
-}
-
-void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& target,
-                                      std::uint32_t slot, gpu::Timestamps* timestamps)
-{
-    gpu::ColorAttachment color = colorAttachment(target);
-    color.resolve = tessellated->begin(commands);
-    color.isKept = color.resolve == VK_NULL_HANDLE;
-    gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
-                    gpu::ImageUse::depthTarget);
-    gpu::transition(commands, attachments.hasColor() ? attachments.color().get() : target.image,
-                    VK_IMAGE_ASPECT_COLOR_BIT, gpu::ImageUse::colorTarget,
-                    gpu::ImageUse::colorTarget);
-    const gpu::DepthAttachment depth{
-        .view = attachments.depth().view(), .clear = std::nullopt, .isKept = false};
-
-    const gpu::RenderingScope rendering(commands, {target.size.x, target.size.y},
-                                        std::span(&color, 1), depth);
-    tessellated->record(commands, blades.buffers(), slots[slot].frame.address(), timestamps);
-}
-
-void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, std::uint32_t slot,
-                                        VkDeviceAddress judged, gpu::Timestamps* timestamps)
-{
-    gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
-                    gpu::ImageUse::sampled);
-    // Bound with the depth, and not read yet.
-    gpu::transition(commands, attachments.color(), gpu::ImageUse::undefined,
-                    gpu::ImageUse::sampled);
-    const RasterPass::Input input{&blades.buffers(), slots[slot].frame.address(), judged};
-    {
-        const PassScope scope(context, commands, timestamps, "blades");
-        raster->recordBegin(commands, input);
-    }
-    for (std::uint32_t round = 0; round < blades.buffers().roundCount(); ++round) {
-        // The round before draws from the list that is filled anew.
-        if (round > 0)
-            gpu::computeToCompute(commands);
-        blades.moveAndList(commands, judged, round, timestamps);
-        gpu::computeToCompute(commands);
-        const PassScope scope(context, commands, timestamps, "blades");
-        raster->recordBlades(commands, input, round);
-    }
-    gpu::computeToCompute(commands);
-    const PassScope scope(context, commands, timestamps, "blades");
-    raster->recordLarge(commands, input);
-}
-
-void FieldRenderer::Parts::resolve(VkCommandBuffer commands, const Target& target,
-                                   std::uint32_t slot, VkDeviceAddress judged,
-                                   gpu::Timestamps* timestamps)
-{
-    const PassScope scope(context, commands, timestamps, "resolve");
-    raster->recordResolve(commands, {&blades.buffers(), slots[slot].frame.address(), judged},
-                          paintsWind);
-    gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, gpu::ImageUse::colorTarget,
-                    gpu::ImageUse::transferTarget);
-    raster->copyTo(commands, target.image);
-    gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT,
-                    gpu::ImageUse::transferTarget, gpu::ImageUse::colorTarget);
 }
 
 void FieldRenderer::recordUpdateOnly(VkCommandBuffer commands, const FrameSettings& settings,
@@ -391,10 +263,35 @@ void FieldRenderer::recordUpdateOnly(VkCommandBuffer commands, const FrameSettin
     parts.blades.moveAll(commands, parts.slots[slot].frame.address());
 }
 
+bool FieldRenderer::recordStreaming(VkCommandBuffer commands, glm::uvec2 size, const Camera& camera,
+                                    const FrameSettings& settings, double time, std::uint32_t slot)
+{
+    Parts& parts = *parts_;
+    if (!parts.streaming)
+        return true;
+    const gpu::LabelScope label(parts.context, commands, "field/streaming");
+    shared::Frame frame =
+        frameOf(parts.shape, viewMatrices(camera, parts.shape.origin, size, parts.shape.content),
+                settings, time, parts.settings.samples);
+    parts.stream(frame, settings, size, slot);
+    if (!parts.blades.hasMoved())
+        parts.lastTime = time;
+    parts.blades.begin(commands, time);
+    parts.recordStreaming(commands, slot, time);
+    return parts.streaming->isSettled();
+}
+
+std::optional<VkSemaphoreSubmitInfo> FieldRenderer::copied() const
+{
+    return parts_->streaming ? parts_->streaming->copied() : std::nullopt;
+}
+
 FrameStats FieldRenderer::stats(std::uint32_t slot) const
 {
     expect(slot < parts_->slots.size(), "the slot is one of the frames in flight");
-    return parts_->slots[slot].counts(parts_->blades.buffers().bladeCount());
+    const std::uint64_t blades = parts_->blades.buffers().bladeCount();
+    return parts_->slots[slot].counts(
+        blades, parts_->streaming ? parts_->streaming->residentBlades(slot) : blades);
 }
 
 std::vector<FieldRenderer::BladeRecord>
@@ -402,6 +299,11 @@ FieldRenderer::dumpBlades(const field::FieldView& field) const
 {
     expect(field.blades.size() == parts_->blades.buffers().bladeCount(),
            "the field is the one uploaded");
+    if (parts_->streaming)
+        fail(ErrorKind::unsupported,
+             "not all of the field's {} blades are in device memory, and "
+             "nobody can tell how they stand",
+             field.blades.size());
     return readBlades(parts_->context, parts_->blades.buffers(), field);
 }
 
@@ -409,7 +311,11 @@ std::vector<FieldRenderer::BladeRecord> FieldRenderer::dumpPatch(const field::Fi
                                                                  std::uint32_t patch) const
 {
     expect(patch < field.patches.size(), "the patch is one of the field's");
-    return readPatch(parts_->context, parts_->blades.buffers(), field, patch);
+    const shared::Patch& cell = field.patches[patch];
+    std::vector<BladePart> parts{{cell.firstBlade, cell.bladeCount}};
+    if (parts_->streaming)
+        parts = parts_->streaming->partsOf(cell);
+    return readPatch(parts_->context, parts_->blades.buffers(), field, patch, parts);
 }
 
 Geometry FieldRenderer::geometry() const
@@ -419,23 +325,25 @@ Geometry FieldRenderer::geometry() const
 
 const char* FieldRenderer::geometryReason() const
 {
-    const Parts& parts = *parts_;
-    if (parts.settings.geometry != Geometry::automatic)
-        return "asked for";
-    const char* obstacle = obstacleToRaster(parts.context, parts.settings.colorFormat);
-    if (obstacle != nullptr)
-        return obstacle;
-    return parts.context.isCpu()
-               ? "a CPU's compute shaders leave lanes idle: its tessellator is faster"
-               : "compute shaders draw blades faster than the tessellator";
+    return reasonForGeometry(parts_->context, parts_->settings);
+}
+
+std::size_t FieldRenderer::Parts::bytesBesideBlades() const
+{
+    return ground.bytes() + solid.bytes() + cover.bytes() + sunShadow.bytes() + pyramid.bytes() +
+           (raster ? raster->bytes() : 0) + attachments.bytes() +
+           settings.framesInFlight * FrameSlot::bytes();
 }
 
 std::size_t FieldRenderer::deviceBytes() const
 {
-    return parts_->blades.buffers().bytes() + parts_->ground.bytes() + parts_->cover.bytes() +
-           parts_->sunShadow.bytes() + parts_->pyramid.bytes() +
-           (parts_->raster ? parts_->raster->bytes() : 0) + parts_->attachments.bytes() +
-           parts_->slots.size() * FrameSlot::bytes();
+    return parts_->blades.buffers().bytes() + parts_->bytesBesideBlades() +
+           (parts_->streaming ? parts_->streaming->bytes() : 0);
+}
+
+bool FieldRenderer::isStreamed() const
+{
+    return parts_->streaming.has_value();
 }
 
 Aabb FieldRenderer::content() const

@@ -2,8 +2,10 @@
 
 #include "core/embedded.h"
 #include "field/field.h"
+#include "render/blade_record.h"
 #include "render/camera.h"
 #include "render/frame_settings.h"
+#include "render/geometry.h"
 
 #include <glm/vec2.hpp>
 #include <vulkan/vulkan.h>
@@ -11,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,15 +25,8 @@ class Timestamps;
 
 namespace sward::render {
 
-/// How blades are drawn.
-enum class Geometry {
-    automatic,    ///< raster on GPUs that can, into targets that allow it; else tessellation
-    tessellation, ///< by the graphics pipeline
-    raster,       ///< by compute shaders
-};
-
 /// Draws one field into the caller's pictures. Starts no threads, owns no window, submits nothing
-/// while recording; construction uploads the field and waits for it.
+/// while recording (but see copied()); construction uploads the field and waits for it.
 class FieldRenderer {
 public:
     /// What stays the same from frame to frame.
@@ -45,16 +41,22 @@ public:
         /// 32nd of all if that is more: 16 bytes for each of their blades.
         std::uint32_t roundPatches = 65536;
 
+        /// Bytes of device memory for everything, pictures up to largestTarget [pixels] among it;
+        /// 0: what it takes. A field of which not all blades fit is streamed (decision 0026): what
+        /// is seen comes by and by, and what it views outlives the renderer.
+        std::uint64_t deviceBytes = 0;
+        glm::uvec2 largestTarget{1920, 1080}; ///< [pixels] that deviceBytes hold room for
+        bool waitsForDisk = false;            ///< else what is not in the CPU's memory comes later
+
         /// SPIR-V modules, which outlive the renderer; empty: those that are built in.
         std::span<const EmbeddedFile> shaders{};
     };
 
     /// Outlived by the context. `field` may die, except that dumpBlades() needs it again. Throws
-    /// Error{runtime} when the device's memory does not hold the field, naming both sizes;
+    /// Error{runtime} when the device's memory, or the budget, is too small, naming both sizes;
     /// Error{unsupported} where a geometry is asked for that the device cannot draw.
     FieldRenderer(const gpu::DeviceContext&, const field::FieldView&, const Settings&);
-    /// The same on a device of our own.
-    FieldRenderer(const gpu::Device& device, const field::FieldView&, const Settings&);
+    FieldRenderer(const gpu::Device&, const field::FieldView&, const Settings&); ///< of our own
     FieldRenderer(FieldRenderer&&) noexcept; ///< only between frames
     ~FieldRenderer();
 
@@ -81,31 +83,32 @@ public:
     void recordUpdateOnly(VkCommandBuffer commands, const FrameSettings& settings, double time,
                           std::uint32_t slot = 0);
 
+    /// Brings more of what record() would draw of a streamed field, and draws nothing. Returns true
+    /// when nothing is left to be brought that fits; the frames between them have completed then.
+    bool recordStreaming(VkCommandBuffer commands, glm::uvec2 size, const Camera& camera,
+                         const FrameSettings& settings, double time, std::uint32_t slot = 0);
+
+    /// What the submission of a streamed field's frame waits for where its context has a queue for
+    /// copies, to which record() submits: it has happened already, and is made seen.
+    std::optional<VkSemaphoreSubmitInfo> copied() const;
+
     /// Counts of the frame last recorded in `slot`, after its commands have completed.
     FrameStats stats(std::uint32_t slot = 0) const;
 
-    /// State of one blade at the last frame.
-    struct BladeRecord {
-        std::uint64_t id = 0;   ///< field::bladeId()
-        glm::dvec3 root{0.0};   ///< world [m]: where the curve begins
-        glm::dvec3 v1{0.0};     ///< world [m]: its middle control point
-        glm::dvec3 v2{0.0};     ///< world [m]: its tip
-        glm::vec3 up{0.0f};     ///< unit
-        float eta = 0.0f;       ///< of the collision, see shared::BladeState
-        float lodWidth = 0.0f;  ///< width factor; 0 if not drawn
-        std::uint32_t fate = 0; ///< shared::fateDrawn …
-    };
+    using BladeRecord = render::BladeRecord; ///< what dumpBlades() tells of each
 
-    /// Reads every blade's state back, in the order of the file; waits for the device.
+    /// Reads every blade's state back, in the order of the file; waits for the device. Throws
+    /// Error{unsupported} of a field that is streamed.
     std::vector<BladeRecord> dumpBlades(const field::FieldView& field) const;
 
-    /// The same for the blades of one patch; their `lodWidth` stays 0.
+    /// The same for one patch, without `lodWidth`; nothing if its blades are not in memory.
     std::vector<BladeRecord> dumpPatch(const field::FieldView& field, std::uint32_t patch) const;
 
     /// What draws the blades, never automatic, and why it does.
     Geometry geometry() const;
     const char* geometryReason() const; ///< in words
 
+    bool isStreamed() const;         ///< not all blades fit
     std::size_t deviceBytes() const; ///< device memory held
     Aabb content() const;            ///< what can be seen, relative to the field's origin
 

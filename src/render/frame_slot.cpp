@@ -38,12 +38,13 @@ void FrameSlot::recordCounts(VkCommandBuffer commands, const gpu::Buffer& drawAr
     gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostAccess);
 }
 
-FrameStats FrameSlot::counts(std::uint64_t blades) const
+FrameStats FrameSlot::counts(std::uint64_t blades, std::uint64_t resident) const
 {
     const shared::DrawArguments counts = draw.mappedAs<shared::DrawArguments>()[0];
     FrameStats stats;
     stats.total = blades;
-    stats.resident = blades;
+    stats.resident = resident;
+    stats.streamedOut = blades - resident;
     stats.simulated = counts.simulated;
     stats.drawn = counts.fates[shared::fateDrawn];
     stats.lod = counts.fates[shared::fateLod];

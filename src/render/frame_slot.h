@@ -25,8 +25,9 @@ struct FrameSlot {
     /// Copies the counts of the update, recorded before, to where counts() finds them.
     void recordCounts(VkCommandBuffer commands, const gpu::Buffer& drawArguments) const;
 
-    /// What became of `blades` blades in the frame whose commands have completed.
-    FrameStats counts(std::uint64_t blades) const;
+    /// What became of `blades` blades, of which so many were resident, in the frame whose commands
+    /// have completed.
+    FrameStats counts(std::uint64_t blades, std::uint64_t resident) const;
 
     static VkDeviceSize bytes(); ///< of device memory
 };

@@ -216,10 +216,12 @@ void Grass::recordUpdate(VkCommandBuffer buffer) noexcept
         if (view > 0)
             gpu::computeToCompute(commands);
         parts.forEach([&](const PlacedField& field) {
-            parts.update.record(commands, field.blades(), field.list(view),
-                                field.updateFrame(parts.slot, view), parts.moving,
-                                UpdateCullPass::Scope::visible, 0, field.updateFrame(parts.slot, 0),
-                                parts.viewCount, field.states().before());
+            parts.update.record(commands, field.blades(), field.list(view), parts.moving,
+                                UpdateCullPass::Scope::visible,
+                                {.frame = field.updateFrame(parts.slot, view),
+                                 .views = field.updateFrame(parts.slot, 0),
+                                 .viewCount = parts.viewCount,
+                                 .before = field.states().before()});
         });
     }
     gpu::computeToTransfer(commands);
@@ -247,9 +249,9 @@ void Grass::recordCull(VkCommandBuffer buffer, std::uint32_t view) noexcept
     gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
     parts.walkAll(commands, view, view + 1, false);
     parts.forEach([&](const PlacedField& field) {
-        parts.update.record(commands, field.blades(), field.list(view),
-                            field.judgedFrame(parts.slot, view), judging,
-                            UpdateCullPass::Scope::visible);
+        parts.update.record(commands, field.blades(), field.list(view), judging,
+                            UpdateCullPass::Scope::visible,
+                            {.frame = field.judgedFrame(parts.slot, view)});
     });
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
     parts.forEach(

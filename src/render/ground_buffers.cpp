@@ -1,6 +1,7 @@
 #include "render/ground_buffers.h"
 
 #include "core/expect.h"
+#include "render/ground_clusters.h"
 
 #include <algorithm>
 #include <string>
@@ -22,6 +23,16 @@ const field::Image& whiteImage()
     return white;
 }
 
+/// Whether so many triangles of one material are drawn by clusters: fewer are drawn as fast as they
+/// are sorted out.
+bool isWorthClusters(const gpu::DeviceContext& context, std::uint32_t triangles)
+{
+    constexpr std::uint32_t fewest = 8192;
+    return triangles >= fewest && context.features.multiDrawIndirect &&
+           context.features.drawIndirectCount &&
+           triangles / clusterTriangles < context.limits.maxDrawIndirectCount;
+}
+
 } // namespace
 
 GroundBuffers::GroundBuffers(const gpu::DeviceContext& context, gpu::Uploader& uploader,
@@ -40,7 +51,6 @@ GroundBuffers::GroundBuffers(const gpu::DeviceContext& context, gpu::Uploader& u
           {.name = "ground/base color", .sampledCount = 1, .stages = VK_SHADER_STAGE_FRAGMENT_BIT})
 {
     uploader.toBuffer(vertices_, std::span<const shared::GroundVertex>(ground.vertices));
-    uploader.toBuffer(indices_, std::span<const std::uint32_t>(ground.indices));
     uploader.toBuffer(materials_, std::span<const shared::GroundMaterial>(ground.materials));
     for (const shared::GroundVertex& corner : ground.vertices)
         box_.add(corner.position);
@@ -51,6 +61,12 @@ GroundBuffers::GroundBuffers(const gpu::DeviceContext& context, gpu::Uploader& u
         addImage(context, uploader, ground.images[i], "ground/image " + std::to_string(i));
     addImage(context, uploader, whiteImage(), "ground/white");
 
+    addParts(context, uploader, ground);
+}
+
+void GroundBuffers::addParts(const gpu::DeviceContext& context, gpu::Uploader& uploader,
+                             const field::DisplayGround& ground)
+{
     for (const field::GroundRange& range : ground.ranges) {
         if (range.level != 0 || range.indexCount == 0)
             continue;
@@ -61,12 +77,35 @@ GroundBuffers::GroundBuffers(const gpu::DeviceContext& context, gpu::Uploader& u
                "a ground material's image exists");
         parts_.push_back({range.firstIndex, range.indexCount, range.material,
                           (material.flags & shared::groundDoubleSided) != 0,
-                          std::min(material.image, static_cast<std::uint32_t>(white))});
+                          std::min(material.image, static_cast<std::uint32_t>(white)), 0, 0, 0});
     }
     // Together what is drawn with the same pipeline.
     std::stable_sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) {
         return a.isDoubleSided < b.isDoubleSided;
     });
+
+    std::vector<std::uint32_t> indices(ground.indices.begin(), ground.indices.end());
+    std::vector<shared::GroundCluster> clusters;
+    for (Part& part : parts_) {
+        part.place = static_cast<std::uint32_t>(&part - parts_.data());
+        if (!isWorthClusters(context, part.indexCount / 3))
+            continue;
+        const std::vector<shared::GroundCluster> own = clusterTrianglesOf(
+            ground.vertices, std::span(indices).subspan(part.firstIndex, part.indexCount),
+            part.firstIndex);
+        part.firstCluster = static_cast<std::uint32_t>(clusters.size());
+        part.clusterCount = static_cast<std::uint32_t>(own.size());
+        clusters.insert(clusters.end(), own.begin(), own.end());
+    }
+    uploader.toBuffer(indices_, std::span<const std::uint32_t>(indices));
+    clusterCount_ = static_cast<std::uint32_t>(clusters.size());
+    if (clusters.empty())
+        return;
+    clusters_ =
+        allocate(context, "ground/clusters", clusters.size() * sizeof(shared::GroundCluster),
+                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    uploader.toBuffer(clusters_, std::span<const shared::GroundCluster>(clusters));
+    bytes_ += clusters_.bytes();
 }
 
 void GroundBuffers::addImage(const gpu::DeviceContext& context, gpu::Uploader& uploader,

@@ -17,7 +17,9 @@
 
 namespace sward::render {
 
-/// The display ground in device memory: corners, triangles, materials, base colour images.
+/// The display ground in device memory: corners, triangles, materials, base colour images. Where
+/// many triangles have one material they are cut into clusters, of which GroundCullPass draws those
+/// that may be seen.
 class GroundBuffers {
 public:
     /// Begins the upload; it is complete after `uploader.finish()`.
@@ -31,18 +33,25 @@ public:
         std::uint32_t material = 0;
         bool isDoubleSided = false;
         std::uint32_t image = 0; ///< place in imageSet()
+        std::uint32_t place = 0; ///< among the parts
+        std::uint32_t firstCluster = 0;
+        std::uint32_t clusterCount = 0; ///< 0: it is drawn as a whole
     };
 
     std::span<const Part> parts() const { return parts_; } ///< of the finest level
     const gpu::Buffer& indices() const { return indices_; }
     VkDeviceAddress vertices() const { return vertices_.address(); }
     VkDeviceAddress materials() const { return materials_.address(); }
+    VkDeviceAddress clusters() const { return clusters_.address(); } ///< shared::GroundCluster
+    std::uint32_t clusterCount() const { return clusterCount_; }     ///< of all parts
     VkDescriptorSetLayout imageLayout() const { return imageLayout_.get(); }
     const gpu::ImageSet& imageSet(std::uint32_t image) const { return imageSets_[image]; }
     const Aabb& box() const { return box_; } ///< of all corners, relative to the field's origin
     VkDeviceSize bytes() const { return bytes_; }
 
 private:
+    void addParts(const gpu::DeviceContext& context, gpu::Uploader& uploader,
+                  const field::DisplayGround& ground);
     void addImage(const gpu::DeviceContext& context, gpu::Uploader& uploader,
                   const field::Image& source, const std::string& name);
 
@@ -56,6 +65,8 @@ private:
     std::vector<gpu::Image> images_; ///< a white one at the end, for materials without
     std::vector<gpu::ImageSet> imageSets_;
     std::vector<Part> parts_;
+    gpu::Buffer clusters_;
+    std::uint32_t clusterCount_ = 0;
 };
 
 } // namespace sward::render

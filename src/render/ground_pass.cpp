@@ -49,9 +49,9 @@ GroundPass::GroundPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
 }
 
 void GroundPass::record(VkCommandBuffer commands, const GroundBuffers& ground,
-                        VkDeviceAddress frame, const Grown& grown) const
+                        const GroundCullPass& seen, VkDeviceAddress frame, const Grown& grown) const
 {
-    draw(commands, ground, light_,
+    draw(commands, ground, seen, light_,
          {.frame = frame,
           .vertices = ground.vertices(),
           .materials = ground.materials(),
@@ -61,9 +61,9 @@ void GroundPass::record(VkCommandBuffer commands, const GroundBuffers& ground,
 }
 
 void GroundPass::recordDepth(VkCommandBuffer commands, const GroundBuffers& ground,
-                             VkDeviceAddress frame) const
+                             const GroundCullPass& seen, VkDeviceAddress frame) const
 {
-    draw(commands, ground, depth_,
+    draw(commands, ground, seen, depth_,
          {.frame = frame,
           .vertices = ground.vertices(),
           .materials = ground.materials(),
@@ -73,7 +73,8 @@ void GroundPass::recordDepth(VkCommandBuffer commands, const GroundBuffers& grou
 }
 
 void GroundPass::draw(VkCommandBuffer commands, const GroundBuffers& ground,
-                      const Pipelines& pipelines, shared::GroundPush push)
+                      const GroundCullPass& seen, const Pipelines& pipelines,
+                      shared::GroundPush push)
 {
     if (ground.parts().empty())
         return;
@@ -86,7 +87,7 @@ void GroundPass::draw(VkCommandBuffer commands, const GroundBuffers& ground,
         pipeline.push(commands, push);
         ground.imageSet(part.image)
             .bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.layout());
-        vkCmdDrawIndexed(commands, part.indexCount, 1, part.firstIndex, 0, 0);
+        seen.draw(commands, part);
     }
 }
 

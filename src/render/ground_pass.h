@@ -4,6 +4,7 @@
 #include "gpu/graphics_pipeline.h"
 #include "gpu/shader_library.h"
 #include "render/ground_buffers.h"
+#include "render/ground_cull_pass.h"
 #include "render/target_settings.h"
 #include "shaders/shared/passes.h"
 
@@ -13,7 +14,8 @@
 
 namespace sward::render {
 
-/// Draws the ground beneath the grass.
+/// Draws the ground beneath the grass: of what is cut into clusters those that a GroundCullPass has
+/// found last.
 class GroundPass {
 public:
     GroundPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
@@ -27,12 +29,12 @@ public:
 
     /// Inside a rendering. Where the light comes later, after recordDepth(), leaves out what blades
     /// hide.
-    void record(VkCommandBuffer commands, const GroundBuffers& ground, VkDeviceAddress frame,
-                const Grown& grown) const;
+    void record(VkCommandBuffer commands, const GroundBuffers& ground, const GroundCullPass& seen,
+                VkDeviceAddress frame, const Grown& grown) const;
 
     /// Inside a rendering of depth alone. Only where the light comes later.
     void recordDepth(VkCommandBuffer commands, const GroundBuffers& ground,
-                     VkDeviceAddress frame) const;
+                     const GroundCullPass& seen, VkDeviceAddress frame) const;
 
 private:
     /// One for each kind of triangle.
@@ -42,7 +44,8 @@ private:
     };
 
     static void draw(VkCommandBuffer commands, const GroundBuffers& ground,
-                     const Pipelines& pipelines, shared::GroundPush push);
+                     const GroundCullPass& seen, const Pipelines& pipelines,
+                     shared::GroundPush push);
 
     Pipelines light_;
     Pipelines depth_; ///< none unless the light comes later

@@ -50,17 +50,18 @@ void MovingBlades::findLive(VkCommandBuffer commands, VkDeviceAddress judged,
 }
 
 void MovingBlades::moveAndList(VkCommandBuffer commands, VkDeviceAddress judged,
-                               std::uint32_t round, gpu::Timestamps* timestamps) const
+                               std::uint32_t round, VkDeviceAddress seen,
+                               gpu::Timestamps* timestamps) const
 {
     const PassScope scope(*context_, commands, timestamps, "update");
-    update_.record(commands, buffers_.baked(), buffers_.list(), judged, variant_,
-                   UpdateCullPass::Scope::visible, round);
+    update_.record(commands, buffers_.baked(), buffers_.list(), variant_,
+                   UpdateCullPass::Scope::visible, {.frame = judged, .round = round, .seen = seen});
 }
 
 void MovingBlades::moveAll(VkCommandBuffer commands, VkDeviceAddress frame) const
 {
-    update_.record(commands, buffers_.baked(), buffers_.list(), frame, variant_,
-                   UpdateCullPass::Scope::all);
+    update_.record(commands, buffers_.baked(), buffers_.list(), variant_,
+                   UpdateCullPass::Scope::all, {.frame = frame});
 }
 
 } // namespace sward::render

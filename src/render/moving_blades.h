@@ -38,9 +38,10 @@ public:
     void findLive(VkCommandBuffer commands, VkDeviceAddress judged,
                   gpu::Timestamps* timestamps) const;
 
-    /// Moves, judges and lists the blades of one round of live patches.
+    /// Moves, judges and lists the blades of one round of live patches; those that are not among
+    /// the `seen` from behind, see shared::RasterPush.
     void moveAndList(VkCommandBuffer commands, VkDeviceAddress judged, std::uint32_t round,
-                     gpu::Timestamps* timestamps) const;
+                     VkDeviceAddress seen, gpu::Timestamps* timestamps) const;
 
     /// Moves all blades, and does nothing else.
     void moveAll(VkCommandBuffer commands, VkDeviceAddress frame) const;

@@ -26,7 +26,7 @@ std::vector<shared::Subtree> subtreesOf(const field::FieldView& field)
 }
 
 PatchTree::PatchTree(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
-                     const field::FieldView& field, std::uint32_t start)
+                     const field::FieldView& field, std::uint32_t start, bool isEmpty)
 {
     // Patches lie level by level.
     const auto& patches = field.patches;
@@ -46,7 +46,9 @@ PatchTree::PatchTree(const gpu::DeviceContext& context, gpu::BufferUpload& uploa
     }
     steps_ = levels == 0 ? 0 : levels - startLevel_;
 
-    const std::vector<shared::Subtree> subtrees = subtreesOf(field);
+    std::vector<shared::Subtree> subtrees = subtreesOf(field);
+    for (shared::Subtree& subtree : subtrees)
+        subtree.blades = isEmpty ? 0 : subtree.blades;
     subtrees_ = gpu::Buffer(
         context, {.name = "tree/subtrees",
                   .bytes = subtrees.size() * sizeof(shared::Subtree),

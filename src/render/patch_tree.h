@@ -20,9 +20,10 @@ std::vector<shared::Subtree> subtreesOf(const field::FieldView& field);
 class PatchTree {
 public:
     /// Begins the upload; it is complete when `upload` is. A walk begins with all nodes of the
-    /// first levels together, as many levels as have no more than `start` nodes.
+    /// first levels together, as many levels as have no more than `start` nodes. `isEmpty`: it
+    /// begins without blades; those in memory are counted later.
     PatchTree(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
-              const field::FieldView& field, std::uint32_t start);
+              const field::FieldView& field, std::uint32_t start, bool isEmpty = false);
 
     /// Dispatches of one walk: the levels that it begins with, and each below.
     std::uint32_t steps() const { return steps_; }

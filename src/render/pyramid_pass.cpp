@@ -74,19 +74,29 @@ void PyramidPass::fit(DepthCells& cells, VkImageView depth, VkImageLayout layout
 void PyramidPass::record(const gpu::Recording& commands, const DepthCells& cells,
                          VkDeviceAddress frame) const
 {
-    const shared::DepthPyramid& layout = cells.layout;
-    first_.bind(commands);
-    cells.picture.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, first_.layout());
-    for (std::uint32_t level = 0; level < layout.levels; ++level) {
-        const gpu::ComputePipeline& pipeline = level == 0 ? first_ : next_;
-        if (level == 1)
-            next_.bind(commands);
-        if (level > 0)
-            gpu::computeToCompute(commands);
-        pipeline.push(commands, shared::PyramidPush{frame, level, slack_});
-        commands.vk->CmdDispatch(commands, groupsFor(shared::pyramidCells(layout.size.x, level)),
-                                 groupsFor(shared::pyramidCells(layout.size.y, level)), 1);
+    recordLevel(commands, cells, frame, 0);
+    recordCoarser(commands, cells, frame);
+}
+
+void PyramidPass::recordCoarser(const gpu::Recording& commands, const DepthCells& cells,
+                                VkDeviceAddress frame) const
+{
+    for (std::uint32_t level = 1; level < cells.layout.levels; ++level) {
+        gpu::computeToCompute(commands);
+        recordLevel(commands, cells, frame, level);
     }
+}
+
+void PyramidPass::recordLevel(const gpu::Recording& commands, const DepthCells& cells,
+                              VkDeviceAddress frame, std::uint32_t level) const
+{
+    const gpu::ComputePipeline& pipeline = level == 0 ? first_ : next_;
+    pipeline.bind(commands);
+    if (level == 0)
+        cells.picture.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, first_.layout());
+    pipeline.push(commands, shared::PyramidPush{frame, level, slack_});
+    commands.vk->CmdDispatch(commands, groupsFor(shared::pyramidCells(cells.layout.size.x, level)),
+                             groupsFor(shared::pyramidCells(cells.layout.size.y, level)), 1);
 }
 
 } // namespace sward::render

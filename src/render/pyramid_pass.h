@@ -48,7 +48,14 @@ public:
     void record(const gpu::Recording& commands, const DepthCells& cells,
                 VkDeviceAddress frame) const;
 
+    /// Fills all but the finest level, which somebody else has filled.
+    void recordCoarser(const gpu::Recording& commands, const DepthCells& cells,
+                       VkDeviceAddress frame) const;
+
 private:
+    void recordLevel(const gpu::Recording& commands, const DepthCells& cells, VkDeviceAddress frame,
+                     std::uint32_t level) const;
+
     const gpu::DeviceContext* context_;
     float slack_;
     gpu::ImageSetLayout imageLayout_;

@@ -28,6 +28,12 @@ std::uint32_t tilesFor(std::uint32_t pixels)
     return (pixels + shared::rasterTile - 1) / shared::rasterTile;
 }
 
+/// Of the visibility, with room behind it: eight samples are read at a time.
+VkDeviceSize visibilityBytes(VkExtent2D size, std::uint32_t samples)
+{
+    return (VkDeviceSize(size.width) * size.height * samples + 8) * sizeof(std::uint64_t);
+}
+
 } // namespace
 
 const char* obstacleToRaster(const gpu::DeviceContext& context, VkFormat colorFormat)
@@ -40,7 +46,7 @@ const char* obstacleToRaster(const gpu::DeviceContext& context, VkFormat colorFo
 }
 
 RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-                       const TargetSettings& target)
+                       const TargetSettings& target, std::uint32_t bladeCount)
     : context_(&context)
     , target_(target)
     , imageLayout_(context, {.name = "raster/pictures",
@@ -52,17 +58,22 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                                             .address = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE}))
 {
     expect(obstacleToRaster(context, target.colorFormat) == nullptr, "the device can rasterise");
-    const auto pipeline = [&](const char* name, const std::string& shader) {
+    const auto pipeline = [&](const char* name, const std::string& shader, bool isLate = false) {
         return gpu::ComputePipeline(context, shaders,
                                     {.name = name,
                                      .shader = shader,
                                      .pushConstantBytes = sizeof(shared::RasterPush),
                                      .setLayouts = {imageLayout_.get()},
-                                     .constants = {{.id = 1, .value = target.samples}}});
+                                     .constants = {{.id = 1, .value = target.samples},
+                                                   {.id = 2, .value = isLate ? 1u : 0u},
+                                                   {.id = 3, .value = target.mayBePaged}}});
     };
     begin_ = pipeline("raster/begin", variantOf("raster_begin", target.samples));
     blades_ = pipeline("raster/blades", "raster_blades.comp");
     large_ = pipeline("raster/large blades", "raster_large.comp");
+    lateBlades_ = pipeline("raster/late blades", "raster_blades.comp", true);
+    lateLarge_ = pipeline("raster/late large blades", "raster_large.comp", true);
+    depths_ = pipeline("raster/depths", "seen_depths.comp");
     if (target.samples > 1)
         soften_ = pipeline("raster/soften", "soften.comp");
     largeParts_ = gpu::Buffer(context, {.name = "raster/large blades",
@@ -73,6 +84,11 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                                         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
                                                  VK_BUFFER_USAGE_TRANSFER_DST_BIT |
                                                  VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT});
+    constexpr VkDeviceSize wordBits = 32;
+    seen_ = gpu::Buffer(
+        context, {.name = "raster/seen blades",
+                  .bytes = (bladeCount / wordBits + 1) * sizeof(std::uint32_t),
+                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
 }
 
 void RasterPass::prepare(const gpu::ShaderLibrary& shaders, bool paintsWind)
@@ -93,8 +109,7 @@ void RasterPass::resize(const Attachments& attachments)
 {
     size_ = attachments.depth().extent();
     visibility_ = gpu::Buffer(*context_, {.name = "frame/visibility",
-                                          .bytes = VkDeviceSize(size_.width) * size_.height *
-                                                   target_.samples * sizeof(std::uint64_t),
+                                          .bytes = visibilityBytes(size_, target_.samples),
                                           .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
     picture_ = gpu::Image(*context_,
                           {.name = "frame/picture",
@@ -105,7 +120,7 @@ void RasterPass::resize(const Attachments& attachments)
     images_.setSampled(0, attachments.color().view(), sampler_.get());
     images_.setSampled(1, attachments.depth().view(), sampler_.get());
     images_.setStorage(0, picture_.view());
-    bytes_ = visibility_.bytes() + largeParts_.bytes() + picture_.memoryBytes();
+    bytes_ = visibility_.bytes() + largeParts_.bytes() + seen_.bytes() + picture_.memoryBytes();
     if (target_.samples == 1)
         return;
     shaded_ =
@@ -131,15 +146,24 @@ shared::RasterPush RasterPass::pushFor(const Input& input) const
             .largeCount = largeCount_.address(),
             .owners = input.field->baked().owners(),
             .firstOwners = input.field->baked().firstOwners(),
+            .seen = input.findsHidden ? seen_.address() : 0,
             .size = {size_.width, size_.height},
             .isBgr = isBgr(target_.colorFormat) ? 1u : 0u,
             .round = 0};
 }
 
-void RasterPass::recordBegin(VkCommandBuffer commands, const Input& input) const
+void RasterPass::emptyLarge(VkCommandBuffer commands) const
 {
     const shared::WalkLevel none{.groups = {0, 1, 1}, .count = 0};
     vkCmdUpdateBuffer(commands, largeCount_.get(), 0, sizeof none, &none);
+}
+
+void RasterPass::recordBegin(VkCommandBuffer commands, const Input& input)
+{
+    emptyLarge(commands);
+    if (!hasSeen_)
+        vkCmdFillBuffer(commands, seen_.get(), 0, VK_WHOLE_SIZE, 0);
+    hasSeen_ = true;
     begin_.bind(commands);
     images_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, begin_.layout());
     begin_.push(commands, pushFor(input));
@@ -147,22 +171,42 @@ void RasterPass::recordBegin(VkCommandBuffer commands, const Input& input) const
     gpu::memoryBarrier(commands, gpu::anyAccess, gpu::dispatchAccess);
 }
 
-void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input,
-                              std::uint32_t round) const
+void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input, std::uint32_t round,
+                              Turn turn) const
 {
     shared::RasterPush push = pushFor(input);
-    push.round = round;
-    blades_.bind(commands);
-    blades_.push(commands, push);
+    push.round = turn == Turn::late ? input.field->list().roundCount() + round : round;
+    const gpu::ComputePipeline& pipeline = turn == Turn::late ? lateBlades_ : blades_;
+    pipeline.bind(commands);
+    pipeline.push(commands, push);
     vkCmdDispatchIndirect(commands, input.field->list().rounds().get(),
-                          round * sizeof(shared::WalkLevel));
+                          push.round * sizeof(shared::WalkLevel));
 }
 
-void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input) const
+void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Turn turn) const
 {
-    large_.bind(commands);
-    large_.push(commands, pushFor(input));
+    const gpu::ComputePipeline& pipeline = turn == Turn::late ? lateLarge_ : large_;
+    pipeline.bind(commands);
+    pipeline.push(commands, pushFor(input));
     vkCmdDispatchIndirect(commands, largeCount_.get(), 0);
+}
+
+void RasterPass::recordNoLarge(VkCommandBuffer commands) const
+{
+    gpu::memoryBarrier(commands, gpu::dispatchAccess, gpu::transferAccess);
+    emptyLarge(commands);
+    gpu::memoryBarrier(commands, gpu::transferAccess, gpu::dispatchAccess);
+}
+
+void RasterPass::recordDepths(VkCommandBuffer commands, const Input& input) const
+{
+    const auto groups = [](std::uint32_t pixels) {
+        return static_cast<std::uint32_t>(
+            gpu::groupsFor(shared::pyramidCells(pixels, 0), shared::pyramidThreads));
+    };
+    depths_.bind(commands);
+    depths_.push(commands, pushFor(input));
+    vkCmdDispatch(commands, groups(size_.width), groups(size_.height), 1);
 }
 
 void RasterPass::recordResolve(VkCommandBuffer commands, const Input& input, bool paintsWind) const

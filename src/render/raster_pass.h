@@ -28,7 +28,7 @@ class RasterPass {
 public:
     /// `obstacleToRaster()` has none.
     RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-               const TargetSettings& target);
+               const TargetSettings& target, std::uint32_t bladeCount);
 
     /// To be called when the attachments are new.
     void resize(const Attachments& attachments);
@@ -41,18 +41,29 @@ public:
         const FieldBuffers* field = nullptr;
         VkDeviceAddress frame = 0;  ///< shared::Frame
         VkDeviceAddress judged = 0; ///< by whose camera the visible blades were listed
+        bool findsHidden = false;   ///< whether blades hide others: see shared::RasterPush::seen
     };
 
     /// Begins the visibility with what the graphics pipeline has drawn; colour and depth are in
     /// ImageUse::sampled.
-    void recordBegin(VkCommandBuffer commands, const Input& input) const;
+    void recordBegin(VkCommandBuffer commands, const Input& input);
+
+    /// Blades that are drawn without a question, or those of which the frame's pyramid hides some.
+    enum class Turn { first, late };
 
     /// Rasterises the visible blades that a round of the update has listed, but for large ones.
     /// Between barriers from compute shaders to the same.
-    void recordBlades(VkCommandBuffer commands, const Input& input, std::uint32_t round) const;
+    void recordBlades(VkCommandBuffer commands, const Input& input, std::uint32_t round,
+                      Turn turn) const;
 
-    /// Rasterises the large ones of all rounds.
-    void recordLarge(VkCommandBuffer commands, const Input& input) const;
+    /// Rasterises the large ones of all rounds since this was last recorded. As above.
+    void recordLarge(VkCommandBuffer commands, const Input& input, Turn turn) const;
+
+    /// Empties the list of large ones, with barriers from and to compute shaders.
+    void recordNoLarge(VkCommandBuffer commands) const;
+
+    /// Fills the finest level of the frame's pyramid with what has been drawn so far. As above.
+    void recordDepths(VkCommandBuffer commands, const Input& input) const;
 
     /// Shades the picture and filters it; it is then in ImageUse::transferSource. `paintsWind` was
     /// prepared.
@@ -62,10 +73,12 @@ public:
     void copyTo(VkCommandBuffer commands, VkImage target) const;
 
     VkDeviceAddress visibility() const { return visibility_.address(); }
+    VkDeviceAddress seen() const { return seen_.address(); } ///< see shared::RasterPush
     VkDeviceSize bytes() const { return bytes_; }
 
 private:
     shared::RasterPush pushFor(const Input& input) const;
+    void emptyLarge(VkCommandBuffer commands) const;
 
     const gpu::DeviceContext* context_;
     TargetSettings target_;
@@ -74,6 +87,9 @@ private:
     gpu::ComputePipeline begin_;
     gpu::ComputePipeline blades_;
     gpu::ComputePipeline large_;
+    gpu::ComputePipeline lateBlades_; ///< leave out what is hidden
+    gpu::ComputePipeline lateLarge_;
+    gpu::ComputePipeline depths_;
     std::map<bool, gpu::ComputePipeline> resolve_; ///< by whether it paints the wind
     gpu::ComputePipeline soften_;                  ///< with several samples
 
@@ -82,7 +98,9 @@ private:
     gpu::Buffer visibility_;
     gpu::Buffer largeParts_;
     gpu::Buffer largeCount_;
-    gpu::Image shaded_; ///< with several samples: linear, not yet filtered
+    gpu::Buffer seen_;     ///< a bit for each blade
+    bool hasSeen_ = false; ///< whether it has been filled
+    gpu::Image shaded_;    ///< with several samples: linear, not yet filtered
     gpu::Image picture_;
     gpu::ImageSet images_;
     gpu::ImageSet filmImages_;

@@ -22,8 +22,13 @@ void readSettings(const std::filesystem::path& path, FrameSettings& settings)
 {
     const std::vector<std::byte> bytes = readFile(path, largestFile);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    const nlohmann::json json = parseJson(text, path.string());
-    SettingsReader reader(json, path.string());
+    readSettings(text, path.string(), settings);
+}
+
+void readSettings(std::string_view text, const std::string& place, FrameSettings& settings)
+{
+    const nlohmann::json json = parseJson(text, place);
+    SettingsReader reader(json, place);
     std::string about; // for those who read the file
     reader.read("about", about);
     readNature(reader, settings);

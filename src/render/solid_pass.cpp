@@ -7,6 +7,7 @@ SolidPass::SolidPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary
     : context_(&context)
     , ground_(&ground)
     , target_(target)
+    , cull_(context, shaders, ground)
     , plain_(context, shaders, target, ground.imageLayout())
 {
 }
@@ -24,17 +25,23 @@ void SolidPass::prepare(const gpu::ShaderLibrary& shaders, std::uint32_t collide
     }
 }
 
+void SolidPass::recordCull(VkCommandBuffer commands, VkDeviceAddress frame,
+                           bool looksForHidden) const
+{
+    cull_.record(commands, frame, looksForHidden);
+}
+
 void SolidPass::record(VkCommandBuffer commands, VkDeviceAddress frame,
                        const GroundPass::Grown& grown) const
 {
-    (paintsWind_ ? *windy_ : plain_).record(commands, *ground_, frame, grown);
+    (paintsWind_ ? *windy_ : plain_).record(commands, *ground_, cull_, frame, grown);
     if (colliderCount_ > 0)
         colliders_->record(commands, frame, colliderCount_);
 }
 
 void SolidPass::recordDepth(VkCommandBuffer commands, VkDeviceAddress frame) const
 {
-    plain_.recordDepth(commands, *ground_, frame);
+    plain_.recordDepth(commands, *ground_, cull_, frame);
     if (colliderCount_ > 0)
         colliders_->recordDepth(commands, frame, colliderCount_);
 }

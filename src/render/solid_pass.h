@@ -4,6 +4,7 @@
 #include "gpu/shader_library.h"
 #include "render/collider_pass.h"
 #include "render/ground_buffers.h"
+#include "render/ground_cull_pass.h"
 #include "render/ground_pass.h"
 #include "render/target_settings.h"
 
@@ -24,6 +25,9 @@ public:
     /// Makes ready for a frame with so many colliders, in the colours of the wind or in its own.
     void prepare(const gpu::ShaderLibrary& shaders, std::uint32_t colliders, bool paintsWind);
 
+    /// Outside of a rendering, before one of the following: see GroundCullPass::record().
+    void recordCull(VkCommandBuffer commands, VkDeviceAddress frame, bool looksForHidden) const;
+
     /// Inside a rendering; see GroundPass::record().
     void record(VkCommandBuffer commands, VkDeviceAddress frame,
                 const GroundPass::Grown& grown) const;
@@ -34,10 +38,13 @@ public:
     /// What casts the colliders' shadows; null while there have been none.
     const ColliderPass* colliders() const { return colliders_.get(); }
 
+    VkDeviceSize bytes() const { return cull_.bytes(); }
+
 private:
     const gpu::DeviceContext* context_;
     const GroundBuffers* ground_;
     TargetSettings target_;
+    GroundCullPass cull_;
     GroundPass plain_;
     std::unique_ptr<GroundPass> windy_;       ///< once somebody has asked for it
     std::unique_ptr<ColliderPass> colliders_; ///< once there have been any

@@ -14,6 +14,7 @@ struct TargetSettings {
     std::uint32_t samples = 4;
     bool paintsWind = false;  ///< ground and blades show the wind's speed
     bool isSampled = false;   ///< shaders read what the graphics pipeline has drawn
+    bool mayBePaged = false;  ///< blades may be in memory in part
     bool lightsLater = false; ///< depth is drawn first, by itself, and the light where it is seen
 };
 

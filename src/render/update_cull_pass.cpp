@@ -43,9 +43,8 @@ void UpdateCullPass::prepare(const gpu::ShaderLibrary& shaders, Variant variant)
 }
 
 void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& blades,
-                            const VisibleBlades& found, VkDeviceAddress frame, Variant variant,
-                            Scope scope, std::uint32_t round, VkDeviceAddress views,
-                            std::uint32_t viewCount, VkDeviceAddress before) const
+                            const VisibleBlades& found, Variant variant, Scope scope,
+                            const Input& input) const
 {
     if (blades.ownerCount() == 0)
         return;
@@ -53,19 +52,22 @@ void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& b
     expect(made != pipelines_.end(), "the update has been prepared for the frame's wind");
     const gpu::ComputePipeline& pipeline = made->second;
     pipeline.bind(commands);
-    pipeline.push(commands, shared::UpdatePush{.judged = frame,
+    pipeline.push(commands, shared::UpdatePush{.judged = input.frame,
                                                .live = found.live(),
                                                .levels = found.levels().address(),
                                                .rounds = found.rounds().address(),
                                                .owners = blades.owners(),
-                                               .views = views,
-                                               .before = before,
+                                               .views = input.views,
+                                               .before = input.before,
+                                               .seenBefore = input.seen,
                                                .ownerCount = blades.ownerCount(),
                                                .onlyUpdate = scope == Scope::all ? 1u : 0u,
-                                               .firstLive = round * found.roundPatches(),
+                                               .firstLive = input.round * found.roundPatches(),
                                                .mostLive = found.roundPatches(),
-                                               .round = round,
-                                               .viewCount = viewCount});
+                                               .round = input.round,
+                                               .lateRound = found.roundCount() + input.round,
+                                               .viewCount = input.viewCount,
+                                               .reserved = 0});
     // One work-group per patch, or one for several where they are more than one can count.
     if (scope == Scope::all)
         commands.vk->CmdDispatch(

@@ -45,13 +45,20 @@ public:
         all,     ///< every patch; move only
     };
 
+    /// What it reads and writes besides blades and lists.
+    struct Input {
+        VkDeviceAddress frame = 0; ///< shared::Frame, by whose camera blades are judged
+        std::uint32_t round = 0;
+        VkDeviceAddress views = 0;   ///< frames on end for which Role::move moves blades …
+        std::uint32_t viewCount = 0; ///< … and how many
+        VkDeviceAddress before = 0;  ///< where it keeps states, if the variant does
+        VkDeviceAddress seen = 0;    ///< see shared::RasterPush; 0: all are listed in front
+    };
+
     /// Between a barrier from the clearing of the counts, or from the walk, and one to the draw.
-    /// `variant` has been prepared. `views` are `viewCount` frames on end for which Role::move
-    /// moves blades; at `before` it keeps the states from which it moves them, if the variant does.
+    /// `variant` has been prepared.
     void record(const gpu::Recording& commands, const BakedBlades& blades,
-                const VisibleBlades& found, VkDeviceAddress frame, Variant variant, Scope scope,
-                std::uint32_t round = 0, VkDeviceAddress views = 0, std::uint32_t viewCount = 0,
-                VkDeviceAddress before = 0) const;
+                const VisibleBlades& found, Variant variant, Scope scope, const Input& input) const;
 
 private:
     const gpu::DeviceContext* context_;

@@ -13,7 +13,7 @@ VisibleBlades::VisibleBlades(const gpu::DeviceContext& context, const BakedBlade
     , roundCount_(std::max(
           1u, static_cast<std::uint32_t>(gpu::groupsFor(blades.ownerCount(), roundPatches_))))
     , listLength_(static_cast<std::uint32_t>(
-          std::min<std::uint64_t>(std::min(blades.bladeCount(), mostBlades),
+          std::min<std::uint64_t>(std::min(blades.placeCount(), mostBlades),
                                   std::uint64_t(roundPatches_) * shared::maxPatchBlades)))
 {
     const PatchTree& tree = blades.tree();
@@ -22,7 +22,7 @@ VisibleBlades::VisibleBlades(const gpu::DeviceContext& context, const BakedBlade
     live_ = allocate(context, "view/live patches", blades.ownerCount() * sizeof(shared::LivePatch));
     levels_ = allocate(context, "view/levels", (tree.steps() + 1) * sizeof(shared::WalkLevel));
     visible_ = allocate(context, "view/visible", listLength_ * sizeof(shared::VisibleBlade));
-    rounds_ = allocate(context, "view/rounds", roundCount_ * sizeof(shared::WalkLevel));
+    rounds_ = allocate(context, "view/rounds", 2 * roundCount_ * sizeof(shared::WalkLevel));
     draw_ = allocate(context, "view/draw", sizeof(shared::DrawArguments));
 }
 

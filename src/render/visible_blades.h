@@ -30,7 +30,9 @@ public:
     /// How often the live patches fill the list at most, and by how many at a time.
     std::uint32_t roundCount() const { return roundCount_; }
     std::uint32_t roundPatches() const { return roundPatches_; }
-    const gpu::Buffer& rounds() const { return rounds_; } ///< shared::WalkLevel of each
+
+    /// shared::WalkLevel of each round's list, then of what it has listed from behind.
+    const gpu::Buffer& rounds() const { return rounds_; }
 
     VkDeviceAddress queue() const { return queue_.address(); } ///< of patches to be looked at
     VkDeviceAddress live() const { return live_.address(); }   ///< shared::LivePatch

@@ -7,6 +7,7 @@
 #include "gpu/compute_pipeline.h"
 #include "gpu/readback.h"
 #include "gpu/shader_library.h"
+#include "shaders/shared/pages.h"
 #include "shaders/shared/passes.h"
 #include "support/gpu/gpu_fixture.h"
 
@@ -123,6 +124,11 @@ struct Values {
     shared::GroundPush groundPush;
     shared::Motion motion;
     shared::MotionPush motionPush;
+    shared::PageChange pageChange;
+    shared::PagePush pagePush;
+    shared::GroundCluster groundCluster;
+    shared::IndexedDraw indexedDraw;
+    shared::GroundCullPush groundCullPush;
 };
 
 std::size_t fillValues(Values& v)
@@ -139,7 +145,7 @@ std::size_t fillValues(Values& v)
               v.cell.firstChild, v.cell.childCount, v.cell.level, v.cell.rankLow, v.cell.rankHigh);
     shared::Frame& f = v.frame;
     n.fillAll(f.blades, f.states, f.patches, f.species, f.visible, f.draw, f.patchTimes,
-              f.patchCounts, f.fates, f.pyramid.depths, f.pyramid.size, f.pyramid.first,
+              f.patchCounts, f.fates, f.pages, f.pyramid.depths, f.pyramid.size, f.pyramid.first,
               f.pyramid.levels, f.viewProjection, f.view, f.time, f.nature, f.patchCount,
               f.bladeCount, f.visibleCapacity, f.maxTessellation, f.sunDirection, f.exposure,
               f.sunColor, f.debugMode, f.skyColor, f.fogDensity, f.groundColor, f.skyUp,
@@ -157,26 +163,37 @@ std::size_t fillValues(Values& v)
               v.groundMaterial.image, v.groundMaterial.flags);
     n.fillAll(v.windSource, v.collider);
     shared::UpdatePush& u = v.updatePush;
-    n.fillAll(u.judged, u.live, u.levels, u.rounds, u.owners, u.views, u.before, u.ownerCount,
-              u.onlyUpdate, u.firstLive, u.mostLive, u.round, u.viewCount);
+    n.fillAll(u.judged, u.live, u.levels, u.rounds, u.owners, u.views, u.before, u.seenBefore,
+              u.ownerCount, u.onlyUpdate, u.firstLive, u.mostLive, u.round, u.lateRound,
+              u.viewCount, u.reserved);
     shared::WalkPush& w = v.walkPush;
     n.fillAll(w.judged, w.subtrees, w.queue, w.live, w.levels, w.startCount, w.startLevel, w.level,
               w.reserved);
     shared::RasterPush& r = v.rasterPush;
     n.fillAll(r.frame, r.judged, r.visibility, r.rounds, r.large, r.largeCount, r.owners,
-              r.firstOwners, r.size, r.isBgr, r.round);
+              r.firstOwners, r.seen, r.size, r.isBgr, r.round);
     n.fillAll(v.subtree.blades, v.subtree.widest, v.subtree.rankBelow);
     n.fillAll(v.live.patchIndex, v.live.count);
     n.fillAll(v.walkLevel.groups, v.walkLevel.count);
-    n.fillAll(v.largePart.visible.blade, v.largePart.visible.patchIndex,
-              v.largePart.visible.widthFactor, v.largePart.visible.pixels, v.largePart.part,
-              v.largePart.parts);
+    shared::LargePart& l = v.largePart;
+    n.fillAll(l.v0, l.width, l.v1, l.fold, l.v2, l.segments, l.axis, l.tipThreshold, l.scale,
+              l.shape, l.blade, l.part);
     n.fillAll(v.pyramidPush.frame, v.pyramidPush.level, v.pyramidPush.slack);
     n.fillAll(v.viewPush.frame);
     n.fillAll(v.groundPush.frame, v.groundPush.vertices, v.groundPush.materials,
               v.groundPush.visibility, v.groundPush.material, v.groundPush.width);
     n.fillAll(v.motion.clipBefore, v.motion.statesBefore, v.motion.moves, v.motion.reserved);
     n.fillAll(v.motionPush.frame, v.motionPush.motion);
+    n.fillAll(v.pageChange.page, v.pageChange.place, v.pageChange.edges);
+    shared::PagePush& p = v.pagePush;
+    n.fillAll(p.changes, p.pages, p.states, p.patches, p.subtrees, p.patchTimes, p.patchCounts,
+              p.owners, p.firstOwners, p.ownerCount, p.bladeCount, p.settledAt, p.reserved);
+    n.fillAll(v.groundCluster.low, v.groundCluster.firstIndex, v.groundCluster.high,
+              v.groundCluster.indexCount);
+    n.fillAll(v.indexedDraw.indexCount, v.indexedDraw.instanceCount, v.indexedDraw.firstIndex,
+              v.indexedDraw.vertexOffset, v.indexedDraw.firstInstance);
+    shared::GroundCullPush& g = v.groundCullPush;
+    n.fillAll(g.frame, g.clusters, g.draws, g.seen, g.drawCount, g.clusterCount, g.looksForHidden);
     return n.count();
 }
 
@@ -201,7 +218,7 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
     const std::size_t words = fillValues(values);
 
     // The frame is reached as element 0 everywhere, so here, too.
-    std::array<gpu::Buffer, 24> buffers = {secondElement(context(), values.blade),
+    std::array<gpu::Buffer, 29> buffers = {secondElement(context(), values.blade),
                                            secondElement(context(), values.packedBlade),
                                            secondElement(context(), values.state),
                                            secondElement(context(), values.cell),
@@ -224,7 +241,12 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
                                            secondElement(context(), values.viewPush),
                                            secondElement(context(), values.groundPush),
                                            secondElement(context(), values.motion),
-                                           secondElement(context(), values.motionPush)};
+                                           secondElement(context(), values.motionPush),
+                                           secondElement(context(), values.pageChange),
+                                           secondElement(context(), values.pagePush),
+                                           secondElement(context(), values.groundCluster),
+                                           secondElement(context(), values.indexedDraw),
+                                           secondElement(context(), values.groundCullPush)};
     std::memcpy(buffers[4].mapped().data(), &values.frame, sizeof values.frame);
 
     const gpu::Buffer sources(context(), {.name = "sources",

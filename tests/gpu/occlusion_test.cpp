@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 
 namespace sward::render {
@@ -106,6 +107,67 @@ TEST_F(OcclusionTest, HidesNothingInTheFirstFrameAfterATurn)
     settings.cullMask = 0;
     picture.draw(turning, camera, settings, 1.0);
     EXPECT_EQ(test::differingPixels(turned, picture.pixels()), 0u);
+}
+
+/// Blades as high as a man, close together: each hides dozens behind it, and covers many pixels.
+field::Field thicket()
+{
+    return test::makeField({.blades = 6000,
+                            .extent = 8.0f,
+                            .heightLow = 1.2f,
+                            .heightHigh = 2.4f,
+                            .widthLow = 0.1f,
+                            .widthHigh = 0.2f});
+}
+
+/// A walk through it, with turns.
+Camera onTheWay(int step)
+{
+    Camera camera;
+    const double turn = 0.35 * step;
+    camera.eye = {3.0 * std::sin(0.1 * step), 1.5 + 0.4 * std::sin(0.3 * step), 5.0 - 0.25 * step};
+    camera.target =
+        camera.eye + glm::dvec3(std::sin(turn), step % 5 == 0 ? -0.6 : -0.1, -std::cos(turn));
+    return camera;
+}
+
+TEST_F(OcclusionTest, GrassHidesGrassAndNoByteOfAnyPicture)
+{
+    for (const std::uint32_t samples : {1u, 4u}) {
+        const field::Field field = thicket();
+        FieldRenderer::Settings wanted;
+        wanted.samples = samples;
+        wanted.geometry = Geometry::raster;
+        wanted.recordFates = true;
+        FieldRenderer renderer(device(), field::viewOf(field), wanted);
+        FrameSettings settings = FrameSettings::of(field::viewOf(field));
+        test::Picture picture(context(), {321, 180});
+        std::uint64_t listed = 0;
+        std::uint64_t drawn = 0;
+        for (int step = 0; step < 6; ++step) {
+            settings.cullMask = visible;
+            picture.draw(renderer, onTheWay(step), settings, 1.0);
+            const auto all = picture.pixels();
+            listed += renderer.stats().drawn;
+            // The first of the two begins with what other cameras have seen.
+            settings.cullMask = visible | shared::cullOcclusion;
+            for (int frame = 0; frame < 2; ++frame) {
+                picture.draw(renderer, onTheWay(step), settings, 1.0);
+                ASSERT_EQ(test::differingPixels(all, picture.pixels()), 0u)
+                    << samples << " samples, step " << step << ", frame " << frame;
+                const FrameStats stats = renderer.stats();
+                EXPECT_EQ(stats.drawn + stats.lod + stats.culledFrustum + stats.culledPatch +
+                              stats.culledOcclusion,
+                          stats.resident);
+            }
+            drawn += renderer.stats().drawn;
+            std::uint64_t told = 0;
+            for (const auto& blade : renderer.dumpBlades(field::viewOf(field)))
+                told += blade.fate == shared::fateDrawn ? 1 : 0;
+            EXPECT_EQ(told, renderer.stats().drawn) << "step " << step;
+        }
+        EXPECT_LT(drawn, listed * 2 / 3) << samples << " samples";
+    }
 }
 
 } // namespace

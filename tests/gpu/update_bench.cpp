@@ -66,8 +66,8 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
         if (scope == render::UpdateCullPass::Scope::visible)
             walk_.record(commands, buffers_.baked(), buffers_.list(), constants.address());
         gpu::computeToCompute(commands);
-        pass_.record(commands, buffers_.baked(), buffers_.list(), constants.address(), variant,
-                     scope);
+        pass_.record(commands, buffers_.baked(), buffers_.list(), variant, scope,
+                     {.frame = constants.address()});
     });
 
     Result result;

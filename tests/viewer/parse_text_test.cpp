@@ -38,6 +38,19 @@ TEST(ParseNumber, TakesDecimalsAndFractionsWithinTheBounds)
         expectUsageError(text, [](const char* wrong) { parseNumber("--option", wrong, 0.0, 1.0); });
 }
 
+TEST(ParseBytes, TakesPowersOf1024WithinTheBounds)
+{
+    EXPECT_EQ(parseBytes("--option", "512M", 0, 1ull << 40), 512ull << 20);
+    EXPECT_EQ(parseBytes("--option", "1.5G", 0, 1ull << 40), 3ull << 29);
+    EXPECT_EQ(parseBytes("--option", "2K", 0, 1ull << 40), 2048u);
+    EXPECT_EQ(parseBytes("--option", "1T", 0, 1ull << 40), 1ull << 40);
+    EXPECT_EQ(parseBytes("--option", "77", 0, 1ull << 40), 77u);
+    for (const char* text :
+         {"", "M", "-1M", "1MB", "1 M", "M1", "nan", "infG", "1m", "2T", "0x5M", "3K", "1e30"})
+        expectUsageError(
+            text, [](const char* wrong) { parseBytes("--option", wrong, 4096, 1ull << 40); });
+}
+
 TEST(ParseRange, TakesTwoNumbersInOrder)
 {
     EXPECT_EQ(parseRange("--option", "-5:10.5"), std::pair(-5.0, 10.5));

@@ -94,6 +94,41 @@ class RenderTest(unittest.TestCase):
         self.assertEqual(blades["resident"],
                          blades["drawn"] + blades["lod"] + sum(blades["culled"].values()))
 
+    def test_a_field_larger_than_its_budget_is_shown_in_part(self):
+        field, blades = self.folder / "wide.sward", 100_000
+        subprocess.run([SWARD, "bake", "plane", "--count", str(blades), "-o", field, "-q"],
+                       check=True)
+
+        def stats(*arguments, code=0):
+            done = self.viewer("render", field, *SIZE, "-o", "s.png", "--stats", "s.json", "--force",
+                               "--geometry", "raster", "--camera", "eye", *arguments, code=code)
+            if code:
+                return done.stderr
+            return json.loads((self.folder / "s.json").read_text(encoding="utf-8"))
+
+        whole = stats("--gpu-memory", "1T")
+        self.assertEqual(whole["blades"]["streamed_out"], 0)
+        budget = whole["memory_bytes"]["device"] - 24 * blades
+        part = stats("--gpu-memory", budget, "--validation")
+        self.assertLessEqual(part["memory_bytes"]["device"], budget)
+        counts = part["blades"]
+        self.assertGreater(counts["streamed_out"], blades // 4)
+        self.assertGreater(counts["drawn"], 0)
+        self.assertEqual(counts["total"], counts["resident"] + counts["streamed_out"])
+        self.assertEqual(counts["resident"],
+                         counts["drawn"] + counts["lod"] + sum(counts["culled"].values()))
+        # The same again, byte for byte; and each reason in its colour, of what is there.
+        first = (self.folder / "s.png").read_bytes()
+        stats("--gpu-memory", budget)
+        self.assertEqual((self.folder / "s.png").read_bytes(), first)
+        self.assertGreater(stats("--gpu-memory", budget, "--debug", "reason")["blades"]["drawn"], 0)
+
+        for asks in (["--dump-blades", "d.csv"], ["--reference"]):
+            self.assertIn("--gpu-memory", stats("--gpu-memory", budget, *asks, code=1))
+        self.assertIn("at least", stats("--gpu-memory", "1M", code=4))
+        for wrong in ("much", "1K", "-2G", "2GB"):
+            self.assertIn("--gpu-memory", stats("--gpu-memory", wrong, code=1))
+
     def test_each_kind_of_culling_counts_under_its_own_name_alone(self):
         # From the middle of the field much is behind the camera, edge-on or far away.
         for kind in ("orientation", "frustum", "distance"):

@@ -58,6 +58,23 @@ double parseNumber(std::string_view option, std::string_view text, double low, d
     return *number;
 }
 
+std::uint64_t parseBytes(std::string_view option, std::string_view text, std::uint64_t low,
+                         std::uint64_t high)
+{
+    constexpr std::string_view letters = "KMGT";
+    const std::size_t letter = text.empty() ? letters.npos : letters.find(text.back());
+    const std::optional<double> number =
+        wholeText<double>(letter == letters.npos ? text : text.substr(0, text.size() - 1));
+    if (!number || !std::isfinite(*number) || *number < 0.0)
+        fail(ErrorKind::usage, "{}: '{}' is not a size in bytes; write it like 512M or 2G", option,
+             text);
+    const double bytes =
+        std::ldexp(*number, letter == letters.npos ? 0 : 10 * (static_cast<int>(letter) + 1));
+    if (bytes < static_cast<double>(low) || bytes > static_cast<double>(high))
+        fail(ErrorKind::usage, "{}: {} is outside [{}, {}] bytes", option, text, low, high);
+    return static_cast<std::uint64_t>(bytes);
+}
+
 std::pair<double, double> parseRange(std::string_view option, std::string_view text)
 {
     const std::vector<std::string_view> parts = splitText(text, ':');

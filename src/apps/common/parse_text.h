@@ -18,6 +18,11 @@ glm::uvec2 parseSize(std::string_view option, std::string_view text, std::uint32
 /// A whole text as a finite number in [low, high]; "1/60" is a number too.
 double parseNumber(std::string_view option, std::string_view text, double low, double high);
 
+/// "512M", "1.5G": a number of bytes in [low, high]; K, M, G and T are powers of 1024, no letter is
+/// a byte.
+std::uint64_t parseBytes(std::string_view option, std::string_view text, std::uint64_t low,
+                         std::uint64_t high);
+
 /// "A:B": two finite numbers, A ≤ B.
 std::pair<double, double> parseRange(std::string_view option, std::string_view text);
 

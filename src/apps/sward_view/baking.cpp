@@ -23,14 +23,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t linesKept = 40; ///< of what it says
 constexpr int runtimeCode = static_cast<int>(ErrorKind::runtime);
 
-fs::path makeFolder()
-{
-    std::string name = (fs::temp_directory_path() / "sward-view.XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-        fail(ErrorKind::io, "{}: cannot make a folder: {}", name, std::strerror(errno));
-    return name;
-}
-
 // The program `sward` beside this one: in a build folder, in a bundle and when installed.
 fs::path swardProgram()
 {
@@ -92,7 +84,6 @@ std::optional<BakeProgress> parseProgress(std::string_view line)
 }
 
 Baking::Baking(std::vector<std::string> arguments)
-    : folder_(makeFolder())
 {
     try {
         std::vector<std::string> all{swardProgram().string(), "bake"};
@@ -116,8 +107,6 @@ Baking::Baking(std::vector<std::string> arguments)
     } catch (...) {
         if (said_ >= 0)
             ::close(said_);
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
         throw;
     }
 }
@@ -132,8 +121,6 @@ Baking::~Baking()
     }
     if (said_ >= 0)
         ::close(said_);
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
 }
 
 bool Baking::poll()
@@ -209,6 +196,18 @@ int Baking::exitCode() const
     if (!status_ || !WIFEXITED(*status_))
         return runtimeCode;
     return WEXITSTATUS(*status_);
+}
+
+ErrorKind Baking::errorKind() const
+{
+    if (cancelled_)
+        return ErrorKind::interrupted;
+    constexpr std::array known{ErrorKind::usage, ErrorKind::io, ErrorKind::input,
+                               ErrorKind::unsupported, ErrorKind::interrupted};
+    const auto* const found = std::find_if(known.begin(), known.end(), [this](ErrorKind kind) {
+        return static_cast<int>(kind) == exitCode();
+    });
+    return found == known.end() ? ErrorKind::runtime : *found;
 }
 
 std::string Baking::complaint() const

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "apps/sward_view/temporary_folder.h"
+#include "core/error.h"
+
 #include <sys/types.h>
 
 #include <filesystem>
@@ -46,15 +49,16 @@ public:
     // After it has ended.
     bool succeeded() const;
     int exitCode() const;          ///< as one of `sward`, or 4 if a signal ended it
+    ErrorKind errorKind() const;   ///< of that exit code
     std::string complaint() const; ///< what it said last, or how it was ended
-    std::filesystem::path field() const { return folder_ / "field.sward"; }
-    std::filesystem::path report() const { return folder_ / "report.json"; }
+    std::filesystem::path field() const { return folder_.path() / "field.sward"; }
+    std::filesystem::path report() const { return folder_.path() / "report.json"; }
 
 private:
     void takeIn(std::string_view text);
     void takeLine(std::string line);
 
-    std::filesystem::path folder_;
+    TemporaryFolder folder_;
     pid_t child_ = -1;
     int said_ = -1; ///< its stderr
     std::string unfinished_;

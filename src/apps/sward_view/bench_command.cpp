@@ -1,15 +1,19 @@
 #include "apps/common/output.h"
 #include "apps/common/progress_bar.h"
 #include "apps/sward_view/commands.h"
+#include "apps/sward_view/copy_bandwidth.h"
 #include "apps/sward_view/graphics.h"
 #include "apps/sward_view/headless.h"
+#include "apps/sward_view/scene_field.h"
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace sward::view {
@@ -21,6 +25,9 @@ struct BenchOptions {
     FrameOptions frame;
     std::uint32_t frames = 100;
     std::uint32_t warmup = 10;
+    std::string fieldFolder; ///< empty: the scene's
+    bool moving = false;
+    bool copyBandwidth = false;
     bool json = false;
 };
 
@@ -41,13 +48,52 @@ std::string tableText(const RunStats& stats)
     return text;
 }
 
-int bench(const BenchOptions& options)
+int benchCopies(const BenchOptions& options)
+{
+    const gpu::Instance instance = createInstance(options.frame.validation);
+    const gpu::Device device(instance, {.selection = options.frame.device});
+    const CopyBandwidth copies = measureCopies(device.context(), options.frames);
+    apps::writeResult(options.json
+                          ? copyText(copies)
+                          : fmt::format("{} ({})\n{} bytes copied in {:.4f} ms: {:.1f} GB/s\n",
+                                        copies.device, copies.driver, copies.bytes,
+                                        copies.times.median, copies.gigabytesPerSecond()));
+    failOnValidationMessages(instance);
+    return 0;
+}
+
+// A scene becomes a field and what it says of the picture.
+std::optional<SceneField> openScene(BenchOptions& options, const CLI::App& command)
+{
+    const auto& files = options.frame.fields;
+    const auto found = std::find_if(files.begin(), files.end(), isScene);
+    if (found == files.end()) {
+        if (options.moving)
+            fail(ErrorKind::usage, "--moving: {} is no scene; it has no camera that moves",
+                 files.front());
+        return std::nullopt;
+    }
+    if (files.size() > 1)
+        fail(ErrorKind::usage, "{}: a scene is measured by itself, not with {} other files", *found,
+             files.size() - 1);
+    const Scene scene = readScene(*found);
+    lookAt(scene, options.moving, command, options.frame);
+    std::optional<SceneField> field;
+    field.emplace(scene, options.fieldFolder, options.frame.log.showBar());
+    options.frame.fields = {field->file().string()};
+    return field;
+}
+
+int bench(BenchOptions& options, const CLI::App& command)
 {
     options.frame.log.apply();
-    for (const std::string& field : options.frame.fields)
-        if (field.ends_with(".json"))
-            fail(ErrorKind::unsupported, "{}: scenes are not in this version; give a field", field);
+    if (options.copyBandwidth)
+        return benchCopies(options);
+    if (options.frame.fields.empty())
+        fail(ErrorKind::usage, "FILE is required: a scene, or fields");
+    const std::optional<SceneField> field = openScene(options, command);
     Headless headless(options.frame, false);
+    headless.stream(0);
 
     // Warm up, forget, measure.
     {
@@ -72,13 +118,14 @@ int bench(const BenchOptions& options)
 
 void addBenchCommand(CLI::App& app, apps::Command& chosen)
 {
-    CLI::App* command = app.add_subcommand("bench", "Measure how long a field's frames take");
+    CLI::App* command =
+        app.add_subcommand("bench", "Measure how long frames of a scene or a field take");
     const auto options = std::make_shared<BenchOptions>();
     command
         ->add_option("FILE", options->frame.fields,
-                     "Fields as 'sward bake' wrote them, drawn together")
-        ->type_name("")
-        ->required();
+                     "A scene (docs/settings.md), or fields as 'sward bake' wrote them, drawn "
+                     "together")
+        ->type_name("");
     options->frame.addShared(*command);
     options->frame.addMeasured(*command);
     command->add_option("--frames", options->frames, "Frames that are measured [100]")
@@ -87,10 +134,22 @@ void addBenchCommand(CLI::App& app, apps::Command& chosen)
     command->add_option("--warmup", options->warmup, "Frames before them that are not [10]")
         ->type_name("N")
         ->check(CLI::Range(std::uint32_t(0), mostFrames));
+    command
+        ->add_option("--fields", options->fieldFolder,
+                     "Folder of a scene's field; one that is not there is baked by 'sward', and "
+                     "stays there [the scene's folder]")
+        ->type_name("DIR");
+    command->add_flag("--moving", options->moving, "Go along the scene's path instead of standing")
+        ->excludes("--camera");
+    command->add_flag("--copy-bandwidth", options->copyBandwidth,
+                      "Measure copies within the device's memory instead of a FILE");
     command->add_flag("--json", options->json, "Print what 'render --stats' writes");
     options->frame.log.addBar(*command);
-    command->footer("Example:\n  sward-view bench meadow.sward --camera eye --json");
-    command->final_callback([options, &chosen] { chosen = [options] { return bench(*options); }; });
+    command->footer("Example:\n  sward-view bench meadow.sward --camera eye --json\n"
+                    "  sward-view bench assets/bench/1M.json --moving --fields /tmp");
+    command->final_callback([options, command, &chosen] {
+        chosen = [options, command] { return bench(*options, *command); };
+    });
 }
 
 } // namespace sward::view

@@ -74,17 +74,21 @@ CameraPath readCameraPath(const std::filesystem::path& path, glm::vec3 up)
 {
     const std::vector<std::byte> bytes = readFile(path, largestFile);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    const nlohmann::json json = parseJson(text, path.string());
+    return readCameraPath(text, path.string(), up);
+}
+
+CameraPath readCameraPath(std::string_view text, const std::string& name, glm::vec3 up)
+{
+    const nlohmann::json json = parseJson(text, name);
     if (!json.is_array()) {
-        SettingsReader reader(json, path.string());
-        return CameraPath(readCamera(reader, path.string(), up));
+        SettingsReader reader(json, name);
+        return CameraPath(readCamera(reader, name, up));
     }
     if (json.empty() || json.size() > mostStops)
-        fail(ErrorKind::input, "{}: {} places; a path has 1 to {}", path.string(), json.size(),
-             mostStops);
+        fail(ErrorKind::input, "{}: {} places; a path has 1 to {}", name, json.size(), mostStops);
     CameraPath result;
     for (std::size_t i = 0; i < json.size(); ++i) {
-        const std::string place = fmt::format("{}[{}]", path.string(), i);
+        const std::string place = fmt::format("{}[{}]", name, i);
         SettingsReader reader(json[i], place);
         if (!reader.has("time"))
             fail(ErrorKind::input, "{}: missing", reader.placeOf("time"));

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sward::view {
@@ -39,6 +40,9 @@ private:
 /// Reads a camera file (camera_file.h), or a list of such objects that have "time" [s] besides, in
 /// ascending order. Throws as readCamera() does.
 CameraPath readCameraPath(const std::filesystem::path& path, glm::vec3 up);
+
+/// The same from a text; `name` names it in messages.
+CameraPath readCameraPath(std::string_view text, const std::string& name, glm::vec3 up);
 
 /// The list as text, from its first time on at fixed `steps` [s] as it was recorded.
 std::string cameraPathText(const CameraPath& path, double step);

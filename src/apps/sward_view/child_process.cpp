@@ -18,7 +18,7 @@ namespace sward::view {
 
 namespace {
 
-pid_t spawn(std::vector<std::string> arguments, int said, std::optional<int> input, bool saysAll)
+pid_t spawn(std::vector<std::string> arguments, int said, std::optional<int> input)
 {
     std::vector<char*> pointers;
     for (std::string& argument : arguments)
@@ -28,8 +28,8 @@ pid_t spawn(std::vector<std::string> arguments, int said, std::optional<int> inp
     ::posix_spawn_file_actions_init(&actions);
     if (input)
         ::posix_spawn_file_actions_adddup2(&actions, *input, STDIN_FILENO);
-    if (saysAll)
-        ::posix_spawn_file_actions_adddup2(&actions, said, STDOUT_FILENO);
+    // Our own stdout is for our own result.
+    ::posix_spawn_file_actions_adddup2(&actions, said, STDOUT_FILENO);
     ::posix_spawn_file_actions_adddup2(&actions, said, STDERR_FILENO);
     pid_t child = -1;
     const int error =
@@ -58,7 +58,7 @@ std::filesystem::path programNamed(const std::string& name)
 
 pid_t startChild(std::vector<std::string> arguments, int said, std::optional<int> input)
 {
-    return spawn(std::move(arguments), said, input, false);
+    return spawn(std::move(arguments), said, input);
 }
 
 ChildEnd runChild(std::vector<std::string> arguments)
@@ -69,7 +69,7 @@ ChildEnd runChild(std::vector<std::string> arguments)
     ChildEnd end;
     pid_t child = -1;
     try {
-        child = spawn(std::move(arguments), ends[1], std::nullopt, true);
+        child = spawn(std::move(arguments), ends[1], std::nullopt);
     } catch (...) {
         ::close(ends[0]);
         ::close(ends[1]);

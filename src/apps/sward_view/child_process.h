@@ -12,9 +12,9 @@ namespace sward::view {
 /// Where a program is: the first of $PATH. Empty if it is not installed.
 std::filesystem::path programNamed(const std::string& name);
 
-/// Starts the program `arguments[0]`, a path; its stderr is written into the file `said`, and it
-/// reads `input`, if given, as its stdin. Throws Error{runtime}, naming the program, where it
-/// cannot be run.
+/// Starts the program `arguments[0]`, a path; its stdout and stderr are written into the file
+/// `said`, and it reads `input`, if given, as its stdin. Throws Error{runtime}, naming the program,
+/// where it cannot be run.
 pid_t startChild(std::vector<std::string> arguments, int said,
                  std::optional<int> input = std::nullopt);
 

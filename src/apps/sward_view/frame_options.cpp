@@ -5,11 +5,20 @@
 #include "apps/sward_view/cull_list.h"
 #include "core/error.h"
 #include "render/settings_file.h"
+#include "shaders/shared/distance_band.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 namespace sward::view {
 namespace {
+
+// What --gpu-memory takes [bytes].
+constexpr std::uint64_t leastMemory = std::uint64_t(1) << 20;
+constexpr std::uint64_t mostMemory = std::uint64_t(1) << 44;
 
 // The rasteriser is a later version's; asking for it by name must not be silently ignored.
 render::Geometry parseGeometry(const std::string& word)
@@ -35,7 +44,13 @@ render::DebugMode parseDebug(const std::string& word)
         return render::DebugMode::wind;
     if (word == "reason")
         return render::DebugMode::reason;
-    fail(ErrorKind::usage, "--debug: '{}' is not one of none, wind, lod, patches, reason", word);
+    // Three modes of the shaders' own, which no window shows: bands of distance.
+    constexpr std::array<std::string_view, 3> bands{"near", "middle", "far"};
+    const auto* const found = std::find(bands.begin(), bands.end(), word);
+    if (found != bands.end())
+        return static_cast<render::DebugMode>(shared::debugNear + (found - bands.begin()));
+    fail(ErrorKind::usage,
+         "--debug: '{}' is not one of none, wind, lod, patches, reason, near, middle, far", word);
 }
 
 } // namespace
@@ -86,6 +101,14 @@ void FrameOptions::addShared(CLI::App& app)
     app.add_option("--device", device, "Vulkan device, see 'sward-view devices' [best]")
         ->type_name("N|NAME")
         ->envname("SWARD_DEVICE");
+    option(
+        "--gpu-memory",
+        [this](const std::string& text) {
+            gpuMemory = apps::parseBytes("--gpu-memory", text, leastMemory, mostMemory);
+        },
+        "SIZE",
+        "Device memory that may be taken, as 512M or 2G; a field that needs more is streamed "
+        "[all]");
     app.add_flag("--validation", validation,
                  "Run under the validation layer; any message is a failure");
     log.add(app);
@@ -125,12 +148,14 @@ void FrameOptions::addMeasured(CLI::App& app)
         "on|off", "Leave out and widen blades too thin for a pixel [on]");
     option(
         "--debug", [this](const std::string& text) { debug = parseDebug(text); }, "WORD",
-        "Colour by none, wind, lod, patches, reason [none]");
+        "Colour by none, wind, lod, patches, reason; near, middle, far: what grass covers [none]");
 }
 
 render::FrameSettings FrameOptions::settingsFor(const field::FieldView& view) const
 {
     render::FrameSettings settings = render::FrameSettings::of(view);
+    if (sceneSettings)
+        render::readSettings(sceneSettings->text, sceneSettings->place, settings);
     if (!settingsFile.empty())
         render::readSettings(settingsFile, settings);
     settings.colliders.insert(settings.colliders.end(), colliders.begin(), colliders.end());

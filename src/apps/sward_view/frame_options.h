@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/common/log_switches.h"
+#include "apps/sward_view/scene.h"
 #include "render/field_renderer.h"
 #include "render/frame_settings.h"
 
@@ -32,10 +33,13 @@ struct FrameOptions {
     std::optional<float> drawDistance;       ///< [m]; unset: the field's
     std::optional<float> windStrength;       ///< [1/s]; unset: the field's or the settings'
     std::string settingsFile;                ///< empty: none
+    std::optional<SceneText> sceneCamera;    ///< one or a path, instead of `camera`
+    std::optional<SceneText> sceneSettings;  ///< under the settings file's
     bool watch = false;                      ///< the window reads it again when it changes
     std::vector<render::Collider> colliders; ///< beside those of the settings
     double fixedStep = 1.0 / 60.0;           ///< [s] between frames
-    std::string device;                      ///< index or part of the name; empty: the best
+    std::uint64_t gpuMemory = 0; ///< [bytes] of the device that may be taken; 0: what it takes
+    std::string device;          ///< index or part of the name; empty: the best
     bool validation = false;
     apps::LogSwitches log;
 

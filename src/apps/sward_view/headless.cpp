@@ -63,7 +63,10 @@ Headless::Headless(const FrameOptions& options, bool recordFates)
     , files_(readAll(options.fields))
     , fields_(membersOf(files_, options.fields))
     , settings_(options.settingsFor(fields_.view()))
-    , camera_(chooseCamera(options.camera, fields_.view(), aspectOf(options.size)))
+    , camera_(options.sceneCamera
+                  ? readCameraPath(options.sceneCamera->text, options.sceneCamera->place,
+                                   groundUpOf(fields_.view()))
+                  : chooseCamera(options.camera, fields_.view(), aspectOf(options.size)))
     , instance_(createInstance(options.validation))
     , device_(instance_, {.selection = options.device})
     , samples_(options.samples.value_or(4))
@@ -72,7 +75,10 @@ Headless::Headless(const FrameOptions& options, bool recordFates)
                  .samples = samples_,
                  .framesInFlight = 1,
                  .geometry = options.geometry,
-                 .recordFates = recordFates || options.debug == render::DebugMode::reason})
+                 .recordFates = recordFates || options.debug == render::DebugMode::reason,
+                 .deviceBytes = options.gpuMemory,
+                 .largestTarget = options.size,
+                 .waitsForDisk = true})
     , target_(createTarget(device_.context(), options.size))
     , timestamps_(device_.context(), {.slots = 1})
     , ring_(device_.context(), 1)
@@ -94,6 +100,19 @@ void Headless::skip(std::uint64_t frame)
     renderer_.recordUpdateOnly(commands.commands, settings_, timeOf(frame), slot);
     ring_.submit(commands);
     ring_.finish();
+}
+
+void Headless::stream(std::uint64_t frame)
+{
+    for (bool isThere = false; !isThere;) {
+        apps::throwIfInterrupted("streaming");
+        const gpu::FrameRing::Frame commands = ring_.begin();
+        isThere =
+            renderer_.recordStreaming(commands.commands, options_.size, camera_.at(timeOf(frame)),
+                                      settings_, timeOf(frame), slot);
+        ring_.submit(commands);
+        ring_.finish();
+    }
 }
 
 void Headless::draw(std::uint64_t frame)

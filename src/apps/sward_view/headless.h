@@ -32,6 +32,9 @@ public:
     /// Draws `frame`; frames come in ascending order.
     void draw(std::uint64_t frame);
 
+    /// Brings all that `frame` shows of a field that is streamed, as far as it fits.
+    void stream(std::uint64_t frame);
+
     /// Moves the blades to `frame` and draws nothing.
     void skip(std::uint64_t frame);
 
@@ -50,6 +53,7 @@ public:
     RunStats stats();
 
     std::vector<render::FieldRenderer::BladeRecord> blades() const;
+    bool isStreamed() const { return renderer_.isStreamed(); } ///< not all blades are there
     const gpu::Instance& instance() const { return instance_; }
 
 private:

@@ -8,29 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <utility>
 #include <vector>
 
 namespace sward::view {
-namespace {
-
-// The errors that `sward` itself knows keep their exit code.
-ErrorKind kindOf(const Baking& baking)
-{
-    if (baking.isCancelled())
-        return ErrorKind::interrupted;
-    constexpr std::array known{ErrorKind::usage, ErrorKind::io, ErrorKind::input,
-                               ErrorKind::unsupported, ErrorKind::interrupted};
-    const auto* const found = std::find_if(known.begin(), known.end(), [&](ErrorKind kind) {
-        return static_cast<int>(kind) == baking.exitCode();
-    });
-    return found == known.end() ? ErrorKind::runtime : *found;
-}
-
-} // namespace
-
 void Opening::open(Order order, MeadowWishes wishes)
 {
     loader_.reset();
@@ -82,7 +64,7 @@ std::optional<Opening::Opened> Opening::poll()
     if (baking() != nullptr && bakings_.back()->poll()) {
         const Baking& ended = *bakings_.back();
         if (!ended.succeeded()) {
-            const ErrorKind kind = kindOf(ended);
+            const ErrorKind kind = ended.errorKind();
             const std::string complaint = ended.complaint();
             bakings_.clear();
             fail(kind, "{}: no grass has grown on it: {}", sources_.back().input, complaint);

@@ -104,7 +104,8 @@ std::optional<PickedBlade> pickBlade(const render::FieldRenderer& renderer, cons
             break;
         const shared::Patch& cell = field.patches[candidate.patch];
         const auto records = renderer.dumpPatch(field, candidate.patch);
-        for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
+        // Nothing is read of what is not in memory, and nothing was drawn of it.
+        for (std::uint32_t i = 0; i < records.size(); ++i) {
             if (onlyDrawn && records[i].fate != shared::fateDrawn)
                 continue;
             const shared::Blade blade =
@@ -127,7 +128,10 @@ PickedBlade lookAgain(const render::FieldRenderer& renderer, const ShownField& s
                       const PickedBlade& picked)
 {
     PickedBlade again = picked;
-    again.now = renderer.dumpPatch(shown.view, picked.patch).at(picked.place);
+    const auto records = renderer.dumpPatch(shown.view, picked.patch);
+    if (records.empty())
+        return picked; // it has left the memory
+    again.now = records.at(picked.place);
     again.now.id = picked.now.id;
     return again;
 }

@@ -74,6 +74,7 @@ void drawFrames(const RenderOptions& options, const FrameNames& names, Headless&
         if (wanted && options.reference) {
             writePng(headless.reference(frame), names.of(frame), options.force);
         } else {
+            headless.stream(frame);
             headless.draw(frame);
             if (wanted)
                 writePng(headless.picture(), names.of(frame), options.force);
@@ -93,6 +94,9 @@ int render(const RenderOptions& options)
              options.frame.fields.size());
 
     Headless headless(options.frame, !options.dump.empty());
+    if (headless.isStreamed() && (options.reference || !options.dump.empty()))
+        fail(ErrorKind::usage, "{}: it asks for every blade; --gpu-memory has not room for all",
+             options.reference ? "--reference" : "--dump-blades");
     drawFrames(options, names, headless);
     const RunStats stats = headless.stats();
     log::info("{}: {}x{} pixels, {} of {} blades drawn on {}", names.of(options.lastFrame).string(),

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
+#include <span>
 
 namespace sward::embedded {
 std::span<const EmbeddedFile> shaders();
@@ -84,7 +86,9 @@ Viewer::Viewer(Window& window, const ViewerOptions& options)
     , options_(options)
     , instance_(createInstance(options.frame->validation, window.instanceExtensions()))
     , surface_(window.createSurface(instance_.get()))
-    , device_(instance_, {.selection = options.frame->device, .surface = surface_.get()})
+    , device_(instance_, {.selection = options.frame->device,
+                          .surface = surface_.get(),
+                          .wantsCopyQueue = options.frame->gpuMemory > 0})
     , swapchain_(device_.context(), surface_.get(), extentOf(window.drawableSize()))
     , interface_(instance_, device_, swapchain_, window.handle())
     , ring_(device_.context(), framesInFlight)
@@ -245,11 +249,13 @@ bool Viewer::draw()
                     gpu::ImageUse::colorTarget, gpu::ImageUse::present);
 
     // Everything but what touches the window's image may run while it is still shown.
-    const std::array waits{
+    std::array<VkSemaphoreSubmitInfo, 2> waits{
         semaphoreAt(target->available, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT |
                                            VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT)};
+    const auto copied = exhibit_ ? exhibit_->renderer().copied() : std::nullopt;
+    waits[1] = copied.value_or(waits[0]);
     const std::array signals{semaphoreAt(target->finished, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT)};
-    ring_.submit(frame, waits, signals);
+    ring_.submit(frame, std::span(waits).first(copied ? 2 : 1), signals);
     swapchain_.present(*target);
     if (!exhibit_)
         return true;

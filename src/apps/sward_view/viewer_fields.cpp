@@ -118,7 +118,9 @@ void Viewer::show(Opening::Opened opened)
             .samples = frame.samples.value_or(device_.isCpu() ? 1 : 4),
             .framesInFlight = 2,
             .geometry = geometryFor(device_, swapchain_.format(), stage_.automaticScale),
-            .recordFates = true},
+            .recordFates = true,
+            .deviceBytes = frame.gpuMemory,
+            .largestTarget = window_.screenSize()},
         goodShaders_, home, stage_.settings, aspect());
     device_.waitIdle();
 

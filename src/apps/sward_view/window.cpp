@@ -224,6 +224,18 @@ glm::uvec2 Window::drawableSize() const
     return {width, height};
 }
 
+glm::uvec2 Window::screenSize() const
+{
+    glm::uvec2 size = drawableSize();
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i)
+        if (const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]))
+            size = glm::max(size, glm::uvec2(static_cast<std::uint32_t>(mode->width),
+                                             static_cast<std::uint32_t>(mode->height)));
+    return size;
+}
+
 void Window::poll()
 {
     glfwPollEvents();

@@ -38,6 +38,9 @@ public:
     /// Size of the drawable area [pixels]; 0 while there is nothing to draw into.
     glm::uvec2 drawableSize() const;
 
+    /// Width and height that no screen exceeds [pixels].
+    glm::uvec2 screenSize() const;
+
     /// Takes in what has happened, without waiting.
     void poll();
 

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_buffer_reference_uvec2 : require
 // Reads every shared struct member by member and writes what it has read as a row of words.
+#include "shaders/shared/pages.h"
 #include "shaders/shared/passes.h"
 
 layout(local_size_x = 1) in;
@@ -14,6 +15,8 @@ SHARED_BUFFER(PyramidPushArray, PyramidPush, readonly)
 SHARED_BUFFER(ViewPushArray, ViewPush, readonly)
 SHARED_BUFFER(MotionPushArray, MotionPush, readonly)
 SHARED_BUFFER(GroundPushArray, GroundPush, readonly)
+SHARED_BUFFER(PagePushArray, PagePush, readonly)
+SHARED_BUFFER(GroundCullPushArray, GroundCullPush, readonly)
 
 struct Sources {
     PlainBladeArray blade;
@@ -40,6 +43,11 @@ struct Sources {
     GroundPushArray groundPush;
     MotionArray motion;
     MotionPushArray motionPush;
+    PageChangeArray pageChange;
+    PagePushArray pagePush;
+    GroundClusterArray groundCluster;
+    IndexedDrawArray indexedDraw;
+    GroundCullPushArray groundCullPush;
 };
 SHARED_BUFFER(SourcesArray, Sources, readonly)
 
@@ -168,6 +176,7 @@ void putFrame()
     put(uvec2(FRAME.patchTimes));
     put(uvec2(FRAME.patchCounts));
     put(uvec2(FRAME.fates));
+    put(uvec2(FRAME.pages));
     put(uvec2(FRAME.pyramid.depths));
     put(FRAME.pyramid.size);
     for (uint i = 0u; i < maxPyramidLevels; ++i)
@@ -314,12 +323,15 @@ void main()
     put(uvec2(sources.at[0].updatePush.at[1].owners));
     put(uvec2(sources.at[0].updatePush.at[1].views));
     put(uvec2(sources.at[0].updatePush.at[1].before));
+    put(uvec2(sources.at[0].updatePush.at[1].seenBefore));
     put(sources.at[0].updatePush.at[1].ownerCount);
     put(sources.at[0].updatePush.at[1].onlyUpdate);
     put(sources.at[0].updatePush.at[1].firstLive);
     put(sources.at[0].updatePush.at[1].mostLive);
     put(sources.at[0].updatePush.at[1].round);
+    put(sources.at[0].updatePush.at[1].lateRound);
     put(sources.at[0].updatePush.at[1].viewCount);
+    put(sources.at[0].updatePush.at[1].reserved);
 
     put(uvec2(sources.at[0].walkPush.at[1].judged));
     put(uvec2(sources.at[0].walkPush.at[1].subtrees));
@@ -339,6 +351,7 @@ void main()
     put(uvec2(sources.at[0].rasterPush.at[1].largeCount));
     put(uvec2(sources.at[0].rasterPush.at[1].owners));
     put(uvec2(sources.at[0].rasterPush.at[1].firstOwners));
+    put(uvec2(sources.at[0].rasterPush.at[1].seen));
     put(sources.at[0].rasterPush.at[1].size);
     put(sources.at[0].rasterPush.at[1].isBgr);
     put(sources.at[0].rasterPush.at[1].round);
@@ -352,12 +365,18 @@ void main()
     for (uint i = 0u; i < 3u; ++i)
         put(sources.at[0].walkLevel.at[1].groups[i]);
     put(sources.at[0].walkLevel.at[1].count);
-    put(sources.at[0].largePart.at[1].visible.blade);
-    put(sources.at[0].largePart.at[1].visible.patchIndex);
-    put(sources.at[0].largePart.at[1].visible.widthFactor);
-    put(sources.at[0].largePart.at[1].visible.pixels);
+    put(sources.at[0].largePart.at[1].v0);
+    put(sources.at[0].largePart.at[1].width);
+    put(sources.at[0].largePart.at[1].v1);
+    put(sources.at[0].largePart.at[1].fold);
+    put(sources.at[0].largePart.at[1].v2);
+    put(sources.at[0].largePart.at[1].segments);
+    put(sources.at[0].largePart.at[1].axis);
+    put(sources.at[0].largePart.at[1].tipThreshold);
+    put(sources.at[0].largePart.at[1].scale);
+    put(sources.at[0].largePart.at[1].shape);
+    put(sources.at[0].largePart.at[1].blade);
     put(sources.at[0].largePart.at[1].part);
-    put(sources.at[0].largePart.at[1].parts);
 
     put(uvec2(sources.at[0].pyramidPush.at[1].frame));
     put(sources.at[0].pyramidPush.at[1].level);
@@ -377,4 +396,40 @@ void main()
     put(sources.at[0].motion.at[1].reserved);
     put(uvec2(sources.at[0].motionPush.at[1].frame));
     put(uvec2(sources.at[0].motionPush.at[1].motion));
+
+    put(sources.at[0].pageChange.at[1].page);
+    put(sources.at[0].pageChange.at[1].place);
+    put(sources.at[0].pageChange.at[1].edges);
+    put(uvec2(sources.at[0].pagePush.at[1].changes));
+    put(uvec2(sources.at[0].pagePush.at[1].pages));
+    put(uvec2(sources.at[0].pagePush.at[1].states));
+    put(uvec2(sources.at[0].pagePush.at[1].patches));
+    put(uvec2(sources.at[0].pagePush.at[1].subtrees));
+    put(uvec2(sources.at[0].pagePush.at[1].patchTimes));
+    put(uvec2(sources.at[0].pagePush.at[1].patchCounts));
+    put(uvec2(sources.at[0].pagePush.at[1].owners));
+    put(uvec2(sources.at[0].pagePush.at[1].firstOwners));
+    put(sources.at[0].pagePush.at[1].ownerCount);
+    put(sources.at[0].pagePush.at[1].bladeCount);
+    put(sources.at[0].pagePush.at[1].settledAt);
+    put(sources.at[0].pagePush.at[1].reserved);
+
+    put(sources.at[0].groundCluster.at[1].low);
+    put(sources.at[0].groundCluster.at[1].firstIndex);
+    put(sources.at[0].groundCluster.at[1].high);
+    put(sources.at[0].groundCluster.at[1].indexCount);
+
+    put(sources.at[0].indexedDraw.at[1].indexCount);
+    put(sources.at[0].indexedDraw.at[1].instanceCount);
+    put(sources.at[0].indexedDraw.at[1].firstIndex);
+    put(sources.at[0].indexedDraw.at[1].vertexOffset);
+    put(sources.at[0].indexedDraw.at[1].firstInstance);
+
+    put(uvec2(sources.at[0].groundCullPush.at[1].frame));
+    put(uvec2(sources.at[0].groundCullPush.at[1].clusters));
+    put(uvec2(sources.at[0].groundCullPush.at[1].draws));
+    put(uvec2(sources.at[0].groundCullPush.at[1].seen));
+    put(uvec2(sources.at[0].groundCullPush.at[1].drawCount));
+    put(sources.at[0].groundCullPush.at[1].clusterCount);
+    put(sources.at[0].groundCullPush.at[1].looksForHidden);
 }

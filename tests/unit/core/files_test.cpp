@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -94,6 +95,18 @@ TEST_F(Files, InMissingFoldersAreRefused)
 {
     EXPECT_THROW(AtomicFile(folder / "no" / "a", false), Error);
     EXPECT_THROW(refuseOverwrite(folder, true), Error);
+}
+
+TEST_F(Files, AreInMemoryOnceTheyHaveBeenRead)
+{
+    std::ofstream(folder / "large") << std::string(1'000'000, 'x');
+    const MappedFile file(folder / "large");
+    bringIntoMemory(file.bytes());
+    EXPECT_EQ(std::count(file.bytes().begin(), file.bytes().end(), std::byte{'x'}), 1'000'000);
+    EXPECT_TRUE(isInMemory(file.bytes()));
+    EXPECT_TRUE(isInMemory(file.bytes().subspan(4095, 70'000)));
+    EXPECT_TRUE(isInMemory({}));
+    bringIntoMemory({});
 }
 
 TEST_F(Files, AreMappedAsTheyAre)

@@ -98,8 +98,10 @@ void drawShown(Controls& controls, Stage& stage)
 {
     if (stage.field->members.size() > 1)
         drawMembers(controls, stage);
-    controls.fact("Resident", countText(stage.counts.resident),
-                  "Blades in the device's memory; streaming is not in this version, so all are");
+    controls.fact("Resident", countText(stage.counts.resident), "Blades in the device's memory");
+    if (stage.counts.streamedOut > 0)
+        controls.fact("Streamed out", countText(stage.counts.streamedOut),
+                      "Blades that wait in the file until they are seen and there is room");
     controls.fact("On the device", bytesText(stage.deviceBytes),
                   "Memory that fields, ground and pictures take");
     if (stage.field->members.size() > 1)

@@ -1,0 +1,50 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_buffer_reference_uvec2 : require
+// Notes which pages of blades have come into memory and which leave it: their places, what stands
+// below each node of the patch tree, and that blades which come stand at rest. One work-group per
+// page.
+#include "shaders/shared/pages.h"
+#include "shaders/shared/passes.h"
+
+layout(local_size_x = pageThreads) in;
+layout(push_constant, scalar) uniform Block { PagePush push; };
+
+/// Counts a patch as there, or as gone, on itself and on all nodes above it.
+void count(uint patchIndex, uint blades)
+{
+    CountedSubtreeArray subtrees = push.subtrees;
+    for (uint node = patchIndex; node != noPatch; node = push.patches.at[node].parent)
+        atomicAdd(subtrees.at[node].blades, blades);
+}
+
+void main()
+{
+    const uint thread = gl_LocalInvocationIndex;
+    const PageChange change = push.changes.at[gl_WorkGroupID.x];
+    const uint first = change.page * pageBlades;
+    const uint end = min(first + pageBlades, push.bladeCount);
+    const bool comes = change.place != noPlace;
+    if (thread == 0u)
+        push.pages.at[change.page] = change.place;
+    for (uint i = thread; comes && i < end - first; i += pageThreads)
+        push.states.at[change.place + i] = BladeState(0u, 0u);
+
+    // Patches that begin on the page, and the one that may have begun before.
+    for (uint owner = push.firstOwners.at[first / ownerStride] + thread; owner < push.ownerCount;
+         owner += pageThreads) {
+        const uint patchIndex = push.owners.at[owner];
+        const Patch cell = push.patches.at[patchIndex];
+        if (cell.firstBlade >= end)
+            break;
+        const bool isLow = cell.firstBlade < first;
+        const bool isHigh = cell.firstBlade + cell.bladeCount > end;
+        if ((isLow && (change.edges & lowEdge) == 0u) || (isHigh && (change.edges & highEdge) == 0u))
+            continue;
+        if (comes) {
+            push.patchTimes.at[patchIndex] = push.settledAt;
+            push.patchCounts.at[patchIndex] = 0u;
+        }
+        count(patchIndex, comes ? cell.bladeCount : 0u - cell.bladeCount);
+    }
+}

@@ -1,0 +1,34 @@
+// Whether what has been drawn so far hides a rectangle of the screen. FRAME is the frame whose pyramid
+// is asked.
+#ifndef SWARD_RASTER_HIDDEN_RECTANGLE_GLSL
+#define SWARD_RASTER_HIDDEN_RECTANGLE_GLSL
+
+#define PYRAMID FRAME.pyramid
+#include "shaders/culling/behind_pyramid.glsl"
+#include "shaders/grass/pages.glsl"
+
+/// Whether nothing between `low` and `high` [pixels] can be seen whose reversed depth is `nearest` at
+/// most. What lies beside the picture is not seen, either.
+bool rectangleHidden(vec2 low, vec2 high, float nearest)
+{
+    const vec2 last = vec2(PYRAMID.size) - 1.0;
+    if (any(lessThan(high, vec2(0.0))) || any(greaterThan(low, last + 1.0)))
+        return true;
+    ScreenBox box;
+    box.low = ivec2(clamp(floor(low), vec2(0.0), last));
+    box.high = ivec2(clamp(floor(high), vec2(0.0), last));
+    box.nearest = nearest;
+    box.isKnown = true;
+    return behindPyramid(box);
+}
+
+/// Moves a blade from those that are drawn to those that are hidden.
+void noteHidden(uint blade)
+{
+    atomicAdd(FRAME.draw.at[0].fates[fateDrawn], 0xffffffffu);
+    atomicAdd(FRAME.draw.at[0].fates[fateOcclusion], 1u);
+    if (uvec2(FRAME.fates) != uvec2(0u))
+        FRAME.fates.at[placeOf(uvec2(FRAME.pages), blade)] = fateOcclusion;
+}
+
+#endif

@@ -1,0 +1,128 @@
+#include "gpu/barrier.h"
+#include "gpu/image_use.h"
+#include "render/field_renderer_parts.h"
+#include "render/pass_scope.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace sward::render {
+
+gpu::ColorAttachment FieldRenderer::Parts::colorAttachment(const Target& target) const
+{
+    gpu::ColorAttachment color{
+        .view = target.view, .resolve = VK_NULL_HANDLE, .clear = std::nullopt};
+    if (attachments.hasColor())
+        color.view = attachments.color().view();
+    return color;
+}
+
+void FieldRenderer::Parts::drawSolid(VkCommandBuffer commands, const Target& target,
+                                     std::uint32_t slot, gpu::Timestamps* timestamps)
+{
+    gpu::transition(commands, attachments.depth(), gpu::ImageUse::undefined,
+                    gpu::ImageUse::depthTarget);
+    const VkDeviceAddress frame = slots[slot].frame.address();
+    const gpu::DepthAttachment depth{.view = attachments.depth().view(), .clear = 0.0f};
+    const VkExtent2D extent{target.size.x, target.size.y};
+    const PassScope scope(context, commands, timestamps, "ground");
+    solid.recordCull(commands, frame, false);
+    if (raster) {
+        const gpu::RenderingScope rendering(commands, extent, {}, depth);
+        solid.recordDepth(commands, frame);
+        return;
+    }
+    if (attachments.hasColor())
+        gpu::transition(commands, attachments.color(), gpu::ImageUse::undefined,
+                        gpu::ImageUse::colorTarget);
+    gpu::ColorAttachment color = colorAttachment(target);
+    color.clear = std::array{0.0f, 0.0f, 0.0f, 1.0f};
+    const gpu::RenderingScope rendering(commands, extent, std::span(&color, 1), depth);
+    solid.record(commands, frame, {});
+}
+
+void FieldRenderer::Parts::lightSolid(VkCommandBuffer commands, const Target& target,
+                                      std::uint32_t slot, bool looksForHidden,
+                                      gpu::Timestamps* timestamps)
+{
+    const PassScope scope(context, commands, timestamps, "ground");
+    solid.recordCull(commands, slots[slot].frame.address(), looksForHidden);
+    gpu::transition(commands, attachments.depth(), gpu::ImageUse::sampled,
+                    gpu::ImageUse::depthTarget);
+    gpu::transition(commands, attachments.color(), gpu::ImageUse::sampled,
+                    gpu::ImageUse::colorTarget);
+    {
+        gpu::ColorAttachment color = colorAttachment(target);
+        color.clear = std::array{0.0f, 0.0f, 0.0f, 1.0f};
+        const gpu::DepthAttachment depth{.view = attachments.depth().view(), .clear = std::nullopt};
+        const gpu::RenderingScope rendering(commands, {target.size.x, target.size.y},
+                                            std::span(&color, 1), depth);
+        solid.record(commands, slots[slot].frame.address(), {raster->visibility(), target.size.x});
+    }
+    gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
+                    gpu::ImageUse::sampled);
+    gpu::transition(commands, attachments.color(), gpu::ImageUse::colorTarget,
+                    gpu::ImageUse::sampled);
+}
+
+void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, std::uint32_t slot,
+                                           gpu::Timestamps* timestamps)
+{
+    gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
+                    gpu::ImageUse::sampled);
+    {
+        const PassScope scope(context, commands, timestamps, "pyramid");
+        // The frame before may still be looking at what is filled anew.
+        gpu::memoryBarrier(commands, gpu::computeAccess, gpu::computeAccess);
+        pyramid.record(commands, slots[slot].frame.address());
+    }
+    gpu::transition(commands, attachments.depth(), gpu::ImageUse::sampled,
+                    gpu::ImageUse::depthTarget);
+}
+
+void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& target,
+                                      std::uint32_t slot, gpu::Timestamps* timestamps)
+{
+    gpu::ColorAttachment color = colorAttachment(target);
+    color.resolve = tessellated->begin(commands);
+    color.isKept = color.resolve == VK_NULL_HANDLE;
+    gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
+                    gpu::ImageUse::depthTarget);
+    gpu::transition(commands, attachments.hasColor() ? attachments.color().get() : target.image,
+                    VK_IMAGE_ASPECT_COLOR_BIT, gpu::ImageUse::colorTarget,
+                    gpu::ImageUse::colorTarget);
+    const gpu::DepthAttachment depth{
+        .view = attachments.depth().view(), .clear = std::nullopt, .isKept = false};
+
+    const gpu::RenderingScope rendering(commands, {target.size.x, target.size.y},
+                                        std::span(&color, 1), depth);
+    tessellated->record(commands, blades.buffers(), slots[slot].frame.address(), timestamps);
+}
+
+void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, const RasterPass::Input& input,
+                                        gpu::Timestamps* timestamps)
+{
+    gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
+                    gpu::ImageUse::sampled);
+    // Bound with the depth, and not read yet.
+    gpu::transition(commands, attachments.color(), gpu::ImageUse::undefined,
+                    gpu::ImageUse::sampled);
+    const std::uint64_t patches =
+        streaming ? streaming->residentPatches() : std::numeric_limits<std::uint64_t>::max();
+    RasterRounds{context, blades, *raster, pyramid, blades.buffers().roundCount(patches)}.record(
+        commands, input, timestamps);
+}
+
+void FieldRenderer::Parts::resolve(VkCommandBuffer commands, const Target& target,
+                                   const RasterPass::Input& input, gpu::Timestamps* timestamps)
+{
+    const PassScope scope(context, commands, timestamps, "resolve");
+    raster->recordResolve(commands, input, paintsWind);
+    gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, gpu::ImageUse::colorTarget,
+                    gpu::ImageUse::transferTarget);
+    raster->copyTo(commands, target.image);
+    gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT,
+                    gpu::ImageUse::transferTarget, gpu::ImageUse::colorTarget);
+}
+
+} // namespace sward::render

@@ -1,0 +1,83 @@
+#include "render/ground_clusters.h"
+
+#include "core/bounds.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace sward::render {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// The lowest 21 bits of `x`, with two zeros between each and the next.
+std::uint64_t spread(std::uint64_t x)
+{
+    x &= 0x1fffff;
+    x = (x | x << 32) & 0x1f00000000ffff;
+    x = (x | x << 16) & 0x1f0000ff0000ff;
+    x = (x | x << 8) & 0x100f00f00f00f00f;
+    x = (x | x << 4) & 0x10c30c30c30c30c3;
+    return (x | x << 2) & 0x1249249249249249;
+}
+
+/// Place along a Z-curve through a cube of side `side` at `low`.
+std::uint64_t mortonCode(glm::vec3 point, glm::vec3 low, float side)
+{
+    constexpr float steps = 2097151.0f;
+    const glm::vec3 cell = glm::clamp((point - low) / side, 0.0f, 1.0f) * steps;
+    return spread(static_cast<std::uint64_t>(cell.x)) |
+           spread(static_cast<std::uint64_t>(cell.y)) << 1 |
+           spread(static_cast<std::uint64_t>(cell.z)) << 2;
+}
+
+} // namespace
+
+std::vector<shared::GroundCluster> clusterTrianglesOf(std::span<const shared::GroundVertex> corners,
+                                                      std::span<std::uint32_t> indices,
+                                                      std::uint32_t firstIndex)
+{
+    const std::size_t count = indices.size() / 3;
+    const auto corner = [&](std::size_t i) { return corners[indices[i]].position; };
+    Aabb all;
+    for (std::size_t i = 0; i < indices.size(); ++i)
+        all.add(corner(i));
+    const glm::vec3 size = all.size();
+    const float side = std::max(std::max(size.x, size.y), std::max(size.z, 1e-6f));
+
+    struct Placed {
+        std::uint64_t code;
+        std::uint32_t triangle;
+    };
+    std::vector<Placed> order(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::vec3 middle =
+            (corner(3 * i) + corner(3 * i + 1) + corner(3 * i + 2)) * (1.0f / 3.0f);
+        order[i] = {mortonCode(middle, all.low, side), static_cast<std::uint32_t>(i)};
+    }
+    std::sort(order.begin(), order.end(), [](const Placed& a, const Placed& b) {
+        return a.code != b.code ? a.code < b.code : a.triangle < b.triangle;
+    });
+    std::vector<Triangle> sorted(count);
+    for (std::size_t i = 0; i < count; ++i)
+        std::copy_n(indices.begin() + std::ptrdiff_t(3) * order[i].triangle, 3, sorted[i].begin());
+    for (std::size_t i = 0; i < count; ++i)
+        std::copy_n(sorted[i].begin(), 3, indices.begin() + static_cast<std::ptrdiff_t>(3 * i));
+
+    std::vector<shared::GroundCluster> clusters;
+    clusters.reserve((count + clusterTriangles - 1) / clusterTriangles);
+    for (std::size_t first = 0; first < count; first += clusterTriangles) {
+        const std::size_t end = std::min<std::size_t>(first + clusterTriangles, count);
+        Aabb box;
+        for (std::size_t i = 3 * first; i < 3 * end; ++i)
+            box.add(corner(i));
+        clusters.push_back({.low = box.low,
+                            .firstIndex = firstIndex + static_cast<std::uint32_t>(3 * first),
+                            .high = box.high,
+                            .indexCount = static_cast<std::uint32_t>(3 * (end - first))});
+    }
+    return clusters;
+}
+
+} // namespace sward::render

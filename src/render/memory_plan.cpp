@@ -1,0 +1,130 @@
+#include "render/memory_plan.h"
+
+#include "core/error.h"
+#include "shaders/shared/pages.h"
+#include "shaders/shared/passes.h"
+
+#include <algorithm>
+
+namespace sward::render {
+namespace {
+
+using shared::pageBlades;
+
+/// Fewer pages than these draw no meadow: a page of each is coming, seen, or leaving.
+constexpr std::uint64_t leastPages = 16;
+
+/// What one frame brings at most [bytes]: copied in half a millisecond or so, and 240 MiB in a
+/// second of 60 frames.
+constexpr std::uint64_t mostFrameBytes = std::uint64_t(4) << 20;
+
+/// A round of the rasteriser takes a patch for so many places of blades: 2 bytes for each of them,
+/// and some 30 rounds where patches hold 70 blades, few of them with anything to do.
+constexpr std::uint64_t bladesPerRoundPatch = 2048;
+constexpr std::uint64_t leastRoundPatches = 64;
+
+/// Levels of the walk, counts, and species: a few of each.
+constexpr std::uint64_t smallBytes = std::uint64_t(64) << 10;
+
+/// Patches, what is below them, when they moved, and the lists of the walk.
+std::uint64_t treeBytes(const field::FieldView& field)
+{
+    constexpr std::uint64_t perPatch = sizeof(shared::Patch) + sizeof(shared::Subtree) +
+                                       sizeof(float) + sizeof(std::uint32_t) +
+                                       2 * sizeof(std::uint32_t) + sizeof(shared::LivePatch);
+    return field.patches.size() * perPatch +
+           (field.blades.size() / shared::ownerStride + 1) * sizeof(std::uint32_t) + smallBytes;
+}
+
+std::uint64_t bytesPerPlace(const FieldBuffers::Records& records)
+{
+    return sizeof(shared::PackedBlade) + sizeof(shared::BladeState) +
+           (records.list ? sizeof(shared::VisibleBlade) : 0) +
+           (records.fates ? sizeof(std::uint32_t) : 0);
+}
+
+std::uint64_t roundBytes(std::uint64_t roundPatches, std::uint64_t patches, std::uint64_t places)
+{
+    return std::min(roundPatches * shared::maxPatchBlades, places) * sizeof(shared::VisibleBlade) +
+           2 * (patches / roundPatches + 1) * sizeof(shared::WalkLevel);
+}
+
+std::uint64_t MiB(std::uint64_t bytes)
+{
+    return (bytes + (std::uint64_t(1) << 20) - 1) >> 20;
+}
+
+std::uint64_t roundPatchesOf(std::uint64_t places)
+{
+    return std::clamp<std::uint64_t>(places / bladesPerRoundPatch, leastRoundPatches, 65536);
+}
+
+Streaming::Settings streamingOf(std::uint64_t pages, const MemoryBudget& budget)
+{
+    // Small pools are not turned over in a frame.
+    const std::uint64_t pageBytes = pageBlades * sizeof(shared::PackedBlade);
+    return {.framesInFlight = budget.framesInFlight,
+            .frameBytes =
+                std::min(mostFrameBytes, std::max<std::uint64_t>(pages / 8, 1) * pageBytes),
+            .waitsForDisk = budget.waitsForDisk};
+}
+
+/// Bytes of a field's buffers with so many pages of its blades.
+std::uint64_t pagedBytes(const field::FieldView& field, const FieldBuffers::Records& records,
+                         const MemoryBudget& budget, std::uint64_t pages)
+{
+    const std::uint64_t places = pages * pageBlades;
+    const std::uint64_t table = (field.blades.size() / pageBlades + 1) * sizeof(std::uint32_t);
+    const std::uint64_t rounds =
+        records.list ? 0 : roundBytes(roundPatchesOf(places), field.patches.size(), places);
+    return treeBytes(field) + table + places * bytesPerPlace(records) + rounds +
+           Streaming::bytesFor(streamingOf(pages, budget));
+}
+
+} // namespace
+
+std::uint64_t wholeBytes(const field::FieldView& field, const FieldBuffers::Records& records)
+{
+    const std::uint64_t places = field.blades.size();
+    const std::uint64_t patches = field.patches.size();
+    const std::uint64_t rounds =
+        records.list ? 0
+                     : roundBytes(std::max<std::uint64_t>(records.roundPatches,
+                                                          patches / shared::mostRounds + 1),
+                                  patches, places);
+    return treeBytes(field) + places * bytesPerPlace(records) + rounds;
+}
+
+MemoryPlan planFor(const field::FieldView& field, const FieldBuffers::Records& wanted,
+                   const MemoryBudget& budget)
+{
+    MemoryPlan plan{.records = wanted, .streaming = {}};
+    const std::uint64_t whole = budget.others + wholeBytes(field, wanted);
+    if (whole <= budget.bytes)
+        return plan;
+
+    // As many pages as fit, found by halving.
+    std::uint64_t fit = 0;
+    std::uint64_t tooMany = field.blades.size() / pageBlades + 1;
+    while (tooMany - fit > 1) {
+        const std::uint64_t pages = (fit + tooMany) / 2;
+        const bool fits = budget.others + pagedBytes(field, wanted, budget, pages) <= budget.bytes;
+        (fits ? fit : tooMany) = pages;
+    }
+    const std::uint64_t least = std::min(leastPages, field.blades.size() / pageBlades);
+    if (fit < std::max<std::uint64_t>(least, 1))
+        fail(ErrorKind::runtime,
+             "a budget of {} MiB of device memory is too small for the field's {} blades in {} "
+             "patches: at least {} MiB are needed to show some of them, {} MiB for all",
+             budget.bytes >> 20, field.blades.size(), field.patches.size(),
+             std::min(MiB(budget.others +
+                          pagedBytes(field, wanted, budget, std::max<std::uint64_t>(least, 1))),
+                      MiB(whole)),
+             MiB(whole));
+    plan.records.pages = static_cast<std::uint32_t>(fit);
+    plan.records.roundPatches = static_cast<std::uint32_t>(roundPatchesOf(fit * pageBlades));
+    plan.streaming = streamingOf(fit, budget);
+    return plan;
+}
+
+} // namespace sward::render

@@ -1,0 +1,59 @@
+#include "render/raster_rounds.h"
+
+#include "gpu/barrier.h"
+#include "render/pass_scope.h"
+
+namespace sward::render {
+
+void RasterRounds::record(VkCommandBuffer commands, const RasterPass::Input& input,
+                          gpu::Timestamps* timestamps) const
+{
+    {
+        const PassScope scope(context, commands, timestamps, "blades");
+        raster.recordBegin(commands, input);
+    }
+    using Turn = RasterPass::Turn;
+    for (std::uint32_t round = 0; round < rounds; ++round) {
+        recordFirst(commands, input, round, timestamps);
+        if (!input.findsHidden)
+            continue;
+        // Most live patches are those of the first round: what they show hides the rest.
+        if (round == 0)
+            recordPyramid(commands, input, timestamps);
+        gpu::computeToCompute(commands);
+        const PassScope scope(context, commands, timestamps, "blades");
+        raster.recordBlades(commands, input, round, Turn::late);
+    }
+    gpu::computeToCompute(commands);
+    const PassScope scope(context, commands, timestamps, "blades");
+    raster.recordLarge(commands, input, input.findsHidden ? Turn::late : Turn::first);
+}
+
+void RasterRounds::recordFirst(VkCommandBuffer commands, const RasterPass::Input& input,
+                               std::uint32_t round, gpu::Timestamps* timestamps) const
+{
+    // The round before draws from the list that is filled anew.
+    if (round > 0)
+        gpu::computeToCompute(commands);
+    blades.moveAndList(commands, input.judged, round, input.findsHidden ? raster.seen() : 0,
+                       timestamps);
+    gpu::computeToCompute(commands);
+    const PassScope scope(context, commands, timestamps, "blades");
+    raster.recordBlades(commands, input, round, RasterPass::Turn::first);
+}
+
+void RasterRounds::recordPyramid(VkCommandBuffer commands, const RasterPass::Input& input,
+                                 gpu::Timestamps* timestamps) const
+{
+    gpu::computeToCompute(commands);
+    {
+        const PassScope scope(context, commands, timestamps, "blades");
+        raster.recordLarge(commands, input, RasterPass::Turn::first);
+        raster.recordNoLarge(commands);
+    }
+    const PassScope scope(context, commands, timestamps, "pyramid");
+    raster.recordDepths(commands, input);
+    pyramid.recordCoarser(commands, input.frame);
+}
+
+} // namespace sward::render

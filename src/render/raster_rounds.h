@@ -1,0 +1,37 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/timestamps.h"
+#include "render/depth_pyramid.h"
+#include "render/moving_blades.h"
+#include "render/raster_pass.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+
+namespace sward::render {
+
+/// Moves, judges and rasterises the live blades of a frame, as many at a time as the list holds.
+/// Where blades hide others, those that the frame before has shown come first; what they hide is
+/// left out of the rest.
+struct RasterRounds {
+    const gpu::DeviceContext& context;
+    const MovingBlades& blades;
+    RasterPass& raster;
+    const DepthPyramid& pyramid; ///< of the frame
+    std::uint32_t rounds;        ///< as many as the live patches may need
+
+    /// After MovingBlades::findLive(), with the pictures in ImageUse::sampled. `input` says whether
+    /// blades hide others; then the frame describes the pyramid and judges by its own camera.
+    void record(VkCommandBuffer commands, const RasterPass::Input& input,
+                gpu::Timestamps* timestamps) const;
+
+private:
+    void recordFirst(VkCommandBuffer commands, const RasterPass::Input& input, std::uint32_t round,
+                     gpu::Timestamps* timestamps) const;
+    void recordPyramid(VkCommandBuffer commands, const RasterPass::Input& input,
+                       gpu::Timestamps* timestamps) const;
+};
+
+} // namespace sward::render

@@ -1,0 +1,293 @@
+#include "render/residency.h"
+
+#include "core/expect.h"
+#include "render/patch_tree.h"
+#include "shaders/shared/visibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace sward::render {
+namespace {
+
+using shared::noPlace;
+using shared::pageBlades;
+
+/// Grades are a quarter of an octave apart: what is ranked anew while the eye moves a little stays
+/// where it is.
+constexpr float gradesPerOctave = 4.0f;
+
+/// Grades above it are those of patches in sight of which level of detail draws something.
+constexpr std::uint8_t seenGrade = 8;
+
+/// The coarsest blades of each place, which stand for all of them.
+constexpr std::uint8_t coarseGrade = 72;
+constexpr std::uint32_t gradeCount = coarseGrade + 1;
+
+/// What is not drawn, but would be if it were half as far away, is worth being there.
+constexpr float leastWorth = 0.5f;
+
+/// Blades are drawn as if level of detail began at a width so many times larger, at most: they
+/// would be taken for others. What is still missing then is missing in the picture, too.
+constexpr float mostThinning = 8.0f;
+
+constexpr std::uint32_t outsideBit = 0x80000000u;
+
+/// So many places are looked at for a page that may leave.
+constexpr std::uint32_t mostLooks = 4096;
+
+/// `worth` is how many times wider blades are seen at a patch than where level of detail draws its
+/// first one.
+std::uint8_t gradeOf(float worth, float rank, bool outside)
+{
+    if (rank <= 0.0f)
+        return coarseGrade;
+    const bool isSeen = !outside && worth > 1.0f;
+    // What is out of sight, near before far, comes after all that is seen.
+    const float score = isSeen ? worth : worth / (1.0f + worth);
+    const float grade = std::ceil(gradesPerOctave * std::log2(score)) + seenGrade;
+    return static_cast<std::uint8_t>(std::clamp(grade, 0.0f, float(coarseGrade - 1)));
+}
+
+} // namespace
+
+Residency::Residency(const field::FieldView& field, std::uint32_t places)
+    : field_(field)
+    , subtrees_(subtreesOf(field))
+    , pages_((field.blades.size() + pageBlades - 1) / pageBlades)
+    , pageAt_(places, noPlace)
+    , wanted_(gradeCount)
+{
+    expect(places > 0, "there is room for a page");
+    free_.reserve(places);
+    for (std::uint32_t place = places; place-- > 0;)
+        free_.push_back(place);
+    queue_.reserve(field.patches.size());
+    missing_.reserve(pages_.size());
+    order_.reserve(pages_.size());
+    for (const shared::Patch& cell : field.patches) {
+        if (cell.bladeCount == 0)
+            continue;
+        Page& first = pages_[cell.firstBlade / pageBlades];
+        const std::uint32_t inFirst =
+            std::min(pageBlades - cell.firstBlade % pageBlades, cell.bladeCount);
+        ++first.begun;
+        if (inFirst == cell.bladeCount)
+            continue;
+        first.high = static_cast<std::uint16_t>(inFirst);
+        pages_[cell.firstBlade / pageBlades + 1].low =
+            static_cast<std::uint16_t>(cell.bladeCount - inFirst);
+    }
+}
+
+bool Residency::survey(const shared::Eyepoint& view, float threshold, std::uint32_t most)
+{
+    if (field_.patches.empty())
+        return true;
+    if (visited_ == queue_.size()) {
+        // Who stands still and lacks nothing need not look again, unless what was wanted has left.
+        const bool isSame = number_ > 0 && std::memcmp(&view, &view_, sizeof view) == 0;
+        if (isSame && !lacks() && !hasGivenUp_)
+            return true;
+        hasGivenUp_ = false;
+        fruitless_ = isSame ? fruitless_ : 0;
+        view_ = view;
+        threshold_ = threshold;
+        queue_.clear();
+        queue_.push_back(0);
+        visited_ = 0;
+        ++number_;
+        std::ranges::fill(wanted_, 0u);
+        missing_.clear();
+    }
+    for (; most > 0 && visited_ < queue_.size(); --most)
+        visit(queue_[visited_++]);
+    if (visited_ < queue_.size())
+        return false;
+    finish();
+    return true;
+}
+
+void Residency::visit(std::uint32_t entry)
+{
+    const std::uint32_t node = entry & ~outsideBit;
+    const shared::Patch& cell = field_.patches[node];
+    const shared::Subtree& below = subtrees_[node];
+    const bool outside =
+        (entry & outsideBit) != 0 || shared::patchCulled(view_, cell, below.widest);
+    const float distance = shared::boxDistance(view_.eye, cell.boundsLow, cell.boundsHigh);
+    const float width = view_.lodWidth * view_.pixelsPerUnit / std::max(distance, 1e-6f);
+    const float share = width / std::max(threshold_, 1e-6f);
+    const auto worthOf = [share](float rank) { return share / std::max(rank, 1e-6f); };
+
+    if (cell.bladeCount > 0 && worthOf(cell.rankLow) > leastWorth)
+        want(cell, gradeOf(worthOf(cell.rankLow), cell.rankLow, outside));
+    if (cell.childCount == 0 || worthOf(below.rankBelow) <= leastWorth)
+        return;
+    for (std::uint32_t child = 0; child < cell.childCount; ++child)
+        queue_.push_back((cell.firstChild + child) | (outside ? outsideBit : 0u));
+}
+
+void Residency::want(const shared::Patch& cell, std::uint8_t grade)
+{
+    const std::uint32_t last = (cell.firstBlade + cell.bladeCount - 1) / pageBlades;
+    for (std::uint32_t index = cell.firstBlade / pageBlades; index <= last; ++index) {
+        Page& page = pages_[index];
+        if (page.survey != number_) {
+            page.survey = number_;
+            page.grade = grade;
+            ++wanted_[grade];
+            if (page.state != State::there)
+                missing_.push_back(index);
+        } else if (grade > page.grade) {
+            --wanted_[page.grade];
+            ++wanted_[grade];
+            page.grade = grade;
+        }
+    }
+}
+
+void Residency::finish()
+{
+    lastNumber_ = number_;
+    // How far down they fit.
+    std::uint64_t total = 0;
+    std::uint32_t grade = gradeCount;
+    while (grade > 0 && total + wanted_[grade - 1] <= pageAt_.size())
+        total += wanted_[--grade];
+    leastGrade_ = static_cast<std::uint8_t>(grade == 0 ? 0 : grade - 1);
+
+    // The best first; alike, in level order.
+    std::vector<std::uint32_t>& ends = wanted_; // it has told what it had to
+    std::ranges::fill(ends, 0u);
+    for (const std::uint32_t page : missing_)
+        ++ends[pages_[page].grade];
+    std::uint32_t before = 0;
+    for (std::uint32_t g = gradeCount; g-- > 0;)
+        before += std::exchange(ends[g], before);
+    order_.resize(missing_.size());
+    for (const std::uint32_t page : missing_)
+        order_[ends[pages_[page].grade]++] = page;
+    asked_ = 0;
+    firstMissing_ = 0;
+    skipPresent();
+}
+
+// Some have come while the others were looked for.
+void Residency::skipPresent()
+{
+    while (firstMissing_ < order_.size() && isThere(order_[firstMissing_]))
+        ++firstMissing_;
+}
+
+std::optional<std::uint32_t> Residency::next()
+{
+    while (asked_ < order_.size() && pages_[order_[asked_]].state != State::absent)
+        ++asked_;
+    if (asked_ == order_.size() || pages_[order_[asked_]].grade < leastGrade_)
+        return std::nullopt;
+    return order_[asked_++];
+}
+
+std::optional<std::uint32_t> Residency::take(std::uint32_t index)
+{
+    Page& page = pages_[index];
+    expect(page.state == State::absent, "the page is not there");
+    if (free_.empty())
+        return std::nullopt;
+    page.place = free_.back();
+    page.state = State::coming;
+    free_.pop_back();
+    pageAt_[page.place] = index;
+    return page.place;
+}
+
+shared::PageChange Residency::arrive(std::uint32_t index)
+{
+    expect(pages_[index].state == State::coming, "the page is on its way");
+    pages_[index].state = State::there;
+    skipPresent();
+    return change(index, true);
+}
+
+std::optional<Residency::Gone> Residency::leave(std::uint32_t waiting)
+{
+    if (asked_ + waiting >= order_.size())
+        return std::nullopt;
+    const std::uint8_t better = pages_[order_[asked_ + waiting]].grade;
+    if (better < leastGrade_)
+        return std::nullopt;
+    for (std::uint32_t looks = 0; looks < mostLooks && fruitless_ < pageAt_.size();
+         ++looks, ++fruitless_) {
+        const std::uint32_t index = pageAt_[hand_];
+        hand_ = (hand_ + 1) % static_cast<std::uint32_t>(pageAt_.size());
+        if (index == noPlace || pages_[index].state != State::there)
+            continue;
+        Page& page = pages_[index];
+        const bool isWanted = page.survey >= lastNumber_;
+        if (isWanted && (page.grade > leastGrade_ || page.grade >= better))
+            continue;
+        pageAt_[page.place] = noPlace;
+        page.state = State::leaving;
+        hasGivenUp_ = hasGivenUp_ || isWanted;
+        fruitless_ = 0;
+        return Gone{change(index, false), page.place};
+    }
+    return std::nullopt;
+}
+
+void Residency::free(const Gone& gone)
+{
+    expect(pages_[gone.change.page].state == State::leaving, "the page has left");
+    pages_[gone.change.page].state = State::absent;
+    free_.push_back(gone.place);
+}
+
+bool Residency::isThere(std::uint32_t page) const
+{
+    return page < pages_.size() && pages_[page].state == State::there;
+}
+
+shared::PageChange Residency::change(std::uint32_t index, bool comes)
+{
+    // Patches on an edge come and go with the later one and the earlier one of their pages.
+    const Page& page = pages_[index];
+    const bool low = page.low > 0 && isThere(index - 1);
+    const bool high = page.high > 0 && isThere(index + 1);
+    const std::size_t own =
+        std::min<std::size_t>(pageBlades, field_.blades.size() - std::size_t(index) * pageBlades);
+    std::uint64_t blades = own - page.low - page.high;
+    if (low)
+        blades += std::uint32_t(page.low) + pages_[index - 1].high;
+    if (high)
+        blades += std::uint32_t(page.high) + pages_[index + 1].low;
+    blades_ += comes ? blades : std::uint64_t(0) - blades;
+    patches_ += comes ? page.begun : std::uint64_t(0) - page.begun;
+    return {.page = index,
+            .place = comes ? page.place * pageBlades : noPlace,
+            .edges = (low ? shared::lowEdge : 0u) | (high ? shared::highEdge : 0u)};
+}
+
+// Pages that would fit, some or all of them.
+bool Residency::lacks() const
+{
+    return firstMissing_ < order_.size() && pages_[order_[firstMissing_]].grade >= leastGrade_;
+}
+
+float Residency::thinning() const
+{
+    if (firstMissing_ == order_.size())
+        return 1.0f;
+    const int grade = pages_[order_[firstMissing_]].grade;
+    return std::clamp(std::exp2(static_cast<float>(grade - seenGrade) / gradesPerOctave), 1.0f,
+                      mostThinning);
+}
+
+std::uint32_t Residency::placeOf(std::uint32_t page) const
+{
+    return isThere(page) ? pages_[page].place * pageBlades : noPlace;
+}
+
+} // namespace sward::render
