@@ -1,4 +1,4 @@
-"""What a scene's JSON says is baked and looked at; for scripts/gallery and scripts/bench."""
+"""What a scene's JSON says is baked and looked at; for scripts/gallery, scripts/bench and scripts/picture-error."""
 
 import hashlib
 import json
@@ -9,6 +9,15 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+
+
+def field_scene(path):
+    """The scene in a file, and the name of its field: another scene's if it has the field "of" that."""
+    scene = json.loads(path.read_text(encoding="utf-8"))
+    if "of" not in scene:
+        return scene, path.stem
+    other, name = field_scene(path.with_name(scene["of"] + ".json"))
+    return {**other, **scene}, name
 
 
 def input_of(scene, key, name, folder):

@@ -1,12 +1,12 @@
 // A host that is not linked with Vulkan's loader, and finds it when it runs.
 #include <dlfcn.h>
+#include <glm/ext/matrix_transform.hpp>
 #include <sward/field/read.h>
 #include <sward/gpu/features.h>
 #include <sward/gpu/host_device.h>
 #include <sward/render/grass.h>
 
 #include <cstdio>
-#include <glm/ext/matrix_transform.hpp>
 
 using namespace sward;
 
@@ -52,16 +52,17 @@ int main(int, char** argv)
     const float priority = 1.0f;
     const VkDeviceQueueCreateInfo queues{
         VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO, nullptr, 0, 0, 1, &priority};
-    const VkDeviceCreateInfo deviceInfo{
-        VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &wanted.core, 0, 1, &queues};
+    const VkDeviceCreateInfo deviceInfo{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &wanted.core, 0, 1,
+                                        &queues};
     if (vkCreateDevice(host.physical, &deviceInfo, nullptr, &host.device) != VK_SUCCESS)
         return 1;
     vkGetDeviceQueue(host.device, 0, 0, &host.queue);
     VkCommandPool pool = VK_NULL_HANDLE;
     const VkCommandPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
     vkCreateCommandPool(host.device, &poolInfo, nullptr, &pool);
-    const VkCommandBufferAllocateInfo buffersInfo{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr,
-                                                  pool, VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
+    const VkCommandBufferAllocateInfo buffersInfo{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                                                  nullptr, pool, VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+                                                  1};
     VkCommandBuffer commands = VK_NULL_HANDLE;
     vkAllocateCommandBuffers(host.device, &buffersInfo, &commands);
     {
@@ -86,8 +87,8 @@ int main(int, char** argv)
         grass.recordUpdate(commands);
         grass.recordCull(commands, 0);
         vkEndCommandBuffer(commands);
-        const VkSubmitInfo submission{VK_STRUCTURE_TYPE_SUBMIT_INFO, nullptr, 0, nullptr, nullptr, 1,
-                                      &commands};
+        const VkSubmitInfo submission{
+            VK_STRUCTURE_TYPE_SUBMIT_INFO, nullptr, 0, nullptr, nullptr, 1, &commands};
         vkQueueSubmit(host.queue, 1, &submission, VK_NULL_HANDLE);
         vkQueueWaitIdle(host.queue);
         std::printf("%s lists %s\n", context.name.c_str(),
