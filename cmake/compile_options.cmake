@@ -14,7 +14,7 @@ target_compile_definitions(sward_options INTERFACE _GLIBCXX_ASSERTIONS)
 
 # GLM conventions, set once. Never GLM_FORCE_DEFAULT_ALIGNED_GENTYPES: it would break scalar layout.
 target_compile_definitions(sward_options INTERFACE
-  GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_FORCE_XYZW_ONLY GLM_FORCE_EXPLICIT_CTOR GLM_FORCE_SIZE_T_LENGTH)
+  GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_FORCE_XYZW_ONLY GLM_FORCE_EXPLICIT_CTOR)
 
 # Repository root for terrain/… and shaders/shared/…; src/ for the rest.
 target_include_directories(sward_options INTERFACE ${CMAKE_SOURCE_DIR} ${CMAKE_SOURCE_DIR}/src)

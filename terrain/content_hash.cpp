@@ -46,7 +46,7 @@ private:
 std::string contentHash(const GroundMesh& mesh)
 {
     Hasher hasher;
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    for (glm::length_t axis = 0; axis < 3; ++axis)
         hasher.add(mesh.origin[axis]);
     hasher.add(mesh.positions);
     hasher.add(mesh.normals);
@@ -58,7 +58,7 @@ std::string contentHash(const GroundMesh& mesh)
 
     // What a material lends a blade: its colour.
     for (const GroundMaterial& material : mesh.materials) {
-        for (std::size_t channel = 0; channel < 4; ++channel)
+        for (glm::length_t channel = 0; channel < 4; ++channel)
             hasher.add(static_cast<double>(material.baseColor[channel]));
         hasher.add(static_cast<double>(material.image));
         hasher.add(material.doubleSided ? 1.0 : 0.0);

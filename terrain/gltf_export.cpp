@@ -104,7 +104,7 @@ private:
     {
         Part part;
         for (const std::size_t i : triangles)
-            for (std::size_t corner = 0; corner < 3; ++corner)
+            for (glm::length_t corner = 0; corner < 3; ++corner)
                 part.vertices.push_back(mesh_.triangles[i][corner]);
         part.indices = part.vertices;
 
@@ -144,7 +144,7 @@ private:
         Aabb box;
         for (const std::uint32_t vertex : part.vertices)
             box.add(mesh_.positions[vertex]);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
             accessor.minValues.push_back(static_cast<double>(box.low[axis]));
             accessor.maxValues.push_back(static_cast<double>(box.high[axis]));
         }

@@ -137,7 +137,7 @@ std::vector<GltfUvSource> importGltfMaterials(const GltfModel& file, const std::
         ground.name = material.name.empty() ? fmt::format("material {}", i) : material.name;
         ground.baseColor = glm::vec4(1.0f);
         for (std::size_t c = 0; c < std::min<std::size_t>(surface.baseColorFactor.size(), 4); ++c)
-            ground.baseColor[c] = unitInterval(surface.baseColorFactor[c]);
+            ground.baseColor[int(c)] = unitInterval(surface.baseColorFactor[c]);
         ground.roughness = unitInterval(surface.roughnessFactor);
         ground.metallic = unitInterval(surface.metallicFactor);
         ground.doubleSided = material.doubleSided;

@@ -40,9 +40,9 @@ glm::dmat4 localTransform(const tinygltf::Node& node, const std::string& place)
 {
     if (node.matrix.size() == 16) {
         glm::dmat4 matrix(1.0);
-        for (std::size_t column = 0; column < 4; ++column)
-            for (std::size_t row = 0; row < 3; ++row)
-                matrix[column][row] = node.matrix[4 * column + row];
+        for (glm::length_t column = 0; column < 4; ++column)
+            for (glm::length_t row = 0; row < 3; ++row)
+                matrix[column][row] = node.matrix[std::size_t(4 * column + row)];
         return matrix;
     }
     glm::dvec3 translation(0.0);

@@ -200,7 +200,7 @@ private:
                 if (indices[i] >= vertices_)
                     isSound = false;
                 const std::size_t corner = first + i;
-                soup_.triangles[begin + corner / 3][corner % 3] =
+                soup_.triangles[begin + corner / 3][int(corner % 3)] =
                     indices[i] + static_cast<std::uint32_t>(first_);
             }
         });

@@ -19,7 +19,7 @@ using OpenMesh::VertexHandle;
 struct OpenEdge {
     std::uint64_t key = 0;
     std::uint32_t triangle = 0;
-    std::uint32_t edge = 0;
+    glm::length_t edge = 0;
     bool forward = false; // from the lower to the higher vertex
 
     bool operator<(const OpenEdge& other) const
@@ -29,7 +29,7 @@ struct OpenEdge {
 };
 
 OpenEdge openEdge(const std::vector<glm::uvec3>& triangles, std::uint32_t triangle,
-                  std::uint32_t edge)
+                  glm::length_t edge)
 {
     const std::uint32_t from = triangles[triangle][edge];
     const std::uint32_t to = triangles[triangle][(edge + 1) % 3];
@@ -136,7 +136,7 @@ private:
     }
 
     // The edge of the triangle behind `face` that the half-edge runs along.
-    std::uint32_t edgeOf(OpenMesh::HalfedgeHandle halfEdge, std::uint32_t triangle) const
+    glm::length_t edgeOf(OpenMesh::HalfedgeHandle halfEdge, std::uint32_t triangle) const
     {
         const auto from = static_cast<std::uint32_t>(mesh_.from_vertex_handle(halfEdge).idx());
         const glm::uvec3 t = triangles_[triangle];
@@ -163,11 +163,11 @@ private:
         // All edges with room for another triangle, and all edges of refused triangles.
         std::vector<OpenEdge> open;
         for (std::size_t face = 0; face < firstDetached_; ++face)
-            for (std::uint32_t e = 0; e < 3; ++e)
+            for (glm::length_t e = 0; e < 3; ++e)
                 if (result_.neighbours[triangleOf_[face]][e] == Adjacency::none)
                     open.push_back(openEdge(triangles_, triangleOf_[face], e));
         for (const std::uint32_t triangle : refused_)
-            for (std::uint32_t e = 0; e < 3; ++e) {
+            for (glm::length_t e = 0; e < 3; ++e) {
                 const OpenEdge edge = openEdge(triangles_, triangle, e);
                 open.push_back(edge);
                 addFullEdge(edge, open);
@@ -228,12 +228,12 @@ private:
         for (std::uint32_t v = 0; v < vertices_; ++v)
             suspect[v] = !mesh_.is_isolated(handle(v)) && !mesh_.is_manifold(handle(v));
         for (const std::uint32_t triangle : refused_)
-            for (std::size_t corner = 0; corner < 3; ++corner)
+            for (glm::length_t corner = 0; corner < 3; ++corner)
                 suspect[triangles_[triangle][corner]] = true;
 
         std::vector<std::pair<std::uint32_t, std::uint32_t>> around; // vertex, triangle
         for (const std::uint32_t triangle : triangleOf_)
-            for (std::size_t corner = 0; corner < 3; ++corner)
+            for (glm::length_t corner = 0; corner < 3; ++corner)
                 if (suspect[triangles_[triangle][corner]])
                     around.emplace_back(triangles_[triangle][corner], triangle);
         std::sort(around.begin(), around.end());
@@ -256,8 +256,8 @@ private:
             const std::uint32_t original = result_.originalOf[i];
             if (original == i)
                 continue;
-            for (std::uint32_t e = 0; e < 3; ++e)
-                for (std::uint32_t o = 0; o < 3; ++o)
+            for (glm::length_t e = 0; e < 3; ++e)
+                for (glm::length_t o = 0; o < 3; ++o)
                     if (openEdge(triangles_, static_cast<std::uint32_t>(i), e).key ==
                         openEdge(triangles_, original, o).key)
                         result_.neighbours[i][e] = result_.neighbours[original][o];

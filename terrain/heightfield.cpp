@@ -105,7 +105,7 @@ private:
             return;
         newIndex_.assign(heights_.size(), unused);
         for (const glm::uvec3& triangle : mesh_.triangles)
-            for (std::size_t corner = 0; corner < 3; ++corner)
+            for (glm::length_t corner = 0; corner < 3; ++corner)
                 newIndex_[triangle[corner]] = 0;
         std::uint32_t next = 0;
         for (std::uint32_t& index : newIndex_)

@@ -43,7 +43,7 @@ glm::dvec2 extentOf(const HeightSamples& samples, const HeightmapSettings& setti
                     const std::string& place, Diagnostics& diagnostics)
 {
     if (settings.extent) {
-        for (std::size_t axis = 0; axis < 2; ++axis)
+        for (glm::length_t axis = 0; axis < 2; ++axis)
             if (!((*settings.extent)[axis] > 0.0 && (*settings.extent)[axis] <= longest))
                 fail(ErrorKind::usage, "{}: --extent {} {}: each side must be in (0, {}] m", place,
                      settings.extent->x, settings.extent->y, longest);

@@ -59,7 +59,7 @@ void refine(Soup& soup, std::vector<glm::dvec3>&& positions, const std::string& 
              positions.size());
     for (std::size_t i = 0; i < positions.size(); ++i) {
         const glm::dvec3& own = positions[i];
-        for (std::size_t axis = 0; axis < 3; ++axis)
+        for (glm::length_t axis = 0; axis < 3; ++axis)
             if (std::fabs(soup.positions[i][axis] - own[axis]) >
                 1e-6 * std::fabs(own[axis]) + 1e-30)
                 fail(ErrorKind::input, "{}: vertex {} cannot be made out: {} or {}?", place, i,

@@ -134,7 +134,7 @@ private:
     void readVertex(TextCursor& words)
     {
         glm::dvec3 position(0.0);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
             const auto number = words.number();
             if (!number)
                 failHere("coordinate {} of the vertex is not a finite number", "xyz"[axis]);

@@ -145,7 +145,7 @@ private:
                    GroundMaterial& material)
     {
         glm::vec4 color(1.0f);
-        for (std::size_t channel = 0; channel < 3; ++channel) {
+        for (glm::length_t channel = 0; channel < 3; ++channel) {
             const auto number = words.number();
             if (!number) {
                 diagnostics_.warn("{}: line {}: Kd is not three numbers; it is passed over",

@@ -87,7 +87,7 @@ MeshScan scanOff(std::string_view file, const std::string& place)
         const std::string_view line = lines.next("its last vertex");
         TextCursor words(line);
         glm::dvec3 position(0.0);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
             const auto number = words.number();
             if (!number)
                 fail(ErrorKind::input,

@@ -168,7 +168,7 @@ Soup OpenMeshSoup::take()
     std::vector<bool> taken(vertices, false);
     std::map<std::tuple<std::uint32_t, float, float>, std::uint32_t> copies;
     for (std::size_t i = 0; i < cornerUvs_.size(); ++i) {
-        std::uint32_t& corner = soup_.triangles[i / 3][i % 3];
+        std::uint32_t& corner = soup_.triangles[i / 3][int(i % 3)];
         const glm::vec2 uv = cornerUvs_[i];
         if (!taken[corner]) {
             taken[corner] = true;

@@ -49,7 +49,7 @@ Shape shapeOf(const GroundMesh& ground)
         shape.net += area * normal;
         shape.area += area;
         shape.triangles += step;
-        for (std::size_t corner = 0; corner < 3; ++corner)
+        for (glm::length_t corner = 0; corner < 3; ++corner)
             shape.bounds.add(glm::dvec3(ground.positions[ground.triangles[i][corner]]));
     }
     shape.area *= static_cast<double>(step);
@@ -62,7 +62,7 @@ void warnOfUpAxis(const Shape& shape, bool hasUnits, const std::string& place,
                   Diagnostics& diagnostics)
 {
     const glm::dvec3 size = shape.bounds.size();
-    for (const std::size_t axis : {2U, 0U}) {
+    for (const glm::length_t axis : {2, 0}) {
         const double others = std::min(size.y, size[2 - axis]);
         if (size[axis] > (hasUnits ? thinWithUnits : thin) * others ||
             shape.looks[axis] < share * shape.area || shape.looks[axis] < 2.0 * shape.looks.y)

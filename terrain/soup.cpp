@@ -39,7 +39,7 @@ std::vector<std::uint32_t> numberUsedVertices(const std::vector<glm::uvec3>& tri
 {
     std::vector<std::uint32_t> newIndex(vertices, unused);
     for (std::size_t i = 0; i < triangles.size(); ++i)
-        for (std::size_t corner = 0; corner < 3; ++corner) {
+        for (glm::length_t corner = 0; corner < 3; ++corner) {
             const std::uint32_t vertex = triangles[i][corner];
             if (vertex >= vertices)
                 fail(ErrorKind::input, "{}: triangle {} names vertex {}, but there are {}", place,
@@ -88,7 +88,7 @@ void completeNormals(GroundMesh& mesh)
 
     bool someGiven = false;
     for (std::size_t i = 0; i < triangles.size(); ++i)
-        for (std::size_t corner = 0; corner < 3; ++corner) {
+        for (glm::length_t corner = 0; corner < 3; ++corner) {
             const std::uint32_t vertex = triangles[i][corner];
             if (given[vertex] != glm::vec3(0.0f)) {
                 mesh.triangles[i][corner] = vertex;

@@ -23,7 +23,7 @@ MeshScan scanText(std::string_view file, const std::string& place)
         if (keyword != "vertex")
             continue;
         ++corners;
-        for (std::size_t axis = 0; axis < 3; ++axis)
+        for (glm::length_t axis = 0; axis < 3; ++axis)
             if (!words.number())
                 fail(ErrorKind::input, "{}: line {}: coordinate {} is not a finite number", place,
                      cursor.lineNumber(), "xyz"[axis]);

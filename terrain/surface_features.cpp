@@ -26,7 +26,7 @@ std::vector<SurfaceFeatures::BorderEdge> borderEdges(const GroundMesh& mesh,
 {
     std::vector<SurfaceFeatures::BorderEdge> borders;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        for (std::size_t e = 0; mesh.bears[t] != 0 && topology.originalOf[t] == t && e < 3; ++e)
+        for (glm::length_t e = 0; mesh.bears[t] != 0 && topology.originalOf[t] == t && e < 3; ++e)
             if ((topology.borderEdges[t] >> e & 1U) != 0)
                 borders.push_back({mesh.positions[mesh.triangles[t][e]],
                                    mesh.positions[mesh.triangles[t][(e + 1) % 3]]});
@@ -48,7 +48,7 @@ void forEachCorner(const GroundMesh& mesh, const Topology& topology, Visit visit
         if (topology.originalOf[t] != t)
             continue;
         const glm::uvec3 corners = mesh.triangles[t];
-        for (std::size_t c = 0; c < 3; ++c) {
+        for (glm::length_t c = 0; c < 3; ++c) {
             const glm::dvec3 at(mesh.positions[corners[c]]);
             visit(Corner{topology.weldOf[corners[c]],
                          glm::dvec3(mesh.positions[corners[(c + 1) % 3]]) - at,
@@ -86,7 +86,7 @@ std::vector<std::uint8_t> roughVertices(const GroundMesh& mesh, const Topology& 
 {
     std::vector<std::uint8_t> rough(topology.weldedVertices, 0);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        for (std::size_t e = 0; e < 3; ++e)
+        for (glm::length_t e = 0; e < 3; ++e)
             if (((topology.borderEdges[t] | topology.brokenEdges[t]) >> e & 1U) != 0)
                 rough[topology.weldOf[mesh.triangles[t][e]]] =
                     rough[topology.weldOf[mesh.triangles[t][(e + 1) % 3]]] = 1;
@@ -130,9 +130,9 @@ std::vector<float> meanCurvature(const GroundMesh& mesh, const Topology& topolog
     const std::vector<std::uint8_t> rough = roughVertices(mesh, topology);
     std::vector<Mean> borrowed(topology.weldedVertices);
     for (const glm::uvec3& t : mesh.triangles)
-        for (std::size_t c = 0; c < 3; ++c) {
+        for (glm::length_t c = 0; c < 3; ++c) {
             const std::uint32_t own = topology.weldOf[t[c]];
-            for (std::size_t other = 1; rough[own] != 0 && other < 3; ++other) {
+            for (glm::length_t other = 1; rough[own] != 0 && other < 3; ++other) {
                 const std::uint32_t vertex = topology.weldOf[t[(c + other) % 3]];
                 if (rough[vertex] == 0)
                     borrowed[own].add(means[vertex].value(), 1.0);

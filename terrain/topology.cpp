@@ -50,11 +50,11 @@ void joinCollapsed(const std::vector<glm::uvec3>& triangles, const Adjacency& ad
 {
     std::vector<std::uint32_t> touching(vertices, Adjacency::none);
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
-        for (std::size_t corner = 0; corner < 3; ++corner)
+        for (glm::length_t corner = 0; corner < 3; ++corner)
             if (adjacency.collapsed[i] == 0 && touching[triangles[i][corner]] == Adjacency::none)
                 touching[triangles[i][corner]] = i;
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
-        for (std::size_t corner = 0; corner < 3; ++corner) {
+        for (glm::length_t corner = 0; corner < 3; ++corner) {
             std::uint32_t& other = touching[triangles[i][corner]];
             if (adjacency.collapsed[i] == 0)
                 continue;
@@ -70,7 +70,7 @@ void findComponents(const std::vector<glm::uvec3>& triangles, const Adjacency& a
     Pieces pieces(triangles.size());
     bool someCollapsed = false;
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-        for (std::size_t e = 0; e < 3; ++e)
+        for (glm::length_t e = 0; e < 3; ++e)
             if (adjacency.neighbours[i][e] != Adjacency::none)
                 pieces.join(i, adjacency.neighbours[i][e]);
         pieces.join(i, adjacency.originalOf[i]);
@@ -123,7 +123,7 @@ Topology analyse(const GroundMesh& mesh, double creaseAngle)
             continue;
         const bool repeated = adjacency.originalOf[i] != i;
         topology.duplicateTriangles += repeated ? 1U : 0U;
-        for (std::uint32_t e = 0; e < 3; ++e) {
+        for (glm::length_t e = 0; e < 3; ++e) {
             const auto bit = static_cast<std::uint8_t>(1U << e);
             const std::uint32_t other = adjacency.neighbours[i][e];
             if (other == Adjacency::none) {

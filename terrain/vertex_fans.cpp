@@ -19,7 +19,7 @@ std::size_t countFans(const std::vector<std::uint32_t>& around, std::uint32_t ve
     // them name the third alone, so links go both ways.
     std::vector<std::vector<std::size_t>> links(around.size());
     for (std::size_t i = 0; i < around.size(); ++i)
-        for (std::size_t e = 0; e < 3; ++e) {
+        for (glm::length_t e = 0; e < 3; ++e) {
             const glm::uvec3 t = triangles[around[i]];
             const std::uint32_t other = neighbours[around[i]][e];
             if (other == Adjacency::none || (t[e] != vertex && t[(e + 1) % 3] != vertex))

@@ -22,7 +22,7 @@ Corners cornersByVertex(const GroundMesh& mesh, const Topology& topology)
     Corners result;
     result.first.assign(topology.weldedVertices + 1, 0);
     const auto vertexOf = [&](std::size_t corner) {
-        return topology.weldOf[mesh.triangles[corner / 3][corner % 3]];
+        return topology.weldOf[mesh.triangles[corner / 3][int(corner % 3)]];
     };
     const std::size_t count = 3 * mesh.triangles.size();
     for (std::size_t corner = 0; corner < count; ++corner)
@@ -39,7 +39,7 @@ Corners cornersByVertex(const GroundMesh& mesh, const Topology& topology)
 glm::dvec3 weightedNormal(const GroundMesh& mesh, std::uint32_t corner)
 {
     const glm::uvec3 t = mesh.triangles[corner / 3];
-    const std::size_t c = corner % 3;
+    const auto c = static_cast<glm::length_t>(corner % 3);
     const glm::dvec3 at(mesh.positions[t[c]]);
     const glm::dvec3 right = glm::dvec3(mesh.positions[t[(c + 1) % 3]]) - at;
     const glm::dvec3 left = glm::dvec3(mesh.positions[t[(c + 2) % 3]]) - at;
@@ -68,7 +68,7 @@ public:
         spokes_.clear();
         for (std::size_t i = 0; i < count; ++i) {
             const std::uint32_t triangle = corners[i] / 3;
-            const std::uint32_t c = corners[i] % 3;
+            const auto c = static_cast<glm::length_t>(corners[i] % 3);
             addSpoke(triangle, c, (c + 1) % 3, i);
             addSpoke(triangle, (c + 2) % 3, (c + 2) % 3, i);
         }
@@ -92,7 +92,7 @@ public:
 
 private:
     // The edge `e` of the triangle leads from the vertex to corner `to`.
-    void addSpoke(std::uint32_t triangle, std::uint32_t e, std::uint32_t to, std::size_t corner)
+    void addSpoke(std::uint32_t triangle, glm::length_t e, glm::length_t to, std::size_t corner)
     {
         const unsigned bit = 1U << e;
         if ((topology_.borderEdges[triangle] & bit) == 0 &&
@@ -131,7 +131,7 @@ void assignNormals(GroundMesh& mesh, const std::vector<glm::vec3>& cornerNormals
     std::vector<std::uint32_t> nextCopy(original, none);
     mesh.normals.assign(original, glm::vec3(0.0f, 1.0f, 0.0f));
     for (std::size_t corner = 0; corner < cornerNormals.size(); ++corner) {
-        std::uint32_t& vertex = mesh.triangles[corner / 3][corner % 3];
+        std::uint32_t& vertex = mesh.triangles[corner / 3][int(corner % 3)];
         const glm::vec3 normal = cornerNormals[corner];
         if (!assigned[vertex]) {
             assigned[vertex] = true;

@@ -140,10 +140,10 @@ SHARED_LAYOUT(LevelSteps, 36)
 
 SHARED_FN float segmentsAt(LevelSteps steps, float distance)
 {
-    for (uint i = 0u; i + 1u < steps.count; ++i)
+    for (int i = 0; i + 1 < int(steps.count); ++i)
         if (distance < steps.distance[i])
             return steps.segments[i];
-    return steps.segments[steps.count - 1u];
+    return steps.segments[int(steps.count) - 1];
 }
 
 SHARED_END

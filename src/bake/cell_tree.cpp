@@ -160,7 +160,7 @@ void flatten(const Node& root, CellTree& tree, std::vector<std::size_t>& firstOw
 std::uint64_t octantsOf(const glm::vec3& place)
 {
     std::uint64_t octants = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    for (glm::length_t axis = 0; axis < 3; ++axis)
         octants |= spreadBits(static_cast<std::uint32_t>(
                        floorOf(double(place[axis]) * finestPerMetre) & ((1 << finestDepth) - 1)))
                    << axis;

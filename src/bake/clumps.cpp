@@ -144,7 +144,7 @@ const Clumps::Clump* Clumps::nearest(glm::vec3 place) const
     const glm::ivec3 own(floorOf(inCells.x), floorOf(inCells.y), floorOf(inCells.z));
     glm::ivec3 beyond;
     glm::dvec3 gap; // squared distances of those faces, not too long for rounding
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
         const double inside = inCells[axis] - double(own[axis]);
         beyond[axis] = inside < 0.5 ? -1 : 1;
         const double far = (2.0 - 1e-5) * reach_ * (inside < 0.5 ? inside : 1.0 - inside);

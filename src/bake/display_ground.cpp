@@ -50,7 +50,7 @@ field::DisplayGround displayGround(const terrain::GroundMesh& ground, bool color
     for (std::size_t t = 0; t < ground.triangles.size(); ++t) {
         if (!showsVertexColors(ground, ground.materialOf[t], colorsAreMask))
             continue;
-        for (std::size_t corner = 0; corner < 3; ++corner) {
+        for (glm::length_t corner = 0; corner < 3; ++corner) {
             const std::uint32_t v = ground.triangles[t][corner];
             shown.vertices[v].color = packColor(ground.colors[v]);
         }
@@ -67,7 +67,7 @@ field::DisplayGround displayGround(const terrain::GroundMesh& ground, bool color
     for (std::size_t t = 0; t < ground.triangles.size(); ++t) {
         const std::size_t slot = next[ground.materialOf[t]]++;
         for (std::size_t corner = 0; corner < 3; ++corner)
-            shown.indices[3 * slot + corner] = ground.triangles[t][corner];
+            shown.indices[3 * slot + corner] = ground.triangles[t][int(corner)];
     }
     for (std::uint32_t m = 0; m < ground.materials.size(); ++m)
         if (first[m + 1] > first[m])

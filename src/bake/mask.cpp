@@ -21,7 +21,7 @@ glm::dvec2 uvAt(const terrain::GroundMesh& ground, const RootSample& root)
            b * glm::dvec2(ground.uvs[corners.y]) + c * glm::dvec2(ground.uvs[corners.z]);
 }
 
-double colorAt(const terrain::GroundMesh& ground, const RootSample& root, std::size_t channel)
+double colorAt(const terrain::GroundMesh& ground, const RootSample& root, glm::length_t channel)
 {
     const glm::uvec3 corners = ground.triangles[root.triangle];
     const float b = root.barycentric.x;
@@ -54,7 +54,7 @@ double Mask::at(const terrain::GroundMesh& ground, const RootSample& root) const
 {
     double value = 0.0;
     if (source == Source::vertexColor) {
-        value = colorAt(ground, root, static_cast<std::size_t>(channel));
+        value = colorAt(ground, root, channel);
     } else if (source == Source::texture) {
         value = terrain::valueAt(*image, uvAt(ground, root));
     } else if (const terrain::GroundMaterial& own =
@@ -129,7 +129,7 @@ void checkMasks(const std::vector<Mask>& masks, const terrain::GroundMesh& groun
         if (ground.bears[t] == 0 || isMapped[material])
             continue;
         bears[material] = true;
-        for (std::size_t corner = 0; corner < 3; ++corner)
+        for (glm::length_t corner = 0; corner < 3; ++corner)
             if (ground.uvs[ground.triangles[t][corner]] != glm::vec2(0.0f))
                 isMapped[material] = true;
     }

@@ -25,7 +25,7 @@ double extentOf(const terrain::GroundMesh& ground)
 {
     const Aabb box = ground.bounds();
     double extent = 0.0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    for (glm::length_t axis = 0; axis < 3; ++axis)
         extent =
             std::max({extent, std::fabs(double(box.low[axis])), std::fabs(double(box.high[axis]))});
     return extent;

@@ -56,7 +56,7 @@ PoissonLattice::Key PoissonLattice::regionOf(const glm::dvec3& place) const
     std::array<std::int64_t, 3> plane;
     std::array<double, 3> distance;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double scaled = (place[axis] - offset_) / side_;
+        const double scaled = (place[int(axis)] - offset_) / side_;
         cell[axis] = floorOf(scaled);
         plane[axis] = floorOf(scaled + 0.5);
         distance[axis] = std::fabs(scaled - double(plane[axis])) * side_;
@@ -85,8 +85,8 @@ void PoissonLattice::addRegionsOf(const glm::dvec3& low, const glm::dvec3& high,
         std::array<std::int64_t, 3> first;
         std::array<std::int64_t, 3> last;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double from = (low[axis] - offset_) / side_ - slack;
-            const double to = (high[axis] - offset_) / side_ + slack;
+            const double from = (low[int(axis)] - offset_) / side_ - slack;
+            const double to = (high[int(axis)] - offset_) / side_ + slack;
             const bool hugs = (planes >> axis & 1) != 0;
             first[axis] =
                 static_cast<std::int64_t>(hugs ? std::ceil(from - near / side_) : std::floor(from));

@@ -227,7 +227,7 @@ void RegionFiller::Room::gatherDisks(const CubeIndex<Disk>& before)
 
     before.forEachIn(low, high, [&](const Disk& disk) {
         const glm::dvec3 place(disk.position);
-        for (std::size_t i = 0; i < 3; ++i)
+        for (glm::length_t i = 0; i < 3; ++i)
             if (place[i] <= low[i] || place[i] >= high[i])
                 return;
         smooth_ = smooth_ && agrees(glm::dvec3(disk.normal));

@@ -190,7 +190,7 @@ GroundUp parseGroundUp(const std::string& text)
         if (parts.size() != 3)
             fail(ErrorKind::usage, "--ground-up is \"{}\"; radial takes three numbers", text);
         for (std::size_t i = 0; i < 3; ++i)
-            up.centre[i] = parseNumber("--ground-up", parts[i]);
+            up.centre[int(i)] = parseNumber("--ground-up", parts[i]);
     }
     return up;
 }

@@ -68,7 +68,7 @@ std::vector<std::uint32_t> verticesOf(const terrain::GroundMesh& ground,
     std::vector<std::uint32_t> vertices;
     std::unordered_set<std::uint32_t> seen;
     for (const std::uint32_t t : triangles)
-        for (std::size_t corner = 0; corner < 3; ++corner)
+        for (glm::length_t corner = 0; corner < 3; ++corner)
             if (seen.insert(ground.triangles[t][corner]).second)
                 vertices.push_back(ground.triangles[t][corner]);
     return vertices;
@@ -88,8 +88,8 @@ CellNumber cellOf(const glm::dvec3& origin, const glm::vec3& position)
 {
     CellNumber cell;
     for (std::size_t axis = 0; axis < 3; ++axis)
-        cell[axis] = static_cast<std::int64_t>(origin[axis] / widestPatch) +
-                     floorOf(double(position[axis]) / widestPatch);
+        cell[axis] = static_cast<std::int64_t>(origin[int(axis)] / widestPatch) +
+                     floorOf(double(position[int(axis)]) / widestPatch);
     return cell;
 }
 

@@ -27,12 +27,13 @@ template <typename Vec>
 void readVector(const nlohmann::json& value, const std::string& place, double low, double high,
                 Vec& result)
 {
-    constexpr auto size = static_cast<std::size_t>(Vec::length());
+    constexpr glm::length_t size = Vec::length();
     if (!value.is_array() || value.size() != size)
         fail(ErrorKind::input, "{}: expected an array of {} numbers, found {}", place, size,
              value.dump());
-    for (std::size_t i = 0; i < size; ++i)
-        result[i] = static_cast<typename Vec::value_type>(readNumber(value[i], place, low, high));
+    for (glm::length_t i = 0; i < size; ++i)
+        result[i] = static_cast<typename Vec::value_type>(
+            readNumber(value[std::size_t(i)], place, low, high));
 }
 
 // The parser makes about 100 bytes of a value of two, and some of what follows it walks down by

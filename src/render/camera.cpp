@@ -94,7 +94,7 @@ ViewMatrices viewMatrices(const Camera& camera, glm::dvec3 origin, glm::uvec2 si
     const glm::dvec4 z = slope * (glm::dvec4(0.0, 0.0, 0.0, range.far) - depth);
 
     ViewMatrices view;
-    for (std::size_t column = 0; column < 4; ++column)
+    for (glm::length_t column = 0; column < 4; ++column)
         view.viewProjection[column] =
             glm::vec4(glm::dvec4(x[column], y[column], z[column], depth[column]));
     // What is inside has −w ≤ x ≤ w, −w ≤ y ≤ w (y downwards), 0 ≤ z ≤ w.

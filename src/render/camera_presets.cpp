@@ -40,7 +40,7 @@ Sides sidesOf(const Scene& scene)
 {
     const glm::dvec3 size(scene.box.size());
     Sides best{glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 0.0, 1.0), -1.0};
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (glm::length_t i = 0; i < 3; ++i) {
         glm::dvec3 axis(0.0);
         axis[i] = 1.0;
         axis -= scene.up * glm::dot(axis, scene.up);

@@ -48,8 +48,8 @@ shared::LevelSteps levelStepsOf(std::span<const LevelStep> steps)
 {
     shared::LevelSteps result = {};
     for (const LevelStep& step : steps.first(std::min<std::size_t>(steps.size(), 4))) {
-        result.distance[result.count] = step.distance;
-        result.segments[result.count] = static_cast<float>(step.segments);
+        result.distance[int(result.count)] = step.distance;
+        result.segments[int(result.count)] = static_cast<float>(step.segments);
         ++result.count;
     }
     return result;

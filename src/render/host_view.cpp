@@ -16,7 +16,7 @@ constexpr double parallelDistance = 1000.0;
 /// Below this share of the picture's axes a projection's fourth row does not depend on the place.
 constexpr double parallelShare = 1e-9;
 
-glm::dvec4 rowOf(const glm::dmat4& matrix, std::size_t row)
+glm::dvec4 rowOf(const glm::dmat4& matrix, glm::length_t row)
 {
     return {matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]};
 }
@@ -53,7 +53,7 @@ ViewMatrices viewMatricesOf(const glm::dmat4& fieldToClip, bool hasReversedZ, gl
     const glm::dvec4 z = hasReversedZ ? given : w - given;
 
     ViewMatrices view;
-    for (std::size_t column = 0; column < 4; ++column)
+    for (glm::length_t column = 0; column < 4; ++column)
         view.viewProjection[column] =
             glm::vec4(glm::dvec4(x[column], y[column], z[column], w[column]));
     view.planes = {normalisedPlane(w + x), normalisedPlane(w - x), normalisedPlane(w - y),

@@ -36,7 +36,7 @@ shared::SunShadow sunShadowOf(const Aabb& ground, glm::vec3 sunDirection, std::u
     const glm::vec3 centre = ground.centre();
     const glm::vec3 half = 0.5f * ground.size();
     glm::vec3 reach;
-    for (std::size_t i = 0; i < 3; ++i)
+    for (glm::length_t i = 0; i < 3; ++i)
         reach[i] = std::max(glm::dot(glm::abs(axes[i]), half), 1e-6f);
 
     const float pixels = static_cast<float>(size);

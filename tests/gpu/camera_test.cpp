@@ -90,7 +90,7 @@ TEST(Camera, SeesTheSameFromFarOutAsAtTheOrigin)
     camera.eye += far;
     camera.target += far;
     const ViewMatrices there = viewMatrices(camera, far, size, box);
-    for (std::size_t column = 0; column < 4; ++column)
+    for (glm::length_t column = 0; column < 4; ++column)
         EXPECT_LT(glm::length(here.viewProjection[column] - there.viewProjection[column]), 1e-5f);
 }
 

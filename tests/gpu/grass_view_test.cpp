@@ -39,7 +39,7 @@ TEST(HostView, KnowsACameraFromItsMatrixInEitherConvention)
     const glm::dmat4 reversed(expected.viewProjection);
     glm::dmat4 forward = reversed;
     glm::dmat4 endless = reversed;
-    for (std::size_t column = 0; column < 4; ++column) {
+    for (glm::length_t column = 0; column < 4; ++column) {
         forward[column][2] = reversed[column][3] - reversed[column][2];
         endless[column][2] = column == 3 ? 0.2 : 0.0;
     }
@@ -125,7 +125,7 @@ glm::dmat4 mapFromAbove(bool isParallel, bool isReversed)
     clip[2][3] = isParallel ? 0.0 : -1.0;
     clip[3][3] = isParallel ? 1.0 : 0.0;
     if (isReversed)
-        for (std::size_t column = 0; column < 4; ++column)
+        for (glm::length_t column = 0; column < 4; ++column)
             clip[column][2] = clip[column][3] - clip[column][2];
     return clip *
            glm::lookAt(glm::dvec3(0.0, height, 0.0), glm::dvec3(0.0), glm::dvec3(0.0, 0.0, 1.0));

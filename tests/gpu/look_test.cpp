@@ -221,12 +221,12 @@ TEST(Look, SunIsRedderAndWeakerTheLowerItStands)
 {
     const FrameSettings usual;
     const double own = glm::degrees(std::asin(glm::normalize(usual.sunDirection).y));
-    for (std::size_t c = 0; c < 3; ++c)
+    for (glm::length_t c = 0; c < 3; ++c)
         EXPECT_NEAR(sunColorAt(own)[c], usual.sunColor[c], 1e-5);
     glm::vec3 before = sunColorAt(90.0);
     for (double elevation = 85.0; elevation >= 0.0; elevation -= 5.0) {
         const glm::vec3 now = sunColorAt(elevation);
-        for (std::size_t c = 0; c < 3; ++c)
+        for (glm::length_t c = 0; c < 3; ++c)
             EXPECT_LT(now[c], before[c]) << elevation;
         EXPECT_GT(now.x / now.z, before.x / before.z) << elevation;
         before = now;

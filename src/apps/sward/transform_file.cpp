@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
 #include <nlohmann/json.hpp>
 
@@ -50,9 +51,7 @@ glm::dmat4 matrixOf(const json& array, const std::string& place)
     // Sixteen numbers, column by column.
     if (rows == 16) {
         const std::vector<double> numbers = numbersOf(array, 16, place);
-        for (std::size_t i = 0; i < 16; ++i)
-            matrix[i / 4][i % 4] = numbers[i];
-        return matrix;
+        return glm::make_mat4(numbers.data());
     }
 
     // Rows of a 4×4 matrix or of a rotation.
@@ -63,7 +62,7 @@ glm::dmat4 matrixOf(const json& array, const std::string& place)
         const std::vector<double> numbers =
             numbersOf(array[row], rows, fmt::format("{}: row {}", place, row));
         for (std::size_t column = 0; column < rows; ++column)
-            matrix[column][row] = numbers[column];
+            matrix[int(column)][int(row)] = numbers[column];
     }
     return matrix;
 }

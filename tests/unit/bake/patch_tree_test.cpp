@@ -59,7 +59,7 @@ TEST(PatchTree, BoundsHoldTheReachOfEveryBladeBelow)
             // All the way up: every ancestor's box and cone hold it too.
             const shared::Patch* at = &patch;
             while (true) {
-                for (std::size_t axis = 0; axis < 3; ++axis) {
+                for (glm::length_t axis = 0; axis < 3; ++axis) {
                     ASSERT_GE(blade.root[axis] - blade.height, at->boundsLow[axis]);
                     ASSERT_LE(blade.root[axis] + blade.height, at->boundsHigh[axis]);
                 }
@@ -80,7 +80,7 @@ TEST(PatchTree, CellsLieOnLinesFixedInTheWorld)
             continue;
         // A leaf never crosses a line between 32 m cells.
         const glm::dvec3 low = small.origin + glm::dvec3(patch.rootLow);
-        for (const std::size_t axis : {std::size_t(0), std::size_t(2)}) {
+        for (const glm::length_t axis : {0, 2}) {
             const double cell = std::floor(low[axis] / 32.0);
             ASSERT_LE(low[axis], (cell + 1.0) * 32.0);
         }

@@ -145,7 +145,7 @@ TEST(PoissonDisk, KeepsTheSpacingRoundSharpEdges)
     const terrain::GroundMesh ground = meshes::cube(2.0);
     const Sampling sampling = sampleOf(ground, poisson(0.05));
     // Faces that meet at a right angle are two sheets; on one face the spacing holds.
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    for (glm::length_t axis = 0; axis < 3; ++axis)
         for (const float side : {-1.0f, 1.0f}) {
             std::vector<glm::dvec3> face;
             for (const RootSample& root : sampling.roots)

@@ -73,7 +73,7 @@ TEST(ProgressiveOrder, ADrawnShareHasNoPeakAtThePitchOfThePatches)
     for (const double share : {1.0 / 2.0, 1.0 / 8.0, 1.0 / 64.0}) {
         const std::vector<glm::dvec3> roots = drawn(field, share);
         for (const double wave : {32.0, 16.0, 8.0, 4.0, 2.0})
-            for (const std::size_t axis : {std::size_t(0), std::size_t(2)}) {
+            for (const glm::length_t axis : {0, 2}) {
                 double sine = 0.0;
                 double cosine = 0.0;
                 for (const glm::dvec3& root : roots) {

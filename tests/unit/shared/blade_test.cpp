@@ -46,7 +46,7 @@ TEST(PackedBlade, KeepsEachFieldWithinItsStatedError)
     for (int i = 0; i < 100'000; ++i) {
         const Blade blade = randomBlade(dice, patch);
         const Blade back = unpackBlade(packBlade(blade, patch), patch);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
             ASSERT_NEAR(back.root[axis], blade.root[axis], rootError);
             ASSERT_NEAR(back.tint[axis], blade.tint[axis], tintMaxError);
         }

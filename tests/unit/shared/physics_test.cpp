@@ -64,7 +64,7 @@ TEST(BladeState, KeepsDisplacementAndStrengthWithinTheStatedError)
         const vec3 displacement(dice.number(-2, 2), dice.number(-2, 2), dice.number(-2, 2));
         const float eta = dice.number(0, 1);
         const BladeState state = packState(displacement, eta);
-        for (std::size_t axis = 0; axis < 3; ++axis)
+        for (glm::length_t axis = 0; axis < 3; ++axis)
             ASSERT_NEAR(displacementOf(state)[axis], displacement[axis], displacementMaxError);
         ASSERT_NEAR(etaOf(state), eta, 1.0f / 65535.0f);
     }

@@ -38,7 +38,8 @@ std::vector<Corners> trianglesOf(const GroundMesh& mesh, double grain)
         Corners corners;
         for (std::size_t c = 0; c < 3; ++c)
             for (std::size_t axis = 0; axis < 3; ++axis)
-                corners[c][axis] = std::lround(worldPosition(mesh, triangle[c])[axis] / grain);
+                corners[c][axis] =
+                    std::lround(worldPosition(mesh, triangle[int(c)])[int(axis)] / grain);
         std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()),
                     corners.end());
         triangles.push_back(corners);

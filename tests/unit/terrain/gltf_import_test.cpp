@@ -15,7 +15,7 @@ std::vector<glm::vec3> corners(const GroundMesh& mesh)
 {
     std::vector<glm::vec3> result;
     for (const glm::uvec3& t : mesh.triangles)
-        for (std::size_t c = 0; c < 3; ++c)
+        for (glm::length_t c = 0; c < 3; ++c)
             result.push_back(mesh.positions[t[c]]);
     return result;
 }

@@ -20,7 +20,7 @@ GlbBuilder cubeGlb(bool withNormals = true)
     std::vector<float> positions;
     std::vector<float> normals;
     for (std::size_t i = 0; i < cube.positions.size(); ++i)
-        for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
             positions.push_back(cube.positions[i][axis]);
             normals.push_back(cube.normals[i][axis]);
         }
@@ -41,7 +41,7 @@ void expectOutward(const GroundMesh& mesh)
 {
     EXPECT_GT(meshes::signedVolume(mesh), 0.0);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-        for (std::size_t c = 0; c < 3; ++c)
+        for (glm::length_t c = 0; c < 3; ++c)
             EXPECT_NEAR(
                 glm::dot(mesh.faceNormal(i), glm::dvec3(mesh.normals[mesh.triangles[i][c]])), 1.0,
                 1e-6)
@@ -115,7 +115,7 @@ TEST(GltfTransform, KeepsATenthOfAMillimetreAMillionMetresAway)
     EXPECT_NEAR(first.x, 1000000.0001, 2e-6);
     EXPECT_NEAR(first.y, -0.0002, 2e-6);
     EXPECT_NEAR(first.z, -3000000.0003, 2e-6);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
         EXPECT_EQ(std::fmod(mesh.origin[axis], 32.0), 0.0);
         EXPECT_LE(std::fabs(static_cast<double>(mesh.positions[0][axis])), 17.0);
     }

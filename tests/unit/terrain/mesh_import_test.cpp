@@ -26,7 +26,7 @@ TEST(MeshImport, ReadsTheSameCubeFromEveryFormat)
         ASSERT_EQ(mesh.positions.size(), cube.positions.size()) << file.name;
         // Its edges are sharp: each corner has the normals of its three sides.
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-            for (std::size_t c = 0; c < 3; ++c)
+            for (glm::length_t c = 0; c < 3; ++c)
                 EXPECT_EQ(mesh.normals[mesh.triangles[i][c]], glm::vec3(mesh.faceNormal(i)))
                     << file.name;
     }
@@ -228,7 +228,7 @@ TEST(MeshImport, TurnsZUpCentimetresIntoYUpMetres)
     const GroundMesh centimetres = loadContent(
         "a.obj", "v 0 0 0\nv 200 0 0\nv 0 300 100\nf 1 2 3\n", {.upAxis = "z", .units = "cm"});
     for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t axis = 0; axis < 3; ++axis)
+        for (glm::length_t axis = 0; axis < 3; ++axis)
             EXPECT_NEAR(metres.positions[i][axis], centimetres.positions[i][axis], 1e-6);
     EXPECT_EQ(metres.triangles, centimetres.triangles);
 }

@@ -35,7 +35,7 @@ TEST(GradientNoise, IsContinuousAlsoAcrossCells)
         // Half of them on the border of a cell.
         if (i % 2 == 0)
             point.x = std::floor(point.x);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
             glm::dvec3 beside = point;
             beside[axis] -= step;
             EXPECT_LT(std::fabs(gradientNoise(5, point) - gradientNoise(5, beside)), 4.0 * step);

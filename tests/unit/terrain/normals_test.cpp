@@ -26,7 +26,7 @@ TEST(ComputeNormals, KeepsTheSidesOfACubeFlat)
     const GroundMesh mesh = meshes::cube();
     EXPECT_EQ(mesh.positions.size(), 24U);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-        for (std::size_t c = 0; c < 3; ++c)
+        for (glm::length_t c = 0; c < 3; ++c)
             EXPECT_EQ(mesh.normals[mesh.triangles[i][c]], glm::vec3(mesh.faceNormal(i)));
 }
 
@@ -66,7 +66,7 @@ TEST(ComputeNormals, IsUnitEverywhereOnABookAndAMoebiusStrip)
 {
     for (const GroundMesh& mesh : {meshes::book(), meshes::moebius()})
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-            for (std::size_t c = 0; c < 3; ++c) {
+            for (glm::length_t c = 0; c < 3; ++c) {
                 const glm::dvec3 normal(mesh.normals[mesh.triangles[i][c]]);
                 EXPECT_NEAR(glm::length(normal), 1.0, 1e-6);
                 EXPECT_GT(glm::dot(normal, mesh.faceNormal(i)), 0.7);

@@ -89,7 +89,7 @@ TEST(Torus, IsClosedWithOneHole)
     // Euler's number, V − E + F, is 0.
     EXPECT_EQ(topology.weldedVertices + mesh.triangles.size(), mesh.triangles.size() * 3 / 2);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-        for (std::size_t c = 0; c < 3; ++c)
+        for (glm::length_t c = 0; c < 3; ++c)
             EXPECT_GT(glm::dot(mesh.faceNormal(i), glm::dvec3(mesh.normals[mesh.triangles[i][c]])),
                       0.9);
 }

@@ -111,7 +111,7 @@ TEST(SurfaceQuery, LetsNoRayThroughTheEdgesBetweenTriangles)
     const GroundMesh mesh = meshes::sphere(48, 3.0);
     const SurfaceQuery query(mesh);
     for (const glm::uvec3& t : mesh.triangles)
-        for (std::size_t e = 0; e < 3; ++e) {
+        for (glm::length_t e = 0; e < 3; ++e) {
             const glm::dvec3 a(mesh.positions[t[e]]);
             const glm::dvec3 b(mesh.positions[t[(e + 1) % 3]]);
             for (const double share : {0.0, 0.37, 0.5})
