@@ -10,10 +10,6 @@ install(FILES LICENSE RENAME copyright
 install(FILES LICENSE RENAME copyright
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/sward-dev COMPONENT development)
 
-# GLM's vectors have another name with this setting, which our libraries are built with.
-target_compile_definitions(sward_shared INTERFACE $<INSTALL_INTERFACE:GLM_FORCE_SIZE_T_LENGTH>)
-target_compile_definitions(sward_core INTERFACE $<INSTALL_INTERFACE:GLM_FORCE_SIZE_T_LENGTH>)
-
 # Libraries. Each export is one component of find_package(sward).
 set(SWARD_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/sward)
 function(sward_install_component name)
@@ -33,7 +29,8 @@ set(doors
   field/field.h field/inspect.h field/read.h field/write.h
   terrain/load.h terrain/recipe.h
   bake/bake.h bake/meadow.h bake/report.h bake/settings.h
-  gpu/context.h gpu/features.h gpu/host_device.h
+  gpu/check.h gpu/commands.h gpu/context.h gpu/features.h gpu/graphics_pipeline.h
+  gpu/host_device.h gpu/image.h gpu/image_use.h gpu/instance.h gpu/readback.h gpu/rendering.h
   render/camera_presets.h render/field_renderer.h render/grass.h render/look_settings.h
   render/settings_file.h)
 install(CODE "set(SWARD_DOORS \"${doors}\")

@@ -1,111 +1,188 @@
 // A host with a Vulkan of its own, without a window, draws grass among its own boxes:
 //   embed FIELD.sward OUT.png [forward] [render-pass]
-// What Sward asks for stands at the numbers 1 to 7, the features at Host's constructor.
-#include "host.h"
-
+// What Sward asks for stands at the numbers 1 to 7. For the rest, which any engine has, helpers of Sward's own serve.
+#include <box.frag.h>
+#include <box.vert.h>
+#include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
+#include <png.h>
 #include <sward/field/read.h>
+#include <sward/gpu/check.h>
+#include <sward/gpu/commands.h>
+#include <sward/gpu/features.h>
+#include <sward/gpu/graphics_pipeline.h>
+#include <sward/gpu/instance.h>
+#include <sward/gpu/readback.h>
+#include <sward/gpu/rendering.h>
 #include <sward/render/grass.h>
 
-#include <algorithm>
 #include <cstdio>
-#include <exception>
-#include <memory>
+#include <set>
 #include <stdexcept>
-#include <string_view>
 
-namespace field = sward::field;
-namespace gpu = sward::gpu;
-namespace render = sward::render;
+using namespace sward;
 
 namespace {
 
-/// Depth convention and rendering scope, as the words after the paths say.
-bool isAsked(int argc, char** argv, std::string_view word)
+constexpr VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB, depthFormat = VK_FORMAT_D32_SFLOAT;
+constexpr VkExtent2D size{640, 360};
+
+/// The host's own device, and all that Sward knows of it.
+struct Vulkan {
+    gpu::Instance instance;
+    gpu::UniqueRoot<VkDevice, vkDestroyDevice> device;
+    gpu::DeviceContext context;
+
+    Vulkan()
+    {
+        std::uint32_t one = 1;
+        VkPhysicalDevice physical = VK_NULL_HANDLE;
+        if (vkEnumeratePhysicalDevices(instance.get(), &one, &physical) < VK_SUCCESS || one == 0)
+            throw std::runtime_error("there is no Vulkan device");
+
+        // 1. What the device must have, and what Sward uses where it is; a host adds its own.
+        gpu::FeatureChain wanted;
+        const gpu::OptionalFeatures features = gpu::enableFeatures(physical, wanted);
+        const float priority = 1.0f; // of a queue of family 0, which draws and computes on every desktop
+        const VkDeviceQueueCreateInfo queues{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO, nullptr, 0, 0, 1, &priority};
+        const VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &wanted.core, 0, 1, &queues};
+        VkDevice made = VK_NULL_HANDLE;
+        gpu::check(vkCreateDevice(physical, &info, nullptr, &made), "vkCreateDevice");
+        device = decltype(device)(made);
+        VkQueue queue = VK_NULL_HANDLE;
+        vkGetDeviceQueue(made, 0, 0, &queue);
+        context = gpu::describeDevice(physical, made, 0, queue, features, false);
+    }
+};
+
+using RenderPass = gpu::Unique<VkRenderPass, vkDestroyRenderPass>;
+RenderPass makeRenderPass(VkDevice device)
 {
-    return std::find(argv + 3, argv + argc, word) != argv + argc;
+    const VkAttachmentReference drawn{0, gpu::layoutOf(gpu::ImageUse::colorTarget)};
+    const VkAttachmentReference tested{1, gpu::layoutOf(gpu::ImageUse::depthTarget)};
+    constexpr auto one = VK_SAMPLE_COUNT_1_BIT;
+    constexpr auto clear = VK_ATTACHMENT_LOAD_OP_CLEAR;
+    const VkAttachmentDescription both[]{{0, colorFormat, one, clear, {}, {}, {}, drawn.layout, drawn.layout},
+                                         {0, depthFormat, one, clear, {}, {}, {}, tested.layout, tested.layout}};
+    const VkSubpassDescription subpass{0, VK_PIPELINE_BIND_POINT_GRAPHICS, 0, nullptr, 1, &drawn, nullptr, &tested};
+    const VkRenderPassCreateInfo info{VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO, nullptr, 0, 2, both, 1, &subpass};
+    VkRenderPass made = VK_NULL_HANDLE;
+    gpu::check(vkCreateRenderPass(device, &info, nullptr, &made), "vkCreateRenderPass");
+    return {device, made};
 }
 
-/// A box of this size under a placement, its top at the placement's ground.
-Box slab(const render::Placement& placement, double width)
-{
-    const glm::dvec3 low = placement.position - placement.rotation * glm::dvec3(0.0, 0.1, 0.0);
-    return {glm::translate(glm::dmat4(1.0), low) * glm::dmat4(glm::mat4_cast(placement.rotation)) *
-                glm::scale(glm::dmat4(1.0), {0.5 * width, 0.1, 0.5 * width}),
-            {0.16f, 0.11f, 0.06f}};
-}
+/// A cube from −1 to 1 as its shaders take it; the sun is turned as the cube is.
+struct Push {
+    glm::mat4 toClip;
+    glm::vec4 color, sun;
+};
 
-Box block(glm::dvec3 middle, glm::dvec3 half, glm::vec3 color)
+void draw(const gpu::DeviceContext& context, bool isReversed, bool hasRenderPass, const char* file, const char* drawn)
 {
-    return {glm::translate(glm::dmat4(1.0), middle) * glm::scale(glm::dmat4(1.0), half), color};
-}
-
-void draw(const Host& host, const char* fieldPath, const char* picturePath)
-{
-    // 1. The device's context, which outlives all grass.
-    const gpu::DeviceContext context =
-        gpu::describeDevice(host.physical, host.device, 0, host.queue, host.features, false);
+    // The host's picture, and what draws boxes there.
+    const gpu::Image color(
+        context, {"color", colorFormat, size, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+    const gpu::Image depth(context, {"depth", depthFormat, size, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT});
+    const RenderPass pass = hasRenderPass ? makeRenderPass(context.device) : RenderPass();
+    const VkImageView views[]{color.view(), depth.view()};
+    const VkFramebufferCreateInfo frameInfo{
+        VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO, nullptr, 0, pass.get(), 2, views, size.width, size.height, 1};
+    VkFramebuffer framebuffer = VK_NULL_HANDLE;
+    if (hasRenderPass)
+        gpu::check(vkCreateFramebuffer(context.device, &frameInfo, nullptr, &framebuffer), "vkCreateFramebuffer");
+    const gpu::Unique<VkFramebuffer, vkDestroyFramebuffer> owned(context.device, framebuffer);
+    const EmbeddedFile shaders[]{{"box.vert.spv", {reinterpret_cast<const unsigned char*>(boxVert), sizeof boxVert}},
+                                 {"box.frag.spv", {reinterpret_cast<const unsigned char*>(boxFrag), sizeof boxFrag}}};
+    const gpu::GraphicsPipeline pipeline(context, gpu::ShaderLibrary(shaders),
+                                         {.vertexShader = "box.vert",
+                                          .fragmentShader = "box.frag",
+                                          .pushConstantBytes = sizeof(Push),
+                                          .colorFormats = {colorFormat},
+                                          .depthFormat = depthFormat,
+                                          .renderPass = pass.get(),
+                                          .depthCompare = isReversed ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_LESS});
+    const auto inPicture = [&](VkCommandBuffer commands, const auto& drawAll) {
+        const float far = isReversed ? 0.0f : 1.0f;
+        const VkClearValue clear[]{{.color = {.float32 = {0.35f, 0.55f, 0.85f, 1.0f}}}, {.depthStencil = {far, 0}}};
+        gpu::transition(commands, color, gpu::ImageUse::undefined, gpu::ImageUse::colorTarget);
+        gpu::transition(commands, depth, gpu::ImageUse::undefined, gpu::ImageUse::depthTarget);
+        if (!hasRenderPass) {
+            const gpu::ColorAttachment attachment{.view = color.view(), .clear = std::to_array(clear[0].color.float32)};
+            const gpu::RenderingScope scope(commands, size, {&attachment, 1}, {{depth.view(), far}});
+            return drawAll();
+        }
+        const VkRenderPassBeginInfo begin{
+            VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO, nullptr, pass.get(), framebuffer, {{}, size}, 2, clear};
+        vkCmdBeginRenderPass(commands, &begin, VK_SUBPASS_CONTENTS_INLINE);
+        gpu::setArea(commands, size);
+        drawAll();
+        vkCmdEndRenderPass(commands);
+    };
 
     // 2. A field needs no device to be read; it comes there by the host's own commands.
-    const field::MappedField mapped = field::readField(fieldPath);
+    const field::MappedField mapped = field::readField(file);
     const auto lawn = std::make_shared<render::ResidentField>(context, mapped.view());
-    host.submitAndWait([&](VkCommandBuffer commands) { lawn->recordUpload(commands); });
+    gpu::submitAndWait(context, [&](VkCommandBuffer commands) { lawn->recordUpload(commands); });
     lawn->releaseStaging();
 
     // 3. All grass of the world, and what it is drawn into.
     render::Grass grass(context, {.framesInFlight = 1});
-    render::HostTarget scope{.colorFormats = {colorFormat}, .depthFormat = depthFormat};
-    scope.hasReversedZ = host.isReversed;
-    scope.renderPass = host.renderPass;
-    const render::BladeTarget target(context, scope);
+    const render::BladeTarget target(
+        context, {{colorFormat}, depthFormat, .hasReversedZ = isReversed, .renderPass = pass.get()});
 
     // 4. The same lawn twice: on a slope, and half as large.
-    const double extent = static_cast<double>(lawn->content().size().x);
-    const render::Placement slope{.position = {-2.2, 0.7, -1.0},
-                                  .rotation = glm::angleAxis(-0.35, glm::dvec3(0.0, 0.0, 1.0)),
-                                  .scale = 5.0 / extent};
+    const double extent = double(lawn->content().size().x);
+    const render::Placement slope{{-2.2, 0.7, -1.0}, glm::angleAxis(-0.35, glm::dvec3(0.0, 0.0, 1.0)), 5.0 / extent};
     const render::Placement small{.position = {2.4, 0.0, 0.0}, .scale = 2.5 / extent};
     grass.add({lawn, slope});
     grass.add({lawn, small});
 
-    // The host's world: slabs below, posts that stand in the grass, a block that rolls through it.
-    std::vector<Box> boxes{slab(slope, 5.0), slab(small, 2.5),
-                           block({2.4, 0.35, 0.3}, {0.12, 0.5, 0.12}, {0.6f, 0.1f, 0.08f}),
-                           block({-1.2, 0.7, 0.2}, {0.15, 0.9, 0.15}, {0.7f, 0.6f, 0.4f}), Box{}};
+    // The host's world: a slab below each lawn, two posts in the grass, a block that rolls through it.
     render::FrameSettings settings = render::FrameSettings::of(mapped.view());
     settings.sunDirection = {-0.5f, 0.6f, 0.6f};
+    const double nearest = isReversed ? 100.0 : 0.1, farthest = isReversed ? 0.1 : 100.0;
     const glm::dmat4 worldToClip =
-        host.projection(0.62) *
+        glm::scale(glm::dmat4(1.0), {1.0, -1.0, 1.0}) *
+        glm::perspectiveRH_ZO(0.62, double(size.width) / size.height, nearest, farthest) *
         glm::lookAt(glm::dvec3(0.3, 2.6, 7.0), glm::dvec3(-0.45, 0.45, 0.0), glm::dvec3(0, 1, 0));
-    const render::HostView view{
-        .worldToClip = worldToClip, .size = {size.width, size.height}, .hasReversedZ = host.isReversed};
+    const render::HostView view{worldToClip, {size.width, size.height}, isReversed};
+    const auto at = [](glm::dvec3 place) { return glm::translate(glm::dmat4(1.0), place); };
+    const auto box = [&](VkCommandBuffer commands, const glm::dmat4& place, glm::dvec3 half, glm::vec3 color) {
+        const glm::vec3 sun = glm::normalize(settings.sunDirection) * glm::mat3(place);
+        const glm::mat4 toClip(worldToClip * glm::scale(place, half));
+        pipeline.push(commands, Push{toClip, glm::vec4(color, 1.0f), glm::vec4(sun, 0.0f)});
+        vkCmdDraw(commands, 36, 1, 0, 0);
+    };
 
     for (int frame = 0; frame <= 5; ++frame) {
         const glm::dvec3 ball(1.5 + 0.15 * frame, 0.15, 0.8);
-        boxes.back() = block(ball, glm::dvec3(0.12), {0.9f, 0.75f, 0.1f});
-        const render::HostCollider colliders[]{
-            {.from = ball, .to = ball, .radius = 0.25, .velocity = {0.75f, 0.0f, 0.0f}}};
+        const render::HostCollider collider{ball, ball, 0.25, {0.75f, 0.0f, 0.0f}};
 
         // 5. A frame begins when the former one in its slot has completed.
-        grass.begin(0, {.time = frame / 5.0, .views = {&view, 1}, .settings = settings, .colliders = colliders});
-        host.submitAndWait([&](VkCommandBuffer commands) {
+        grass.begin(0, {.time = frame / 5.0, .views = {&view, 1}, .settings = settings, .colliders = {&collider, 1}});
+        gpu::submitAndWait(context, [&](VkCommandBuffer commands) {
             // 6. Outside of a rendering: blades move once, and are judged for each view.
             grass.recordUpdate(commands);
             grass.recordCull(commands, 0);
-            // 7. In the host's own rendering, among its own things.
-            host.beginPicture(commands);
-            host.draw(commands, boxes, worldToClip, settings.sunDirection);
-            const VkViewport viewport{0, 0, float(size.width), float(size.height), 0, 1};
-            const VkRect2D all{{0, 0}, size};
-            vkCmdSetViewport(commands, 0, 1, &viewport);
-            vkCmdSetScissor(commands, 0, 1, &all);
-            grass.recordDraw(commands, 0, target);
-            host.endPicture(commands);
+            inPicture(commands, [&] {
+                pipeline.bind(commands);
+                for (const render::Placement& p : {slope, small})
+                    box(commands, at(p.position) * glm::mat4_cast(p.rotation) * at({0.0, -0.1, 0.0}),
+                        {0.5 * p.scale * extent, 0.1, 0.5 * p.scale * extent}, {0.16f, 0.11f, 0.06f});
+                box(commands, at({2.4, 0.35, 0.3}), {0.12, 0.5, 0.12}, {0.6f, 0.1f, 0.08f});
+                box(commands, at({-1.2, 0.7, 0.2}), {0.15, 0.9, 0.15}, {0.7f, 0.6f, 0.4f});
+                box(commands, at(ball), glm::dvec3(0.12), {0.9f, 0.75f, 0.1f});
+                // 7. In the host's own rendering, among its own things.
+                grass.recordDraw(commands, 0, target);
+            });
         });
     }
-    host.save(picturePath);
-    std::printf("%s drew %llu blades\n", context.name.c_str(),
-                static_cast<unsigned long long>(grass.stats(0, 0).drawn));
+
+    const std::vector<std::byte> pixels = gpu::readImage(context, color, gpu::ImageUse::colorTarget);
+    png_image png{nullptr, PNG_IMAGE_VERSION, size.width, size.height, PNG_FORMAT_RGBA, 0, 0, 0, {}};
+    if (png_image_write_to_file(&png, drawn, 0, pixels.data(), 0, nullptr) == 0)
+        throw std::runtime_error(std::string(drawn) + ": " + png.message);
+    std::printf("%s drew %u blades\n", context.name.c_str(), unsigned(grass.stats(0, 0).drawn));
 }
 
 } // namespace
@@ -114,7 +191,8 @@ int main(int argc, char** argv)
 try {
     if (argc < 3)
         throw std::runtime_error("usage: embed FIELD.sward OUT.png [forward] [render-pass]");
-    draw(Host(!isAsked(argc, argv, "forward"), isAsked(argc, argv, "render-pass")), argv[1], argv[2]);
+    const std::set<std::string_view> options(argv + 3, argv + argc);
+    draw(Vulkan().context, !options.contains("forward"), options.contains("render-pass"), argv[1], argv[2]);
 } catch (const std::exception& error) {
     std::fprintf(stderr, "embed: %s\n", error.what());
     return 1;

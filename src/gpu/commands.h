@@ -15,7 +15,9 @@ namespace sward::gpu {
 /// Command buffers that may be recorded anew, one at a time.
 class CommandPool {
 public:
-    explicit CommandPool(const DeviceContext& context);
+    explicit CommandPool(const DeviceContext& context); ///< for the context's queue
+
+    /// For queues of a family.
     CommandPool(const DeviceContext& context, std::uint32_t queueFamily);
 
     /// A command buffer that lives as long as the pool.

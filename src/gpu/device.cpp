@@ -35,10 +35,8 @@ Device::Device(const Instance& instance, const DeviceSettings& settings)
     report_ = devices[chooseDevice(devices, settings.selection)];
 
     // Enable what is required, and of the optional features what is there.
-    FeatureChain supported;
-    vkGetPhysicalDeviceFeatures2(report_.physical, &supported.core);
     FeatureChain wanted;
-    const OptionalFeatures enabled = enableFeatures(supported, wanted);
+    const OptionalFeatures enabled = enableFeatures(report_.physical, wanted);
 
     std::vector<const char*> extensions;
     if (settings.surface != VK_NULL_HANDLE)

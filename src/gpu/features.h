@@ -31,4 +31,8 @@ std::vector<std::string> missingFeatures(FeatureChain& supported);
 /// latter.
 OptionalFeatures enableFeatures(FeatureChain& supported, FeatureChain& wanted);
 
+/// The same for what `physical` supports, asked of the loader that the program is linked with.
+/// Throws Error{unsupported} that names the device and what it lacks.
+OptionalFeatures enableFeatures(VkPhysicalDevice physical, FeatureChain& wanted);
+
 } // namespace sward::gpu

@@ -12,13 +12,14 @@
 
 namespace sward::gpu {
 
+/// What an image is made with.
 struct ImageSettings {
-    std::string name{};
-    VkFormat format = VK_FORMAT_UNDEFINED;
-    VkExtent2D extent{};
-    VkImageUsageFlags usage = 0;
-    std::uint32_t mips = 1;
-    std::uint32_t samples = 1; ///< 1, 2, 4, …
+    std::string name{};                    ///< for debuggers
+    VkFormat format = VK_FORMAT_UNDEFINED; ///< of colours or depth
+    VkExtent2D extent{};                   ///< [pixels]
+    VkImageUsageFlags usage = 0;           ///< all that it will be for
+    std::uint32_t mips = 1;                ///< levels
+    std::uint32_t samples = 1;             ///< 1, 2, 4, …
 };
 
 /// A 2D image with memory of its own and a view of each mip level.
@@ -30,17 +31,17 @@ public:
     /// and samples.
     Image(const DeviceContext& context, const ImageSettings& settings);
 
-    VkImage get() const { return image_.get(); }
+    VkImage get() const { return image_.get(); }     ///< the handle
     VkImageView view() const { return view_.get(); } ///< all mip levels
     VkImageView mipView(std::uint32_t level) const;  ///< one of them
 
-    VkFormat format() const { return format_; }
-    VkExtent2D extent() const { return extent_; }
-    VkExtent2D extent(std::uint32_t level) const;
-    std::uint32_t mips() const { return mips_; }
-    std::uint32_t samples() const { return samples_; }
-    VkImageAspectFlags aspect() const { return aspect_; }
-    VkDeviceSize memoryBytes() const { return memoryBytes_; }
+    VkFormat format() const { return format_; }               ///< of colours or depth
+    VkExtent2D extent() const { return extent_; }             ///< [pixels] of the finest level
+    VkExtent2D extent(std::uint32_t level) const;             ///< [pixels] of a level
+    std::uint32_t mips() const { return mips_; }              ///< levels
+    std::uint32_t samples() const { return samples_; }        ///< a pixel
+    VkImageAspectFlags aspect() const { return aspect_; }     ///< colour or depth
+    VkDeviceSize memoryBytes() const { return memoryBytes_; } ///< on the device
 
 private:
     VkFormat format_ = VK_FORMAT_UNDEFINED;

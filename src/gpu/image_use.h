@@ -20,12 +20,15 @@ enum class ImageUse {
     present,        ///< shown by the window system
 };
 
+/// The layout in which an image is for that.
 VkImageLayout layoutOf(ImageUse use);
 
 /// Takes all levels of an image from one use to the next; waits for the former, shows its writes to
 /// the latter.
 void transition(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, ImageUse before,
                 ImageUse after);
+
+/// The same.
 void transition(VkCommandBuffer commands, const Image& image, ImageUse before, ImageUse after);
 
 /// The same for one mip level.

@@ -15,8 +15,9 @@ namespace sward::gpu {
 /// What every part of this library is written against.
 constexpr std::uint32_t requiredApiVersion = VK_API_VERSION_1_3;
 
+/// What an instance is made with.
 struct InstanceSettings {
-    std::string application = "sward";
+    std::string application = "sward"; ///< its name, which drivers are told
 
     /// Asks for the validation layer, with synchronisation validation, if it is installed.
     bool validation = false;
@@ -37,7 +38,7 @@ public:
     /// extension is missing.
     explicit Instance(const InstanceSettings& settings = {});
 
-    VkInstance get() const { return instance_.get(); }
+    VkInstance get() const { return instance_.get(); } ///< the handle
 
     /// Whether the validation layer listens. False if it was not asked for or is not installed.
     bool isValidating() const { return isValidating_; }
@@ -45,7 +46,7 @@ public:
     /// Whether objects may be named and command buffers labelled.
     bool hasDebugUtils() const { return hasDebugUtils_; }
 
-    ValidationLog& validationLog() const { return *log_; }
+    ValidationLog& validationLog() const { return *log_; } ///< what the layer has said
 
 private:
     std::unique_ptr<ValidationLog> log_;

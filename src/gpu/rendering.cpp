@@ -44,6 +44,16 @@ VkRenderingAttachmentInfo describe(const DepthAttachment& depth)
 
 } // namespace
 
+void setArea(VkCommandBuffer commands, VkExtent2D extent)
+{
+    const VkViewport viewport{
+        0.0f, 0.0f, static_cast<float>(extent.width), static_cast<float>(extent.height),
+        0.0f, 1.0f};
+    const VkRect2D scissor{{0, 0}, extent};
+    vkCmdSetViewport(commands, 0, 1, &viewport);
+    vkCmdSetScissor(commands, 0, 1, &scissor);
+}
+
 RenderingScope::RenderingScope(VkCommandBuffer commands, VkExtent2D extent,
                                std::span<const ColorAttachment> colors,
                                const std::optional<DepthAttachment>& depth)
@@ -64,13 +74,7 @@ RenderingScope::RenderingScope(VkCommandBuffer commands, VkExtent2D extent,
     rendering.pColorAttachments = colorAttachments.data();
     rendering.pDepthAttachment = depth ? &depthAttachment : nullptr;
     vkCmdBeginRendering(commands, &rendering);
-
-    const VkViewport viewport{
-        0.0f, 0.0f, static_cast<float>(extent.width), static_cast<float>(extent.height),
-        0.0f, 1.0f};
-    const VkRect2D scissor{{0, 0}, extent};
-    vkCmdSetViewport(commands, 0, 1, &viewport);
-    vkCmdSetScissor(commands, 0, 1, &scissor);
+    setArea(commands, extent);
 }
 
 RenderingScope::~RenderingScope()

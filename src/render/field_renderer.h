@@ -1,11 +1,10 @@
 #pragma once
 
-#include "core/embedded.h"
 #include "field/field.h"
 #include "render/blade_record.h"
 #include "render/camera.h"
+#include "render/field_renderer_settings.h"
 #include "render/frame_settings.h"
-#include "render/geometry.h"
 
 #include <glm/vec2.hpp>
 #include <vulkan/vulkan.h>
@@ -29,28 +28,7 @@ namespace sward::render {
 /// while recording (but see copied()); construction uploads the field and waits for it.
 class FieldRenderer {
 public:
-    /// What stays the same from frame to frame.
-    struct Settings {
-        VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB; ///< of every target
-        std::uint32_t samples = 4;                      ///< 1 or 4 per pixel
-        std::uint32_t framesInFlight = 1;        ///< frames recorded before one is waited for
-        Geometry geometry = Geometry::automatic; ///< how blades are drawn
-        bool recordFates = false; ///< keep each blade's fate for dumpBlades(); 20 bytes a blade
-
-        /// The rasteriser updates and draws so many patches of up to 256 blades at a time, or a
-        /// 32nd of all if that is more: 16 bytes for each of their blades.
-        std::uint32_t roundPatches = 65536;
-
-        /// Bytes of device memory for everything, pictures up to largestTarget [pixels] among it;
-        /// 0: what it takes. A field of which not all blades fit is streamed (decision 0026): what
-        /// is seen comes by and by, and what it views outlives the renderer.
-        std::uint64_t deviceBytes = 0;
-        glm::uvec2 largestTarget{1920, 1080}; ///< [pixels] that deviceBytes hold room for
-        bool waitsForDisk = false;            ///< else what is not in the CPU's memory comes later
-
-        /// SPIR-V modules, which outlive the renderer; empty: those that are built in.
-        std::span<const EmbeddedFile> shaders{};
-    };
+    using Settings = FieldRendererSettings; ///< what stays the same from frame to frame
 
     /// Outlived by the context. `field` may die, except that dumpBlades() needs it again. Throws
     /// Error{runtime} when the device's memory, or the budget, is too small, naming both sizes;

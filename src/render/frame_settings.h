@@ -3,6 +3,7 @@
 #include "field/field.h"
 #include "render/camera.h"
 #include "render/colliders.h"
+#include "render/frame_stats.h"
 #include "render/wind.h"
 #include "shaders/shared/culling.h"
 #include "shaders/shared/physics.h"
@@ -89,22 +90,6 @@ struct FrameSettings {
         s.winds = sourcesOf(s.nature.wind);
         return s;
     }
-};
-
-/// What became of the blades of a frame. resident = drawn + lod + all of culled; total = resident +
-/// streamedOut.
-struct FrameStats {
-    std::uint64_t total = 0;             ///< blades of the field
-    std::uint64_t streamedOut = 0;       ///< not in memory
-    std::uint64_t resident = 0;          ///< in memory
-    std::uint64_t simulated = 0;         ///< moved in this frame
-    std::uint64_t drawn = 0;             ///< in the picture
-    std::uint64_t lod = 0;               ///< thinned out
-    std::uint64_t culledPatch = 0;       ///< with their whole patch
-    std::uint64_t culledOrientation = 0; ///< seen from their edge
-    std::uint64_t culledFrustum = 0;     ///< beside the picture
-    std::uint64_t culledDistance = 0;    ///< too far away
-    std::uint64_t culledOcclusion = 0;   ///< behind the ground
 };
 
 } // namespace sward::render

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/embedded.h"
+#include "render/geometry.h"
+
+#include <glm/vec2.hpp>
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <span>
+
+namespace sward::render {
+
+/// What stays the same from frame to frame of a FieldRenderer.
+struct FieldRendererSettings {
+    VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB; ///< of every target
+    std::uint32_t samples = 4;                      ///< 1 or 4 per pixel
+    std::uint32_t framesInFlight = 1;               ///< frames recorded before one is waited for
+    Geometry geometry = Geometry::automatic;        ///< how blades are drawn
+    bool recordFates = false; ///< keep each blade's fate for dumpBlades(); 20 bytes a blade
+
+    /// The rasteriser updates and draws so many patches of up to 256 blades at a time, or a
+    /// 32nd of all if that is more: 16 bytes for each of their blades.
+    std::uint32_t roundPatches = 65536;
+
+    /// Bytes of device memory for everything, pictures up to largestTarget [pixels] among it;
+    /// 0: what it takes. A field of which not all blades fit is streamed (decision 0026): what
+    /// is seen comes by and by, and what it views outlives the renderer.
+    std::uint64_t deviceBytes = 0;
+    glm::uvec2 largestTarget{1920, 1080}; ///< [pixels] that deviceBytes hold room for
+    bool waitsForDisk = false;            ///< else what is not in the CPU's memory comes later
+
+    /// SPIR-V modules, which outlive the renderer; empty: those that are built in.
+    std::span<const EmbeddedFile> shaders{};
+};
+
+} // namespace sward::render
