@@ -1,11 +1,11 @@
 // A host with a Vulkan of its own, without a window, draws grass among its own boxes:
 //   embed FIELD.sward OUT.png [forward] [render-pass]
 // What Sward asks for stands at the numbers 1 to 7. For the rest, which any engine has, helpers of Sward's own serve.
-#include <box.frag.h>
-#include <box.vert.h>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <png.h>
+#include <shaders/box.frag.h>
+#include <shaders/box.vert.h>
 #include <sward/field/read.h>
 #include <sward/gpu/check.h>
 #include <sward/gpu/commands.h>
@@ -128,7 +128,7 @@ void draw(const gpu::DeviceContext& context, bool isReversed, bool hasRenderPass
     // 3. All grass of the world, and what it is drawn into.
     render::Grass grass(context, {.framesInFlight = 1});
     const render::BladeTarget target(
-        context, {{colorFormat}, depthFormat, .hasReversedZ = isReversed, .renderPass = pass.get()});
+        context, {.colorFormats = {colorFormat}, .hasReversedZ = isReversed, .renderPass = pass.get()});
 
     // 4. The same lawn twice: on a slope, and half as large.
     const double extent = double(lawn->content().size().x);
@@ -145,7 +145,8 @@ void draw(const gpu::DeviceContext& context, bool isReversed, bool hasRenderPass
         glm::scale(glm::dmat4(1.0), {1.0, -1.0, 1.0}) *
         glm::perspectiveRH_ZO(0.62, double(size.width) / size.height, nearest, farthest) *
         glm::lookAt(glm::dvec3(0.3, 2.6, 7.0), glm::dvec3(-0.45, 0.45, 0.0), glm::dvec3(0, 1, 0));
-    const render::HostView view{worldToClip, {size.width, size.height}, isReversed};
+    const render::HostView view{
+        .worldToClip = worldToClip, .size = {size.width, size.height}, .hasReversedZ = isReversed};
     const auto at = [](glm::dvec3 place) { return glm::translate(glm::dmat4(1.0), place); };
     const auto box = [&](VkCommandBuffer commands, const glm::dmat4& place, glm::dvec3 half, glm::vec3 color) {
         const glm::vec3 sun = glm::normalize(settings.sunDirection) * glm::mat3(place);

@@ -1,9 +1,5 @@
 #include "gpu/features.h"
 
-#include "core/error.h"
-
-#include <fmt/ranges.h>
-
 namespace sward::gpu {
 namespace {
 
@@ -105,20 +101,6 @@ OptionalFeatures enableFeatures(FeatureChain& supported, FeatureChain& wanted)
         enabled.*feature.flag = feature.member(supported) == VK_TRUE;
     }
     return enabled;
-}
-
-OptionalFeatures enableFeatures(VkPhysicalDevice physical, FeatureChain& wanted)
-{
-    FeatureChain supported;
-    vkGetPhysicalDeviceFeatures2(physical, &supported.core);
-    const std::vector<std::string> missing = missingFeatures(supported);
-    if (!missing.empty()) {
-        VkPhysicalDeviceProperties properties;
-        vkGetPhysicalDeviceProperties(physical, &properties);
-        fail(ErrorKind::unsupported, "{} lacks {}", properties.deviceName,
-             fmt::join(missing, ", "));
-    }
-    return enableFeatures(supported, wanted);
 }
 
 } // namespace sward::gpu

@@ -1,0 +1,24 @@
+// Apart from the rest of features.cpp, so that a host with a loader of its own links no function of
+// Vulkan.
+#include "core/error.h"
+#include "gpu/features.h"
+
+#include <fmt/ranges.h>
+
+namespace sward::gpu {
+
+OptionalFeatures enableFeatures(VkPhysicalDevice physical, FeatureChain& wanted)
+{
+    FeatureChain supported;
+    vkGetPhysicalDeviceFeatures2(physical, &supported.core);
+    const std::vector<std::string> missing = missingFeatures(supported);
+    if (!missing.empty()) {
+        VkPhysicalDeviceProperties properties;
+        vkGetPhysicalDeviceProperties(physical, &properties);
+        fail(ErrorKind::unsupported, "{} lacks {}", properties.deviceName,
+             fmt::join(missing, ", "));
+    }
+    return enableFeatures(supported, wanted);
+}
+
+} // namespace sward::gpu
