@@ -20,12 +20,15 @@ layout(local_size_x = rasterThreads) in;
 // pipeline is made.
 layout(constant_id = 2) const bool isLate = false;
 
-/// Gives a blade that covers so many pixels to teams; whether there was room.
-bool leftToTeams(Ribbon ribbon, uint blade, float pixels)
+// Whether large blades are the tessellator's affair; known when the pipeline is made.
+layout(constant_id = 4) const bool isTessellated = false;
+
+/// Gives a blade that covers so many pixels to teams or the tessellator; whether there was room.
+bool leftToOthers(Ribbon ribbon, uint blade, float pixels)
 {
     WalkLevelArray asked = push.largeCount;
     LargePartArray large = push.large;
-    const uint parts = clamp(uint(pixels / teamPixels), 1u, mostTeams);
+    const uint parts = isTessellated ? 1u : clamp(uint(pixels / teamPixels), 1u, mostTeams);
     const uint slot = atomicAdd(asked.at[0].count, parts);
     const bool hasRoom = slot + parts <= mostLargeParts;
     for (uint part = 0u; part < parts && slot + part < mostLargeParts; ++part)
@@ -34,8 +37,12 @@ bool leftToTeams(Ribbon ribbon, uint blade, float pixels)
                       ribbon.outline.segments, ribbon.axis, ribbon.outline.tipThreshold,
                       ribbon.outline.scale, ribbon.outline.shape, blade,
                       hasRoom ? part | (parts << 16u) : 0u);
-    atomicMax(asked.at[0].groups[0],
-              min((slot + parts + teamsOfGroup - 1u) / teamsOfGroup, mostGroups));
+    const uint listed = min(slot + parts, mostLargeParts);
+    if (isTessellated)
+        atomicMax(asked.at[1].groups[1], (listed + drawChunk - 1u) / drawChunk);
+    else
+        atomicMax(asked.at[0].groups[0],
+                  min((listed + teamsOfGroup - 1u) / teamsOfGroup, mostGroups));
     return hasRoom;
 }
 
@@ -61,7 +68,7 @@ void rasterise(Lens lens, VisibleBlade visible)
     const float widthPixels = max(visible.pixels * ribbon.width / drawn.blade.height,
                                   lens.leastWidth * FRAME.view.pixelsPerUnit);
     const float pixels = visible.pixels * widthPixels;
-    if ((isLate || pixels > largeBladePixels) && leftToTeams(ribbon, visible.blade, pixels))
+    if ((isLate || pixels > largeBladePixels) && leftToOthers(ribbon, visible.blade, pixels))
         return;
 
     SeenRib before = seenRib(lens, ribbon, 0.0);
@@ -70,7 +77,7 @@ void rasterise(Lens lens, VisibleBlade visible)
         if (isCut(before) || isCut(after)) {
             // What this thread has drawn already will be drawn again, the same.
             if (!(isLost(before) && isLost(after))) {
-                leftToTeams(ribbon, visible.blade, pixels);
+                leftToOthers(ribbon, visible.blade, pixels);
                 return;
             }
         } else {

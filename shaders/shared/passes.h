@@ -136,7 +136,8 @@ struct RasterPush {
     VisibilityArray visibility; ///< pixel by pixel, sample by sample
     WalkLevelArray rounds;      ///< as in UpdatePush
     LargePartArray large;
-    WalkLevelArray largeCount; ///< how many of them were asked for, and groups of teams for them
+    WalkLevelArray largeCount; ///< how many of them were asked for, and groups of teams for them;
+                               ///< then the draw for them by the tessellator
     UintArray owners;          ///< patches that own blades, in the order of their blades
     UintArray firstOwners; ///< per ownerStride blades: index into `owners` of the first one's patch
 

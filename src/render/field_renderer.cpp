@@ -30,13 +30,15 @@ FieldBuffers::Records recordsFor(Geometry geometry, const FieldRenderer::Setting
 
 /// The rasteriser reads what the graphics pipeline has drawn. What solid things look like is asked
 /// only where no blade hides them.
-TargetSettings targetFor(Geometry geometry, const FieldRenderer::Settings& wanted)
+TargetSettings targetFor(const gpu::DeviceContext& context, const FieldRenderer::Settings& wanted)
 {
+    const Geometry geometry = chooseGeometry(context, wanted);
     return {.colorFormat = wanted.colorFormat,
             .samples = wanted.samples,
-            .isSampled = geometry == Geometry::raster,
+            .isSampled = rasterises(geometry),
             .mayBePaged = wanted.deviceBytes > 0,
-            .lightsLater = geometry == Geometry::raster};
+            .lightsLater = rasterises(geometry),
+            .tessellatesLarge = geometry == Geometry::hybrid || isTriedOut(context, wanted)};
 }
 
 /// Uploads all that a field brings, and waits for it.
@@ -63,16 +65,16 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , settings(wanted)
     , geometry(chooseGeometry(context, wanted))
     , shaders(wanted.shaders.empty() ? embedded::shaders() : wanted.shaders)
-    , attachments(context, targetFor(geometry, wanted))
+    , trial(madeIf<GeometryTrial>(isTriedOut(context, wanted), context, wanted.framesInFlight))
+    , attachments(context, targetFor(context, wanted))
     , ground(uploaded<GroundBuffers>(context, *field.ground))
     , cover(uploaded<GrassCover>(context, field))
     , sunShadow(context, shaders, ground.box())
     , pyramid(context, shaders, wanted.samples)
-    , solid(context, shaders, targetFor(geometry, wanted), ground)
+    , solid(context, shaders, targetFor(context, wanted), ground)
     , tessellated(madeIf<TessellatedPass>(geometry == Geometry::tessellation, context, shaders,
-                                          targetFor(geometry, wanted)))
-    , raster(madeIf<RasterPass>(geometry == Geometry::raster, context, shaders,
-                                targetFor(geometry, wanted),
+                                          targetFor(context, wanted)))
+    , raster(madeIf<RasterPass>(rasterises(geometry), context, shaders, targetFor(context, wanted),
                                 static_cast<std::uint32_t>(field.blades.size())))
     , plan(planWithin(field))
     , blades(context, shaders, uploaded<FieldBuffers>(context, field, plan.records))
@@ -199,6 +201,8 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
 
     const ViewMatrices view =
         viewMatrices(camera, parts.shape.origin, target.size, parts.shape.content, jitter);
+    if (parts.trial)
+        parts.geometry = parts.trial->begin(commands, slot);
     parts.fit(target.size);
     shared::Frame wanted = frameOf(parts.shape, view, settings, time, parts.settings.samples);
     if (parts.streaming)
@@ -231,9 +235,10 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
         parts.blades.findLive(commands, listedBy, nullptr);
     }
     // What blades hide is known of the camera that draws, and of no other.
-    const bool findsHidden = looksForHidden && !settings.cullingCamera && !findsReasons;
+    const bool findsHidden = parts.geometry == Geometry::raster && looksForHidden &&
+                             !settings.cullingCamera && !findsReasons;
     const RasterPass::Input raster{&parts.blades.buffers(), parts.slots[slot].frame.address(),
-                                   listedBy, findsHidden};
+                                   listedBy, findsHidden, parts.geometry == Geometry::hybrid};
     if (parts.raster)
         parts.rasterBlades(commands, raster, timestamps);
     else
@@ -325,7 +330,8 @@ Geometry FieldRenderer::geometry() const
 
 const char* FieldRenderer::geometryReason() const
 {
-    return reasonForGeometry(parts_->context, parts_->settings);
+    return parts_->trial ? parts_->trial->reason().c_str()
+                         : reasonForGeometry(parts_->context, parts_->settings);
 }
 
 std::size_t FieldRenderer::Parts::bytesBesideBlades() const

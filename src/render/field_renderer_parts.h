@@ -9,6 +9,7 @@
 #include "render/field_renderer.h"
 #include "render/frame.h"
 #include "render/frame_slot.h"
+#include "render/geometry_trial.h"
 #include "render/grass_cover.h"
 #include "render/memory_plan.h"
 #include "render/moving_blades.h"
@@ -31,8 +32,9 @@ struct FieldRenderer::Parts {
 
     const gpu::DeviceContext& context;
     Settings settings;
-    Geometry geometry;
+    Geometry geometry; ///< of the frame last recorded
     gpu::ShaderLibrary shaders;
+    std::optional<GeometryTrial> trial; ///< where the choice is measured
     Attachments attachments;
     GroundBuffers ground;
     GrassCover cover;

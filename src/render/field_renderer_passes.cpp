@@ -109,8 +109,12 @@ void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, const RasterPa
                     gpu::ImageUse::sampled);
     const std::uint64_t patches =
         streaming ? streaming->residentPatches() : std::numeric_limits<std::uint64_t>::max();
+    if (trial)
+        trial->beginBlades(commands);
     RasterRounds{context, blades, *raster, pyramid, blades.buffers().roundCount(patches)}.record(
         commands, input, timestamps);
+    if (trial)
+        trial->endBlades(commands);
 }
 
 void FieldRenderer::Parts::resolve(VkCommandBuffer commands, const Target& target,

@@ -9,6 +9,9 @@ namespace sward::render {
 /// asked for that it cannot draw.
 Geometry chooseGeometry(const gpu::DeviceContext& context, const FieldRenderer::Settings& wanted);
 
+/// Whether what is chosen is raster for a start, and may turn out to be hybrid.
+bool isTriedOut(const gpu::DeviceContext& context, const FieldRenderer::Settings& wanted);
+
 /// Why, in words.
 const char* reasonForGeometry(const gpu::DeviceContext& context,
                               const FieldRenderer::Settings& wanted);

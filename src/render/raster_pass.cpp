@@ -4,6 +4,8 @@
 #include "gpu/barrier.h"
 #include "gpu/image_use.h"
 
+#include <cstddef>
+
 namespace sward::render {
 namespace {
 
@@ -12,6 +14,12 @@ constexpr VkFormat pictureFormat = VK_FORMAT_R8G8B8A8_UNORM;
 
 /// What has been shaded, before it is filtered; alpha: see softness() of lighting.glsl.
 constexpr VkFormat shadedFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
+
+/// How many large blades have been asked for, and what draws those that are listed.
+struct LargeCount {
+    shared::WalkLevel teams{.groups = {0, 1, 1}, .count = 0};
+    VkDrawIndirectCommand draw{shared::drawChunk, 0, 0, 0}; ///< a vertex for each of them
+};
 
 bool isBgr(VkFormat format)
 {
@@ -58,7 +66,8 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                                             .address = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE}))
 {
     expect(obstacleToRaster(context, target.colorFormat) == nullptr, "the device can rasterise");
-    const auto pipeline = [&](const char* name, const std::string& shader, bool isLate = false) {
+    const auto pipeline = [&](const char* name, const std::string& shader, bool isLate = false,
+                              bool isTessellated = false) {
         return gpu::ComputePipeline(context, shaders,
                                     {.name = name,
                                      .shader = shader,
@@ -66,7 +75,8 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                                      .setLayouts = {imageLayout_.get()},
                                      .constants = {{.id = 1, .value = target.samples},
                                                    {.id = 2, .value = isLate ? 1u : 0u},
-                                                   {.id = 3, .value = target.mayBePaged}}});
+                                                   {.id = 3, .value = target.mayBePaged},
+                                                   {.id = 4, .value = isTessellated ? 1u : 0u}}});
     };
     begin_ = pipeline("raster/begin", variantOf("raster_begin", target.samples));
     blades_ = pipeline("raster/blades", "raster_blades.comp");
@@ -74,13 +84,17 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
     lateBlades_ = pipeline("raster/late blades", "raster_blades.comp", true);
     lateLarge_ = pipeline("raster/late large blades", "raster_large.comp", true);
     depths_ = pipeline("raster/depths", "seen_depths.comp");
+    if (target.tessellatesLarge) {
+        smallBlades_ = pipeline("raster/small blades", "raster_blades.comp", false, true);
+        tessellated_.emplace(context, shaders, target.samples);
+    }
     if (target.samples > 1)
         soften_ = pipeline("raster/soften", "soften.comp");
     largeParts_ = gpu::Buffer(context, {.name = "raster/large blades",
                                         .bytes = shared::mostLargeParts * sizeof(shared::LargePart),
                                         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
     largeCount_ = gpu::Buffer(context, {.name = "raster/large blades' count",
-                                        .bytes = sizeof(shared::WalkLevel),
+                                        .bytes = sizeof(LargeCount),
                                         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
                                                  VK_BUFFER_USAGE_TRANSFER_DST_BIT |
                                                  VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT});
@@ -154,7 +168,7 @@ shared::RasterPush RasterPass::pushFor(const Input& input) const
 
 void RasterPass::emptyLarge(VkCommandBuffer commands) const
 {
-    const shared::WalkLevel none{.groups = {0, 1, 1}, .count = 0};
+    const LargeCount none{};
     vkCmdUpdateBuffer(commands, largeCount_.get(), 0, sizeof none, &none);
 }
 
@@ -176,7 +190,11 @@ void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input, std:
 {
     shared::RasterPush push = pushFor(input);
     push.round = turn == Turn::late ? input.field->list().roundCount() + round : round;
-    const gpu::ComputePipeline& pipeline = turn == Turn::late ? lateBlades_ : blades_;
+    expect(!input.tessellatesLarge || (tessellated_ && turn == Turn::first),
+           "the tessellator asks for no turns");
+    const gpu::ComputePipeline& pipeline = turn == Turn::late       ? lateBlades_
+                                           : input.tessellatesLarge ? smallBlades_
+                                                                    : blades_;
     pipeline.bind(commands);
     pipeline.push(commands, push);
     vkCmdDispatchIndirect(commands, input.field->list().rounds().get(),
@@ -185,6 +203,9 @@ void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input, std:
 
 void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Turn turn) const
 {
+    if (input.tessellatesLarge)
+        return tessellated_->record(commands, pushFor(input), largeCount_.get(),
+                                    offsetof(LargeCount, draw));
     const gpu::ComputePipeline& pipeline = turn == Turn::late ? lateLarge_ : large_;
     pipeline.bind(commands);
     pipeline.push(commands, pushFor(input));

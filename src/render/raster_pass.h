@@ -9,12 +9,14 @@
 #include "gpu/shader_library.h"
 #include "render/attachments.h"
 #include "render/field_buffers.h"
+#include "render/large_blade_pass.h"
 #include "render/target_settings.h"
 #include "shaders/shared/passes.h"
 
 #include <vulkan/vulkan.h>
 
 #include <map>
+#include <optional>
 
 namespace sward::render {
 
@@ -39,9 +41,10 @@ public:
     /// What each of the following reads.
     struct Input {
         const FieldBuffers* field = nullptr;
-        VkDeviceAddress frame = 0;  ///< shared::Frame
-        VkDeviceAddress judged = 0; ///< by whose camera the visible blades were listed
-        bool findsHidden = false;   ///< whether blades hide others: see shared::RasterPush::seen
+        VkDeviceAddress frame = 0;     ///< shared::Frame
+        VkDeviceAddress judged = 0;    ///< by whose camera the visible blades were listed
+        bool findsHidden = false;      ///< whether blades hide others: see shared::RasterPush::seen
+        bool tessellatesLarge = false; ///< whether large ones are left to the tessellator
     };
 
     /// Begins the visibility with what the graphics pipeline has drawn; colour and depth are in
@@ -56,7 +59,8 @@ public:
     void recordBlades(VkCommandBuffer commands, const Input& input, std::uint32_t round,
                       Turn turn) const;
 
-    /// Rasterises the large ones of all rounds since this was last recorded. As above.
+    /// Rasterises the large ones of all rounds since this was last recorded, or has them
+    /// tessellated, whichever their turn. As above.
     void recordLarge(VkCommandBuffer commands, const Input& input, Turn turn) const;
 
     /// Empties the list of large ones, with barriers from and to compute shaders.
@@ -86,10 +90,12 @@ private:
     gpu::Sampler sampler_;
     gpu::ComputePipeline begin_;
     gpu::ComputePipeline blades_;
+    gpu::ComputePipeline smallBlades_; ///< leave large ones to the tessellator
     gpu::ComputePipeline large_;
     gpu::ComputePipeline lateBlades_; ///< leave out what is hidden
     gpu::ComputePipeline lateLarge_;
     gpu::ComputePipeline depths_;
+    std::optional<LargeBladePass> tessellated_;    ///< of large blades
     std::map<bool, gpu::ComputePipeline> resolve_; ///< by whether it paints the wind
     gpu::ComputePipeline soften_;                  ///< with several samples
 

@@ -16,6 +16,7 @@ struct TargetSettings {
     bool isSampled = false;   ///< shaders read what the graphics pipeline has drawn
     bool mayBePaged = false;  ///< blades may be in memory in part
     bool lightsLater = false; ///< depth is drawn first, by itself, and the light where it is seen
+    bool tessellatesLarge = false; ///< the rasteriser may leave large blades to the tessellator
 };
 
 } // namespace sward::render

@@ -4,6 +4,7 @@
 #include "picture.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
+#include "thicket.h"
 
 #include <gtest/gtest.h>
 
@@ -109,32 +110,10 @@ TEST_F(OcclusionTest, HidesNothingInTheFirstFrameAfterATurn)
     EXPECT_EQ(test::differingPixels(turned, picture.pixels()), 0u);
 }
 
-/// Blades as high as a man, close together: each hides dozens behind it, and covers many pixels.
-field::Field thicket()
-{
-    return test::makeField({.blades = 6000,
-                            .extent = 8.0f,
-                            .heightLow = 1.2f,
-                            .heightHigh = 2.4f,
-                            .widthLow = 0.1f,
-                            .widthHigh = 0.2f});
-}
-
-/// A walk through it, with turns.
-Camera onTheWay(int step)
-{
-    Camera camera;
-    const double turn = 0.35 * step;
-    camera.eye = {3.0 * std::sin(0.1 * step), 1.5 + 0.4 * std::sin(0.3 * step), 5.0 - 0.25 * step};
-    camera.target =
-        camera.eye + glm::dvec3(std::sin(turn), step % 5 == 0 ? -0.6 : -0.1, -std::cos(turn));
-    return camera;
-}
-
 TEST_F(OcclusionTest, GrassHidesGrassAndNoByteOfAnyPicture)
 {
     for (const std::uint32_t samples : {1u, 4u}) {
-        const field::Field field = thicket();
+        const field::Field field = test::thicket();
         FieldRenderer::Settings wanted;
         wanted.samples = samples;
         wanted.geometry = Geometry::raster;
@@ -146,13 +125,13 @@ TEST_F(OcclusionTest, GrassHidesGrassAndNoByteOfAnyPicture)
         std::uint64_t drawn = 0;
         for (int step = 0; step < 6; ++step) {
             settings.cullMask = visible;
-            picture.draw(renderer, onTheWay(step), settings, 1.0);
+            picture.draw(renderer, test::onTheWay(step), settings, 1.0);
             const auto all = picture.pixels();
             listed += renderer.stats().drawn;
             // The first of the two begins with what other cameras have seen.
             settings.cullMask = visible | shared::cullOcclusion;
             for (int frame = 0; frame < 2; ++frame) {
-                picture.draw(renderer, onTheWay(step), settings, 1.0);
+                picture.draw(renderer, test::onTheWay(step), settings, 1.0);
                 ASSERT_EQ(test::differingPixels(all, picture.pixels()), 0u)
                     << samples << " samples, step " << step << ", frame " << frame;
                 const FrameStats stats = renderer.stats();

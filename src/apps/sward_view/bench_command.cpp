@@ -24,7 +24,7 @@ constexpr std::uint32_t mostFrames = 1'000'000;
 struct BenchOptions {
     FrameOptions frame;
     std::uint32_t frames = 100;
-    std::uint32_t warmup = 10;
+    std::uint32_t warmup = 16;
     std::string fieldFolder; ///< empty: the scene's
     bool moving = false;
     bool copyBandwidth = false;
@@ -131,7 +131,7 @@ void addBenchCommand(CLI::App& app, apps::Command& chosen)
     command->add_option("--frames", options->frames, "Frames that are measured [100]")
         ->type_name("N")
         ->check(CLI::Range(std::uint32_t(1), mostFrames));
-    command->add_option("--warmup", options->warmup, "Frames before them that are not [10]")
+    command->add_option("--warmup", options->warmup, "Frames before them that are not [16]")
         ->type_name("N")
         ->check(CLI::Range(std::uint32_t(0), mostFrames));
     command

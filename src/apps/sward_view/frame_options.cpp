@@ -20,16 +20,15 @@ namespace {
 constexpr std::uint64_t leastMemory = std::uint64_t(1) << 20;
 constexpr std::uint64_t mostMemory = std::uint64_t(1) << 44;
 
-// The rasteriser is a later version's; asking for it by name must not be silently ignored.
 render::Geometry parseGeometry(const std::string& word)
 {
-    if (word == "auto")
-        return render::Geometry::automatic;
-    if (word == "tessellation")
-        return render::Geometry::tessellation;
-    if (word == "raster")
-        return render::Geometry::raster;
-    fail(ErrorKind::usage, "--geometry: '{}' is not one of auto, tessellation, raster", word);
+    using render::Geometry;
+    for (const Geometry geometry :
+         {Geometry::automatic, Geometry::tessellation, Geometry::raster, Geometry::hybrid})
+        if (word == render::nameOf(geometry))
+            return geometry;
+    fail(ErrorKind::usage, "--geometry: '{}' is not one of auto, tessellation, raster, hybrid",
+         word);
 }
 
 render::DebugMode parseDebug(const std::string& word)
@@ -129,7 +128,7 @@ void FrameOptions::addMeasured(CLI::App& app)
         "S", "Seconds from frame to frame, a fraction if you like [1/60]");
     option(
         "--geometry", [this](const std::string& text) { geometry = parseGeometry(text); }, "WORD",
-        "auto, tessellation, raster [auto]");
+        "auto, tessellation, raster, hybrid [auto]");
     app.add_option("--tess-level", tessellationLevel,
                    "Segments along every blade, 1 to 64; 0: by size on the screen [0]")
         ->type_name("N")

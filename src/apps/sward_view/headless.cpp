@@ -179,7 +179,7 @@ RunStats Headless::stats()
     stats.driver = device_.context().driver;
     stats.size = options_.size;
     stats.samples = samples_;
-    stats.geometry = renderer_.geometry() == render::Geometry::raster ? "raster" : "tessellation";
+    stats.geometry = render::nameOf(renderer_.geometry());
     stats.geometryReason = renderer_.geometryReason();
     stats.blades = renderer_.stats(slot);
     for (const std::string& name : timestamps_.names())
