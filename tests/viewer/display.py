@@ -10,7 +10,7 @@ import tempfile
 import time
 from pathlib import Path
 
-PATIENCE = 60.0  # seconds; lavapipe on a busy machine is slow
+PATIENCE = 180.0  # seconds; lavapipe on a busy machine is slow
 
 
 def wait_until(holds, what):

@@ -5,7 +5,7 @@ import sys
 import time
 
 CLIENT_MESSAGE, SELECTION_REQUEST, SELECTION_NOTIFY = 33, 30, 31
-PATIENCE = 30.0  # seconds
+PATIENCE = 90.0  # seconds
 
 
 def drop(display_name, window, uris):

@@ -1,5 +1,5 @@
 """Random clicks, drags and keys, the same in every run: the window outlives them and its memory
-does not grow. SWARD_SOAK_SECONDS says for how long; 60 unless it is set."""
+does not grow. SWARD_SOAK_SECONDS says for how long; 24 unless it is set."""
 
 import os
 import random
@@ -16,7 +16,7 @@ from viewer import Viewer  # noqa: E402
 
 SWARD = os.environ["SWARD_PROGRAM"]
 VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
-SECONDS = float(os.environ.get("SWARD_SOAK_SECONDS", "60"))
+SECONDS = float(os.environ.get("SWARD_SOAK_SECONDS", "24"))
 WIDTH, HEIGHT = 640, 420
 GROWTH = 0.02  # of the memory, from the first half to the end
 KEYS = ["f", "Home", "space", "period", "h", "Tab", "g", "c", "1", "2", "3", "4", "ctrl+9", "9"]
