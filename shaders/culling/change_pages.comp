@@ -27,8 +27,10 @@ void main()
     const bool comes = change.place != noPlace;
     if (thread == 0u)
         push.pages.at[change.page] = change.place;
-    for (uint i = thread; comes && i < end - first; i += pageThreads)
-        push.states.at[change.place + i] = BladeState(0u, 0u);
+    for (uint i = thread; comes && i < end - first; i += pageThreads) {
+        push.states.at[change.place + i] = 0u;
+        push.etas.at[change.place + i] = 0.0;
+    }
 
     // Patches that begin on the page, and the one that may have begun before.
     for (uint owner = push.firstOwners.at[first / ownerStride] + thread; owner < push.ownerCount;

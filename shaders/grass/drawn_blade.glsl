@@ -51,7 +51,8 @@ DrawnBlade drawnBlade(VisibleBlade visible, Blade blade, BladeState state)
 
 DrawnBlade drawnBlade(VisibleBlade visible, Blade blade)
 {
-    return drawnBlade(visible, blade, FRAME.states.at[placeOf(uvec2(FRAME.pages), visible.blade)]);
+    const uint turn = FRAME.states.at[placeOf(uvec2(FRAME.pages), visible.blade)];
+    return drawnBlade(visible, blade, BladeState(turn, 0.0));
 }
 
 DrawnBlade drawnBlade(VisibleBlade visible)

@@ -21,6 +21,7 @@ layout(constant_id = 0) const uint windCounts = 0u;
 layout(constant_id = 1) const bool hasColliders = false;
 layout(constant_id = 3) const uint role = moveAndJudge;
 layout(constant_id = 4) const bool keepsBefore = false;
+layout(constant_id = 5) const bool keepsEtas = false;
 
 shared uint fateTally[fateCount]; // of one patch
 shared uint fateSums[fateCount];  // of all patches of the group
@@ -137,16 +138,19 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
         const Blade blade = unpackBlade(JUDGED.blades.at[place], cell);
 
         // Move it. At a standstill the stored state stays as it is, to the bit.
-        BladeState state = JUDGED.states.at[place];
+        BladeState state =
+            BladeState(JUDGED.states.at[place], keepsEtas ? JUDGED.etas.at[place] : 0.0);
         if (since > 0.0f) {
-            const BladeState before = state;
+            const uint before = state.turn;
             state = advanceBlade(blade, nature, near, state, JUDGED.time, since);
             // One that was thinned out comes back from nowhere.
             if (keepsBefore) {
-                StateArray kept = push.before;
-                kept.at[index] = i < movedBefore ? before : state;
+                UintArray kept = push.before;
+                kept.at[index] = i < movedBefore ? before : state.turn;
             }
-            JUDGED.states.at[place] = state;
+            JUDGED.states.at[place] = state.turn;
+            if (keepsEtas)
+                JUDGED.etas.at[place] = state.eta;
         }
         if (role == onlyMove || push.onlyUpdate != 0u)
             continue;

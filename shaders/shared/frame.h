@@ -46,7 +46,8 @@ SHARED_BUFFER(UintArray, uint, )
 /// One view of one field. All places are relative to the field's origin.
 struct Frame {
     BladeArray blades;
-    StateArray states;
+    UintArray states; ///< BladeState::turn of each blade in memory …
+    FloatArray etas;  ///< … and BladeState::eta, or address 0 where no collider has been
     PatchArray patches;
     SpeciesArray species;
     VisibleArray visible;
@@ -85,7 +86,7 @@ struct Frame {
         fogFalloff; ///< [1/m] the air thins upwards as exp(−falloff · height); 0: alike everywhere
     float fogBase;  ///< [m] along skyUp, relative to the field's origin: where it has fogDensity
 };
-SHARED_LAYOUT(Frame, 696)
+SHARED_LAYOUT(Frame, 704)
 
 SHARED_BUFFER(FrameArray, Frame, readonly)
 

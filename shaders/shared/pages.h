@@ -35,7 +35,8 @@ SHARED_CONST uint pageThreads = 64u;
 struct PagePush {
     PageChangeArray changes; ///< one work-group each
     UintArray pages;         ///< Frame::pages
-    StateArray states;
+    UintArray states;        ///< Frame::states
+    FloatArray etas;         ///< Frame::etas
     PatchArray patches;
     CountedSubtreeArray subtrees; ///< whose blades are those in memory
     FloatArray patchTimes;
@@ -47,7 +48,7 @@ struct PagePush {
     float settledAt; ///< [s] since when a blade that comes has stood in its wind
     uint reserved;
 };
-SHARED_LAYOUT(PagePush, 88)
+SHARED_LAYOUT(PagePush, 96)
 
 SHARED_END
 #endif

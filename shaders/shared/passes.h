@@ -36,7 +36,7 @@ struct UpdatePush {
     WalkLevelArray rounds; ///< each round's length of the list, and work-groups to rasterise it
     UintArray owners;      ///< indices of the patches that own blades
     FrameArray views;      ///< for which blades are moved, where they are several
-    StateArray before;     ///< where states are kept that blades are moved from, if they are
+    UintArray before;      ///< where states are kept that blades are moved from, if they are
     UintArray seenBefore;  ///< see RasterPush; address 0: all blades are listed in front
     uint ownerCount;
     uint onlyUpdate; ///< 1: move every blade of every owner, judge and count none
@@ -163,7 +163,7 @@ SHARED_LAYOUT(ViewPush, 8)
 /// How a view of a field came about since the frame before.
 struct Motion {
     mat4 clipBefore;         ///< from the field's places to the clip space of then
-    StateArray statesBefore; ///< of blades before they moved, where they have moved in this frame
+    UintArray statesBefore; ///< of blades before they moved, where they have moved in this frame
     uint moves;              ///< 0: none has, no time has passed
     uint reserved;
 };

@@ -11,15 +11,13 @@
 
 SHARED_BEGIN
 
-/// What moves between frames, 8 bytes: the tip's displacement from rest in heights, and the
-/// strength of the last collision.
+/// What moves between frames. A pose is a function of the tip's direction alone, so that this is
+/// all that is stored of it: 4 bytes; and where there are colliders 4 more.
 struct BladeState {
-    uint xy;   ///< snorm16 × 2: displacement.x, displacement.y in ±2 heights
-    uint zEta; ///< snorm16: displacement.z; unorm16: collision strength in [0, 1]
+    uint turn; ///< snorm16 × 2: towards the blade's front and to its side, each the tangent of half
+               ///< the angle between the up-vector and the tip's direction; 0: straight up
+    float eta; ///< [0, 1] strength of the last collision
 };
-SHARED_LAYOUT(BladeState, 8)
-
-SHARED_BUFFER(StateArray, BladeState, )
 
 /// The pull of gravity: a direction, an attractor, or a blend of both.
 struct Gravity {
@@ -41,9 +39,9 @@ struct Pose {
     vec3 v2;
 };
 
-/// Half of a step of the stored displacement and the rounding of a number near 2, in heights, per
-/// axis.
-SHARED_CONST float displacementMaxError = 3.07e-5f;
+/// Half of a step of a stored tangent, and the rounding of a number near 1. The direction turns by
+/// twice that at most along each axis [rad].
+SHARED_CONST float turnMaxError = 1.54e-5f;
 
 SHARED_FN uint packSnorm16(float x)
 {
@@ -55,24 +53,28 @@ SHARED_FN float unpackSnorm16(uint bits)
     return float((int(bits & 65535u) ^ 32768) - 32768) / 32767.0f;
 }
 
-SHARED_FN BladeState packState(vec3 displacement, float eta)
+/// The state of a blade whose tip is seen from its root in `direction`, unit and not below the
+/// blade's ground plane: stereographic, so that no direction is stored worse than half as well as
+/// another. `front` is unit and at right angles to `up`.
+SHARED_FN BladeState stateOf(vec3 up, vec3 front, vec3 direction, float eta)
 {
+    const float rise = 1.0f + max(dot(direction, up), 0.0f);
     BladeState state;
-    state.xy = packSnorm16(displacement.x * 0.5f) | (packSnorm16(displacement.y * 0.5f) << 16u);
-    state.zEta = packSnorm16(displacement.z * 0.5f) |
-                 (uint(floor(clamp(eta, 0.0f, 1.0f) * 65535.0f + 0.5f)) << 16u);
+    state.turn = packSnorm16(dot(direction, front) / rise) |
+                 (packSnorm16(dot(direction, cross(up, front)) / rise) << 16u);
+    state.eta = eta;
     return state;
 }
 
-SHARED_FN vec3 displacementOf(BladeState state)
+/// Where the tip points: never below the ground plane, and unit, but for one that lies in it, which
+/// may be longer by √2·turnMaxError.
+SHARED_FN vec3 directionOf(vec3 up, vec3 front, BladeState state)
 {
-    return 2.0f *
-           vec3(unpackSnorm16(state.xy), unpackSnorm16(state.xy >> 16u), unpackSnorm16(state.zEta));
-}
-
-SHARED_FN float etaOf(BladeState state)
-{
-    return float(state.zEta >> 16u) / 65535.0f;
+    const float forward = unpackSnorm16(state.turn);
+    const float aside = unpackSnorm16(state.turn >> 16u);
+    const float square = min(forward * forward + aside * aside, 1.0f);
+    return (2.0f * (forward * front + aside * cross(up, front)) + (1.0f - square) * up) /
+           (1.0f + square);
 }
 
 /// Gravity at `root` [m] with its elastic forward part: g = gE + forward·‖gE‖·front
@@ -84,6 +86,18 @@ SHARED_FN vec3 gravityAt(Gravity gravity, vec3 root, vec3 front)
     const vec3 pull = distance > 1e-6f ? toAttractor / distance : vec3(0.0f);
     const vec3 environment = gravity.strength * mix(gravity.direction, pull, gravity.blend);
     return environment + gravity.forward * length(environment) * front;
+}
+
+/// Steps 2 and 3 of poseBlade(), of a tip in `direction`, unit and not below the ground plane.
+SHARED_FN Pose poseTowards(vec3 up, vec3 direction)
+{
+    const float side = length(direction - up * dot(direction, up));
+    const vec3 v1 = up * max(1.0f - side, 0.05f);
+    const float scale = 1.0f / bezierLength(v1, direction);
+    Pose pose;
+    pose.v1 = v1 * scale;
+    pose.v2 = direction * scale;
+    return pose;
 }
 
 /// The three validation steps (section 5.3) for a tip at `tip` heights from the root:
@@ -101,20 +115,13 @@ SHARED_FN Pose poseBlade(vec3 up, vec3 front, vec3 tip)
     const float distance = length(lifted);
     const vec3 towards = distance > 1e-4f ? lifted / distance : front;
     // Division has magnified the rounding of the first step: lift again.
-    const vec3 direction = towards - up * min(dot(up, towards), 0.0f);
-    const float side = length(direction - up * dot(direction, up));
-    const vec3 v1 = up * max(1.0f - side, 0.05f);
-    const float scale = 1.0f / bezierLength(v1, direction);
-    Pose pose;
-    pose.v1 = v1 * scale;
-    pose.v2 = direction * scale;
-    return pose;
+    return poseTowards(up, towards - up * min(dot(up, towards), 0.0f));
 }
 
 /// The pose that a stored state stands for.
 SHARED_FN Pose poseOfState(vec3 up, vec3 front, BladeState state)
 {
-    return poseBlade(up, front, up + displacementOf(state));
+    return poseTowards(up, directionOf(up, front, state));
 }
 
 /// One step of `dt` [s] (section 5.2) from a valid `tip` [heights]: tip' = recovery + gravity +
@@ -233,8 +240,9 @@ SHARED_FN BladeState advanceBlade(Blade blade, Nature nature, ColliderMask near,
     const uint steps = uint(clamp(ceil(elapsed / longestStep), 1.0f, float(maxSteps)));
     const float dt = elapsed / float(steps);
 
-    vec3 tip = blade.up + displacementOf(state);
-    float eta = etaOf(state);
+    const vec3 first = poseOfState(blade.up, front, state).v2;
+    vec3 tip = first;
+    float eta = state.eta;
     float pushed = 0.0f;
     bool resting = true;
     for (uint i = 0u; i < steps; ++i) {
@@ -253,11 +261,9 @@ SHARED_FN BladeState advanceBlade(Blade blade, Nature nature, ColliderMask near,
             eta = min(eta + (pushed - before), 1.0f);
         }
     }
-    const vec3 displacement = tip - blade.up;
-    if (pushed > 0.0f && resting &&
-        length(displacement - displacementOf(state)) < stickingSpeed * elapsed)
+    if (pushed > 0.0f && resting && length(tip - first) < stickingSpeed * elapsed)
         return state;
-    return packState(displacement, eta);
+    return stateOf(blade.up, front, normalize(tip), eta);
 }
 
 SHARED_END

@@ -24,7 +24,7 @@ FieldRenderer::BladeRecord recordOf(const shared::Blade& blade, const shared::Bl
     record.v1 = record.root + glm::dvec3(blade.height * pose.v1);
     record.v2 = record.root + glm::dvec3(blade.height * pose.v2);
     record.up = blade.up;
-    record.eta = shared::etaOf(state);
+    record.eta = state.eta;
     return record;
 }
 
@@ -54,7 +54,10 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
                                                    const field::FieldView& field)
 {
     gpu::check(vkDeviceWaitIdle(context.device), "vkDeviceWaitIdle");
-    const auto states = gpu::readBufferAs<shared::BladeState>(context, buffers.states());
+    const auto turns = gpu::readBufferAs<std::uint32_t>(context, buffers.states());
+    std::vector<float> etas(turns.size(), 0.0f);
+    if (buffers.hasEtas())
+        etas = gpu::readBufferAs<float>(context, buffers.etas());
     const auto visible = gpu::readBufferAs<shared::VisibleBlade>(context, buffers.visible());
     const auto rounds = gpu::readBufferAs<shared::WalkLevel>(context, buffers.list().rounds());
     std::vector<std::uint32_t> fates;
@@ -66,8 +69,8 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
     for (const shared::Patch& cell : field.patches) {
         for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
             const std::size_t index = cell.firstBlade + i;
-            records[index] = recordOf(shared::unpackBlade(field.blades[index], cell), states[index],
-                                      field.origin);
+            records[index] = recordOf(shared::unpackBlade(field.blades[index], cell),
+                                      {turns[index], etas[index]}, field.origin);
             records[index].id = field.idOf(index);
             records[index].fate = fates.empty() ? shared::fatePatch : fates[index];
         }
@@ -94,21 +97,25 @@ readPatch(const gpu::DeviceContext& context, const FieldBuffers& buffers,
           const field::FieldView& field, std::uint32_t patch, std::span<const BladePart> parts)
 {
     const shared::Patch& cell = field.patches[patch];
-    std::vector<shared::BladeState> states;
+    std::vector<std::uint32_t> turns;
+    std::vector<float> etas;
     std::vector<std::uint32_t> fates;
     for (const BladePart& part : parts) {
-        append(states, readPart<shared::BladeState>(context, buffers.states(), part));
+        append(turns, readPart<std::uint32_t>(context, buffers.states(), part));
+        if (buffers.hasEtas())
+            append(etas, readPart<float>(context, buffers.etas(), part));
         if (buffers.fates().bytes() > 0)
             append(fates, readPart<std::uint32_t>(context, buffers.fates(), part));
     }
-    if (states.size() < cell.bladeCount)
+    if (turns.size() < cell.bladeCount)
         return {};
+    etas.resize(cell.bladeCount, 0.0f);
     fates.resize(cell.bladeCount, shared::fatePatch);
     std::vector<FieldRenderer::BladeRecord> records(cell.bladeCount);
     for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
         const std::size_t index = cell.firstBlade + i;
-        records[i] =
-            recordOf(shared::unpackBlade(field.blades[index], cell), states[i], field.origin);
+        records[i] = recordOf(shared::unpackBlade(field.blades[index], cell), {turns[i], etas[i]},
+                              field.origin);
         records[i].id = field.idOf(index);
         records[i].fate = fates[i];
     }

@@ -13,17 +13,29 @@ namespace sward::render {
 /// How the blades of one field in one place are bent, and since when: what moves between frames.
 class BladeStates {
 public:
-    /// `keepsBefore`: also the states from which blades were last moved.
-    BladeStates(const gpu::DeviceContext& context, const BakedBlades& blades,
-                bool keepsBefore = false);
+    /// What is kept besides the states themselves.
+    struct Kept {
+        bool before = false; ///< the states from which blades were last moved
+        bool etas = false;   ///< what collisions leave, from the beginning; else see keepEtas()
+    };
+
+    BladeStates(const gpu::DeviceContext& context, const BakedBlades& blades, Kept kept);
 
     /// Writes addresses into a frame.
     void describe(shared::Frame& frame) const;
 
+    /// Keeps what collisions leave from now on, none at first. Allocates, once.
+    void keepEtas(const gpu::DeviceContext& context);
+    bool hasEtas() const { return hasEtas_; }
+
     /// Puts every blade at rest, last moved at `time` [s].
     void rest(const gpu::Recording& commands, float time) const;
 
-    const gpu::Buffer& states() const { return states_; } ///< shared::BladeState
+    /// Nobody has been touched by a collider.
+    void clearEtas(const gpu::Recording& commands) const;
+
+    const gpu::Buffer& states() const { return states_; } ///< shared::BladeState::turn
+    const gpu::Buffer& etas() const { return etas_; }     ///< shared::BladeState::eta, if kept
     VkDeviceAddress patchTimes() const { return patchTimes_.address(); }
     VkDeviceAddress patchCounts() const { return patchCounts_.address(); }
     VkDeviceAddress before() const { return before_.address(); } ///< the same, if they are kept
@@ -31,6 +43,8 @@ public:
 
 private:
     gpu::Buffer states_;
+    gpu::Buffer etas_;
+    bool hasEtas_ = false; ///< also of no blades
     gpu::Buffer before_;
     gpu::Buffer patchTimes_;
     gpu::Buffer patchCounts_;

@@ -14,7 +14,7 @@ namespace {
 /// Bytes per blade: the blade, its state, its place in the list, its fate.
 VkDeviceSize bytesPerBlade(FieldBuffers::Records records)
 {
-    return sizeof(shared::PackedBlade) + sizeof(shared::BladeState) +
+    return sizeof(shared::PackedBlade) + sizeof(shared::BladeState::turn) +
            (records.list ? sizeof(shared::VisibleBlade) : 0) +
            (records.fates ? sizeof(std::uint32_t) : 0);
 }
@@ -61,7 +61,7 @@ FieldBuffers::FieldBuffers(const gpu::DeviceContext& context, gpu::BufferUpload&
                            const field::FieldView& field, Records records)
     : baked_(context, upload, refusingWhatCannotFit(context, field, records), records.walkStart,
              records.pages)
-    , states_(context, baked_)
+    , states_(context, baked_, {.before = false, .etas = records.etas || records.pages > 0})
     , list_(context, baked_, roundOf(baked_, records), std::numeric_limits<std::uint32_t>::max())
 {
     if (records.fates)

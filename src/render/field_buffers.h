@@ -24,6 +24,7 @@ public:
     struct Records {
         bool list = false;  ///< a place in the list of visible blades; else there may be rounds
         bool fates = false; ///< its fate
+        bool etas = false;  ///< what collisions leave; else from the first collider on
         std::uint32_t roundPatches = 65536;          ///< live patches of a round, or more
         std::uint32_t walkStart = shared::walkStart; ///< nodes that a walk begins with, or less
         std::uint32_t pages = 0; ///< of blades that there is room for; 0: all blades are there
@@ -39,6 +40,11 @@ public:
 
     /// Puts every blade at rest, last moved at `time` [s].
     void rest(VkCommandBuffer commands, float time) const { states_.rest(commands, time); }
+
+    /// See BladeStates.
+    void keepEtas(const gpu::DeviceContext& context) { states_.keepEtas(context); }
+    bool hasEtas() const { return states_.hasEtas(); }
+    void clearEtas(VkCommandBuffer commands) const { states_.clearEtas(commands); }
 
     /// Empties the list of visible blades, the walk's lists, and the counts.
     void clearCounts(VkCommandBuffer commands) const { list_.clear(commands); }
@@ -58,6 +64,7 @@ public:
     const gpu::Buffer& draw() const { return list_.draw(); } ///< shared::DrawArguments
     const BladeStates& ownStates() const { return states_; }
     const gpu::Buffer& states() const { return states_.states(); }
+    const gpu::Buffer& etas() const { return states_.etas(); }
     const gpu::Buffer& visible() const { return list_.visible(); }
     const gpu::Buffer& fates() const { return fates_; } ///< nothing unless they are recorded
 

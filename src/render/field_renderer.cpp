@@ -153,6 +153,8 @@ void FieldRenderer::Parts::recordStreaming(VkCommandBuffer commands, std::uint32
 shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameSettings& wishes,
                                                double time, std::uint32_t slot)
 {
+    if (!wishes.colliders.empty())
+        blades.expectColliders();
     blades.buffers().describe(frame);
     cover.describe(frame);
     if ((frame.view.cullMask & shared::cullOcclusion) != 0)

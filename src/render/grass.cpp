@@ -152,7 +152,7 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
         field->write(slot, frame, parts.frame, pyramids);
         const shared::Nature& nature = field->nature();
         parts.moving = {nature.wind.counts, nature.colliderCount > 0, UpdateCullPass::Role::move,
-                        parts.settings.keepsMotion};
+                        parts.settings.keepsMotion, true};
         parts.update.prepare(parts.shaders, parts.moving);
     }
 }

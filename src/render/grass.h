@@ -51,7 +51,7 @@ public:
     struct Settings {
         std::uint32_t framesInFlight = 2;       ///< slots: frames recorded before one is waited for
         std::uint32_t mostViews = 4;            ///< of a frame
-        bool keepsMotion = false;               ///< for motion vectors; 8 bytes a blade
+        bool keepsMotion = false;               ///< for motion vectors; 4 bytes a blade
         std::uint32_t mostListed = 0xffffffffu; ///< blades of an instance drawn in a view, 16 bytes
     };
 

@@ -38,8 +38,8 @@ std::uint64_t treeBytes(const field::FieldView& field)
 
 std::uint64_t bytesPerPlace(const FieldBuffers::Records& records)
 {
-    return sizeof(shared::PackedBlade) + sizeof(shared::BladeState) +
-           (records.list ? sizeof(shared::VisibleBlade) : 0) +
+    return sizeof(shared::PackedBlade) + sizeof(shared::BladeState::turn) +
+           sizeof(shared::BladeState::eta) + (records.list ? sizeof(shared::VisibleBlade) : 0) +
            (records.fates ? sizeof(std::uint32_t) : 0);
 }
 

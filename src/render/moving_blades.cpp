@@ -1,5 +1,6 @@
 #include "render/moving_blades.h"
 
+#include "core/expect.h"
 #include "gpu/barrier.h"
 #include "render/pass_scope.h"
 
@@ -18,8 +19,19 @@ MovingBlades::MovingBlades(const gpu::DeviceContext& context, const gpu::ShaderL
 
 void MovingBlades::prepare(const gpu::ShaderLibrary& shaders, const shared::Frame& frame)
 {
-    variant_ = {frame.nature.wind.counts, frame.nature.colliderCount > 0};
+    expect(frame.nature.colliderCount == 0 || buffers_.hasEtas(), "collisions can be kept");
+    variant_ = {.windCounts = frame.nature.wind.counts,
+                .hasColliders = frame.nature.colliderCount > 0,
+                .keepsEtas = buffers_.hasEtas()};
     update_.prepare(shaders, variant_);
+}
+
+void MovingBlades::expectColliders()
+{
+    if (buffers_.hasEtas())
+        return;
+    buffers_.keepEtas(*context_);
+    hasNewEtas_ = true;
 }
 
 void MovingBlades::begin(VkCommandBuffer commands, double time)
@@ -30,7 +42,10 @@ void MovingBlades::begin(VkCommandBuffer commands, double time)
     // No blade is still on its way from the straight pose it was baked in.
     if (!hasMoved_)
         buffers_.rest(commands, static_cast<float>(time - double(shared::settlingTime)));
+    else if (hasNewEtas_)
+        buffers_.clearEtas(commands);
     hasMoved_ = true;
+    hasNewEtas_ = false;
     gpu::transferToCompute(commands);
 }
 

@@ -22,6 +22,10 @@ public:
     const FieldBuffers& buffers() const { return buffers_; }
     bool hasMoved() const { return hasMoved_; } ///< whether a frame has begun
 
+    /// Makes room for what collisions leave, unless there is some: before the first frame with
+    /// colliders is described.
+    void expectColliders();
+
     /// Makes ready for the wind and the colliders of a frame; before the frame's begin().
     void prepare(const gpu::ShaderLibrary& shaders, const shared::Frame& frame);
 
@@ -53,6 +57,7 @@ private:
     UpdateCullPass update_;
     UpdateCullPass::Variant variant_; ///< for the frame that is being recorded
     bool hasMoved_ = false;
+    bool hasNewEtas_ = false; ///< which hold nothing yet
 };
 
 } // namespace sward::render

@@ -46,7 +46,8 @@ PlacedField::PlacedField(const gpu::DeviceContext& context, const FieldInstance&
     : context_(&context)
     , instance_(instance)
     , settings_(settings)
-    , states_(context, instance.field->parts().blades, settings.keepsMotion)
+    , states_(context, instance.field->parts().blades,
+              {.before = settings.keepsMotion, .etas = true})
     , moved_(countsBuffer(context, "instance/moved", 1, gpu::MemoryUse::device))
 {
     const VkDeviceSize bytes =

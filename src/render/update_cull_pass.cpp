@@ -39,7 +39,8 @@ void UpdateCullPass::prepare(const gpu::ShaderLibrary& shaders, Variant variant)
                                     {.id = 1, .value = variant.hasColliders},
                                     {.id = 2, .value = threadsOf(*context_)},
                                     {.id = 3, .value = static_cast<std::uint32_t>(variant.role)},
-                                    {.id = 4, .value = variant.keepsBefore}}}));
+                                    {.id = 4, .value = variant.keepsBefore},
+                                    {.id = 5, .value = variant.keepsEtas}}}));
 }
 
 void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& blades,

@@ -34,6 +34,7 @@ public:
         bool hasColliders = false;    ///< false where nothing is moved
         Role role = Role::moveAndJudge;
         bool keepsBefore = false; ///< states from which blades are moved
+        bool keepsEtas = false;   ///< what collisions leave; with colliders always
         auto operator<=>(const Variant&) const = default;
     };
 

@@ -54,7 +54,7 @@ protected:
             const auto part = [i](std::uint32_t d) {
                 return static_cast<float>(1.4 * uniform(seed, i, 50 + d) - 0.7);
             };
-            states_[i] = shared::packState({part(0), part(1), part(2)}, 0.0f);
+            states_[i].turn = shared::packSnorm16(part(0)) | shared::packSnorm16(part(1)) << 16;
         }
     }
 

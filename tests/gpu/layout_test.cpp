@@ -102,7 +102,6 @@ private:
 struct Values {
     shared::Blade blade;
     shared::PackedBlade packedBlade;
-    shared::BladeState state;
     shared::Patch cell;
     shared::Frame frame;
     shared::VisibleBlade visible;
@@ -138,13 +137,12 @@ std::size_t fillValues(Values& v)
               v.blade.width, v.blade.exposure, v.blade.species, v.blade.tint, v.blade.clump,
               v.blade.hash);
     n.fillAll(v.packedBlade.rootXY, v.packedBlade.rootZUp, v.packedBlade.shape, v.packedBlade.look);
-    n.fillAll(v.state.xy, v.state.zEta);
     n.fillAll(v.cell.boundsLow, v.cell.firstBlade, v.cell.boundsHigh, v.cell.bladeCount,
               v.cell.rootLow, v.cell.rootStep, v.cell.coneAxis, v.cell.coneCosine, v.cell.heightLow,
               v.cell.heightStep, v.cell.widthLow, v.cell.widthStep, v.cell.parent,
               v.cell.firstChild, v.cell.childCount, v.cell.level, v.cell.rankLow, v.cell.rankHigh);
     shared::Frame& f = v.frame;
-    n.fillAll(f.blades, f.states, f.patches, f.species, f.visible, f.draw, f.patchTimes,
+    n.fillAll(f.blades, f.states, f.etas, f.patches, f.species, f.visible, f.draw, f.patchTimes,
               f.patchCounts, f.fates, f.pages, f.pyramid.depths, f.pyramid.size, f.pyramid.first,
               f.pyramid.levels, f.viewProjection, f.view, f.time, f.nature, f.patchCount,
               f.bladeCount, f.visibleCapacity, f.maxTessellation, f.sunDirection, f.exposure,
@@ -186,8 +184,9 @@ std::size_t fillValues(Values& v)
     n.fillAll(v.motionPush.frame, v.motionPush.motion);
     n.fillAll(v.pageChange.page, v.pageChange.place, v.pageChange.edges);
     shared::PagePush& p = v.pagePush;
-    n.fillAll(p.changes, p.pages, p.states, p.patches, p.subtrees, p.patchTimes, p.patchCounts,
-              p.owners, p.firstOwners, p.ownerCount, p.bladeCount, p.settledAt, p.reserved);
+    n.fillAll(p.changes, p.pages, p.states, p.etas, p.patches, p.subtrees, p.patchTimes,
+              p.patchCounts, p.owners, p.firstOwners, p.ownerCount, p.bladeCount, p.settledAt,
+              p.reserved);
     n.fillAll(v.groundCluster.low, v.groundCluster.firstIndex, v.groundCluster.high,
               v.groundCluster.indexCount);
     n.fillAll(v.indexedDraw.indexCount, v.indexedDraw.instanceCount, v.indexedDraw.firstIndex,
@@ -218,9 +217,8 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
     const std::size_t words = fillValues(values);
 
     // The frame is reached as element 0 everywhere, so here, too.
-    std::array<gpu::Buffer, 29> buffers = {secondElement(context(), values.blade),
+    std::array<gpu::Buffer, 28> buffers = {secondElement(context(), values.blade),
                                            secondElement(context(), values.packedBlade),
-                                           secondElement(context(), values.state),
                                            secondElement(context(), values.cell),
                                            secondElement(context(), values.frame),
                                            secondElement(context(), values.visible),
@@ -247,7 +245,8 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
                                            secondElement(context(), values.groundCluster),
                                            secondElement(context(), values.indexedDraw),
                                            secondElement(context(), values.groundCullPush)};
-    std::memcpy(buffers[4].mapped().data(), &values.frame, sizeof values.frame);
+    constexpr std::size_t frame = 3;
+    std::memcpy(buffers[frame].mapped().data(), &values.frame, sizeof values.frame);
 
     const gpu::Buffer sources(context(), {.name = "sources",
                                           .bytes = buffers.size() * sizeof(std::uint64_t),

@@ -29,7 +29,8 @@ UpdateBench::UpdateBench(const gpu::DeviceContext& context, const field::FieldVi
                          std::uint32_t walkStart, bool recordFates)
     : context_(context)
     , shaders_(embedded::shaders())
-    , buffers_(upload(context, field, {.list = true, .fates = recordFates, .walkStart = walkStart}))
+    , buffers_(upload(context, field,
+                      {.list = true, .fates = recordFates, .etas = true, .walkStart = walkStart}))
     , walk_(context, shaders_)
     , pass_(context)
     , tables_(context)
@@ -43,8 +44,9 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
     buffers_.describe(frame);
     const double time = static_cast<double>(frame.time);
     tables_.write({}, settings, time, time - static_cast<double>(elapsed), frame);
-    const render::UpdateCullPass::Variant variant{frame.nature.wind.counts,
-                                                  frame.nature.colliderCount > 0};
+    const render::UpdateCullPass::Variant variant{.windCounts = frame.nature.wind.counts,
+                                                  .hasColliders = frame.nature.colliderCount > 0,
+                                                  .keepsEtas = true};
     pass_.prepare(shaders_, variant);
     const gpu::Buffer constants(context_, {.name = "frame",
                                            .bytes = sizeof frame,
@@ -59,7 +61,14 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
         buffers_.clearFates(commands);
     });
     gpu::Uploader uploader(context_);
-    uploader.toBuffer(buffers_.states(), states);
+    std::vector<std::uint32_t> turns;
+    std::vector<float> etas;
+    for (const shared::BladeState& state : states) {
+        turns.push_back(state.turn);
+        etas.push_back(state.eta);
+    }
+    uploader.toBuffer(buffers_.states(), std::span<const std::uint32_t>(turns));
+    uploader.toBuffer(buffers_.etas(), std::span<const float>(etas));
     uploader.finish();
     gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
         gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
@@ -71,7 +80,10 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
     });
 
     Result result;
-    result.states = gpu::readBufferAs<shared::BladeState>(context_, buffers_.states());
+    const auto turned = gpu::readBufferAs<std::uint32_t>(context_, buffers_.states());
+    const auto kept = gpu::readBufferAs<float>(context_, buffers_.etas());
+    for (std::size_t i = 0; i < turned.size(); ++i)
+        result.states.push_back({turned[i], kept[i]});
     if (buffers_.fates().bytes() > 0)
         result.fates = gpu::readBufferAs<std::uint32_t>(context_, buffers_.fates());
     result.visible = gpu::readBufferAs<shared::VisibleBlade>(context_, buffers_.visible());

@@ -21,7 +21,6 @@ SHARED_BUFFER(GroundCullPushArray, GroundCullPush, readonly)
 struct Sources {
     PlainBladeArray blade;
     BladeArray packedBlade;
-    StateArray state;
     PatchArray cell;
     FrameArray frame;
     VisibleArray visible;
@@ -169,6 +168,7 @@ void putFrame()
 #define FRAME sources.at[0].frame.at[0]
     put(uvec2(FRAME.blades));
     put(uvec2(FRAME.states));
+    put(uvec2(FRAME.etas));
     put(uvec2(FRAME.patches));
     put(uvec2(FRAME.species));
     put(uvec2(FRAME.visible));
@@ -248,8 +248,6 @@ void main()
     put(bits.shape);
     put(bits.look);
 
-    put(sources.at[0].state.at[1].xy);
-    put(sources.at[0].state.at[1].zEta);
 
     const Patch cell = sources.at[0].cell.at[1];
     put(cell.boundsLow);
@@ -403,6 +401,7 @@ void main()
     put(uvec2(sources.at[0].pagePush.at[1].changes));
     put(uvec2(sources.at[0].pagePush.at[1].pages));
     put(uvec2(sources.at[0].pagePush.at[1].states));
+    put(uvec2(sources.at[0].pagePush.at[1].etas));
     put(uvec2(sources.at[0].pagePush.at[1].patches));
     put(uvec2(sources.at[0].pagePush.at[1].subtrees));
     put(uvec2(sources.at[0].pagePush.at[1].patchTimes));

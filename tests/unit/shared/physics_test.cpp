@@ -50,25 +50,59 @@ BladeState advanced(const Blade& blade, const BladeState& state, Gravity gravity
                         elapsed);
 }
 
+/// Of the tip, in heights.
+float fromRest(const Blade& blade, const BladeState& state)
+{
+    return length(poseOfState(blade.up, frontOfBlade(blade), state).v2 - blade.up);
+}
+
+/// Of a blade whose tip points anywhere above its ground, or lies on it.
+BladeState stateTowards(const Blade& blade, const vec3& direction, float eta)
+{
+    const vec3 front = frontOfBlade(blade);
+    return stateOf(blade.up, front, normalize(poseBlade(blade.up, front, direction).v2), eta);
+}
+
 float displacementAfter(const Blade& blade, BladeState& state, Gravity gravity,
                         const tests::NatureTables& tables, float time, float elapsed)
 {
     state = advanced(blade, state, gravity, tables, time, elapsed);
-    return length(displacementOf(state));
+    return fromRest(blade, state);
 }
 
-TEST(BladeState, KeepsDisplacementAndStrengthWithinTheStatedError)
+TEST(BladeState, KeepsTheTipsDirectionWithinTheStatedError)
 {
     tests::Dice dice(1);
     for (int i = 0; i < 100'000; ++i) {
-        const vec3 displacement(dice.number(-2, 2), dice.number(-2, 2), dice.number(-2, 2));
-        const float eta = dice.number(0, 1);
-        const BladeState state = packState(displacement, eta);
-        for (glm::length_t axis = 0; axis < 3; ++axis)
-            ASSERT_NEAR(displacementOf(state)[axis], displacement[axis], displacementMaxError);
-        ASSERT_NEAR(etaOf(state), eta, 1.0f / 65535.0f);
+        const Blade blade = randomBlade(dice);
+        const vec3 front = frontOfBlade(blade);
+        // Every eighth lies on the ground, or nearly.
+        vec3 direction = dice.direction();
+        if (i % 8 == 0)
+            direction -= blade.up * dot(direction, blade.up) * dice.number(0.99f, 1.0f);
+        direction = normalize(direction);
+        if (dot(direction, blade.up) < 0.0f)
+            direction -= 2.0f * dot(direction, blade.up) * blade.up;
+        const BladeState state = stateOf(blade.up, front, direction, 0.25f);
+        const vec3 back = directionOf(blade.up, front, state);
+        // Up and front are unit vectors and at right angles but for their own rounding.
+        ASSERT_LT(length(back - direction), 2.0f * std::sqrt(2.0f) * turnMaxError + 1e-6f);
+        ASSERT_NEAR(length(back), 1.0f, std::sqrt(2.0f) * turnMaxError);
+        ASSERT_GE(dot(back, blade.up), -1e-6f);
+        ASSERT_EQ(state.eta, 0.25f);
+        // Stored again it is the same.
+        ASSERT_EQ(stateOf(blade.up, front, back, 0.0f).turn, state.turn);
     }
-    EXPECT_EQ(displacementOf(packState(vec3(0.0f), 0.0f)), vec3(0.0f));
+}
+
+TEST(BladeState, OfZerosStandsStraightUp)
+{
+    tests::Dice dice(11);
+    for (int i = 0; i < 1000; ++i) {
+        const Blade blade = randomBlade(dice);
+        EXPECT_EQ(directionOf(blade.up, frontOfBlade(blade), BladeState{0, 0.0f}), blade.up);
+        EXPECT_EQ(stateOf(blade.up, frontOfBlade(blade), blade.up, 0.0f).turn, 0u);
+    }
 }
 
 TEST(Pose, NeverPutsTheTipBelowTheBladesGround)
@@ -114,11 +148,11 @@ TEST(Physics, WithoutForceNothingMoves)
     tests::Dice dice(4);
     for (int i = 0; i < 2000; ++i) {
         const Blade blade = randomBlade(dice);
-        BladeState state = packState(vec3(0.0f), 0.0f);
+        BladeState state = BladeState{0, 0.0f};
         for (int frame = 0; frame < 10; ++frame)
             ASSERT_LE(
                 displacementAfter(blade, state, downward(0.0f), still(), float(frame), 0.016f),
-                displacementMaxError * 2.0f);
+                turnMaxError * 4.0f);
     }
 }
 
@@ -128,11 +162,11 @@ TEST(Physics, StiffnessOneDoesNotMove)
     for (int i = 0; i < 2000; ++i) {
         Blade blade = randomBlade(dice);
         blade.stiffness = 1.0f;
-        BladeState state = packState(vec3(0.0f), 0.0f);
+        BladeState state = BladeState{0, 0.0f};
         for (int frame = 0; frame < 10; ++frame)
             ASSERT_LE(
                 displacementAfter(blade, state, downward(5.0f), someWind(5.0f), float(frame), 0.1f),
-                displacementMaxError * 2.0f);
+                turnMaxError * 4.0f);
     }
 }
 
@@ -141,10 +175,9 @@ TEST(Physics, ABentBladeRisesAgainAndNeverSwingsBeyond)
     tests::Dice dice(6);
     for (int i = 0; i < 2000; ++i) {
         const Blade blade = randomBlade(dice);
-        const Pose bent = poseBlade(blade.up, frontOfBlade(blade), dice.direction());
-        BladeState state = packState(bent.v2 - blade.up, 0.0f);
+        BladeState state = stateTowards(blade, dice.direction(), 0.0f);
         // Energy does not grow: the tip's distance from rest never increases without forces.
-        float last = length(displacementOf(state));
+        float last = fromRest(blade, state);
         for (int frame = 0; frame < 120; ++frame) {
             const float now = displacementAfter(blade, state, downward(0.0f), still(),
                                                 float(frame) / 60.0f, 1.0f / 60.0f);
@@ -159,15 +192,14 @@ TEST(Physics, CollisionStrengthSoftensRecoveryAndFades)
 {
     tests::Dice dice(7);
     const Blade blade = randomBlade(dice);
-    const vec3 bent = poseBlade(blade.up, frontOfBlade(blade), frontOfBlade(blade)).v2 - blade.up;
-    BladeState trampled = packState(bent, 1.0f);
-    BladeState free = packState(bent, 0.0f);
+    BladeState trampled = stateTowards(blade, frontOfBlade(blade), 1.0f);
+    BladeState free = stateTowards(blade, frontOfBlade(blade), 0.0f);
     const float slow = displacementAfter(blade, trampled, downward(0.0f), still(), 0.1f, 0.1f);
     const float quick = displacementAfter(blade, free, downward(0.0f), still(), 0.1f, 0.1f);
     EXPECT_GT(slow, quick + 0.1f);
-    EXPECT_LT(etaOf(trampled), 1.0f);
+    EXPECT_LT(trampled.eta, 1.0f);
     displacementAfter(blade, trampled, downward(0.0f), still(), 100.0f, 99.9f);
-    EXPECT_EQ(etaOf(trampled), 0.0f);
+    EXPECT_EQ(trampled.eta, 0.0f);
 }
 
 TEST(Physics, AnyFrameTimeIsSafe)
@@ -176,13 +208,12 @@ TEST(Physics, AnyFrameTimeIsSafe)
     for (const float dt : {0.0f, 1e-6f, 1.0f / 240.0f, 1.0f / 10.0f, 2.0f, 60.0f, 1e5f}) {
         for (int i = 0; i < 500; ++i) {
             const Blade blade = randomBlade(dice);
-            BladeState state = packState(dice.direction(), dice.number(0, 1));
+            BladeState state = stateTowards(blade, dice.direction(), dice.number(0, 1));
             for (int frame = 1; frame <= 5; ++frame) {
                 state =
                     advanced(blade, state, downward(8.0f), someWind(20.0f), dt * float(frame), dt);
-                const vec3 displacement = displacementOf(state);
-                ASSERT_TRUE(std::isfinite(displacement.x + displacement.y + displacement.z));
                 const Pose pose = poseOfState(blade.up, frontOfBlade(blade), state);
+                ASSERT_TRUE(std::isfinite(pose.v2.x + pose.v2.y + pose.v2.z + state.eta));
                 ASSERT_GE(dot(pose.v2, blade.up), -1e-4f) << "dt " << dt;
                 ASSERT_LE(length(pose.v2), 1.001f) << "dt " << dt;
             }
@@ -197,7 +228,7 @@ TEST(Physics, OneLongFrameEndsWhereManyShortOnesDo)
     constexpr int blades = 500;
     for (int i = 0; i < blades; ++i) {
         const Blade blade = randomBlade(dice);
-        BladeState fine = packState(vec3(0.0f), 0.0f);
+        BladeState fine = BladeState{0, 0.0f};
         BladeState coarse = fine;
         for (int frame = 1; frame <= 1200; ++frame)
             fine = advanced(blade, fine, downward(2.0f), someWind(2.0f), float(frame) / 600.0f,
@@ -205,7 +236,9 @@ TEST(Physics, OneLongFrameEndsWhereManyShortOnesDo)
         for (int frame = 1; frame <= 60; ++frame)
             coarse = advanced(blade, coarse, downward(2.0f), someWind(2.0f), float(frame) / 30.0f,
                               1.0f / 30.0f);
-        const vec3 difference = displacementOf(fine) - displacementOf(coarse);
+        const vec3 front = frontOfBlade(blade);
+        const vec3 difference =
+            poseOfState(blade.up, front, fine).v2 - poseOfState(blade.up, front, coarse).v2;
         squared += double(dot(difference, difference));
     }
     EXPECT_LT(std::sqrt(squared / blades), 0.01) << "root mean square, in heights";

@@ -116,7 +116,7 @@ double tipError(int rate, int seconds)
         blade.stiffness = dice.number(0.1f, 0.9f);
         blade.height = 0.5f;
         const vec3 front = frontOf(blade.up, widthAxis(blade.up, blade.facing));
-        BladeState state = packState(vec3(0.0f), 0.0f);
+        BladeState state = BladeState{0, 0.0f};
         dvec3 tip = valid(dvec3(blade.up), dvec3(blade.up));
         for (int frame = 1; frame <= rate * seconds; ++frame) {
             state = advanceBlade(blade, tables.nature(gravity, recovery), noColliders(), state,
