@@ -4,7 +4,7 @@ from bench_groups import AIMS, ALL_MOVED
 import svg_plot
 
 PASSES = ("cull", "update", "pyramid", "blades", "resolve", "grass", "ground", "total")
-BYTES_MOVED = 32  # of a blade: packed 16, its state read and written 8 each
+BYTES_MOVED = 24  # of a blade: packed 16, its state read and written 4 each
 AIMED_SHARE = 0.6  # of the copy bandwidth
 
 

@@ -302,6 +302,36 @@ TEST_F(RendererTest, StandsInItsWindFromTheFirstPictureOn)
     EXPECT_NEAR(meanDrop(10.0), first, 0.02 * first);
 }
 
+TEST_F(RendererTest, KeepsWhatCollisionsLeaveFromTheFirstColliderOn)
+{
+    constexpr std::size_t blades = 2000;
+    Scene scene = meadow(blades);
+    test::Picture picture(context(), {64, 40});
+    const auto touched = [&] {
+        std::size_t count = 0;
+        for (const auto& blade : scene.renderer.dumpBlades(field::viewOf(scene.field)))
+            count += blade.eta > 0.0f ? 1u : 0u;
+        return count;
+    };
+    picture.draw(scene.renderer, scene.camera, scene.settings, 1.0);
+    const std::size_t before = scene.renderer.deviceBytes();
+    EXPECT_EQ(touched(), 0u);
+
+    scene.settings.colliders = {{.from = {}, .to = {}, .radius = 0.5, .path = {}}};
+    picture.draw(scene.renderer, scene.camera, scene.settings, 1.1);
+    EXPECT_EQ(scene.renderer.deviceBytes(), before + blades * sizeof(float));
+    const std::size_t pressed = touched();
+    EXPECT_GT(pressed, blades / 100);
+
+    // It goes on fading when the ball has gone, and no memory is taken twice.
+    scene.settings.colliders.clear();
+    picture.draw(scene.renderer, scene.camera, scene.settings, 1.2);
+    EXPECT_EQ(touched(), pressed);
+    picture.draw(scene.renderer, scene.camera, scene.settings, 60.0);
+    EXPECT_EQ(touched(), 0u);
+    EXPECT_EQ(scene.renderer.deviceBytes(), before + blades * sizeof(float));
+}
+
 TEST_F(RendererTest, RefusesSamplesThatTheDeviceDoesNotHave)
 {
     gpu::DeviceContext plain = context();
