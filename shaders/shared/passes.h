@@ -162,9 +162,9 @@ SHARED_LAYOUT(ViewPush, 8)
 
 /// How a view of a field came about since the frame before.
 struct Motion {
-    mat4 clipBefore;         ///< from the field's places to the clip space of then
+    mat4 clipBefore;        ///< from the field's places to the clip space of then
     UintArray statesBefore; ///< of blades before they moved, where they have moved in this frame
-    uint moves;              ///< 0: none has, no time has passed
+    uint moves;             ///< 0: none has, no time has passed
     uint reserved;
 };
 SHARED_LAYOUT(Motion, 80)
