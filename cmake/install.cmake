@@ -29,8 +29,8 @@ set(doors
   field/field.h field/inspect.h field/read.h field/write.h
   terrain/load.h terrain/recipe.h
   bake/bake.h bake/meadow.h bake/report.h bake/settings.h
-  gpu/check.h gpu/commands.h gpu/context.h gpu/features.h gpu/graphics_pipeline.h
-  gpu/host_device.h gpu/image.h gpu/image_use.h gpu/instance.h gpu/readback.h gpu/rendering.h
+  gpu/check.h gpu/commands.h gpu/context.h gpu/device_choice.h gpu/device_report.h
+  gpu/features.h gpu/graphics_pipeline.h gpu/host_device.h gpu/image.h gpu/image_use.h gpu/instance.h gpu/readback.h gpu/rendering.h
   render/camera_presets.h render/field_renderer.h render/grass.h render/look_settings.h
   render/settings_file.h)
 install(CODE "set(SWARD_DOORS \"${doors}\")

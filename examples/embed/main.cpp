@@ -9,9 +9,9 @@
 #include <sward/field/read.h>
 #include <sward/gpu/check.h>
 #include <sward/gpu/commands.h>
+#include <sward/gpu/device_choice.h>
 #include <sward/gpu/features.h>
 #include <sward/gpu/graphics_pipeline.h>
-#include <sward/gpu/instance.h>
 #include <sward/gpu/readback.h>
 #include <sward/gpu/rendering.h>
 #include <sward/render/grass.h>
@@ -35,23 +35,21 @@ struct Vulkan {
 
     Vulkan()
     {
-        std::uint32_t one = 1;
-        VkPhysicalDevice physical = VK_NULL_HANDLE;
-        if (vkEnumeratePhysicalDevices(instance.get(), &one, &physical) < VK_SUCCESS || one == 0)
-            throw std::runtime_error("there is no Vulkan device");
-
-        // 1. What the device must have, and what Sward uses where it is; a host adds its own.
+        // 1. A device that has what it must have, and what Sward uses of the rest; a host adds its own.
+        const std::vector<gpu::DeviceReport> devices = gpu::listDevices(instance);
+        const gpu::DeviceReport& chosen = devices[gpu::chooseDevice(devices, "")];
         gpu::FeatureChain wanted;
-        const gpu::OptionalFeatures features = gpu::enableFeatures(physical, wanted);
-        const float priority = 1.0f; // of a queue of family 0, which draws and computes on every desktop
-        const VkDeviceQueueCreateInfo queues{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO, nullptr, 0, 0, 1, &priority};
+        const gpu::OptionalFeatures features = gpu::enableFeatures(chosen.physical, wanted);
+        const float priority = 1.0f;
+        const VkDeviceQueueCreateInfo queues{
+            VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO, nullptr, 0, chosen.queueFamily, 1, &priority};
         const VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &wanted.core, 0, 1, &queues};
         VkDevice made = VK_NULL_HANDLE;
-        gpu::check(vkCreateDevice(physical, &info, nullptr, &made), "vkCreateDevice");
+        gpu::check(vkCreateDevice(chosen.physical, &info, nullptr, &made), "vkCreateDevice");
         device = decltype(device)(made);
         VkQueue queue = VK_NULL_HANDLE;
-        vkGetDeviceQueue(made, 0, 0, &queue);
-        context = gpu::describeDevice(physical, made, 0, queue, features, false);
+        vkGetDeviceQueue(made, chosen.queueFamily, 0, &queue);
+        context = gpu::describeDevice(chosen.physical, made, chosen.queueFamily, queue, features, false);
     }
 };
 

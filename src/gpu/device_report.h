@@ -14,20 +14,20 @@ namespace sward::gpu {
 /// What a device is and whether it will do. Plain values, so that the choice can be tested without
 /// hardware.
 struct DeviceReport {
-    std::size_t index = 0; ///< what --device takes
-    std::string name;
-    VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER;
-    std::string driver; ///< name and version
-    std::uint32_t apiVersion = 0;
-    std::uint64_t memoryBytes = 0; ///< of the largest device-local heap
+    std::size_t index = 0;                                     ///< what --device takes
+    std::string name;                                          ///< of the device
+    VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER; ///< GPU or CPU
+    std::string driver;                                        ///< name and version
+    std::uint32_t apiVersion = 0;                              ///< of Vulkan
+    std::uint64_t memoryBytes = 0;                             ///< of the largest device-local heap
 
     bool hasQueue = false;                    ///< one family with graphics and compute
     bool presents = true;                     ///< to the surface in question, if there is one
     bool hasSubgroups = false;                ///< ballot and arithmetic in compute shaders
     std::vector<std::string> missingFeatures; ///< Vulkan's names
 
-    VkPhysicalDevice physical = VK_NULL_HANDLE;
-    std::uint32_t queueFamily = 0;
+    VkPhysicalDevice physical = VK_NULL_HANDLE; ///< to make a device of
+    std::uint32_t queueFamily = 0;              ///< with graphics and compute, if there is one
 };
 
 /// All devices of the machine, in the driver's order. With a surface, `presents` speaks of it.
