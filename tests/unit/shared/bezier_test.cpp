@@ -57,8 +57,21 @@ TEST(Bezier, LengthOfAPosedBladeIsItsHeightWithinTheStatedError)
         largest =
             std::max(largest, std::abs(polylineLength(dvec3(pose.v1), dvec3(pose.v2), 2000) - 1.0));
     }
-    EXPECT_LE(largest, 1e-3);
+    EXPECT_LE(largest, 2.1e-4);
     EXPECT_GE(largest, 1e-4) << "the stated error should be near the true one";
+}
+
+TEST(Bezier, LengthIsCorrectedAtEveryAngle)
+{
+    for (int i = 0; i <= 10'000; ++i) {
+        const double side = i / 10'000.0;
+        const dvec3 v1(0.0, std::max(1.0 - side, 0.05), 0.0);
+        const dvec3 v2(side, std::sqrt(1.0 - side * side), 0.0);
+        ASSERT_NEAR(double(lengthCorrection(float(side))) * polylineLength(v1, v2, 1000), 1.0,
+                    2.1e-4)
+            << side;
+    }
+    EXPECT_EQ(lengthCorrection(0.0f), 1.0f);
 }
 
 } // namespace
