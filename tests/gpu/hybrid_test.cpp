@@ -94,7 +94,12 @@ TEST_F(HybridTest, ItsPictureIsThatOfEitherWayAlone)
             settings.nature.drawDistance = 1e-3f;
             const Pixels bare = draw(raster, step);
             settings = FrameSettings::of(field::viewOf(field));
-            EXPECT_GE(psnr(both, byCompute, bare), 40.0) << samples << " samples, step " << step;
+            // Here and there a sample lies so near to an edge that the two do not agree: in less
+            // than 1 of 300 pixels. With one sample such a pixel shows another blade altogether.
+            EXPECT_LT(test::differingPixels(both, byCompute), size.x * size.y / 300)
+                << samples << " samples, step " << step;
+            EXPECT_GE(psnr(both, byCompute, bare), samples > 1 ? 45.0 : 37.0)
+                << samples << " samples, step " << step;
             EXPECT_LE(worstTile(both, byCompute), 1.0) << samples << " samples, step " << step;
             EXPECT_LE(worstTile(both, byPipeline), 2.0) << samples << " samples, step " << step;
             // Which samples large blades cover is then the pipeline's affair in both.
