@@ -76,8 +76,11 @@ void report(uint thread)
                   min((mostFilled[list] + rasterThreads - 1u) / rasterThreads, mostGroups));
         rounds.at[round_].groups[1] = 1u;
         rounds.at[round_].groups[2] = 1u;
+        // Tessellated blades are all in front.
+        if (list == 0u)
+            atomicMax(JUDGED.draw.at[0].instanceCount,
+                      (mostFilled[0] + drawChunk - 1u) / drawChunk);
     }
-    atomicMax(JUDGED.draw.at[0].instanceCount, (mostFilled[0] + drawChunk - 1u) / drawChunk);
 }
 
 /// Whether the frame before has shown a blade that covers so many pixels; from now on it has not. To

@@ -35,28 +35,23 @@ struct FourSamples {
     float depths[4];
 };
 
-/// The depths that are there already, as bits.
-struct Before {
-    uvec4 depths;
-};
-
-/// Of four samples from `index` on, a multiple of 4. What lies behind the picture's last sample may
-/// be read.
-Before before(uint index)
+/// The depths, as bits, that four samples from `index` on have already, a multiple of 4. What lies
+/// behind the picture's last sample may be read.
+uvec4 depthsBefore(uint index)
 {
     VisibilityPairs pairs = VisibilityPairs(uvec2(push.visibility));
     const uvec4 low = pairs.at[index / 2u];
     const uvec4 high = pairs.at[index / 2u + 1u];
-    return Before(uvec4(low.y, low.w, high.y, high.w));
+    return uvec4(low.y, low.w, high.y, high.w);
 }
 
-void putFour(Before earlier, FourSamples four, uint blade)
+void putFour(uvec4 earlier, FourSamples four, uint blade)
 {
     Visibility visibility = Visibility(uvec2(push.visibility));
     SHARED_UNROLL for (uint s = 0u; s < 4u; ++s) {
         // Of equal depths the atomic takes the larger id.
         const uint bits = floatBitsToUint(four.depths[s]);
-        if ((four.covered & (1u << s)) != 0u && bits >= earlier.depths[s])
+        if ((four.covered & (1u << s)) != 0u && bits >= earlier[s])
             atomicMax(visibility.at[four.index + s],
                       (uint64_t(bits) << 32u) | uint64_t(blade + 1u));
     }
@@ -76,7 +71,7 @@ void putSamples(uvec2 pixel, uint covered, float depths[samplesPerPixel], uint b
     four.covered = covered;
     SHARED_UNROLL for (uint s = 0u; s < 4u; ++s)
         four.depths[s] = depths[s % samplesPerPixel];
-    putFour(before(four.index), four, blade);
+    putFour(depthsBefore(four.index), four, blade);
 }
 
 #endif

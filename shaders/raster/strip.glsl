@@ -183,8 +183,8 @@ void drawRow(Strip strip, SampleMask mask, uint blade, int row)
     const int start = row * int(push.size.x) * samples;
     const int end = start + reach.y * samples;
     for (int index = (start + reach.x * samples) & ~3; index <= end; index += 8) {
-        const Before one = before(uint(index));
-        const Before two = before(uint(index + 4));
+        const uvec4 one = depthsBefore(uint(index));
+        const uvec4 two = depthsBefore(uint(index + 4));
         putFour(one, fourOf(strip, mask, thin, row, start, index, spans, reach), blade);
         putFour(two, fourOf(strip, mask, thin, row, start, index + 4, spans, reach), blade);
     }

@@ -96,12 +96,9 @@ SHARED_FN float lengthCorrection(float side)
 {
     if (side > 0.95f)
         return (-0.48620368f * side + 0.92399928f) * side + 0.55642926f;
-    return (((((-1.3481541f * side + 4.0007265f) * side - 4.6675167f) * side + 2.7635532f) * side -
-             0.71043977f) *
-                side -
-            0.037761414f) *
-               side +
-           1.0f;
+    const float high = (-1.3481541f * side + 4.0007265f) * side - 4.6675167f;
+    const float low = (high * side + 2.7635532f) * side - 0.71043977f;
+    return (low * side - 0.037761414f) * side + 1.0f;
 }
 
 /// Steps 2 and 3 of poseBlade(), of a tip in `direction`, unit and not below the ground plane.

@@ -33,9 +33,9 @@ void sortSpatially(const terrain::GroundMesh& ground, Roots& roots)
     UninitializedVector<Entry> entries(roots.size());
     tbb::parallel_for(std::size_t(0), roots.size(), [&](std::size_t i) {
         const glm::vec3 cell = (roots[i].position - box.low) / longest * cellsPerAxis;
-        entries[i] = {spreadBits(static_cast<std::uint32_t>(cell.x)) |
-                          spreadBits(static_cast<std::uint32_t>(cell.y)) << 1 |
-                          spreadBits(static_cast<std::uint32_t>(cell.z)) << 2,
+        entries[i] = {mortonCode(static_cast<std::uint32_t>(cell.x),
+                                 static_cast<std::uint32_t>(cell.y),
+                                 static_cast<std::uint32_t>(cell.z)),
                       static_cast<std::uint32_t>(i)};
     });
     const auto keyAt = [&](const Entry& entry) {

@@ -17,4 +17,10 @@ constexpr std::uint64_t spreadBits(std::uint32_t x)
     return bits;
 }
 
+/// Place on the Morton curve of a cell with numbers below 2²¹.
+constexpr std::uint64_t mortonCode(std::uint32_t x, std::uint32_t y, std::uint32_t z)
+{
+    return spreadBits(x) | spreadBits(y) << 1 | spreadBits(z) << 2;
+}
+
 } // namespace sward

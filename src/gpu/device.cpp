@@ -4,6 +4,7 @@
 #include "gpu/debug.h"
 #include "gpu/device_choice.h"
 #include "gpu/features.h"
+#include "gpu/queue_families.h"
 
 #include <optional>
 #include <vector>
@@ -15,12 +16,9 @@ namespace {
 /// A family of queues that copy and do nothing else: such copies run beside everything.
 std::optional<std::uint32_t> copyFamilyOf(VkPhysicalDevice physical)
 {
-    std::uint32_t count = 0;
-    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
-    std::vector<VkQueueFamilyProperties> families(count);
-    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
+    const auto families = queueFamiliesOf(physical, vkGetPhysicalDeviceQueueFamilyProperties);
     constexpr VkQueueFlags others = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
-    for (std::uint32_t family = 0; family < count; ++family)
+    for (std::uint32_t family = 0; family < families.size(); ++family)
         if ((families[family].queueFlags & (others | VK_QUEUE_TRANSFER_BIT)) ==
             VK_QUEUE_TRANSFER_BIT)
             return family;

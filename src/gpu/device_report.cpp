@@ -3,6 +3,7 @@
 #include "gpu/check.h"
 #include "gpu/context.h"
 #include "gpu/features.h"
+#include "gpu/queue_families.h"
 
 #include <fmt/format.h>
 
@@ -14,14 +15,11 @@ namespace {
 // The first family with graphics and compute; with a surface, one that presents if there is any.
 void findQueue(DeviceReport& report, VkSurfaceKHR surface)
 {
-    std::uint32_t count = 0;
-    vkGetPhysicalDeviceQueueFamilyProperties(report.physical, &count, nullptr);
-    std::vector<VkQueueFamilyProperties> families(count);
-    vkGetPhysicalDeviceQueueFamilyProperties(report.physical, &count, families.data());
-
+    const auto families =
+        queueFamiliesOf(report.physical, vkGetPhysicalDeviceQueueFamilyProperties);
     constexpr VkQueueFlags needed = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
     report.presents = surface == VK_NULL_HANDLE;
-    for (std::uint32_t family = 0; family < count; ++family) {
+    for (std::uint32_t family = 0; family < families.size(); ++family) {
         if ((families[family].queueFlags & needed) != needed)
             continue;
         VkBool32 presents = VK_TRUE;

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/expect.h"
+#include "gpu/queue_families.h"
 
 #include <fmt/format.h>
 
@@ -27,11 +28,8 @@ Function debugFunction(const HostDevice& host, const char* name)
 
 std::uint32_t timestampBits(const HostDevice& host, const InstanceFunctions& instance)
 {
-    std::uint32_t count = 0;
-    instance.queueFamilies(host.physical, &count, nullptr);
-    std::vector<VkQueueFamilyProperties> families(count);
-    instance.queueFamilies(host.physical, &count, families.data());
-    return host.queueFamily < count ? families[host.queueFamily].timestampValidBits : 0;
+    const auto families = queueFamiliesOf(host.physical, instance.queueFamilies);
+    return host.queueFamily < families.size() ? families[host.queueFamily].timestampValidBits : 0;
 }
 
 } // namespace

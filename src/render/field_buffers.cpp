@@ -11,14 +11,6 @@
 namespace sward::render {
 namespace {
 
-/// Bytes per blade: the blade, its state, its place in the list, its fate.
-VkDeviceSize bytesPerBlade(FieldBuffers::Records records)
-{
-    return sizeof(shared::PackedBlade) + sizeof(shared::BladeState::turn) +
-           (records.list ? sizeof(shared::VisibleBlade) : 0) +
-           (records.fates ? sizeof(std::uint32_t) : 0);
-}
-
 const field::FieldView& refusingWhatCannotFit(const gpu::DeviceContext& context,
                                               const field::FieldView& field,
                                               FieldBuffers::Records records)
@@ -26,7 +18,7 @@ const field::FieldView& refusingWhatCannotFit(const gpu::DeviceContext& context,
     const VkDeviceSize blades =
         records.pages > 0 ? VkDeviceSize(records.pages) * shared::pageBlades : field.blades.size();
     const VkDeviceSize needed =
-        blades * bytesPerBlade(records) + field.patches.size() * sizeof(shared::Patch);
+        blades * records.bytesPerBlade(records.etas) + field.patches.size() * sizeof(shared::Patch);
     if (needed > context.deviceLocalBytes())
         fail(ErrorKind::runtime,
              "the field's {} blades need {} MiB of device memory; {} has {} MiB (with a budget, "
@@ -56,6 +48,13 @@ gpu::Buffer fatesOf(const gpu::DeviceContext& context, const BakedBlades& baked)
 }
 
 } // namespace
+
+VkDeviceSize FieldBuffers::Records::bytesPerBlade(bool withEtas) const
+{
+    return sizeof(shared::PackedBlade) + sizeof(shared::BladeState::turn) +
+           (withEtas ? sizeof(shared::BladeState::eta) : 0) +
+           (list ? sizeof(shared::VisibleBlade) : 0) + (fates ? sizeof(std::uint32_t) : 0);
+}
 
 FieldBuffers::FieldBuffers(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
                            const field::FieldView& field, Records records)

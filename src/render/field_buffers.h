@@ -28,6 +28,9 @@ public:
         std::uint32_t roundPatches = 65536;          ///< live patches of a round, or more
         std::uint32_t walkStart = shared::walkStart; ///< nodes that a walk begins with, or less
         std::uint32_t pages = 0; ///< of blades that there is room for; 0: all blades are there
+
+        /// Of each blade there is room for; `withEtas`: as from the first collider on.
+        VkDeviceSize bytesPerBlade(bool withEtas) const;
     };
 
     /// Begins the upload; it is complete when `upload` is. Throws Error{runtime} if the device's

@@ -30,15 +30,15 @@ FieldBuffers::Records recordsFor(Geometry geometry, const FieldRenderer::Setting
 
 /// The rasteriser reads what the graphics pipeline has drawn. What solid things look like is asked
 /// only where no blade hides them.
-TargetSettings targetFor(const gpu::DeviceContext& context, const FieldRenderer::Settings& wanted)
+TargetSettings targetFor(Geometry geometry, bool isTriedOut, const FieldRenderer::Settings& wanted)
 {
-    const Geometry geometry = chooseGeometry(context, wanted);
     return {.colorFormat = wanted.colorFormat,
             .samples = wanted.samples,
             .isSampled = rasterises(geometry),
             .mayBePaged = wanted.deviceBytes > 0,
             .lightsLater = rasterises(geometry),
-            .tessellatesLarge = geometry == Geometry::hybrid || isTriedOut(context, wanted)};
+            .teamsDrawLarge = geometry != Geometry::hybrid,
+            .tessellatesLarge = geometry == Geometry::hybrid || isTriedOut};
 }
 
 /// Uploads all that a field brings, and waits for it.
@@ -66,15 +66,16 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , geometry(chooseGeometry(context, wanted))
     , shaders(wanted.shaders.empty() ? embedded::shaders() : wanted.shaders)
     , trial(madeIf<GeometryTrial>(isTriedOut(context, wanted), context, wanted.framesInFlight))
-    , attachments(context, targetFor(context, wanted))
+    , targetSettings(targetFor(geometry, trial.has_value(), wanted))
+    , attachments(context, targetSettings)
     , ground(uploaded<GroundBuffers>(context, *field.ground))
     , cover(uploaded<GrassCover>(context, field))
     , sunShadow(context, shaders, ground.box())
     , pyramid(context, shaders, wanted.samples)
-    , solid(context, shaders, targetFor(context, wanted), ground)
+    , solid(context, shaders, targetSettings, ground)
     , tessellated(madeIf<TessellatedPass>(geometry == Geometry::tessellation, context, shaders,
-                                          targetFor(context, wanted)))
-    , raster(madeIf<RasterPass>(rasterises(geometry), context, shaders, targetFor(context, wanted),
+                                          targetSettings))
+    , raster(madeIf<RasterPass>(rasterises(geometry), context, shaders, targetSettings,
                                 static_cast<std::uint32_t>(field.blades.size())))
     , plan(planWithin(field))
     , blades(context, shaders, uploaded<FieldBuffers>(context, field, plan.records))

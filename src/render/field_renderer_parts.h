@@ -35,6 +35,7 @@ struct FieldRenderer::Parts {
     Geometry geometry; ///< of the frame last recorded
     gpu::ShaderLibrary shaders;
     std::optional<GeometryTrial> trial; ///< where the choice is measured
+    TargetSettings targetSettings;
     Attachments attachments;
     GroundBuffers ground;
     GrassCover cover;

@@ -1,6 +1,7 @@
 #include "render/ground_clusters.h"
 
 #include "core/bounds.h"
+#include "core/spread_bits.h"
 
 #include <algorithm>
 #include <array>
@@ -11,25 +12,13 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// The lowest 21 bits of `x`, with two zeros between each and the next.
-std::uint64_t spread(std::uint64_t x)
-{
-    x &= 0x1fffff;
-    x = (x | x << 32) & 0x1f00000000ffff;
-    x = (x | x << 16) & 0x1f0000ff0000ff;
-    x = (x | x << 8) & 0x100f00f00f00f00f;
-    x = (x | x << 4) & 0x10c30c30c30c30c3;
-    return (x | x << 2) & 0x1249249249249249;
-}
-
 /// Place along a Z-curve through a cube of side `side` at `low`.
-std::uint64_t mortonCode(glm::vec3 point, glm::vec3 low, float side)
+std::uint64_t placeOnCurve(glm::vec3 point, glm::vec3 low, float side)
 {
     constexpr float steps = 2097151.0f;
     const glm::vec3 cell = glm::clamp((point - low) / side, 0.0f, 1.0f) * steps;
-    return spread(static_cast<std::uint64_t>(cell.x)) |
-           spread(static_cast<std::uint64_t>(cell.y)) << 1 |
-           spread(static_cast<std::uint64_t>(cell.z)) << 2;
+    return mortonCode(static_cast<std::uint32_t>(cell.x), static_cast<std::uint32_t>(cell.y),
+                      static_cast<std::uint32_t>(cell.z));
 }
 
 } // namespace
@@ -54,7 +43,7 @@ std::vector<shared::GroundCluster> clusterTrianglesOf(std::span<const shared::Gr
     for (std::size_t i = 0; i < count; ++i) {
         const glm::vec3 middle =
             (corner(3 * i) + corner(3 * i + 1) + corner(3 * i + 2)) * (1.0f / 3.0f);
-        order[i] = {mortonCode(middle, all.low, side), static_cast<std::uint32_t>(i)};
+        order[i] = {placeOnCurve(middle, all.low, side), static_cast<std::uint32_t>(i)};
     }
     std::sort(order.begin(), order.end(), [](const Placed& a, const Placed& b) {
         return a.code != b.code ? a.code < b.code : a.triangle < b.triangle;

@@ -36,13 +36,6 @@ std::uint64_t treeBytes(const field::FieldView& field)
            (field.blades.size() / shared::ownerStride + 1) * sizeof(std::uint32_t) + smallBytes;
 }
 
-std::uint64_t bytesPerPlace(const FieldBuffers::Records& records)
-{
-    return sizeof(shared::PackedBlade) + sizeof(shared::BladeState::turn) +
-           sizeof(shared::BladeState::eta) + (records.list ? sizeof(shared::VisibleBlade) : 0) +
-           (records.fates ? sizeof(std::uint32_t) : 0);
-}
-
 std::uint64_t roundBytes(std::uint64_t roundPatches, std::uint64_t patches, std::uint64_t places)
 {
     return std::min(roundPatches * shared::maxPatchBlades, places) * sizeof(shared::VisibleBlade) +
@@ -77,7 +70,7 @@ std::uint64_t pagedBytes(const field::FieldView& field, const FieldBuffers::Reco
     const std::uint64_t table = (field.blades.size() / pageBlades + 1) * sizeof(std::uint32_t);
     const std::uint64_t rounds =
         records.list ? 0 : roundBytes(roundPatchesOf(places), field.patches.size(), places);
-    return treeBytes(field) + table + places * bytesPerPlace(records) + rounds +
+    return treeBytes(field) + table + places * records.bytesPerBlade(true) + rounds +
            Streaming::bytesFor(streamingOf(pages, budget));
 }
 
@@ -92,7 +85,7 @@ std::uint64_t wholeBytes(const field::FieldView& field, const FieldBuffers::Reco
                      : roundBytes(std::max<std::uint64_t>(records.roundPatches,
                                                           patches / shared::mostRounds + 1),
                                   patches, places);
-    return treeBytes(field) + places * bytesPerPlace(records) + rounds;
+    return treeBytes(field) + places * records.bytesPerBlade(true) + rounds;
 }
 
 MemoryPlan planFor(const field::FieldView& field, const FieldBuffers::Records& wanted,

@@ -79,11 +79,18 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                                                    {.id = 4, .value = isTessellated ? 1u : 0u}}});
     };
     begin_ = pipeline("raster/begin", variantOf("raster_begin", target.samples));
-    blades_ = pipeline("raster/blades", "raster_blades.comp");
-    large_ = pipeline("raster/large blades", "raster_large.comp");
-    lateBlades_ = pipeline("raster/late blades", "raster_blades.comp", true);
-    lateLarge_ = pipeline("raster/late large blades", "raster_large.comp", true);
-    depths_ = pipeline("raster/depths", "seen_depths.comp");
+    if (target.teamsDrawLarge) {
+        blades_ = pipeline("raster/blades", "raster_blades.comp");
+        large_ = pipeline("raster/large blades", "raster_large.comp");
+        lateBlades_ = pipeline("raster/late blades", "raster_blades.comp", true);
+        lateLarge_ = pipeline("raster/late large blades", "raster_large.comp", true);
+        depths_ = pipeline("raster/depths", "seen_depths.comp");
+        constexpr VkDeviceSize wordBits = 32;
+        seen_ = gpu::Buffer(context, {.name = "raster/seen blades",
+                                      .bytes = (bladeCount / wordBits + 1) * sizeof(std::uint32_t),
+                                      .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                               VK_BUFFER_USAGE_TRANSFER_DST_BIT});
+    }
     if (target.tessellatesLarge) {
         smallBlades_ = pipeline("raster/small blades", "raster_blades.comp", false, true);
         tessellated_.emplace(context, shaders, target.samples);
@@ -98,11 +105,6 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                                         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
                                                  VK_BUFFER_USAGE_TRANSFER_DST_BIT |
                                                  VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT});
-    constexpr VkDeviceSize wordBits = 32;
-    seen_ = gpu::Buffer(
-        context, {.name = "raster/seen blades",
-                  .bytes = (bladeCount / wordBits + 1) * sizeof(std::uint32_t),
-                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
 }
 
 void RasterPass::prepare(const gpu::ShaderLibrary& shaders, bool paintsWind)
@@ -175,7 +177,7 @@ void RasterPass::emptyLarge(VkCommandBuffer commands) const
 void RasterPass::recordBegin(VkCommandBuffer commands, const Input& input)
 {
     emptyLarge(commands);
-    if (!hasSeen_)
+    if (!hasSeen_ && target_.teamsDrawLarge)
         vkCmdFillBuffer(commands, seen_.get(), 0, VK_WHOLE_SIZE, 0);
     hasSeen_ = true;
     begin_.bind(commands);
