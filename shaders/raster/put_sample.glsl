@@ -57,21 +57,16 @@ void putFour(uvec4 earlier, FourSamples four, uint blade)
     }
 }
 
-/// `covered`, as bits, of the samples of a pixel of one blade.
-void putSamples(uvec2 pixel, uint covered, float depths[samplesPerPixel], uint blade)
+/// `covered`, as bits, of the samples of a pixel of a blade that has few: nobody waits for an atomic's
+/// result, and to ask first whether it is needed takes longer.
+void putSmall(uvec2 pixel, uint covered, float depths[samplesPerPixel], uint blade)
 {
-    if (samplesPerPixel != 4u) {
-        SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
-            if ((covered & (1u << s)) != 0u)
-                putSample(pixel, s, depths[s], blade);
-        return;
-    }
-    FourSamples four;
-    four.index = sampleIndex(pixel, 0u);
-    four.covered = covered;
-    SHARED_UNROLL for (uint s = 0u; s < 4u; ++s)
-        four.depths[s] = depths[s % samplesPerPixel];
-    putFour(depthsBefore(four.index), four, blade);
+    Visibility visibility = Visibility(uvec2(push.visibility));
+    const uint first = sampleIndex(pixel, 0u);
+    SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
+        if ((covered & (1u << s)) != 0u)
+            atomicMax(visibility.at[first + s],
+                      (uint64_t(floatBitsToUint(depths[s])) << 32u) | uint64_t(blade + 1u));
 }
 
 #endif

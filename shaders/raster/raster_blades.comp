@@ -12,7 +12,6 @@ layout(constant_id = 3) const bool isPaged = false;
 
 #include "shaders/grass/drawn_blade.glsl"
 #include "shaders/raster/strip.glsl"
-#include "shaders/raster/team.glsl"
 
 layout(local_size_x = rasterThreads) in;
 
@@ -23,12 +22,12 @@ layout(constant_id = 2) const bool isLate = false;
 // Whether large blades are the tessellator's affair; known when the pipeline is made.
 layout(constant_id = 4) const bool isTessellated = false;
 
-/// Gives a blade that covers so many pixels to teams or the tessellator; whether there was room.
+/// Gives a blade that covers so many pixels to work-groups or the tessellator; whether there was room.
 bool leftToOthers(Ribbon ribbon, uint blade, float pixels)
 {
     WalkLevelArray asked = push.largeCount;
     LargePartArray large = push.large;
-    const uint parts = isTessellated ? 1u : clamp(uint(pixels / teamPixels), 1u, mostTeams);
+    const uint parts = isTessellated ? 1u : clamp(uint(pixels / partPixels), 1u, mostParts);
     const uint slot = atomicAdd(asked.at[0].count, parts);
     const bool hasRoom = slot + parts <= mostLargeParts;
     for (uint part = 0u; part < parts && slot + part < mostLargeParts; ++part)
@@ -41,8 +40,7 @@ bool leftToOthers(Ribbon ribbon, uint blade, float pixels)
     if (isTessellated)
         atomicMax(asked.at[1].groups[1], (listed + drawChunk - 1u) / drawChunk);
     else
-        atomicMax(asked.at[0].groups[0],
-                  min((listed + teamsOfGroup - 1u) / teamsOfGroup, mostGroups));
+        atomicMax(asked.at[0].groups[0], min(listed, mostGroups));
     return hasRoom;
 }
 
@@ -59,6 +57,19 @@ bool isBeside(Lens lens, Ribbon ribbon, float height)
     return beside;
 }
 
+/// A rib on the screen, if it is not cut by the near plane.
+struct SmallRib {
+    ScreenRib rib;
+    bool isCut;
+    bool isLost;
+};
+
+SmallRib smallRib(Lens lens, Ribbon ribbon, float t)
+{
+    const SeenRib seen = seenRib(lens, ribbon, t);
+    return SmallRib(screenRib(seen), isCut(seen), isLost(seen));
+}
+
 void rasterise(Lens lens, VisibleBlade visible)
 {
     const DrawnBlade drawn = drawnBlade(visible);
@@ -71,20 +82,38 @@ void rasterise(Lens lens, VisibleBlade visible)
     if ((isLate || pixels > largeBladePixels) && leftToOthers(ribbon, visible.blade, pixels))
         return;
 
-    SeenRib before = seenRib(lens, ribbon, 0.0);
-    for (float i = 1.0; i <= ribbon.outline.segments; i += 1.0) {
-        const SeenRib after = seenRib(lens, ribbon, i / ribbon.outline.segments);
-        if (isCut(before) || isCut(after)) {
+    const bool isFolded = ribbon.fold > 0.0;
+    const float segments = ribbon.outline.segments;
+    const SampleMask mask = sampleMaskOf(visible.blade, samplesPerPixel);
+    SmallRib before = smallRib(lens, ribbon, 0.0);
+    float segment = 1.0;
+    uint part = 0u;
+    // Part by part: of a segment mostly one. While one is drawn no more than one rib is kept.
+    while (segment <= segments) {
+        const SmallRib after = smallRib(lens, ribbon, segment / segments);
+        if (before.isCut || after.isCut) {
             // What this thread has drawn already will be drawn again, the same.
-            if (!(isLost(before) && isLost(after))) {
+            if (!before.isLost || !after.isLost) {
                 leftToOthers(ribbon, visible.blade, pixels);
                 return;
             }
-        } else {
-            screenSegment(screenRib(before), screenRib(after), ribbon.fold > 0.0,
-                          upperHalf(i, ribbon.outline.segments), visible.blade);
+            before = after;
+            segment += 1.0;
+            continue;
         }
-        before = after;
+        bool isTwisted = false;
+        for (uint i = 0u; i < halvesOf(isFolded); ++i)
+            isTwisted = isTwisted || !isConvex(halfOf(i, before.rib, after.rib, isFolded));
+        const Quad quad = isTwisted ? triangleBetween(part, before.rib, after.rib, isFolded,
+                                                      upperHalf(segment, segments))
+                                    : halfOf(part, before.rib, after.rib, isFolded);
+        ++part;
+        if (part >= (isTwisted ? trianglesOf(isFolded) : halvesOf(isFolded))) {
+            before = after;
+            segment += 1.0;
+            part = 0u;
+        }
+        drawSmall(quad, mask, visible.blade);
     }
 }
 

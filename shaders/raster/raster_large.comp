@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_buffer_reference_uvec2 : require
-// Rasterises the blades that cover many pixels: each by a team of threads, or by several teams.
+// Rasterises the blades that cover many pixels: each by a work-group, or by several.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
@@ -14,84 +14,86 @@ layout(constant_id = 3) const bool isPaged = false;
 
 #include "shaders/raster/hidden_rectangle.glsl"
 #include "shaders/raster/strip.glsl"
-#include "shaders/raster/team.glsl"
 
 layout(local_size_x = largeThreads) in;
 
 // Whether what the frame's pyramid hides is left out; known when the pipeline is made.
 layout(constant_id = 2) const bool isLate = false;
 
-/// Widens the pixels between `low` and `high` by those in which an edge is seen behind the near
-/// plane.
-void reach(vec4 a, vec4 b, inout vec2 low, inout vec2 high)
+/// A corner of a triangle, of which a part may lie before the near plane.
+struct Corner {
+    vec4 seen;
+    vec2 widths; ///< Rib::wide, Rib::drawn
+};
+
+/// Where an edge meets the near plane. One of its ends lies before it.
+Corner cutBetween(Corner a, Corner b)
 {
-    const float depthA = a.w - a.z;
-    const float depthB = b.w - b.z;
-    if (depthA < 0.0 && depthB < 0.0)
-        return;
-    const float cut = depthA / (depthA - depthB);
-    const vec4 from = depthA < 0.0 ? mix(a, b, cut) : a;
-    const vec4 to = depthB < 0.0 ? mix(a, b, cut) : b;
-    low = min(low, min(from.xy / from.w, to.xy / to.w));
-    high = max(high, max(from.xy / from.w, to.xy / to.w));
+    const float depthA = a.seen.w - a.seen.z;
+    const float depthB = b.seen.w - b.seen.z;
+    const float share = depthA / (depthA - depthB);
+    return Corner(mix(a.seen, b.seen, share), mix(a.widths, b.widths, share));
 }
 
-/// A triangle of which a part may lie before the near plane.
-void cutTriangle(vec4 a, vec4 b, vec4 c, vec2 weightA, vec2 weightB, vec2 weightC, uint blade,
-                 Rows rows)
+/// What of a triangle lies behind the near plane; false if nothing does.
+bool behindNear(Corner a, Corner b, Corner c, out Quad quad)
 {
-    vec2 low = vec2(1e30);
-    vec2 high = vec2(-1e30);
-    reach(a, b, low, high);
-    reach(b, c, low, high);
-    reach(c, a, low, high);
-    const vec2 edge = vec2(push.size);
-    if (any(lessThan(high, vec2(0.0))) || any(greaterThan(low, edge)))
-        return;
-    const ivec2 first = ivec2(clamp(floor(low), vec2(0.0), edge - 1.0));
-    const ivec2 last = ivec2(clamp(floor(high), vec2(0.0), edge - 1.0));
-    const uint columns = uint(last.x - first.x + 1);
-    const uint pixels = columns * uint(last.y - first.y + 1);
-    for (uint i = uint(rows.first); i < pixels; i += uint(rows.step_)) {
-        const uvec2 pixel = uvec2(first) + uvec2(i % columns, i / columns);
-        uint covered = 0u;
-        float depths[samplesPerPixel];
-        for (uint s = 0u; s < samplesPerPixel; ++s) {
-            const SeenPoint seen = seenAt(a, b, c, vec2(pixel) + samplePlace(s));
-            depths[s] = seen.depth;
-            if (seen.least >= 0.0 && seen.depth <= 1.0)
-                covered |= 1u << s;
-        }
-        if (covered == 0u)
-            continue;
-        const vec3 by = seenAt(a, b, c, vec2(pixel) + middleOf(covered)).shares;
-        covered &= samplesKept(by.x * weightA + by.y * weightB + by.z * weightC, blade);
-        for (uint s = 0u; s < samplesPerPixel; ++s)
-            if ((covered & (1u << s)) != 0u)
-                putSample(pixel, s, depths[s], blade);
+    const uint lost = uint(isBefore(a.seen)) + uint(isBefore(b.seen)) + uint(isBefore(c.seen));
+    if (lost == 3u)
+        return false;
+    // The first is the one that is alone on its side.
+    const bool isLost = lost == 1u;
+    Corner first = a;
+    Corner second = b;
+    Corner third = c;
+    if (isBefore(b.seen) == isLost && lost > 0u) {
+        first = b;
+        second = c;
+        third = a;
+    } else if (isBefore(c.seen) == isLost && lost > 0u) {
+        first = c;
+        second = a;
+        third = b;
     }
-}
-
-void cutQuad(vec4 a, vec4 b, vec4 c, vec4 d, Rib before, Rib after, bool isUpper, uint blade,
-             Rows rows)
-{
-    const vec2 first = vec2(before.wide, before.drawn);
-    const vec2 second = vec2(after.wide, after.drawn);
-    if (isUpper) {
-        cutTriangle(a, b, c, first, first, second, blade, rows);
-        cutTriangle(b, d, c, first, second, second, blade, rows);
-    } else {
-        cutTriangle(a, b, d, first, first, second, blade, rows);
-        cutTriangle(a, d, c, first, second, second, blade, rows);
+    Corner fourth = third;
+    if (lost == 1u) {
+        fourth = cutBetween(first, third);
+        first = cutBetween(first, second);
+    } else if (lost == 2u) {
+        second = cutBetween(first, second);
+        third = cutBetween(first, third);
+        fourth = third;
     }
+    quad.a0 = screenPoint(first.seen);
+    quad.a1 = screenPoint(second.seen);
+    quad.b1 = screenPoint(third.seen);
+    quad.b0 = screenPoint(fourth.seen);
+    quad.weightA0 = first.widths / first.seen.w;
+    quad.weightA1 = second.widths / second.seen.w;
+    quad.weightB = 0.5 * (third.widths / third.seen.w + fourth.widths / fourth.seen.w);
+    return true;
 }
 
-/// A team looks at so many strips of a blade at a time, of a folded one two for each segment, and at
-/// the ribs between them.
-const uint teamStrips = 16u;
-const uint teamRibs = teamStrips + 1u;
+/// What of one of the triangles between two ribs lies behind the near plane; false if nothing does.
+bool triangleBehindNear(uint i, SeenRib before, SeenRib after, bool isFolded, bool isUpper, out Quad quad)
+{
+    const TriangleOf part = triangleOf(i, isFolded, isUpper);
+    const vec2 first = vec2(before.rib.wide, before.rib.drawn);
+    const vec2 second = vec2(after.rib.wide, after.rib.drawn);
+    const Corner a = Corner(part.isRight ? before.ridge : before.left, first);
+    const Corner b = Corner(part.endsAtRidge ? before.ridge : before.right, first);
+    const Corner c = Corner(part.isRight ? after.ridge : after.left, second);
+    const Corner d = Corner(part.endsAtRidge ? after.ridge : after.right, second);
+    return behindNear(part.beginsRight ? b : a, part.isSecond ? d : b, part.endsLeft ? c : d, quad);
+}
 
-/// A rib, as the threads of a team share it.
+/// So many strips are looked at together, of a folded blade two for each segment, and the ribs between
+/// them. With twice as many a blade of an H200 takes a fifth longer: memory that a work-group shares
+/// is the caches' loss.
+const uint mostStrips = 16u;
+const uint mostRibs = mostStrips + 1u;
+
+/// A rib, as the threads share it.
 struct SharedRib {
     vec4 left;
     vec4 right;
@@ -99,12 +101,11 @@ struct SharedRib {
     vec2 widths; ///< Rib::wide, Rib::drawn
 };
 
-shared SharedRib ribs[teamsOfGroup * teamRibs];
-shared Strip strips[teamsOfGroup * teamStrips];
-shared ivec2 stripRows[teamsOfGroup * teamStrips]; // the first row of each and how many there are
-shared uint odd[teamsOfGroup]; // segments that are not drawn by strips, as bits
-shared uint mostSegments;
-shared uint seenStrips[teamsOfGroup]; // 1: something of the team's blade is not hidden
+shared SharedRib ribs[mostRibs];
+shared Strip strips[mostStrips];
+shared ivec2 stripRows[mostStrips]; // the first row of each and how many there are
+shared uint odd;  // segments that are not drawn by halves, as bits
+shared bool isSeen; // something of the blade is not hidden
 
 SeenRib fromShared(SharedRib rib)
 {
@@ -130,43 +131,64 @@ Ribbon ribbonOf(LargePart part)
     return ribbon;
 }
 
-/// Makes strip `half_` of the segment between two ribs. No rows: it is not drawn as a strip; then
-/// false if it is drawn at all.
-bool makeStrip(SeenRib a, SeenRib b, bool isFolded, uint half_, uint team, uint place)
+/// Makes a strip of what is seen of a quad.
+void makeStrip(Quad quad, uint place)
 {
-    stripRows[place] = ivec2(0);
-    if (isCut(a) || isCut(b))
-        return isLost(a) && isLost(b);
-    const ScreenRib from = screenRib(a);
-    const ScreenRib to = screenRib(b);
-    const bool isRight = half_ == 1u;
     Strip strip;
-    const uint kind = stripOf(isRight ? from.ridge : from.left, isFolded && !isRight ? from.ridge : from.right,
-                              isRight ? to.ridge : to.left, isFolded && !isRight ? to.ridge : to.right,
-                              from.weight, to.weight, strip);
-    if (kind != stripDrawn)
-        return kind == stripUnseen;
+    if (!stripOf(quad, strip))
+        return;
     const vec2 left = vec2(min(min(strip.xs.x, strip.xs.y), min(strip.xs.z, strip.xs.w)), strip.low);
     const vec2 right = vec2(max(max(strip.xs.x, strip.xs.y), max(strip.xs.z, strip.xs.w)), strip.high);
     if (isLate && rectangleHidden(left, right, strip.shallowest))
-        return true;
+        return;
     strips[place] = strip;
     const ivec2 rows = rowsOf(strip);
     stripRows[place] = ivec2(rows.x, max(rows.y - rows.x + 1, 0));
-    atomicOr(seenStrips[team], 1u);
-    return true;
+    isSeen = true;
 }
 
-/// A segment that is twisted, or reaches through the near plane.
-void drawOdd(SeenRib a, SeenRib b, bool isFolded, bool isUpper, uint blade, Rows rows)
+/// A half of segment `segment` between two ribs, if it can be drawn as a whole; else the segment is
+/// noted to be odd. It is, too, where the other half is.
+bool halfSeen(uint i, SeenRib a, SeenRib b, bool isFolded, uint segment, out Quad quad)
 {
-    if (!isCut(a) && !isCut(b)) {
-        screenTriangles(screenRib(a), screenRib(b), isFolded, isUpper, blade, rows);
-    } else if (isFolded) {
-        cutQuad(a.left, a.ridge, b.left, b.ridge, a.rib, b.rib, isUpper, blade, rows);
-        cutQuad(a.ridge, a.right, b.ridge, b.right, a.rib, b.rib, isUpper, blade, rows);
-    } else {
-        cutQuad(a.left, a.right, b.left, b.right, a.rib, b.rib, isUpper, blade, rows);
+    if (isCut(a) || isCut(b)) {
+        if (!isLost(a) || !isLost(b))
+            atomicOr(odd, 1u << segment);
+        return false;
+    }
+    const ScreenRib before = screenRib(a);
+    const ScreenRib after = screenRib(b);
+    quad = halfOf(i, before, after, isFolded);
+    if (isConvex(quad) && (!isFolded || isConvex(halfOf(1u - i, before, after, isFolded))))
+        return true;
+    atomicOr(odd, 1u << segment);
+    return false;
+}
+
+/// The ribs from `first` to `last`.
+void makeRibs(Lens lens, Ribbon ribbon, uint first, uint last)
+{
+    for (uint i = first + gl_LocalInvocationIndex; i <= last; i += largeThreads) {
+        const SeenRib seen = seenRib(lens, ribbon, float(i) / ribbon.outline.segments);
+        ribs[i - first] = SharedRib(seen.left, seen.right, seen.ridge,
+                                    vec2(seen.rib.wide, seen.rib.drawn));
+    }
+}
+
+/// Every `step_`-th row of the strips, from `first` on, as if they stood in one column.
+void drawRows(uint stripCount, uint blade, int first, int step_)
+{
+    const SampleMask mask = sampleMaskOf(blade, samplesPerPixel);
+    int before = 0;
+    uint strip = 0u;
+    for (int row = first;; row += step_) {
+        while (strip < stripCount && row >= before + stripRows[strip].y) {
+            before += stripRows[strip].y;
+            ++strip;
+        }
+        if (strip >= stripCount)
+            break;
+        drawRow(strips[strip], mask, blade, stripRows[strip].x + row - before);
     }
 }
 
@@ -174,89 +196,60 @@ void main()
 {
     LargePartArray large = push.large;
     const uint count = min(push.largeCount.at[0].count, mostLargeParts);
+    const uint thread = gl_LocalInvocationIndex;
     const Lens lens = lensOf();
-    const uint team = gl_LocalInvocationIndex / teamThreads;
-    const uint member = gl_LocalInvocationIndex % teamThreads;
-    const uint firstRib = team * teamRibs;
-    const uint firstStrip = team * teamStrips;
-    for (uint base = gl_WorkGroupID.x * teamsOfGroup; base < count;
-         base += gl_NumWorkGroups.x * teamsOfGroup) {
-        LargePart part;
-        part.part = 0u;
-        if (base + team < count)
-            part = large.at[base + team];
-        const uint parts = part.part >> 16u;
-        Ribbon ribbon;
-        uint segments = 0u;
-        if (parts > 0u) {
-            ribbon = ribbonOf(part);
-            segments = uint(ribbon.outline.segments);
-        }
-        const bool isFolded = parts > 0u && ribbon.fold > 0.0;
-        const uint halves = isFolded ? 2u : 1u;
-        const Rows rows =
-            Rows(int((part.part & 0xffffu) * teamThreads + member), int(parts * teamThreads));
-        const SampleMask mask = sampleMaskOf(part.blade, samplesPerPixel);
-        if (gl_LocalInvocationIndex == 0u)
-            mostSegments = 0u;
-        if (member == 0u)
-            seenStrips[team] = 0u;
-        barrier();
-        if (member == 0u)
-            atomicMax(mostSegments, segments * halves);
-        barrier();
+    for (uint item = gl_WorkGroupID.x; item < count; item += gl_NumWorkGroups.x) {
+        const LargePart asked = large.at[item];
+        const uint parts = asked.part >> 16u;
+        const uint part = asked.part & 0xffffu;
+        if (parts == 0u)
+            continue;
+        const Ribbon ribbon = ribbonOf(asked);
+        const float segments = ribbon.outline.segments;
+        const bool isFolded = ribbon.fold > 0.0;
+        const uint halves = halvesOf(isFolded);
+        const uint mostSegments = mostStrips / halves;
+        if (thread == 0u)
+            isSeen = false;
 
-        // Each member makes some of the ribs and of the strips between them; then they draw their
-        // rows, as if the strips stood in one column.
-        const uint most = mostSegments;
-        for (uint done = 0u; done < most; done += teamStrips) {
-            const uint first = min(done / halves, segments);
-            const uint last = min(first + teamStrips / halves, segments);
-            for (uint i = first + member; first < last && i <= last; i += teamThreads) {
-                const SeenRib seen = seenRib(lens, ribbon, float(i) / ribbon.outline.segments);
-                ribs[firstRib + i - first] = SharedRib(seen.left, seen.right, seen.ridge,
-                                                       vec2(seen.rib.wide, seen.rib.drawn));
-            }
-            if (member == 0u)
-                odd[team] = 0u;
+        // Each thread makes a rib or two and a strip between them; then they draw the rows.
+        for (uint first = 0u; first < uint(segments); first += mostSegments) {
+            const uint last = min(first + mostSegments, uint(segments));
+            makeRibs(lens, ribbon, first, last);
+            if (thread == 0u)
+                odd = 0u;
             barrier();
-            const uint stripCount = (last - first) * halves;
-            for (uint i = member; i < stripCount; i += teamThreads) {
-                const uint segment = i / halves;
-                if (!makeStrip(fromShared(ribs[firstRib + segment]),
-                               fromShared(ribs[firstRib + segment + 1u]), isFolded, i % halves,
-                               team, firstStrip + i)) {
-                    atomicOr(odd[team], 1u << segment);
-                    atomicOr(seenStrips[team], 1u);
+
+            // First the halves of all segments, then of those that are odd one triangle after the other.
+            uint rounds = 1u;
+            for (uint round_ = 0u; round_ < rounds; ++round_) {
+                const uint each = round_ == 0u ? halves : 1u;
+                const uint stripCount = (last - first) * each;
+                if (thread < stripCount) {
+                    const uint segment = thread / each;
+                    const SeenRib a = fromShared(ribs[segment]);
+                    const SeenRib b = fromShared(ribs[segment + 1u]);
+                    stripRows[thread] = ivec2(0);
+                    Quad quad;
+                    bool isThere = false;
+                    if (round_ == 0u)
+                        isThere = halfSeen(thread % each, a, b, isFolded, segment, quad);
+                    else if ((odd & (1u << segment)) != 0u)
+                        isThere = triangleBehindNear(
+                            round_ - 1u, a, b, isFolded,
+                            upperHalf(float(first + segment + 1u), segments), quad);
+                    if (isThere)
+                        makeStrip(quad, thread);
                 }
+                barrier();
+                rounds = odd == 0u ? 1u : 1u + trianglesOf(isFolded);
+                drawRows(stripCount, asked.blade, int(part * largeThreads + thread),
+                         int(parts * largeThreads));
+                barrier();
             }
-            barrier();
-            int before = 0;
-            uint strip = 0u;
-            for (int row = rows.first;; row += rows.step_) {
-                while (strip < stripCount && row >= before + stripRows[firstStrip + strip].y) {
-                    before += stripRows[firstStrip + strip].y;
-                    ++strip;
-                }
-                if (strip >= stripCount)
-                    break;
-                // Of a folded segment both halves or none.
-                if ((odd[team] & (1u << (strip / halves))) == 0u)
-                    drawRow(strips[firstStrip + strip], mask, part.blade,
-                                stripRows[firstStrip + strip].x + row - before);
-            }
-            for (uint bits = odd[team]; bits != 0u; bits &= bits - 1u) {
-                const uint segment = uint(findLSB(bits));
-                drawOdd(fromShared(ribs[firstRib + segment]),
-                        fromShared(ribs[firstRib + segment + 1u]), isFolded,
-                        upperHalf(float(first + segment + 1u), ribbon.outline.segments), part.blade,
-                        rows);
-            }
-            barrier();
         }
-        if (isLate && member == 0u && parts > 0u && (part.part & 0xffffu) == 0u &&
-            seenStrips[team] == 0u)
-            noteHidden(part.blade);
+        if (isLate && thread == 0u && part == 0u && !isSeen)
+            noteHidden(asked.blade);
         barrier();
     }
 }

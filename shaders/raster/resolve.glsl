@@ -34,52 +34,109 @@ struct Corner {
     vec2 place; ///< −1 … 1 across, 0 … 1 along
 };
 
-/// The best guess so far at which triangle of a ribbon is seen.
+/// The best guess so far at which point of a ribbon is seen.
 struct Found {
-    float error;
-    Corner a, b, c;
+    float error; ///< 0: its triangle is where the sample says that something is
+    vec3 position;
+    vec2 place; ///< as a Corner has it
 };
 
-void look(Corner a, Corner b, Corner c, vec2 pixel, float depth, inout Found found)
+/// Where and how deep a sample of a ribbon is seen, and the middle of all that are shaded with it
+/// [pixels].
+struct Sighting {
+    vec2 pixel;
+    float depth;
+    vec2 middle;
+};
+
+/// What lies between the ribs at the places `low` and `high`.
+void look(Lens lens, Ribbon ribbon, float low, float high, bool isUpper, Sighting sighting,
+          inout Found found)
 {
-    const SeenPoint seen = seenAt(a.seen, b.seen, c.seen, pixel);
-    // A sample may lie just outside by rounding; between triangles that both hold it depth decides.
-    const float error = max(-seen.least, 0.0) + abs(seen.depth / depth - 1.0);
-    if (error < found.error)
-        found = Found(error, a, b, c);
+    const SeenRib before = seenRib(lens, ribbon, low);
+    const SeenRib after = seenRib(lens, ribbon, high);
+    const bool isFolded = ribbon.fold > 0.0;
+    const Corner left = Corner(before.rib.left, before.left, vec2(-1.0, low));
+    const Corner right = Corner(before.rib.right, before.right, vec2(1.0, low));
+    const Corner ridge = Corner(before.rib.ridge, before.ridge, vec2(0.0, low));
+    const Corner leftAfter = Corner(after.rib.left, after.left, vec2(-1.0, high));
+    const Corner rightAfter = Corner(after.rib.right, after.right, vec2(1.0, high));
+    const Corner ridgeAfter = Corner(after.rib.ridge, after.ridge, vec2(0.0, high));
+    [[dont_unroll]] for (uint i = 0u; i < trianglesOf(isFolded); ++i) {
+        const TriangleOf part = triangleOf(i, isFolded, isUpper);
+        const Corner a = part.isRight ? ridge : left;
+        const Corner b = part.endsAtRidge ? ridge : right;
+        const Corner c = part.isRight ? ridgeAfter : leftAfter;
+        const Corner d = part.endsAtRidge ? ridgeAfter : rightAfter;
+        const Corner first = part.beginsRight ? b : a;
+        const Corner second = part.isSecond ? d : b;
+        const Corner third = part.endsLeft ? c : d;
+        const SeenPoint seen = seenAt(first.seen, second.seen, third.seen, sighting.pixel);
+        // A sample may lie just outside by rounding; between triangles that both hold it depth
+        // decides.
+        const float error = max(-seen.least, 0.0) + abs(seen.depth / sighting.depth - 1.0);
+        if (error >= found.error)
+            continue;
+        const vec3 inside =
+            max(seenAt(first.seen, second.seen, third.seen, sighting.middle).shares, vec3(0.0));
+        const vec3 shares = inside / max(inside.x + inside.y + inside.z, 1e-6);
+        found.error = error;
+        found.position =
+            shares.x * first.position + shares.y * second.position + shares.z * third.position;
+        found.place = shares.x * first.place + shares.y * second.place + shares.z * third.place;
+    }
 }
 
-void lookQuad(Corner a, Corner b, Corner c, Corner d, bool isUpper, vec2 pixel, float depth, inout Found found)
+/// Where along a ribbon a point of it lies. Seen along the axis a ribbon is a curve, and its points
+/// lie on it: Gauss and Newton's way to the nearest, from where the chord has it. Wrong where a
+/// ribbon is drawn much wider than it is, or runs along its own axis.
+float placeAlong(Ribbon ribbon, vec3 point)
 {
-    look(a, b, isUpper ? c : d, pixel, depth, found);
-    look(isUpper ? b : a, d, c, pixel, depth, found);
+    const vec3 axis = ribbon.axis;
+    const vec3 toMiddle = ribbon.v1 - ribbon.v0;
+    const vec3 toTip = ribbon.v2 - ribbon.v0;
+    const vec3 toPoint = point - ribbon.v0;
+    const vec3 a = toMiddle - dot(toMiddle, axis) * axis;
+    const vec3 b = toTip - dot(toTip, axis) * axis;
+    const vec3 p = toPoint - dot(toPoint, axis) * axis;
+    float t = clamp(dot(p, b) / max(dot(b, b), 1e-12), 0.0, 1.0);
+    [[dont_unroll]] for (uint i = 0u; i < 4u; ++i) {
+        const vec3 off = bezierPoint(vec3(0.0), a, b, t) - p;
+        const vec3 speed = bezierTangent(vec3(0.0), a, b, t);
+        t = clamp(t - dot(off, speed) / max(dot(speed, speed), 1e-12), 0.0, 1.0);
+    }
+    return t;
 }
 
-/// Which point of a ribbon is seen at `pixel` [pixels] and `depth`.
-Found find(Lens lens, Ribbon ribbon, vec2 pixel, float depth)
+/// What a sample sees, relative to the field's origin.
+vec3 pointSeen(Lens lens, Sighting sighting)
+{
+    const vec3 ray = rayThrough(2.0 * sighting.pixel / lens.size - 1.0);
+    // Clip w grows by 1 with the ray's length, from 0 at the eye.
+    const vec4 depthRow = vec4(lens.viewProjection[0].z, lens.viewProjection[1].z,
+                               lens.viewProjection[2].z, lens.viewProjection[3].z);
+    return lens.eye + (dot(depthRow, vec4(lens.eye, 1.0)) / (sighting.depth - dot(depthRow.xyz, ray))) * ray;
+}
+
+/// A triangle that errs by less is the one. Corners lie in steps of a 256th of a pixel where they are
+/// drawn, not here.
+const float foundError = 0.02;
+
+/// Which point of a ribbon is seen: in the segment where it should be, or, if it is not there, in the
+/// best of all.
+Found find(Lens lens, Ribbon ribbon, Sighting sighting)
 {
     Found found;
     found.error = 1e30;
     const float segments = ribbon.outline.segments;
-    SeenRib before = seenRib(lens, ribbon, 0.0);
-    for (float i = 1.0; i <= segments; i += 1.0) {
-        const SeenRib after = seenRib(lens, ribbon, i / segments);
-        const float low = (i - 1.0) / segments;
-        const float high = i / segments;
-        const bool isUpper = upperHalf(i, segments);
-        const Corner a = Corner(before.rib.left, before.left, vec2(-1.0, low));
-        const Corner b = Corner(before.rib.right, before.right, vec2(1.0, low));
-        const Corner c = Corner(after.rib.left, after.left, vec2(-1.0, high));
-        const Corner d = Corner(after.rib.right, after.right, vec2(1.0, high));
-        if (ribbon.fold > 0.0) {
-            const Corner e = Corner(before.rib.ridge, before.ridge, vec2(0.0, low));
-            const Corner f = Corner(after.rib.ridge, after.ridge, vec2(0.0, high));
-            lookQuad(a, e, c, f, isUpper, pixel, depth, found);
-            lookQuad(e, b, f, d, isUpper, pixel, depth, found);
-        } else {
-            lookQuad(a, b, c, d, isUpper, pixel, depth, found);
-        }
-        before = after;
+    const float place = segments > 1.5 ? placeAlong(ribbon, pointSeen(lens, sighting)) : 0.0;
+    const float guess = min(floor(place * segments) + 1.0, segments);
+    [[dont_unroll]] for (float i = 0.0; i <= segments; i += 1.0) {
+        const float segment = i < 0.5 ? guess : i;
+        look(lens, ribbon, (segment - 1.0) / segments, segment / segments,
+             upperHalf(segment, segments), sighting, found);
+        if (i < 0.5 && (found.error < foundError || segments < 1.5))
+            break;
     }
     return found;
 }
@@ -107,14 +164,12 @@ vec4 shade(Lens lens, uint index, vec2 pixel, uint samples, uint s, float depth)
     const VisibleBlade visible = visibleBlade(index, patchIndex, cell, blade);
     noteSeen(visible, blade);
     const DrawnBlade drawn = drawnBlade(visible, blade);
+    const Found found = find(lens, drawn.ribbon,
+                             Sighting(pixel + samplePlace(s), depth, pixel + middleOf(samples)));
     const BladeSurface surface = bladeSurface(drawn, visible);
-    const Found found = find(lens, drawn.ribbon, pixel + samplePlace(s), depth);
-    const SeenPoint seen = seenAt(found.a.seen, found.b.seen, found.c.seen, pixel + middleOf(samples));
-    const vec3 inside = max(seen.shares, vec3(0.0));
-    const vec3 shares = inside / max(inside.x + inside.y + inside.z, 1e-6);
     BladePoint point;
-    point.position = shares.x * found.a.position + shares.y * found.b.position + shares.z * found.c.position;
-    point.place = shares.x * found.a.place + shares.y * found.b.place + shares.z * found.c.place;
+    point.position = found.position;
+    point.place = found.place;
     point.tangent = tangentAt(drawn.ribbon, point.place.y);
     point.axis = drawn.ribbon.axis;
     point.up = normalize(drawn.ribbon.v1 - drawn.ribbon.v0);

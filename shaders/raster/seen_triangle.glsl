@@ -3,6 +3,8 @@
 #ifndef SWARD_RASTER_SEEN_TRIANGLE_GLSL
 #define SWARD_RASTER_SEEN_TRIANGLE_GLSL
 
+#extension GL_EXT_control_flow_attributes : require
+
 #include "shaders/raster/visibility.glsl"
 #include "shaders/shared/ribbon.h"
 
@@ -50,6 +52,35 @@ bool isCut(SeenRib seen)
 bool isLost(SeenRib seen)
 {
     return isBefore(seen.left) && isBefore(seen.right) && isBefore(seen.ridge);
+}
+
+/// Triangles between two ribs.
+uint trianglesOf(bool isFolded)
+{
+    return isFolded ? 4u : 2u;
+}
+
+/// One of the triangles between two ribs: of the quad a, b on the first rib and c, d on the second,
+/// a and c to the left, the way a tessellator halves it: see upperHalf(). Of a folded ribbon the
+/// quad goes to the ridge or begins there. The first corner is a or b, the second b or d, the third
+/// c or d.
+struct TriangleOf {
+    bool isRight;     ///< the quad begins at the ridge
+    bool endsAtRidge; ///< … or goes to it
+    bool isSecond;    ///< its second corner is d
+    bool beginsRight; ///< its first corner is b
+    bool endsLeft;    ///< its third corner is c
+};
+
+TriangleOf triangleOf(uint i, bool isFolded, bool isUpper)
+{
+    TriangleOf part;
+    part.isRight = i >= 2u;
+    part.endsAtRidge = isFolded && i < 2u;
+    part.isSecond = (i & 1u) != 0u;
+    part.beginsRight = part.isSecond && isUpper;
+    part.endsLeft = part.isSecond || isUpper;
+    return part;
 }
 
 /// A point of a triangle that is seen at some place.

@@ -1,21 +1,9 @@
-// What lies between two ribs on the screen as one convex quad: each row of samples meets it in one
-// interval, so that no sample outside is looked at.
+// A convex part of a blade on the screen: each row of samples meets it in one interval, so that no
+// sample outside is looked at.
 #ifndef SWARD_RASTER_STRIP_GLSL
 #define SWARD_RASTER_STRIP_GLSL
 
-#include "shaders/raster/screen_triangle.glsl"
-
-float crossOf(vec2 a, vec2 b)
-{
-    return a.x * b.y - a.y * b.x;
-}
-
-/// Whether the quad with these sides, one after the other, is convex and has an area.
-bool isConvex(vec2 a, vec2 b, vec2 c, vec2 d)
-{
-    const vec4 turns = vec4(crossOf(a, b), crossOf(b, c), crossOf(c, d), crossOf(d, a));
-    return all(greaterThanEqual(turns, vec4(0.0))) || all(lessThanEqual(turns, vec4(0.0)));
-}
+#include "shaders/raster/screen_rib.glsl"
 
 /// The part of the horizontal through `y` between the sides of a quad: `from` and `to`.
 vec2 intervalAt(float y, vec4 xs, vec4 ys, vec4 slopes, bvec4 lefts, bvec4 rights)
@@ -27,56 +15,55 @@ vec2 intervalAt(float y, vec4 xs, vec4 ys, vec4 slopes, bvec4 lefts, bvec4 right
                 min(min(to.x, to.y), min(to.z, to.w)));
 }
 
-/// What lies between two ribs, ready to be drawn row by row.
+/// A quad, ready to be drawn row by row.
 struct Strip {
     vec4 xs; ///< its corners, one after the other [pixels]
     vec4 ys;
     vec4 slopes; ///< of the sides from them [pixels per row]
     uint hands;  ///< sides that bound it to the left, as bits, and from the fifth bit on to the right
+    bool isThin; ///< it may keep less than all samples
     float low;   ///< [pixels] where it begins and ends, downwards
     float high;
     float depth; ///< reversed, at the first corner …
     vec2 depthStep; ///< … and what a pixel adds
     float deepest;  ///< it has no other depths than these
     float shallowest;
-    vec2 tStep;   ///< what a pixel adds to the way from the first rib to the second
-    vec2 weightA; ///< ScreenRib::weight of the first
-    vec2 weightB; ///< … and of the second
+    vec2 weight; ///< ScreenRib::weight at the first corner …
+    vec2 weightRight; ///< … and what a pixel adds to the right
+    vec2 weightDown;  ///< … and downwards
 };
 
-// What becomes of a strip.
-const uint stripDrawn = 0u;
-const uint stripUnseen = 1u; ///< nothing of it is seen
-const uint stripTwisted = 2u; ///< it is not convex: to be drawn as triangles
-
-/// What lies between two ribs, one of which goes from `a0` to `a1` and the other from `b0` to `b1`.
-uint stripOf(vec3 a0, vec3 a1, vec3 b0, vec3 b1, vec2 weightA, vec2 weightB, out Strip strip)
+/// Makes a strip of a quad that is not twisted; false if nothing of it is seen.
+bool stripOf(Quad quad, out Strip strip)
 {
-    const vec2 p0 = a0.xy;
-    const vec2 p1 = a1.xy;
-    const vec2 p2 = b1.xy;
-    const vec2 p3 = b0.xy;
-    if (!isConvex(p1 - p0, p2 - p1, p3 - p2, p0 - p3))
-        return stripTwisted;
+    const vec2 p0 = quad.a0.xy;
+    const vec2 p1 = quad.a1.xy;
+    const vec2 p2 = quad.b1.xy;
+    const vec2 p3 = quad.b0.xy;
     const vec2 low = min(min(p0, p1), min(p2, p3));
     const vec2 high = max(max(p0, p1), max(p2, p3));
     const vec2 edge = vec2(push.size);
-    // A place is p0 + s · (p1 − p0) + t · (m − p0), m the middle of the farther rib.
-    const vec3 middle = 0.5 * (b0 + b1);
+    // A place is p0 + s · (p1 − p0) + t · (m − p0), m the middle of b0 and b1.
+    const vec3 middle = 0.5 * (quad.b0 + quad.b1);
     const vec2 across = p1 - p0;
     const vec2 along = middle.xy - p0;
     const float area = crossOf(across, along);
     if (high.x < 0.0 || high.y < 0.0 || low.x > edge.x || low.y > edge.y || area == 0.0)
-        return stripUnseen;
+        return false;
 
     const vec2 sStep = vec2(along.y, -along.x) / area;
-    strip.tStep = vec2(-across.y, across.x) / area;
-    strip.depth = a0.z;
-    strip.depthStep = sStep * (a1.z - a0.z) + strip.tStep * (middle.z - a0.z);
-    strip.shallowest = max(max(a0.z, a1.z), max(b0.z, b1.z));
-    strip.deepest = min(min(a0.z, a1.z), min(b0.z, b1.z));
-    strip.weightA = weightA;
-    strip.weightB = weightB;
+    const vec2 tStep = vec2(-across.y, across.x) / area;
+    strip.depth = quad.a0.z;
+    strip.depthStep = sStep * (quad.a1.z - quad.a0.z) + tStep * (middle.z - quad.a0.z);
+    strip.shallowest = max(max(quad.a0.z, quad.a1.z), max(quad.b0.z, quad.b1.z));
+    strip.deepest = min(min(quad.a0.z, quad.a1.z), min(quad.b0.z, quad.b1.z));
+    const vec2 weightAcross = quad.weightA1 - quad.weightA0;
+    const vec2 weightAlong = quad.weightB - quad.weightA0;
+    strip.weight = quad.weightA0;
+    strip.weightRight = sStep.x * weightAcross + tStep.x * weightAlong;
+    strip.weightDown = sStep.y * weightAcross + tStep.y * weightAlong;
+    strip.isThin = quad.weightA0.x < quad.weightA0.y || quad.weightA1.x < quad.weightA1.y ||
+                   quad.weightB.x < quad.weightB.y;
     strip.low = low.y;
     strip.high = high.y;
 
@@ -89,7 +76,7 @@ uint stripOf(vec3 a0, vec3 a1, vec3 b0, vec3 b1, vec2 weightA, vec2 weightB, out
     strip.hands = 0u;
     SHARED_UNROLL for (uint i = 0u; i < 4u; ++i)
         strip.hands |= turned[i] < 0.0 ? 1u << i : (turned[i] > 0.0 ? 16u << i : 0u);
-    return stripDrawn;
+    return true;
 }
 
 /// The first and the last row of pixels that a strip reaches.
@@ -119,16 +106,10 @@ void spansOf(Strip strip, int row, out vec2 spans[samplesPerPixel], out ivec2 re
                   int(clamp(floor(widest.y), -1.0, width - 1.0)));
 }
 
-bool isThin(Strip strip)
-{
-    return strip.weightA.x < strip.weightA.y || strip.weightB.x < strip.weightB.y;
-}
-
 /// The share of the samples that a strip keeps `corner` [pixels] from its first corner.
 float shareKept(Strip strip, vec2 corner)
 {
-    const vec2 weight =
-        mix(strip.weightA, strip.weightB, clamp(dot(corner, strip.tStep), 0.0, 1.0));
+    const vec2 weight = strip.weight + corner.x * strip.weightRight + corner.y * strip.weightDown;
     return weight.x / max(weight.y, 1e-12);
 }
 
@@ -138,7 +119,7 @@ float depthAt(Strip strip, vec2 corner)
 }
 
 /// Those from sample `index` on, a multiple of 4. The row begins with sample `start`.
-FourSamples fourOf(Strip strip, SampleMask mask, bool thin, int row, int start, int index,
+FourSamples fourOf(Strip strip, SampleMask mask, int row, int start, int index,
                    vec2 spans[samplesPerPixel], ivec2 reach)
 {
     FourSamples four;
@@ -151,7 +132,7 @@ FourSamples fourOf(Strip strip, SampleMask mask, bool thin, int row, int start, 
             const vec2 corner = vec2(column, row) - first + samplePlace(0u);
             four.depths[i] = depthAt(strip, corner);
             bool isInside = column >= reach.x && column <= reach.y;
-            if (thin)
+            if (strip.isThin)
                 isInside = isInside && keptBits(mask, shareKept(strip, corner)) != 0u;
             four.covered |= isInside ? 1u << i : 0u;
         }
@@ -165,12 +146,16 @@ FourSamples fourOf(Strip strip, SampleMask mask, bool thin, int row, int start, 
             four.covered |= 1u << s;
         four.depths[s] = depthAt(strip, corner + samplePlace(s % samplesPerPixel));
     }
-    if (thin && four.covered != 0u)
+    if (strip.isThin && four.covered != 0u)
         four.covered &= keptBits(mask, shareKept(strip, corner + middleOf(four.covered)));
     return four;
 }
 
-/// One row of pixels. Eight samples are read at a time: what takes long here is to wait for them.
+/// So many groups of four samples of a row are read at a time: what takes long is to wait for them,
+/// but those beside the strip are read in vain.
+const int readTogether = samplesPerPixel == 1u ? 1 : 2;
+
+/// One row of pixels.
 void drawRow(Strip strip, SampleMask mask, uint blade, int row)
 {
     vec2 spans[samplesPerPixel];
@@ -178,48 +163,42 @@ void drawRow(Strip strip, SampleMask mask, uint blade, int row)
     spansOf(strip, row, spans, reach);
     if (reach.x > reach.y)
         return;
-    const bool thin = isThin(strip);
     const int samples = int(samplesPerPixel);
     const int start = row * int(push.size.x) * samples;
     const int end = start + reach.y * samples;
-    for (int index = (start + reach.x * samples) & ~3; index <= end; index += 8) {
-        const uvec4 one = depthsBefore(uint(index));
-        const uvec4 two = depthsBefore(uint(index + 4));
-        putFour(one, fourOf(strip, mask, thin, row, start, index, spans, reach), blade);
-        putFour(two, fourOf(strip, mask, thin, row, start, index + 4, spans, reach), blade);
+    for (int index = (start + reach.x * samples) & ~3; index <= end; index += 4 * readTogether) {
+        uvec4 before[readTogether];
+        SHARED_UNROLL for (int i = 0; i < readTogether; ++i)
+            before[i] = depthsBefore(uint(index + 4 * i));
+        SHARED_UNROLL for (int i = 0; i < readTogether; ++i)
+            putFour(before[i], fourOf(strip, mask, row, start, index + 4 * i, spans, reach), blade);
     }
 }
 
-/// Draws what lies between two ribs, by one thread: the same as a strip row by row, in one text, with
-/// which the compiler needs fewer registers. False, and nothing done, where the quad is not convex.
-bool screenStrip(ScreenRib a, ScreenRib b, uint blade)
+/// All of a quad that has few pixels and is not twisted, by one thread: the same as a strip row by row,
+/// in one text, with which an H200 gives a thread 80 registers instead of 120. Weights belong to ribs.
+void drawSmall(Quad quad, SampleMask mask, uint blade)
 {
-    const vec2 p0 = a.left.xy;
-    const vec2 p1 = a.right.xy;
-    const vec2 p2 = b.right.xy;
-    const vec2 p3 = b.left.xy;
-    if (!isConvex(p1 - p0, p2 - p1, p3 - p2, p0 - p3))
-        return false;
+    const vec2 p0 = quad.a0.xy;
+    const vec2 p1 = quad.a1.xy;
+    const vec2 p2 = quad.b1.xy;
+    const vec2 p3 = quad.b0.xy;
     const vec2 low = min(min(p0, p1), min(p2, p3));
     const vec2 high = max(max(p0, p1), max(p2, p3));
     const vec2 edge = vec2(push.size);
-    if (high.x < 0.0 || high.y < 0.0 || low.x > edge.x || low.y > edge.y)
-        return true;
-
-    // A place is p0 + s · (p1 − p0) + t · (m − p0), m the middle of the farther rib.
-    const vec3 middle = 0.5 * (b.left + b.right);
+    const vec3 middle = 0.5 * (quad.b0 + quad.b1);
     const vec2 across = p1 - p0;
     const vec2 along = middle.xy - p0;
     const float area = crossOf(across, along);
-    if (area == 0.0)
-        return true;
+    if (high.x < 0.0 || high.y < 0.0 || low.x > edge.x || low.y > edge.y || area == 0.0)
+        return;
     const vec2 sStep = vec2(along.y, -along.x) / area;
     const vec2 tStep = vec2(-across.y, across.x) / area;
-    const vec2 depthStep = sStep * (a.right.z - a.left.z) + tStep * (middle.z - a.left.z);
-    const float shallowest = max(max(a.left.z, a.right.z), max(b.left.z, b.right.z));
-    const float deepest = min(min(a.left.z, a.right.z), min(b.left.z, b.right.z));
+    const vec2 depthStep = sStep * (quad.a1.z - quad.a0.z) + tStep * (middle.z - quad.a0.z);
+    const float shallowest = max(max(quad.a0.z, quad.a1.z), max(quad.b0.z, quad.b1.z));
+    const float deepest = min(min(quad.a0.z, quad.a1.z), min(quad.b0.z, quad.b1.z));
+    const bool isThin = quad.weightA0.x < quad.weightA0.y || quad.weightB.x < quad.weightB.y;
 
-    // Sides that rise bound the quad on one hand, those that fall on the other.
     const vec4 xs = vec4(p0.x, p1.x, p2.x, p3.x);
     const vec4 ys = vec4(p0.y, p1.y, p2.y, p3.y);
     const vec4 rises = ys.yzwx - ys;
@@ -228,8 +207,6 @@ bool screenStrip(ScreenRib a, ScreenRib b, uint blade)
     const bvec4 lefts = lessThan(turned, vec4(0.0));
     const bvec4 rights = greaterThan(turned, vec4(0.0));
 
-    const bool isThin = a.weight.x < a.weight.y || b.weight.x < b.weight.y;
-    const SampleMask mask = sampleMaskOf(blade, samplesPerPixel);
     const int first = int(max(floor(low.y), 0.0));
     const int last = int(min(floor(high.y), edge.y - 1.0));
     for (int row = first; row <= last; ++row) {
@@ -244,47 +221,32 @@ bool screenStrip(ScreenRib a, ScreenRib b, uint blade)
                 spans[s] = vec2(1e30, -1e30);
             widest = vec2(min(widest.x, spans[s].x), max(widest.y, spans[s].y));
         }
+        if (widest.x > widest.y)
+            continue;
         const int left = int(max(ceil(widest.x), 0.0));
         const int right = int(min(floor(widest.y), edge.x - 1.0));
         for (int column = left; column <= right; ++column) {
-            uint covered = 0u;
-            SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
-                if (float(column) >= spans[s].x && float(column) <= spans[s].y)
-                    covered |= 1u << s;
+            // Of a single sample the interval is that of the row.
+            uint covered = samplesPerPixel == 1u ? 1u : 0u;
+            if (samplesPerPixel > 1u)
+                SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
+                    if (float(column) >= spans[s].x && float(column) <= spans[s].y)
+                        covered |= 1u << s;
             if (covered == 0u)
                 continue;
             const vec2 corner = vec2(column, row) - p0;
             if (isThin) {
                 const float t = dot(corner + middleOf(covered), tStep);
-                const vec2 weight = mix(a.weight, b.weight, clamp(t, 0.0, 1.0));
+                const vec2 weight = mix(quad.weightA0, quad.weightB, clamp(t, 0.0, 1.0));
                 covered &= keptBits(mask, weight.x / max(weight.y, 1e-12));
             }
             float depths[samplesPerPixel];
             SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
-                depths[s] = clamp(a.left.z + dot(corner + samplePlace(s), depthStep), deepest,
+                depths[s] = clamp(quad.a0.z + dot(corner + samplePlace(s), depthStep), deepest,
                                   shallowest);
-            putSamples(uvec2(column, row), covered, depths, blade);
+            putSmall(uvec2(column, row), covered, depths, blade);
         }
     }
-    return true;
-}
-
-/// What lies between two ribs of a ribbon; this thread takes every so-many-th row of its triangles.
-void screenTriangles(ScreenRib a, ScreenRib b, bool isFolded, bool isUpper, uint blade, Rows rows)
-{
-    if (isFolded) {
-        screenQuad(a.left, a.ridge, b.left, b.ridge, a.weight, b.weight, isUpper, blade, rows);
-        screenQuad(a.ridge, a.right, b.ridge, b.right, a.weight, b.weight, isUpper, blade, rows);
-    } else {
-        screenQuad(a.left, a.right, b.left, b.right, a.weight, b.weight, isUpper, blade, rows);
-    }
-}
-
-/// The same by one thread.
-void screenSegment(ScreenRib a, ScreenRib b, bool isFolded, bool isUpper, uint blade)
-{
-    if (isFolded || !screenStrip(a, b, blade))
-        screenTriangles(a, b, isFolded, isUpper, blade, Rows(0, 1));
 }
 
 #endif

@@ -89,24 +89,24 @@ SHARED_CONST uint mostGroups = 65535u;
 /// Width and height of the tile of pixels that a work-group begins or resolves.
 SHARED_CONST uint rasterTile = 8u;
 
-/// A blade that covers more pixels than this is not rasterised by one thread, but by a team,
+/// A blade that covers more pixels than this is not rasterised by one thread, but by a work-group,
 /// and asked for whether other grass hides it; …
 SHARED_CONST float largeBladePixels = 256.0f;
 
 /// … or by several, each for so many of its pixels, …
-SHARED_CONST float teamPixels = 4096.0f;
+SHARED_CONST float partPixels = 4096.0f;
 
-/// … but no more teams than these.
-SHARED_CONST uint mostTeams = 64u;
+/// … but no more of them than these.
+SHARED_CONST uint mostParts = 64u;
 
 /// So many parts of large blades can be listed: some hundred layers of them over a picture of 2
 /// million pixels. Blades beyond them are rasterised by one thread each.
 SHARED_CONST uint mostLargeParts = 1048576u;
 
-/// Threads of a work-group of teams.
-SHARED_CONST uint largeThreads = 64u;
+/// Threads of a work-group that draws a large blade. With 64 an H200 takes twice as long.
+SHARED_CONST uint largeThreads = 32u;
 
-/// What a team draws: a large blade, or every `parts`-th bundle of its rows.
+/// What a work-group draws: a large blade, or every `parts`-th bundle of its rows.
 struct LargePart {
     vec3 v0; ///< the ribbon: see Ribbon
     float width;
@@ -136,7 +136,7 @@ struct RasterPush {
     VisibilityArray visibility; ///< pixel by pixel, sample by sample
     WalkLevelArray rounds;      ///< as in UpdatePush
     LargePartArray large;
-    WalkLevelArray largeCount; ///< how many of them were asked for, and groups of teams for them;
+    WalkLevelArray largeCount; ///< how many of them were asked for, and work-groups for them;
                                ///< then the draw for them by the tessellator
     UintArray owners;          ///< patches that own blades, in the order of their blades
     UintArray firstOwners; ///< per ownerStride blades: index into `owners` of the first one's patch

@@ -140,10 +140,12 @@ SHARED_LAYOUT(LevelSteps, 36)
 
 SHARED_FN float segmentsAt(LevelSteps steps, float distance)
 {
-    for (int i = 0; i + 1 < int(steps.count); ++i)
-        if (distance < steps.distance[i])
-            return steps.segments[i];
-    return steps.segments[int(steps.count) - 1];
+    // Indices that are known when this is compiled keep a GPU from laying the steps into memory.
+    float segments = steps.segments[0];
+    SHARED_UNROLL for (int i = 1; i < 4;
+                       ++i) if (uint(i) < steps.count && distance >= steps.distance[i - 1])
+        segments = steps.segments[i];
+    return segments;
 }
 
 SHARED_END

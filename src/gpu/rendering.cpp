@@ -22,6 +22,8 @@ VkRenderingAttachmentInfo describe(const ColorAttachment& color)
     VkRenderingAttachmentInfo result =
         attachment(color.view, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, color.clear.has_value(),
                    color.isKept);
+    if (!color.clear && !color.isLoaded)
+        result.loadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
     if (color.clear)
         for (std::size_t i = 0; i < 4; ++i)
             result.clearValue.color.float32[i] = (*color.clear)[i];

@@ -14,8 +14,9 @@ namespace sward::gpu {
 struct ColorAttachment {
     VkImageView view = VK_NULL_HANDLE;         ///< of one mip level
     VkImageView resolve = VK_NULL_HANDLE;      ///< of one sample; receives the average, if given
-    std::optional<std::array<float, 4>> clear; ///< none: what is there stays
-    bool isKept = true; ///< false: the samples are needed no more once they are resolved
+    std::optional<std::array<float, 4>> clear; ///< none: what is there stays …
+    bool isLoaded = true; ///< … or, where nothing is drawn, may become anything
+    bool isKept = true;   ///< false: the samples are needed no more once they are resolved
 };
 
 /// An image in ImageUse::depthTarget.

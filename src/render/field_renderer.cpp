@@ -37,7 +37,7 @@ TargetSettings targetFor(Geometry geometry, bool isTriedOut, const FieldRenderer
             .isSampled = rasterises(geometry),
             .mayBePaged = wanted.deviceBytes > 0,
             .lightsLater = rasterises(geometry),
-            .teamsDrawLarge = geometry != Geometry::hybrid,
+            .groupsDrawLarge = geometry != Geometry::hybrid,
             .tessellatesLarge = geometry == Geometry::hybrid || isTriedOut};
 }
 

@@ -53,7 +53,9 @@ void FieldRenderer::Parts::lightSolid(VkCommandBuffer commands, const Target& ta
                     gpu::ImageUse::colorTarget);
     {
         gpu::ColorAttachment color = colorAttachment(target);
-        color.clear = std::array{0.0f, 0.0f, 0.0f, 1.0f};
+        // Only those samples are looked at that something solid has drawn: with four of them to
+        // clear an H200's takes longer than to light the ground.
+        color.isLoaded = false;
         const gpu::DepthAttachment depth{.view = attachments.depth().view(), .clear = std::nullopt};
         const gpu::RenderingScope rendering(commands, {target.size.x, target.size.y},
                                             std::span(&color, 1), depth);

@@ -12,7 +12,7 @@ namespace {
 
 /// Segments of a blade at most, unless they are fixed: what a blade of 0.3 m, bent to half its
 /// height, takes 1.1 m away at 1080 rows of pixels to stray by no more than a quarter of one. As
-/// many as in a reference picture, and as a team of the rasteriser's looks at together.
+/// many as in a reference picture, and as a work-group of the rasteriser's looks at together.
 constexpr std::uint32_t mostSegments = 16;
 
 glm::vec3 unitOr(glm::vec3 v, glm::vec3 otherwise)

@@ -17,7 +17,7 @@ constexpr VkFormat shadedFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 
 /// How many large blades have been asked for, and what draws those that are listed.
 struct LargeCount {
-    shared::WalkLevel teams{.groups = {0, 1, 1}, .count = 0};
+    shared::WalkLevel parts{.groups = {0, 1, 1}, .count = 0};
     VkDrawIndirectCommand draw{shared::drawChunk, 0, 0, 0}; ///< a vertex for each of them
 };
 
@@ -79,7 +79,7 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                                                    {.id = 4, .value = isTessellated ? 1u : 0u}}});
     };
     begin_ = pipeline("raster/begin", variantOf("raster_begin", target.samples));
-    if (target.teamsDrawLarge) {
+    if (target.groupsDrawLarge) {
         blades_ = pipeline("raster/blades", "raster_blades.comp");
         large_ = pipeline("raster/large blades", "raster_large.comp");
         lateBlades_ = pipeline("raster/late blades", "raster_blades.comp", true);
@@ -177,7 +177,7 @@ void RasterPass::emptyLarge(VkCommandBuffer commands) const
 void RasterPass::recordBegin(VkCommandBuffer commands, const Input& input)
 {
     emptyLarge(commands);
-    if (!hasSeen_ && target_.teamsDrawLarge)
+    if (!hasSeen_ && target_.groupsDrawLarge)
         vkCmdFillBuffer(commands, seen_.get(), 0, VK_WHOLE_SIZE, 0);
     hasSeen_ = true;
     begin_.bind(commands);
