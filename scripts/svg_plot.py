@@ -11,7 +11,7 @@ STYLE = """<style>
 .paper { fill: #0d1117 } .ink { fill: #e6edf3 } .soft { fill: #9198a1 } .rule { stroke: #3d444d } .axis { stroke: #9198a1 } }
 </style>"""
 WIDTH, LEFT, RIGHT, TOP, HEIGHT, BELOW = 760, 78, 28, 64, 300, 92  # [px]; HEIGHT of the plot alone
-NAMES, BAR, GAP = 250, 20, 10  # [px] room for the names of bars, a bar, between two
+NAMES, BAR, GAP = 310, 20, 10  # [px] room for the names of bars, a bar, between two
 
 
 def text(x, y, words, anchor="start", kind="ink", size=13, more=""):

@@ -177,6 +177,17 @@ struct MotionPush {
 };
 SHARED_LAYOUT(MotionPush, 16)
 
+/// Threads of a work-group that copies.
+SHARED_CONST uint copyThreads = 256u;
+
+struct CopyPush {
+    UintArray from; ///< both at a multiple of 16
+    UintArray to;
+    uint count; ///< of 16 bytes each
+    uint reserved;
+};
+SHARED_LAYOUT(CopyPush, 24)
+
 struct GroundPush {
     FrameArray frame;
     GroundVertexArray vertices;

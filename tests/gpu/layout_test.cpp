@@ -120,6 +120,7 @@ struct Values {
     shared::LargePart largePart;
     shared::PyramidPush pyramidPush;
     shared::ViewPush viewPush;
+    shared::CopyPush copyPush;
     shared::GroundPush groundPush;
     shared::Motion motion;
     shared::MotionPush motionPush;
@@ -178,6 +179,7 @@ std::size_t fillValues(Values& v)
               l.shape, l.blade, l.part);
     n.fillAll(v.pyramidPush.frame, v.pyramidPush.level, v.pyramidPush.slack);
     n.fillAll(v.viewPush.frame);
+    n.fillAll(v.copyPush.from, v.copyPush.to, v.copyPush.count, v.copyPush.reserved);
     n.fillAll(v.groundPush.frame, v.groundPush.vertices, v.groundPush.materials,
               v.groundPush.visibility, v.groundPush.material, v.groundPush.width);
     n.fillAll(v.motion.clipBefore, v.motion.statesBefore, v.motion.moves, v.motion.reserved);
@@ -217,7 +219,7 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
     const std::size_t words = fillValues(values);
 
     // The frame is reached as element 0 everywhere, so here, too.
-    std::array<gpu::Buffer, 28> buffers = {secondElement(context(), values.blade),
+    std::array<gpu::Buffer, 29> buffers = {secondElement(context(), values.blade),
                                            secondElement(context(), values.packedBlade),
                                            secondElement(context(), values.cell),
                                            secondElement(context(), values.frame),
@@ -237,6 +239,7 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
                                            secondElement(context(), values.largePart),
                                            secondElement(context(), values.pyramidPush),
                                            secondElement(context(), values.viewPush),
+                                           secondElement(context(), values.copyPush),
                                            secondElement(context(), values.groundPush),
                                            secondElement(context(), values.motion),
                                            secondElement(context(), values.motionPush),

@@ -107,6 +107,8 @@ class BenchTest(unittest.TestCase):
     def test_copies_have_a_bandwidth(self):
         copies = json.loads(self.bench("--copy-bandwidth", "--frames", 5, "--json", "-q").stdout)
         times = copies["copy_ms"]
+        self.assertEqual(times, min(copies["command_ms"], copies["shader_ms"], key=lambda way: way["median"]))
+        self.assertEqual(times, copies[copies["by"] + "_ms"])
         self.assertTrue(0 < times["min"] <= times["median"] <= times["p99"], times)
         self.assertAlmostEqual(copies["gb_per_s"], 2 * copies["bytes"] / times["median"] / 1e6, delta=1e-6 * copies["gb_per_s"])
 
@@ -117,18 +119,18 @@ class BenchTest(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(done.stdout.splitlines()[-1], str(self.folder / arguments[arguments.index("--out") + 1] / "README.md"))
 
-    def measured(self, group, *scenes):
+    def measured(self, group, *scenes, blades=BLADES, size=SIZE):
         """Runs of a group on scenes that are thin, each with where it is from; its tables and plots."""
         out = self.folder / "out"
-        self.run_script("--groups", group, "--programs", VIEWER.parent, "--fields", self.folder, "--size", "%dx%d" % SIZE, "--frames", 2,
-                        "--warmup", 1, "--count", BLADES, "--out", out, *scenes)
+        self.run_script("--groups", group, "--programs", VIEWER.parent, "--fields", self.folder, "--size", "%dx%d" % size, "--frames", 2,
+                        "--warmup", 1, "--count", blades, "--out", out, *scenes)
         result = json.loads((out / "measured.json").read_text(encoding="utf-8"))
         self.assertGreater(len(result["runs"]), 0)
         for run in result["runs"]:
             for key in ("device", "driver", "commit", "command"):
                 self.assertTrue(run[key], f"{run['scene']}, {run['way']} has {key}")
             self.assertIn("sward-view ", run["command"])
-            self.assertEqual(tuple(run["stats"]["size"]), SIZE)
+            self.assertEqual(tuple(run["stats"]["size"]), size)
             for name, times in run["stats"]["gpu_ms"].items():
                 self.assertTrue(0 <= times["min"] <= times["median"] <= times["p99"], f"{name}: {times}")
         # What was kept is enough to draw it again.
@@ -205,14 +207,15 @@ class BenchTest(unittest.TestCase):
         self.assertEqual(len(self.marks(out / "culling-other.svg", "rect", **{"class": "bar"})) % len(runs), 0)
 
     def test_coverage_is_told_by_bands_of_distance_that_add_up(self):
-        runs, text, _ = self.measured("coverage", "other")
+        # Of some hundred pixels with grass a single sample each says too little.
+        runs, text, _ = self.measured("coverage", "other", blades=10 * BLADES, size=(160, 90))
         for run in runs:
             found, reference = run["coverage"]["found"], run["coverage"]["reference"]
             self.assertEqual((len(found), len(reference), len(run["limits"])), (8, 8, 8))
             self.assertEqual(run["limits"], sorted(run["limits"]))
             for shares in (found, reference):
                 self.assertTrue(0.02 < sum(shares) <= 1.001, shares)
-            self.assertAlmostEqual(sum(found) / sum(reference), 1.0, delta=0.1)
+            self.assertAlmostEqual(sum(found) / sum(reference), 1.0, delta=0.05)
             self.assertIn(f"{100 * sum(reference):.3f}", text)
 
     def test_every_place_of_a_picture_counts_for_one_band_of_distance(self):

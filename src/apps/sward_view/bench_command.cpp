@@ -53,11 +53,12 @@ int benchCopies(const BenchOptions& options)
     const gpu::Instance instance = createInstance(options.frame.validation);
     const gpu::Device device(instance, {.selection = options.frame.device});
     const CopyBandwidth copies = measureCopies(device.context(), options.frames);
-    apps::writeResult(options.json
-                          ? copyText(copies)
-                          : fmt::format("{} ({})\n{} bytes copied in {:.4f} ms: {:.1f} GB/s\n",
-                                        copies.device, copies.driver, copies.bytes,
-                                        copies.times.median, copies.gigabytesPerSecond()));
+    apps::writeResult(
+        options.json ? copyText(copies)
+                     : fmt::format("{} ({})\n{} bytes copied by {} in {:.4f} ms: {:.1f} GB/s\n",
+                                   copies.device, copies.driver, copies.bytes,
+                                   copies.isShaderFaster() ? "a compute shader" : "command",
+                                   copies.times().median, copies.gigabytesPerSecond()));
     failOnValidationMessages(instance);
     return 0;
 }

@@ -13,6 +13,7 @@ SHARED_BUFFER(WalkPushArray, WalkPush, readonly)
 SHARED_BUFFER(RasterPushArray, RasterPush, readonly)
 SHARED_BUFFER(PyramidPushArray, PyramidPush, readonly)
 SHARED_BUFFER(ViewPushArray, ViewPush, readonly)
+SHARED_BUFFER(CopyPushArray, CopyPush, readonly)
 SHARED_BUFFER(MotionPushArray, MotionPush, readonly)
 SHARED_BUFFER(GroundPushArray, GroundPush, readonly)
 SHARED_BUFFER(PagePushArray, PagePush, readonly)
@@ -39,6 +40,7 @@ struct Sources {
     LargePartArray largePart;
     PyramidPushArray pyramidPush;
     ViewPushArray viewPush;
+    CopyPushArray copyPush;
     GroundPushArray groundPush;
     MotionArray motion;
     MotionPushArray motionPush;
@@ -380,6 +382,10 @@ void main()
     put(sources.at[0].pyramidPush.at[1].level);
     put(sources.at[0].pyramidPush.at[1].slack);
     put(uvec2(sources.at[0].viewPush.at[1].frame));
+    put(uvec2(sources.at[0].copyPush.at[1].from));
+    put(uvec2(sources.at[0].copyPush.at[1].to));
+    put(sources.at[0].copyPush.at[1].count);
+    put(sources.at[0].copyPush.at[1].reserved);
     put(uvec2(sources.at[0].groundPush.at[1].frame));
     put(uvec2(sources.at[0].groundPush.at[1].vertices));
     put(uvec2(sources.at[0].groundPush.at[1].materials));
