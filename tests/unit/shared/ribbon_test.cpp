@@ -246,5 +246,20 @@ TEST(Segments, KeepChordsWithinAQuarterOfAPixelOfTheCurve)
     EXPECT_GT(most, 0.2f);
 }
 
+TEST(Segments, OfStepsAreThoseOfTheFirstThatIsFartherAndTheLastOnesBeyond)
+{
+    LevelSteps steps{};
+    steps.distance = vec4(5.0f, 10.0f, 15.0f, 20.0f);
+    steps.segments = vec4(16.0f, 12.0f, 8.0f, 4.0f);
+    for (steps.count = 1u; steps.count <= 4u; ++steps.count)
+        for (float distance = 0.0f; distance < 40.0f; distance += 0.25f) {
+            int first = 0;
+            while (first + 1 < int(steps.count) && distance >= steps.distance[first])
+                ++first;
+            EXPECT_EQ(segmentsAt(steps, distance), steps.segments[first])
+                << steps.count << " steps, " << distance << " m";
+        }
+}
+
 } // namespace
 } // namespace sward::shared
