@@ -51,13 +51,16 @@ class GeometryTest(unittest.TestCase):
         bare = self.draw(field, *arguments, "--draw-distance", "0.001")
         by_pipeline = self.draw(field, *arguments, "--geometry", "tessellation")
         by_compute = self.draw(field, *arguments, "--geometry", "raster")
-        grass = np.any(by_pipeline != bare, axis=-1) | np.any(by_compute != bare, axis=-1)
-        self.assertGreater(np.mean(grass), 0.02, "there is grass to compare")
-        self.assertGreaterEqual(psnr(by_compute, by_pipeline, grass), LEAST_PSNR)
-        signed = (by_compute - by_pipeline).mean(axis=-1)
-        rows, columns = (n // TILE * TILE for n in signed.shape)
-        tiles = signed[:rows, :columns].reshape(rows // TILE, TILE, columns // TILE, TILE).mean((1, 3))
-        self.assertLessEqual(np.abs(tiles).max(), MOST_TILE)
+        by_both = self.draw(field, *arguments, "--geometry", "hybrid")
+        for way, picture in (("raster", by_compute), ("hybrid", by_both)):
+            with self.subTest(way=way):
+                grass = np.any(by_pipeline != bare, axis=-1) | np.any(picture != bare, axis=-1)
+                self.assertGreater(np.mean(grass), 0.02, "there is grass to compare")
+                self.assertGreaterEqual(psnr(picture, by_pipeline, grass), LEAST_PSNR)
+                signed = (picture - by_pipeline).mean(axis=-1)
+                rows, columns = (n // TILE * TILE for n in signed.shape)
+                tiles = signed[:rows, :columns].reshape(rows // TILE, TILE, columns // TILE, TILE).mean((1, 3))
+                self.assertLessEqual(np.abs(tiles).max(), MOST_TILE)
 
     def each_number_of_samples(self, field, *arguments):
         for samples in ("1", "4"):
