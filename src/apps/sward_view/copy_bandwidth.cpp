@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 namespace sward::embedded {
 std::span<const EmbeddedFile> shaders();
@@ -35,6 +34,16 @@ constexpr std::uint32_t filling = 0x5a5a5a5au;
 nlohmann::ordered_json timesOf(const gpu::Statistics& times)
 {
     return {{"min", times.min}, {"median", times.median}, {"p99", times.p99}};
+}
+
+/// Throws Error{runtime} unless the end of a copy is what was copied.
+void checkCopied(const gpu::DeviceContext& context, const gpu::Buffer& copy)
+{
+    const auto end = gpu::readBuffer(context, copy, copy.bytes() - grain, grain);
+    const auto expected = static_cast<std::byte>(filling & 0xffu);
+    if (std::ranges::any_of(end, [&](std::byte found) { return found != expected; }))
+        fail(ErrorKind::runtime, "{}: {} bytes copied by a compute shader do not arrive",
+             context.name, copy.bytes());
 }
 
 } // namespace
@@ -84,14 +93,6 @@ CopyBandwidth measureCopies(const gpu::DeviceContext& context, std::uint32_t cop
 
     gpu::FrameRing ring(context, 1);
     gpu::Timestamps timestamps(context, {.slots = 1, .historyFrames = copies});
-    const auto checkCopy = [&](const char* by) {
-        const std::vector<std::byte> end =
-            gpu::readBuffer(context, to, result.bytes - grain, grain);
-        const auto expected = static_cast<std::byte>(filling & 0xffu);
-        if (std::ranges::any_of(end, [&](std::byte found) { return found != expected; }))
-            fail(ErrorKind::runtime, "{}: {} bytes copied by {} do not arrive", context.name,
-                 result.bytes, by);
-    };
     for (std::uint32_t i = 0; i < warmUp + copies; ++i) {
         apps::throwIfInterrupted("copying");
         const gpu::FrameRing::Frame frame = ring.begin();
@@ -111,7 +112,7 @@ CopyBandwidth measureCopies(const gpu::DeviceContext& context, std::uint32_t cop
         ring.submit(frame);
         ring.finish();
         if (i == 0)
-            checkCopy("a compute shader");
+            checkCopied(context, to);
         if (i + 1 == warmUp) {
             timestamps.collect();
             timestamps.clearHistory();
