@@ -6,7 +6,9 @@
 #include "shaders/shared/distance_band.h"
 #include "shaders/shared/passes.h"
 
+#ifndef FRAME
 #define FRAME push.frame.at[0]
+#endif
 
 /// Whether ground and blades show the wind; known when the pipeline is made.
 layout(constant_id = 0) const bool paintsWind = false;

@@ -7,7 +7,9 @@
 #include "shaders/shared/passes.h"
 #include "shaders/shared/ribbon.h"
 
+#ifndef FRAME
 #define FRAME push.frame.at[0]
+#endif
 
 struct DrawnBlade {
     Ribbon ribbon;

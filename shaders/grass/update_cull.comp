@@ -2,15 +2,17 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_buffer_reference_uvec2 : require
 // Moves the blades of the live patches, judges each, and lists those that are to be drawn. One
-// work-group per patch at a time; survivors gather in shared memory, so that a patch costs one atomic
-// on the list. Nothing here depends on the size of a subgroup. Where several views share the blades,
+// work-group per patch at a time; survivors gather in shared memory, so that some patches together
+// cost one atomic on the list. Nothing here depends on the size of a subgroup. Where several views share the blades,
 // one role of this shader moves them for all views, and another judges them for each.
 #include "shaders/shared/passes.h"
 #include "shaders/shared/visibility.h"
 
 layout(local_size_x = updateThreads, local_size_x_id = 2) in;
 layout(push_constant, scalar) uniform Block { UpdatePush push; };
-#define JUDGED push.judged.at[0]
+#define FRAME_SET 0
+#include "shaders/frame_constants.glsl"
+#define JUDGED FRAME
 
 #include "shaders/culling/hidden.glsl"
 #include "shaders/grass/pages.glsl"
@@ -22,14 +24,14 @@ layout(constant_id = 1) const bool hasColliders = false;
 layout(constant_id = 3) const uint role = moveAndJudge;
 layout(constant_id = 4) const bool keepsBefore = false;
 layout(constant_id = 5) const bool keepsEtas = false;
+layout(constant_id = 6) const bool asksSmall = false; // see askedBladePixels
 
-shared uint fateTally[fateCount]; // of one patch
-shared uint fateSums[fateCount];  // of all patches of the group
+shared uint fateSums[fateCount]; // of all patches of the group
 shared uint simulatedSum;
 shared uint mostFilled[2];
 shared uint listBase[2];
 shared uint kept[2];
-// Of one patch: those that the frame before has shown in front, the others from behind.
+// Of one patch or several small ones: those that the frame before has shown in front, the others from behind.
 shared VisibleBlade survivors[maxPatchBlades];
 shared uint colliderBits[colliderWords];
 
@@ -83,17 +85,24 @@ void report(uint thread)
     }
 }
 
-/// Whether the frame before has shown a blade that covers so many pixels; from now on it has not. To
-/// find out whether a small one is hidden costs more than to draw it: it counts as shown.
-bool takeSeen(uint blade, float pixels)
+/// Whether it is asked for a blade of so many pixels if others hide it.
+bool isAsked(Blade blade, float pixels)
 {
-    if (uvec2(push.seenBefore) == uvec2(0u) || pixels <= largeBladePixels)
+    return pixels > largeBladePixels || (asksSmall && pixels > askedBladePixels &&
+                                         leafAreaAt(JUDGED.cover, blade.root) > denseLeafArea);
+}
+
+/// Whether the frame before has shown a blade that covers so many pixels; from now on it has not. One
+/// of which nobody asks counts as shown.
+bool takeSeen(uint index, Blade blade, float pixels)
+{
+    if (uvec2(push.seenBefore) == uvec2(0u) || !isAsked(blade, pixels))
         return true;
     UintArray seen = push.seenBefore;
-    const uint bit = 1u << (blade % 32u);
-    const bool wasSeen = (seen.at[blade / 32u] & bit) != 0u;
+    const uint bit = 1u << (index % 32u);
+    const bool wasSeen = (seen.at[index / 32u] & bit) != 0u;
     if (wasSeen)
-        atomicAnd(seen.at[blade / 32u], ~bit);
+        atomicAnd(seen.at[index / 32u], ~bit);
     return wasSeen;
 }
 
@@ -112,15 +121,36 @@ uint wantedByAll(Patch cell, uint patchIndex, float elapsed, uint own, inout boo
     return wanted;
 }
 
-/// Moves and judges the first `count` blades of a patch; the others are thinned out.
-void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
+/// Lists the survivors that have gathered. All threads come here together.
+void listSurvivors(uint thread)
+{
+    if (thread < 2u && kept[thread] > 0u) {
+        WalkLevelArray rounds = push.rounds;
+        listBase[thread] =
+            atomicAdd(rounds.at[thread == 0u ? push.round : push.lateRound].count, kept[thread]);
+        mostFilled[thread] = max(mostFilled[thread], listBase[thread] + kept[thread]);
+    }
+    barrier();
+    // The list has room for every blade of a round; the guard is for a frame that was filled wrongly.
+    for (uint i = thread; i < kept[0]; i += gl_WorkGroupSize.x)
+        if (listBase[0] + i < JUDGED.visibleCapacity)
+            JUDGED.visible.at[listBase[0] + i] = survivors[i];
+    for (uint i = thread; i < kept[1]; i += gl_WorkGroupSize.x)
+        if (listBase[1] + i < JUDGED.visibleCapacity)
+            JUDGED.visible.at[JUDGED.visibleCapacity - 1u - listBase[1] - i] =
+                survivors[maxPatchBlades - 1u - i];
+    barrier();
+    if (thread < 2u)
+        kept[thread] = 0u;
+    barrier();
+}
+
+/// Moves and judges the first `count` blades of a patch; the others are thinned out. `gathered` is
+/// no less than the survivors that have not been listed yet.
+void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count, inout uint gathered)
 {
     const uint thread = gl_LocalInvocationIndex;
     const Patch cell = JUDGED.patches.at[patchIndex];
-    if (thread < fateCount)
-        fateTally[thread] = 0u;
-    if (thread < 2u)
-        kept[thread] = 0u;
     float elapsed = max(JUDGED.time - JUDGED.patchTimes.at[patchIndex], 0.0f);
     bool moves = role != onlyJudge &&
                  (push.onlyUpdate != 0u ||
@@ -129,7 +159,24 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
     const uint moved = role == onlyMove ? wantedByAll(cell, patchIndex, elapsed, count, moves) : count;
     elapsed = moves ? elapsed : 0.0f;
     const uint movedBefore = JUDGED.patchCounts.at[patchIndex];
+
+    // Beyond this all survivors of the patches before have gathered, and all threads have read when
+    // this one was moved.
     barrier();
+    gathered += count;
+    if (gathered > maxPatchBlades) {
+        listSurvivors(thread);
+        gathered = count;
+    }
+    if (thread == 0u) {
+        if (moves) {
+            JUDGED.patchTimes.at[patchIndex] = JUDGED.time;
+            simulatedSum += moved;
+        }
+        if (role != onlyJudge && (moves || moved > movedBefore))
+            JUDGED.patchCounts.at[patchIndex] = moved;
+        atomicAdd(fateSums[fateLod], cell.bladeCount - count);
+    }
     const ColliderMask near = collidersNear(cell, elapsed, thread);
 
     for (uint i = thread; i < moved; i += gl_WorkGroupSize.x) {
@@ -163,10 +210,10 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
         if (verdict.fate == fateDrawn && (view.cullMask & cullOcclusion) != 0u &&
             isHidden(verdict.low, verdict.high))
             verdict.fate = fateOcclusion;
-        atomicAdd(fateTally[verdict.fate], 1u);
+        atomicAdd(fateSums[verdict.fate], 1u);
         if (verdict.fate == fateDrawn) {
             const float pixels = pixelsCovered(blade, verdict.pixels, verdict.widthFactor);
-            const uint list = takeSeen(index, pixels) ? 0u : 1u;
+            const uint list = takeSeen(index, blade, pixels) ? 0u : 1u;
             const uint slot = atomicAdd(kept[list], 1u);
             survivors[list == 0u ? slot : maxPatchBlades - 1u - slot] =
                 VisibleBlade(index, patchIndex, verdict.widthFactor, verdict.pixels);
@@ -175,39 +222,17 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count)
     }
     for (uint i = count + thread; role != onlyMove && i < cell.bladeCount; i += gl_WorkGroupSize.x)
         noteFate(placeOf(uvec2(JUDGED.pages), cell.firstBlade + i), fateLod);
-    barrier();
+}
 
-    // Reserve room in the list, and count.
-    if (thread == 0u) {
-        for (uint list = 0u; list < 2u; ++list) {
-            if (kept[list] == 0u)
-                continue;
-            WalkLevelArray rounds = push.rounds;
-            listBase[list] = atomicAdd(
-                rounds.at[list == 0u ? push.round : push.lateRound].count, kept[list]);
-            mostFilled[list] = max(mostFilled[list], listBase[list] + kept[list]);
-        }
-        if (moves) {
-            JUDGED.patchTimes.at[patchIndex] = JUDGED.time;
-            simulatedSum += moved;
-        }
-        if (role != onlyJudge && (moves || moved > movedBefore))
-            JUDGED.patchCounts.at[patchIndex] = moved;
-    }
-    if (thread < fateCount)
-        fateSums[thread] +=
-            fateTally[thread] + (thread == fateLod ? cell.bladeCount - count : 0u);
-    barrier();
-
-    // The list has room for every blade of a round; the guard is for a frame that was filled wrongly.
-    for (uint i = thread; i < kept[0]; i += gl_WorkGroupSize.x)
-        if (listBase[0] + i < JUDGED.visibleCapacity)
-            JUDGED.visible.at[listBase[0] + i] = survivors[i];
-    for (uint i = thread; i < kept[1]; i += gl_WorkGroupSize.x)
-        if (listBase[1] + i < JUDGED.visibleCapacity)
-            JUDGED.visible.at[JUDGED.visibleCapacity - 1u - listBase[1] - i] =
-                survivors[maxPatchBlades - 1u - i];
-    barrier();
+/// What is done as item `i` of `end`: a live patch, or, of all, an owner, with whatever count.
+LivePatch patchAt(uint i, uint end, bool all)
+{
+    LivePatch live = LivePatch(0u, 0u);
+    if (i < end && all)
+        live.patchIndex = push.owners.at[i];
+    else if (i < end)
+        live = push.live.at[i];
+    return live;
 }
 
 void main()
@@ -223,29 +248,33 @@ void main()
         simulatedSum = 0u;
         mostFilled[0] = 0u;
         mostFilled[1] = 0u;
+        kept[0] = 0u;
+        kept[1] = 0u;
     }
-    // One loop: a driver that cannot jump over what it need not do would do the work of two.
+    uint gathered = 0u;
     const bool all = push.onlyUpdate != 0u;
     const uint first = all ? 0u : push.firstLive;
     const uint end =
         all ? push.ownerCount
             : min(push.levels.at[liveLevel].count, push.firstLive + push.mostLive);
-    for (uint i = first + gl_WorkGroupID.x; i < end; i += gl_NumWorkGroups.x) {
-        uint patchIndex;
-        uint count;
+    // One loop: a driver that cannot jump over what it need not do would do the work of two. The next
+    // patch's index is read while this one's blades are moved.
+    uint i = first + gl_WorkGroupID.x;
+    LivePatch next = patchAt(i, end, all);
+    while (i < end) {
+        const LivePatch live = next;
+        i += gl_NumWorkGroups.x;
+        next = patchAt(i, end, all);
+        uint count = live.count;
         if (all) {
-            patchIndex = push.owners.at[i];
-            const Patch cell = JUDGED.patches.at[patchIndex];
+            const Patch cell = JUDGED.patches.at[live.patchIndex];
             if (!isPresent(uvec2(JUDGED.pages), cell))
                 continue;
             count = cell.bladeCount;
-        } else {
-            const LivePatch live = push.live.at[i];
-            patchIndex = live.patchIndex;
-            count = live.count;
         }
-        updatePatch(view, nature, patchIndex, count);
+        updatePatch(view, nature, live.patchIndex, count, gathered);
     }
     barrier();
+    listSurvivors(thread);
     report(thread);
 }

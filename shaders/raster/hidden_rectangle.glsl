@@ -4,6 +4,7 @@
 #define SWARD_RASTER_HIDDEN_RECTANGLE_GLSL
 
 #define PYRAMID FRAME.pyramid
+#define READS_CELLS_TOGETHER
 #include "shaders/culling/behind_pyramid.glsl"
 #include "shaders/grass/pages.glsl"
 
@@ -22,13 +23,21 @@ bool rectangleHidden(vec2 low, vec2 high, float nearest)
     return behindPyramid(box);
 }
 
-/// Moves a blade from those that are drawn to those that are hidden.
+/// Notes that a blade is hidden, for those who ask; it is not counted with that.
 void noteHidden(uint blade)
 {
-    atomicAdd(FRAME.draw.at[0].fates[fateDrawn], 0xffffffffu);
-    atomicAdd(FRAME.draw.at[0].fates[fateOcclusion], 1u);
     if (uvec2(FRAME.fates) != uvec2(0u))
         FRAME.fates.at[placeOf(uvec2(FRAME.pages), blade)] = fateOcclusion;
+}
+
+/// Moves so many blades from those that are drawn to those that are hidden. All groups do so at the
+/// same address, so each does it once.
+void countHidden(uint blades)
+{
+    if (blades == 0u)
+        return;
+    atomicAdd(FRAME.draw.at[0].fates[fateDrawn], 0u - blades);
+    atomicAdd(FRAME.draw.at[0].fates[fateOcclusion], blades);
 }
 
 #endif

@@ -10,6 +10,8 @@ layout(push_constant, scalar) uniform Block { RasterPush push; };
 layout(constant_id = 3) const bool isPaged = false;
 #define MAY_BE_PAGED isPaged
 
+#define FRAME_SET 1
+#include "shaders/frame_constants.glsl"
 #include "shaders/grass/drawn_blade.glsl"
 #include "shaders/raster/strip.glsl"
 
@@ -79,7 +81,9 @@ void rasterise(Lens lens, VisibleBlade visible)
     const float widthPixels = max(visible.pixels * ribbon.width / drawn.blade.height,
                                   lens.leastWidth * FRAME.view.pixelsPerUnit);
     const float pixels = visible.pixels * widthPixels;
-    if ((isLate || pixels > largeBladePixels) && leftToOthers(ribbon, visible.blade, pixels))
+    // A pixel of four samples takes as long as two of one.
+    const float most = largeBladePixels * inversesqrt(float(samplesPerPixel));
+    if ((isLate || pixels > most) && leftToOthers(ribbon, visible.blade, pixels))
         return;
 
     const bool isFolded = ribbon.fold > 0.0;

@@ -1,7 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_buffer_reference_uvec2 : require
-// Rasterises the blades that cover many pixels: each by a work-group, or by several.
+// Rasterises the blades that cover many pixels: each by a work-group, or by several. In the late turn
+// judge_large.comp has left out those that are hidden.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
@@ -10,9 +11,11 @@ layout(push_constant, scalar) uniform Block { RasterPush push; };
 layout(constant_id = 3) const bool isPaged = false;
 #define MAY_BE_PAGED isPaged
 
-#define FRAME push.frame.at[0]
+#define FRAME_SET 1
+#include "shaders/frame_constants.glsl"
 
 #include "shaders/raster/hidden_rectangle.glsl"
+#include "shaders/raster/large_part.glsl"
 #include "shaders/raster/strip.glsl"
 
 layout(local_size_x = largeThreads) in;
@@ -118,19 +121,6 @@ SeenRib fromShared(SharedRib rib)
     return seen;
 }
 
-Ribbon ribbonOf(LargePart part)
-{
-    Ribbon ribbon;
-    ribbon.v0 = part.v0;
-    ribbon.v1 = part.v1;
-    ribbon.v2 = part.v2;
-    ribbon.axis = part.axis;
-    ribbon.width = part.width;
-    ribbon.fold = part.fold;
-    ribbon.outline = Outline(part.shape, part.tipThreshold, part.segments, part.scale);
-    return ribbon;
-}
-
 /// Makes a strip of what is seen of a quad.
 void makeStrip(Quad quad, uint place)
 {
@@ -195,11 +185,13 @@ void drawRows(uint stripCount, uint blade, int first, int step_)
 void main()
 {
     LargePartArray large = push.large;
-    const uint count = min(push.largeCount.at[0].count, mostLargeParts);
+    // Of the late ones only those that are not hidden, of which there are no more than are listed.
+    const uint count = min(push.largeCount.at[isLate ? 2 : 0].count, mostLargeParts);
     const uint thread = gl_LocalInvocationIndex;
     const Lens lens = lensOf();
+    uint hidden = 0u;
     for (uint item = gl_WorkGroupID.x; item < count; item += gl_NumWorkGroups.x) {
-        const LargePart asked = large.at[item];
+        const LargePart asked = large.at[isLate ? push.largeSeen.at[item] : item];
         const uint parts = asked.part >> 16u;
         const uint part = asked.part & 0xffffu;
         if (parts == 0u)
@@ -248,8 +240,12 @@ void main()
                 barrier();
             }
         }
-        if (isLate && thread == 0u && part == 0u && !isSeen)
+        if (isLate && thread == 0u && part == 0u && !isSeen) {
             noteHidden(asked.blade);
+            ++hidden;
+        }
         barrier();
     }
+    if (isLate)
+        countHidden(hidden);
 }

@@ -8,6 +8,8 @@ layout(set = 0, binding = 0) uniform sampler2D pictures[2]; // colour, depth
 layout(set = 0, binding = 1, rgba8) uniform writeonly image2D picture;
 
 #include "shaders/raster/stored.glsl"
+#define FRAME_SET 1
+#include "shaders/frame_constants.glsl"
 #include "shaders/raster/visibility.glsl"
 
 vec4 groundAt(ivec2 pixel, int s)

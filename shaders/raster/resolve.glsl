@@ -145,7 +145,7 @@ Found find(Lens lens, Ribbon ribbon, Sighting sighting)
 void noteSeen(VisibleBlade visible, Blade blade)
 {
     if (uvec2(push.seen) == uvec2(0u) ||
-        pixelsCovered(blade, visible.pixels, visible.widthFactor) <= largeBladePixels)
+        pixelsCovered(blade, visible.pixels, visible.widthFactor) <= askedBladePixels)
         return;
     UintArray seen = push.seen;
     const uint word = visible.blade / 32u;

@@ -7,6 +7,8 @@ layout(push_constant, scalar) uniform Block { RasterPush push; };
 layout(set = 0, binding = 0) uniform sampler2DMS pictures[2]; // colour, depth
 layout(set = 0, binding = 1, rgba16f) uniform writeonly image2D shaded;
 
+#define FRAME_SET 1
+#include "shaders/frame_constants.glsl"
 #include "shaders/raster/visibility.glsl"
 
 vec4 groundAt(ivec2 pixel, int s)

@@ -82,8 +82,7 @@ bool stripOf(Quad quad, out Strip strip)
 /// The first and the last row of pixels that a strip reaches.
 ivec2 rowsOf(Strip strip)
 {
-    return ivec2(int(max(floor(strip.low), 0.0)),
-                 int(min(floor(strip.high), float(push.size.y) - 1.0)));
+    return rowsBetween(strip.low, strip.high, float(push.size.y));
 }
 
 /// Where the samples of a row of pixels lie in a strip, as pixels whose sample lies inside; the
@@ -207,9 +206,8 @@ void drawSmall(Quad quad, SampleMask mask, uint blade)
     const bvec4 lefts = lessThan(turned, vec4(0.0));
     const bvec4 rights = greaterThan(turned, vec4(0.0));
 
-    const int first = int(max(floor(low.y), 0.0));
-    const int last = int(min(floor(high.y), edge.y - 1.0));
-    for (int row = first; row <= last; ++row) {
+    const ivec2 rows = rowsBetween(low.y, high.y, edge.y);
+    for (int row = rows.x; row <= rows.y; ++row) {
         // The interval of each row of samples, in pixels whose sample lies inside.
         vec2 spans[samplesPerPixel];
         vec2 widest = vec2(1e30, -1e30);

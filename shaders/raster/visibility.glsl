@@ -9,7 +9,9 @@
 
 #include "shaders/shared/passes.h"
 
+#ifndef FRAME
 #define FRAME push.frame.at[0]
+#endif
 
 /// Per sample: the bits of the reversed depth, then the resident id and one; 0 for what is no
 /// blade. The larger is nearer, and among equals the later blade wins, whoever comes first.
@@ -28,6 +30,14 @@ const vec2 fourPlaces[4] =
 vec2 samplePlace(uint s)
 {
     return samplesPerPixel == 1u ? vec2(0.5) : fourPlaces[s];
+}
+
+/// The first and the last row of pixels that have a sample between two heights on the picture.
+ivec2 rowsBetween(float low, float high, float edge)
+{
+    const float uppermost = samplePlace(0u).y;
+    const float lowermost = samplePlace(samplesPerPixel - 1u).y;
+    return ivec2(int(max(ceil(low - lowermost), 0.0)), int(min(floor(high - uppermost), edge - 1.0)));
 }
 
 /// The middle of the samples of a pixel that are covered, of which there is one at least. What is

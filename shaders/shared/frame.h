@@ -85,8 +85,10 @@ struct Frame {
     float
         fogFalloff; ///< [1/m] the air thins upwards as exp(−falloff · height); 0: alike everywhere
     float fogBase;  ///< [m] along skyUp, relative to the field's origin: where it has fogDensity
+
+    uint reserved[16]; ///< frames that lie on end begin where any device takes constants
 };
-SHARED_LAYOUT(Frame, 704)
+SHARED_LAYOUT(Frame, 768)
 
 SHARED_BUFFER(FrameArray, Frame, readonly)
 

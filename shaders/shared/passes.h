@@ -89,11 +89,18 @@ SHARED_CONST uint mostGroups = 65535u;
 /// Width and height of the tile of pixels that a work-group begins or resolves.
 SHARED_CONST uint rasterTile = 8u;
 
-/// A blade that covers more pixels than this is not rasterised by one thread, but by a work-group,
-/// and asked for whether other grass hides it; …
+/// A blade that covers more pixels than this is asked for whether other grass hides it. So large a
+/// one is not rasterised by one thread, but by a work-group; with several samples a pixel already
+/// one of so many pixels over the root of their number.
 SHARED_CONST float largeBladePixels = 256.0f;
 
-/// … or by several, each for so many of its pixels, …
+/// Where grass is dense most blades are hidden, so that smaller ones are asked, too: where more
+/// square metres of leaves than these stand on one of ground, those of more pixels than these.
+/// Elsewhere to find that out of them would take longer than to draw them.
+SHARED_CONST float denseLeafArea = 16.0f;
+SHARED_CONST float askedBladePixels = 64.0f;
+
+/// A large blade is rasterised by several work-groups, each for so many of its pixels, …
 SHARED_CONST float partPixels = 4096.0f;
 
 /// … but no more of them than these.
@@ -105,6 +112,11 @@ SHARED_CONST uint mostLargeParts = 1048576u;
 
 /// Threads of a work-group that draws a large blade. With 64 an H200 takes twice as long.
 SHARED_CONST uint largeThreads = 32u;
+
+/// So many large blades a work-group looks at together whether they are hidden, each by so many
+/// threads: a segment each, and those beyond in turn.
+SHARED_CONST uint judgedTogether = 16u;
+SHARED_CONST uint judgeThreads = 4u;
 
 /// What a work-group draws: a large blade, or every `parts`-th bundle of its rows.
 struct LargePart {
@@ -137,7 +149,9 @@ struct RasterPush {
     WalkLevelArray rounds;      ///< as in UpdatePush
     LargePartArray large;
     WalkLevelArray largeCount; ///< how many of them were asked for, and work-groups for them;
-                               ///< then the draw for them by the tessellator
+                               ///< then the draw for them by the tessellator; then as at first
+                               ///< of those that are not hidden
+    UintArray largeSeen;       ///< indices of these
     UintArray owners;          ///< patches that own blades, in the order of their blades
     UintArray firstOwners; ///< per ownerStride blades: index into `owners` of the first one's patch
 
@@ -149,7 +163,7 @@ struct RasterPush {
     uint isBgr; ///< 1: the picture's first channel is blue
     uint round; ///< whose list is rasterised: its first blades, or its last ones
 };
-SHARED_LAYOUT(RasterPush, 88)
+SHARED_LAYOUT(RasterPush, 96)
 
 /// A collider is drawn as so many quads around its axis, in so many rings from each pole.
 SHARED_CONST uint colliderSegments = 64u;

@@ -37,11 +37,17 @@ SHARED_FN float foldOf(float fold, float widthPixels)
     return fold * smoothstep(2.0f, 4.0f, widthPixels);
 }
 
+/// Direction of the curve at `t`, towards the tip, of any length.
+SHARED_FN vec3 directionAt(Ribbon ribbon, float t)
+{
+    const vec3 tangent = bezierTangent(ribbon.v0, ribbon.v1, ribbon.v2, t);
+    return dot(tangent, tangent) > 1e-18f ? tangent : ribbon.v1 - ribbon.v0;
+}
+
 /// Unit direction of the curve at `t`, towards the tip.
 SHARED_FN vec3 tangentAt(Ribbon ribbon, float t)
 {
-    const vec3 tangent = bezierTangent(ribbon.v0, ribbon.v1, ribbon.v2, t);
-    return normalize(dot(tangent, tangent) > 1e-18f ? tangent : ribbon.v1 - ribbon.v0);
+    return normalize(directionAt(ribbon, t));
 }
 
 /// The cross-section at `t`. Where the view sees less than `leastWidth` [m at 1 m distance], be it
@@ -50,11 +56,11 @@ SHARED_FN vec3 tangentAt(Ribbon ribbon, float t)
 SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float leastWidth)
 {
     const vec3 centre = bezierPoint(ribbon.v0, ribbon.v1, ribbon.v2, t);
-    const vec3 tangent = tangentAt(ribbon, t);
+    const vec3 direction = directionAt(ribbon, t);
     const vec2 edges = ribbon.width * edgesAt(ribbon.outline, t);
 
     Rib rib;
-    rib.tangent = tangent;
+    rib.tangent = normalize(direction);
     rib.left = centre + edges.x * ribbon.axis;
     rib.right = centre + edges.y * ribbon.axis;
     rib.wide = edges.y - edges.x;
@@ -63,19 +69,23 @@ SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float leastWidth)
         // Across the chords that meet here, not the curve: the last ones would be cut askew and
         // lose area. A chord from t to t + h runs like the curve at t + h/2.
         const float half_ = 0.5f / max(ribbon.outline.segments, 1.0f);
-        const vec3 chord = tangentAt(ribbon, clamp(t, half_, 1.0f - half_));
+        const vec3 chord = directionAt(ribbon, clamp(t, half_, 1.0f - half_));
         const vec3 ray = centre - eye;
+        const float distance = length(ray);
         const vec3 side = cross(ray, chord);
-        const float size = length(side);
+        const float square = dot(side, side);
         // A blade that points at the eye shows its width, whichever way that is turned.
-        const vec3 across = size > 1e-6f * length(ray) ? side / size : ribbon.axis;
+        const vec3 across = square > 1e-12f * dot(ray, ray) * dot(chord, chord)
+                                ? side * inversesqrt(square)
+                                : ribbon.axis;
         const float seen = dot(ribbon.axis, across);
         rib.wide *= abs(seen);
-        rib.drawn = max(rib.wide, leastWidth * length(ray));
+        rib.drawn = max(rib.wide, leastWidth * distance);
         // Level with the ground where the blade is not nearly level itself: askew, half of what is
         // added would lie below the ground.
         vec3 level = cross(ray, ribbon.v1 - ribbon.v0);
-        level = dot(level, level) > 1e-18f ? normalize(level) : across;
+        const float levelSquare = dot(level, level);
+        level = levelSquare > 1e-18f ? level * inversesqrt(levelSquare) : across;
         const float upright = dot(level, across);
         const vec3 outwards =
             across + (upright / max(upright * upright, 0.25f)) * (level - upright * across);
@@ -87,7 +97,7 @@ SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float leastWidth)
     rib.ridge = 0.5f * (rib.left + rib.right);
     if (ribbon.fold > 0.0f)
         rib.ridge +=
-            (0.5f * ribbon.fold * (edges.y - edges.x)) * normalize(cross(tangent, ribbon.axis));
+            (0.5f * ribbon.fold * (edges.y - edges.x)) * normalize(cross(direction, ribbon.axis));
     return rib;
 }
 

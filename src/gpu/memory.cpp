@@ -28,6 +28,8 @@ Wish wishFor(MemoryUse use)
         // Leave the small window into the device's own memory to others.
         return {mapped, 0,
                 VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_HOST_CACHED_BIT};
+    case MemoryUse::constants:
+        return {mapped, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, VK_MEMORY_PROPERTY_HOST_CACHED_BIT};
     case MemoryUse::readback:
         // Reading memory that the CPU does not cache is a hundred times slower.
         return {mapped, VK_MEMORY_PROPERTY_HOST_CACHED_BIT, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT};

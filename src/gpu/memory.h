@@ -31,9 +31,11 @@ private:
 
 /// Who touches the memory.
 enum class MemoryUse {
-    device,   ///< the device alone
-    upload,   ///< written by the CPU, read by the device; mapped
-    readback, ///< written by the device, read by the CPU; mapped
+    device,    ///< the device alone
+    upload,    ///< written by the CPU, read once by the device; mapped
+    constants, ///< a few kilobytes that the CPU writes and every thread reads: in the device's own
+               ///< memory where the CPU can write there; mapped
+    readback,  ///< written by the device, read by the CPU; mapped
 };
 
 /// The best of the memory types whose bits are set in `allowed`; none if no type has what `use`

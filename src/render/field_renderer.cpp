@@ -78,15 +78,17 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , raster(madeIf<RasterPass>(rasterises(geometry), context, shaders, targetSettings,
                                 static_cast<std::uint32_t>(field.blades.size())))
     , plan(planWithin(field))
-    , blades(context, shaders, uploaded<FieldBuffers>(context, field, plan.records))
+    , blades(context, shaders, uploaded<FieldBuffers>(context, field, plan.records),
+             wanted.asksSmallBlades.value_or(!context.isCpu()))
     , shape{field.origin, field.bounds(), blades.buffers().bladeSize()}
 {
     expect(wanted.framesInFlight >= 1, "at least one frame is in flight");
     if (plan.records.pages > 0)
         streaming.emplace(context, shaders, field, blades.buffers().baked(),
                           blades.buffers().ownStates(), plan.streaming);
+    const gpu::UniformSetLayout frameLayout(context, "frame");
     for (std::uint32_t i = 0; i < wanted.framesInFlight; ++i)
-        slots.emplace_back(context);
+        slots.emplace_back(context, frameLayout);
 }
 
 FieldRenderer::FieldRenderer(const gpu::Device& device, const field::FieldView& field,
@@ -164,7 +166,7 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
     lastTime = time;
     frame.pace.frame = frameNumber++;
     sunShadow.describe(frame);
-    fill(slots[slot].frame, frame);
+    slots[slot].frame.fill(frame);
 
     // What is asked for the first time is made now.
     blades.prepare(shaders, frame);
@@ -177,21 +179,21 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
     return frame;
 }
 
-VkDeviceAddress FieldRenderer::Parts::judge(const shared::Frame& frame, const FrameSettings& wishes,
-                                            glm::uvec2 size, std::uint32_t slot)
+FramePlace FieldRenderer::Parts::judge(const shared::Frame& frame, const FrameSettings& wishes,
+                                       glm::uvec2 size, std::uint32_t slot)
 {
     expect(wishes.debug != DebugMode::reason || settings.recordFates,
            "who asks for reasons has them recorded");
     if (wishes.debug == DebugMode::reason)
-        fill(slots[slot].listing, listingAll(frame));
+        slots[slot].listing.fill(listingAll(frame));
     if (!wishes.cullingCamera)
-        return slots[slot].frame.address();
+        return slots[slot].frame.place();
     shared::Frame judged =
         judgedFrom(frame, viewMatrices(*wishes.cullingCamera, shape.origin, size, shape.content));
     if (!hasPyramid)
         judged.pyramid = {};
-    fill(slots[slot].judged, judged);
-    return slots[slot].judged.address();
+    slots[slot].judged.fill(judged);
+    return slots[slot].judged.place();
 }
 
 void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const Camera& camera,
@@ -211,8 +213,8 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
     if (parts.streaming)
         parts.stream(wanted, settings, target.size, slot);
     const shared::Frame frame = parts.writeFrame(wanted, settings, time, slot);
-    const VkDeviceAddress judged = parts.judge(frame, settings, target.size, slot);
-    parts.sunShadow.record(commands, parts.ground, parts.slots[slot].frame.address(),
+    const FramePlace judged = parts.judge(frame, settings, target.size, slot);
+    parts.sunShadow.record(commands, parts.ground, parts.slots[slot].frame.place().address,
                            parts.solid.colliders());
 
     // What the ground hides needs neither be moved nor drawn.
@@ -226,21 +228,21 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
     parts.blades.begin(commands, time);
     if (parts.streaming)
         parts.recordStreaming(commands, slot, time);
-    parts.blades.findLive(commands, judged, timestamps);
-    VkDeviceAddress listedBy = judged;
+    parts.blades.findLive(commands, judged.address, timestamps);
+    FramePlace listedBy = judged;
     const bool findsReasons = settings.debug == DebugMode::reason;
     if (findsReasons) {
         // All blades are drawn, in the colours of what becomes of them.
         parts.blades.moveAndList(commands, judged, 0, 0, timestamps);
         parts.slots[slot].recordCounts(commands, parts.blades.buffers().draw());
-        listedBy = parts.slots[slot].listing.address();
+        listedBy = parts.slots[slot].listing.place();
         parts.blades.beginAgain(commands);
-        parts.blades.findLive(commands, listedBy, nullptr);
+        parts.blades.findLive(commands, listedBy.address, nullptr);
     }
     // What blades hide is known of the camera that draws, and of no other.
     const bool findsHidden = parts.geometry == Geometry::raster && looksForHidden &&
                              !settings.cullingCamera && !findsReasons;
-    const RasterPass::Input raster{&parts.blades.buffers(), parts.slots[slot].frame.address(),
+    const RasterPass::Input raster{&parts.blades.buffers(), parts.slots[slot].frame.place(),
                                    listedBy, findsHidden, parts.geometry == Geometry::hybrid};
     if (parts.raster)
         parts.rasterBlades(commands, raster, timestamps);
@@ -268,7 +270,7 @@ void FieldRenderer::recordUpdateOnly(VkCommandBuffer commands, const FrameSettin
     parts.writeFrame(frameOf(parts.shape, ViewMatrices{}, settings, time, parts.settings.samples),
                      settings, time, slot);
     parts.blades.begin(commands, time);
-    parts.blades.moveAll(commands, parts.slots[slot].frame.address());
+    parts.blades.moveAll(commands, parts.slots[slot].frame.place());
 }
 
 bool FieldRenderer::recordStreaming(VkCommandBuffer commands, glm::uvec2 size, const Camera& camera,

@@ -63,8 +63,8 @@ struct FieldRenderer::Parts {
                 std::uint32_t slot);
     shared::Frame writeFrame(shared::Frame frame, const FrameSettings& wishes, double time,
                              std::uint32_t slot);
-    VkDeviceAddress judge(const shared::Frame& frame, const FrameSettings& wishes, glm::uvec2 size,
-                          std::uint32_t slot);
+    FramePlace judge(const shared::Frame& frame, const FrameSettings& wishes, glm::uvec2 size,
+                     std::uint32_t slot);
     void drawSolid(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
                    gpu::Timestamps* timestamps);
     void lightSolid(VkCommandBuffer commands, const Target& target, std::uint32_t slot,

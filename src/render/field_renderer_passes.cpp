@@ -22,7 +22,7 @@ void FieldRenderer::Parts::drawSolid(VkCommandBuffer commands, const Target& tar
 {
     gpu::transition(commands, attachments.depth(), gpu::ImageUse::undefined,
                     gpu::ImageUse::depthTarget);
-    const VkDeviceAddress frame = slots[slot].frame.address();
+    const VkDeviceAddress frame = slots[slot].frame.place().address;
     const gpu::DepthAttachment depth{.view = attachments.depth().view(), .clear = 0.0f};
     const VkExtent2D extent{target.size.x, target.size.y};
     const PassScope scope(context, commands, timestamps, "ground");
@@ -46,7 +46,7 @@ void FieldRenderer::Parts::lightSolid(VkCommandBuffer commands, const Target& ta
                                       gpu::Timestamps* timestamps)
 {
     const PassScope scope(context, commands, timestamps, "ground");
-    solid.recordCull(commands, slots[slot].frame.address(), looksForHidden);
+    solid.recordCull(commands, slots[slot].frame.place().address, looksForHidden);
     gpu::transition(commands, attachments.depth(), gpu::ImageUse::sampled,
                     gpu::ImageUse::depthTarget);
     gpu::transition(commands, attachments.color(), gpu::ImageUse::sampled,
@@ -59,7 +59,8 @@ void FieldRenderer::Parts::lightSolid(VkCommandBuffer commands, const Target& ta
         const gpu::DepthAttachment depth{.view = attachments.depth().view(), .clear = std::nullopt};
         const gpu::RenderingScope rendering(commands, {target.size.x, target.size.y},
                                             std::span(&color, 1), depth);
-        solid.record(commands, slots[slot].frame.address(), {raster->visibility(), target.size.x});
+        solid.record(commands, slots[slot].frame.place().address,
+                     {raster->visibility(), target.size.x});
     }
     gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
                     gpu::ImageUse::sampled);
@@ -76,7 +77,7 @@ void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, std::uint32
         const PassScope scope(context, commands, timestamps, "pyramid");
         // The frame before may still be looking at what is filled anew.
         gpu::memoryBarrier(commands, gpu::computeAccess, gpu::computeAccess);
-        pyramid.record(commands, slots[slot].frame.address());
+        pyramid.record(commands, slots[slot].frame.place().address);
     }
     gpu::transition(commands, attachments.depth(), gpu::ImageUse::sampled,
                     gpu::ImageUse::depthTarget);
@@ -98,7 +99,7 @@ void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& ta
 
     const gpu::RenderingScope rendering(commands, {target.size.x, target.size.y},
                                         std::span(&color, 1), depth);
-    tessellated->record(commands, blades.buffers(), slots[slot].frame.address(), timestamps);
+    tessellated->record(commands, blades.buffers(), slots[slot].frame.place().address, timestamps);
 }
 
 void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, const RasterPass::Input& input,

@@ -7,6 +7,7 @@
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 namespace sward::render {
@@ -17,6 +18,11 @@ struct FieldRendererSettings {
     std::uint32_t samples = 4;                      ///< 1 or 4 per pixel
     std::uint32_t framesInFlight = 1;               ///< frames recorded before one is waited for
     Geometry geometry = Geometry::automatic;        ///< how blades are drawn
+
+    /// Whether the rasteriser finds out of blades of some dozen pixels that others hide them, where
+    /// grass is dense; where nothing is said, not on a CPU device. Never changes a picture.
+    std::optional<bool> asksSmallBlades{};
+
     bool recordFates = false; ///< keep each blade's fate for dumpBlades(); 20 bytes a blade
 
     /// The rasteriser updates and draws so many patches of up to 256 blades at a time, or a

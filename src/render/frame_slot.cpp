@@ -5,23 +5,27 @@
 #include <cstring>
 
 namespace sward::render {
-namespace {
 
-gpu::Buffer createFrame(const gpu::DeviceContext& context, const char* name)
+FrameConstants::FrameConstants(const gpu::DeviceContext& context,
+                               const gpu::UniformSetLayout& layout, const char* name)
+    : buffer_(context,
+              {.name = name,
+               .bytes = sizeof(shared::Frame),
+               .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+               .memory = gpu::MemoryUse::constants})
+    , set_(context, layout, {.name = name, .buffer = buffer_.get(), .bytes = sizeof(shared::Frame)})
 {
-    return {context,
-            {.name = name,
-             .bytes = sizeof(shared::Frame),
-             .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-             .memory = gpu::MemoryUse::upload}};
 }
 
-} // namespace
+void FrameConstants::fill(const shared::Frame& frame) const
+{
+    std::memcpy(buffer_.mapped().data(), &frame, sizeof frame);
+}
 
-FrameSlot::FrameSlot(const gpu::DeviceContext& context)
-    : frame(createFrame(context, "frame/constants"))
-    , judged(createFrame(context, "frame/judged"))
-    , listing(createFrame(context, "frame/listing"))
+FrameSlot::FrameSlot(const gpu::DeviceContext& context, const gpu::UniformSetLayout& layout)
+    : frame(context, layout, "frame/constants")
+    , judged(context, layout, "frame/judged")
+    , listing(context, layout, "frame/listing")
     , draw(context, {.name = "frame/counts",
                      .bytes = sizeof(shared::DrawArguments),
                      .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
@@ -59,11 +63,6 @@ FrameStats FrameSlot::counts(std::uint64_t blades, std::uint64_t resident) const
 VkDeviceSize FrameSlot::bytes()
 {
     return 3 * sizeof(shared::Frame) + sizeof(shared::DrawArguments) + FrameTables::bytes();
-}
-
-void fill(const gpu::Buffer& buffer, const shared::Frame& frame)
-{
-    std::memcpy(buffer.mapped().data(), &frame, sizeof frame);
 }
 
 } // namespace sward::render

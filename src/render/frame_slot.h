@@ -2,6 +2,8 @@
 
 #include "gpu/buffer.h"
 #include "gpu/context.h"
+#include "gpu/uniform_sets.h"
+#include "render/frame_place.h"
 #include "render/frame_settings.h"
 #include "render/frame_tables.h"
 #include "shaders/shared/frame.h"
@@ -12,14 +14,30 @@
 
 namespace sward::render {
 
+/// A shared::Frame that the CPU writes.
+class FrameConstants {
+public:
+    FrameConstants(const gpu::DeviceContext& context, const gpu::UniformSetLayout& layout,
+                   const char* name);
+
+    FramePlace place() const { return {buffer_.address(), set_.get(0)}; }
+
+    /// Where the shaders will read it.
+    void fill(const shared::Frame& frame) const;
+
+private:
+    gpu::Buffer buffer_;
+    gpu::UniformSets set_;
+};
+
 /// What each frame in flight has of its own.
 struct FrameSlot {
-    explicit FrameSlot(const gpu::DeviceContext& context);
+    FrameSlot(const gpu::DeviceContext& context, const gpu::UniformSetLayout& layout);
 
-    gpu::Buffer frame;   ///< shared::Frame, written by the CPU
-    gpu::Buffer judged;  ///< the same as blades are judged by, where that is another
-    gpu::Buffer listing; ///< the same for listing all blades
-    gpu::Buffer draw;    ///< shared::DrawArguments, read by the CPU
+    FrameConstants frame;   ///< of the picture
+    FrameConstants judged;  ///< as blades are judged by, where that is another
+    FrameConstants listing; ///< for listing all blades
+    gpu::Buffer draw;       ///< shared::DrawArguments, read by the CPU
     FrameTables tables;
 
     /// Copies the counts of the update, recorded before, to where counts() finds them.
@@ -31,8 +49,5 @@ struct FrameSlot {
 
     static VkDeviceSize bytes(); ///< of device memory
 };
-
-/// Writes a frame where the shaders will read it.
-void fill(const gpu::Buffer& buffer, const shared::Frame& frame);
 
 } // namespace sward::render

@@ -45,7 +45,7 @@ FrameTables::FrameTables(const gpu::DeviceContext& context)
     : buffer_(context, {.name = "frame/tables",
                         .bytes = sizeof(Tables),
                         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                        .memory = gpu::MemoryUse::upload})
+                        .memory = gpu::MemoryUse::constants})
 {
 }
 

@@ -183,7 +183,9 @@ void Grass::Parts::walkAll(const gpu::Recording& commands, std::uint32_t firstVi
             for (std::uint32_t view = firstView; view < endView; ++view)
                 walk.recordStep(
                     commands, field.blades(), field.list(view),
-                    isUpdate ? field.updateFrame(slot, view) : field.judgedFrame(slot, view), step);
+                    (isUpdate ? field.updateFrame(slot, view) : field.judgedFrame(slot, view))
+                        .address,
+                    step);
         });
         gpu::computeToCompute(commands);
     }
@@ -219,7 +221,7 @@ void Grass::recordUpdate(VkCommandBuffer buffer) noexcept
             parts.update.record(commands, field.blades(), field.list(view), parts.moving,
                                 UpdateCullPass::Scope::visible,
                                 {.frame = field.updateFrame(parts.slot, view),
-                                 .views = field.updateFrame(parts.slot, 0),
+                                 .views = field.updateFrame(parts.slot, 0).address,
                                  .viewCount = parts.viewCount,
                                  .before = field.states().before()});
         });
@@ -243,7 +245,8 @@ void Grass::recordCull(VkCommandBuffer buffer, std::uint32_t view) noexcept
         bool isFilled = false;
         parts.forEach([&](const PlacedField& field) {
             if (!std::exchange(isFilled, true))
-                depth.pyramid->record(commands, depth.cells, field.judgedFrame(parts.slot, view));
+                depth.pyramid->record(commands, depth.cells,
+                                      field.judgedFrame(parts.slot, view).address);
         });
     }
     gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
@@ -272,7 +275,7 @@ void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view,
     parts.forEach([&](const PlacedField& field) {
         if (field.blades().bladeCount() == 0)
             return;
-        const VkDeviceAddress drawn = field.drawnFrame(parts.slot, view);
+        const VkDeviceAddress drawn = field.drawnFrame(parts.slot, view).address;
         if (target.settings().writesMotion)
             target.pipeline().push(commands,
                                    shared::MotionPush{drawn, field.motion(parts.slot, view)});

@@ -9,11 +9,12 @@
 namespace sward::render {
 
 MovingBlades::MovingBlades(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-                           FieldBuffers buffers)
+                           FieldBuffers buffers, bool asksSmall)
     : context_(&context)
     , buffers_(std::move(buffers))
     , walk_(context, shaders)
     , update_(context)
+    , asksSmall_(asksSmall)
 {
 }
 
@@ -22,7 +23,8 @@ void MovingBlades::prepare(const gpu::ShaderLibrary& shaders, const shared::Fram
     expect(frame.nature.colliderCount == 0 || buffers_.hasEtas(), "collisions can be kept");
     variant_ = {.windCounts = frame.nature.wind.counts,
                 .hasColliders = frame.nature.colliderCount > 0,
-                .keepsEtas = buffers_.hasEtas()};
+                .keepsEtas = buffers_.hasEtas(),
+                .asksSmall = asksSmall_};
     update_.prepare(shaders, variant_);
 }
 
@@ -64,7 +66,7 @@ void MovingBlades::findLive(VkCommandBuffer commands, VkDeviceAddress judged,
     gpu::computeToCompute(commands);
 }
 
-void MovingBlades::moveAndList(VkCommandBuffer commands, VkDeviceAddress judged,
+void MovingBlades::moveAndList(VkCommandBuffer commands, const FramePlace& judged,
                                std::uint32_t round, VkDeviceAddress seen,
                                gpu::Timestamps* timestamps) const
 {
@@ -73,7 +75,7 @@ void MovingBlades::moveAndList(VkCommandBuffer commands, VkDeviceAddress judged,
                    UpdateCullPass::Scope::visible, {.frame = judged, .round = round, .seen = seen});
 }
 
-void MovingBlades::moveAll(VkCommandBuffer commands, VkDeviceAddress frame) const
+void MovingBlades::moveAll(VkCommandBuffer commands, const FramePlace& frame) const
 {
     update_.record(commands, buffers_.baked(), buffers_.list(), variant_,
                    UpdateCullPass::Scope::all, {.frame = frame});

@@ -4,6 +4,7 @@
 #include "gpu/shader_library.h"
 #include "gpu/timestamps.h"
 #include "render/field_buffers.h"
+#include "render/frame_place.h"
 #include "render/update_cull_pass.h"
 #include "render/walk_pass.h"
 #include "shaders/shared/frame.h"
@@ -16,8 +17,9 @@ namespace sward::render {
 /// judge them and list those that are to be drawn.
 class MovingBlades {
 public:
+    /// `asksSmall` as FieldRendererSettings::asksSmallBlades.
     MovingBlades(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-                 FieldBuffers buffers);
+                 FieldBuffers buffers, bool asksSmall);
 
     const FieldBuffers& buffers() const { return buffers_; }
     bool hasMoved() const { return hasMoved_; } ///< whether a frame has begun
@@ -44,11 +46,11 @@ public:
 
     /// Moves, judges and lists the blades of one round of live patches; those that are not among
     /// the `seen` from behind, see shared::RasterPush.
-    void moveAndList(VkCommandBuffer commands, VkDeviceAddress judged, std::uint32_t round,
+    void moveAndList(VkCommandBuffer commands, const FramePlace& judged, std::uint32_t round,
                      VkDeviceAddress seen, gpu::Timestamps* timestamps) const;
 
     /// Moves all blades, and does nothing else.
-    void moveAll(VkCommandBuffer commands, VkDeviceAddress frame) const;
+    void moveAll(VkCommandBuffer commands, const FramePlace& frame) const;
 
 private:
     const gpu::DeviceContext* context_;
@@ -56,6 +58,7 @@ private:
     WalkPass walk_;
     UpdateCullPass update_;
     UpdateCullPass::Variant variant_; ///< for the frame that is being recorded
+    bool asksSmall_;
     bool hasMoved_ = false;
     bool hasNewEtas_ = false; ///< which hold nothing yet
 };

@@ -1,6 +1,7 @@
 #include "render/placed_field.h"
 
 #include "core/expect.h"
+#include "gpu/compute_pipeline.h"
 #include "render/frame_tables.h"
 
 #include <algorithm>
@@ -15,6 +16,12 @@ constexpr std::uint32_t forUpdate = 0;
 constexpr std::uint32_t forJudging = 1;
 constexpr std::uint32_t forDrawing = 2;
 constexpr std::uint32_t frameKinds = 3;
+
+/// Where they lie among a slot's constants: behind the tables.
+VkDeviceSize framesOffset()
+{
+    return gpu::groupsFor(tableBytes(), gpu::uniformAlignment) * gpu::uniformAlignment;
+}
 
 gpu::Buffer countsBuffer(const gpu::DeviceContext& context, const char* name, std::uint32_t count,
                          gpu::MemoryUse memory)
@@ -50,16 +57,25 @@ PlacedField::PlacedField(const gpu::DeviceContext& context, const FieldInstance&
               {.before = settings.keepsMotion, .etas = true})
     , moved_(countsBuffer(context, "instance/moved", 1, gpu::MemoryUse::device))
 {
+    const gpu::UniformSetLayout layout(context, "instance/frame");
     const VkDeviceSize bytes =
-        tableBytes() +
+        framesOffset() +
         settings.mostViews * (frameKinds * sizeof(shared::Frame) + sizeof(shared::Motion));
     for (std::uint32_t i = 0; i < settings.framesInFlight; ++i) {
-        slots_.push_back({gpu::Buffer(context, {.name = "instance/constants",
-                                                .bytes = bytes,
-                                                .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                                                .memory = gpu::MemoryUse::upload}),
-                          countsBuffer(context, "instance/counts", 1 + settings.mostViews,
-                                       gpu::MemoryUse::readback)});
+        Slot& slot = slots_.emplace_back();
+        slot.constants = gpu::Buffer(context, {.name = "instance/constants",
+                                               .bytes = bytes,
+                                               .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                                        VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+                                               .memory = gpu::MemoryUse::constants});
+        slot.frames = gpu::UniformSets(context, layout,
+                                       {.name = "instance/frame",
+                                        .buffer = slot.constants.get(),
+                                        .offset = framesOffset(),
+                                        .bytes = sizeof(shared::Frame),
+                                        .count = frameKinds * settings.mostViews});
+        slot.counts = countsBuffer(context, "instance/counts", 1 + settings.mostViews,
+                                   gpu::MemoryUse::readback);
         std::ranges::fill(slots_.back().counts.mapped(), std::byte{0});
     }
 }
@@ -139,8 +155,7 @@ shared::Motion PlacedField::motionOf(const GrassFrame& frame, const HostView& vi
 
 VkDeviceSize PlacedField::motionOffset(std::uint32_t view) const
 {
-    return tableBytes() + VkDeviceSize(frameKinds) * settings_.mostViews * sizeof(shared::Frame) +
-           view * sizeof(shared::Motion);
+    return frameOffset(frameKinds, 0) + view * sizeof(shared::Motion);
 }
 
 VkDeviceAddress PlacedField::motion(std::uint32_t slot, std::uint32_t view) const
@@ -148,10 +163,21 @@ VkDeviceAddress PlacedField::motion(std::uint32_t slot, std::uint32_t view) cons
     return slots_[slot].constants.address() + motionOffset(view);
 }
 
-VkDeviceSize PlacedField::frameOffset(std::uint32_t kind, std::uint32_t view) const
+std::uint32_t PlacedField::frameIndex(std::uint32_t kind, std::uint32_t view) const
 {
     expect(view < lists_.size(), "the view is one of the frame's");
-    return tableBytes() + (VkDeviceSize(kind) * settings_.mostViews + view) * sizeof(shared::Frame);
+    return kind * settings_.mostViews + view;
+}
+
+VkDeviceSize PlacedField::frameOffset(std::uint32_t kind, std::uint32_t view) const
+{
+    return framesOffset() + frameIndex(kind, view) * sizeof(shared::Frame);
+}
+
+FramePlace PlacedField::framePlace(std::uint32_t slot, std::uint32_t kind, std::uint32_t view) const
+{
+    return {slots_[slot].constants.address() + frameOffset(kind, view),
+            slots_[slot].frames.get(frameIndex(kind, view))};
 }
 
 void PlacedField::put(std::uint32_t slot, std::uint32_t kind, std::uint32_t view,
@@ -161,19 +187,19 @@ void PlacedField::put(std::uint32_t slot, std::uint32_t kind, std::uint32_t view
                 sizeof frame);
 }
 
-VkDeviceAddress PlacedField::updateFrame(std::uint32_t slot, std::uint32_t view) const
+FramePlace PlacedField::updateFrame(std::uint32_t slot, std::uint32_t view) const
 {
-    return slots_[slot].constants.address() + frameOffset(forUpdate, view);
+    return framePlace(slot, forUpdate, view);
 }
 
-VkDeviceAddress PlacedField::judgedFrame(std::uint32_t slot, std::uint32_t view) const
+FramePlace PlacedField::judgedFrame(std::uint32_t slot, std::uint32_t view) const
 {
-    return slots_[slot].constants.address() + frameOffset(forJudging, view);
+    return framePlace(slot, forJudging, view);
 }
 
-VkDeviceAddress PlacedField::drawnFrame(std::uint32_t slot, std::uint32_t view) const
+FramePlace PlacedField::drawnFrame(std::uint32_t slot, std::uint32_t view) const
 {
-    return slots_[slot].constants.address() + frameOffset(forDrawing, view);
+    return framePlace(slot, forDrawing, view);
 }
 
 bool PlacedField::beginsToMove()

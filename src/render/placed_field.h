@@ -2,6 +2,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/recording.h"
+#include "gpu/uniform_sets.h"
 #include "render/blade_states.h"
 #include "render/frame_slot.h"
 #include "render/grass.h"
@@ -40,9 +41,9 @@ public:
 
     /// Frames of one view: by which its blades are moved, judged, and drawn. Those of the update
     /// lie on end.
-    VkDeviceAddress updateFrame(std::uint32_t slot, std::uint32_t view) const;
-    VkDeviceAddress judgedFrame(std::uint32_t slot, std::uint32_t view) const;
-    VkDeviceAddress drawnFrame(std::uint32_t slot, std::uint32_t view) const;
+    FramePlace updateFrame(std::uint32_t slot, std::uint32_t view) const;
+    FramePlace judgedFrame(std::uint32_t slot, std::uint32_t view) const;
+    FramePlace drawnFrame(std::uint32_t slot, std::uint32_t view) const;
 
     /// shared::Motion of one view.
     VkDeviceAddress motion(std::uint32_t slot, std::uint32_t view) const;
@@ -62,13 +63,16 @@ public:
 
 private:
     struct Slot {
-        gpu::Buffer constants; ///< tables, three frames for each view, shared::Motion of each
-        gpu::Buffer counts;    ///< shared::DrawArguments of the update, then of each view
+        gpu::Buffer constants;   ///< tables, three frames for each view, shared::Motion of each
+        gpu::UniformSets frames; ///< of those frames
+        gpu::Buffer counts;      ///< shared::DrawArguments of the update, then of each view
     };
 
     VkDeviceSize motionOffset(std::uint32_t view) const;
     shared::Motion motionOf(const GrassFrame& frame, const HostView& view) const;
+    std::uint32_t frameIndex(std::uint32_t kind, std::uint32_t view) const;
     VkDeviceSize frameOffset(std::uint32_t kind, std::uint32_t view) const;
+    FramePlace framePlace(std::uint32_t slot, std::uint32_t kind, std::uint32_t view) const;
     void put(std::uint32_t slot, std::uint32_t kind, std::uint32_t view,
              const shared::Frame& frame) const;
 

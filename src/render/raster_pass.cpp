@@ -15,11 +15,16 @@ constexpr VkFormat pictureFormat = VK_FORMAT_R8G8B8A8_UNORM;
 /// What has been shaded, before it is filtered; alpha: see softness() of lighting.glsl.
 constexpr VkFormat shadedFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 
-/// How many large blades have been asked for, and what draws those that are listed.
+/// How many large blades have been asked for, what draws those that are listed, and the same of
+/// those that turn out not to be hidden.
 struct LargeCount {
     shared::WalkLevel parts{.groups = {0, 1, 1}, .count = 0};
     VkDrawIndirectCommand draw{shared::drawChunk, 0, 0, 0}; ///< a vertex for each of them
+    shared::WalkLevel seen{.groups = {0, 1, 1}, .count = 0};
 };
+
+/// The set of descriptors that holds the frame.
+constexpr std::uint32_t frameSet = 1;
 
 bool isBgr(VkFormat format)
 {
@@ -61,6 +66,7 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                              .sampledCount = 2,
                              .storageCount = 1,
                              .stages = VK_SHADER_STAGE_COMPUTE_BIT})
+    , frameLayout_(context, "raster/frame")
     , sampler_(gpu::createSampler(context, {.name = "raster",
                                             .filter = VK_FILTER_NEAREST,
                                             .address = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE}))
@@ -72,7 +78,7 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                                     {.name = name,
                                      .shader = shader,
                                      .pushConstantBytes = sizeof(shared::RasterPush),
-                                     .setLayouts = {imageLayout_.get()},
+                                     .setLayouts = {imageLayout_.get(), frameLayout_.get()},
                                      .constants = {{.id = 1, .value = target.samples},
                                                    {.id = 2, .value = isLate ? 1u : 0u},
                                                    {.id = 3, .value = target.mayBePaged},
@@ -83,6 +89,7 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
         blades_ = pipeline("raster/blades", "raster_blades.comp");
         large_ = pipeline("raster/large blades", "raster_large.comp");
         lateBlades_ = pipeline("raster/late blades", "raster_blades.comp", true);
+        judgeLarge_ = pipeline("raster/hidden large blades", "judge_large.comp");
         lateLarge_ = pipeline("raster/late large blades", "raster_large.comp", true);
         depths_ = pipeline("raster/depths", "seen_depths.comp");
         constexpr VkDeviceSize wordBits = 32;
@@ -90,6 +97,9 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                                       .bytes = (bladeCount / wordBits + 1) * sizeof(std::uint32_t),
                                       .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
                                                VK_BUFFER_USAGE_TRANSFER_DST_BIT});
+        largeSeen_ = gpu::Buffer(context, {.name = "raster/large blades that are seen",
+                                           .bytes = shared::mostLargeParts * sizeof(std::uint32_t),
+                                           .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
     }
     if (target.tessellatesLarge) {
         smallBlades_ = pipeline("raster/small blades", "raster_blades.comp", false, true);
@@ -116,7 +126,7 @@ void RasterPass::prepare(const gpu::ShaderLibrary& shaders, bool paintsWind)
                                           {.name = "raster/resolve",
                                            .shader = variantOf("resolve", target_.samples),
                                            .pushConstantBytes = sizeof(shared::RasterPush),
-                                           .setLayouts = {imageLayout_.get()},
+                                           .setLayouts = {imageLayout_.get(), frameLayout_.get()},
                                            .constants = {{.id = 0, .value = paintsWind ? 1u : 0u},
                                                          {.id = 1, .value = target_.samples}}}));
 }
@@ -136,7 +146,8 @@ void RasterPass::resize(const Attachments& attachments)
     images_.setSampled(0, attachments.color().view(), sampler_.get());
     images_.setSampled(1, attachments.depth().view(), sampler_.get());
     images_.setStorage(0, picture_.view());
-    bytes_ = visibility_.bytes() + largeParts_.bytes() + seen_.bytes() + picture_.memoryBytes();
+    bytes_ = visibility_.bytes() + largeParts_.bytes() + largeSeen_.bytes() + seen_.bytes() +
+             picture_.memoryBytes();
     if (target_.samples == 1)
         return;
     shaded_ =
@@ -154,12 +165,13 @@ void RasterPass::resize(const Attachments& attachments)
 
 shared::RasterPush RasterPass::pushFor(const Input& input) const
 {
-    return {.frame = input.frame,
-            .judged = input.judged,
+    return {.frame = input.frame.address,
+            .judged = input.judged.address,
             .visibility = visibility_.address(),
             .rounds = input.field->list().rounds().address(),
             .large = largeParts_.address(),
             .largeCount = largeCount_.address(),
+            .largeSeen = largeSeen_.address(),
             .owners = input.field->baked().owners(),
             .firstOwners = input.field->baked().firstOwners(),
             .seen = input.findsHidden ? seen_.address() : 0,
@@ -198,6 +210,7 @@ void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input, std:
                                            : input.tessellatesLarge ? smallBlades_
                                                                     : blades_;
     pipeline.bind(commands);
+    input.frame.bind(commands, pipeline.layout(), frameSet);
     pipeline.push(commands, push);
     vkCmdDispatchIndirect(commands, input.field->list().rounds().get(),
                           push.round * sizeof(shared::WalkLevel));
@@ -210,8 +223,19 @@ void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Turn 
                                     offsetof(LargeCount, draw));
     const gpu::ComputePipeline& pipeline = turn == Turn::late ? lateLarge_ : large_;
     pipeline.bind(commands);
+    input.frame.bind(commands, pipeline.layout(), frameSet);
     pipeline.push(commands, pushFor(input));
-    vkCmdDispatchIndirect(commands, largeCount_.get(), 0);
+    vkCmdDispatchIndirect(commands, largeCount_.get(),
+                          turn == Turn::late ? offsetof(LargeCount, seen)
+                                             : offsetof(LargeCount, parts));
+}
+
+void RasterPass::recordJudgement(VkCommandBuffer commands, const Input& input) const
+{
+    judgeLarge_.bind(commands);
+    input.frame.bind(commands, judgeLarge_.layout(), frameSet);
+    judgeLarge_.push(commands, pushFor(input));
+    vkCmdDispatchIndirect(commands, largeCount_.get(), offsetof(LargeCount, parts));
 }
 
 void RasterPass::recordNoLarge(VkCommandBuffer commands) const
@@ -243,6 +267,7 @@ void RasterPass::recordResolve(VkCommandBuffer commands, const Input& input, boo
         gpu::transition(commands, shaded_, gpu::ImageUse::undefined, gpu::ImageUse::storage);
     found->second.bind(commands);
     images_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, found->second.layout());
+    input.frame.bind(commands, found->second.layout(), frameSet);
     found->second.push(commands, push);
     vkCmdDispatch(commands, tilesFor(size_.width), tilesFor(size_.height), 1);
     if (target_.samples > 1) {

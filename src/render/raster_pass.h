@@ -7,8 +7,10 @@
 #include "gpu/image_set.h"
 #include "gpu/sampler.h"
 #include "gpu/shader_library.h"
+#include "gpu/uniform_sets.h"
 #include "render/attachments.h"
 #include "render/field_buffers.h"
+#include "render/frame_place.h"
 #include "render/large_blade_pass.h"
 #include "render/target_settings.h"
 #include "shaders/shared/passes.h"
@@ -41,8 +43,8 @@ public:
     /// What each of the following reads.
     struct Input {
         const FieldBuffers* field = nullptr;
-        VkDeviceAddress frame = 0;     ///< shared::Frame
-        VkDeviceAddress judged = 0;    ///< by whose camera the visible blades were listed
+        FramePlace frame{};            ///< of the picture
+        FramePlace judged{};           ///< by whose camera the visible blades were listed
         bool findsHidden = false;      ///< whether blades hide others: see shared::RasterPush::seen
         bool tessellatesLarge = false; ///< whether large ones are left to the tessellator
     };
@@ -59,8 +61,11 @@ public:
     void recordBlades(VkCommandBuffer commands, const Input& input, std::uint32_t round,
                       Turn turn) const;
 
+    /// Finds those of the late large ones that the frame's pyramid does not hide. As above.
+    void recordJudgement(VkCommandBuffer commands, const Input& input) const;
+
     /// Rasterises the large ones of all rounds since this was last recorded, or has them
-    /// tessellated, whichever their turn. As above.
+    /// tessellated, whichever their turn; the late ones have been judged. As above.
     void recordLarge(VkCommandBuffer commands, const Input& input, Turn turn) const;
 
     /// Empties the list of large ones, with barriers from and to compute shaders.
@@ -87,12 +92,14 @@ private:
     const gpu::DeviceContext* context_;
     TargetSettings target_;
     gpu::ImageSetLayout imageLayout_;
+    gpu::UniformSetLayout frameLayout_;
     gpu::Sampler sampler_;
     gpu::ComputePipeline begin_;
     gpu::ComputePipeline blades_;
     gpu::ComputePipeline smallBlades_; ///< leave large ones to the tessellator
     gpu::ComputePipeline large_;
     gpu::ComputePipeline lateBlades_; ///< leave out what is hidden
+    gpu::ComputePipeline judgeLarge_;
     gpu::ComputePipeline lateLarge_;
     gpu::ComputePipeline depths_;
     std::optional<LargeBladePass> tessellated_;    ///< of large blades
@@ -104,9 +111,10 @@ private:
     gpu::Buffer visibility_;
     gpu::Buffer largeParts_;
     gpu::Buffer largeCount_;
-    gpu::Buffer seen_;     ///< a bit for each blade
-    bool hasSeen_ = false; ///< whether it has been filled
-    gpu::Image shaded_;    ///< with several samples: linear, not yet filtered
+    gpu::Buffer largeSeen_; ///< indices of those large ones of the late turn that are not hidden
+    gpu::Buffer seen_;      ///< a bit for each blade
+    bool hasSeen_ = false;  ///< whether it has been filled
+    gpu::Image shaded_;     ///< with several samples: linear, not yet filtered
     gpu::Image picture_;
     gpu::ImageSet images_;
     gpu::ImageSet filmImages_;

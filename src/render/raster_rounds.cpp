@@ -26,6 +26,10 @@ void RasterRounds::record(VkCommandBuffer commands, const RasterPass::Input& inp
     }
     gpu::computeToCompute(commands);
     const PassScope scope(context, commands, timestamps, "blades");
+    if (input.findsHidden) {
+        raster.recordJudgement(commands, input);
+        gpu::computeToCompute(commands);
+    }
     raster.recordLarge(commands, input, input.findsHidden ? Turn::late : Turn::first);
 }
 
@@ -53,7 +57,7 @@ void RasterRounds::recordPyramid(VkCommandBuffer commands, const RasterPass::Inp
     }
     const PassScope scope(context, commands, timestamps, "pyramid");
     raster.recordDepths(commands, input);
-    pyramid.recordCoarser(commands, input.frame);
+    pyramid.recordCoarser(commands, input.frame.address);
 }
 
 } // namespace sward::render

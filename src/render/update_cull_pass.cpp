@@ -21,6 +21,7 @@ std::uint32_t threadsOf(const gpu::DeviceContext& context)
 
 UpdateCullPass::UpdateCullPass(const gpu::DeviceContext& context)
     : context_(&context)
+    , frameLayout_(context, "update/frame")
 {
 }
 
@@ -34,13 +35,14 @@ void UpdateCullPass::prepare(const gpu::ShaderLibrary& shaders, Variant variant)
                      {.name = "update and cull",
                       .shader = "update_cull.comp",
                       .pushConstantBytes = sizeof(shared::UpdatePush),
-                      .setLayouts = {},
+                      .setLayouts = {frameLayout_.get()},
                       .constants = {{.id = 0, .value = variant.windCounts},
                                     {.id = 1, .value = variant.hasColliders},
                                     {.id = 2, .value = threadsOf(*context_)},
                                     {.id = 3, .value = static_cast<std::uint32_t>(variant.role)},
                                     {.id = 4, .value = variant.keepsBefore},
-                                    {.id = 5, .value = variant.keepsEtas}}}));
+                                    {.id = 5, .value = variant.keepsEtas},
+                                    {.id = 6, .value = variant.asksSmall}}}));
 }
 
 void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& blades,
@@ -53,7 +55,8 @@ void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& b
     expect(made != pipelines_.end(), "the update has been prepared for the frame's wind");
     const gpu::ComputePipeline& pipeline = made->second;
     pipeline.bind(commands);
-    pipeline.push(commands, shared::UpdatePush{.judged = input.frame,
+    input.frame.bind(commands, pipeline.layout(), 0);
+    pipeline.push(commands, shared::UpdatePush{.judged = input.frame.address,
                                                .live = found.live(),
                                                .levels = found.levels().address(),
                                                .rounds = found.rounds().address(),

@@ -4,7 +4,9 @@
 #include "gpu/context.h"
 #include "gpu/recording.h"
 #include "gpu/shader_library.h"
+#include "gpu/uniform_sets.h"
 #include "render/baked_blades.h"
+#include "render/frame_place.h"
 #include "render/visible_blades.h"
 
 #include <vulkan/vulkan.h>
@@ -35,6 +37,7 @@ public:
         Role role = Role::moveAndJudge;
         bool keepsBefore = false; ///< states from which blades are moved
         bool keepsEtas = false;   ///< what collisions leave; with colliders always
+        bool asksSmall = false;   ///< whether others hide it of blades that are not large, too
         auto operator<=>(const Variant&) const = default;
     };
 
@@ -48,7 +51,7 @@ public:
 
     /// What it reads and writes besides blades and lists.
     struct Input {
-        VkDeviceAddress frame = 0; ///< shared::Frame, by whose camera blades are judged
+        FramePlace frame{}; ///< by whose camera blades are judged
         std::uint32_t round = 0;
         VkDeviceAddress views = 0;   ///< frames on end for which Role::move moves blades …
         std::uint32_t viewCount = 0; ///< … and how many
@@ -63,6 +66,7 @@ public:
 
 private:
     const gpu::DeviceContext* context_;
+    gpu::UniformSetLayout frameLayout_;
     std::map<Variant, gpu::ComputePipeline> pipelines_;
 };
 

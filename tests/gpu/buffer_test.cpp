@@ -98,9 +98,9 @@ TEST_F(BufferTest, OfNoBytesHasAnAddressAllTheSame)
     EXPECT_TRUE(readBuffer(context(), buffer, 0, 0).empty());
 }
 
-TEST_F(BufferTest, IsMappedForUploadAndReadbackAlone)
+TEST_F(BufferTest, IsMappedWhereTheCpuTouchesItAlone)
 {
-    for (const MemoryUse use : {MemoryUse::upload, MemoryUse::readback}) {
+    for (const MemoryUse use : {MemoryUse::upload, MemoryUse::constants, MemoryUse::readback}) {
         const Buffer buffer(context(),
                             {.name = "mapped", .bytes = 64, .usage = copied, .memory = use});
         ASSERT_EQ(buffer.mapped().size(), 64U);

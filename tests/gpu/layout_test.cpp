@@ -149,7 +149,7 @@ std::size_t fillValues(Values& v)
               f.bladeCount, f.visibleCapacity, f.maxTessellation, f.sunDirection, f.exposure,
               f.sunColor, f.debugMode, f.skyColor, f.fogDensity, f.groundColor, f.skyUp,
               f.fixedTessellation, f.clouds, f.levelSteps, f.pace, f.cover, f.shadow, f.fogFalloff,
-              f.fogBase);
+              f.fogBase, f.reserved);
     n.fillAll(v.visible.blade, v.visible.patchIndex, v.visible.widthFactor, v.visible.pixels);
     n.fillAll(v.draw.vertexCount, v.draw.instanceCount, v.draw.firstVertex, v.draw.firstInstance,
               v.draw.simulated, v.draw.fates);
@@ -169,8 +169,8 @@ std::size_t fillValues(Values& v)
     n.fillAll(w.judged, w.subtrees, w.queue, w.live, w.levels, w.startCount, w.startLevel, w.level,
               w.reserved);
     shared::RasterPush& r = v.rasterPush;
-    n.fillAll(r.frame, r.judged, r.visibility, r.rounds, r.large, r.largeCount, r.owners,
-              r.firstOwners, r.seen, r.size, r.isBgr, r.round);
+    n.fillAll(r.frame, r.judged, r.visibility, r.rounds, r.large, r.largeCount, r.largeSeen,
+              r.owners, r.firstOwners, r.seen, r.size, r.isBgr, r.round);
     n.fillAll(v.subtree.blades, v.subtree.widest, v.subtree.rankBelow);
     n.fillAll(v.live.patchIndex, v.live.count);
     n.fillAll(v.walkLevel.groups, v.walkLevel.count);

@@ -33,6 +33,7 @@ TEST(MemoryType, IsTheOneThatSuitsWhoeverTouchesTheMemory)
     EXPECT_EQ(chooseMemoryType(discrete, all, MemoryUse::device), 1U);
     EXPECT_EQ(chooseMemoryType(discrete, all, MemoryUse::upload), 2U);
     EXPECT_EQ(chooseMemoryType(discrete, all, MemoryUse::readback), 3U);
+    EXPECT_EQ(chooseMemoryType(discrete, all, MemoryUse::constants), 4U);
 }
 
 TEST(MemoryType, ComesFromTheAllowedOnes)
@@ -41,12 +42,15 @@ TEST(MemoryType, ComesFromTheAllowedOnes)
     EXPECT_EQ(chooseMemoryType(discrete, 0b11000, MemoryUse::upload), 3U);
     EXPECT_EQ(chooseMemoryType(discrete, 0b10100, MemoryUse::readback), 2U);
     EXPECT_EQ(chooseMemoryType(discrete, 0b00011, MemoryUse::upload), std::nullopt);
+    // Where the CPU cannot write into the device's own memory.
+    EXPECT_EQ(chooseMemoryType(discrete, 0b01111, MemoryUse::constants), 2U);
 }
 
 TEST(MemoryType, IsTheOnlyOneWhereMemoryIsShared)
 {
     const VkPhysicalDeviceMemoryProperties shared = memoryTypes({local | mapped | cached});
-    for (const MemoryUse use : {MemoryUse::device, MemoryUse::upload, MemoryUse::readback})
+    for (const MemoryUse use :
+         {MemoryUse::device, MemoryUse::upload, MemoryUse::constants, MemoryUse::readback})
         EXPECT_EQ(chooseMemoryType(shared, all, use), 0U);
 }
 

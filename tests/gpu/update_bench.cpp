@@ -4,8 +4,7 @@
 #include "gpu/commands.h"
 #include "gpu/readback.h"
 #include "gpu/upload.h"
-
-#include <cstring>
+#include "render/frame_slot.h"
 
 namespace sward::embedded {
 std::span<const EmbeddedFile> shaders();
@@ -48,11 +47,9 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
                                                   .hasColliders = frame.nature.colliderCount > 0,
                                                   .keepsEtas = true};
     pass_.prepare(shaders_, variant);
-    const gpu::Buffer constants(context_, {.name = "frame",
-                                           .bytes = sizeof frame,
-                                           .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                                           .memory = gpu::MemoryUse::upload});
-    std::memcpy(constants.mapped().data(), &frame, sizeof frame);
+    const render::FrameConstants constants(context_, gpu::UniformSetLayout(context_, "frame"),
+                                           "frame");
+    constants.fill(frame);
 
     gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
         gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
@@ -73,10 +70,10 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
     gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
         gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
         if (scope == render::UpdateCullPass::Scope::visible)
-            walk_.record(commands, buffers_.baked(), buffers_.list(), constants.address());
+            walk_.record(commands, buffers_.baked(), buffers_.list(), constants.place().address);
         gpu::computeToCompute(commands);
         pass_.record(commands, buffers_.baked(), buffers_.list(), variant, scope,
-                     {.frame = constants.address()});
+                     {.frame = constants.place()});
     });
 
     Result result;

@@ -226,6 +226,8 @@ void putFrame()
     put(FRAME.shadow);
     put(FRAME.fogFalloff);
     put(FRAME.fogBase);
+    for (int i = 0; i < 16; ++i)
+        put(FRAME.reserved[i]);
 }
 
 void main()
@@ -349,6 +351,7 @@ void main()
     put(uvec2(sources.at[0].rasterPush.at[1].rounds));
     put(uvec2(sources.at[0].rasterPush.at[1].large));
     put(uvec2(sources.at[0].rasterPush.at[1].largeCount));
+    put(uvec2(sources.at[0].rasterPush.at[1].largeSeen));
     put(uvec2(sources.at[0].rasterPush.at[1].owners));
     put(uvec2(sources.at[0].rasterPush.at[1].firstOwners));
     put(uvec2(sources.at[0].rasterPush.at[1].seen));
