@@ -7,9 +7,9 @@ layout(location = 1) in vec4 inV1[];
 layout(location = 2) in vec4 inV2[];
 layout(location = 3) in vec4 inAxis[];
 layout(location = 4) flat in uvec3 inWhich[];
-layout(location = 5) in vec4 inRootColor[];
-layout(location = 6) in vec4 inTipColor[];
-layout(location = 7) in vec4 inMaterial[];
+layout(location = 5) in uvec4 inSurface[];
+layout(location = 6) in uvec4 inFrame[];
+layout(location = 7) in uint inBend[];
 #ifdef HAS_MOTION
 layout(location = 8) in vec4 inV1Before[];
 layout(location = 9) in vec4 inV2Before[];
@@ -20,9 +20,9 @@ layout(location = 1) patch out vec4 outV1;
 layout(location = 2) patch out vec4 outV2;
 layout(location = 3) patch out vec4 outAxis;
 layout(location = 4) patch out uvec3 outWhich;
-layout(location = 5) patch out vec4 outRootColor;
-layout(location = 6) patch out vec4 outTipColor;
-layout(location = 7) patch out vec4 outMaterial;
+layout(location = 5) patch out uvec4 outSurface;
+layout(location = 6) patch out uvec4 outFrame;
+layout(location = 7) patch out uint outBend;
 #ifdef HAS_MOTION
 layout(location = 8) patch out vec4 outV1Before;
 layout(location = 9) patch out vec4 outV2Before;
@@ -45,9 +45,9 @@ void main()
     outV2 = inV2[0];
     outAxis = inAxis[0];
     outWhich = inWhich[0];
-    outRootColor = inRootColor[0];
-    outTipColor = inTipColor[0];
-    outMaterial = inMaterial[0];
+    outSurface = inSurface[0];
+    outFrame = inFrame[0];
+    outBend = inBend[0];
 #ifdef HAS_MOTION
     outV1Before = inV1Before[0];
     outV2Before = inV2Before[0];

@@ -15,22 +15,19 @@ layout(location = 1) patch in vec4 inV1;
 layout(location = 2) patch in vec4 inV2;
 layout(location = 3) patch in vec4 inAxis;
 layout(location = 4) patch in uvec3 inWhich;
-layout(location = 5) patch in vec4 inRootColor;
-layout(location = 6) patch in vec4 inTipColor;
-layout(location = 7) patch in vec4 inMaterial;
+layout(location = 5) patch in uvec4 inSurface;
+layout(location = 6) patch in uvec4 inFrame;
+layout(location = 7) patch in uint inBend;
 #ifdef HAS_MOTION
 layout(location = 8) patch in vec4 inV1Before;
 layout(location = 9) patch in vec4 inV2Before;
 #endif
 
 layout(location = 0) centroid out vec3 outPosition;
-layout(location = 1) centroid out vec3 outTangent;
-layout(location = 2) centroid out vec3 outAxis;
 layout(location = 3) centroid out vec4 outPlace; // −1 … 1 across, 0 … 1 along, [m] wide and drawn
-layout(location = 4) centroid out vec4 outRootColor;
-layout(location = 5) centroid out vec4 outTipColor;
-layout(location = 6) centroid out vec4 outMaterial;
-layout(location = 7) centroid out vec4 outUp; // and the fold
+layout(location = 4) flat out uvec4 outSurface; // see BladeParcel
+layout(location = 5) flat out uvec4 outFrame;
+layout(location = 6) flat out uint outBend;
 layout(location = 8) flat out uint outBlade;
 #ifdef HAS_MOTION
 layout(location = 9) centroid out vec4 outClip;
@@ -59,13 +56,10 @@ void main()
     const float u = ribbon.fold > 0.0 || gl_TessCoord.x == 0.0 ? gl_TessCoord.x : 1.0;
     const Rib rib = ribAt(ribbon, gl_TessCoord.y, FRAME.view.eye, FRAME.view.leastWidth);
     outPosition = onRib(rib, u);
-    outTangent = rib.tangent;
-    outAxis = ribbon.axis;
     outPlace = vec4(2.0 * u - 1.0, gl_TessCoord.y, rib.wide, rib.drawn);
-    outRootColor = inRootColor;
-    outTipColor = inTipColor;
-    outMaterial = inMaterial;
-    outUp = vec4(normalize(ribbon.v1 - ribbon.v0), ribbon.fold);
+    outSurface = inSurface;
+    outFrame = inFrame;
+    outBend = inBend;
     outBlade = inWhich.z;
     gl_Position = FRAME.viewProjection * vec4(outPosition, 1.0);
 

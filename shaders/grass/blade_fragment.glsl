@@ -8,16 +8,14 @@ layout(push_constant, scalar) uniform Block { ViewPush push; };
 #endif
 
 #include "shaders/grass/blade_light.glsl"
+#include "shaders/grass/blade_parcel.glsl"
 #include "shaders/shared/ribbon.h"
 
 layout(location = 0) centroid in vec3 inPosition;
-layout(location = 1) centroid in vec3 inTangent;
-layout(location = 2) centroid in vec3 inAxis;
 layout(location = 3) centroid in vec4 inPlace;
-layout(location = 4) centroid in vec4 inRootColor;
-layout(location = 5) centroid in vec4 inTipColor;
-layout(location = 6) centroid in vec4 inMaterial;
-layout(location = 7) centroid in vec4 inUp;
+layout(location = 4) flat in uvec4 inSurface; // see BladeParcel
+layout(location = 5) flat in uvec4 inFrame;
+layout(location = 6) flat in uint inBend;
 layout(location = 8) flat in uint inBlade;
 
 layout(location = 0) out vec4 outColor;
@@ -27,20 +25,30 @@ layout(location = 10) centroid in vec4 inClipBefore;
 layout(location = 1) out vec2 outMotion; // where it was minus where it is, in widths and heights
 #endif
 
+BladePoint pointOf(BladeParcel parcel)
+{
+    const vec2 middle = unpackHalf2x16(parcel.surface.y);
+    const vec4 bytes = unpackUnorm4x8(parcel.surface.w);
+    const vec2 shade = unpackHalf2x16(parcel.frame.x);
+    const vec2 bent = unpackHalf2x16(parcel.frame.w);
+    BladePoint point;
+    point.position = inPosition;
+    point.place = inPlace.xy;
+    point.axis = unpackUnit(parcel.frame.y);
+    point.up = unpackUnit(parcel.frame.z);
+    point.fold = bent.x;
+    point.tangent = normalize(mix(point.up, bent.y * unpackUnit(parcel.bend), clamp(inPlace.y, 0.0, 1.0)));
+    point.rootColor = vec4(unpackHalf2x16(parcel.surface.x), middle.x, bytes.w);
+    point.tipColor = vec4(middle.y, unpackHalf2x16(parcel.surface.z), shade.y);
+    point.material = vec4(bytes.xyz, shade.x);
+    return point;
+}
+
 void main()
 {
     const uint kept = keptSamples(inPlace.z / max(inPlace.w, 1e-12), inBlade, FRAME.view.samples);
     gl_SampleMask[0] = int(kept);
-    BladePoint point;
-    point.position = inPosition;
-    point.tangent = inTangent;
-    point.axis = inAxis;
-    point.up = inUp.xyz;
-    point.fold = inUp.w;
-    point.place = inPlace.xy;
-    point.rootColor = inRootColor;
-    point.tipColor = inTipColor;
-    point.material = inMaterial;
+    const BladePoint point = pointOf(BladeParcel(inSurface, inFrame, inBend));
     const float soft = handedTo == handedToFilm ? softness(length(FRAME.view.eye - inPosition), 1.0) : 0.0;
     outColor = vec4(bladePicture(point), 1.0 - soft);
 #ifdef HAS_MOTION

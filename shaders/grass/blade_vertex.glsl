@@ -8,6 +8,7 @@ layout(push_constant, scalar) uniform Block { ViewPush push; };
 #endif
 
 #include "shaders/grass/blade_colors.glsl"
+#include "shaders/grass/blade_parcel.glsl"
 #include "shaders/grass/drawn_blade.glsl"
 
 layout(location = 0) out vec4 outV0; // and the width [m]
@@ -15,13 +16,32 @@ layout(location = 1) out vec4 outV1; // and the tip threshold
 layout(location = 2) out vec4 outV2; // and the fold
 layout(location = 3) out vec4 outAxis; // and the scale of the outline
 layout(location = 4) out uvec3 outWhich; // shape, segments (0: nothing is drawn), resident id
-layout(location = 5) out vec4 outRootColor; // and the share of the sun seen there
-layout(location = 6) out vec4 outTipColor;
-layout(location = 7) out vec4 outMaterial;  // open sky, translucency, gloss, leaf area index
+layout(location = 5) out uvec4 outSurface; // see BladeParcel
+layout(location = 6) out uvec4 outFrame;
+layout(location = 7) out uint outBend;
 #ifdef HAS_MOTION
 layout(location = 8) out vec4 outV1Before;
 layout(location = 9) out vec4 outV2Before;
 #endif
+
+BladeParcel parcelOf(Ribbon ribbon, BladeSurface surface)
+{
+    const float size = max(length(ribbon.v1 - ribbon.v0), 1e-6);
+    const vec3 lower = (ribbon.v1 - ribbon.v0) / size;
+    // Of a blade that stands straight v1 is v2.
+    vec3 upper = (ribbon.v2 - ribbon.v1) / size;
+    if (length(upper) < 1e-3)
+        upper = 1e-3 * lower;
+    const float bend = length(upper);
+    BladeParcel parcel;
+    parcel.surface =
+        uvec4(packHalf2x16(surface.root.rg), packHalf2x16(vec2(surface.root.b, surface.tip.r)),
+              packHalf2x16(surface.tip.gb), packUnorm4x8(vec4(surface.material.xyz, surface.root.w)));
+    parcel.frame = uvec4(packHalf2x16(vec2(surface.material.w, surface.tip.w)), packUnit(ribbon.axis),
+                         packUnit(lower), packHalf2x16(vec2(ribbon.fold, bend)));
+    parcel.bend = packUnit(upper / bend);
+    return parcel;
+}
 
 void main()
 {
@@ -42,9 +62,10 @@ void main()
     BladeSurface surface = BladeSurface(vec4(0.0), vec4(0.0), vec4(0.0));
     if (handedTo != handedToNobody)
         surface = bladeSurface(drawn, visible);
-    outRootColor = surface.root;
-    outTipColor = surface.tip;
-    outMaterial = surface.material;
+    const BladeParcel parcel = parcelOf(ribbon, surface);
+    outSurface = parcel.surface;
+    outFrame = parcel.frame;
+    outBend = parcel.bend;
 
 #ifdef HAS_MOTION
     // What has not moved in this frame has not moved.

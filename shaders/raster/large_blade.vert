@@ -11,9 +11,9 @@ layout(location = 1) out vec4 outV1;
 layout(location = 2) out vec4 outV2;
 layout(location = 3) out vec4 outAxis;
 layout(location = 4) out uvec3 outWhich;
-layout(location = 5) out vec4 outRootColor;
-layout(location = 6) out vec4 outTipColor;
-layout(location = 7) out vec4 outMaterial;
+layout(location = 5) out uvec4 outSurface;
+layout(location = 6) out uvec4 outFrame;
+layout(location = 7) out uint outBend;
 
 void main()
 {
@@ -28,7 +28,7 @@ void main()
     outV2 = vec4(blade.v2, blade.fold);
     outAxis = vec4(blade.axis, blade.scale);
     outWhich = uvec3(blade.shape, blade.part == 0u ? 0u : uint(blade.segments), blade.blade);
-    outRootColor = vec4(0.0);
-    outTipColor = vec4(0.0);
-    outMaterial = vec4(0.0);
+    outSurface = uvec4(0u);
+    outFrame = uvec4(0u);
+    outBend = 0u;
 }

@@ -1,5 +1,4 @@
-// Shades what a visibility holds, each blade once per pixel, and averages. The including shader has
-// groundAt() and put().
+// Shades what a visibility holds.
 #include "shaders/grass/blade_colors.glsl"
 #include "shaders/grass/blade_light.glsl"
 #include "shaders/raster/seen_triangle.glsl"
@@ -180,44 +179,9 @@ vec4 shade(Lens lens, uint index, vec2 pixel, uint samples, uint s, float depth)
     return vec4(bladePicture(point), 1.0 - softness(length(FRAME.view.eye - point.position), 1.0));
 }
 
-void main()
+/// What the film sees of the sky at a pixel.
+vec4 skyAt(Lens lens, uvec2 pixel)
 {
-    const uvec2 pixel = gl_GlobalInvocationID.xy;
-    if (any(greaterThanEqual(pixel, push.size)))
-        return;
-    Visibility visibility = Visibility(uvec2(push.visibility));
-    uint blades[4];
-    float depths[4];
-    for (uint s = 0u; s < samplesPerPixel; ++s) {
-        const uint64_t seen = visibility.at[sampleIndex(pixel, s)];
-        blades[s] = uint(seen);
-        depths[s] = uintBitsToFloat(uint(seen >> 32u));
-    }
-
-    const Lens lens = lensOf();
-    vec4 sum = vec4(0.0);
-    float sky = 0.0;
-    for (uint s = 0u; s < samplesPerPixel; ++s) {
-        if (blades[s] == 0u) {
-            if (depths[s] > 0.0)
-                sum += groundAt(ivec2(pixel), int(s));
-            else
-                sky += 1.0;
-            continue;
-        }
-        // Once for all samples of a blade. They lie in the order of rows: the middle one is taken,
-        // since the first would be nearer to the tip than what is seen.
-        uint samples = 0u;
-        for (uint other = 0u; other < samplesPerPixel; ++other)
-            samples |= blades[other] == blades[s] ? 1u << other : 0u;
-        const uint count = uint(bitCount(samples));
-        if (uint(bitCount(samples & ((1u << s) - 1u))) != count / 2u)
-            continue;
-        sum += float(count) * shade(lens, blades[s] - 1u, vec2(pixel), samples, s, depths[s]);
-    }
-    if (sky > 0.0) {
-        const vec2 middle = vec2(pixel) + 0.5;
-        sum += sky * vec4(skyPicture(normalize(rayThrough(2.0 * middle / lens.size - 1.0)), middle), 1.0);
-    }
-    put(ivec2(pixel), sum / float(samplesPerPixel));
+    const vec2 middle = vec2(pixel) + 0.5;
+    return vec4(skyPicture(normalize(rayThrough(2.0 * middle / lens.size - 1.0)), middle), 1.0);
 }

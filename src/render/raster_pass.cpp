@@ -4,8 +4,6 @@
 #include "gpu/barrier.h"
 #include "gpu/image_use.h"
 
-#include <cstddef>
-
 namespace sward::render {
 namespace {
 
@@ -14,14 +12,6 @@ constexpr VkFormat pictureFormat = VK_FORMAT_R8G8B8A8_UNORM;
 
 /// What has been shaded, before it is filtered; alpha: see softness() of lighting.glsl.
 constexpr VkFormat shadedFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
-
-/// How many large blades have been asked for, what draws those that are listed, and the same of
-/// those that turn out not to be hidden.
-struct LargeCount {
-    shared::WalkLevel parts{.groups = {0, 1, 1}, .count = 0};
-    VkDrawIndirectCommand draw{shared::drawChunk, 0, 0, 0}; ///< a vertex for each of them
-    shared::WalkLevel seen{.groups = {0, 1, 1}, .count = 0};
-};
 
 /// The set of descriptors that holds the frame.
 constexpr std::uint32_t frameSet = 1;
@@ -70,6 +60,7 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
     , sampler_(gpu::createSampler(context, {.name = "raster",
                                             .filter = VK_FILTER_NEAREST,
                                             .address = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE}))
+    , largeList_(context, target.groupsDrawLarge, bladeCount)
 {
     expect(obstacleToRaster(context, target.colorFormat) == nullptr, "the device can rasterise");
     const auto pipeline = [&](const char* name, const std::string& shader, bool isLate = false,
@@ -92,14 +83,6 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
         judgeLarge_ = pipeline("raster/hidden large blades", "judge_large.comp");
         lateLarge_ = pipeline("raster/late large blades", "raster_large.comp", true);
         depths_ = pipeline("raster/depths", "seen_depths.comp");
-        constexpr VkDeviceSize wordBits = 32;
-        seen_ = gpu::Buffer(context, {.name = "raster/seen blades",
-                                      .bytes = (bladeCount / wordBits + 1) * sizeof(std::uint32_t),
-                                      .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                               VK_BUFFER_USAGE_TRANSFER_DST_BIT});
-        largeSeen_ = gpu::Buffer(context, {.name = "raster/large blades that are seen",
-                                           .bytes = shared::mostLargeParts * sizeof(std::uint32_t),
-                                           .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
     }
     if (target.tessellatesLarge) {
         smallBlades_ = pipeline("raster/small blades", "raster_blades.comp", false, true);
@@ -107,14 +90,6 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
     }
     if (target.samples > 1)
         soften_ = pipeline("raster/soften", "soften.comp");
-    largeParts_ = gpu::Buffer(context, {.name = "raster/large blades",
-                                        .bytes = shared::mostLargeParts * sizeof(shared::LargePart),
-                                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
-    largeCount_ = gpu::Buffer(context, {.name = "raster/large blades' count",
-                                        .bytes = sizeof(LargeCount),
-                                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                                 VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-                                                 VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT});
 }
 
 void RasterPass::prepare(const gpu::ShaderLibrary& shaders, bool paintsWind)
@@ -146,8 +121,7 @@ void RasterPass::resize(const Attachments& attachments)
     images_.setSampled(0, attachments.color().view(), sampler_.get());
     images_.setSampled(1, attachments.depth().view(), sampler_.get());
     images_.setStorage(0, picture_.view());
-    bytes_ = visibility_.bytes() + largeParts_.bytes() + largeSeen_.bytes() + seen_.bytes() +
-             picture_.memoryBytes();
+    bytes_ = visibility_.bytes() + largeList_.bytes() + picture_.memoryBytes();
     if (target_.samples == 1)
         return;
     shaded_ =
@@ -165,33 +139,27 @@ void RasterPass::resize(const Attachments& attachments)
 
 shared::RasterPush RasterPass::pushFor(const Input& input) const
 {
-    return {.frame = input.frame.address,
-            .judged = input.judged.address,
-            .visibility = visibility_.address(),
-            .rounds = input.field->list().rounds().address(),
-            .large = largeParts_.address(),
-            .largeCount = largeCount_.address(),
-            .largeSeen = largeSeen_.address(),
-            .owners = input.field->baked().owners(),
-            .firstOwners = input.field->baked().firstOwners(),
-            .seen = input.findsHidden ? seen_.address() : 0,
-            .size = {size_.width, size_.height},
-            .isBgr = isBgr(target_.colorFormat) ? 1u : 0u,
-            .round = 0};
-}
-
-void RasterPass::emptyLarge(VkCommandBuffer commands) const
-{
-    const LargeCount none{};
-    vkCmdUpdateBuffer(commands, largeCount_.get(), 0, sizeof none, &none);
+    shared::RasterPush push{.frame = input.frame.address,
+                            .judged = input.judged.address,
+                            .visibility = visibility_.address(),
+                            .rounds = input.field->list().rounds().address(),
+                            .large = 0,
+                            .largeCount = 0,
+                            .largeSeen = 0,
+                            .owners = input.field->baked().owners(),
+                            .firstOwners = input.field->baked().firstOwners(),
+                            .seen = input.findsHidden ? largeList_.shown() : 0,
+                            .size = {size_.width, size_.height},
+                            .isBgr = isBgr(target_.colorFormat) ? 1u : 0u,
+                            .round = 0};
+    largeList_.describe(push);
+    return push;
 }
 
 void RasterPass::recordBegin(VkCommandBuffer commands, const Input& input)
 {
-    emptyLarge(commands);
-    if (!hasSeen_ && target_.groupsDrawLarge)
-        vkCmdFillBuffer(commands, seen_.get(), 0, VK_WHOLE_SIZE, 0);
-    hasSeen_ = true;
+    largeList_.clear(commands);
+    largeList_.beginShown(commands);
     begin_.bind(commands);
     images_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, begin_.layout());
     begin_.push(commands, pushFor(input));
@@ -219,15 +187,16 @@ void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input, std:
 void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Turn turn) const
 {
     if (input.tessellatesLarge)
-        return tessellated_->record(commands, pushFor(input), largeCount_.get(),
-                                    offsetof(LargeCount, draw));
+        return tessellated_->record(commands, pushFor(input), largeList_.drawBuffer(),
+                                    LargeBladeList::drawOffset());
     const gpu::ComputePipeline& pipeline = turn == Turn::late ? lateLarge_ : large_;
     pipeline.bind(commands);
     input.frame.bind(commands, pipeline.layout(), frameSet);
     pipeline.push(commands, pushFor(input));
-    vkCmdDispatchIndirect(commands, largeCount_.get(),
-                          turn == Turn::late ? offsetof(LargeCount, seen)
-                                             : offsetof(LargeCount, parts));
+    if (turn == Turn::late)
+        largeList_.dispatchSeen(commands);
+    else
+        largeList_.dispatchAll(commands);
 }
 
 void RasterPass::recordJudgement(VkCommandBuffer commands, const Input& input) const
@@ -235,13 +204,13 @@ void RasterPass::recordJudgement(VkCommandBuffer commands, const Input& input) c
     judgeLarge_.bind(commands);
     input.frame.bind(commands, judgeLarge_.layout(), frameSet);
     judgeLarge_.push(commands, pushFor(input));
-    vkCmdDispatchIndirect(commands, largeCount_.get(), offsetof(LargeCount, parts));
+    largeList_.dispatchAll(commands);
 }
 
 void RasterPass::recordNoLarge(VkCommandBuffer commands) const
 {
     gpu::memoryBarrier(commands, gpu::dispatchAccess, gpu::transferAccess);
-    emptyLarge(commands);
+    largeList_.clear(commands);
     gpu::memoryBarrier(commands, gpu::transferAccess, gpu::dispatchAccess);
 }
 

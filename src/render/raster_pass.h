@@ -11,6 +11,7 @@
 #include "render/attachments.h"
 #include "render/field_buffers.h"
 #include "render/frame_place.h"
+#include "render/large_blade_list.h"
 #include "render/large_blade_pass.h"
 #include "render/target_settings.h"
 #include "shaders/shared/passes.h"
@@ -82,12 +83,11 @@ public:
     void copyTo(VkCommandBuffer commands, VkImage target) const;
 
     VkDeviceAddress visibility() const { return visibility_.address(); }
-    VkDeviceAddress seen() const { return seen_.address(); } ///< see shared::RasterPush
+    VkDeviceAddress seen() const { return largeList_.shown(); } ///< see shared::RasterPush
     VkDeviceSize bytes() const { return bytes_; }
 
 private:
     shared::RasterPush pushFor(const Input& input) const;
-    void emptyLarge(VkCommandBuffer commands) const;
 
     const gpu::DeviceContext* context_;
     TargetSettings target_;
@@ -109,12 +109,8 @@ private:
     VkExtent2D size_{};
     VkDeviceSize bytes_ = 0;
     gpu::Buffer visibility_;
-    gpu::Buffer largeParts_;
-    gpu::Buffer largeCount_;
-    gpu::Buffer largeSeen_; ///< indices of those large ones of the late turn that are not hidden
-    gpu::Buffer seen_;      ///< a bit for each blade
-    bool hasSeen_ = false;  ///< whether it has been filled
-    gpu::Image shaded_;     ///< with several samples: linear, not yet filtered
+    LargeBladeList largeList_;
+    gpu::Image shaded_; ///< with several samples: linear, not yet filtered
     gpu::Image picture_;
     gpu::ImageSet images_;
     gpu::ImageSet filmImages_;

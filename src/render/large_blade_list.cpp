@@ -1,0 +1,77 @@
+#include "render/large_blade_list.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace sward::render {
+namespace {
+
+/// As shared::RasterPush::largeCount says.
+struct Counts {
+    shared::WalkLevel parts{.groups = {0, 1, 1}, .count = 0};
+    VkDrawIndirectCommand draw{shared::drawChunk, 0, 0, 0};
+    shared::WalkLevel seen{.groups = {0, 1, 1}, .count = 0};
+};
+
+} // namespace
+
+LargeBladeList::LargeBladeList(const gpu::DeviceContext& context, bool findsHidden,
+                               std::uint32_t bladeCount)
+    : parts_(context, {.name = "raster/large blades",
+                       .bytes = shared::mostLargeParts * sizeof(shared::LargePart),
+                       .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT})
+    , counts_(context, {.name = "raster/large blades' count",
+                        .bytes = sizeof(Counts),
+                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                 VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                 VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT})
+{
+    if (!findsHidden)
+        return;
+    seen_ = gpu::Buffer(context, {.name = "raster/large blades that are seen",
+                                  .bytes = shared::mostLargeParts * sizeof(std::uint32_t),
+                                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+    constexpr VkDeviceSize wordBits = 32;
+    shown_ =
+        gpu::Buffer(context, {.name = "raster/blades that the frame before showed",
+                              .bytes = (bladeCount / wordBits + 1) * sizeof(std::uint32_t),
+                              .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                       VK_BUFFER_USAGE_TRANSFER_DST_BIT});
+}
+
+void LargeBladeList::describe(shared::RasterPush& push) const
+{
+    push.large = parts_.address();
+    push.largeCount = counts_.address();
+    push.largeSeen = seen_.address();
+}
+
+void LargeBladeList::clear(VkCommandBuffer commands) const
+{
+    const Counts none{};
+    vkCmdUpdateBuffer(commands, counts_.get(), 0, sizeof none, &none);
+}
+
+void LargeBladeList::beginShown(VkCommandBuffer commands)
+{
+    if (!hasShown_ && shown_.bytes() > 0)
+        vkCmdFillBuffer(commands, shown_.get(), 0, VK_WHOLE_SIZE, 0);
+    hasShown_ = true;
+}
+
+void LargeBladeList::dispatchAll(VkCommandBuffer commands) const
+{
+    vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, parts));
+}
+
+void LargeBladeList::dispatchSeen(VkCommandBuffer commands) const
+{
+    vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, seen));
+}
+
+VkDeviceSize LargeBladeList::drawOffset()
+{
+    return offsetof(Counts, draw);
+}
+
+} // namespace sward::render

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/context.h"
+#include "shaders/shared/passes.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+
+namespace sward::render {
+
+/// The blades that cover many pixels, as the rasteriser lists them: shared::LargePart, how many have
+/// been asked for, and what dispatches or draws those that are listed.
+class LargeBladeList {
+public:
+    LargeBladeList() = default;
+
+    /// With room for shared::mostLargeParts of them; and, if some are to be left out as hidden, for
+    /// the indices of the others, and a bit for each of a field's blades.
+    LargeBladeList(const gpu::DeviceContext& context, bool findsHidden, std::uint32_t bladeCount);
+
+    void describe(shared::RasterPush& push) const; ///< where shaders find all but those bits
+
+    /// A bit for each blade: see shared::RasterPush::seen.
+    VkDeviceAddress shown() const { return shown_.address(); }
+
+    /// Empties it; a transfer.
+    void clear(VkCommandBuffer commands) const;
+
+    /// Before the first frame no blade has been shown; a transfer, once.
+    void beginShown(VkCommandBuffer commands);
+
+    void dispatchAll(VkCommandBuffer commands) const;  ///< a work-group for each that is listed
+    void dispatchSeen(VkCommandBuffer commands) const; ///< … that is not hidden
+
+    /// Of VkDrawIndirectCommand, a vertex for each that is listed.
+    VkBuffer drawBuffer() const { return counts_.get(); }
+    static VkDeviceSize drawOffset();
+
+    VkDeviceSize bytes() const { return parts_.bytes() + seen_.bytes() + shown_.bytes(); }
+
+private:
+    gpu::Buffer parts_;
+    gpu::Buffer counts_;
+    gpu::Buffer seen_; ///< indices of those that are not hidden
+    gpu::Buffer shown_;
+    bool hasShown_ = false; ///< whether it has been filled
+};
+
+} // namespace sward::render
