@@ -19,12 +19,14 @@ SHARED_CONST uint drawChunk = 256u;
 SHARED_CONST uint updateThreads = 64u;
 
 /// Work-groups of the update for so many live patches: from `updateGroupsFrom` on one group takes
-/// up to eight of them, one after the other.
+/// up to so many of them, one after the other, for each group adds its counts to the frame's at the
+/// same address as all others. With fewer groups a device has some idle at the end.
 SHARED_CONST uint updateGroupsFrom = 4096u;
+SHARED_CONST uint patchesOfGroup = 24u;
 
 SHARED_FN uint updateGroups(uint patches)
 {
-    return min(patches, max(updateGroupsFrom, (patches + 7u) / 8u));
+    return min(patches, max(updateGroupsFrom, (patches + patchesOfGroup - 1u) / patchesOfGroup));
 }
 
 /// Where the list of visible blades has not room for all blades of a field, the live patches are

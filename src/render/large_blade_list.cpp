@@ -20,11 +20,11 @@ LargeBladeList::LargeBladeList(const gpu::DeviceContext& context, bool findsHidd
     : parts_(context, {.name = "raster/large blades",
                        .bytes = shared::mostLargeParts * sizeof(shared::LargePart),
                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT})
-    , counts_(context, {.name = "raster/large blades' count",
-                        .bytes = sizeof(Counts),
-                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                 VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-                                 VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT})
+    , counts_(context,
+              {.name = "raster/large blades' count",
+               .bytes = sizeof(Counts),
+               .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                        VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT})
 {
     if (!findsHidden)
         return;
@@ -32,11 +32,10 @@ LargeBladeList::LargeBladeList(const gpu::DeviceContext& context, bool findsHidd
                                   .bytes = shared::mostLargeParts * sizeof(std::uint32_t),
                                   .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
     constexpr VkDeviceSize wordBits = 32;
-    shown_ =
-        gpu::Buffer(context, {.name = "raster/blades that the frame before showed",
-                              .bytes = (bladeCount / wordBits + 1) * sizeof(std::uint32_t),
-                              .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                       VK_BUFFER_USAGE_TRANSFER_DST_BIT});
+    shown_ = gpu::Buffer(
+        context, {.name = "raster/blades that the frame before showed",
+                  .bytes = (bladeCount / wordBits + 1) * sizeof(std::uint32_t),
+                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
 }
 
 void LargeBladeList::describe(shared::RasterPush& push) const

@@ -10,8 +10,8 @@
 
 namespace sward::render {
 
-/// The blades that cover many pixels, as the rasteriser lists them: shared::LargePart, how many have
-/// been asked for, and what dispatches or draws those that are listed.
+/// The blades that cover many pixels, as the rasteriser lists them: shared::LargePart, how many
+/// have been asked for, and what dispatches or draws those that are listed.
 class LargeBladeList {
 public:
     LargeBladeList() = default;
