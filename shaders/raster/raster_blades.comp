@@ -81,8 +81,9 @@ void rasterise(Lens lens, VisibleBlade visible)
     const float widthPixels = max(visible.pixels * ribbon.width / drawn.blade.height,
                                   lens.leastWidth * FRAME.view.pixelsPerUnit);
     const float pixels = visible.pixels * widthPixels;
-    // A pixel of four samples takes as long as two of one.
-    const float most = largeBladePixels * inversesqrt(float(samplesPerPixel));
+    // A thread takes twice as long for a pixel of four samples as for one of one; a tessellator does not.
+    const float most =
+        isTessellated ? largeBladePixels : largeBladePixels * inversesqrt(float(samplesPerPixel));
     if ((isLate || pixels > most) && leftToOthers(ribbon, visible.blade, pixels))
         return;
 
