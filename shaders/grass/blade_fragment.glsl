@@ -9,6 +9,7 @@ layout(push_constant, scalar) uniform Block { ViewPush push; };
 
 #include "shaders/grass/blade_light.glsl"
 #include "shaders/grass/blade_parcel.glsl"
+#include "shaders/shared/octahedral.h"
 #include "shaders/shared/ribbon.h"
 
 layout(location = 0) centroid in vec3 inPosition;
@@ -34,10 +35,10 @@ BladePoint pointOf(BladeParcel parcel)
     BladePoint point;
     point.position = inPosition;
     point.place = inPlace.xy;
-    point.axis = unpackUnit(parcel.frame.y);
-    point.up = unpackUnit(parcel.frame.z);
+    point.axis = decodeWideOctahedral(parcel.frame.y);
+    point.up = decodeWideOctahedral(parcel.frame.z);
     point.fold = bent.x;
-    point.tangent = normalize(mix(point.up, bent.y * unpackUnit(parcel.bend), clamp(inPlace.y, 0.0, 1.0)));
+    point.tangent = normalize(mix(point.up, bent.y * decodeWideOctahedral(parcel.bend), clamp(inPlace.y, 0.0, 1.0)));
     point.rootColor = vec4(unpackHalf2x16(parcel.surface.x), middle.x, bytes.w);
     point.tipColor = vec4(middle.y, unpackHalf2x16(parcel.surface.z), shade.y);
     point.material = vec4(bytes.xyz, shade.x);

@@ -37,9 +37,9 @@ BladeParcel parcelOf(Ribbon ribbon, BladeSurface surface)
     parcel.surface =
         uvec4(packHalf2x16(surface.root.rg), packHalf2x16(vec2(surface.root.b, surface.tip.r)),
               packHalf2x16(surface.tip.gb), packUnorm4x8(vec4(surface.material.xyz, surface.root.w)));
-    parcel.frame = uvec4(packHalf2x16(vec2(surface.material.w, surface.tip.w)), packUnit(ribbon.axis),
-                         packUnit(lower), packHalf2x16(vec2(ribbon.fold, bend)));
-    parcel.bend = packUnit(upper / bend);
+    parcel.frame = uvec4(packHalf2x16(vec2(surface.material.w, surface.tip.w)), encodeWideOctahedral(ribbon.axis),
+                         encodeWideOctahedral(lower), packHalf2x16(vec2(ribbon.fold, bend)));
+    parcel.bend = encodeWideOctahedral(upper / bend);
     return parcel;
 }
 

@@ -163,7 +163,7 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count, inou
     // Beyond this all survivors of the patches before have gathered, and all threads have read when
     // this one was moved.
     barrier();
-    gathered += count;
+    gathered += role == onlyMove ? 0u : count;
     if (gathered > maxPatchBlades) {
         listSurvivors(thread);
         gathered = count;

@@ -1,4 +1,4 @@
-// Unit vectors in 16 bits, and a frame around a unit vector.
+// Unit vectors in 16 and in 32 bits, and a frame around a unit vector.
 #ifndef SWARD_SHARED_OCTAHEDRAL_H
 #define SWARD_SHARED_OCTAHEDRAL_H
 
@@ -15,11 +15,19 @@ SHARED_FN float signNotZero(float x)
     return x >= 0.0f ? 1.0f : -1.0f;
 }
 
-SHARED_FN vec3 decodeOctahedral(uint bits)
+/// Where unit `v` lies on an octahedron that is unfolded into the square from −1 to 1.
+SHARED_FN vec2 unfolded(vec3 v)
 {
-    // 254 steps, so that 0 and ±1 are met exactly: the axes survive.
-    const float x = float(int(bits & 255u) - 127) / 127.0f;
-    const float y = float(int((bits >> 8u) & 255u) - 127) / 127.0f;
+    const float scale = 1.0f / (abs(v.x) + abs(v.y) + abs(v.z));
+    const float x = v.x * scale;
+    const float y = v.y * scale;
+    return v.z < 0.0f ? vec2((1.0f - abs(y)) * signNotZero(x), (1.0f - abs(x)) * signNotZero(y))
+                      : vec2(x, y);
+}
+
+/// The unit vector that lies there.
+SHARED_FN vec3 folded(float x, float y)
+{
     const float z = 1.0f - abs(x) - abs(y);
     const vec3 v =
         z >= 0.0f ? vec3(x, y, z)
@@ -27,19 +35,19 @@ SHARED_FN vec3 decodeOctahedral(uint bits)
     return normalize(v);
 }
 
+SHARED_FN vec3 decodeOctahedral(uint bits)
+{
+    // 254 steps, so that 0 and ±1 are met exactly: the axes survive.
+    return folded(float(int(bits & 255u) - 127) / 127.0f,
+                  float(int((bits >> 8u) & 255u) - 127) / 127.0f);
+}
+
 /// The 16-bit form nearest to unit `v` among the four around its projection.
 SHARED_FN uint encodeOctahedral(vec3 v)
 {
-    const float scale = 1.0f / (abs(v.x) + abs(v.y) + abs(v.z));
-    float x = v.x * scale;
-    float y = v.y * scale;
-    if (v.z < 0.0f) {
-        const float folded = (1.0f - abs(y)) * signNotZero(x);
-        y = (1.0f - abs(x)) * signNotZero(y);
-        x = folded;
-    }
-    const float x0 = floor(clamp(x, -1.0f, 1.0f) * 127.0f) + 127.0f;
-    const float y0 = floor(clamp(y, -1.0f, 1.0f) * 127.0f) + 127.0f;
+    const vec2 place = unfolded(v);
+    const float x0 = floor(clamp(place.x, -1.0f, 1.0f) * 127.0f) + 127.0f;
+    const float y0 = floor(clamp(place.y, -1.0f, 1.0f) * 127.0f) + 127.0f;
     uint best = 0u;
     float bestCosine = -2.0f;
     for (uint corner = 0u; corner < 4u; ++corner) {
@@ -53,6 +61,31 @@ SHARED_FN uint encodeOctahedral(vec3 v)
         }
     }
     return best;
+}
+
+SHARED_FN uint packSnorm16(float x)
+{
+    return uint(int(floor(clamp(x, -1.0f, 1.0f) * 32767.0f + 0.5f))) & 65535u;
+}
+
+SHARED_FN float unpackSnorm16(uint bits)
+{
+    return float((int(bits & 65535u) ^ 32768) - 32768) / 32767.0f;
+}
+
+/// Largest angle between a unit vector and its 32-bit form [rad].
+SHARED_CONST float wideOctahedralMaxError = 7e-5f;
+
+/// The same square in 16 bits for each axis, rounded.
+SHARED_FN uint encodeWideOctahedral(vec3 v)
+{
+    const vec2 place = unfolded(v);
+    return packSnorm16(place.x) | (packSnorm16(place.y) << 16u);
+}
+
+SHARED_FN vec3 decodeWideOctahedral(uint bits)
+{
+    return folded(unpackSnorm16(bits), unpackSnorm16(bits >> 16u));
 }
 
 /// First axis of a right-handed frame (b1, b2, n) around unit `n`: Duff et al., "Building an

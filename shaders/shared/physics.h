@@ -43,16 +43,6 @@ struct Pose {
 /// twice that at most along each axis [rad].
 SHARED_CONST float turnMaxError = 1.54e-5f;
 
-SHARED_FN uint packSnorm16(float x)
-{
-    return uint(int(floor(clamp(x, -1.0f, 1.0f) * 32767.0f + 0.5f))) & 65535u;
-}
-
-SHARED_FN float unpackSnorm16(uint bits)
-{
-    return float((int(bits & 65535u) ^ 32768) - 32768) / 32767.0f;
-}
-
 /// The state of a blade whose tip is seen from its root in `direction`, unit and not below the
 /// blade's ground plane: stereographic, so that no direction is stored worse than half as well as
 /// another. `front` is unit and at right angles to `up`.

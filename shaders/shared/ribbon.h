@@ -24,10 +24,9 @@ struct Ribbon {
 struct Rib {
     vec3 left;
     vec3 right;
-    vec3 ridge;   ///< the middle
-    vec3 tangent; ///< unit, towards the tip
-    float wide;   ///< [m] as wide as the view sees the blade …
-    float drawn;  ///< … and as wide as it is drawn; what is there weighs wide/drawn
+    vec3 ridge;  ///< the middle
+    float wide;  ///< [m] as wide as the view sees the blade …
+    float drawn; ///< … and as wide as it is drawn; what is there weighs wide/drawn
 };
 
 /// The fold of a blade so wide on the screen: of one that is hardly wider than a pixel only the
@@ -60,7 +59,6 @@ SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float leastWidth)
     const vec2 edges = ribbon.width * edgesAt(ribbon.outline, t);
 
     Rib rib;
-    rib.tangent = normalize(direction);
     rib.left = centre + edges.x * ribbon.axis;
     rib.right = centre + edges.y * ribbon.axis;
     rib.wide = edges.y - edges.x;

@@ -26,6 +26,20 @@ TEST(Octahedral, StaysWithinTheStatedErrorOnTheWholeSphere)
     EXPECT_GE(largest, 0.9f * octahedralMaxError);
 }
 
+TEST(Octahedral, StaysWithinTheStatedErrorInThirtyTwoBits)
+{
+    tests::Dice dice(3);
+    float largest = 0.0f;
+    for (int i = 0; i < 400'000; ++i) {
+        const vec3 v = dice.direction();
+        const vec3 decoded = decodeWideOctahedral(encodeWideOctahedral(v));
+        ASSERT_NEAR(length(decoded), 1.0f, 1e-6f);
+        largest = std::max(largest, angle(v, decoded));
+    }
+    EXPECT_LE(largest, wideOctahedralMaxError);
+    EXPECT_GE(largest, 0.6f * wideOctahedralMaxError);
+}
+
 TEST(Octahedral, KeepsTheAxesExactly)
 {
     for (int axis = 0; axis < 3; ++axis)
@@ -33,6 +47,7 @@ TEST(Octahedral, KeepsTheAxesExactly)
             vec3 v(0.0f);
             v[static_cast<std::size_t>(axis)] = sign;
             EXPECT_EQ(decodeOctahedral(encodeOctahedral(v)), v);
+            EXPECT_EQ(decodeWideOctahedral(encodeWideOctahedral(v)), v);
         }
 }
 
