@@ -1,6 +1,7 @@
-// The finest level of the depth pyramid. The including shader declares `depths`, and defines
+// The finest levels of the depth pyramid. The including shader declares `depths`, and defines
 // farthestAt(), the reversed depth of the farthest of a pixel's samples.
-layout(local_size_x = pyramidThreads, local_size_y = pyramidThreads) in;
+#include "shaders/culling/finest_levels.glsl"
+
 layout(push_constant, scalar) uniform Block { PyramidPush push; };
 
 /// Whether depths are 0 near and 1 far; known when the pipeline is made.
@@ -17,16 +18,13 @@ float farthestAt(ivec2 pixel);
 void main()
 {
     DepthPyramid pyramid = push.frame.at[0].pyramid;
-    const uvec2 cell = gl_GlobalInvocationID.xy;
-    const uvec2 cells = uvec2(pyramidCells(pyramid.size.x, 0u), pyramidCells(pyramid.size.y, 0u));
-    if (any(greaterThanEqual(cell, cells)))
-        return;
-    const uvec2 low = cell << pyramidFactorBits;
+    const uvec2 low = gl_GlobalInvocationID.xy << pyramidFactorBits;
     const uvec2 high = min(low + (1u << pyramidFactorBits), pyramid.size);
     float farthest = 1.0;
     for (uint y = low.y; y < high.y; ++y)
         for (uint x = low.x; x < high.x; ++x)
             farthest = min(farthest, farthestAt(ivec2(x, y)));
-    DepthArray depths = pyramid.depths;
-    depths.at[pyramid.first[0] + cell.y * cells.x + cell.x] = farthest - push.slack;
+    if (all(lessThan(low, high)))
+        farthest -= push.slack;
+    putFinestLevels(pyramid, farthest);
 }

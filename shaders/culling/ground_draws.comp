@@ -32,7 +32,8 @@ void main()
         place += uint(bitCount(push.seen.at[word]));
     if ((own & bit) != 0u) {
         const GroundCluster cluster = push.clusters.at[gl_GlobalInvocationID.x];
-        push.draws.at[place] = IndexedDraw(cluster.indexCount, 1u, cluster.firstIndex, 0u, 0u);
+        const uint firstIndex = 3u * clusterTriangles * (push.firstCluster + gl_GlobalInvocationID.x);
+        push.draws.at[place] = IndexedDraw(cluster.indexCount, 1u, firstIndex, 0u, 0u);
     }
     if (gl_WorkGroupID.x + 1u == gl_NumWorkGroups.x && thread + 1u == groundThreads)
         push.drawCount.at[0] = place + ((own & bit) != 0u ? 1u : 0u);

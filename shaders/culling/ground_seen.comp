@@ -9,23 +9,9 @@ layout(local_size_x = groundThreads) in;
 layout(push_constant, scalar) uniform Block { GroundCullPush push; };
 #define JUDGED push.frame.at[0]
 
-#include "shaders/culling/hidden.glsl"
+#include "shaders/ground/cluster_seen.glsl"
 
 shared uint words[groundWords];
-
-bool clusterSeen(GroundCluster cluster)
-{
-    // Planes and places are rounded; a hundred-thousandth of the distance is more than both.
-    const vec3 eye = JUDGED.view.eye;
-    const vec3 farthest = max(abs(cluster.low - eye), abs(cluster.high - eye));
-    const vec3 margin = vec3(1e-5 * length(farthest));
-    const vec3 low = cluster.low - margin;
-    const vec3 high = cluster.high + margin;
-    bool outside = false;
-    SHARED_UNROLL for (uint i = 0u; i < 6u; ++i) outside =
-        outside || boxOutside(JUDGED.view.planes[i], low, high);
-    return !outside && (push.looksForHidden == 0u || !isHidden(low, high));
-}
 
 void main()
 {

@@ -16,7 +16,7 @@ void putSample(uvec2 pixel, uint s, float depth, uint blade)
 {
     Visibility visibility = Visibility(uvec2(push.visibility));
     const uint index = sampleIndex(pixel, s);
-    const uint64_t value = (uint64_t(floatBitsToUint(depth)) << 32u) | uint64_t(blade + 1u);
+    const uint64_t value = (uint64_t(floatBitsToUint(depth)) << 32u) | uint64_t(push.firstBlade + blade);
     // Most of what lies behind is turned away without an atomic.
     if (visibility.at[index] < value)
         atomicMax(visibility.at[index], value);
@@ -53,7 +53,7 @@ void putFour(uvec4 earlier, FourSamples four, uint blade)
         const uint bits = floatBitsToUint(four.depths[s]);
         if ((four.covered & (1u << s)) != 0u && bits >= earlier[s])
             atomicMax(visibility.at[four.index + s],
-                      (uint64_t(bits) << 32u) | uint64_t(blade + 1u));
+                      (uint64_t(bits) << 32u) | uint64_t(push.firstBlade + blade));
     }
 }
 
@@ -66,7 +66,7 @@ void putSmall(uvec2 pixel, uint covered, float depths[samplesPerPixel], uint bla
     SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
         if ((covered & (1u << s)) != 0u)
             atomicMax(visibility.at[first + s],
-                      (uint64_t(floatBitsToUint(depths[s])) << 32u) | uint64_t(blade + 1u));
+                      (uint64_t(floatBitsToUint(depths[s])) << 32u) | uint64_t(push.firstBlade + blade));
 }
 
 #endif

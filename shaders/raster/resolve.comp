@@ -4,7 +4,7 @@
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
-layout(set = 0, binding = 0) uniform sampler2D pictures[2]; // colour, depth
+layout(set = 0, binding = 0) uniform sampler2D solid; // what light_solid.comp has lit
 layout(set = 0, binding = 1, rgba8) uniform writeonly image2D picture;
 
 #include "shaders/raster/stored.glsl"
@@ -17,10 +17,11 @@ vec4 shadeAt(uvec2 pixel)
 {
     const Lens lens = lensOf();
     const uint64_t seen = Visibility(uvec2(push.visibility)).at[sampleIndex(pixel, 0u)];
-    const float depth = uintBitsToFloat(uint(seen >> 32u));
-    if (uint(seen) != 0u)
-        return shade(lens, uint(seen) - 1u, vec2(pixel), 1u, 0u, depth);
-    return depth > 0.0 ? texelFetch(pictures[0], ivec2(pixel), 0) : skyAt(lens, pixel);
+    const uint what = uint(seen);
+    if (what >= push.firstBlade)
+        return shade(lens, what - push.firstBlade, vec2(pixel), 1u, 0u,
+                     uintBitsToFloat(uint(seen >> 32u)));
+    return what > 0u ? texelFetch(solid, ivec2(pixel), 0) : skyAt(lens, pixel);
 }
 
 void main()

@@ -5,14 +5,14 @@
 
 layout(local_size_x = rasterTile, local_size_y = rasterTile) in;
 layout(push_constant, scalar) uniform Block { RasterPush push; };
-layout(set = 0, binding = 0) uniform sampler2D shaded[2]; // one picture, twice
+layout(set = 0, binding = 0) uniform sampler2D shaded;
 layout(set = 0, binding = 1, rgba8) uniform writeonly image2D picture;
 
 #include "shaders/raster/stored.glsl"
 
 vec4 pixelAt(ivec2 pixel)
 {
-    return texelFetch(shaded[0], clamp(pixel, ivec2(0), ivec2(push.size) - 1), 0);
+    return texelFetch(shaded, clamp(pixel, ivec2(0), ivec2(push.size) - 1), 0);
 }
 
 #include "shaders/film/softened.glsl"

@@ -13,8 +13,7 @@
 #define FRAME push.frame.at[0]
 #endif
 
-/// Per sample: the bits of the reversed depth, then the resident id and one; 0 for what is no
-/// blade. The larger is nearer, and among equals the later blade wins, whoever comes first.
+/// A VisibilityArray as words of 64 bits.
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer Visibility
 {
     uint64_t at[];

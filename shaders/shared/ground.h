@@ -26,10 +26,14 @@ struct GroundMaterial {
 };
 SHARED_LAYOUT(GroundMaterial, 32)
 
+/// Triangles of a cluster; the last one of a part of the ground may have fewer. The indices of
+/// cluster `i` begin with number 3 · clusterTriangles · i.
+SHARED_CONST uint clusterTriangles = 256u;
+
 /// Triangles of the ground that lie together, and the box around them.
 struct GroundCluster {
     vec3 low; ///< [m] relative to the field's origin
-    uint firstIndex;
+    uint material;
     vec3 high;
     uint indexCount;
 };

@@ -72,12 +72,17 @@ struct WalkPush {
 };
 SHARED_LAYOUT(WalkPush, 56)
 
-/// Threads of a work-group of the depth pyramid along each axis, one per cell.
-SHARED_CONST uint pyramidThreads = 8u;
+/// Threads of a work-group of the depth pyramid along each axis, one per cell of the finest level:
+/// with them go the next two.
+SHARED_CONST uint pyramidThreads = 16u;
+
+/// All levels from this one on are filled by one work-group of so many threads.
+SHARED_CONST uint pyramidFirstOfRest = 3u;
+SHARED_CONST uint pyramidRestThreads = 256u;
 
 struct PyramidPush {
     FrameArray frame;
-    uint level;  ///< that is filled
+    uint reserved;
     float slack; ///< by which what was drawn is taken to be farther than its depth says
 };
 SHARED_LAYOUT(PyramidPush, 16)
@@ -142,6 +147,9 @@ SHARED_BUFFER(LargePartArray, LargePart, )
 /// Blades that share an entry of the table from resident ids to patches.
 SHARED_CONST uint ownerStride = 64u;
 
+/// Per sample what is seen there: 0 is the sky, then come the triangles of solid.h, then the blades
+/// by their resident ids; above that the bits of the reversed depth. The larger is nearer, and
+/// among equals the later one wins, whoever comes first.
 SHARED_BUFFER(VisibilityArray, uvec2, )
 
 struct RasterPush {
@@ -161,15 +169,20 @@ struct RasterPush {
     /// before showed are drawn first, then the others as far as they are not hidden; so the bits
     /// decide when a blade is looked at, and never whether it is seen. Address 0: nobody asks.
     UintArray seen;
-    uvec2 size; ///< [pixels]
-    uint isBgr; ///< 1: the picture's first channel is blue
-    uint round; ///< whose list is rasterised: its first blades, or its last ones
+    uvec2 size;      ///< [pixels]
+    uint isBgr;      ///< 1: the picture's first channel is blue
+    uint round;      ///< whose list is rasterised: its first blades, or its last ones
+    uint firstBlade; ///< what the visibility has for the blade with the id 0: see VisibilityArray
+    uint reserved;
 };
-SHARED_LAYOUT(RasterPush, 96)
+SHARED_LAYOUT(RasterPush, 104)
 
 /// A collider is drawn as so many quads around its axis, in so many rings from each pole.
 SHARED_CONST uint colliderSegments = 64u;
 SHARED_CONST uint colliderRings = 16u;
+
+/// Two in each quad: of both halves, and of what joins them.
+SHARED_CONST uint colliderTriangles = 2u * colliderSegments * (2u * colliderRings + 1u);
 
 struct ViewPush {
     FrameArray frame;
@@ -208,12 +221,10 @@ struct GroundPush {
     FrameArray frame;
     GroundVertexArray vertices;
     GroundMaterialArray materials;
-    VisibilityArray
-        visibility; ///< of blades drawn before, or address 0: no light where they hide all
     uint material;
-    uint width; ///< [pixels] of the visibility
+    uint reserved;
 };
-SHARED_LAYOUT(GroundPush, 40)
+SHARED_LAYOUT(GroundPush, 32)
 
 /// Threads of a work-group that looks at clusters of the ground, one each, and words of their bits.
 SHARED_CONST uint groundThreads = 128u;
@@ -228,7 +239,7 @@ struct GroundCullPush {
     UintArray seen;              ///< a bit for each cluster
     UintArray drawCount;         ///< of them all
     uint clusterCount;
-    uint looksForHidden; ///< 1: what the frame's pyramid hides is left out
+    uint firstCluster; ///< of the part among all
 };
 SHARED_LAYOUT(GroundCullPush, 48)
 

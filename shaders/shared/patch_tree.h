@@ -44,5 +44,9 @@ SHARED_CONST uint walkThreads = 64u;
 /// than this: a few more tests of boxes instead of some dispatches that wait for each other.
 SHARED_CONST uint walkStart = 8192u;
 
+/// The same on a GPU: on an H200 a step takes 9 µs however few nodes it has, and so many of
+/// them 11.
+SHARED_CONST uint walkStartOfGpu = 131072u;
+
 SHARED_END
 #endif

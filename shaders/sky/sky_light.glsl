@@ -8,16 +8,19 @@
 /// Thickness of the clouds at a place of their layer, 0 where there are none.
 float cloudAt(vec3 place)
 {
-    // Octaves of noise, the finer ones pulled out along the wind.
+    // Octaves of noise, the finer ones pulled out along the wind. Half of the places have more than 0.48.
+    const float least = mix(0.72, 0.34, FRAME.clouds);
     float sum = 0.0;
     float weight = 0.5;
     for (uint octave = 0u; octave < 5u; ++octave) {
         sum += weight * valueNoise(place);
+        // What is still to come is less than this octave could be.
+        if (sum + weight <= least)
+            return 0.0;
         place = 2.13 * place.yzx + vec3(3.7, 11.1, 5.3);
         weight *= 0.5;
     }
-    // Half of the places have more than 0.48.
-    return smoothstep(0.0, 0.26, sum - mix(0.72, 0.34, FRAME.clouds));
+    return smoothstep(0.0, 0.26, sum - least);
 }
 
 /// Fair-weather clouds in front of `color`: a layer in perspective that fades into the haze.

@@ -33,14 +33,11 @@ bool Attachments::resize(glm::uvec2 size)
                                     .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
                                              VK_IMAGE_USAGE_SAMPLED_BIT,
                                     .samples = settings_.samples});
-    VkImageUsageFlags usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-    if (settings_.isSampled)
-        usage |= VK_IMAGE_USAGE_SAMPLED_BIT;
     if (hasColor())
         color_ = gpu::Image(*context_, {.name = "frame/color",
                                         .format = settings_.colorFormat,
                                         .extent = extent,
-                                        .usage = usage,
+                                        .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
                                         .samples = settings_.samples});
     size_ = size;
     return true;

@@ -20,7 +20,7 @@ public:
     bool resize(glm::uvec2 size);
 
     /// Whether there is a colour of its own, which is not the target.
-    bool hasColor() const { return settings_.samples > 1 || settings_.isSampled; }
+    bool hasColor() const { return settings_.samples > 1; }
     const gpu::Image& depth() const { return depth_; }
     const gpu::Image& color() const { return color_; } ///< only if hasColor()
     VkDeviceSize bytes() const { return depth_.memoryBytes() + color_.memoryBytes(); }

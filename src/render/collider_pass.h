@@ -11,7 +11,7 @@
 
 namespace sward::render {
 
-/// Draws the balls and capsules that press the grass down, and their shadow.
+/// Draws the balls and capsules that press the grass down.
 class ColliderPass {
 public:
     ColliderPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
@@ -20,16 +20,8 @@ public:
     /// The frame's first `count` colliders. Inside a rendering, before what they hide.
     void record(VkCommandBuffer commands, VkDeviceAddress frame, std::uint32_t count) const;
 
-    /// The same inside a rendering of depth alone; only where the light comes later.
-    void recordDepth(VkCommandBuffer commands, VkDeviceAddress frame, std::uint32_t count) const;
-
-    /// The same into the sun's map, inside its rendering.
-    void recordShadow(VkCommandBuffer commands, VkDeviceAddress frame, std::uint32_t count) const;
-
 private:
-    gpu::GraphicsPipeline seen_;
-    gpu::GraphicsPipeline depth_;
-    gpu::GraphicsPipeline shadow_;
+    gpu::GraphicsPipeline pipeline_;
 };
 
 } // namespace sward::render

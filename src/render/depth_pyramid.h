@@ -30,6 +30,9 @@ public:
                   {depth.extent().width, depth.extent().height});
     }
 
+    /// The same where somebody else fills the finest levels.
+    void resize(VkExtent2D size) { pass_.fit(cells_, glm::uvec2(size.width, size.height)); }
+
     /// Writes where it lies into a frame.
     void describe(shared::Frame& frame) const { frame.pyramid = cells_.layout; }
 
@@ -39,7 +42,7 @@ public:
         pass_.record(commands, cells_, frame);
     }
 
-    /// The same but for the finest level, which another pass has filled.
+    /// The same but for the three finest levels, which another pass has filled.
     void recordCoarser(VkCommandBuffer commands, VkDeviceAddress frame) const
     {
         pass_.recordCoarser(commands, cells_, frame);

@@ -4,13 +4,16 @@
 #include "core/error.h"
 #include "core/expect.h"
 #include "gpu/barrier.h"
+#include "gpu/check.h"
 #include "gpu/device.h"
 #include "gpu/upload.h"
 #include "render/blade_dump.h"
 #include "render/field_renderer_parts.h"
 #include "render/geometry_choice.h"
 #include "render/judged_frame.h"
+#include "shaders/shared/passes.h"
 
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -21,24 +24,35 @@ std::span<const EmbeddedFile> shaders();
 namespace sward::render {
 namespace {
 
-FieldBuffers::Records recordsFor(Geometry geometry, const FieldRenderer::Settings& wanted)
+FieldBuffers::Records recordsFor(const gpu::DeviceContext& context, Geometry geometry,
+                                 const FieldRenderer::Settings& wanted)
 {
     return {.list = geometry == Geometry::tessellation || wanted.recordFates,
             .fates = wanted.recordFates,
-            .roundPatches = wanted.roundPatches};
+            .roundPatches = wanted.roundPatches,
+            .walkStart = context.isCpu() ? shared::walkStart : shared::walkStartOfGpu};
 }
 
-/// The rasteriser reads what the graphics pipeline has drawn. What solid things look like is asked
-/// only where no blade hides them.
 TargetSettings targetFor(Geometry geometry, bool isTriedOut, const FieldRenderer::Settings& wanted)
 {
     return {.colorFormat = wanted.colorFormat,
             .samples = wanted.samples,
-            .isSampled = rasterises(geometry),
             .mayBePaged = wanted.deviceBytes > 0,
-            .lightsLater = rasterises(geometry),
             .groupsDrawLarge = geometry != Geometry::hybrid,
             .tessellatesLarge = geometry == Geometry::hybrid || isTriedOut};
+}
+
+/// Throws Error{unsupported} if the visibility has not numbers for all that may be seen.
+void expectNumbers(const gpu::DeviceContext& context, std::uint64_t blades, std::uint64_t triangles)
+{
+    constexpr std::uint64_t ofColliders =
+        std::uint64_t(shared::maxColliders) * shared::colliderTriangles;
+    constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+    if (blades + triangles + ofColliders >= most)
+        fail(ErrorKind::unsupported,
+             "{} cannot draw {} blades on {} triangles of ground by compute shaders: there are {} "
+             "numbers for both; --geometry tessellation needs none",
+             context.name, blades, triangles, most - ofColliders);
 }
 
 /// Uploads all that a field brings, and waits for it.
@@ -67,14 +81,16 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , shaders(wanted.shaders.empty() ? embedded::shaders() : wanted.shaders)
     , trial(madeIf<GeometryTrial>(isTriedOut(context, wanted), context, wanted.framesInFlight))
     , targetSettings(targetFor(geometry, trial.has_value(), wanted))
-    , attachments(context, targetSettings)
     , ground(uploaded<GroundBuffers>(context, *field.ground))
     , cover(uploaded<GrassCover>(context, field))
     , sunShadow(context, shaders, ground.box())
     , pyramid(context, shaders, wanted.samples)
-    , solid(context, shaders, targetSettings, ground)
+    , attachments(madeIf<Attachments>(!rasterises(geometry), context, targetSettings))
+    , solid(madeIf<SolidPass>(!rasterises(geometry), context, shaders, targetSettings, ground))
     , tessellated(madeIf<TessellatedPass>(geometry == Geometry::tessellation, context, shaders,
                                           targetSettings))
+    , solidRaster(
+          madeIf<SolidRasterPass>(rasterises(geometry), context, shaders, ground, wanted.samples))
     , raster(madeIf<RasterPass>(rasterises(geometry), context, shaders, targetSettings,
                                 static_cast<std::uint32_t>(field.blades.size())))
     , plan(planWithin(field))
@@ -83,6 +99,8 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , shape{field.origin, field.bounds(), blades.buffers().bladeSize()}
 {
     expect(wanted.framesInFlight >= 1, "at least one frame is in flight");
+    if (raster)
+        expectNumbers(context, field.blades.size(), ground.triangleCount());
     if (plan.records.pages > 0)
         streaming.emplace(context, shaders, field, blades.buffers().baked(),
                           blades.buffers().ownStates(), plan.streaming);
@@ -109,7 +127,7 @@ FieldRenderer::~FieldRenderer() = default;
 /// What pictures take is known when they have been made once.
 MemoryPlan FieldRenderer::Parts::planWithin(const field::FieldView& field)
 {
-    const FieldBuffers::Records records = recordsFor(geometry, settings);
+    const FieldBuffers::Records records = recordsFor(context, geometry, settings);
     if (settings.deviceBytes == 0)
         return {.records = records, .streaming = {}};
     fit(settings.largestTarget);
@@ -122,14 +140,23 @@ MemoryPlan FieldRenderer::Parts::planWithin(const field::FieldView& field)
 
 void FieldRenderer::Parts::fit(glm::uvec2 size)
 {
-    if (!attachments.resize(size))
+    expect(size.x > 0 && size.y > 0, "a picture has at least one pixel");
+    if (size == pictureSize)
         return;
-    pyramid.resize(attachments.depth());
+    if (pictureSize != glm::uvec2(0))
+        gpu::check(vkDeviceWaitIdle(context.device), "vkDeviceWaitIdle");
+    pictureSize = size;
     hasPyramid = false;
-    if (raster)
-        raster->resize(attachments);
-    else
-        tessellated->resize(size);
+    if (raster) {
+        const VkExtent2D extent{size.x, size.y};
+        pyramid.resize(extent);
+        solidRaster->resize(extent);
+        raster->resize(extent, solidRaster->lit().view());
+        return;
+    }
+    attachments->resize(size);
+    pyramid.resize(attachments->depth());
+    tessellated->resize(size);
 }
 
 /// Brings what is seen, and thins out what is drawn to what is there.
@@ -171,11 +198,14 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
     // What is asked for the first time is made now.
     blades.prepare(shaders, frame);
     paintsWind = wishes.debug == DebugMode::wind;
-    solid.prepare(shaders, frame.nature.colliderCount, paintsWind);
-    if (raster)
+    sunShadow.prepare(shaders);
+    if (raster) {
+        solidRaster->prepare(shaders, frame.nature.colliderCount, paintsWind);
         raster->prepare(shaders, paintsWind);
-    else
+    } else {
+        solid->prepare(shaders, frame.nature.colliderCount, paintsWind);
         tessellated->prepare(shaders, paintsWind);
+    }
     return frame;
 }
 
@@ -214,14 +244,28 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
         parts.stream(wanted, settings, target.size, slot);
     const shared::Frame frame = parts.writeFrame(wanted, settings, time, slot);
     const FramePlace judged = parts.judge(frame, settings, target.size, slot);
-    parts.sunShadow.record(commands, parts.ground, parts.slots[slot].frame.place().address,
-                           parts.solid.colliders());
+    parts.sunShadow.record(commands, parts.ground, parts.slots[slot].frame.place().address);
+
+    const bool looksForHidden = (settings.cullMask & shared::cullOcclusion) != 0;
+    const bool findsReasons = settings.debug == DebugMode::reason;
+    RasterPass::Input raster{.field = &parts.blades.buffers(),
+                             .frame = parts.slots[slot].frame.place(),
+                             .judged = findsReasons ? parts.slots[slot].listing.place() : judged,
+                             .firstBlade = parts.raster ? parts.solidRaster->firstBlade() : 1,
+                             // What blades hide is known of the camera that draws, and of no other.
+                             .findsHidden = parts.geometry == Geometry::raster && looksForHidden &&
+                                            !settings.cullingCamera && !findsReasons,
+                             .tessellatesLarge = parts.geometry == Geometry::hybrid};
 
     // What the ground hides needs neither be moved nor drawn.
-    parts.drawSolid(commands, target, slot, timestamps);
-    const bool looksForHidden = (settings.cullMask & shared::cullOcclusion) != 0;
+    if (parts.raster)
+        parts.rasterSolid(commands, slot, timestamps);
+    else
+        parts.drawSolid(commands, target, slot, timestamps);
     if (!settings.cullingCamera) {
-        if (looksForHidden)
+        if (looksForHidden && parts.raster)
+            parts.seeWhatIsHidden(commands, raster, timestamps);
+        else if (looksForHidden)
             parts.seeWhatIsHidden(commands, slot, timestamps);
         parts.hasPyramid = looksForHidden;
     }
@@ -229,31 +273,22 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
     if (parts.streaming)
         parts.recordStreaming(commands, slot, time);
     parts.blades.findLive(commands, judged.address, timestamps);
-    FramePlace listedBy = judged;
-    const bool findsReasons = settings.debug == DebugMode::reason;
     if (findsReasons) {
         // All blades are drawn, in the colours of what becomes of them.
         parts.blades.moveAndList(commands, judged, 0, 0, timestamps);
         parts.slots[slot].recordCounts(commands, parts.blades.buffers().draw());
-        listedBy = parts.slots[slot].listing.place();
         parts.blades.beginAgain(commands);
-        parts.blades.findLive(commands, listedBy.address, nullptr);
+        parts.blades.findLive(commands, raster.judged.address, nullptr);
     }
-    // What blades hide is known of the camera that draws, and of no other.
-    const bool findsHidden = parts.geometry == Geometry::raster && looksForHidden &&
-                             !settings.cullingCamera && !findsReasons;
-    const RasterPass::Input raster{&parts.blades.buffers(), parts.slots[slot].frame.place(),
-                                   listedBy, findsHidden, parts.geometry == Geometry::hybrid};
     if (parts.raster)
         parts.rasterBlades(commands, raster, timestamps);
     else
-        parts.blades.moveAndList(commands, listedBy, 0, 0, timestamps);
+        parts.blades.moveAndList(commands, raster.judged, 0, 0, timestamps);
 
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
     if (!findsReasons)
         parts.slots[slot].recordCounts(commands, parts.blades.buffers().draw());
     if (parts.raster) {
-        parts.lightSolid(commands, target, slot, findsHidden, timestamps);
         parts.resolve(commands, target, raster, timestamps);
     } else {
         parts.drawBlades(commands, target, slot, timestamps);
@@ -341,8 +376,9 @@ const char* FieldRenderer::geometryReason() const
 
 std::size_t FieldRenderer::Parts::bytesBesideBlades() const
 {
-    return ground.bytes() + solid.bytes() + cover.bytes() + sunShadow.bytes() + pyramid.bytes() +
-           (raster ? raster->bytes() : 0) + attachments.bytes() +
+    const std::size_t pictures =
+        raster ? raster->bytes() + solidRaster->bytes() : attachments->bytes() + solid->bytes();
+    return ground.bytes() + cover.bytes() + sunShadow.bytes() + pyramid.bytes() + pictures +
            settings.framesInFlight * FrameSlot::bytes();
 }
 

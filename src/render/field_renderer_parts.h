@@ -15,6 +15,7 @@
 #include "render/moving_blades.h"
 #include "render/raster_rounds.h"
 #include "render/solid_pass.h"
+#include "render/solid_raster_pass.h"
 #include "render/streaming.h"
 #include "render/sun_shadow.h"
 #include "render/target_settings.h"
@@ -36,15 +37,19 @@ struct FieldRenderer::Parts {
     gpu::ShaderLibrary shaders;
     std::optional<GeometryTrial> trial; ///< where the choice is measured
     TargetSettings targetSettings;
-    Attachments attachments;
     GroundBuffers ground;
     GrassCover cover;
     SunShadowPass sunShadow;
     DepthPyramid pyramid;
-    SolidPass solid;
+    glm::uvec2 pictureSize{0}; ///< [pixels] of the pictures that are there
 
-    std::optional<TessellatedPass> tessellated; ///< the one or …
-    std::optional<RasterPass> raster;           ///< … the other, by the geometry
+    // By the geometry the graphics pipeline …
+    std::optional<Attachments> attachments;
+    std::optional<SolidPass> solid;
+    std::optional<TessellatedPass> tessellated;
+    // … or compute shaders alone.
+    std::optional<SolidRasterPass> solidRaster;
+    std::optional<RasterPass> raster;
     MemoryPlan plan;
     MovingBlades blades;
     std::optional<Streaming> streaming; ///< where not all blades are in memory
@@ -67,9 +72,10 @@ struct FieldRenderer::Parts {
                      std::uint32_t slot);
     void drawSolid(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
                    gpu::Timestamps* timestamps);
-    void lightSolid(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
-                    bool looksForHidden, gpu::Timestamps* timestamps);
+    void rasterSolid(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);
     void seeWhatIsHidden(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);
+    void seeWhatIsHidden(VkCommandBuffer commands, const RasterPass::Input& input,
+                         gpu::Timestamps* timestamps);
     void drawBlades(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
                     gpu::Timestamps* timestamps);
     void rasterBlades(VkCommandBuffer commands, const RasterPass::Input& input,

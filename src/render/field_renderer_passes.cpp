@@ -12,66 +12,43 @@ gpu::ColorAttachment FieldRenderer::Parts::colorAttachment(const Target& target)
 {
     gpu::ColorAttachment color{
         .view = target.view, .resolve = VK_NULL_HANDLE, .clear = std::nullopt};
-    if (attachments.hasColor())
-        color.view = attachments.color().view();
+    if (attachments->hasColor())
+        color.view = attachments->color().view();
     return color;
 }
 
 void FieldRenderer::Parts::drawSolid(VkCommandBuffer commands, const Target& target,
                                      std::uint32_t slot, gpu::Timestamps* timestamps)
 {
-    gpu::transition(commands, attachments.depth(), gpu::ImageUse::undefined,
-                    gpu::ImageUse::depthTarget);
-    const VkDeviceAddress frame = slots[slot].frame.place().address;
-    const gpu::DepthAttachment depth{.view = attachments.depth().view(), .clear = 0.0f};
-    const VkExtent2D extent{target.size.x, target.size.y};
     const PassScope scope(context, commands, timestamps, "ground");
-    solid.recordCull(commands, frame, false);
-    if (raster) {
-        const gpu::RenderingScope rendering(commands, extent, {}, depth);
-        solid.recordDepth(commands, frame);
-        return;
-    }
-    if (attachments.hasColor())
-        gpu::transition(commands, attachments.color(), gpu::ImageUse::undefined,
+    const VkDeviceAddress frame = slots[slot].frame.place().address;
+    gpu::transition(commands, attachments->depth(), gpu::ImageUse::undefined,
+                    gpu::ImageUse::depthTarget);
+    solid->recordCull(commands, frame);
+    if (attachments->hasColor())
+        gpu::transition(commands, attachments->color(), gpu::ImageUse::undefined,
                         gpu::ImageUse::colorTarget);
     gpu::ColorAttachment color = colorAttachment(target);
     color.clear = std::array{0.0f, 0.0f, 0.0f, 1.0f};
-    const gpu::RenderingScope rendering(commands, extent, std::span(&color, 1), depth);
-    solid.record(commands, frame, {});
+    const gpu::DepthAttachment depth{.view = attachments->depth().view(), .clear = 0.0f};
+    const gpu::RenderingScope rendering(commands, {target.size.x, target.size.y},
+                                        std::span(&color, 1), depth);
+    solid->record(commands, frame);
 }
 
-void FieldRenderer::Parts::lightSolid(VkCommandBuffer commands, const Target& target,
-                                      std::uint32_t slot, bool looksForHidden,
-                                      gpu::Timestamps* timestamps)
+void FieldRenderer::Parts::rasterSolid(VkCommandBuffer commands, std::uint32_t slot,
+                                       gpu::Timestamps* timestamps)
 {
     const PassScope scope(context, commands, timestamps, "ground");
-    solid.recordCull(commands, slots[slot].frame.place().address, looksForHidden);
-    gpu::transition(commands, attachments.depth(), gpu::ImageUse::sampled,
-                    gpu::ImageUse::depthTarget);
-    gpu::transition(commands, attachments.color(), gpu::ImageUse::sampled,
-                    gpu::ImageUse::colorTarget);
-    {
-        gpu::ColorAttachment color = colorAttachment(target);
-        // Only those samples are looked at that something solid has drawn: with four of them to
-        // clear an H200's takes longer than to light the ground.
-        color.isLoaded = false;
-        const gpu::DepthAttachment depth{.view = attachments.depth().view(), .clear = std::nullopt};
-        const gpu::RenderingScope rendering(commands, {target.size.x, target.size.y},
-                                            std::span(&color, 1), depth);
-        solid.record(commands, slots[slot].frame.place().address,
-                     {raster->visibility(), target.size.x});
-    }
-    gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
-                    gpu::ImageUse::sampled);
-    gpu::transition(commands, attachments.color(), gpu::ImageUse::colorTarget,
-                    gpu::ImageUse::sampled);
+    raster->recordBegin(commands);
+    solidRaster->recordTriangles(commands, slots[slot].frame.place(), raster->visibility());
+    gpu::computeToCompute(commands);
 }
 
 void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, std::uint32_t slot,
                                            gpu::Timestamps* timestamps)
 {
-    gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
+    gpu::transition(commands, attachments->depth(), gpu::ImageUse::depthTarget,
                     gpu::ImageUse::sampled);
     {
         const PassScope scope(context, commands, timestamps, "pyramid");
@@ -79,8 +56,17 @@ void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, std::uint32
         gpu::memoryBarrier(commands, gpu::computeAccess, gpu::computeAccess);
         pyramid.record(commands, slots[slot].frame.place().address);
     }
-    gpu::transition(commands, attachments.depth(), gpu::ImageUse::sampled,
+    gpu::transition(commands, attachments->depth(), gpu::ImageUse::sampled,
                     gpu::ImageUse::depthTarget);
+}
+
+void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, const RasterPass::Input& input,
+                                           gpu::Timestamps* timestamps)
+{
+    const PassScope scope(context, commands, timestamps, "pyramid");
+    raster->recordDepths(commands, input);
+    pyramid.recordCoarser(commands, input.frame.address);
+    gpu::computeToCompute(commands);
 }
 
 void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& target,
@@ -89,13 +75,13 @@ void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& ta
     gpu::ColorAttachment color = colorAttachment(target);
     color.resolve = tessellated->begin(commands);
     color.isKept = color.resolve == VK_NULL_HANDLE;
-    gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
+    gpu::transition(commands, attachments->depth(), gpu::ImageUse::depthTarget,
                     gpu::ImageUse::depthTarget);
-    gpu::transition(commands, attachments.hasColor() ? attachments.color().get() : target.image,
+    gpu::transition(commands, attachments->hasColor() ? attachments->color().get() : target.image,
                     VK_IMAGE_ASPECT_COLOR_BIT, gpu::ImageUse::colorTarget,
                     gpu::ImageUse::colorTarget);
     const gpu::DepthAttachment depth{
-        .view = attachments.depth().view(), .clear = std::nullopt, .isKept = false};
+        .view = attachments->depth().view(), .clear = std::nullopt, .isKept = false};
 
     const gpu::RenderingScope rendering(commands, {target.size.x, target.size.y},
                                         std::span(&color, 1), depth);
@@ -105,11 +91,6 @@ void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& ta
 void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, const RasterPass::Input& input,
                                         gpu::Timestamps* timestamps)
 {
-    gpu::transition(commands, attachments.depth(), gpu::ImageUse::depthTarget,
-                    gpu::ImageUse::sampled);
-    // Bound with the depth, and not read yet.
-    gpu::transition(commands, attachments.color(), gpu::ImageUse::undefined,
-                    gpu::ImageUse::sampled);
     const std::uint64_t patches =
         streaming ? streaming->residentPatches() : std::numeric_limits<std::uint64_t>::max();
     if (trial)
@@ -123,6 +104,11 @@ void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, const RasterPa
 void FieldRenderer::Parts::resolve(VkCommandBuffer commands, const Target& target,
                                    const RasterPass::Input& input, gpu::Timestamps* timestamps)
 {
+    gpu::computeToCompute(commands);
+    {
+        const PassScope scope(context, commands, timestamps, "ground");
+        solidRaster->recordLight(commands, input.frame, raster->visibility());
+    }
     const PassScope scope(context, commands, timestamps, "resolve");
     raster->recordResolve(commands, input, paintsWind);
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, gpu::ImageUse::colorTarget,

@@ -4,6 +4,7 @@
 #include "render/ground_clusters.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 
 namespace sward::render {
@@ -23,14 +24,16 @@ const field::Image& whiteImage()
     return white;
 }
 
+/// So many triangles of one material are sorted, so that those of a cluster lie together.
+constexpr std::uint32_t fewestSorted = 8192;
+
 /// Whether so many triangles of one material are drawn by clusters: fewer are drawn as fast as they
 /// are sorted out.
 bool isWorthClusters(const gpu::DeviceContext& context, std::uint32_t triangles)
 {
-    constexpr std::uint32_t fewest = 8192;
-    return triangles >= fewest && context.features.multiDrawIndirect &&
+    return triangles >= fewestSorted && context.features.multiDrawIndirect &&
            context.features.drawIndirectCount &&
-           triangles / clusterTriangles < context.limits.maxDrawIndirectCount;
+           triangles / shared::clusterTriangles < context.limits.maxDrawIndirectCount;
 }
 
 } // namespace
@@ -40,8 +43,6 @@ GroundBuffers::GroundBuffers(const gpu::DeviceContext& context, gpu::Uploader& u
     : vertices_(allocate(context, "ground/vertices",
                          ground.vertices.size() * sizeof(shared::GroundVertex),
                          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT))
-    , indices_(allocate(context, "ground/indices", ground.indices.size() * sizeof(std::uint32_t),
-                        VK_BUFFER_USAGE_INDEX_BUFFER_BIT))
     , materials_(allocate(context, "ground/materials",
                           ground.materials.size() * sizeof(shared::GroundMaterial),
                           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT))
@@ -54,7 +55,7 @@ GroundBuffers::GroundBuffers(const gpu::DeviceContext& context, gpu::Uploader& u
     uploader.toBuffer(materials_, std::span<const shared::GroundMaterial>(ground.materials));
     for (const shared::GroundVertex& corner : ground.vertices)
         box_.add(corner.position);
-    bytes_ = vertices_.bytes() + indices_.bytes() + materials_.bytes();
+    bytes_ = vertices_.bytes() + materials_.bytes();
 
     // One set per image, so that a shader never chooses among images.
     for (std::size_t i = 0; i < ground.images.size(); ++i)
@@ -77,35 +78,50 @@ void GroundBuffers::addParts(const gpu::DeviceContext& context, gpu::Uploader& u
                "a ground material's image exists");
         parts_.push_back({range.firstIndex, range.indexCount, range.material,
                           (material.flags & shared::groundDoubleSided) != 0,
-                          std::min(material.image, static_cast<std::uint32_t>(white)), 0, 0, 0});
+                          std::min(material.image, static_cast<std::uint32_t>(white)), 0, 0, 0,
+                          false});
     }
     // Together what is drawn with the same pipeline.
     std::stable_sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) {
         return a.isDoubleSided < b.isDoubleSided;
     });
 
-    std::vector<std::uint32_t> indices(ground.indices.begin(), ground.indices.end());
+    addClusters(context, uploader, ground);
+}
+
+void GroundBuffers::addClusters(const gpu::DeviceContext& context, gpu::Uploader& uploader,
+                                const field::DisplayGround& ground)
+{
+    std::vector<std::uint32_t> indices;
     std::vector<shared::GroundCluster> clusters;
     for (Part& part : parts_) {
+        const auto first = ground.indices.begin() + std::ptrdiff_t(part.firstIndex);
+        std::vector<std::uint32_t> own(first, first + std::ptrdiff_t(part.indexCount));
+        if (part.indexCount / 3 >= fewestSorted)
+            sortTriangles(ground.vertices, own);
+        const std::vector<shared::GroundCluster> cut =
+            clustersOf(ground.vertices, own, part.material);
         part.place = static_cast<std::uint32_t>(&part - parts_.data());
-        if (!isWorthClusters(context, part.indexCount / 3))
-            continue;
-        const std::vector<shared::GroundCluster> own = clusterTrianglesOf(
-            ground.vertices, std::span(indices).subspan(part.firstIndex, part.indexCount),
-            part.firstIndex);
+        part.isDrawnWhole = !isWorthClusters(context, part.indexCount / 3);
         part.firstCluster = static_cast<std::uint32_t>(clusters.size());
-        part.clusterCount = static_cast<std::uint32_t>(own.size());
-        clusters.insert(clusters.end(), own.begin(), own.end());
+        part.clusterCount = static_cast<std::uint32_t>(cut.size());
+        part.firstIndex = 3 * shared::clusterTriangles * part.firstCluster;
+        clusters.insert(clusters.end(), cut.begin(), cut.end());
+        // Empty triangles, which nobody draws, fill the last cluster.
+        own.resize(3 * shared::clusterTriangles * cut.size());
+        indices.insert(indices.end(), own.begin(), own.end());
     }
-    uploader.toBuffer(indices_, std::span<const std::uint32_t>(indices));
     clusterCount_ = static_cast<std::uint32_t>(clusters.size());
     if (clusters.empty())
         return;
+    indices_ = allocate(context, "ground/indices", indices.size() * sizeof(std::uint32_t),
+                        VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    uploader.toBuffer(indices_, std::span<const std::uint32_t>(indices));
     clusters_ =
         allocate(context, "ground/clusters", clusters.size() * sizeof(shared::GroundCluster),
                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     uploader.toBuffer(clusters_, std::span<const shared::GroundCluster>(clusters));
-    bytes_ += clusters_.bytes();
+    bytes_ += indices_.bytes() + clusters_.bytes();
 }
 
 void GroundBuffers::addImage(const gpu::DeviceContext& context, gpu::Uploader& uploader,

@@ -17,9 +17,9 @@
 
 namespace sward::render {
 
-/// The display ground in device memory: corners, triangles, materials, base colour images. Where
-/// many triangles have one material they are cut into clusters, of which GroundCullPass draws those
-/// that may be seen.
+/// The display ground in device memory: corners, triangles, materials, base colour images. The
+/// triangles of each material are cut into clusters, which begin at multiples of
+/// shared::clusterTriangles; where they are many, GroundCullPass draws only those that may be seen.
 class GroundBuffers {
 public:
     /// Begins the upload; it is complete after `uploader.finish()`.
@@ -35,15 +35,23 @@ public:
         std::uint32_t image = 0; ///< place in imageSet()
         std::uint32_t place = 0; ///< among the parts
         std::uint32_t firstCluster = 0;
-        std::uint32_t clusterCount = 0; ///< 0: it is drawn as a whole
+        std::uint32_t clusterCount = 0;
+        bool isDrawnWhole = false; ///< by the graphics pipeline
     };
 
     std::span<const Part> parts() const { return parts_; } ///< of the finest level
     const gpu::Buffer& indices() const { return indices_; }
     VkDeviceAddress vertices() const { return vertices_.address(); }
     VkDeviceAddress materials() const { return materials_.address(); }
+    std::uint32_t imageCount() const { return static_cast<std::uint32_t>(images_.size()); }
+    VkImageView imageView(std::uint32_t image) const { return images_[image].view(); }
+    VkSampler sampler() const { return sampler_.get(); }
     VkDeviceAddress clusters() const { return clusters_.address(); } ///< shared::GroundCluster
     std::uint32_t clusterCount() const { return clusterCount_; }     ///< of all parts
+    std::uint32_t triangleCount() const
+    {
+        return clusterCount_ * shared::clusterTriangles;
+    } ///< some of them empty
     VkDescriptorSetLayout imageLayout() const { return imageLayout_.get(); }
     const gpu::ImageSet& imageSet(std::uint32_t image) const { return imageSets_[image]; }
     const Aabb& box() const { return box_; } ///< of all corners, relative to the field's origin
@@ -52,6 +60,8 @@ public:
 private:
     void addParts(const gpu::DeviceContext& context, gpu::Uploader& uploader,
                   const field::DisplayGround& ground);
+    void addClusters(const gpu::DeviceContext& context, gpu::Uploader& uploader,
+                     const field::DisplayGround& ground);
     void addImage(const gpu::DeviceContext& context, gpu::Uploader& uploader,
                   const field::Image& source, const std::string& name);
 

@@ -23,9 +23,7 @@ std::uint64_t placeOnCurve(glm::vec3 point, glm::vec3 low, float side)
 
 } // namespace
 
-std::vector<shared::GroundCluster> clusterTrianglesOf(std::span<const shared::GroundVertex> corners,
-                                                      std::span<std::uint32_t> indices,
-                                                      std::uint32_t firstIndex)
+void sortTriangles(std::span<const shared::GroundVertex> corners, std::span<std::uint32_t> indices)
 {
     const std::size_t count = indices.size() / 3;
     const auto corner = [&](std::size_t i) { return corners[indices[i]].position; };
@@ -53,18 +51,24 @@ std::vector<shared::GroundCluster> clusterTrianglesOf(std::span<const shared::Gr
         std::copy_n(indices.begin() + std::ptrdiff_t(3) * order[i].triangle, 3, sorted[i].begin());
     for (std::size_t i = 0; i < count; ++i)
         std::copy_n(sorted[i].begin(), 3, indices.begin() + static_cast<std::ptrdiff_t>(3 * i));
+}
 
+std::vector<shared::GroundCluster> clustersOf(std::span<const shared::GroundVertex> corners,
+                                              std::span<const std::uint32_t> indices,
+                                              std::uint32_t material)
+{
+    constexpr std::size_t most = std::size_t(3) * shared::clusterTriangles;
     std::vector<shared::GroundCluster> clusters;
-    clusters.reserve((count + clusterTriangles - 1) / clusterTriangles);
-    for (std::size_t first = 0; first < count; first += clusterTriangles) {
-        const std::size_t end = std::min<std::size_t>(first + clusterTriangles, count);
+    clusters.reserve((indices.size() + most - 1) / most);
+    for (std::size_t first = 0; first < indices.size(); first += most) {
+        const std::size_t end = std::min(first + most, indices.size());
         Aabb box;
-        for (std::size_t i = 3 * first; i < 3 * end; ++i)
-            box.add(corner(i));
+        for (std::size_t i = first; i < end; ++i)
+            box.add(corners[indices[i]].position);
         clusters.push_back({.low = box.low,
-                            .firstIndex = firstIndex + static_cast<std::uint32_t>(3 * first),
+                            .material = material,
                             .high = box.high,
-                            .indexCount = static_cast<std::uint32_t>(3 * (end - first))});
+                            .indexCount = static_cast<std::uint32_t>(end - first)});
     }
     return clusters;
 }

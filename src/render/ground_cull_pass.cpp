@@ -19,15 +19,11 @@ GroundCullPass::GroundCullPass(const gpu::DeviceContext& context, const gpu::Sha
                                const GroundBuffers& ground)
     : ground_(&ground)
 {
-    if (ground.clusterCount() == 0)
-        return;
     const auto pipeline = [&](const char* name, const char* shader) {
         return gpu::ComputePipeline(
             context, shaders,
             {.name = name, .shader = shader, .pushConstantBytes = sizeof(shared::GroundCullPush)});
     };
-    find_ = pipeline("ground/seen", "ground_seen.comp");
-    write_ = pipeline("ground/draws", "ground_draws.comp");
     const auto buffer = [&](const char* name, VkDeviceSize bytes) {
         return gpu::Buffer(context, {.name = name,
                                      .bytes = bytes,
@@ -36,20 +32,23 @@ GroundCullPass::GroundCullPass(const gpu::DeviceContext& context, const gpu::Sha
     };
     std::uint32_t largest = 0;
     for (const GroundBuffers::Part& part : ground.parts())
-        largest = std::max(largest, part.clusterCount);
+        largest = std::max(largest, part.isDrawnWhole ? 0 : part.clusterCount);
+    if (largest == 0)
+        return;
+    find_ = pipeline("ground/seen", "ground_seen.comp");
+    write_ = pipeline("ground/draws", "ground_draws.comp");
     draws_ = buffer("ground/draws", ground.clusterCount() * sizeof(shared::IndexedDraw));
     seen_ = buffer("ground/seen", groupsOf(largest) * shared::groundWords * sizeof(std::uint32_t));
     counts_ = buffer("ground/draw counts", ground.parts().size() * sizeof(std::uint32_t));
 }
 
-void GroundCullPass::record(VkCommandBuffer commands, VkDeviceAddress frame,
-                            bool looksForHidden) const
+void GroundCullPass::record(VkCommandBuffer commands, VkDeviceAddress frame) const
 {
-    if (ground_->clusterCount() == 0)
+    if (draws_.bytes() == 0)
         return;
     gpu::memoryBarrier(commands, gpu::anyAccess, gpu::computeAccess);
     for (const GroundBuffers::Part& part : ground_->parts()) {
-        if (part.clusterCount == 0)
+        if (part.isDrawnWhole)
             continue;
         const shared::GroundCullPush push{
             .frame = frame,
@@ -58,7 +57,7 @@ void GroundCullPass::record(VkCommandBuffer commands, VkDeviceAddress frame,
             .seen = seen_.address(),
             .drawCount = counts_.address() + part.place * sizeof(std::uint32_t),
             .clusterCount = part.clusterCount,
-            .looksForHidden = looksForHidden ? 1u : 0u};
+            .firstCluster = part.firstCluster};
         find_.bind(commands);
         find_.push(commands, push);
         vkCmdDispatch(commands, groupsOf(part.clusterCount), 1, 1);
@@ -74,7 +73,7 @@ void GroundCullPass::record(VkCommandBuffer commands, VkDeviceAddress frame,
 
 void GroundCullPass::draw(VkCommandBuffer commands, const GroundBuffers::Part& part) const
 {
-    if (part.clusterCount == 0)
+    if (part.isDrawnWhole)
         vkCmdDrawIndexed(commands, part.indexCount, 1, part.firstIndex, 0, 0);
     else
         vkCmdDrawIndexedIndirectCount(

@@ -20,9 +20,8 @@ public:
                    const GroundBuffers& ground);
 
     /// Looks for what a frame's camera sees, outside of a rendering; with barriers to what was
-    /// drawn before and to drawing. `looksForHidden`: leaves out what the frame's depth pyramid
-    /// hides, which is of the same camera.
-    void record(VkCommandBuffer commands, VkDeviceAddress frame, bool looksForHidden) const;
+    /// drawn before and to drawing.
+    void record(VkCommandBuffer commands, VkDeviceAddress frame) const;
 
     /// Draws what record() has found of one part, with the pipeline and the indices bound.
     void draw(VkCommandBuffer commands, const GroundBuffers::Part& part) const;

@@ -50,53 +50,52 @@ PyramidPass::PyramidPass(const gpu::DeviceContext& context, const gpu::ShaderLib
            .setLayouts = {imageLayout_.get()},
            .constants = {{.id = 0, .value = settings.hasReversedZ ? 0u : 1u},
                          {.id = 1, .value = settings.samples}}})
-    , next_(context, shaders,
-            {.name = "pyramid/next",
-             .shader = "pyramid_next.comp",
+    , rest_(context, shaders,
+            {.name = "pyramid/rest",
+             .shader = "pyramid_rest.comp",
              .pushConstantBytes = sizeof(shared::PyramidPush)})
 {
+}
+
+void PyramidPass::fit(DepthCells& cells, glm::uvec2 size) const
+{
+    if (cells.depths.get() != VK_NULL_HANDLE && cells.layout.size == size)
+        return;
+    const std::uint32_t count = layOut(size, cells.layout);
+    cells.depths = gpu::Buffer(*context_, {.name = "frame/depth pyramid",
+                                           .bytes = count * sizeof(float),
+                                           .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+    cells.layout.depths = cells.depths.address();
+    cells.picture = gpu::ImageSet(*context_, imageLayout_, "pyramid/depth");
 }
 
 void PyramidPass::fit(DepthCells& cells, VkImageView depth, VkImageLayout layout,
                       glm::uvec2 size) const
 {
-    if (cells.depths.get() == VK_NULL_HANDLE || cells.layout.size != size) {
-        const std::uint32_t count = layOut(size, cells.layout);
-        cells.depths = gpu::Buffer(*context_, {.name = "frame/depth pyramid",
-                                               .bytes = count * sizeof(float),
-                                               .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
-        cells.layout.depths = cells.depths.address();
-        cells.picture = gpu::ImageSet(*context_, imageLayout_, "pyramid/depth");
-    }
+    fit(cells, size);
     cells.picture.setSampled(0, depth, sampler_.get(), layout);
 }
 
 void PyramidPass::record(const gpu::Recording& commands, const DepthCells& cells,
                          VkDeviceAddress frame) const
 {
-    recordLevel(commands, cells, frame, 0);
+    first_.bind(commands);
+    cells.picture.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, first_.layout());
+    first_.push(commands, shared::PyramidPush{frame, 0, slack_});
+    commands.vk->CmdDispatch(commands, groupsFor(shared::pyramidCells(cells.layout.size.x, 0)),
+                             groupsFor(shared::pyramidCells(cells.layout.size.y, 0)), 1);
     recordCoarser(commands, cells, frame);
 }
 
 void PyramidPass::recordCoarser(const gpu::Recording& commands, const DepthCells& cells,
                                 VkDeviceAddress frame) const
 {
-    for (std::uint32_t level = 1; level < cells.layout.levels; ++level) {
-        gpu::computeToCompute(commands);
-        recordLevel(commands, cells, frame, level);
-    }
-}
-
-void PyramidPass::recordLevel(const gpu::Recording& commands, const DepthCells& cells,
-                              VkDeviceAddress frame, std::uint32_t level) const
-{
-    const gpu::ComputePipeline& pipeline = level == 0 ? first_ : next_;
-    pipeline.bind(commands);
-    if (level == 0)
-        cells.picture.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, first_.layout());
-    pipeline.push(commands, shared::PyramidPush{frame, level, slack_});
-    commands.vk->CmdDispatch(commands, groupsFor(shared::pyramidCells(cells.layout.size.x, level)),
-                             groupsFor(shared::pyramidCells(cells.layout.size.y, level)), 1);
+    if (cells.layout.levels <= shared::pyramidFirstOfRest)
+        return;
+    gpu::computeToCompute(commands);
+    rest_.bind(commands);
+    rest_.push(commands, shared::PyramidPush{frame, 0, slack_});
+    commands.vk->CmdDispatch(commands, 1, 1, 1);
 }
 
 } // namespace sward::render

@@ -39,6 +39,10 @@ public:
     PyramidPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
                 const Settings& settings);
 
+    /// Makes cells for pictures of so many pixels unless they are that many. Somebody else fills
+    /// the finest levels: see recordCoarser(). The device is done with the former ones.
+    void fit(DepthCells& cells, glm::uvec2 size) const;
+
     /// Makes cells for a depth picture of so many pixels, which is in `layout` when record() runs.
     /// The device is done with what the cells were for before.
     void fit(DepthCells& cells, VkImageView depth, VkImageLayout layout, glm::uvec2 size) const;
@@ -48,20 +52,17 @@ public:
     void record(const gpu::Recording& commands, const DepthCells& cells,
                 VkDeviceAddress frame) const;
 
-    /// Fills all but the finest level, which somebody else has filled.
+    /// Fills all but the three finest levels, which somebody else has filled.
     void recordCoarser(const gpu::Recording& commands, const DepthCells& cells,
                        VkDeviceAddress frame) const;
 
 private:
-    void recordLevel(const gpu::Recording& commands, const DepthCells& cells, VkDeviceAddress frame,
-                     std::uint32_t level) const;
-
     const gpu::DeviceContext* context_;
     float slack_;
     gpu::ImageSetLayout imageLayout_;
     gpu::Sampler sampler_;
     gpu::ComputePipeline first_;
-    gpu::ComputePipeline next_;
+    gpu::ComputePipeline rest_;
 };
 
 } // namespace sward::render

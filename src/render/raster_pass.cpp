@@ -53,7 +53,7 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
     : context_(&context)
     , target_(target)
     , imageLayout_(context, {.name = "raster/pictures",
-                             .sampledCount = 2,
+                             .sampledCount = 1,
                              .storageCount = 1,
                              .stages = VK_SHADER_STAGE_COMPUTE_BIT})
     , frameLayout_(context, "raster/frame")
@@ -75,14 +75,13 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                                                    {.id = 3, .value = target.mayBePaged},
                                                    {.id = 4, .value = isTessellated ? 1u : 0u}}});
     };
-    begin_ = pipeline("raster/begin", variantOf("raster_begin", target.samples));
+    depths_ = pipeline("raster/depths", "seen_depths.comp");
     if (target.groupsDrawLarge) {
         blades_ = pipeline("raster/blades", "raster_blades.comp");
         large_ = pipeline("raster/large blades", "raster_large.comp");
         lateBlades_ = pipeline("raster/late blades", "raster_blades.comp", true);
         judgeLarge_ = pipeline("raster/hidden large blades", "judge_large.comp");
         lateLarge_ = pipeline("raster/late large blades", "raster_large.comp", true);
-        depths_ = pipeline("raster/depths", "seen_depths.comp");
     }
     if (target.tessellatesLarge) {
         smallBlades_ = pipeline("raster/small blades", "raster_blades.comp", false, true);
@@ -106,20 +105,20 @@ void RasterPass::prepare(const gpu::ShaderLibrary& shaders, bool paintsWind)
                                                          {.id = 1, .value = target_.samples}}}));
 }
 
-void RasterPass::resize(const Attachments& attachments)
+void RasterPass::resize(VkExtent2D size, VkImageView solid)
 {
-    size_ = attachments.depth().extent();
+    size_ = size;
     visibility_ = gpu::Buffer(*context_, {.name = "frame/visibility",
                                           .bytes = visibilityBytes(size_, target_.samples),
-                                          .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+                                          .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                                   VK_BUFFER_USAGE_TRANSFER_DST_BIT});
     picture_ = gpu::Image(*context_,
                           {.name = "frame/picture",
                            .format = pictureFormat,
                            .extent = size_,
                            .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
     images_ = gpu::ImageSet(*context_, imageLayout_, "raster/pictures");
-    images_.setSampled(0, attachments.color().view(), sampler_.get());
-    images_.setSampled(1, attachments.depth().view(), sampler_.get());
+    images_.setSampled(0, solid, sampler_.get());
     images_.setStorage(0, picture_.view());
     bytes_ = visibility_.bytes() + largeList_.bytes() + picture_.memoryBytes();
     if (target_.samples == 1)
@@ -132,7 +131,6 @@ void RasterPass::resize(const Attachments& attachments)
     images_.setStorage(0, shaded_.view());
     filmImages_ = gpu::ImageSet(*context_, imageLayout_, "raster/film");
     filmImages_.setSampled(0, shaded_.view(), sampler_.get());
-    filmImages_.setSampled(1, shaded_.view(), sampler_.get());
     filmImages_.setStorage(0, picture_.view());
     bytes_ += shaded_.memoryBytes();
 }
@@ -151,20 +149,20 @@ shared::RasterPush RasterPass::pushFor(const Input& input) const
                             .seen = input.findsHidden ? largeList_.shown() : 0,
                             .size = {size_.width, size_.height},
                             .isBgr = isBgr(target_.colorFormat) ? 1u : 0u,
-                            .round = 0};
+                            .round = 0,
+                            .firstBlade = input.firstBlade,
+                            .reserved = 0};
     largeList_.describe(push);
     return push;
 }
 
-void RasterPass::recordBegin(VkCommandBuffer commands, const Input& input)
+void RasterPass::recordBegin(VkCommandBuffer commands)
 {
+    gpu::anythingToTransfer(commands);
+    vkCmdFillBuffer(commands, visibility_.get(), 0, VK_WHOLE_SIZE, 0);
     largeList_.clear(commands);
     largeList_.beginShown(commands);
-    begin_.bind(commands);
-    images_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, begin_.layout());
-    begin_.push(commands, pushFor(input));
-    vkCmdDispatch(commands, tilesFor(size_.width), tilesFor(size_.height), 1);
-    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::dispatchAccess);
+    gpu::memoryBarrier(commands, gpu::transferAccess, gpu::dispatchAccess);
 }
 
 void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input, std::uint32_t round,

@@ -8,7 +8,6 @@
 #include "gpu/sampler.h"
 #include "gpu/shader_library.h"
 #include "gpu/uniform_sets.h"
-#include "render/attachments.h"
 #include "render/field_buffers.h"
 #include "render/frame_place.h"
 #include "render/large_blade_list.h"
@@ -27,16 +26,17 @@ namespace sward::render {
 /// they can.
 const char* obstacleToRaster(const gpu::DeviceContext& context, VkFormat colorFormat);
 
-/// Draws blades by compute shaders: those that are seen into a visibility buffer that begins with
-/// the depth of what the graphics pipeline has drawn, then the picture from both.
+/// Draws blades by compute shaders: those that are seen into a visibility buffer, which holds what
+/// is solid already, then the picture from both.
 class RasterPass {
 public:
     /// `obstacleToRaster()` has none.
     RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
                const TargetSettings& target, std::uint32_t bladeCount);
 
-    /// To be called when the attachments are new.
-    void resize(const Attachments& attachments);
+    /// Has pictures of this size; the device is done with the former ones. `solid`: the light of
+    /// what is solid, in ImageUse::sampled when the picture is made.
+    void resize(VkExtent2D size, VkImageView solid);
 
     /// Makes the pipelines of a frame unless they are there.
     void prepare(const gpu::ShaderLibrary& shaders, bool paintsWind);
@@ -46,13 +46,13 @@ public:
         const FieldBuffers* field = nullptr;
         FramePlace frame{};            ///< of the picture
         FramePlace judged{};           ///< by whose camera the visible blades were listed
+        std::uint32_t firstBlade = 1;  ///< see SolidRasterPass
         bool findsHidden = false;      ///< whether blades hide others: see shared::RasterPush::seen
         bool tessellatesLarge = false; ///< whether large ones are left to the tessellator
     };
 
-    /// Begins the visibility with what the graphics pipeline has drawn; colour and depth are in
-    /// ImageUse::sampled.
-    void recordBegin(VkCommandBuffer commands, const Input& input);
+    /// Empties the visibility, and lists of blades; with barriers from anything and to dispatches.
+    void recordBegin(VkCommandBuffer commands);
 
     /// Blades that are drawn without a question, or those of which the frame's pyramid hides some.
     enum class Turn { first, late };
@@ -72,7 +72,7 @@ public:
     /// Empties the list of large ones, with barriers from and to compute shaders.
     void recordNoLarge(VkCommandBuffer commands) const;
 
-    /// Fills the finest level of the frame's pyramid with what has been drawn so far. As above.
+    /// Fills the finest levels of the frame's pyramid with what has been drawn so far. As above.
     void recordDepths(VkCommandBuffer commands, const Input& input) const;
 
     /// Shades the picture and filters it; it is then in ImageUse::transferSource. `paintsWind` was
@@ -94,7 +94,6 @@ private:
     gpu::ImageSetLayout imageLayout_;
     gpu::UniformSetLayout frameLayout_;
     gpu::Sampler sampler_;
-    gpu::ComputePipeline begin_;
     gpu::ComputePipeline blades_;
     gpu::ComputePipeline smallBlades_; ///< leave large ones to the tessellator
     gpu::ComputePipeline large_;

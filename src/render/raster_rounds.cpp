@@ -8,10 +8,6 @@ namespace sward::render {
 void RasterRounds::record(VkCommandBuffer commands, const RasterPass::Input& input,
                           gpu::Timestamps* timestamps) const
 {
-    {
-        const PassScope scope(context, commands, timestamps, "blades");
-        raster.recordBegin(commands, input);
-    }
     using Turn = RasterPass::Turn;
     for (std::uint32_t round = 0; round < rounds; ++round) {
         recordFirst(commands, input, round, timestamps);

@@ -22,8 +22,9 @@ struct RasterRounds {
     const DepthPyramid& pyramid; ///< of the frame
     std::uint32_t rounds;        ///< as many as the live patches may need
 
-    /// After MovingBlades::findLive(), with the pictures in ImageUse::sampled. `input` says whether
-    /// blades hide others; then the frame describes the pyramid and judges by its own camera.
+    /// After MovingBlades::findLive(), with all that is solid in the visibility. `input` says
+    /// whether blades hide others; then the frame describes the pyramid and judges by its own
+    /// camera.
     void record(VkCommandBuffer commands, const RasterPass::Input& input,
                 gpu::Timestamps* timestamps) const;
 

@@ -25,25 +25,16 @@ void SolidPass::prepare(const gpu::ShaderLibrary& shaders, std::uint32_t collide
     }
 }
 
-void SolidPass::recordCull(VkCommandBuffer commands, VkDeviceAddress frame,
-                           bool looksForHidden) const
+void SolidPass::recordCull(VkCommandBuffer commands, VkDeviceAddress frame) const
 {
-    cull_.record(commands, frame, looksForHidden);
+    cull_.record(commands, frame);
 }
 
-void SolidPass::record(VkCommandBuffer commands, VkDeviceAddress frame,
-                       const GroundPass::Grown& grown) const
+void SolidPass::record(VkCommandBuffer commands, VkDeviceAddress frame) const
 {
-    (paintsWind_ ? *windy_ : plain_).record(commands, *ground_, cull_, frame, grown);
+    (paintsWind_ ? *windy_ : plain_).record(commands, *ground_, cull_, frame);
     if (colliderCount_ > 0)
         colliders_->record(commands, frame, colliderCount_);
-}
-
-void SolidPass::recordDepth(VkCommandBuffer commands, VkDeviceAddress frame) const
-{
-    plain_.recordDepth(commands, *ground_, cull_, frame);
-    if (colliderCount_ > 0)
-        colliders_->recordDepth(commands, frame, colliderCount_);
 }
 
 } // namespace sward::render

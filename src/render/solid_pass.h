@@ -15,7 +15,7 @@
 
 namespace sward::render {
 
-/// Draws what is solid among the grass: the ground and the colliders.
+/// Draws what is solid among the grass, the ground and the colliders, by the graphics pipeline.
 class SolidPass {
 public:
     /// `ground` outlives it.
@@ -25,18 +25,11 @@ public:
     /// Makes ready for a frame with so many colliders, in the colours of the wind or in its own.
     void prepare(const gpu::ShaderLibrary& shaders, std::uint32_t colliders, bool paintsWind);
 
-    /// Outside of a rendering, before one of the following: see GroundCullPass::record().
-    void recordCull(VkCommandBuffer commands, VkDeviceAddress frame, bool looksForHidden) const;
+    /// Outside of a rendering, before the following: see GroundCullPass::record().
+    void recordCull(VkCommandBuffer commands, VkDeviceAddress frame) const;
 
-    /// Inside a rendering; see GroundPass::record().
-    void record(VkCommandBuffer commands, VkDeviceAddress frame,
-                const GroundPass::Grown& grown) const;
-
-    /// Inside a rendering of depth alone, before record() where the light comes later.
-    void recordDepth(VkCommandBuffer commands, VkDeviceAddress frame) const;
-
-    /// What casts the colliders' shadows; null while there have been none.
-    const ColliderPass* colliders() const { return colliders_.get(); }
+    /// Inside a rendering.
+    void record(VkCommandBuffer commands, VkDeviceAddress frame) const;
 
     VkDeviceSize bytes() const { return cull_.bytes(); }
 

@@ -56,7 +56,8 @@ shared::SunShadow sunShadowOf(const Aabb& ground, glm::vec3 sunDirection, std::u
 
 SunShadowPass::SunShadowPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
                              const Aabb& ground)
-    : ground_(ground)
+    : context_(&context)
+    , ground_(ground)
 {
     if (ground_.isEmpty())
         return;
@@ -85,8 +86,20 @@ void SunShadowPass::describe(shared::Frame& frame)
     frame.shadow.depths.address = depths_.address();
 }
 
+void SunShadowPass::prepare(const gpu::ShaderLibrary& shaders)
+{
+    if (colliderCount_ == 0 || colliders_.get() != VK_NULL_HANDLE)
+        return;
+    gpu::GraphicsPipelineSettings settings;
+    settings.name = "sun shadow/colliders";
+    settings.vertexShader = "collider_sun.vert";
+    settings.pushConstantBytes = sizeof(shared::ViewPush);
+    settings.depthFormat = depthFormat;
+    colliders_ = gpu::GraphicsPipeline(*context_, shaders, settings);
+}
+
 void SunShadowPass::record(VkCommandBuffer commands, const GroundBuffers& ground,
-                           VkDeviceAddress frame, const ColliderPass* colliders)
+                           VkDeviceAddress frame)
 {
     // Colliders may move from frame to frame.
     if (ground_.isEmpty() || (sun_ == drawn_ && colliderCount_ == 0 && !hasColliders_))
@@ -103,13 +116,15 @@ void SunShadowPass::record(VkCommandBuffer commands, const GroundBuffers& ground
         pipeline_.push(commands, shared::GroundPush{.frame = frame,
                                                     .vertices = ground.vertices(),
                                                     .materials = ground.materials(),
-                                                    .visibility = 0,
                                                     .material = 0,
-                                                    .width = 0});
+                                                    .reserved = 0});
         for (const GroundBuffers::Part& part : ground.parts())
             vkCmdDrawIndexed(commands, part.indexCount, 1, part.firstIndex, 0, 0);
-        if (hasColliders_)
-            colliders->recordShadow(commands, frame, colliderCount_);
+        if (hasColliders_) {
+            colliders_.bind(commands);
+            colliders_.push(commands, shared::ViewPush{frame});
+            vkCmdDraw(commands, 3 * shared::colliderTriangles, colliderCount_, 0, 0);
+        }
     }
 
     // Frames before may still be reading what is written anew.

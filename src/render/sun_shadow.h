@@ -6,7 +6,6 @@
 #include "gpu/graphics_pipeline.h"
 #include "gpu/image.h"
 #include "gpu/shader_library.h"
-#include "render/collider_pass.h"
 #include "render/ground_buffers.h"
 #include "shaders/shared/frame.h"
 
@@ -32,14 +31,16 @@ public:
     /// After the frame's sun is known, and its colliders.
     void describe(shared::Frame& frame);
 
-    /// Draws the map for the frame described last, unless it is there; outside a rendering. A frame
-    /// with colliders needs `colliders`.
-    void record(VkCommandBuffer commands, const GroundBuffers& ground, VkDeviceAddress frame,
-                const ColliderPass* colliders);
+    /// Makes the pipelines of the frame described last unless they are there.
+    void prepare(const gpu::ShaderLibrary& shaders);
+
+    /// Draws the map for the frame described last, unless it is there; outside a rendering.
+    void record(VkCommandBuffer commands, const GroundBuffers& ground, VkDeviceAddress frame);
 
     VkDeviceSize bytes() const { return map_.memoryBytes() + depths_.bytes(); }
 
 private:
+    const gpu::DeviceContext* context_;
     Aabb ground_;
     glm::vec3 sun_{0.0f};             ///< of the frame described last
     glm::vec3 drawn_{0.0f};           ///< of the map that is there
@@ -48,6 +49,7 @@ private:
     gpu::Image map_;
     gpu::Buffer depths_; ///< the same where shaders read it by address
     gpu::GraphicsPipeline pipeline_;
+    gpu::GraphicsPipeline colliders_; ///< once there have been any
 };
 
 } // namespace sward::render

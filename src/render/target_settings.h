@@ -12,10 +12,8 @@ constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
 struct TargetSettings {
     VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB;
     std::uint32_t samples = 4;
-    bool paintsWind = false;  ///< ground and blades show the wind's speed
-    bool isSampled = false;   ///< shaders read what the graphics pipeline has drawn
-    bool mayBePaged = false;  ///< blades may be in memory in part
-    bool lightsLater = false; ///< depth is drawn first, by itself, and the light where it is seen
+    bool paintsWind = false;       ///< ground and blades show the wind's speed
+    bool mayBePaged = false;       ///< blades may be in memory in part
     bool groupsDrawLarge = true;   ///< the rasteriser may draw large blades by work-groups …
     bool tessellatesLarge = false; ///< … or leave them to the tessellator
 };

@@ -49,7 +49,8 @@ TEST(GroundClustersTest, HoldEachTriangleOnceAndAllOfIt)
     putHills(field, 61);
     const auto& corners = field.ground.vertices;
     std::vector<std::uint32_t> sorted = field.ground.indices;
-    const auto clusters = clusterTrianglesOf(corners, sorted, 300);
+    sortTriangles(corners, sorted);
+    const auto clusters = clustersOf(corners, sorted, 7);
 
     const auto triangles = [](const std::vector<std::uint32_t>& indices) {
         std::vector<std::array<std::uint32_t, 3>> list;
@@ -59,20 +60,22 @@ TEST(GroundClustersTest, HoldEachTriangleOnceAndAllOfIt)
         return list;
     };
     EXPECT_EQ(triangles(sorted), triangles(field.ground.indices));
-    std::uint32_t next = 300;
+    std::uint32_t next = 0;
     double area = 0.0;
     for (const shared::GroundCluster& cluster : clusters) {
-        EXPECT_EQ(cluster.firstIndex, next);
-        EXPECT_LE(cluster.indexCount, 3 * clusterTriangles);
+        EXPECT_EQ(cluster.material, 7u);
+        EXPECT_TRUE(cluster.indexCount == 3 * shared::clusterTriangles ||
+                    &cluster == &clusters.back());
+        const std::uint32_t first = next;
         next += cluster.indexCount;
-        for (std::uint32_t i = cluster.firstIndex; i < next; ++i) {
-            const glm::vec3 place = corners[sorted[i - 300]].position;
+        for (std::uint32_t i = first; i < next; ++i) {
+            const glm::vec3 place = corners[sorted[i]].position;
             EXPECT_TRUE(glm::all(glm::lessThanEqual(cluster.low, place)) &&
                         glm::all(glm::lessThanEqual(place, cluster.high)));
         }
         area += double(cluster.high.x - cluster.low.x) * double(cluster.high.z - cluster.low.z);
     }
-    EXPECT_EQ(next - 300, sorted.size());
+    EXPECT_EQ(next, sorted.size());
     // Neighbours lie together: in the order of rows each box would be 40 m wide, some 30 times the
     // area.
     EXPECT_LT(area, 4.0 * 40.0 * 40.0);

@@ -9,6 +9,7 @@
 #include "gpu/shader_library.h"
 #include "shaders/shared/pages.h"
 #include "shaders/shared/passes.h"
+#include "shaders/shared/solid.h"
 #include "support/gpu/gpu_fixture.h"
 
 #include <gtest/gtest.h>
@@ -129,6 +130,9 @@ struct Values {
     shared::GroundCluster groundCluster;
     shared::IndexedDraw indexedDraw;
     shared::GroundCullPush groundCullPush;
+    shared::LargeTriangle largeTriangle;
+    shared::SolidWork solidWork;
+    shared::SolidPush solidPush;
 };
 
 std::size_t fillValues(Values& v)
@@ -170,18 +174,18 @@ std::size_t fillValues(Values& v)
               w.reserved);
     shared::RasterPush& r = v.rasterPush;
     n.fillAll(r.frame, r.judged, r.visibility, r.rounds, r.large, r.largeCount, r.largeSeen,
-              r.owners, r.firstOwners, r.seen, r.size, r.isBgr, r.round);
+              r.owners, r.firstOwners, r.seen, r.size, r.isBgr, r.round, r.firstBlade, r.reserved);
     n.fillAll(v.subtree.blades, v.subtree.widest, v.subtree.rankBelow);
     n.fillAll(v.live.patchIndex, v.live.count);
     n.fillAll(v.walkLevel.groups, v.walkLevel.count);
     shared::LargePart& l = v.largePart;
     n.fillAll(l.v0, l.width, l.v1, l.fold, l.v2, l.segments, l.axis, l.tipThreshold, l.scale,
               l.shape, l.blade, l.part);
-    n.fillAll(v.pyramidPush.frame, v.pyramidPush.level, v.pyramidPush.slack);
+    n.fillAll(v.pyramidPush.frame, v.pyramidPush.reserved, v.pyramidPush.slack);
     n.fillAll(v.viewPush.frame);
     n.fillAll(v.copyPush.from, v.copyPush.to, v.copyPush.count, v.copyPush.reserved);
     n.fillAll(v.groundPush.frame, v.groundPush.vertices, v.groundPush.materials,
-              v.groundPush.visibility, v.groundPush.material, v.groundPush.width);
+              v.groundPush.material, v.groundPush.reserved);
     n.fillAll(v.motion.clipBefore, v.motion.statesBefore, v.motion.moves, v.motion.reserved);
     n.fillAll(v.motionPush.frame, v.motionPush.motion);
     n.fillAll(v.pageChange.page, v.pageChange.place, v.pageChange.edges);
@@ -189,12 +193,21 @@ std::size_t fillValues(Values& v)
     n.fillAll(p.changes, p.pages, p.states, p.etas, p.patches, p.subtrees, p.patchTimes,
               p.patchCounts, p.owners, p.firstOwners, p.ownerCount, p.bladeCount, p.settledAt,
               p.reserved);
-    n.fillAll(v.groundCluster.low, v.groundCluster.firstIndex, v.groundCluster.high,
+    n.fillAll(v.groundCluster.low, v.groundCluster.material, v.groundCluster.high,
               v.groundCluster.indexCount);
     n.fillAll(v.indexedDraw.indexCount, v.indexedDraw.instanceCount, v.indexedDraw.firstIndex,
               v.indexedDraw.vertexOffset, v.indexedDraw.firstInstance);
     shared::GroundCullPush& g = v.groundCullPush;
-    n.fillAll(g.frame, g.clusters, g.draws, g.seen, g.drawCount, g.clusterCount, g.looksForHidden);
+    n.fillAll(g.frame, g.clusters, g.draws, g.seen, g.drawCount, g.clusterCount, g.firstCluster);
+    n.fillAll(v.largeTriangle.triangle, v.largeTriangle.firstTile, v.largeTriangle.tile,
+              v.largeTriangle.columns);
+    n.fillAll(v.solidWork.clusters.groups, v.solidWork.clusters.count, v.solidWork.middle.groups,
+              v.solidWork.middle.count, v.solidWork.tiles.groups, v.solidWork.tiles.count,
+              v.solidWork.tilesAsked, v.solidWork.trianglesAsked);
+    shared::SolidPush& s = v.solidPush;
+    n.fillAll(s.frame, s.visibility, s.clusters, s.indices, s.vertices, s.materials, s.work, s.seen,
+              s.middle, s.large, s.size, s.clusterCount, s.triangleCount, s.firstImage,
+              s.imageCount);
     return n.count();
 }
 
@@ -219,7 +232,7 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
     const std::size_t words = fillValues(values);
 
     // The frame is reached as element 0 everywhere, so here, too.
-    std::array<gpu::Buffer, 29> buffers = {secondElement(context(), values.blade),
+    std::array<gpu::Buffer, 32> buffers = {secondElement(context(), values.blade),
                                            secondElement(context(), values.packedBlade),
                                            secondElement(context(), values.cell),
                                            secondElement(context(), values.frame),
@@ -247,7 +260,10 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
                                            secondElement(context(), values.pagePush),
                                            secondElement(context(), values.groundCluster),
                                            secondElement(context(), values.indexedDraw),
-                                           secondElement(context(), values.groundCullPush)};
+                                           secondElement(context(), values.groundCullPush),
+                                           secondElement(context(), values.largeTriangle),
+                                           secondElement(context(), values.solidWork),
+                                           secondElement(context(), values.solidPush)};
     constexpr std::size_t frame = 3;
     std::memcpy(buffers[frame].mapped().data(), &values.frame, sizeof values.frame);
 

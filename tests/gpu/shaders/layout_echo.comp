@@ -4,6 +4,7 @@
 // Reads every shared struct member by member and writes what it has read as a row of words.
 #include "shaders/shared/pages.h"
 #include "shaders/shared/passes.h"
+#include "shaders/shared/solid.h"
 
 layout(local_size_x = 1) in;
 
@@ -18,6 +19,7 @@ SHARED_BUFFER(MotionPushArray, MotionPush, readonly)
 SHARED_BUFFER(GroundPushArray, GroundPush, readonly)
 SHARED_BUFFER(PagePushArray, PagePush, readonly)
 SHARED_BUFFER(GroundCullPushArray, GroundCullPush, readonly)
+SHARED_BUFFER(SolidPushArray, SolidPush, readonly)
 
 struct Sources {
     PlainBladeArray blade;
@@ -49,6 +51,9 @@ struct Sources {
     GroundClusterArray groundCluster;
     IndexedDrawArray indexedDraw;
     GroundCullPushArray groundCullPush;
+    LargeTriangleArray largeTriangle;
+    SolidWorkArray solidWork;
+    SolidPushArray solidPush;
 };
 SHARED_BUFFER(SourcesArray, Sources, readonly)
 
@@ -230,6 +235,8 @@ void putFrame()
         put(FRAME.reserved[i]);
 }
 
+#include "layout_echo_solid.glsl"
+
 void main()
 {
     // The second element of each array, so that the stride is proven, too.
@@ -251,8 +258,6 @@ void main()
     put(bits.rootZUp);
     put(bits.shape);
     put(bits.look);
-
-
     const Patch cell = sources.at[0].cell.at[1];
     put(cell.boundsLow);
     put(cell.firstBlade);
@@ -358,6 +363,8 @@ void main()
     put(sources.at[0].rasterPush.at[1].size);
     put(sources.at[0].rasterPush.at[1].isBgr);
     put(sources.at[0].rasterPush.at[1].round);
+    put(sources.at[0].rasterPush.at[1].firstBlade);
+    put(sources.at[0].rasterPush.at[1].reserved);
 
     const Subtree subtree = sources.at[0].subtree.at[1];
     put(subtree.blades);
@@ -382,7 +389,7 @@ void main()
     put(sources.at[0].largePart.at[1].part);
 
     put(uvec2(sources.at[0].pyramidPush.at[1].frame));
-    put(sources.at[0].pyramidPush.at[1].level);
+    put(sources.at[0].pyramidPush.at[1].reserved);
     put(sources.at[0].pyramidPush.at[1].slack);
     put(uvec2(sources.at[0].viewPush.at[1].frame));
     put(uvec2(sources.at[0].copyPush.at[1].from));
@@ -392,9 +399,8 @@ void main()
     put(uvec2(sources.at[0].groundPush.at[1].frame));
     put(uvec2(sources.at[0].groundPush.at[1].vertices));
     put(uvec2(sources.at[0].groundPush.at[1].materials));
-    put(uvec2(sources.at[0].groundPush.at[1].visibility));
     put(sources.at[0].groundPush.at[1].material);
-    put(sources.at[0].groundPush.at[1].width);
+    put(sources.at[0].groundPush.at[1].reserved);
 
     for (int column = 0; column < 4; ++column)
         put(sources.at[0].motion.at[1].clipBefore[column]);
@@ -423,7 +429,7 @@ void main()
     put(sources.at[0].pagePush.at[1].reserved);
 
     put(sources.at[0].groundCluster.at[1].low);
-    put(sources.at[0].groundCluster.at[1].firstIndex);
+    put(sources.at[0].groundCluster.at[1].material);
     put(sources.at[0].groundCluster.at[1].high);
     put(sources.at[0].groundCluster.at[1].indexCount);
 
@@ -439,5 +445,6 @@ void main()
     put(uvec2(sources.at[0].groundCullPush.at[1].seen));
     put(uvec2(sources.at[0].groundCullPush.at[1].drawCount));
     put(sources.at[0].groundCullPush.at[1].clusterCount);
-    put(sources.at[0].groundCullPush.at[1].looksForHidden);
+    put(sources.at[0].groundCullPush.at[1].firstCluster);
+    putSolid();
 }

@@ -1,0 +1,52 @@
+// The three finest levels of a depth pyramid at once: a work-group has those cells of the finest that
+// make one of the third.
+#ifndef SWARD_FINEST_LEVELS_GLSL
+#define SWARD_FINEST_LEVELS_GLSL
+
+#include "shaders/shared/passes.h"
+
+layout(local_size_x = pyramidThreads, local_size_y = pyramidThreads) in;
+
+const uint factor = 1u << pyramidFactorBits;
+const uint cellsOfSecond = pyramidThreads / factor; // along each axis
+
+shared float depthsOfFirst[pyramidThreads * pyramidThreads];
+shared float depthsOfSecond[cellsOfSecond * cellsOfSecond];
+
+void putCell(DepthPyramid pyramid, uint level, uvec2 cell, float farthest)
+{
+    const uvec2 cells =
+        uvec2(pyramidCells(pyramid.size.x, level), pyramidCells(pyramid.size.y, level));
+    if (level >= pyramid.levels || any(greaterThanEqual(cell, cells)))
+        return;
+    DepthArray depths = pyramid.depths;
+    depths.at[pyramid.first[level] + cell.y * cells.x + cell.x] = farthest;
+}
+
+/// To be called by every thread of the group, with the farthest depth of its cell of the finest level, or
+/// 1 where there is none.
+void putFinestLevels(DepthPyramid pyramid, float farthest)
+{
+    const uint thread = gl_LocalInvocationIndex;
+    putCell(pyramid, 0u, gl_GlobalInvocationID.xy, farthest);
+    depthsOfFirst[thread] = farthest;
+    barrier();
+    if (thread < cellsOfSecond * cellsOfSecond) {
+        const uvec2 cell = uvec2(thread % cellsOfSecond, thread / cellsOfSecond);
+        const uint corner = (cell.y * pyramidThreads + cell.x) * factor;
+        float least = 1.0;
+        for (uint i = 0u; i < factor * factor; ++i)
+            least = min(least, depthsOfFirst[corner + i / factor * pyramidThreads + i % factor]);
+        putCell(pyramid, 1u, gl_WorkGroupID.xy * cellsOfSecond + cell, least);
+        depthsOfSecond[thread] = least;
+    }
+    barrier();
+    if (thread > 0u)
+        return;
+    float least = 1.0;
+    for (uint i = 0u; i < cellsOfSecond * cellsOfSecond; ++i)
+        least = min(least, depthsOfSecond[i]);
+    putCell(pyramid, 2u, gl_WorkGroupID.xy, least);
+}
+
+#endif

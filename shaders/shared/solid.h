@@ -1,0 +1,84 @@
+// What is solid, ground and colliders, as compute shaders draw it: triangles with numbers. First
+// those of the ground, clusterTriangles for each of its clusters, then those of the colliders.
+#ifndef SWARD_SHARED_SOLID_H
+#define SWARD_SHARED_SOLID_H
+
+#include "shaders/shared/passes.h"
+#include "shaders/shared/types.h"
+
+SHARED_BEGIN
+
+/// Threads of a work-group that goes through the triangles of a cluster.
+SHARED_CONST uint solidThreads = 128u;
+
+/// A triangle whose box holds so many pixels at most is drawn by one thread.
+SHARED_CONST uint smallSolidPixels = 32u;
+
+/// One whose box holds so many at most is drawn by a team of threads, of which a work-group has
+/// some.
+SHARED_CONST uint middleSolidPixels = 1024u;
+SHARED_CONST uint solidTeam = 32u;
+SHARED_CONST uint teamsOfGroup = 2u;
+
+/// Still larger ones are drawn by work-groups of their own, each of them a tile of so many pixels
+/// along each side.
+SHARED_CONST uint solidTile = 32u;
+SHARED_CONST uint solidTileThreads = 64u;
+
+/// So many have room in the lists of a frame; more are drawn by whoever is next.
+SHARED_CONST uint mostMiddleTriangles = 262144u;
+SHARED_CONST uint mostLargeTriangles = 65536u;
+
+/// A triangle that reaches over many pixels, and the tiles that it may touch.
+struct LargeTriangle {
+    uint triangle;
+    uint firstTile; ///< so many the large triangles before it have
+    uint tile;      ///< the first: its column, and from bit 16 on its row
+    uint columns;
+};
+SHARED_LAYOUT(LargeTriangle, 16)
+
+SHARED_BUFFER(LargeTriangleArray, LargeTriangle, )
+
+/// What of a frame's ground is to be drawn.
+struct SolidWork {
+    WalkLevel clusters;  ///< that may be seen, and work-groups for them
+    WalkLevel middle;    ///< triangles for teams, and work-groups for them
+    WalkLevel tiles;     ///< of large triangles in the list, and work-groups for them
+    uint tilesAsked;     ///< of all large triangles …
+    uint trianglesAsked; ///< … and how many these are; both are counted in one step
+};
+SHARED_LAYOUT(SolidWork, 56)
+
+/// Place of that step's 64 bits in a SolidWork.
+SHARED_CONST uint ticketPlace = 6u;
+
+SHARED_BUFFER(SolidWorkArray, SolidWork, )
+
+struct SolidPush {
+    FrameArray frame;
+    VisibilityArray visibility;  ///< as in RasterPush
+    GroundClusterArray clusters; ///< of all parts of the ground
+    UintArray indices;           ///< three for each triangle of the ground
+    GroundVertexArray vertices;
+    GroundMaterialArray materials;
+    SolidWorkArray work;
+    UintArray seen;   ///< indices of the clusters that may be seen
+    UintArray middle; ///< triangles for teams
+    LargeTriangleArray large;
+    uvec2 size;         ///< [pixels]
+    uint clusterCount;  ///< of all parts
+    uint triangleCount; ///< of the colliders
+    uint firstImage;    ///< of those that this dispatch knows …
+    uint imageCount;    ///< … and of them all, with a white one at the end
+};
+SHARED_LAYOUT(SolidPush, 104)
+
+/// Images that a dispatch of the solid's light knows; for more there are more dispatches.
+SHARED_CONST uint imagesTogether = 8u;
+
+/// Width and height of the tile of pixels that a work-group lights.
+SHARED_CONST uint lightTile = 16u;
+
+SHARED_END
+#endif

@@ -1,0 +1,18 @@
+// One sample after another of a triangle of what is solid, into the visibility.
+#ifndef SWARD_SOLID_DRAW_GLSL
+#define SWARD_SOLID_DRAW_GLSL
+
+#include "shaders/solid/solid_triangle.glsl"
+
+void drawPixel(SolidTriangle triangle, uint number, uvec2 pixel)
+{
+    Visibility visibility = Visibility(uvec2(push.visibility));
+    SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s) {
+        const float depth = depthThrough(triangle, areasAt(triangle, vec2(pixel) + samplePlace(s)));
+        if (depth >= 0.0)
+            atomicMax(visibility.at[sampleIndex(pixel, s)],
+                      (uint64_t(floatBitsToUint(depth)) << 32u) | uint64_t(number + 1u));
+    }
+}
+
+#endif

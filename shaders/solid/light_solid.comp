@@ -1,0 +1,166 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Lights what is solid where the visibility shows it: of each pixel the sum over the samples that see it,
+// over all samples. Where none does nothing is stored.
+#include "shaders/shared/passes.h"
+#include "shaders/shared/solid.h"
+
+layout(push_constant, scalar) uniform Block { SolidPush push; };
+layout(set = 0, binding = 0) uniform sampler2D baseColors[imagesTogether];
+layout(set = 0, binding = 1, rgba16f) uniform image2D lit;
+
+#define FRAME_SET 1
+#include "shaders/frame_constants.glsl"
+#include "shaders/collider/collider_light.glsl"
+#include "shaders/ground/ground_light.glsl"
+#include "shaders/raster/half_rounded.glsl"
+#include "shaders/solid/solid_triangle.glsl"
+
+const uint tilePixels = lightTile * lightTile;
+layout(local_size_x = tilePixels) in;
+
+// What is to be lit of the tile gathers first: mostly one triangle for a pixel, often none.
+shared uint asked[samplesPerPixel * tilePixels]; // the pixel of the tile, the sample and how many see the same
+shared uint askedCount;
+shared vec4 lights[samplesPerPixel * tilePixels]; // by pixel and sample, times the samples that it stands for
+
+uvec2 pixelOf(uint thread)
+{
+    return gl_WorkGroupID.xy * lightTile + uvec2(thread % lightTile, thread / lightTile);
+}
+
+uint triangleAt(uvec2 pixel, uint s)
+{
+    return push.visibility.at[sampleIndex(pixel, s)].x;
+}
+
+/// How much of each corner there is in a place of a triangle, and what a pixel to the right and one
+/// downwards add.
+struct Shares {
+    vec3 here;
+    vec3 right;
+    vec3 down;
+};
+
+/// Triangles are lit where the middle of a pixel sees them, or at the side that is nearest to it.
+Shares sharesAt(SolidTriangle triangle, vec2 place)
+{
+    const vec3 areas = areasAt(triangle, place);
+    const float sum = areas.x + areas.y + areas.z;
+    const float whole = abs(sum) < 1e-30 ? 1e-30 : sum;
+    const vec3 right = areasAt(triangle, place + vec2(1.0, 0.0)) - areas;
+    const vec3 down = areasAt(triangle, place + vec2(0.0, 1.0)) - areas;
+    Shares shares;
+    shares.here = areas / whole;
+    shares.right = (right - shares.here * (right.x + right.y + right.z)) / whole;
+    shares.down = (down - shares.here * (down.x + down.y + down.z)) / whole;
+    shares.here = max(shares.here, vec3(0.0));
+    shares.here /= max(shares.here.x + shares.here.y + shares.here.z, 1e-30);
+    return shares;
+}
+
+vec4 colliderLight(uint number, vec2 middle)
+{
+    const ColliderPoint a = colliderCorner(number, 0u);
+    const ColliderPoint b = colliderCorner(number, 1u);
+    const ColliderPoint c = colliderCorner(number, 2u);
+    const vec3 shares = sharesAt(colliderTriangle(number), middle).here;
+    return colliderPicture(mat3(a.position, b.position, c.position) * shares,
+                           mat3(a.normal, b.normal, c.normal) * shares);
+}
+
+/// Whether this dispatch knows the image of a material; then `texel` is it at a place.
+bool findTexel(uint image, vec2 uv, vec2 right, vec2 down, out vec3 texel)
+{
+    const uint place = min(image, push.imageCount - 1u) - push.firstImage;
+    texel = vec3(1.0);
+#define TRY(i)                                                                                     \
+    if (place == i)                                                                                \
+        texel = textureGrad(baseColors[i], uv, right, down).rgb;
+    TRY(0u) TRY(1u) TRY(2u) TRY(3u) TRY(4u) TRY(5u) TRY(6u) TRY(7u)
+#undef TRY
+    return place < imagesTogether;
+}
+
+vec4 groundLight(uint number, vec2 middle)
+{
+    const GroundMaterial material =
+        push.materials.at[push.clusters.at[number / clusterTriangles].material];
+    const uvec3 corners = cornersOf(number);
+    const GroundVertex a = push.vertices.at[corners.x];
+    const GroundVertex b = push.vertices.at[corners.y];
+    const GroundVertex c = push.vertices.at[corners.z];
+    const Shares shares = sharesAt(groundTriangle(number), middle);
+    const mat3x2 uvs = mat3x2(a.uv, b.uv, c.uv);
+    vec3 texel;
+    if (!findTexel(material.image, uvs * shares.here, uvs * shares.right, uvs * shares.down, texel))
+        return vec4(0.0);
+    const vec3 tint = mat3(unpackUnorm4x8(a.color).rgb, unpackUnorm4x8(b.color).rgb,
+                           unpackUnorm4x8(c.color).rgb) *
+                      shares.here;
+    GroundPoint point;
+    point.position = mat3(a.position, b.position, c.position) * shares.here;
+    point.normal = mat3(decodeNormal32(a.normal), decodeNormal32(b.normal), decodeNormal32(c.normal)) *
+                   shares.here;
+    point.albedo = material.baseColor.rgb * texel * tint;
+    point.isDoubleSided = (material.flags & groundDoubleSided) != 0u;
+    return groundPicture(point);
+}
+
+vec4 lightOf(uint number, vec2 middle)
+{
+    const uint ofGround = groundTriangles();
+    if (number < ofGround)
+        return groundLight(number, middle);
+    return push.firstImage == 0u ? colliderLight(number - ofGround, middle) : vec4(0.0);
+}
+
+void main()
+{
+    const uint thread = gl_LocalInvocationIndex;
+    const uvec2 pixel = pixelOf(thread);
+    const uint end = groundTriangles() + push.triangleCount + 1u;
+    if (thread == 0u)
+        askedCount = 0u;
+    barrier();
+
+    uint leaders = 0u;
+    if (all(lessThan(pixel, push.size))) {
+        uint triangles[samplesPerPixel];
+        SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
+            triangles[s] = triangleAt(pixel, s);
+        SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s) {
+            uint count = 0u;
+            bool isFirst = true;
+            SHARED_UNROLL for (uint other = 0u; other < samplesPerPixel; ++other)
+                if (triangles[other] == triangles[s]) {
+                    ++count;
+                    isFirst = isFirst && other >= s;
+                }
+            if (!isFirst || triangles[s] == 0u || triangles[s] >= end)
+                continue;
+            leaders |= 1u << s;
+            asked[atomicAdd(askedCount, 1u)] = thread | (s << 8u) | (count << 16u);
+        }
+    }
+    barrier();
+
+    for (uint i = thread; i < askedCount; i += tilePixels) {
+        const uint own = asked[i] & 0xffu;
+        const uint s = (asked[i] >> 8u) & 0xffu;
+        const uvec2 place = pixelOf(own);
+        lights[samplesPerPixel * own + s] =
+            float(asked[i] >> 16u) * lightOf(triangleAt(place, s) - 1u, vec2(place) + 0.5);
+    }
+    barrier();
+
+    if (leaders == 0u)
+        return;
+    vec4 sum = vec4(0.0);
+    if (push.firstImage > 0u)
+        sum = imageLoad(lit, ivec2(pixel)) * float(samplesPerPixel);
+    SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
+        if ((leaders & (1u << s)) != 0u)
+            sum += lights[samplesPerPixel * thread + s];
+    imageStore(lit, ivec2(pixel), halfRounded(sum / float(samplesPerPixel)));
+}

@@ -1,0 +1,31 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Draws triangles of what is solid into the visibility that are neither small nor large, a team of
+// threads each.
+#include "shaders/shared/passes.h"
+#include "shaders/shared/solid.h"
+
+layout(push_constant, scalar) uniform Block { SolidPush push; };
+
+#define FRAME_SET 1
+#include "shaders/frame_constants.glsl"
+#include "shaders/solid/draw_solid.glsl"
+#include "shaders/solid/solid_reach.glsl"
+
+layout(local_size_x = solidTeam * teamsOfGroup) in;
+
+void main()
+{
+    const uint thread = gl_LocalInvocationIndex % solidTeam;
+    const uint count = min(push.work.at[0].middle.count, mostMiddleTriangles);
+    for (uint place = gl_GlobalInvocationID.x / solidTeam; place < count;
+         place += gl_NumWorkGroups.x * teamsOfGroup) {
+        const uint number = push.middle.at[place];
+        const SolidTriangle triangle = solidTriangle(number);
+        const ivec4 pixels = pixelsOf(triangle);
+        const uint columns = uint(pixels.z - pixels.x + 1);
+        const uint inFront = columns * uint(pixels.w - pixels.y + 1);
+        for (uint i = thread; i < inFront; i += solidTeam)
+            drawPixel(triangle, number, uvec2(pixels.xy) + uvec2(i % columns, i / columns));
+    }
+}

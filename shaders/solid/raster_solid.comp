@@ -1,0 +1,94 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Draws small triangles of what is solid into the visibility, one thread each, and lists the others for
+// raster_middle_solid.comp and raster_large_solid.comp.
+#include "shaders/shared/passes.h"
+#include "shaders/shared/solid.h"
+
+layout(push_constant, scalar) uniform Block { SolidPush push; };
+
+#define FRAME_SET 1
+#include "shaders/frame_constants.glsl"
+#include "shaders/solid/draw_solid.glsl"
+#include "shaders/solid/solid_reach.glsl"
+
+layout(local_size_x = solidThreads) in;
+
+/// A SolidWork as words of 64 bits.
+layout(buffer_reference, scalar, buffer_reference_align = 8) buffer TicketArray
+{
+    uint64_t at[];
+};
+
+// Whether these are triangles of colliders; known when the pipeline is made.
+layout(constant_id = 2) const bool isOfColliders = false;
+
+/// Gives a triangle to a team; whether there was room.
+bool leftToTeam(uint number)
+{
+    SolidWorkArray work = push.work;
+    const uint slot = atomicAdd(work.at[0].middle.count, 1u);
+    if (slot >= mostMiddleTriangles)
+        return false;
+    UintArray middle = push.middle;
+    middle.at[slot] = number;
+    atomicMax(work.at[0].middle.groups[0], min(slot / teamsOfGroup + 1u, mostGroups));
+    return true;
+}
+
+/// Gives a triangle to work-groups; whether there was room.
+bool leftToGroups(uint number, uvec4 pixels)
+{
+    const uvec2 first = pixels.xy / solidTile;
+    const uvec2 tiles = pixels.zw / solidTile - first + 1u;
+    // How many there are and where the tiles of each begin are counted in one step, so that the
+    // list is in the order of the tiles.
+    TicketArray tickets = TicketArray(uvec2(push.work));
+    const uint64_t ticket =
+        atomicAdd(tickets.at[ticketPlace], (uint64_t(1u) << 32u) | uint64_t(tiles.x * tiles.y));
+    const uint slot = uint(ticket >> 32u);
+    if (slot >= mostLargeTriangles)
+        return false;
+    LargeTriangleArray large = push.large;
+    SolidWorkArray work = push.work;
+    large.at[slot] = LargeTriangle(number, uint(ticket), first.x | (first.y << 16u), tiles.x);
+    const uint listed = uint(ticket) + tiles.x * tiles.y;
+    atomicMax(work.at[0].tiles.count, listed);
+    atomicMax(work.at[0].tiles.groups[0], min(listed, mostGroups));
+    return true;
+}
+
+void rasterise(uint number, SolidTriangle triangle)
+{
+    const ivec4 pixels = pixelsOf(triangle);
+    const ivec2 size = pixels.zw - pixels.xy + 1;
+    if (any(lessThan(size, ivec2(1))))
+        return;
+    const uint inFront = uint(size.x) * uint(size.y);
+    if (inFront > middleSolidPixels && leftToGroups(number, uvec4(pixels)))
+        return;
+    if (inFront > smallSolidPixels && leftToTeam(number))
+        return;
+    for (int y = pixels.y; y <= pixels.w; ++y)
+        for (int x = pixels.x; x <= pixels.z; ++x)
+            drawPixel(triangle, number, uvec2(x, y));
+}
+
+void main()
+{
+    if (isOfColliders) {
+        for (uint i = gl_GlobalInvocationID.x; i < push.triangleCount;
+             i += gl_NumWorkGroups.x * solidThreads)
+            rasterise(groundTriangles() + i, colliderTriangle(i));
+        return;
+    }
+    const uint count = push.work.at[0].clusters.count;
+    for (uint place = gl_WorkGroupID.x; place < count; place += gl_NumWorkGroups.x) {
+        const uint cluster = push.seen.at[place];
+        const uint triangles = push.clusters.at[cluster].indexCount / 3u;
+        for (uint i = gl_LocalInvocationIndex; i < triangles; i += solidThreads) {
+            const uint number = cluster * clusterTriangles + i;
+            rasterise(number, groundTriangle(number));
+        }
+    }
+}

@@ -1,0 +1,207 @@
+#include "render/solid_raster_pass.h"
+
+#include "core/expect.h"
+#include "gpu/barrier.h"
+#include "gpu/image_use.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+namespace sward::render {
+namespace {
+
+/// The set of descriptors that holds the frame.
+constexpr std::uint32_t frameSet = 1;
+
+constexpr VkFormat litFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
+
+std::uint32_t groupsFor(std::uint32_t count, std::uint32_t threads)
+{
+    return static_cast<std::uint32_t>(gpu::groupsFor(count, threads));
+}
+
+} // namespace
+
+SolidRasterPass::SolidRasterPass(const gpu::DeviceContext& context,
+                                 const gpu::ShaderLibrary& shaders, const GroundBuffers& ground,
+                                 std::uint32_t samples)
+    : context_(&context)
+    , ground_(&ground)
+    , samples_(samples)
+    , imageLayout_(context, {.name = "solid/pictures",
+                             .sampledCount = shared::imagesTogether,
+                             .storageCount = 1,
+                             .stages = VK_SHADER_STAGE_COMPUTE_BIT})
+    , frameLayout_(context, "solid/frame")
+    , work_(context,
+            {.name = "solid/work",
+             .bytes = sizeof(shared::SolidWork),
+             .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                      VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT})
+    , seen_(context,
+            {.name = "solid/seen clusters",
+             .bytes = std::max<VkDeviceSize>(ground.clusterCount(), 1) * sizeof(std::uint32_t),
+             .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT})
+    , middleTriangles_(context, {.name = "solid/middle triangles",
+                                 .bytes = shared::mostMiddleTriangles * sizeof(std::uint32_t),
+                                 .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT})
+    , largeTriangles_(context, {.name = "solid/large triangles",
+                                .bytes = shared::mostLargeTriangles * sizeof(shared::LargeTriangle),
+                                .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT})
+{
+    find_ = gpu::ComputePipeline(context, shaders,
+                                 {.name = "solid/seen clusters",
+                                  .shader = "live_clusters.comp",
+                                  .pushConstantBytes = sizeof(shared::SolidPush)});
+    const auto pipeline = [&](const char* name, const char* shader) {
+        return gpu::ComputePipeline(context, shaders,
+                                    {.name = name,
+                                     .shader = shader,
+                                     .pushConstantBytes = sizeof(shared::SolidPush),
+                                     .setLayouts = {imageLayout_.get(), frameLayout_.get()},
+                                     .constants = {{.id = 1, .value = samples}}});
+    };
+    triangles_ = pipeline("solid/triangles", "raster_solid.comp");
+    middle_ = pipeline("solid/middle triangles", "raster_middle_solid.comp");
+    large_ = pipeline("solid/large triangles", "raster_large_solid.comp");
+}
+
+void SolidRasterPass::prepare(const gpu::ShaderLibrary& shaders, std::uint32_t colliders,
+                              bool paintsWind)
+{
+    colliderTriangles_ = colliders * shared::colliderTriangles;
+    paintsWind_ = paintsWind;
+    const auto pipeline = [&](const char* name, const char* shader,
+                              std::vector<gpu::SpecializationConstant> constants) {
+        return gpu::ComputePipeline(*context_, shaders,
+                                    {.name = name,
+                                     .shader = shader,
+                                     .pushConstantBytes = sizeof(shared::SolidPush),
+                                     .setLayouts = {imageLayout_.get(), frameLayout_.get()},
+                                     .constants = std::move(constants)});
+    };
+    if (colliders > 0 && colliders_.get() == VK_NULL_HANDLE)
+        colliders_ = pipeline("solid/colliders", "raster_solid.comp",
+                              {{.id = 1, .value = samples_}, {.id = 2, .value = 1u}});
+    if (!light_.contains(paintsWind))
+        light_.emplace(paintsWind, pipeline("solid/light", "light_solid.comp",
+                                            {{.id = 0, .value = paintsWind ? 1u : 0u},
+                                             {.id = 1, .value = samples_}}));
+}
+
+void SolidRasterPass::resize(VkExtent2D size)
+{
+    size_ = size;
+    lit_ =
+        gpu::Image(*context_, {.name = "frame/lit ground",
+                               .format = litFormat,
+                               .extent = size,
+                               .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT});
+    images_.clear();
+    const std::uint32_t white = ground_->imageCount() - 1;
+    for (std::uint32_t first = 0; first <= white; first += shared::imagesTogether) {
+        gpu::ImageSet& set = images_.emplace_back(*context_, imageLayout_,
+                                                  "solid/images from " + std::to_string(first));
+        for (std::uint32_t i = 0; i < shared::imagesTogether; ++i)
+            set.setSampled(i, ground_->imageView(std::min(first + i, white)), ground_->sampler());
+        set.setStorage(0, lit_.view());
+    }
+}
+
+std::uint32_t SolidRasterPass::firstBlade() const
+{
+    return ground_->triangleCount() + colliderTriangles_ + 1;
+}
+
+VkDeviceSize SolidRasterPass::bytes() const
+{
+    return work_.bytes() + seen_.bytes() + middleTriangles_.bytes() + largeTriangles_.bytes() +
+           lit_.memoryBytes();
+}
+
+shared::SolidPush SolidRasterPass::pushFor(const FramePlace& frame,
+                                           VkDeviceAddress visibility) const
+{
+    return {.frame = frame.address,
+            .visibility = visibility,
+            .clusters = ground_->clusters(),
+            .indices = ground_->indices().address(),
+            .vertices = ground_->vertices(),
+            .materials = ground_->materials(),
+            .work = work_.address(),
+            .seen = seen_.address(),
+            .middle = middleTriangles_.address(),
+            .large = largeTriangles_.address(),
+            .size = {size_.width, size_.height},
+            .clusterCount = ground_->clusterCount(),
+            .triangleCount = colliderTriangles_,
+            .firstImage = 0,
+            .imageCount = ground_->imageCount()};
+}
+
+void SolidRasterPass::recordTriangles(VkCommandBuffer commands, const FramePlace& frame,
+                                      VkDeviceAddress visibility) const
+{
+    shared::SolidWork none{};
+    none.clusters = {.groups = {0, 1, 1}, .count = 0};
+    none.middle = none.clusters;
+    none.tiles = none.clusters;
+    const shared::SolidPush push = pushFor(frame, visibility);
+    gpu::anythingToTransfer(commands);
+    vkCmdUpdateBuffer(commands, work_.get(), 0, sizeof none, &none);
+    gpu::memoryBarrier(commands, gpu::transferAccess, gpu::dispatchAccess);
+    if (ground_->clusterCount() > 0) {
+        find_.bind(commands);
+        find_.push(commands, push);
+        vkCmdDispatch(commands, groupsFor(ground_->clusterCount(), shared::groundThreads), 1, 1);
+        gpu::computeToCompute(commands);
+        triangles_.bind(commands);
+        frame.bind(commands, triangles_.layout(), frameSet);
+        triangles_.push(commands, push);
+        vkCmdDispatchIndirect(commands, work_.get(), offsetof(shared::SolidWork, clusters));
+    }
+    if (colliderTriangles_ > 0) {
+        colliders_.bind(commands);
+        frame.bind(commands, colliders_.layout(), frameSet);
+        colliders_.push(commands, push);
+        vkCmdDispatch(
+            commands,
+            std::min(groupsFor(colliderTriangles_, shared::solidThreads), shared::mostGroups), 1,
+            1);
+    }
+    gpu::computeToCompute(commands);
+    middle_.bind(commands);
+    frame.bind(commands, middle_.layout(), frameSet);
+    middle_.push(commands, push);
+    vkCmdDispatchIndirect(commands, work_.get(), offsetof(shared::SolidWork, middle));
+    large_.bind(commands);
+    frame.bind(commands, large_.layout(), frameSet);
+    large_.push(commands, push);
+    vkCmdDispatchIndirect(commands, work_.get(), offsetof(shared::SolidWork, tiles));
+}
+
+void SolidRasterPass::recordLight(VkCommandBuffer commands, const FramePlace& frame,
+                                  VkDeviceAddress visibility) const
+{
+    const auto found = light_.find(paintsWind_);
+    expect(found != light_.end(), "the light has been prepared");
+    const gpu::ComputePipeline& light = found->second;
+    shared::SolidPush push = pushFor(frame, visibility);
+    gpu::transition(commands, lit_, gpu::ImageUse::undefined, gpu::ImageUse::storage);
+    light.bind(commands);
+    frame.bind(commands, light.layout(), frameSet);
+    for (const gpu::ImageSet& set : images_) {
+        // The next one adds to what this one has stored.
+        if (push.firstImage > 0)
+            gpu::computeToCompute(commands);
+        set.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, light.layout());
+        light.push(commands, push);
+        vkCmdDispatch(commands, groupsFor(size_.width, shared::lightTile),
+                      groupsFor(size_.height, shared::lightTile), 1);
+        push.firstImage += shared::imagesTogether;
+    }
+    gpu::transition(commands, lit_, gpu::ImageUse::storage, gpu::ImageUse::sampled);
+}
+
+} // namespace sward::render

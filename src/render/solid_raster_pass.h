@@ -1,0 +1,81 @@
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/compute_pipeline.h"
+#include "gpu/context.h"
+#include "gpu/image.h"
+#include "gpu/image_set.h"
+#include "gpu/shader_library.h"
+#include "gpu/uniform_sets.h"
+#include "render/frame_place.h"
+#include "render/ground_buffers.h"
+#include "shaders/shared/solid.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace sward::render {
+
+/// Draws what is solid among the grass, the ground and the colliders, by compute shaders: into a
+/// visibility (shared::VisibilityArray), and later the light of what is still seen of it.
+class SolidRasterPass {
+public:
+    /// `ground` outlives it; the device has 64-bit atomics. `samples`: 1 or 4 per pixel.
+    SolidRasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                    const GroundBuffers& ground, std::uint32_t samples);
+
+    /// Makes ready for a frame with so many colliders, in the colours of the wind or in its own.
+    void prepare(const gpu::ShaderLibrary& shaders, std::uint32_t colliders, bool paintsWind);
+
+    /// Has pictures of this size; the device is done with the former ones.
+    void resize(VkExtent2D size);
+
+    /// What the visibility has for the first blade of the frame: the sky and all triangles come
+    /// before it.
+    std::uint32_t firstBlade() const;
+
+    /// Into a visibility that nothing has been drawn into, between barriers from fills and compute
+    /// shaders, and to the latter.
+    void recordTriangles(VkCommandBuffer commands, const FramePlace& frame,
+                         VkDeviceAddress visibility) const;
+
+    /// Lights what the visibility shows; between barriers from and to compute shaders. lit() is
+    /// then in ImageUse::sampled.
+    void recordLight(VkCommandBuffer commands, const FramePlace& frame,
+                     VkDeviceAddress visibility) const;
+
+    /// Linear; alpha: see softness() of lighting.glsl. Per pixel the sum over the samples that see
+    /// something solid, over all samples; of other pixels it holds nothing of use.
+    const gpu::Image& lit() const { return lit_; }
+    VkDeviceSize bytes() const;
+
+private:
+    shared::SolidPush pushFor(const FramePlace& frame, VkDeviceAddress visibility) const;
+
+    const gpu::DeviceContext* context_;
+    const GroundBuffers* ground_;
+    std::uint32_t samples_;
+    gpu::ImageSetLayout imageLayout_;
+    gpu::UniformSetLayout frameLayout_;
+    gpu::ComputePipeline find_;
+    gpu::ComputePipeline triangles_;
+    gpu::ComputePipeline colliders_; ///< once there have been any
+    gpu::ComputePipeline middle_;
+    gpu::ComputePipeline large_;
+    std::map<bool, gpu::ComputePipeline> light_; ///< by whether it paints the wind
+    gpu::Buffer work_;                           ///< shared::SolidWork
+    gpu::Buffer seen_;                           ///< indices of clusters
+    gpu::Buffer middleTriangles_;                ///< their numbers
+    gpu::Buffer largeTriangles_;                 ///< shared::LargeTriangle
+    std::uint32_t colliderTriangles_ = 0;        ///< of the frame prepared last
+    bool paintsWind_ = false;
+
+    VkExtent2D size_{};
+    gpu::Image lit_;
+    std::vector<gpu::ImageSet> images_; ///< shared::imagesTogether each
+};
+
+} // namespace sward::render
