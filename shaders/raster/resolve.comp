@@ -13,14 +13,14 @@ layout(set = 0, binding = 1, rgba8) uniform writeonly image2D picture;
 #include "shaders/raster/visibility.glsl"
 #include "shaders/raster/resolve.glsl"
 
-vec4 shadeAt(uvec2 pixel)
+/// `word` of the visibility.
+vec4 shadeAt(uvec2 pixel, uint64_t word)
 {
     const Lens lens = lensOf();
-    const uint64_t seen = Visibility(uvec2(push.visibility)).at[sampleIndex(pixel, 0u)];
-    const uint what = uint(seen);
+    const uint what = uint(word);
     if (what >= push.firstBlade)
         return shade(lens, what - push.firstBlade, vec2(pixel), 1u, 0u,
-                     uintBitsToFloat(uint(seen >> 32u)));
+                     uintBitsToFloat(uint(word >> 32u)));
     return what > 0u ? texelFetch(solid, ivec2(pixel), 0) : skyAt(lens, pixel);
 }
 
@@ -29,5 +29,9 @@ void main()
     const uvec2 pixel = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(pixel, push.size)))
         return;
-    imageStore(picture, ivec2(pixel), stored(shadeAt(pixel).rgb));
+    Visibility visibility = Visibility(uvec2(push.visibility));
+    const uint index = sampleIndex(pixel, 0u);
+    imageStore(picture, ivec2(pixel), stored(shadeAt(pixel, visibility.at[index]).rgb));
+    // The next frame begins with nothing. Written earlier it would hold up all that is read after it.
+    visibility.at[index] = uint64_t(0u);
 }

@@ -77,6 +77,9 @@ void main()
 
     if (!isInside)
         return;
+    // The next frame begins with nothing.
+    for (uint s = 0u; s < 4u; ++s)
+        visibility.at[sampleIndex(pixel, s)] = uint64_t(0u);
     vec4 sum = vec4(0.0);
     float sky = 0.0;
     bool seesSolid = false;

@@ -9,7 +9,7 @@
 SHARED_BEGIN
 
 /// Threads of a work-group that goes through the triangles of a cluster.
-SHARED_CONST uint solidThreads = 128u;
+SHARED_CONST uint solidThreads = 256u;
 
 /// A triangle whose box holds so many pixels at most is drawn by one thread.
 SHARED_CONST uint smallSolidPixels = 32u;

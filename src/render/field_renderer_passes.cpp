@@ -40,7 +40,10 @@ void FieldRenderer::Parts::rasterSolid(VkCommandBuffer commands, std::uint32_t s
                                        gpu::Timestamps* timestamps)
 {
     const PassScope scope(context, commands, timestamps, "ground");
+    gpu::anythingToTransfer(commands);
     raster->recordBegin(commands);
+    solidRaster->recordBegin(commands);
+    gpu::memoryBarrier(commands, gpu::transferAccess, gpu::dispatchAccess);
     solidRaster->recordTriangles(commands, slots[slot].frame.place(), raster->visibility());
     gpu::computeToCompute(commands);
 }

@@ -108,6 +108,7 @@ void RasterPass::prepare(const gpu::ShaderLibrary& shaders, bool paintsWind)
 void RasterPass::resize(VkExtent2D size, VkImageView solid)
 {
     size_ = size;
+    isEmpty_ = false;
     visibility_ = gpu::Buffer(*context_, {.name = "frame/visibility",
                                           .bytes = visibilityBytes(size_, target_.samples),
                                           .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
@@ -158,11 +159,11 @@ shared::RasterPush RasterPass::pushFor(const Input& input) const
 
 void RasterPass::recordBegin(VkCommandBuffer commands)
 {
-    gpu::anythingToTransfer(commands);
-    vkCmdFillBuffer(commands, visibility_.get(), 0, VK_WHOLE_SIZE, 0);
+    if (!isEmpty_)
+        vkCmdFillBuffer(commands, visibility_.get(), 0, VK_WHOLE_SIZE, 0);
+    isEmpty_ = true;
     largeList_.clear(commands);
     largeList_.beginShown(commands);
-    gpu::memoryBarrier(commands, gpu::transferAccess, gpu::dispatchAccess);
 }
 
 void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input, std::uint32_t round,

@@ -51,7 +51,8 @@ public:
         bool tessellatesLarge = false; ///< whether large ones are left to the tessellator
     };
 
-    /// Empties the visibility, and lists of blades; with barriers from anything and to dispatches.
+    /// Empties lists of blades, and the visibility unless the frame before has left it empty;
+    /// between barriers from anything to fills, and from those to dispatches.
     void recordBegin(VkCommandBuffer commands);
 
     /// Blades that are drawn without a question, or those of which the frame's pyramid hides some.
@@ -75,8 +76,8 @@ public:
     /// Fills the finest levels of the frame's pyramid with what has been drawn so far. As above.
     void recordDepths(VkCommandBuffer commands, const Input& input) const;
 
-    /// Shades the picture and filters it; it is then in ImageUse::transferSource. `paintsWind` was
-    /// prepared.
+    /// Shades the picture, filters it and empties the visibility; the picture is then in
+    /// ImageUse::transferSource. `paintsWind` was prepared.
     void recordResolve(VkCommandBuffer commands, const Input& input, bool paintsWind) const;
 
     /// Copies the picture to a target in ImageUse::transferTarget.
@@ -106,6 +107,7 @@ private:
     gpu::ComputePipeline soften_;                  ///< with several samples
 
     VkExtent2D size_{};
+    bool isEmpty_ = false; ///< nothing is in the visibility when a frame begins
     VkDeviceSize bytes_ = 0;
     gpu::Buffer visibility_;
     LargeBladeList largeList_;

@@ -140,17 +140,19 @@ shared::SolidPush SolidRasterPass::pushFor(const FramePlace& frame,
             .imageCount = ground_->imageCount()};
 }
 
-void SolidRasterPass::recordTriangles(VkCommandBuffer commands, const FramePlace& frame,
-                                      VkDeviceAddress visibility) const
+void SolidRasterPass::recordBegin(VkCommandBuffer commands) const
 {
     shared::SolidWork none{};
     none.clusters = {.groups = {0, 1, 1}, .count = 0};
     none.middle = none.clusters;
     none.tiles = none.clusters;
-    const shared::SolidPush push = pushFor(frame, visibility);
-    gpu::anythingToTransfer(commands);
     vkCmdUpdateBuffer(commands, work_.get(), 0, sizeof none, &none);
-    gpu::memoryBarrier(commands, gpu::transferAccess, gpu::dispatchAccess);
+}
+
+void SolidRasterPass::recordTriangles(VkCommandBuffer commands, const FramePlace& frame,
+                                      VkDeviceAddress visibility) const
+{
+    const shared::SolidPush push = pushFor(frame, visibility);
     if (ground_->clusterCount() > 0) {
         find_.bind(commands);
         find_.push(commands, push);

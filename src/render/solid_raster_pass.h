@@ -37,8 +37,11 @@ public:
     /// before it.
     std::uint32_t firstBlade() const;
 
-    /// Into a visibility that nothing has been drawn into, between barriers from fills and compute
-    /// shaders, and to the latter.
+    /// Empties lists of triangles, between barriers from anything to fills, and from those to
+    /// dispatches.
+    void recordBegin(VkCommandBuffer commands) const;
+
+    /// Into a visibility that nothing has been drawn into; then comes a barrier to compute shaders.
     void recordTriangles(VkCommandBuffer commands, const FramePlace& frame,
                          VkDeviceAddress visibility) const;
 
