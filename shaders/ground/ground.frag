@@ -6,6 +6,7 @@
 layout(push_constant, scalar) uniform Block { GroundPush push; };
 
 #include "shaders/ground/ground_light.glsl"
+#include "shaders/ground/image_probes.glsl"
 
 layout(set = 0, binding = 0) uniform sampler2D baseColor;
 
@@ -22,7 +23,11 @@ void main()
     GroundPoint point;
     point.position = inPosition;
     point.normal = inNormal;
-    point.albedo = material.baseColor.rgb * texture(baseColor, inUv).rgb * inColor.rgb;
+    const ImageProbes probes = imageProbes(inUv, dFdx(inUv), dFdy(inUv), vec2(textureSize(baseColor, 0)));
+    vec3 texel = vec3(0.0);
+    for (uint i = 0u; i < probes.count; ++i)
+        texel += textureLod(baseColor, probes.first + float(i) * probes.step, probes.lod).rgb;
+    point.albedo = material.baseColor.rgb * (texel / float(probes.count)) * inColor.rgb;
     point.isDoubleSided = (material.flags & groundDoubleSided) != 0u;
     outColor = groundPicture(point);
 }

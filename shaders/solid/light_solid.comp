@@ -13,6 +13,7 @@ layout(set = 0, binding = 1, rgba16f) uniform image2D lit;
 #include "shaders/frame_constants.glsl"
 #include "shaders/collider/collider_light.glsl"
 #include "shaders/ground/ground_light.glsl"
+#include "shaders/ground/image_probes.glsl"
 #include "shaders/raster/half_rounded.glsl"
 #include "shaders/solid/solid_triangle.glsl"
 
@@ -69,17 +70,41 @@ vec4 colliderLight(uint number, vec2 middle)
                            mat3(a.normal, b.normal, c.normal) * shares);
 }
 
+/// Size of image `place` of those that this dispatch knows.
+vec2 sizeOfImage(uint place)
+{
+    ivec2 size = ivec2(1);
+#define TRY(i)                                                                                     \
+    if (place == i)                                                                                \
+        size = textureSize(baseColors[i], 0);
+    TRY(0u) TRY(1u) TRY(2u) TRY(3u) TRY(4u) TRY(5u) TRY(6u) TRY(7u)
+#undef TRY
+    return vec2(size);
+}
+
+vec3 texelOf(uint place, vec2 uv, float lod)
+{
+    vec3 texel = vec3(1.0);
+#define TRY(i)                                                                                     \
+    if (place == i)                                                                                \
+        texel = textureLod(baseColors[i], uv, lod).rgb;
+    TRY(0u) TRY(1u) TRY(2u) TRY(3u) TRY(4u) TRY(5u) TRY(6u) TRY(7u)
+#undef TRY
+    return texel;
+}
+
 /// Whether this dispatch knows the image of a material; then `texel` is it at a place.
 bool findTexel(uint image, vec2 uv, vec2 right, vec2 down, out vec3 texel)
 {
     const uint place = min(image, push.imageCount - 1u) - push.firstImage;
-    texel = vec3(1.0);
-#define TRY(i)                                                                                     \
-    if (place == i)                                                                                \
-        texel = textureGrad(baseColors[i], uv, right, down).rgb;
-    TRY(0u) TRY(1u) TRY(2u) TRY(3u) TRY(4u) TRY(5u) TRY(6u) TRY(7u)
-#undef TRY
-    return place < imagesTogether;
+    texel = vec3(0.0);
+    if (place >= imagesTogether)
+        return false;
+    const ImageProbes probes = imageProbes(uv, right, down, sizeOfImage(place));
+    for (uint i = 0u; i < probes.count; ++i)
+        texel += texelOf(place, probes.first + float(i) * probes.step, probes.lod);
+    texel /= float(probes.count);
+    return true;
 }
 
 vec4 groundLight(uint number, vec2 middle)

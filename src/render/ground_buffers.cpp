@@ -46,7 +46,7 @@ GroundBuffers::GroundBuffers(const gpu::DeviceContext& context, gpu::Uploader& u
     , materials_(allocate(context, "ground/materials",
                           ground.materials.size() * sizeof(shared::GroundMaterial),
                           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT))
-    , sampler_(gpu::createSampler(context, {.name = "ground", .anisotropy = 8.0f}))
+    , sampler_(gpu::createSampler(context, {.name = "ground"}))
     , imageLayout_(
           context,
           {.name = "ground/base color", .sampledCount = 1, .stages = VK_SHADER_STAGE_FRAGMENT_BIT})

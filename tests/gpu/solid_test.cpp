@@ -118,13 +118,11 @@ field::Field wavesWith(std::uint32_t images, std::uint32_t cells)
              .firstIndex = first,
              .indexCount = static_cast<std::uint32_t>(ground.indices.size()) - first});
     }
-    // Of one colour each, so that it does not matter how finely they are looked at: the pipeline
-    // judges that by four neighbouring pixels.
     for (std::uint32_t image = 0; image < images; ++image) {
-        field::Image made{.width = 4, .height = 4, .rgba = {}};
-        for (std::uint32_t texel = 0; texel < 16; ++texel)
-            for (const std::uint32_t channel :
-                 {60u + 17u * image, 220u - 13u * image, 40u + 71u * image % 160u, 255u})
+        field::Image made{.width = 8, .height = 8, .rgba = {}};
+        for (std::uint32_t texel = 0; texel < 64; ++texel)
+            for (const std::uint32_t channel : {60u + 17u * image, 220u - 13u * image,
+                                                30u + (71u * image + 23u * texel) % 200u, 255u})
                 made.rgba.push_back(static_cast<std::uint8_t>(channel));
         ground.images.push_back(std::move(made));
     }
