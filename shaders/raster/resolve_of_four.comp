@@ -4,8 +4,8 @@
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
-layout(set = 0, binding = 0) uniform sampler2D solid; // what light_solid.comp has lit
-layout(set = 0, binding = 1, rgba16f) uniform writeonly image2D shaded;
+// Holds what light_solid.comp has lit, and then the whole pixel.
+layout(set = 0, binding = 1, rgba16f) uniform image2D shaded;
 
 #define FRAME_SET 1
 #include "shaders/frame_constants.glsl"
@@ -93,6 +93,6 @@ void main()
         sum += sky * skyAt(lens, pixel);
     vec4 mean = sum / 4.0;
     if (seesSolid)
-        mean += texelFetch(solid, ivec2(pixel), 0);
+        mean += imageLoad(shaded, ivec2(pixel));
     imageStore(shaded, ivec2(pixel), halfRounded(mean));
 }

@@ -151,7 +151,7 @@ void FieldRenderer::Parts::fit(glm::uvec2 size)
         const VkExtent2D extent{size.x, size.y};
         pyramid.resize(extent);
         solidRaster->resize(extent);
-        raster->resize(extent, solidRaster->lit().view());
+        raster->resize(extent, solidRaster->lit());
         return;
     }
     attachments->resize(size);

@@ -10,9 +10,6 @@ namespace {
 /// What is stored into is encoded by the shader; it is copied, bit by bit, to a target.
 constexpr VkFormat pictureFormat = VK_FORMAT_R8G8B8A8_UNORM;
 
-/// What has been shaded, before it is filtered; alpha: see softness() of lighting.glsl.
-constexpr VkFormat shadedFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
-
 /// The set of descriptors that holds the frame.
 constexpr std::uint32_t frameSet = 1;
 
@@ -105,7 +102,7 @@ void RasterPass::prepare(const gpu::ShaderLibrary& shaders, bool paintsWind)
                                                          {.id = 1, .value = target_.samples}}}));
 }
 
-void RasterPass::resize(VkExtent2D size, VkImageView solid)
+void RasterPass::resize(VkExtent2D size, const gpu::Image& lit)
 {
     size_ = size;
     isEmpty_ = false;
@@ -119,21 +116,16 @@ void RasterPass::resize(VkExtent2D size, VkImageView solid)
                            .extent = size_,
                            .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
     images_ = gpu::ImageSet(*context_, imageLayout_, "raster/pictures");
-    images_.setSampled(0, solid, sampler_.get());
+    lit_ = &lit;
+    images_.setSampled(0, lit.view(), sampler_.get());
     images_.setStorage(0, picture_.view());
     bytes_ = visibility_.bytes() + largeList_.bytes() + picture_.memoryBytes();
     if (target_.samples == 1)
         return;
-    shaded_ =
-        gpu::Image(*context_, {.name = "frame/shaded",
-                               .format = shadedFormat,
-                               .extent = size_,
-                               .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT});
-    images_.setStorage(0, shaded_.view());
+    images_.setStorage(0, lit.view());
     filmImages_ = gpu::ImageSet(*context_, imageLayout_, "raster/film");
-    filmImages_.setSampled(0, shaded_.view(), sampler_.get());
+    filmImages_.setSampled(0, lit.view(), sampler_.get());
     filmImages_.setStorage(0, picture_.view());
-    bytes_ += shaded_.memoryBytes();
 }
 
 shared::RasterPush RasterPass::pushFor(const Input& input) const
@@ -231,15 +223,15 @@ void RasterPass::recordResolve(VkCommandBuffer commands, const Input& input, boo
     const shared::RasterPush push = pushFor(input);
     gpu::computeToCompute(commands);
     gpu::transition(commands, picture_, gpu::ImageUse::undefined, gpu::ImageUse::storage);
-    if (target_.samples > 1)
-        gpu::transition(commands, shaded_, gpu::ImageUse::undefined, gpu::ImageUse::storage);
+    if (target_.samples == 1)
+        gpu::transition(commands, *lit_, gpu::ImageUse::storage, gpu::ImageUse::sampled);
     found->second.bind(commands);
     images_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, found->second.layout());
     input.frame.bind(commands, found->second.layout(), frameSet);
     found->second.push(commands, push);
     vkCmdDispatch(commands, tilesFor(size_.width), tilesFor(size_.height), 1);
     if (target_.samples > 1) {
-        gpu::transition(commands, shaded_, gpu::ImageUse::storage, gpu::ImageUse::sampled);
+        gpu::transition(commands, *lit_, gpu::ImageUse::storage, gpu::ImageUse::sampled);
         soften_.bind(commands);
         filmImages_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, soften_.layout());
         soften_.push(commands, push);

@@ -34,9 +34,9 @@ public:
     RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
                const TargetSettings& target, std::uint32_t bladeCount);
 
-    /// Has pictures of this size; the device is done with the former ones. `solid`: the light of
-    /// what is solid, in ImageUse::sampled when the picture is made.
-    void resize(VkExtent2D size, VkImageView solid);
+    /// Has pictures of this size; the device is done with the former ones. `lit`, which outlives
+    /// them, is SolidRasterPass::lit(): with several samples the picture is shaded in it.
+    void resize(VkExtent2D size, const gpu::Image& lit);
 
     /// Makes the pipelines of a frame unless they are there.
     void prepare(const gpu::ShaderLibrary& shaders, bool paintsWind);
@@ -111,7 +111,7 @@ private:
     VkDeviceSize bytes_ = 0;
     gpu::Buffer visibility_;
     LargeBladeList largeList_;
-    gpu::Image shaded_; ///< with several samples: linear, not yet filtered
+    const gpu::Image* lit_ = nullptr;
     gpu::Image picture_;
     gpu::ImageSet images_;
     gpu::ImageSet filmImages_;

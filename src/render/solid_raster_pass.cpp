@@ -203,7 +203,6 @@ void SolidRasterPass::recordLight(VkCommandBuffer commands, const FramePlace& fr
                       groupsFor(size_.height, shared::lightTile), 1);
         push.firstImage += shared::imagesTogether;
     }
-    gpu::transition(commands, lit_, gpu::ImageUse::storage, gpu::ImageUse::sampled);
 }
 
 } // namespace sward::render

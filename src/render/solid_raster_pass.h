@@ -46,7 +46,7 @@ public:
                          VkDeviceAddress visibility) const;
 
     /// Lights what the visibility shows; between barriers from and to compute shaders. lit() is
-    /// then in ImageUse::sampled.
+    /// then in ImageUse::storage.
     void recordLight(VkCommandBuffer commands, const FramePlace& frame,
                      VkDeviceAddress visibility) const;
 
