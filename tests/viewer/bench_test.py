@@ -172,6 +172,12 @@ class BenchTest(unittest.TestCase):
         for length, time in zip(lengths, times):
             self.assertAlmostEqual(length / max(lengths), time / max(times), delta=0.01)
 
+    def test_a_scene_whose_camera_has_no_way_to_go_is_measured_standing(self):
+        self.scene(moving=None)
+        runs, text, _ = self.measured("table", "tiny", "--scenes", self.folder)
+        self.assertEqual({run["moving"] for run in runs}, {False})
+        self.assertNotIn("tiny, moving", text)
+
     def test_time_against_resident_blades_has_a_mark_for_each_field(self):
         runs, text, out = self.measured("growth")
         self.assertEqual([run["x"] for run in runs], [1, 4, 16, 1, 4, 16])
