@@ -14,8 +14,6 @@ namespace sward::gpu {
 /// features.cpp.
 struct OptionalFeatures {
     bool wireframe = false;                 ///< fillModeNonSolid
-    bool anisotropicSampling = false;       ///< samplerAnisotropy
-    bool minmaxSampling = false;            ///< samplerFilterMinmax
     bool bufferInt64Atomics = false;        ///< shaderBufferInt64Atomics
     bool multiDrawIndirect = false;         ///< of the same name
     bool drawIndirectFirstInstance = false; ///< of the same name

@@ -35,10 +35,6 @@ constexpr Required required[] = {
 constexpr Optional optional[] = {
     {&OptionalFeatures::wireframe,
      [](FeatureChain& chain) -> VkBool32& { return chain.core.features.fillModeNonSolid; }},
-    {&OptionalFeatures::anisotropicSampling,
-     [](FeatureChain& chain) -> VkBool32& { return chain.core.features.samplerAnisotropy; }},
-    {&OptionalFeatures::minmaxSampling,
-     [](FeatureChain& chain) -> VkBool32& { return chain.vulkan12.samplerFilterMinmax; }},
     {&OptionalFeatures::bufferInt64Atomics,
      [](FeatureChain& chain) -> VkBool32& { return chain.vulkan12.shaderBufferInt64Atomics; }},
     {&OptionalFeatures::multiDrawIndirect,
