@@ -1,6 +1,7 @@
 // Ground and colliders by compute shaders: the same as by the graphics pipeline, and tight.
 
 #include "picture.h"
+#include "shaders/shared/solid.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
 
@@ -172,6 +173,54 @@ TEST_F(SolidTest, LooksAsByTheGraphicsPipeline)
                 << cells << " squares, " << samples << " samples";
         }
     }
+}
+
+/// So many triangles, each half of a square of `side` m and nearer to +z than the one before. One
+/// of 97 shows its front.
+void putCrowd(field::DisplayGround& ground, std::uint32_t count, float side)
+{
+    const auto across = static_cast<std::uint32_t>(6.5f / side);
+    const glm::vec3 right = {side, 0.0f, 0.0f};
+    const glm::vec3 up = {0.0f, side, 0.0f};
+    const float half = 0.5f * side * static_cast<float>(across);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const glm::vec3 corner = {side * static_cast<float>(i % across) - half,
+                                  side * static_cast<float>(i / across % across) - half,
+                                  1e-6f * static_cast<float>(i)};
+        if (i % 97 == 0)
+            putTriangle(ground, {corner, corner + right, corner + up});
+        else
+            putTriangle(ground, {corner, corner + up, corner + right});
+    }
+}
+
+TEST_F(SolidTest, DrawsWhatHasNoRoomInItsLists)
+{
+    // A metre is 24 pixels: boxes of 41 × 41 pixels, and of 8 × 8, all of them in the picture.
+    // Those that come last, and find the lists full, are the nearest.
+    field::Field field = bareField();
+    putCrowd(field.ground, shared::mostLargeTriangles + 4000, 1.4f);
+    putCrowd(field.ground, shared::mostMiddleTriangles, 0.25f);
+    endGround(field.ground);
+    for (std::size_t i = 0; i < field.ground.vertices.size(); ++i)
+        field.ground.vertices[i].color =
+            0xff000000u | (0x9e3779b9u * static_cast<std::uint32_t>(i / 3) >> 8u);
+    const FrameSettings settings = bareSettings(field);
+    Camera camera;
+    // Askew: no edge runs through the middles of a row of pixels.
+    camera.eye = {0.0, 0.0, 10.0};
+    camera.target = {0.0, 0.0, 0.0};
+    camera.up = {0.3f, 1.0f, 0.0f};
+    std::vector<Pixels> pictures;
+    for (const Geometry geometry : {Geometry::raster, Geometry::tessellation}) {
+        FieldRenderer renderer(device(), field::viewOf(field),
+                               {.samples = 1, .geometry = geometry});
+        test::Picture picture(context(), {200, 200});
+        picture.draw(renderer, camera, settings, 1.0);
+        pictures.push_back(picture.pixels());
+    }
+    // Edges are everywhere, and to a 256th of a pixel a sample may lie on either side of one.
+    EXPECT_LT(farPixels(pictures[0], pictures[1], 6), 200u * 200u / 400u);
 }
 
 TEST_F(SolidTest, NobodySeesThroughAClosedSurface)
