@@ -6,7 +6,7 @@
 #include "shaders/shared/passes.h"
 
 layout(local_size_x = pyramidRestThreads) in;
-layout(push_constant, scalar) uniform Block { PyramidPush push; };
+layout(push_constant, scalar) uniform Block { ViewPush push; };
 
 /// The pyramid's depths, which threads of the group have from each other.
 layout(buffer_reference, scalar, buffer_reference_align = 4) coherent buffer SharedDepths

@@ -82,8 +82,8 @@ SHARED_CONST uint pyramidRestThreads = 256u;
 
 struct PyramidPush {
     FrameArray frame;
-    uint reserved;
     float slack; ///< by which what was drawn is taken to be farther than its depth says
+    uint reserved;
 };
 SHARED_LAYOUT(PyramidPush, 16)
 

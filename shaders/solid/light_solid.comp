@@ -17,18 +17,10 @@ layout(set = 0, binding = 1, rgba16f) uniform image2D lit;
 #include "shaders/raster/half_rounded.glsl"
 #include "shaders/solid/solid_triangle.glsl"
 
-const uint tilePixels = lightTile * lightTile;
-layout(local_size_x = tilePixels) in;
+const uint gatherTile = lightTile;
+#include "shaders/raster/gather.glsl"
 
-// What is to be lit of the tile gathers first: mostly one triangle for a pixel, often none.
-shared uint asked[samplesPerPixel * tilePixels]; // the pixel of the tile, the sample and how many see the same
-shared uint askedCount;
-shared vec4 lights[samplesPerPixel * tilePixels]; // by pixel and sample, times the samples that it stands for
-
-uvec2 pixelOf(uint thread)
-{
-    return gl_WorkGroupID.xy * lightTile + uvec2(thread % lightTile, thread / lightTile);
-}
+layout(local_size_x = gatherThreads) in;
 
 uint triangleAt(uvec2 pixel, uint s)
 {
@@ -70,26 +62,26 @@ vec4 colliderLight(uint number, vec2 middle)
                            mat3(a.normal, b.normal, c.normal) * shares);
 }
 
+#define FOR_EACH_IMAGE(DO) DO(0u) DO(1u) DO(2u) DO(3u) DO(4u) DO(5u) DO(6u) DO(7u)
+
 /// Size of image `place` of those that this dispatch knows.
 vec2 sizeOfImage(uint place)
 {
     ivec2 size = ivec2(1);
-#define TRY(i)                                                                                     \
+#define SIZE(i)                                                                                    \
     if (place == i)                                                                                \
         size = textureSize(baseColors[i], 0);
-    TRY(0u) TRY(1u) TRY(2u) TRY(3u) TRY(4u) TRY(5u) TRY(6u) TRY(7u)
-#undef TRY
+    FOR_EACH_IMAGE(SIZE)
     return vec2(size);
 }
 
 vec3 texelOf(uint place, vec2 uv, float lod)
 {
     vec3 texel = vec3(1.0);
-#define TRY(i)                                                                                     \
+#define TEXEL(i)                                                                                   \
     if (place == i)                                                                                \
         texel = textureLod(baseColors[i], uv, lod).rgb;
-    TRY(0u) TRY(1u) TRY(2u) TRY(3u) TRY(4u) TRY(5u) TRY(6u) TRY(7u)
-#undef TRY
+    FOR_EACH_IMAGE(TEXEL)
     return texel;
 }
 
@@ -144,7 +136,6 @@ void main()
 {
     const uint thread = gl_LocalInvocationIndex;
     const uvec2 pixel = pixelOf(thread);
-    const uint end = groundTriangles() + push.triangleCount + 1u;
     if (thread == 0u)
         askedCount = 0u;
     barrier();
@@ -154,38 +145,21 @@ void main()
         uint triangles[samplesPerPixel];
         SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
             triangles[s] = triangleAt(pixel, s);
-        SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s) {
-            uint count = 0u;
-            bool isFirst = true;
-            SHARED_UNROLL for (uint other = 0u; other < samplesPerPixel; ++other)
-                if (triangles[other] == triangles[s]) {
-                    ++count;
-                    isFirst = isFirst && other >= s;
-                }
-            if (!isFirst || triangles[s] == 0u || triangles[s] >= end)
-                continue;
-            leaders |= 1u << s;
-            asked[atomicAdd(askedCount, 1u)] = thread | (s << 8u) | (count << 16u);
-        }
+        leaders = ask(thread, triangles, 1u, groundTriangles() + push.triangleCount + 1u);
     }
     barrier();
 
-    for (uint i = thread; i < askedCount; i += tilePixels) {
-        const uint own = asked[i] & 0xffu;
-        const uint s = (asked[i] >> 8u) & 0xffu;
-        const uvec2 place = pixelOf(own);
-        lights[samplesPerPixel * own + s] =
-            float(asked[i] >> 16u) * lightOf(triangleAt(place, s) - 1u, vec2(place) + 0.5);
+    for (uint i = thread; i < askedCount; i += gatherThreads) {
+        const Question question = questionAt(i);
+        const uvec2 place = pixelOf(question.thread);
+        answer(question, lightOf(triangleAt(place, question.s) - 1u, vec2(place) + 0.5));
     }
     barrier();
 
     if (leaders == 0u)
         return;
-    vec4 sum = vec4(0.0);
+    vec4 sum = answered(thread, leaders);
     if (push.firstImage > 0u)
-        sum = imageLoad(lit, ivec2(pixel)) * float(samplesPerPixel);
-    SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
-        if ((leaders & (1u << s)) != 0u)
-            sum += lights[samplesPerPixel * thread + s];
+        sum += imageLoad(lit, ivec2(pixel)) * float(samplesPerPixel);
     imageStore(lit, ivec2(pixel), halfRounded(sum / float(samplesPerPixel)));
 }

@@ -53,7 +53,7 @@ PyramidPass::PyramidPass(const gpu::DeviceContext& context, const gpu::ShaderLib
     , rest_(context, shaders,
             {.name = "pyramid/rest",
              .shader = "pyramid_rest.comp",
-             .pushConstantBytes = sizeof(shared::PyramidPush)})
+             .pushConstantBytes = sizeof(shared::ViewPush)})
 {
 }
 
@@ -81,7 +81,7 @@ void PyramidPass::record(const gpu::Recording& commands, const DepthCells& cells
 {
     first_.bind(commands);
     cells.picture.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, first_.layout());
-    first_.push(commands, shared::PyramidPush{frame, 0, slack_});
+    first_.push(commands, shared::PyramidPush{.frame = frame, .slack = slack_, .reserved = 0});
     commands.vk->CmdDispatch(commands, groupsFor(shared::pyramidCells(cells.layout.size.x, 0)),
                              groupsFor(shared::pyramidCells(cells.layout.size.y, 0)), 1);
     recordCoarser(commands, cells, frame);
@@ -94,7 +94,7 @@ void PyramidPass::recordCoarser(const gpu::Recording& commands, const DepthCells
         return;
     gpu::computeToCompute(commands);
     rest_.bind(commands);
-    rest_.push(commands, shared::PyramidPush{frame, 0, slack_});
+    rest_.push(commands, shared::ViewPush{frame});
     commands.vk->CmdDispatch(commands, 1, 1, 1);
 }
 

@@ -54,17 +54,23 @@ SolidRasterPass::SolidRasterPass(const gpu::DeviceContext& context,
                                  {.name = "solid/seen clusters",
                                   .shader = "live_clusters.comp",
                                   .pushConstantBytes = sizeof(shared::SolidPush)});
-    const auto pipeline = [&](const char* name, const char* shader) {
-        return gpu::ComputePipeline(context, shaders,
-                                    {.name = name,
-                                     .shader = shader,
-                                     .pushConstantBytes = sizeof(shared::SolidPush),
-                                     .setLayouts = {imageLayout_.get(), frameLayout_.get()},
-                                     .constants = {{.id = 1, .value = samples}}});
-    };
-    triangles_ = pipeline("solid/triangles", "raster_solid.comp");
-    middle_ = pipeline("solid/middle triangles", "raster_middle_solid.comp");
-    large_ = pipeline("solid/large triangles", "raster_large_solid.comp");
+    triangles_ = pipeline(shaders, "solid/triangles", "raster_solid.comp");
+    middle_ = pipeline(shaders, "solid/middle triangles", "raster_middle_solid.comp");
+    large_ = pipeline(shaders, "solid/large triangles", "raster_large_solid.comp");
+}
+
+gpu::ComputePipeline
+SolidRasterPass::pipeline(const gpu::ShaderLibrary& shaders, const char* name, const char* shader,
+                          std::vector<gpu::SpecializationConstant> constants) const
+{
+    constants.push_back({.id = 1, .value = samples_});
+    return {*context_,
+            shaders,
+            {.name = name,
+             .shader = shader,
+             .pushConstantBytes = sizeof(shared::SolidPush),
+             .setLayouts = {imageLayout_.get(), frameLayout_.get()},
+             .constants = std::move(constants)}};
 }
 
 void SolidRasterPass::prepare(const gpu::ShaderLibrary& shaders, std::uint32_t colliders,
@@ -72,22 +78,12 @@ void SolidRasterPass::prepare(const gpu::ShaderLibrary& shaders, std::uint32_t c
 {
     colliderTriangles_ = colliders * shared::colliderTriangles;
     paintsWind_ = paintsWind;
-    const auto pipeline = [&](const char* name, const char* shader,
-                              std::vector<gpu::SpecializationConstant> constants) {
-        return gpu::ComputePipeline(*context_, shaders,
-                                    {.name = name,
-                                     .shader = shader,
-                                     .pushConstantBytes = sizeof(shared::SolidPush),
-                                     .setLayouts = {imageLayout_.get(), frameLayout_.get()},
-                                     .constants = std::move(constants)});
-    };
     if (colliders > 0 && colliders_.get() == VK_NULL_HANDLE)
-        colliders_ = pipeline("solid/colliders", "raster_solid.comp",
-                              {{.id = 1, .value = samples_}, {.id = 2, .value = 1u}});
+        colliders_ =
+            pipeline(shaders, "solid/colliders", "raster_solid.comp", {{.id = 2, .value = 1u}});
     if (!light_.contains(paintsWind))
-        light_.emplace(paintsWind, pipeline("solid/light", "light_solid.comp",
-                                            {{.id = 0, .value = paintsWind ? 1u : 0u},
-                                             {.id = 1, .value = samples_}}));
+        light_.emplace(paintsWind, pipeline(shaders, "solid/light", "light_solid.comp",
+                                            {{.id = 0, .value = paintsWind ? 1u : 0u}}));
 }
 
 void SolidRasterPass::resize(VkExtent2D size)

@@ -56,6 +56,9 @@ public:
     VkDeviceSize bytes() const;
 
 private:
+    gpu::ComputePipeline pipeline(const gpu::ShaderLibrary& shaders, const char* name,
+                                  const char* shader,
+                                  std::vector<gpu::SpecializationConstant> constants = {}) const;
     shared::SolidPush pushFor(const FramePlace& frame, VkDeviceAddress visibility) const;
 
     const gpu::DeviceContext* context_;

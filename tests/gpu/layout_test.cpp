@@ -181,7 +181,7 @@ std::size_t fillValues(Values& v)
     shared::LargePart& l = v.largePart;
     n.fillAll(l.v0, l.width, l.v1, l.fold, l.v2, l.segments, l.axis, l.tipThreshold, l.scale,
               l.shape, l.blade, l.part);
-    n.fillAll(v.pyramidPush.frame, v.pyramidPush.reserved, v.pyramidPush.slack);
+    n.fillAll(v.pyramidPush.frame, v.pyramidPush.slack, v.pyramidPush.reserved);
     n.fillAll(v.viewPush.frame);
     n.fillAll(v.copyPush.from, v.copyPush.to, v.copyPush.count, v.copyPush.reserved);
     n.fillAll(v.groundPush.frame, v.groundPush.vertices, v.groundPush.materials,

@@ -389,8 +389,8 @@ void main()
     put(sources.at[0].largePart.at[1].part);
 
     put(uvec2(sources.at[0].pyramidPush.at[1].frame));
-    put(sources.at[0].pyramidPush.at[1].reserved);
     put(sources.at[0].pyramidPush.at[1].slack);
+    put(sources.at[0].pyramidPush.at[1].reserved);
     put(uvec2(sources.at[0].viewPush.at[1].frame));
     put(uvec2(sources.at[0].copyPush.at[1].from));
     put(uvec2(sources.at[0].copyPush.at[1].to));
