@@ -13,6 +13,9 @@
 /// Whether ground and blades show the wind; known when the pipeline is made.
 layout(constant_id = 0) const bool paintsWind = false;
 
+/// Whether grass that others hide is left out, see layerShare(); known when the pipeline is made.
+layout(constant_id = 8) const bool leavesLayers = true;
+
 /// To whom the picture goes: 0 to Sward's own film, 1 to a host's as it is, 2 to a host's own film,
 /// 3 to nobody, who wants depth alone.
 layout(constant_id = 9) const uint handedTo = 0u;
@@ -146,6 +149,12 @@ vec3 colorOfWind(vec3 position, vec3 up)
     const float speed = clamp(length(wind) / max(nature.wind.sum, 1e-6), 0.0, 1.0);
     return mix(mix(vec3(0.01, 0.03, 0.20), vec3(0.02, 0.45, 0.15), smoothstep(0.0, 0.45, speed)),
                vec3(1.0, 0.95, 0.8), smoothstep(0.35, 1.0, speed));
+}
+
+/// Share of the tip's colour in that of a blade `along` [0, 1] its height.
+float tipShareAt(float along)
+{
+    return smoothstep(-0.15, 0.8, along);
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include "shaders/lighting.glsl"
 #include "shaders/shared/fate_color.h"
 #include "shaders/shared/noise.h"
+#include "shaders/shared/visibility.h"
 
 struct BladeColors {
     vec3 root; ///< linear
@@ -54,6 +55,16 @@ struct BladeSurface {
     vec4 material; ///< open sky, translucency, gloss, leaf area index
 };
 
+/// Of grass that hides what stands behind it a ray comes deeper into what is drawn than into the whole:
+/// so every place is lit and coloured as one higher up, with `above` of the leaf area over it.
+BladeSurface liftedSurface(BladeSurface surface, float above)
+{
+    const float root = 1.0 - heightWithLeafShare(above);
+    surface.root = vec4(mix(surface.root.rgb, surface.tip.rgb, tipShareAt(root)), mix(surface.root.w, surface.tip.w, root));
+    surface.material.w *= above;
+    return surface;
+}
+
 BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible)
 {
     const Blade blade = drawn.blade;
@@ -76,7 +87,11 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible)
     surface.tip = vec4(colors.tip, sunSeen(FRAME.shadow, drawn.ribbon.v2, blade.up));
     surface.material = vec4(blade.exposure, species.translucency, species.gloss,
                             leafAreaAt(FRAME.cover, blade.root));
-    return surface;
+    // Were all blades of one height it would be the share itself; of lower ones a ray that comes deeper
+    // sees the tips. The cube root keeps the brightness within 1 % where heights differ up to twofold.
+    const float layers =
+        leavesLayers ? layerShareOf(FRAME.view, FRAME.patches.at[visible.patchIndex]) : 1.0;
+    return layers < 1.0 ? liftedSurface(surface, pow(layers, 1.0 / 3.0)) : surface;
 }
 
 #endif

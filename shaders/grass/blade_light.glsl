@@ -50,7 +50,7 @@ vec3 bladePicture(BladePoint point)
     }
     const vec3 toEye = ray / max(distance, 1e-6);
     const vec3 n = bladeNormal(point, toEye, distance);
-    const vec3 albedo = mix(point.rootColor.rgb, point.tipColor.rgb, smoothstep(-0.15, 0.8, along));
+    const vec3 albedo = mix(point.rootColor.rgb, point.tipColor.rgb, tipShareAt(along));
 
     // Neighbours take their share of the light before it comes down here: the more the denser they
     // stand, and only what of them is above.

@@ -177,6 +177,7 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count, inou
             JUDGED.patchCounts.at[patchIndex] = moved;
         atomicAdd(fateSums[fateLod], cell.bladeCount - count);
     }
+    const float layers = layerShareOf(view, cell);
     const ColliderMask near = collidersNear(cell, elapsed, thread);
 
     for (uint i = thread; i < moved; i += gl_WorkGroupSize.x) {
@@ -206,7 +207,7 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count, inou
             continue;
 
         // Judge it, and keep it if it shall be drawn.
-        Verdict verdict = judgeBlade(view, blade, index, state, bladeRank(cell, i));
+        Verdict verdict = judgeBlade(view, layers, blade, index, state, bladeRank(cell, i));
         if (verdict.fate == fateDrawn && (view.cullMask & cullOcclusion) != 0u &&
             isHidden(verdict.low, verdict.high))
             verdict.fate = fateOcclusion;

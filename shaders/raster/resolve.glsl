@@ -21,8 +21,9 @@ uint patchOf(uint blade)
 VisibleBlade visibleBlade(uint index, uint patchIndex, Patch cell, Blade blade)
 {
     const Eyepoint view = push.judged.at[0].view;
-    const DrawnSize size = drawnSize(view, blade, bladeRank(cell, index - cell.firstBlade),
-                                     length(blade.root - view.eye));
+    const DrawnSize size =
+        drawnSize(view, leavesLayers ? layerShareOf(view, cell) : lodFullShare, blade,
+                  bladeRank(cell, index - cell.firstBlade), length(blade.root - view.eye));
     return VisibleBlade(index, patchIndex, size.widthFactor, size.pixels);
 }
 

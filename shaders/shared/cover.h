@@ -51,6 +51,12 @@ SHARED_FN float leafShareAbove(float along)
     return above * sqrt(above);
 }
 
+/// The share of a blade's height, from the tip down, that has this share of its leaf area.
+SHARED_FN float heightWithLeafShare(float share)
+{
+    return pow(clamp(share, 0.0f, 1.0f), 2.0f / 3.0f);
+}
+
 /// Extinction in leaves of all directions: one half of their area is in the way (Monsi & Saeki
 /// 1953), times √(1 − 0.15) for the share of light that leaves throw on (Goudriaan 1977).
 SHARED_CONST float leafExtinction = 0.46f;

@@ -2,6 +2,7 @@
 #ifndef SWARD_SHARED_CULLING_H
 #define SWARD_SHARED_CULLING_H
 
+#include "shaders/shared/cover.h"
 #include "shaders/shared/types.h"
 
 SHARED_BEGIN
@@ -99,6 +100,31 @@ SHARED_FN float lodWidthFactor(float rank, float share)
     const float beyond = max(share - 1.0f, 0.0f);
     const float mean = share - 0.5f * fade - 0.5f * beyond * beyond / fade;
     return weight / mean;
+}
+
+/// A ray is taken to meet the grass no flatter than at this cosine from the ground's normal: over a
+/// crest it leaves the grass again.
+SHARED_CONST float flattestRay = 1.0f / 96.0f;
+
+/// Share of the local blades that is drawn where those behind are hidden: a ray at `cosine` from
+/// the ground's normal crosses leafExtinction · leafArea / cosine of leaf area (Monsi & Saeki
+/// 1953), and of that `most` is left, times the pixels that a blade is wide if these are more than
+/// one.
+SHARED_FN float layerShare(float most, float leafArea, float cosine, float pixels)
+{
+    const float wide = max(pixels, 1.0f);
+    return clamp(most * wide * wide * max(cosine, flattestRay) /
+                     (leafExtinction * max(leafArea, 1e-6f)),
+                 1.0f / 256.0f, lodFullShare);
+}
+
+/// Weight of the blade with progressive rank `rank` where `share` of the blades is drawn and the
+/// others are hidden: those that are left stay as wide as they are, but for the last, which fade.
+SHARED_FN float layerWeight(float rank, float share)
+{
+    if (share >= lodFullShare)
+        return 1.0f;
+    return clamp((share - rank) / (lodFade * share), 0.0f, 1.0f);
 }
 
 SHARED_END

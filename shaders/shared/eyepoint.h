@@ -15,13 +15,14 @@ struct Eyepoint {
     float lodThreshold;   ///< [pixels] width below which blades are left out; 0: never
     float lodWidth;       ///< [m] typical width of a blade
     float leastWidth;     ///< [m at 1 m distance] see ribAt(); 0: blades as narrow as they are
+    float mostLayers;     ///< see layerShare(); 0: all that there are
     float mostEdgeOn;     ///< cosine beyond which a blade is seen edge-on; 1: never
     uint samples;         ///< per pixel
     float buckets;        ///< of the stepwise thinning, see bucketsKeep(); 0: off
     float bucketDistance; ///< [m]
     uint cullMask;
 };
-SHARED_LAYOUT(Eyepoint, 148)
+SHARED_LAYOUT(Eyepoint, 152)
 
 SHARED_END
 #endif

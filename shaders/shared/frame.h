@@ -61,7 +61,6 @@ struct Frame {
 
     mat4 viewProjection; ///< reversed Z: 1 near, 0 far
     Eyepoint view;
-    float time; ///< [s]
     Nature nature;
     uint patchCount;
     uint bladeCount;
@@ -86,7 +85,8 @@ struct Frame {
         fogFalloff; ///< [1/m] the air thins upwards as exp(−falloff · height); 0: alike everywhere
     float fogBase;  ///< [m] along skyUp, relative to the field's origin: where it has fogDensity
 
-    uint reserved[16]; ///< frames that lie on end begin where any device takes constants
+    float time;        ///< [s]
+    uint reserved[15]; ///< frames that lie on end begin where any device takes constants
 };
 SHARED_LAYOUT(Frame, 768)
 

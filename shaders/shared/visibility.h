@@ -5,6 +5,7 @@
 #include "shaders/shared/blade.h"
 #include "shaders/shared/culling.h"
 #include "shaders/shared/eyepoint.h"
+#include "shaders/shared/octahedral.h"
 #include "shaders/shared/patch.h"
 #include "shaders/shared/physics.h"
 #include "shaders/shared/ribbon.h"
@@ -30,16 +31,58 @@ SHARED_FN float shareAt(Eyepoint view, float distance)
     return lodShare(view.lodWidth * view.pixelsPerUnit / max(distance, 1e-6f), view.lodThreshold);
 }
 
+/// m² of blade (one side) per m² of ground around a patch's blades; no more than there is where
+/// they stand apart, and 0 where too few of them are its own to tell.
+SHARED_FN float leafAreaAround(Patch cell)
+{
+    const uint fewest = 4u;
+    if (cell.bladeCount < fewest)
+        return 0.0f;
+    const float count = float(cell.bladeCount);
+    // So much wider than they span is the square that n places are scattered over, on average.
+    const float side = 65535.0f * cell.rootStep * (count + 1.0f) / (count - 1.0f);
+    const float around = count / max(cell.rankHigh - cell.rankLow, 1e-6f);
+    const float width = cell.widthLow + 31.5f * cell.widthStep;
+    const float height = cell.heightLow + 127.5f * cell.heightStep;
+    return 0.7f * around * width * height / max(side * side, 1e-12f);
+}
+
+/// Largest cosine between the ground's normal around a patch and a ray from `eye` to it.
+SHARED_FN float steepestRay(vec3 eye, Patch cell)
+{
+    const vec3 low = cell.boundsLow - eye;
+    const vec3 high = cell.boundsHigh - eye;
+    const vec3 middle = 0.5f * (low + high);
+    const float above =
+        abs(dot(cell.coneAxis, middle)) + dot(abs(cell.coneAxis), 0.5f * (high - low));
+    const float nearest = max(boxDistance(eye, cell.boundsLow, cell.boundsHigh), 1e-6f);
+    // That up-vectors are rounded makes no slope.
+    const float slope = sqrt(max(1.0f - cell.coneCosine * cell.coneCosine, 0.0f));
+    return min(above / nearest + max(slope - octahedralMaxError, 0.0f), 1.0f);
+}
+
+/// Share of a patch's blades that is drawn where those behind are hidden.
+SHARED_FN float layerShareOf(Eyepoint view, Patch cell)
+{
+    if (view.mostLayers <= 0.0f)
+        return lodFullShare;
+    const float nearest = max(boxDistance(view.eye, cell.boundsLow, cell.boundsHigh), 1e-6f);
+    const float width = cell.widthLow + 31.5f * cell.widthStep;
+    return layerShare(view.mostLayers, leafAreaAround(cell), steepestRay(view.eye, cell),
+                      width * view.pixelsPerUnit / nearest);
+}
+
 /// How large a blade is drawn.
 struct DrawnSize {
     float widthFactor; ///< 0: not at all
     float pixels;      ///< height on the screen [pixels]
 };
 
-SHARED_FN DrawnSize drawnSize(Eyepoint view, Blade blade, float rank, float distance)
+/// `layers`: layerShareOf() its patch.
+SHARED_FN DrawnSize drawnSize(Eyepoint view, float layers, Blade blade, float rank, float distance)
 {
     DrawnSize size;
-    size.widthFactor = lodWidthFactor(rank, shareAt(view, distance));
+    size.widthFactor = lodWidthFactor(rank, shareAt(view, distance)) * layerWeight(rank, layers);
     size.pixels = blade.height * view.pixelsPerUnit / max(distance, 1e-6f);
     return size;
 }
@@ -74,7 +117,8 @@ SHARED_FN uint thickEnough(Eyepoint view, Patch cell)
 {
     if ((view.cullMask & leaveThinned) == 0u || view.lodThreshold <= 0.0f)
         return cell.bladeCount;
-    const float share = shareAt(view, boxDistance(view.eye, cell.boundsLow, cell.boundsHigh));
+    const float share = min(shareAt(view, boxDistance(view.eye, cell.boundsLow, cell.boundsHigh)),
+                            layerShareOf(view, cell));
     if (share <= cell.rankLow)
         return 0u;
     if (share >= cell.rankHigh)
@@ -133,12 +177,13 @@ SHARED_FN bool seenTooNarrow(Eyepoint view, Blade blade, uint index, vec3 axis, 
 }
 
 /// The fate of one blade of a patch that was not culled, in the order orientation, frustum,
-/// distance, level of detail. `index` is its resident id.
-SHARED_FN Verdict judgeBlade(Eyepoint view, Blade blade, uint index, BladeState state, float rank)
+/// distance, level of detail. `layers`: layerShareOf() its patch. `index` is its resident id.
+SHARED_FN Verdict judgeBlade(Eyepoint view, float layers, Blade blade, uint index, BladeState state,
+                             float rank)
 {
     const vec3 axis = widthAxis(blade.up, blade.facing);
     const float distance = length(blade.root - view.eye);
-    const DrawnSize size = drawnSize(view, blade, rank, distance);
+    const DrawnSize size = drawnSize(view, layers, blade, rank, distance);
     const float factor = size.widthFactor;
 
     Verdict verdict;

@@ -65,6 +65,7 @@ void readLevels(SettingsReader reader, FrameSettings& settings)
     reader.read("thin_and_widen", settings.levelOfDetail);
     reader.read("thin_below_px", settings.lodThreshold, 0.01, 100.0);
     reader.read("least_width", settings.leastPixels, 0.0, 16.0);
+    reader.read("most_layers", settings.mostLayers, 0.0, 1e6);
     reader.read("segments", settings.tessellationLevel, 0, mostSegments);
     readList(reader, "steps", mostSteps, settings.levelSteps,
              [&](SettingsReader& one) { return readStep(one, settings.levelSteps); });

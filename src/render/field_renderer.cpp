@@ -197,11 +197,12 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
 
     // What is asked for the first time is made now.
     blades.prepare(shaders, frame);
-    paintsWind = wishes.debug == DebugMode::wind;
+    const bool paintsWind = wishes.debug == DebugMode::wind;
     sunShadow.prepare(shaders);
     if (raster) {
         solidRaster->prepare(shaders, frame.nature.colliderCount, paintsWind);
-        raster->prepare(shaders, paintsWind);
+        raster->prepare(shaders,
+                        {.paintsWind = paintsWind, .leavesLayers = frame.view.mostLayers > 0.0f});
     } else {
         solid->prepare(shaders, frame.nature.colliderCount, paintsWind);
         tessellated->prepare(shaders, paintsWind);

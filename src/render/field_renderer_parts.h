@@ -57,7 +57,6 @@ struct FieldRenderer::Parts {
     std::vector<FrameSlot> slots;
     double lastTime = 0.0; ///< [s] of the frame before
     std::uint32_t frameNumber = 0;
-    bool paintsWind = false;
     bool hasPyramid = false; ///< of the picture's size, and of the culling camera
 
     MemoryPlan planWithin(const field::FieldView& field);

@@ -113,7 +113,7 @@ void FieldRenderer::Parts::resolve(VkCommandBuffer commands, const Target& targe
         solidRaster->recordLight(commands, input.frame, raster->visibility());
     }
     const PassScope scope(context, commands, timestamps, "resolve");
-    raster->recordResolve(commands, input, paintsWind);
+    raster->recordResolve(commands, input);
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, gpu::ImageUse::colorTarget,
                     gpu::ImageUse::transferTarget);
     raster->copyTo(commands, target.image);

@@ -122,6 +122,7 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
         settings.levelOfDetail && view.pixelsPerUnit > 0.0f
             ? settings.leastPixels / (view.pixelsPerUnit * std::sqrt(static_cast<float>(samples)))
             : 0.0f;
+    frame.view.mostLayers = settings.levelOfDetail ? settings.mostLayers : 0.0f;
     frame.view.mostEdgeOn = settings.mostEdgeOn.value_or(
         frame.view.leastWidth > 0.0f ? 1.0f : shared::paperEdgeOnCosine);
     frame.maxTessellation = mostSegments;

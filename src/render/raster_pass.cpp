@@ -88,18 +88,20 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
         soften_ = pipeline("raster/soften", "soften.comp");
 }
 
-void RasterPass::prepare(const gpu::ShaderLibrary& shaders, bool paintsWind)
+void RasterPass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
 {
-    if (resolve_.contains(paintsWind))
+    shading_ = shading;
+    if (resolve_.contains(shading))
         return;
-    resolve_.emplace(paintsWind,
-                     gpu::ComputePipeline(*context_, shaders,
-                                          {.name = "raster/resolve",
-                                           .shader = variantOf("resolve", target_.samples),
-                                           .pushConstantBytes = sizeof(shared::RasterPush),
-                                           .setLayouts = {imageLayout_.get(), frameLayout_.get()},
-                                           .constants = {{.id = 0, .value = paintsWind ? 1u : 0u},
-                                                         {.id = 1, .value = target_.samples}}}));
+    resolve_.emplace(shading, gpu::ComputePipeline(
+                                  *context_, shaders,
+                                  {.name = "raster/resolve",
+                                   .shader = variantOf("resolve", target_.samples),
+                                   .pushConstantBytes = sizeof(shared::RasterPush),
+                                   .setLayouts = {imageLayout_.get(), frameLayout_.get()},
+                                   .constants = {{.id = 0, .value = shading.paintsWind ? 1u : 0u},
+                                                 {.id = 8, .value = shading.leavesLayers ? 1u : 0u},
+                                                 {.id = 1, .value = target_.samples}}}));
 }
 
 void RasterPass::resize(VkExtent2D size, const gpu::Image& lit)
@@ -216,9 +218,9 @@ void RasterPass::recordDepths(VkCommandBuffer commands, const Input& input) cons
     vkCmdDispatch(commands, groups(size_.width), groups(size_.height), 1);
 }
 
-void RasterPass::recordResolve(VkCommandBuffer commands, const Input& input, bool paintsWind) const
+void RasterPass::recordResolve(VkCommandBuffer commands, const Input& input) const
 {
-    const auto found = resolve_.find(paintsWind);
+    const auto found = resolve_.find(shading_);
     expect(found != resolve_.end(), "the resolve has been prepared");
     const shared::RasterPush push = pushFor(input);
     gpu::computeToCompute(commands);

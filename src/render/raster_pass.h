@@ -38,8 +38,8 @@ public:
     /// them, is SolidRasterPass::lit(): with several samples the picture is shaded in it.
     void resize(VkExtent2D size, const gpu::Image& lit);
 
-    /// Makes the pipelines of a frame unless they are there.
-    void prepare(const gpu::ShaderLibrary& shaders, bool paintsWind);
+    /// Makes ready for a frame.
+    void prepare(const gpu::ShaderLibrary& shaders, Shading shading);
 
     /// What each of the following reads.
     struct Input {
@@ -76,9 +76,8 @@ public:
     /// Fills the finest levels of the frame's pyramid with what has been drawn so far. As above.
     void recordDepths(VkCommandBuffer commands, const Input& input) const;
 
-    /// Shades the picture, filters it and empties the visibility; the picture is then in
-    /// ImageUse::transferSource. `paintsWind` was prepared.
-    void recordResolve(VkCommandBuffer commands, const Input& input, bool paintsWind) const;
+    /// Shades and filters the picture, then in ImageUse::transferSource; empties the visibility.
+    void recordResolve(VkCommandBuffer commands, const Input& input) const;
 
     /// Copies the picture to a target in ImageUse::transferTarget.
     void copyTo(VkCommandBuffer commands, VkImage target) const;
@@ -102,9 +101,10 @@ private:
     gpu::ComputePipeline judgeLarge_;
     gpu::ComputePipeline lateLarge_;
     gpu::ComputePipeline depths_;
-    std::optional<LargeBladePass> tessellated_;    ///< of large blades
-    std::map<bool, gpu::ComputePipeline> resolve_; ///< by whether it paints the wind
-    gpu::ComputePipeline soften_;                  ///< with several samples
+    std::optional<LargeBladePass> tessellated_; ///< of large blades
+    std::map<Shading, gpu::ComputePipeline> resolve_;
+    Shading shading_{};           ///< of the frame prepared last
+    gpu::ComputePipeline soften_; ///< with several samples
 
     VkExtent2D size_{};
     bool isEmpty_ = false; ///< nothing is in the visibility when a frame begins

@@ -78,6 +78,7 @@ Json detailJson(const FrameSettings& settings)
     Json json{{"thin_and_widen", settings.levelOfDetail},
               {"thin_below_px", number(settings.lodThreshold)},
               {"least_width", number(settings.leastPixels)},
+              {"most_layers", number(settings.mostLayers)},
               {"segments", settings.tessellationLevel}};
     if (!settings.levelSteps.empty())
         json["steps"] = Json::array();

@@ -2,6 +2,7 @@
 
 #include <vulkan/vulkan.h>
 
+#include <compare>
 #include <cstdint>
 
 namespace sward::render {
@@ -16,6 +17,13 @@ struct TargetSettings {
     bool mayBePaged = false;       ///< blades may be in memory in part
     bool groupsDrawLarge = true;   ///< the rasteriser may draw large blades by work-groups …
     bool tessellatesLarge = false; ///< … or leave them to the tessellator
+};
+
+/// What the shading of a frame's blades is to know.
+struct Shading {
+    bool paintsWind = false;   ///< in the colours of the wind
+    bool leavesLayers = false; ///< what other grass hides is not drawn, see shared::layerShare()
+    auto operator<=>(const Shading&) const = default;
 };
 
 } // namespace sward::render

@@ -140,9 +140,9 @@ TEST_F(CullingTest, JudgesAsTheCpuDoesSaveWhereRoundingDecides)
             const bool culled = shared::patchCulled(view, cell, subtrees[p].widest);
             for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
                 const std::size_t index = cell.firstBlade + i;
-                const shared::Verdict verdict =
-                    shared::judgeBlade(view, blade(index), static_cast<std::uint32_t>(index),
-                                       states_[index], shared::bladeRank(cell, i));
+                const shared::Verdict verdict = shared::judgeBlade(
+                    view, shared::layerShareOf(view, cell), blade(index),
+                    static_cast<std::uint32_t>(index), states_[index], shared::bladeRank(cell, i));
                 const std::uint32_t expected = culled ? shared::fatePatch : verdict.fate;
                 ++judged;
                 ++seen[result.fates[index]];

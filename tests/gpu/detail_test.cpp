@@ -44,6 +44,24 @@ double largestTile(const std::vector<std::byte>& a, const std::vector<std::byte>
     return most;
 }
 
+/// Mean signed difference of a channel of a tile, the largest of all tiles [8-bit values].
+double largestShift(const std::vector<std::byte>& a, const std::vector<std::byte>& b)
+{
+    double most = 0.0;
+    for (std::uint32_t y0 = 0; y0 < size.y; y0 += tile)
+        for (std::uint32_t x0 = 0; x0 < size.x; x0 += tile)
+            for (std::uint32_t c = 0; c < 3; ++c) {
+                int sum = 0;
+                for (std::uint32_t y = y0; y < y0 + tile; ++y)
+                    for (std::uint32_t x = x0; x < x0 + tile; ++x) {
+                        const std::size_t i = 4 * (std::size_t(y) * size.x + x) + c;
+                        sum += std::to_integer<int>(a[i]) - std::to_integer<int>(b[i]);
+                    }
+                most = std::max(most, std::abs(sum) / double(tile * tile));
+            }
+    return most;
+}
+
 /// Drives with and without level of detail, and compares their largest jumps.
 void DetailTest::driveAndCompare(std::uint32_t samples)
 {
@@ -176,6 +194,41 @@ TEST_F(DetailTest, TessellatedGrassHidesAsMuchOfTheGroundAtEveryDistance)
 TEST_F(DetailTest, RasterisedGrassHidesAsMuchOfTheGroundAtEveryDistance)
 {
     measureCoverage(Geometry::raster);
+}
+
+TEST_F(DetailTest, WhatIsHiddenByOtherGrassIsLeftOutWithoutATrace)
+{
+    // Seen so flat that a ray to the far end has eighty times its cross section of blades in its
+    // way.
+    const field::Field field = test::makeField({.blades = 800'000,
+                                                .extent = 80.0f,
+                                                .heightLow = 0.6f,
+                                                .heightHigh = 1.2f,
+                                                .widthLow = 0.08f,
+                                                .widthHigh = 0.08f});
+    Camera camera;
+    camera.eye = {0.0, 1.7, 39.5};
+    camera.target = {0.0, 0.9, 0.0};
+    camera.fovY = 20.0f;
+    for (const Geometry geometry : {Geometry::raster, Geometry::tessellation}) {
+        FieldRenderer renderer(device(), field::viewOf(field),
+                               {.samples = 4, .geometry = geometry});
+        test::Picture picture(context(), size);
+        FrameSettings settings = FrameSettings::of(field::viewOf(field));
+        settings.winds.clear();
+        std::array<std::uint64_t, 2> drawn{};
+        std::array<std::vector<std::byte>, 2> pixels;
+        for (const bool leavesOut : {false, true}) {
+            // Half as many as are left unless somebody asks.
+            settings.mostLayers = leavesOut ? 0.5f * FrameSettings().mostLayers : 0.0f;
+            picture.draw(renderer, camera, settings, 1.0);
+            drawn.at(leavesOut ? 1 : 0) = renderer.stats(0).drawn;
+            pixels.at(leavesOut ? 1 : 0) = picture.pixels();
+        }
+        EXPECT_LT(double(drawn[1]), 0.6 * double(drawn[0])) << nameOf(geometry);
+        EXPECT_GT(drawn[1], 0u);
+        EXPECT_LE(largestShift(pixels[0], pixels[1]), 2.0) << nameOf(geometry);
+    }
 }
 
 } // namespace

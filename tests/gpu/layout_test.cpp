@@ -66,7 +66,8 @@ public:
     void fill(shared::Eyepoint& e)
     {
         fillAll(e.planes, e.eye, e.drawDistance, e.pixelsPerUnit, e.lodThreshold, e.lodWidth,
-                e.leastWidth, e.mostEdgeOn, e.samples, e.buckets, e.bucketDistance, e.cullMask);
+                e.leastWidth, e.mostLayers, e.mostEdgeOn, e.samples, e.buckets, e.bucketDistance,
+                e.cullMask);
     }
     void fill(shared::LevelSteps& s) { fillAll(s.distance, s.segments, s.count); }
     void fill(shared::Pace& p) { fillAll(p.everyFrame, p.everyThird, p.longest, p.frame); }

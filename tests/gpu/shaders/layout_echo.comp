@@ -199,6 +199,7 @@ void putFrame()
     put(FRAME.view.lodThreshold);
     put(FRAME.view.lodWidth);
     put(FRAME.view.leastWidth);
+    put(FRAME.view.mostLayers);
     put(FRAME.view.mostEdgeOn);
     put(FRAME.view.samples);
     put(FRAME.view.buckets);
@@ -231,7 +232,7 @@ void putFrame()
     put(FRAME.shadow);
     put(FRAME.fogFalloff);
     put(FRAME.fogBase);
-    for (int i = 0; i < 16; ++i)
+    for (int i = 0; i < 15; ++i)
         put(FRAME.reserved[i]);
 }
 

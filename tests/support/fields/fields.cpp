@@ -100,7 +100,7 @@ shared::Patch patchOf(const Node& node, const std::vector<shared::Blade>& blades
     cell.coneCosine = 1.0f;
     for (const std::uint32_t i : node.blades)
         cell.coneCosine = std::max(
-            std::min(cell.coneCosine, glm::dot(cell.coneAxis, blades[i].up) - 0.02f), -1.0f);
+            std::min(cell.coneCosine, glm::dot(cell.coneAxis, blades[i].up) - 2e-4f), -1.0f);
 
     // Steps that take the owned blades from end to end of their numbers.
     Aabb roots;

@@ -130,6 +130,50 @@ TEST(LevelOfDetail, ChangesContinuouslyAndKeepsTheCoarseOnes)
     EXPECT_GT(lodShare(1e-9f, 1.0f), 0.0f);
 }
 
+TEST(Layers, OfWhatIsInARaysWaySoMuchIsLeftAndNeverLess)
+{
+    tests::Dice dice(5);
+    for (int i = 0; i < 100'000; ++i) {
+        const float most = dice.number(1.0f, 64.0f);
+        const float leafArea = dice.number(0.0f, 50.0f);
+        const float cosine = dice.number(0.0f, 1.0f);
+        const float pixels = dice.number(0.01f, 8.0f);
+        const float share = layerShare(most, leafArea, cosine, pixels);
+        const float wide = std::max(pixels, 1.0f);
+        const float inTheWay = leafExtinction * leafArea / std::max(cosine, flattestRay);
+        EXPECT_GE(share * inTheWay, 0.999f * std::min(most * wide * wide, inTheWay));
+        if (share < 0.999f * lodFullShare) {
+            EXPECT_LE(share * inTheWay, std::max(1.001f * most * wide * wide, inTheWay / 255.0f));
+        }
+        // Nothing jumps where any of it changes a little.
+        EXPECT_NEAR(layerShare(most, 1.001f * leafArea, cosine, pixels), share, 0.002f * share);
+        EXPECT_NEAR(layerShare(most, leafArea, 1.001f * cosine, pixels), share, 0.002f * share);
+        EXPECT_NEAR(layerShare(most, leafArea, cosine, 1.001f * pixels), share, 0.004f * share);
+    }
+}
+
+TEST(Layers, KeepTheFirstBladesAsTheyAreAndLetTheLastFade)
+{
+    for (const float share : {0.01f, 0.3f, 1.0f, 1.05f}) {
+        EXPECT_EQ(layerWeight(0.85f * share, share), 1.0f);
+        EXPECT_EQ(layerWeight(1.001f * share, share), 0.0f);
+        float before = 1.0f;
+        for (float rank = 0.0f; rank <= 1.1f * share; rank += 1e-3f * share) {
+            const float weight = layerWeight(rank, share);
+            EXPECT_LE(weight, before);
+            EXPECT_LE(before - weight, 0.011f);
+            before = weight;
+        }
+    }
+    EXPECT_EQ(layerWeight(0.9999f, lodFullShare), 1.0f);
+}
+
+TEST(LeafShare, HeightsAreThoseThatHaveIt)
+{
+    for (float share = 0.0f; share <= 1.0f; share += 0.01f)
+        EXPECT_NEAR(leafShareAbove(1.0f - heightWithLeafShare(share)), share, 1e-5f);
+}
+
 TEST(LevelOfDetail, SwitchedOffDrawsEveryBladeAsWideAsItIs)
 {
     Eyepoint view = {};
@@ -141,7 +185,9 @@ TEST(LevelOfDetail, SwitchedOffDrawsEveryBladeAsWideAsItIs)
     tests::Dice dice(4);
     for (int i = 0; i < 10'000; ++i) {
         const float distance = dice.number(0.0f, 1e4f);
-        EXPECT_EQ(drawnSize(view, blade, dice.number(0.0f, 1.0f), distance).widthFactor, 1.0f);
+        EXPECT_EQ(
+            drawnSize(view, lodFullShare, blade, dice.number(0.0f, 1.0f), distance).widthFactor,
+            1.0f);
     }
 }
 

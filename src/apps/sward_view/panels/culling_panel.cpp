@@ -91,6 +91,9 @@ void drawCullingPanel(Controls& controls, Stage& stage)
     controls.number("Thin below", settings.lodThreshold, {0.01f, 8.0f, "px", "%.2f", true},
                     "Width of a blade below which some are left out and the others widened");
 
+    controls.number("Layers", settings.mostLayers, {0.0f, 256.0f, "", "%.0f", true},
+                    "Of far dense grass so much leaf area is drawn in the way of a ray; 0: all");
+
     controls.section("Colours");
     int mode = static_cast<int>(settings.debug);
     if (controls.choice("Colour by", mode, debugWords,
