@@ -1,0 +1,66 @@
+// The struct Frame.
+void putFrame()
+{
+#define FRAME sources.at[0].frame.at[0]
+    put(uvec2(FRAME.blades));
+    put(uvec2(FRAME.states));
+    put(uvec2(FRAME.etas));
+    put(uvec2(FRAME.patches));
+    put(uvec2(FRAME.species));
+    put(uvec2(FRAME.visible));
+    put(uvec2(FRAME.draw));
+    put(uvec2(FRAME.patchTimes));
+    put(uvec2(FRAME.patchCounts));
+    put(uvec2(FRAME.fates));
+    put(uvec2(FRAME.pages));
+    put(uvec2(FRAME.pyramid.depths));
+    put(FRAME.pyramid.size);
+    for (uint i = 0u; i < maxPyramidLevels; ++i)
+        put(FRAME.pyramid.first[i]);
+    put(FRAME.pyramid.levels);
+    for (uint column = 0u; column < 4u; ++column)
+        put(FRAME.viewProjection[column]);
+    for (uint i = 0u; i < 6u; ++i)
+        put(FRAME.view.planes[i]);
+    put(FRAME.view.eye);
+    put(FRAME.view.drawDistance);
+    put(FRAME.view.pixelsPerUnit);
+    put(FRAME.view.lodThreshold);
+    put(FRAME.view.lodWidth);
+    put(FRAME.view.leastWidth);
+    put(FRAME.view.mostLayers);
+    put(FRAME.view.mostEdgeOn);
+    put(FRAME.view.samples);
+    put(FRAME.view.buckets);
+    put(FRAME.view.bucketDistance);
+    put(FRAME.view.cullMask);
+    put(FRAME.time);
+    put(FRAME.nature);
+    put(FRAME.patchCount);
+    put(FRAME.bladeCount);
+    put(FRAME.visibleCapacity);
+    put(FRAME.maxTessellation);
+    put(FRAME.sunDirection);
+    put(FRAME.exposure);
+    put(FRAME.sunColor);
+    put(FRAME.debugMode);
+    put(FRAME.skyColor);
+    put(FRAME.fogDensity);
+    put(FRAME.groundColor);
+    put(FRAME.skyUp);
+    put(FRAME.fixedTessellation);
+    put(FRAME.clouds);
+    put(FRAME.levelSteps.distance);
+    put(FRAME.levelSteps.segments);
+    put(FRAME.levelSteps.count);
+    put(FRAME.pace.everyFrame);
+    put(FRAME.pace.everyThird);
+    put(FRAME.pace.longest);
+    put(FRAME.pace.frame);
+    put(FRAME.cover);
+    put(FRAME.shadow);
+    put(FRAME.fogFalloff);
+    put(FRAME.fogBase);
+    for (int i = 0; i < 15; ++i)
+        put(FRAME.reserved[i]);
+}
