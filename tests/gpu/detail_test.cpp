@@ -219,15 +219,16 @@ TEST_F(DetailTest, WhatIsHiddenByOtherGrassIsLeftOutWithoutATrace)
         std::array<std::uint64_t, 2> drawn{};
         std::array<std::vector<std::byte>, 2> pixels;
         for (const bool leavesOut : {false, true}) {
-            // Half as many as are left unless somebody asks.
-            settings.mostLayers = leavesOut ? 0.5f * FrameSettings().mostLayers : 0.0f;
+            // A quarter of what is left unless somebody asks, so that it shows.
+            settings.mostLayers = leavesOut ? 0.25f * FrameSettings().mostLayers : 0.0f;
             picture.draw(renderer, camera, settings, 1.0);
             drawn.at(leavesOut ? 1 : 0) = renderer.stats(0).drawn;
             pixels.at(leavesOut ? 1 : 0) = picture.pixels();
         }
-        EXPECT_LT(double(drawn[1]), 0.6 * double(drawn[0])) << nameOf(geometry);
+        EXPECT_LT(double(drawn[1]), 0.35 * double(drawn[0])) << nameOf(geometry);
         EXPECT_GT(drawn[1], 0u);
-        EXPECT_LE(largestShift(pixels[0], pixels[1]), 2.0) << nameOf(geometry);
+        // Lit by where they stand, the far ones would be darker by 3.5.
+        EXPECT_LE(largestShift(pixels[0], pixels[1]), 2.75) << nameOf(geometry);
     }
 }
 
