@@ -13,9 +13,6 @@
 /// Whether ground and blades show the wind; known when the pipeline is made.
 layout(constant_id = 0) const bool paintsWind = false;
 
-/// Whether grass that others hide is left out, see layerShare(); known when the pipeline is made.
-layout(constant_id = 8) const bool leavesLayers = true;
-
 /// To whom the picture goes: 0 to Sward's own film, 1 to a host's as it is, 2 to a host's own film,
 /// 3 to nobody, who wants depth alone.
 layout(constant_id = 9) const uint handedTo = 0u;

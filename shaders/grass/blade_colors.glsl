@@ -65,7 +65,8 @@ BladeSurface liftedSurface(BladeSurface surface, float above)
     return surface;
 }
 
-BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible)
+/// `layers`: layerShareOf() its patch.
+BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, float layers)
 {
     const Blade blade = drawn.blade;
     const Species species = drawn.species;
@@ -89,8 +90,6 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible)
                             leafAreaAt(FRAME.cover, blade.root));
     // Were all blades of one height it would be the share itself; of lower ones a ray that comes deeper
     // sees the tips. The cube root keeps the brightness within 1 % where heights differ up to twofold.
-    const float layers =
-        leavesLayers ? layerShareOf(FRAME.view, FRAME.patches.at[visible.patchIndex]) : 1.0;
     return layers < 1.0 ? liftedSurface(surface, pow(layers, 1.0 / 3.0)) : surface;
 }
 

@@ -7,6 +7,9 @@
 
 layout(local_size_x = rasterTile, local_size_y = rasterTile) in;
 
+/// Whether grass that others hide is left out, see layerShare(); known when the pipeline is made.
+layout(constant_id = 8) const bool leavesLayers = true;
+
 /// Index of the patch that owns a blade.
 uint patchOf(uint blade)
 {
@@ -18,12 +21,11 @@ uint patchOf(uint blade)
 }
 
 /// A blade of patch `patchIndex`, as the list of visible blades had it.
-VisibleBlade visibleBlade(uint index, uint patchIndex, Patch cell, Blade blade)
+VisibleBlade visibleBlade(uint index, uint patchIndex, Patch cell, Blade blade, float layers)
 {
     const Eyepoint view = push.judged.at[0].view;
-    const DrawnSize size =
-        drawnSize(view, leavesLayers ? layerShareOf(view, cell) : lodFullShare, blade,
-                  bladeRank(cell, index - cell.firstBlade), length(blade.root - view.eye));
+    const DrawnSize size = drawnSize(view, layers, blade, bladeRank(cell, index - cell.firstBlade),
+                                     length(blade.root - view.eye));
     return VisibleBlade(index, patchIndex, size.widthFactor, size.pixels);
 }
 
@@ -161,12 +163,13 @@ vec4 shade(Lens lens, uint index, vec2 pixel, uint samples, uint s, float depth)
     const uint patchIndex = patchOf(index);
     const Patch cell = FRAME.patches.at[patchIndex];
     const Blade blade = unpackBlade(FRAME.blades.at[placeOf(uvec2(FRAME.pages), index)], cell);
-    const VisibleBlade visible = visibleBlade(index, patchIndex, cell, blade);
+    const float layers = leavesLayers ? layerShareOf(push.judged.at[0].view, cell) : lodFullShare;
+    const VisibleBlade visible = visibleBlade(index, patchIndex, cell, blade, layers);
     noteSeen(visible, blade);
     const DrawnBlade drawn = drawnBlade(visible, blade);
     const Found found = find(lens, drawn.ribbon,
                              Sighting(pixel + samplePlace(s), depth, pixel + middleOf(samples)));
-    const BladeSurface surface = bladeSurface(drawn, visible);
+    const BladeSurface surface = bladeSurface(drawn, visible, layers);
     BladePoint point;
     point.position = found.position;
     point.place = found.place;

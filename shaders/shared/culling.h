@@ -108,8 +108,8 @@ SHARED_CONST float flattestRay = 1.0f / 96.0f;
 
 /// Share of the local blades that is drawn where those behind are hidden: a ray at `cosine` from
 /// the ground's normal crosses leafExtinction · leafArea / cosine of leaf area (Monsi & Saeki
-/// 1953), and of that `most` is left, times the pixels that a blade is wide if these are more than
-/// one.
+/// 1953), and of that `most` is left, times the square of the pixels that a blade is wide if these
+/// are more than one.
 SHARED_FN float layerShare(float most, float leafArea, float cosine, float pixels)
 {
     const float wide = max(pixels, 1.0f);

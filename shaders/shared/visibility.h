@@ -31,6 +31,12 @@ SHARED_FN float shareAt(Eyepoint view, float distance)
     return lodShare(view.lodWidth * view.pixelsPerUnit / max(distance, 1e-6f), view.lodThreshold);
 }
 
+/// Width of a patch's blades [m]: the middle of what its numbers reach.
+SHARED_FN float middleWidth(Patch cell)
+{
+    return cell.widthLow + 31.5f * cell.widthStep;
+}
+
 /// m² of blade (one side) per m² of ground around a patch's blades; no more than there is where
 /// they stand apart, and 0 where too few of them are its own to tell.
 SHARED_FN float leafAreaAround(Patch cell)
@@ -42,9 +48,9 @@ SHARED_FN float leafAreaAround(Patch cell)
     // So much wider than they span is the square that n places are scattered over, on average.
     const float side = 65535.0f * cell.rootStep * (count + 1.0f) / (count - 1.0f);
     const float around = count / max(cell.rankHigh - cell.rankLow, 1e-6f);
-    const float width = cell.widthLow + 31.5f * cell.widthStep;
     const float height = cell.heightLow + 127.5f * cell.heightStep;
-    return 0.7f * around * width * height / max(side * side, 1e-12f);
+    // Outlines fill from a half to all of their rectangle.
+    return 0.7f * around * middleWidth(cell) * height / max(side * side, 1e-12f);
 }
 
 /// Largest cosine between the ground's normal around a patch and a ray from `eye` to it.
@@ -67,9 +73,8 @@ SHARED_FN float layerShareOf(Eyepoint view, Patch cell)
     if (view.mostLayers <= 0.0f)
         return lodFullShare;
     const float nearest = max(boxDistance(view.eye, cell.boundsLow, cell.boundsHigh), 1e-6f);
-    const float width = cell.widthLow + 31.5f * cell.widthStep;
     return layerShare(view.mostLayers, leafAreaAround(cell), steepestRay(view.eye, cell),
-                      width * view.pixelsPerUnit / nearest);
+                      middleWidth(cell) * view.pixelsPerUnit / nearest);
 }
 
 /// How large a blade is drawn.
