@@ -65,15 +65,15 @@ BladeSurface liftedSurface(BladeSurface surface, float above)
     return surface;
 }
 
-/// `layers`: layerShareOf() its patch.
-BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, float layers)
+/// `layers`: layersOf() its patch.
+BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, Layers layers)
 {
     const Blade blade = drawn.blade;
     const Species species = drawn.species;
     BladeColors colors = bladeColors(blade, species, visible.blade);
     if (FRAME.debugMode == 1u)
         colors.tip = mix(vec3(0.1, 0.6, 0.1), vec3(1.0, 0.1, 0.0),
-                         clamp(log2(max(visible.widthFactor, 1.0)) / 4.0, 0.0, 1.0));
+                         clamp(log2(max(widthFactorOf(visible), 1.0)) / 4.0, 0.0, 1.0));
     else if (FRAME.debugMode == 2u)
         colors.tip = colorOf(visible.patchIndex);
     else if (FRAME.debugMode == debugReason)
@@ -88,9 +88,7 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, float layers)
     surface.tip = vec4(colors.tip, sunSeen(FRAME.shadow, drawn.ribbon.v2, blade.up));
     surface.material = vec4(blade.exposure, species.translucency, species.gloss,
                             leafAreaAt(FRAME.cover, blade.root));
-    // Were all blades of one height it would be the share itself; of lower ones a ray that comes deeper
-    // sees the tips. The cube root keeps the brightness within 1 % where heights differ up to twofold.
-    return layers < 1.0 ? liftedSurface(surface, pow(layers, 1.0 / 3.0)) : surface;
+    return layers.light < 1.0 ? liftedSurface(surface, layers.light) : surface;
 }
 
 #endif

@@ -61,7 +61,7 @@ void main()
 
     BladeSurface surface = BladeSurface(vec4(0.0), vec4(0.0), vec4(0.0));
     if (handedTo != handedToNobody)
-        surface = bladeSurface(drawn, visible, layerShareOf(FRAME.view, FRAME.patches.at[visible.patchIndex]));
+        surface = bladeSurface(drawn, visible, layersOf(FRAME.view, FRAME.patches.at[visible.patchIndex]));
     const BladeParcel parcel = parcelOf(ribbon, surface);
     outSurface = parcel.surface;
     outFrame = parcel.frame;

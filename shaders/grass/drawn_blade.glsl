@@ -6,6 +6,7 @@
 #include "shaders/grass/pages.glsl"
 #include "shaders/shared/passes.h"
 #include "shaders/shared/ribbon.h"
+#include "shaders/shared/visibility.h"
 
 #ifndef FRAME
 #define FRAME push.frame.at[0]
@@ -27,7 +28,7 @@ float segmentsOf(Ribbon ribbon, uint shape, float heightPixels, float widthPixel
                        float(FRAME.maxTessellation));
 }
 
-/// `blade` is the visible one, unpacked, and `state` its own.
+/// `blade` is the visible one, unpacked and raised(), and `state` its own.
 DrawnBlade drawnBlade(VisibleBlade visible, Blade blade, BladeState state)
 {
     const Species species = FRAME.species.at[blade.species];
@@ -42,7 +43,7 @@ DrawnBlade drawnBlade(VisibleBlade visible, Blade blade, BladeState state)
     ribbon.v1 = blade.root + blade.height * pose.v1;
     ribbon.v2 = blade.root + blade.height * pose.v2;
     ribbon.axis = axis;
-    ribbon.width = blade.width * visible.widthFactor;
+    ribbon.width = blade.width * widthFactorOf(visible);
     const float widthPixels = visible.pixels * ribbon.width / blade.height;
     ribbon.fold = foldOf(species.fold, widthPixels);
     ribbon.outline = outlineOf(species.shape, species.tipThreshold,
@@ -59,8 +60,9 @@ DrawnBlade drawnBlade(VisibleBlade visible, Blade blade)
 
 DrawnBlade drawnBlade(VisibleBlade visible)
 {
-    return drawnBlade(visible, unpackBlade(FRAME.blades.at[placeOf(uvec2(FRAME.pages), visible.blade)],
-                                           FRAME.patches.at[visible.patchIndex]));
+    const Blade blade = unpackBlade(FRAME.blades.at[placeOf(uvec2(FRAME.pages), visible.blade)],
+                                    FRAME.patches.at[visible.patchIndex]);
+    return drawnBlade(visible, raised(blade, heightFactorOf(visible)));
 }
 
 #endif

@@ -177,7 +177,7 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count, inou
             JUDGED.patchCounts.at[patchIndex] = moved;
         atomicAdd(fateSums[fateLod], cell.bladeCount - count);
     }
-    const float layers = layerShareOf(view, cell);
+    const Layers layers = layersOf(view, cell);
     const ColliderMask near = collidersNear(cell, elapsed, thread);
 
     for (uint i = thread; i < moved; i += gl_WorkGroupSize.x) {
@@ -207,17 +207,18 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count, inou
             continue;
 
         // Judge it, and keep it if it shall be drawn.
-        Verdict verdict = judgeBlade(view, layers, blade, index, state, bladeRank(cell, i));
+        const Blade drawn = raised(blade, layers.rise);
+        Verdict verdict = judgeBlade(view, layers, drawn, index, state, bladeRank(cell, i));
         if (verdict.fate == fateDrawn && (view.cullMask & cullOcclusion) != 0u &&
             isHidden(verdict.low, verdict.high))
             verdict.fate = fateOcclusion;
         atomicAdd(fateSums[verdict.fate], 1u);
         if (verdict.fate == fateDrawn) {
-            const float pixels = pixelsCovered(blade, verdict.pixels, verdict.widthFactor);
-            const uint list = takeSeen(index, blade, pixels) ? 0u : 1u;
+            const float pixels = pixelsCovered(drawn, verdict.pixels, verdict.widthFactor);
+            const uint list = takeSeen(index, drawn, pixels) ? 0u : 1u;
             const uint slot = atomicAdd(kept[list], 1u);
             survivors[list == 0u ? slot : maxPatchBlades - 1u - slot] =
-                VisibleBlade(index, patchIndex, verdict.widthFactor, verdict.pixels);
+                VisibleBlade(index, patchIndex, packFactors(verdict.widthFactor, layers.rise), verdict.pixels);
         }
         noteFate(place, verdict.fate);
     }

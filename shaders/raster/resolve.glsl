@@ -20,13 +20,13 @@ uint patchOf(uint blade)
     return patchIndex;
 }
 
-/// A blade of patch `patchIndex`, as the list of visible blades had it.
-VisibleBlade visibleBlade(uint index, uint patchIndex, Patch cell, Blade blade, float layers)
+/// A blade of patch `patchIndex`, raised() by its layers, as the list of visible blades had it.
+VisibleBlade visibleBlade(uint index, uint patchIndex, Patch cell, Blade blade, Layers layers)
 {
     const Eyepoint view = push.judged.at[0].view;
     const DrawnSize size = drawnSize(view, layers, blade, bladeRank(cell, index - cell.firstBlade),
                                      length(blade.root - view.eye));
-    return VisibleBlade(index, patchIndex, size.widthFactor, size.pixels);
+    return VisibleBlade(index, patchIndex, packFactors(size.widthFactor, layers.rise), size.pixels);
 }
 
 /// A corner of a ribbon's triangle.
@@ -147,7 +147,7 @@ Found find(Lens lens, Ribbon ribbon, Sighting sighting)
 void noteSeen(VisibleBlade visible, Blade blade)
 {
     if (uvec2(push.seen) == uvec2(0u) ||
-        pixelsCovered(blade, visible.pixels, visible.widthFactor) <= askedBladePixels)
+        pixelsCovered(blade, visible.pixels, widthFactorOf(visible)) <= askedBladePixels)
         return;
     UintArray seen = push.seen;
     const uint word = visible.blade / 32u;
@@ -162,8 +162,11 @@ vec4 shade(Lens lens, uint index, vec2 pixel, uint samples, uint s, float depth)
 {
     const uint patchIndex = patchOf(index);
     const Patch cell = FRAME.patches.at[patchIndex];
-    const Blade blade = unpackBlade(FRAME.blades.at[placeOf(uvec2(FRAME.pages), index)], cell);
-    const float layers = leavesLayers ? layerShareOf(push.judged.at[0].view, cell) : lodFullShare;
+    Layers layers = allLayers();
+    if (leavesLayers)
+        layers = layersOf(push.judged.at[0].view, cell);
+    const Blade blade =
+        raised(unpackBlade(FRAME.blades.at[placeOf(uvec2(FRAME.pages), index)], cell), layers.rise);
     const VisibleBlade visible = visibleBlade(index, patchIndex, cell, blade, layers);
     noteSeen(visible, blade);
     const DrawnBlade drawn = drawnBlade(visible, blade);

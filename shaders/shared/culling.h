@@ -106,14 +106,17 @@ SHARED_FN float lodWidthFactor(float rank, float share)
 /// crest it leaves the grass again.
 SHARED_CONST float flattestRay = 1.0f / 96.0f;
 
+/// m² of blade per m² of ground: no grass is taken to be denser.
+SHARED_CONST float mostLeafArea = 64.0f;
+
 /// Share of the local blades that is drawn where those behind are hidden: a ray at `cosine` from
 /// the ground's normal crosses leafExtinction · leafArea / cosine of leaf area (Monsi & Saeki
-/// 1953), and of that `most` is left, times the square of the pixels that a blade is wide if these
+/// 1953), and of that `most` is left, times the cube of the pixels that a blade is wide if these
 /// are more than one.
 SHARED_FN float layerShare(float most, float leafArea, float cosine, float pixels)
 {
     const float wide = max(pixels, 1.0f);
-    return clamp(most * wide * wide * max(cosine, flattestRay) /
+    return clamp(most * wide * wide * wide * max(cosine, flattestRay) /
                      (leafExtinction * max(leafArea, 1e-6f)),
                  1.0f / 256.0f, lodFullShare);
 }
@@ -125,6 +128,34 @@ SHARED_FN float layerWeight(float rank, float share)
     if (share >= lodFullShare)
         return 1.0f;
     return clamp((share - rank) / (lodFade * share), 0.0f, 1.0f);
+}
+
+/// None stands higher than that for those that are left out.
+SHARED_CONST float mostRise = 1.3f;
+
+/// How many times as high the blades stand that are left where `share` of them is drawn and a ray
+/// has grass before it at the share `one`, see layerShare(): it sees as deep into it as its leaf
+/// area lets it, which grows about with the cube of the depth for blades that taper and lean, and
+/// so the grass ends where all of it would. `spread`, in [0, 1]: the tallest are so much taller
+/// than the lowest, in halves of their height; 1 for all beyond. Fitted to plains, whose coverage
+/// by bands of distance stays within 1.1 %. Of 1/1024ths, so that half a float holds it.
+SHARED_FN float layerRise(float share, float one, float spread)
+{
+    if (share >= 1.0f)
+        return 1.0f;
+    const float full = min(one, 1.0f);
+    const float sunk = pow(full / share, 1.0f / 3.0f) - pow(full, 1.0f / 3.0f);
+    const float rise = clamp(1.0f + (0.4f + 0.2f * spread) * sunk, 1.0f, mostRise);
+    return floor(rise * 1024.0f + 0.5f) / 1024.0f;
+}
+
+/// Leaf area over a place of a blade, of what is above it where all are drawn, where `share` of
+/// them is: the share itself among blades of one height, if they were straight; where some are
+/// lower a ray that comes deeper sees their tips. `spread`: as for layerRise(). Fitted to plains,
+/// of which no 32 x 32 pixels are brighter or darker by more than 2 of 255.
+SHARED_FN float layerLight(float share, float spread)
+{
+    return share >= 1.0f ? 1.0f : pow(share, 1.0f / (1.3f + 1.7f * spread));
 }
 
 SHARED_END

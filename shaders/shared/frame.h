@@ -22,10 +22,28 @@ SHARED_BEGIN
 struct VisibleBlade {
     uint blade; ///< index into the blades: the resident id
     uint patchIndex;
-    float widthFactor; ///< 1, or more where level of detail has left blades out
-    float pixels;      ///< height on the screen [pixels]
+    uint factors; ///< packFactors(): 1, or more where level of detail has left blades out
+    float pixels; ///< height on the screen [pixels]
 };
 SHARED_LAYOUT(VisibleBlade, 16)
+
+/// So many times as wide and as high as it is a blade is drawn, as two halves of a float.
+SHARED_FN uint packFactors(float width, float height)
+{
+    return packHalf2x16(vec2(width, height));
+}
+
+/// In times the blade's own width.
+SHARED_FN float widthFactorOf(VisibleBlade visible)
+{
+    return unpackHalf2x16(visible.factors).x;
+}
+
+/// In times the blade's own height.
+SHARED_FN float heightFactorOf(VisibleBlade visible)
+{
+    return unpackHalf2x16(visible.factors).y;
+}
 
 /// VkDrawIndirectCommand, and the counts by fate behind it.
 struct DrawArguments {

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/integer.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/packing.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

@@ -38,7 +38,7 @@ SHARED_FN float middleWidth(Patch cell)
 }
 
 /// m² of blade (one side) per m² of ground around a patch's blades; no more than there is where
-/// they stand apart, and 0 where too few of them are its own to tell.
+/// they stand apart, at most mostLeafArea, and 0 where too few of them are its own to tell.
 SHARED_FN float leafAreaAround(Patch cell)
 {
     const uint fewest = 4u;
@@ -50,7 +50,7 @@ SHARED_FN float leafAreaAround(Patch cell)
     const float around = count / max(cell.rankHigh - cell.rankLow, 1e-6f);
     const float height = cell.heightLow + 127.5f * cell.heightStep;
     // Outlines fill from a half to all of their rectangle.
-    return 0.7f * around * middleWidth(cell) * height / max(side * side, 1e-12f);
+    return min(0.7f * around * middleWidth(cell) * height / max(side * side, 1e-12f), mostLeafArea);
 }
 
 /// Largest cosine between the ground's normal around a patch and a ray from `eye` to it.
@@ -67,14 +67,50 @@ SHARED_FN float steepestRay(vec3 eye, Patch cell)
     return min(above / nearest + max(slope - octahedralMaxError, 0.0f), 1.0f);
 }
 
-/// Share of a patch's blades that is drawn where those behind are hidden.
-SHARED_FN float layerShareOf(Eyepoint view, Patch cell)
+/// What is drawn of a patch of which grass hides a part by itself.
+struct Layers {
+    float share; ///< of its blades, see layerShare(); lodFullShare: all
+    float rise;  ///< so many times as high they stand, see layerRise()
+    float light; ///< so much of the leaf area over them they are lit with, see layerLight()
+};
+
+/// Of all blades as they are.
+SHARED_FN Layers allLayers()
 {
+    Layers layers;
+    layers.share = lodFullShare;
+    layers.rise = 1.0f;
+    layers.light = 1.0f;
+    return layers;
+}
+
+/// What is drawn of a patch where those behind are hidden.
+SHARED_FN Layers layersOf(Eyepoint view, Patch cell)
+{
+    Layers layers = allLayers();
     if (view.mostLayers <= 0.0f)
-        return lodFullShare;
+        return layers;
     const float nearest = max(boxDistance(view.eye, cell.boundsLow, cell.boundsHigh), 1e-6f);
-    return layerShare(view.mostLayers, leafAreaAround(cell), steepestRay(view.eye, cell),
-                      middleWidth(cell) * view.pixelsPerUnit / nearest);
+    const float pixels = middleWidth(cell) * view.pixelsPerUnit / nearest;
+    // Most of what one sees is so near that neither density nor steepness could leave any out.
+    if (layerShare(view.mostLayers, mostLeafArea, 0.0f, pixels) >= lodFullShare)
+        return layers;
+    const float leafArea = leafAreaAround(cell);
+    const float cosine = steepestRay(view.eye, cell);
+    layers.share = layerShare(view.mostLayers, leafArea, cosine, pixels);
+    const float range = 255.0f * cell.heightStep;
+    const float spread = min(2.0f * range / max(cell.heightLow + range, 1e-6f), 1.0f);
+    layers.rise = layerRise(layers.share, layerShare(1.0f, leafArea, cosine, 1.0f), spread);
+    layers.light = layerLight(layers.share, spread);
+    return layers;
+}
+
+/// A blade as high as it stands where others are left out.
+SHARED_FN Blade raised(Blade blade, float heightFactor)
+{
+    Blade drawn = blade;
+    drawn.height = blade.height * heightFactor;
+    return drawn;
 }
 
 /// How large a blade is drawn.
@@ -83,11 +119,14 @@ struct DrawnSize {
     float pixels;      ///< height on the screen [pixels]
 };
 
-/// `layers`: layerShareOf() its patch.
-SHARED_FN DrawnSize drawnSize(Eyepoint view, float layers, Blade blade, float rank, float distance)
+/// `layers`: layersOf() its patch, by which `blade` is raised().
+SHARED_FN DrawnSize drawnSize(Eyepoint view, Layers layers, Blade blade, float rank, float distance)
 {
+    // Where blades are drawn wider, so many fewer of them are a layer.
+    const float share = shareAt(view, distance);
     DrawnSize size;
-    size.widthFactor = lodWidthFactor(rank, shareAt(view, distance)) * layerWeight(rank, layers);
+    size.widthFactor =
+        lodWidthFactor(rank, share) * layerWeight(rank / min(share, 1.0f), layers.share);
     size.pixels = blade.height * view.pixelsPerUnit / max(distance, 1e-6f);
     return size;
 }
@@ -104,15 +143,19 @@ SHARED_FN float bladeRank(Patch cell, uint i)
     return mix(cell.rankLow, cell.rankHigh, (float(i) + 0.5f) / float(cell.bladeCount));
 }
 
-/// By how much blades drawn wider than they are may stand out of a node's bounds [m], none of them
-/// wider than `widest` [m].
+/// By how much blades drawn wider and higher than they are may stand out of a node's bounds [m],
+/// none of them wider than `widest` [m].
 SHARED_FN float patchMargin(Eyepoint view, Patch cell, float widest)
 {
     const vec3 farthest = max(abs(cell.boundsLow - view.eye), abs(cell.boundsHigh - view.eye));
     const float share = shareAt(view, length(farthest));
+    // No blade is higher than half its node's box, in which it may lie on any side of its root.
+    const vec3 size = cell.boundsHigh - cell.boundsLow;
+    const float highest = 0.5f * min(size.x, min(size.y, size.z));
     // lodWidthFactor() is at most 1/(0.95 share).
     return 0.5f * outlineMost * widest / (0.95f * share) +
-           ribMargin(length(farthest), view.leastWidth);
+           ribMargin(length(farthest), view.leastWidth) +
+           (view.mostLayers > 0.0f ? (mostRise - 1.0f) * highest : 0.0f);
 }
 
 /// How many of the patch's blades, the first so many, level of detail may draw from this eyepoint:
@@ -122,8 +165,8 @@ SHARED_FN uint thickEnough(Eyepoint view, Patch cell)
 {
     if ((view.cullMask & leaveThinned) == 0u || view.lodThreshold <= 0.0f)
         return cell.bladeCount;
-    const float share = min(shareAt(view, boxDistance(view.eye, cell.boundsLow, cell.boundsHigh)),
-                            layerShareOf(view, cell));
+    const float thinned = shareAt(view, boxDistance(view.eye, cell.boundsLow, cell.boundsHigh));
+    const float share = min(thinned, min(thinned, 1.0f) * layersOf(view, cell).share);
     if (share <= cell.rankLow)
         return 0u;
     if (share >= cell.rankHigh)
@@ -182,9 +225,10 @@ SHARED_FN bool seenTooNarrow(Eyepoint view, Blade blade, uint index, vec3 axis, 
 }
 
 /// The fate of one blade of a patch that was not culled, in the order orientation, frustum,
-/// distance, level of detail. `layers`: layerShareOf() its patch. `index` is its resident id.
-SHARED_FN Verdict judgeBlade(Eyepoint view, float layers, Blade blade, uint index, BladeState state,
-                             float rank)
+/// distance, level of detail. `layers`: layersOf() its patch, by which `blade` is raised(). `index`
+/// is its resident id.
+SHARED_FN Verdict judgeBlade(Eyepoint view, Layers layers, Blade blade, uint index,
+                             BladeState state, float rank)
 {
     const vec3 axis = widthAxis(blade.up, blade.facing);
     const float distance = length(blade.root - view.eye);

@@ -81,7 +81,7 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
     const auto drawn = [&](const shared::VisibleBlade& blade) {
         if (!fates.empty() && fates[blade.blade] != shared::fateDrawn)
             return;
-        records[blade.blade].lodWidth = blade.widthFactor;
+        records[blade.blade].lodWidth = shared::widthFactorOf(blade);
         records[blade.blade].fate = shared::fateDrawn;
     };
     const std::size_t first = std::min<std::size_t>(rounds[0].count, visible.size());

@@ -138,18 +138,20 @@ TEST_F(CullingTest, JudgesAsTheCpuDoesSaveWhereRoundingDecides)
         for (std::size_t p = 0; p < field_.patches.size(); ++p) {
             const shared::Patch& cell = field_.patches[p];
             const bool culled = shared::patchCulled(view, cell, subtrees[p].widest);
+            const shared::Layers layers = shared::layersOf(view, cell);
             for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
                 const std::size_t index = cell.firstBlade + i;
-                const shared::Verdict verdict = shared::judgeBlade(
-                    view, shared::layerShareOf(view, cell), blade(index),
-                    static_cast<std::uint32_t>(index), states_[index], shared::bladeRank(cell, i));
+                const shared::Blade drawn = shared::raised(blade(index), layers.rise);
+                const shared::Verdict verdict =
+                    shared::judgeBlade(view, layers, drawn, static_cast<std::uint32_t>(index),
+                                       states_[index], shared::bladeRank(cell, i));
                 const std::uint32_t expected = culled ? shared::fatePatch : verdict.fate;
                 ++judged;
                 ++seen[result.fates[index]];
                 if (result.fates[index] == expected)
                     continue;
-                ASSERT_TRUE(isClose(frame, blade(index), static_cast<std::uint32_t>(index),
-                                    states_[index], verdict))
+                ASSERT_TRUE(isClose(frame, drawn, static_cast<std::uint32_t>(index), states_[index],
+                                    verdict))
                     << "blade " << index << " has fate " << result.fates[index] << ", expected "
                     << expected << "; camera " << c << ", seed " << seed;
                 ++close;
@@ -171,7 +173,7 @@ TEST_F(CullingTest, ListsExactlyTheDrawnBladesEachOnce)
             ASSERT_TRUE(listed.insert(visible.blade).second) << "blade " << visible.blade;
             ASSERT_EQ(result.fates[visible.blade], shared::fateDrawn);
             ASSERT_EQ(visible.patchIndex, patches_[visible.blade]);
-            ASSERT_GT(visible.widthFactor, 0.0f);
+            ASSERT_GT(shared::widthFactorOf(visible), 0.0f);
         }
         EXPECT_EQ(listed.size(), result.draw.fates[shared::fateDrawn]) << "camera " << c;
         // Just as many chunks as they need.

@@ -155,7 +155,7 @@ std::size_t fillValues(Values& v)
               f.sunColor, f.debugMode, f.skyColor, f.fogDensity, f.groundColor, f.skyUp,
               f.fixedTessellation, f.clouds, f.levelSteps, f.pace, f.cover, f.shadow, f.fogFalloff,
               f.fogBase, f.reserved);
-    n.fillAll(v.visible.blade, v.visible.patchIndex, v.visible.widthFactor, v.visible.pixels);
+    n.fillAll(v.visible.blade, v.visible.patchIndex, v.visible.factors, v.visible.pixels);
     n.fillAll(v.draw.vertexCount, v.draw.instanceCount, v.draw.firstVertex, v.draw.firstInstance,
               v.draw.simulated, v.draw.fates);
     n.fillAll(v.species.rootColor, v.species.tipThreshold, v.species.tipColor, v.species.groundTint,

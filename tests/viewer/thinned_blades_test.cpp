@@ -31,10 +31,10 @@ TEST(ThickEnough, LeavesOutOnlyBladesThatHaveNoWidthWhereTheyStand)
                 for (uint i = thickEnough(view, cell); i < cell.bladeCount; ++i) {
                     const Blade blade = unpackBlade(field.blades[cell.firstBlade + i], cell);
                     const float distance = length(blade.root - view.eye);
-                    EXPECT_EQ(drawnSize(view, layerShareOf(view, cell), blade, bladeRank(cell, i),
-                                        distance)
-                                  .widthFactor,
-                              0.0f);
+                    EXPECT_EQ(
+                        drawnSize(view, layersOf(view, cell), blade, bladeRank(cell, i), distance)
+                            .widthFactor,
+                        0.0f);
                     ++left;
                 }
         }

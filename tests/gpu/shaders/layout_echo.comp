@@ -219,7 +219,7 @@ void main()
     const VisibleBlade visible = sources.at[0].visible.at[1];
     put(visible.blade);
     put(visible.patchIndex);
-    put(visible.widthFactor);
+    put(visible.factors);
     put(visible.pixels);
 
     const DrawArguments draw = sources.at[0].draw.at[1];

@@ -1,5 +1,6 @@
 #include "shaders/shared/bezier.h"
 #include "shaders/shared/culling.h"
+#include "shaders/shared/frame.h"
 #include "shaders/shared/visibility.h"
 #include "unit/shared/random_vectors.h"
 
@@ -139,16 +140,16 @@ TEST(Layers, OfWhatIsInARaysWaySoMuchIsLeftAndNeverLess)
         const float cosine = dice.number(0.0f, 1.0f);
         const float pixels = dice.number(0.01f, 8.0f);
         const float share = layerShare(most, leafArea, cosine, pixels);
-        const float wide = std::max(pixels, 1.0f);
+        const float wide = std::pow(std::max(pixels, 1.0f), 3.0f);
         const float inTheWay = leafExtinction * leafArea / std::max(cosine, flattestRay);
-        EXPECT_GE(share * inTheWay, 0.999f * std::min(most * wide * wide, inTheWay));
+        EXPECT_GE(share * inTheWay, 0.999f * std::min(most * wide, inTheWay));
         if (share < 0.999f * lodFullShare) {
-            EXPECT_LE(share * inTheWay, std::max(1.001f * most * wide * wide, inTheWay / 255.0f));
+            EXPECT_LE(share * inTheWay, std::max(1.001f * most * wide, inTheWay / 255.0f));
         }
         // Nothing jumps where any of it changes a little.
         EXPECT_NEAR(layerShare(most, 1.001f * leafArea, cosine, pixels), share, 0.002f * share);
         EXPECT_NEAR(layerShare(most, leafArea, 1.001f * cosine, pixels), share, 0.002f * share);
-        EXPECT_NEAR(layerShare(most, leafArea, cosine, 1.001f * pixels), share, 0.004f * share);
+        EXPECT_NEAR(layerShare(most, leafArea, cosine, 1.001f * pixels), share, 0.006f * share);
     }
 }
 
@@ -166,6 +167,41 @@ TEST(Layers, KeepTheFirstBladesAsTheyAreAndLetTheLastFade)
         }
     }
     EXPECT_EQ(layerWeight(0.9999f, lodFullShare), 1.0f);
+}
+
+TEST(Layers, RiseBySoMuchAsMoreIsLeftOutAndNeverJump)
+{
+    tests::Dice dice(6);
+    float highest = 1.0f;
+    for (int i = 0; i < 100'000; ++i) {
+        const float one = std::exp(dice.number(-8.0f, 2.0f));
+        const float share = dice.number(1.0f / 256.0f, lodFullShare);
+        const float spread = dice.number(0.0f, 1.0f);
+        const float rise = layerRise(share, one, spread);
+        // Lengths of 1/1024th, rounded, are all that it may jump.
+        constexpr float step = 1.001f / 1024.0f;
+        EXPECT_GE(rise, 1.0f);
+        EXPECT_LE(rise, mostRise);
+        EXPECT_LE(layerRise(1.01f * share, one, spread), rise)
+            << "share " << share << ", one " << one;
+        EXPECT_NEAR(layerRise(1.001f * share, one, spread), rise, step);
+        EXPECT_NEAR(layerRise(share, 1.001f * one, spread), rise, step);
+        EXPECT_NEAR(layerRise(share, one, 0.999f * spread), rise, step);
+        // More light where more is left out, none more where all is drawn.
+        const float light = layerLight(share, spread);
+        EXPECT_LE(light, layerLight(std::min(1.01f * share, 1.0f), spread));
+        EXPECT_LE(light, layerLight(share, std::min(spread + 0.01f, 1.0f)));
+        EXPECT_GE(light, std::min(share, 1.0f));
+        // As a half float it is the same to the bit.
+        VisibleBlade visible = {};
+        visible.factors = packFactors(1.5f, rise);
+        EXPECT_EQ(heightFactorOf(visible), rise);
+        EXPECT_EQ(widthFactorOf(visible), 1.5f);
+        highest = std::max(highest, rise);
+    }
+    EXPECT_NEAR(highest, mostRise, 0.5f / 1024.0f);
+    EXPECT_EQ(layerRise(lodFullShare, 0.1f, 0.5f), 1.0f);
+    EXPECT_EQ(layerLight(lodFullShare, 0.5f), 1.0f);
 }
 
 TEST(LeafShare, HeightsAreThoseThatHaveIt)
@@ -186,7 +222,7 @@ TEST(LevelOfDetail, SwitchedOffDrawsEveryBladeAsWideAsItIs)
     for (int i = 0; i < 10'000; ++i) {
         const float distance = dice.number(0.0f, 1e4f);
         EXPECT_EQ(
-            drawnSize(view, lodFullShare, blade, dice.number(0.0f, 1.0f), distance).widthFactor,
+            drawnSize(view, allLayers(), blade, dice.number(0.0f, 1.0f), distance).widthFactor,
             1.0f);
     }
 }
