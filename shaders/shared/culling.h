@@ -111,12 +111,12 @@ SHARED_CONST float mostLeafArea = 64.0f;
 
 /// Share of the local blades that is drawn where those behind are hidden: a ray at `cosine` from
 /// the ground's normal crosses leafExtinction · leafArea / cosine of leaf area (Monsi & Saeki
-/// 1953), and of that `most` is left, times the cube of the pixels that a blade is wide if these
-/// are more than one.
+/// 1953), and of that `most` is left, times the fourth power of the pixels that a blade is wide if
+/// these are more than one: at the end of a field, where there is no more behind, one sees through.
 SHARED_FN float layerShare(float most, float leafArea, float cosine, float pixels)
 {
-    const float wide = max(pixels, 1.0f);
-    return clamp(most * wide * wide * wide * max(cosine, flattestRay) /
+    const float wide = max(pixels * pixels, 1.0f);
+    return clamp(most * wide * wide * max(cosine, flattestRay) /
                      (leafExtinction * max(leafArea, 1e-6f)),
                  1.0f / 256.0f, lodFullShare);
 }

@@ -57,8 +57,8 @@ struct FrameSettings {
     float leastPixels = 0.8f;  ///< [samples' distances] blades are drawn no narrower while
                                ///< levelOfDetail is on; 0: as narrow as they are
     /// [times a ray's cross section] So much leaf area is drawn in the way of a ray while
-    /// levelOfDetail is on, of blades wider than a pixel as many times more as the cube of
-    /// their pixels; what is behind is hidden. [0, 1e6]; 0: as much as there is.
+    /// levelOfDetail is on, of blades wider than a pixel as many times more as the fourth
+    /// power of their pixels; what is behind is hidden. [0, 1e6]; 0: as much as there is.
     float mostLayers = 10.0f;
     /// Cosine beyond which blades are cut as edge-on, 1: never. Not given: never while they are
     /// drawn no narrower than leastPixels, which leaves nothing to cut; else the paper's.
