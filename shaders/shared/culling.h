@@ -138,7 +138,7 @@ SHARED_CONST float mostRise = 1.3f;
 /// area lets it, which grows about with the cube of the depth for blades that taper and lean, and
 /// so the grass ends where all of it would. `spread`, in [0, 1]: the tallest are so much taller
 /// than the lowest, in halves of their height; 1 for all beyond. Fitted to plains, whose coverage
-/// by bands of distance stays within 1.1 %. Of 1/1024ths, so that half a float holds it.
+/// by bands of distance stays within 1.2 %. Of 1/1024ths, so that half a float holds it.
 SHARED_FN float layerRise(float share, float one, float spread)
 {
     if (share >= 1.0f)
@@ -152,7 +152,7 @@ SHARED_FN float layerRise(float share, float one, float spread)
 /// Leaf area over a place of a blade, of what is above it where all are drawn, where `share` of
 /// them is: the share itself among blades of one height, if they were straight; where some are
 /// lower a ray that comes deeper sees their tips. `spread`: as for layerRise(). Fitted to plains,
-/// of which no 32 x 32 pixels are brighter or darker by more than 2 of 255.
+/// of which no 32 x 32 pixels are brighter or darker by more than 2.3 of 255.
 SHARED_FN float layerLight(float share, float spread)
 {
     return share >= 1.0f ? 1.0f : pow(share, 1.0f / (1.3f + 1.7f * spread));

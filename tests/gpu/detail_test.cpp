@@ -27,21 +27,33 @@ protected:
     void measureLayers(glm::vec2 heights, double mostShift);
 };
 
+/// Means over each tile of `of` the difference of a channel's 8-bit values, the three of a tile
+/// together.
+template <typename Function>
+std::vector<glm::dvec3> tileMeans(const std::vector<std::byte>& a, const std::vector<std::byte>& b,
+                                  Function of)
+{
+    std::vector<glm::dvec3> means;
+    for (std::uint32_t y0 = 0; y0 < size.y; y0 += tile)
+        for (std::uint32_t x0 = 0; x0 < size.x; x0 += tile) {
+            glm::ivec3 sum(0);
+            for (std::uint32_t y = y0; y < y0 + tile; ++y)
+                for (std::uint32_t x = x0; x < x0 + tile; ++x)
+                    for (int c = 0; c < 3; ++c) {
+                        const std::size_t i = 4 * (std::size_t(y) * size.x + x) + std::size_t(c);
+                        sum[c] += of(std::to_integer<int>(a[i]) - std::to_integer<int>(b[i]));
+                    }
+            means.push_back(glm::dvec3(sum) / double(tile * tile));
+        }
+    return means;
+}
+
 /// Mean absolute difference of a tile's 8-bit values, the largest of all tiles.
 double largestTile(const std::vector<std::byte>& a, const std::vector<std::byte>& b)
 {
     double most = 0.0;
-    for (std::uint32_t y0 = 0; y0 < size.y; y0 += tile)
-        for (std::uint32_t x0 = 0; x0 < size.x; x0 += tile) {
-            int sum = 0;
-            for (std::uint32_t y = y0; y < y0 + tile; ++y)
-                for (std::uint32_t x = x0; x < x0 + tile; ++x)
-                    for (std::uint32_t c = 0; c < 3; ++c) {
-                        const std::size_t i = 4 * (std::size_t(y) * size.x + x) + c;
-                        sum += std::abs(std::to_integer<int>(a[i]) - std::to_integer<int>(b[i]));
-                    }
-            most = std::max(most, sum / (3.0 * tile * tile));
-        }
+    for (const glm::dvec3& mean : tileMeans(a, b, [](int d) { return std::abs(d); }))
+        most = std::max(most, (mean.x + mean.y + mean.z) / 3.0);
     return most;
 }
 
@@ -49,17 +61,8 @@ double largestTile(const std::vector<std::byte>& a, const std::vector<std::byte>
 double largestShift(const std::vector<std::byte>& a, const std::vector<std::byte>& b)
 {
     double most = 0.0;
-    for (std::uint32_t y0 = 0; y0 < size.y; y0 += tile)
-        for (std::uint32_t x0 = 0; x0 < size.x; x0 += tile)
-            for (std::uint32_t c = 0; c < 3; ++c) {
-                int sum = 0;
-                for (std::uint32_t y = y0; y < y0 + tile; ++y)
-                    for (std::uint32_t x = x0; x < x0 + tile; ++x) {
-                        const std::size_t i = 4 * (std::size_t(y) * size.x + x) + c;
-                        sum += std::to_integer<int>(a[i]) - std::to_integer<int>(b[i]);
-                    }
-                most = std::max(most, std::abs(sum) / double(tile * tile));
-            }
+    for (const glm::dvec3& mean : tileMeans(a, b, [](int d) { return d; }))
+        most = std::max({most, std::abs(mean.x), std::abs(mean.y), std::abs(mean.z)});
     return most;
 }
 

@@ -60,6 +60,33 @@ TEST(LeafArea, AroundEachPatchIsThatOfTheField)
     EXPECT_NEAR(sum / double(blades), mean, 0.15 * mean);
 }
 
+TEST(PatchMargin, HoldsBladesThatStandAsHighAsAnyMay)
+{
+    const field::Field field = test::makeField({.blades = 4096, .extent = 20.0f});
+    const Eyepoint view = eyeAt({0.0f, 2.0f, 40.0f}, 900.0f, 10.0f);
+    std::size_t held = 0;
+    for (uint p = 0; p < field.patches.size(); ++p) {
+        const Patch& own = field.patches[p];
+        for (uint i = 0; i < own.bladeCount; ++i) {
+            const Blade blade =
+                raised(unpackBlade(field.blades[own.firstBlade + i], own), mostRise);
+            // Its node, and all above.
+            for (uint node = p;; node = field.patches[node].parent) {
+                const Patch& cell = field.patches[node];
+                const float margin = patchMargin(view, cell, 0.0f);
+                for (int axis = 0; axis < 3; ++axis) {
+                    ASSERT_GE(blade.root[axis] - blade.height, cell.boundsLow[axis] - margin);
+                    ASSERT_LE(blade.root[axis] + blade.height, cell.boundsHigh[axis] + margin);
+                }
+                ++held;
+                if (node == 0)
+                    break;
+            }
+        }
+    }
+    EXPECT_GT(held, 4096u);
+}
+
 TEST(ThickEnough, LeavesNoneOutUnlessItIsAskedTo)
 {
     const field::Field field = test::makeField({.blades = 512});
