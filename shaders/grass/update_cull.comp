@@ -121,9 +121,11 @@ uint wantedByAll(Patch cell, uint patchIndex, float elapsed, uint own, inout boo
     return wanted;
 }
 
-/// Lists the survivors that have gathered. All threads come here together.
+/// Lists the survivors that have gathered, and counts them. All threads come here together.
 void listSurvivors(uint thread)
 {
+    if (thread == 0u)
+        fateSums[fateDrawn] += kept[0] + kept[1];
     if (thread < 2u && kept[thread] > 0u) {
         WalkLevelArray rounds = push.rounds;
         listBase[thread] =
@@ -143,6 +145,20 @@ void listSurvivors(uint thread)
     if (thread < 2u)
         kept[thread] = 0u;
     barrier();
+}
+
+/// A blade as it lies in memory, with what has become of it so far.
+struct StoredBlade {
+    uint place;
+    PackedBlade bits;
+    BladeState state;
+};
+
+StoredBlade storedBlade(uint index)
+{
+    const uint place = placeOf(uvec2(JUDGED.pages), index);
+    return StoredBlade(place, JUDGED.blades.at[place],
+                       BladeState(JUDGED.states.at[place], keepsEtas ? JUDGED.etas.at[place] : 0.0));
 }
 
 /// Moves and judges the first `count` blades of a patch; the others are thinned out. `gathered` is
@@ -180,17 +196,22 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count, inou
     const Layers layers = layersOf(view, cell);
     const ColliderMask near = collidersNear(cell, elapsed, thread);
 
+    // The next blade is read while one is moved.
+    StoredBlade next;
+    if (thread < moved)
+        next = storedBlade(cell.firstBlade + thread);
     for (uint i = thread; i < moved; i += gl_WorkGroupSize.x) {
         const uint index = cell.firstBlade + i;
-        const uint place = placeOf(uvec2(JUDGED.pages), index);
+        const StoredBlade stored = next;
+        if (i + gl_WorkGroupSize.x < moved)
+            next = storedBlade(index + gl_WorkGroupSize.x);
         const float since = role == onlyJudge ? 0.0f : i < movedBefore ? elapsed : settlingTime;
         if (role == onlyMove && since <= 0.0f)
             continue;
-        const Blade blade = unpackBlade(JUDGED.blades.at[place], cell);
+        const Blade blade = unpackBlade(stored.bits, cell);
 
         // Move it. At a standstill the stored state stays as it is, to the bit.
-        BladeState state =
-            BladeState(JUDGED.states.at[place], keepsEtas ? JUDGED.etas.at[place] : 0.0);
+        BladeState state = stored.state;
         if (since > 0.0f) {
             const uint before = state.turn;
             state = advanceBlade(blade, nature, near, state, JUDGED.time, since);
@@ -199,9 +220,9 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count, inou
                 UintArray kept = push.before;
                 kept.at[index] = i < movedBefore ? before : state.turn;
             }
-            JUDGED.states.at[place] = state.turn;
+            JUDGED.states.at[stored.place] = state.turn;
             if (keepsEtas)
-                JUDGED.etas.at[place] = state.eta;
+                JUDGED.etas.at[stored.place] = state.eta;
         }
         if (role == onlyMove || push.onlyUpdate != 0u)
             continue;
@@ -212,15 +233,16 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count, inou
         if (verdict.fate == fateDrawn && (view.cullMask & cullOcclusion) != 0u &&
             isHidden(verdict.low, verdict.high))
             verdict.fate = fateOcclusion;
-        atomicAdd(fateSums[verdict.fate], 1u);
-        if (verdict.fate == fateDrawn) {
+        if (verdict.fate != fateDrawn) {
+            atomicAdd(fateSums[verdict.fate], 1u);
+        } else {
             const float pixels = pixelsCovered(drawn, verdict.pixels, verdict.widthFactor);
             const uint list = takeSeen(index, drawn, pixels) ? 0u : 1u;
             const uint slot = atomicAdd(kept[list], 1u);
             survivors[list == 0u ? slot : maxPatchBlades - 1u - slot] =
                 VisibleBlade(index, patchIndex, packFactors(verdict.widthFactor, layers.rise), verdict.pixels);
         }
-        noteFate(place, verdict.fate);
+        noteFate(stored.place, verdict.fate);
     }
     for (uint i = count + thread; role != onlyMove && i < cell.bladeCount; i += gl_WorkGroupSize.x)
         noteFate(placeOf(uvec2(JUDGED.pages), cell.firstBlade + i), fateLod);

@@ -14,15 +14,15 @@ SHARED_BEGIN
 /// each, stay below that.
 SHARED_CONST uint drawChunk = 256u;
 
-/// Threads of a work-group of the update; they loop over the blades of one patch. On an H200 32 are
-/// a sixth slower: they get more registers each than are good for hiding the memory's time.
-SHARED_CONST uint updateThreads = 64u;
+/// Threads of a work-group of the update; they loop over the blades of one patch. On an H200 64
+/// take a fifth longer, 128 a fifteenth, 32 and 256 three quarters: see decision 0036.
+SHARED_CONST uint updateThreads = 96u;
 
 /// Work-groups of the update for so many live patches: from `updateGroupsFrom` on one group takes
 /// up to so many of them, one after the other, for each group adds its counts to the frame's at the
 /// same address as all others. With fewer groups a device has some idle at the end.
 SHARED_CONST uint updateGroupsFrom = 4096u;
-SHARED_CONST uint patchesOfGroup = 24u;
+SHARED_CONST uint patchesOfGroup = 6u;
 
 SHARED_FN uint updateGroups(uint patches)
 {
@@ -55,9 +55,6 @@ SHARED_LAYOUT(UpdatePush, 96)
 SHARED_CONST uint moveAndJudge = 0u;
 SHARED_CONST uint onlyMove = 1u;  ///< as far as any of the views asks; lists nothing
 SHARED_CONST uint onlyJudge = 2u; ///< where blades have been moved to
-
-/// No more rounds than these: an empty one costs some microseconds.
-SHARED_CONST uint mostRounds = 32u;
 
 struct WalkPush {
     FrameArray judged;

@@ -6,10 +6,10 @@
 
 SHARED_BEGIN
 
-SHARED_CONST uint maxPatchBlades = 256u;
+SHARED_CONST uint maxPatchBlades = 512u;
 SHARED_CONST uint noPatch = 0xffffffffu;
 
-/// One cell of the world octree that holds blades. A cell of at most 32 m owns up to 256 of the
+/// One cell of the world octree that holds blades. A cell of at most 32 m owns up to 512 of the
 /// blades inside it, in progressive order; those it has no room for belong to its children. A wider
 /// cell owns none. All lengths are relative to the field's origin, in metres.
 struct Patch {

@@ -43,6 +43,17 @@ struct Node {
     std::vector<std::unique_ptr<Node>> children;
 };
 
+// How many of its roots a cell takes: all that it has room for, else as many as are left to each of
+// its children if these are four, as on a surface. So no patch is nearly empty because its parent
+// took all but some: what one costs, a few blades must bear.
+std::size_t shareOfCell(std::size_t total, bool canBeDivided)
+{
+    constexpr std::size_t room = shared::maxPatchBlades;
+    if (total <= room || !canBeDivided)
+        return std::min(total, room);
+    return std::min(total / 5, room);
+}
+
 class CellBuilder {
 public:
     // `ranked` is sorted; it is put into the order of the tree.
@@ -94,8 +105,7 @@ private:
         auto node = std::make_unique<Node>();
         const std::size_t total = end - begin;
         node->firstOwn = begin;
-        node->ownCount =
-            static_cast<std::uint32_t>(std::min<std::size_t>(total, shared::maxPatchBlades));
+        node->ownCount = static_cast<std::uint32_t>(shareOfCell(total, shift > 0));
         begin += node->ownCount;
         if (begin == end)
             return node;

@@ -31,8 +31,9 @@ struct CellTree {
 using GrowBlade = std::function<shared::Blade(std::size_t root)>;
 
 /// Groups roots into the cells of an octree fixed in the world. From the top, a cell takes up to
-/// 256 of its roots, the first ones in `order` (see progressive_order.h), for itself; what is left
-/// goes to its children. One tree for each 32 m cell, sorted by cell. Blades grow patch by patch
+/// 512 of its roots, the first ones in `order` (see progressive_order.h), for itself; what is left
+/// goes to its children. One that has some more than that keeps a fifth, so that the patches below
+/// it are not nearly empty. One tree for each 32 m cell, sorted by cell. Blades grow patch by patch
 /// and are packed at once: unpacked ones would take more memory than all the rest.
 std::vector<CellTree> growCells(const terrain::GroundMesh& ground, const Roots& roots,
                                 const std::vector<std::uint64_t>& order, const LocalRanks& ranks,

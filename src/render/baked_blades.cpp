@@ -49,6 +49,7 @@ std::vector<std::uint32_t> firstOwnersOf(const field::FieldView& field,
 BakedBlades::BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
                          const field::FieldView& field, std::uint32_t walkStart,
                          std::uint32_t pages)
+    : patchSizes_(field.patches)
 {
     if (field.blades.size() > std::numeric_limits<std::uint32_t>::max())
         fail(ErrorKind::unsupported, "the field has {} blades; one view draws at most {}",

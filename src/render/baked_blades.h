@@ -5,6 +5,7 @@
 #include "gpu/buffer.h"
 #include "gpu/buffer_upload.h"
 #include "gpu/context.h"
+#include "render/patch_sizes.h"
 #include "render/patch_tree.h"
 #include "shaders/shared/frame.h"
 
@@ -41,6 +42,7 @@ public:
     VkDeviceAddress firstOwners() const { return firstOwners_.address(); }
     field::BladeSize bladeSize() const { return bladeSize_; } ///< mean over all blades
     const PatchTree& tree() const { return *tree_; }
+    const PatchSizes& patchSizes() const { return patchSizes_; }
     VkDeviceSize bytes() const { return bytes_; }
 
 private:
@@ -52,6 +54,7 @@ private:
     std::uint32_t patchCount_ = 0;
     std::uint32_t ownerCount_ = 0;
     field::BladeSize bladeSize_;
+    PatchSizes patchSizes_;
     VkDeviceSize bytes_ = 0;
 
     gpu::Buffer blades_;

@@ -32,10 +32,10 @@ std::uint32_t roundOf(const BakedBlades& baked, FieldBuffers::Records records)
 {
     if (records.list)
         return baked.ownerCount();
-    if (baked.isPaged())
+    if (records.roundPatches > 0)
         return records.roundPatches;
-    return std::max(records.roundPatches, static_cast<std::uint32_t>(gpu::groupsFor(
-                                              baked.ownerCount(), shared::mostRounds)));
+    return baked.patchSizes().patchesWithin(
+        FieldBuffers::listedTogether(baked.placeCount(), baked.isPaged()));
 }
 
 gpu::Buffer fatesOf(const gpu::DeviceContext& context, const BakedBlades& baked)
@@ -54,6 +54,15 @@ VkDeviceSize FieldBuffers::Records::bytesPerBlade(bool withEtas) const
     return sizeof(shared::PackedBlade) + sizeof(shared::BladeState::turn) +
            (withEtas ? sizeof(shared::BladeState::eta) : 0) +
            (list ? sizeof(shared::VisibleBlade) : 0) + (fates ? sizeof(std::uint32_t) : 0);
+}
+
+std::uint64_t FieldBuffers::listedTogether(std::uint64_t places, bool isPaged)
+{
+    constexpr std::uint64_t wholeLists = std::uint64_t(1) << 24;
+    constexpr std::uint64_t leastPatches = 64;
+    const std::uint64_t least =
+        isPaged ? leastPatches * shared::maxPatchBlades : std::min(places, wholeLists);
+    return std::max(places / 8, least);
 }
 
 FieldBuffers::FieldBuffers(const gpu::DeviceContext& context, gpu::BufferUpload& upload,

@@ -25,13 +25,17 @@ public:
         bool list = false;  ///< a place in the list of visible blades; else there may be rounds
         bool fates = false; ///< its fate
         bool etas = false;  ///< what collisions leave; else from the first collider on
-        std::uint32_t roundPatches = 65536;          ///< live patches of a round, or more
+        std::uint32_t roundPatches = 0; ///< live patches of a round; 0: listedTogether() says it
         std::uint32_t walkStart = shared::walkStart; ///< nodes that a walk begins with, or less
         std::uint32_t pages = 0; ///< of blades that there is room for; 0: all blades are there
 
         /// Of each blade there is room for; `withEtas`: as from the first collider on.
         VkDeviceSize bytesPerBlade(bool withEtas) const;
     };
+
+    /// So many blades of `places` the list has room for, unless it is all of them or something else
+    /// is asked for: 2 bytes for each of them all, or 268 MB where everything is in memory.
+    static std::uint64_t listedTogether(std::uint64_t places, bool isPaged);
 
     /// Begins the upload; it is complete when `upload` is. Throws Error{runtime} if the device's
     /// memory is too small, naming both sizes.

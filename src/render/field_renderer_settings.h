@@ -25,9 +25,9 @@ struct FieldRendererSettings {
 
     bool recordFates = false; ///< keep each blade's fate for dumpBlades(); 20 bytes a blade
 
-    /// The rasteriser updates and draws so many patches of up to 256 blades at a time, or a
-    /// 32nd of all if that is more: 16 bytes for each of their blades.
-    std::uint32_t roundPatches = 65536;
+    /// The rasteriser updates and draws so many patches at a time, with 16 bytes for each of their
+    /// blades; 0: as many as hold an eighth of all blades, or 16 million.
+    std::uint32_t roundPatches = 0;
 
     /// Bytes of device memory for everything, pictures up to largestTarget [pixels] among it;
     /// 0: what it takes. A field of which not all blades fit is streamed (decision 0026): what

@@ -18,11 +18,6 @@ constexpr std::uint64_t leastPages = 16;
 /// second of 60 frames.
 constexpr std::uint64_t mostFrameBytes = std::uint64_t(4) << 20;
 
-/// A round of the rasteriser takes a patch for so many places of blades: 2 bytes for each of them,
-/// and some 30 rounds where patches hold 70 blades, few of them with anything to do.
-constexpr std::uint64_t bladesPerRoundPatch = 2048;
-constexpr std::uint64_t leastRoundPatches = 64;
-
 /// Levels of the walk, counts, and species: a few of each.
 constexpr std::uint64_t smallBytes = std::uint64_t(64) << 10;
 
@@ -36,20 +31,24 @@ std::uint64_t treeBytes(const field::FieldView& field)
            (field.blades.size() / shared::ownerStride + 1) * sizeof(std::uint32_t) + smallBytes;
 }
 
-std::uint64_t roundBytes(std::uint64_t roundPatches, std::uint64_t patches, std::uint64_t places)
+/// The list of visible blades, and what counts its rounds.
+std::uint64_t roundBytes(const PatchSizes& sizes, const field::FieldView& field,
+                         const FieldBuffers::Records& records, std::uint64_t places, bool isPaged)
 {
-    return std::min(roundPatches * shared::maxPatchBlades, places) * sizeof(shared::VisibleBlade) +
-           2 * (patches / roundPatches + 1) * sizeof(shared::WalkLevel);
+    if (records.list)
+        return 0;
+    const std::uint64_t patches = std::max<std::uint64_t>(
+        records.roundPatches > 0
+            ? records.roundPatches
+            : sizes.patchesWithin(FieldBuffers::listedTogether(places, isPaged)),
+        1);
+    return std::min(sizes.mostBladesOf(patches), places) * sizeof(shared::VisibleBlade) +
+           2 * (field.patches.size() / patches + 1) * sizeof(shared::WalkLevel);
 }
 
 std::uint64_t MiB(std::uint64_t bytes)
 {
     return (bytes + (std::uint64_t(1) << 20) - 1) >> 20;
-}
-
-std::uint64_t roundPatchesOf(std::uint64_t places)
-{
-    return std::clamp<std::uint64_t>(places / bladesPerRoundPatch, leastRoundPatches, 65536);
 }
 
 Streaming::Settings streamingOf(std::uint64_t pages, const MemoryBudget& budget)
@@ -63,14 +62,14 @@ Streaming::Settings streamingOf(std::uint64_t pages, const MemoryBudget& budget)
 }
 
 /// Bytes of a field's buffers with so many pages of its blades.
-std::uint64_t pagedBytes(const field::FieldView& field, const FieldBuffers::Records& records,
-                         const MemoryBudget& budget, std::uint64_t pages)
+std::uint64_t pagedBytes(const PatchSizes& sizes, const field::FieldView& field,
+                         const FieldBuffers::Records& records, const MemoryBudget& budget,
+                         std::uint64_t pages)
 {
     const std::uint64_t places = pages * pageBlades;
     const std::uint64_t table = (field.blades.size() / pageBlades + 1) * sizeof(std::uint32_t);
-    const std::uint64_t rounds =
-        records.list ? 0 : roundBytes(roundPatchesOf(places), field.patches.size(), places);
-    return treeBytes(field) + table + places * records.bytesPerBlade(true) + rounds +
+    return treeBytes(field) + table + places * records.bytesPerBlade(true) +
+           roundBytes(sizes, field, records, places, true) +
            Streaming::bytesFor(streamingOf(pages, budget));
 }
 
@@ -79,13 +78,8 @@ std::uint64_t pagedBytes(const field::FieldView& field, const FieldBuffers::Reco
 std::uint64_t wholeBytes(const field::FieldView& field, const FieldBuffers::Records& records)
 {
     const std::uint64_t places = field.blades.size();
-    const std::uint64_t patches = field.patches.size();
-    const std::uint64_t rounds =
-        records.list ? 0
-                     : roundBytes(std::max<std::uint64_t>(records.roundPatches,
-                                                          patches / shared::mostRounds + 1),
-                                  patches, places);
-    return treeBytes(field) + places * records.bytesPerBlade(true) + rounds;
+    return treeBytes(field) + places * records.bytesPerBlade(true) +
+           roundBytes(PatchSizes(field.patches), field, records, places, false);
 }
 
 MemoryPlan planFor(const field::FieldView& field, const FieldBuffers::Records& wanted,
@@ -97,11 +91,13 @@ MemoryPlan planFor(const field::FieldView& field, const FieldBuffers::Records& w
         return plan;
 
     // As many pages as fit, found by halving.
+    const PatchSizes sizes(field.patches);
     std::uint64_t fit = 0;
     std::uint64_t tooMany = field.blades.size() / pageBlades + 1;
     while (tooMany - fit > 1) {
         const std::uint64_t pages = (fit + tooMany) / 2;
-        const bool fits = budget.others + pagedBytes(field, wanted, budget, pages) <= budget.bytes;
+        const bool fits =
+            budget.others + pagedBytes(sizes, field, wanted, budget, pages) <= budget.bytes;
         (fits ? fit : tooMany) = pages;
     }
     const std::uint64_t least = std::min(leastPages, field.blades.size() / pageBlades);
@@ -110,12 +106,11 @@ MemoryPlan planFor(const field::FieldView& field, const FieldBuffers::Records& w
              "a budget of {} MiB of device memory is too small for the field's {} blades in {} "
              "patches: at least {} MiB are needed to show some of them, {} MiB for all",
              budget.bytes >> 20, field.blades.size(), field.patches.size(),
-             std::min(MiB(budget.others +
-                          pagedBytes(field, wanted, budget, std::max<std::uint64_t>(least, 1))),
+             std::min(MiB(budget.others + pagedBytes(sizes, field, wanted, budget,
+                                                     std::max<std::uint64_t>(least, 1))),
                       MiB(whole)),
              MiB(whole));
     plan.records.pages = static_cast<std::uint32_t>(fit);
-    plan.records.roundPatches = static_cast<std::uint32_t>(roundPatchesOf(fit * pageBlades));
     plan.streaming = streamingOf(fit, budget);
     return plan;
 }

@@ -14,7 +14,7 @@ VisibleBlades::VisibleBlades(const gpu::DeviceContext& context, const BakedBlade
           1u, static_cast<std::uint32_t>(gpu::groupsFor(blades.ownerCount(), roundPatches_))))
     , listLength_(static_cast<std::uint32_t>(
           std::min<std::uint64_t>(std::min(blades.placeCount(), mostBlades),
-                                  std::uint64_t(roundPatches_) * shared::maxPatchBlades)))
+                                  blades.patchSizes().mostBladesOf(roundPatches_))))
 {
     const PatchTree& tree = blades.tree();
     queue_ = allocate(context, "view/queue",

@@ -49,6 +49,20 @@ TEST(PatchTree, GivesBladesToCellsOfAtMost32Metres)
     EXPECT_GE(deepest, 3U);
 }
 
+TEST(PatchTree, PatchesAreNotNearlyEmptyWhateverTheDensity)
+{
+    // A factor of four, as between a cell and its children: so every way is met in which cells
+    // fill.
+    for (const double density : {12.0, 15.0, 19.0, 24.0, 30.0, 38.0}) {
+        const field::Field field = grow(meshes::square(64.0), density);
+        std::size_t owners = 0;
+        for (const shared::Patch& patch : field.patches)
+            owners += patch.bladeCount > 0 ? 1 : 0;
+        EXPECT_GT(double(field.blades.size()) / double(owners), 0.2 * shared::maxPatchBlades)
+            << density << " blades per m²";
+    }
+}
+
 TEST(PatchTree, BoundsHoldTheReachOfEveryBladeBelow)
 {
     const field::Field field = grow(meshes::cube(20.0), 20.0);
