@@ -127,8 +127,8 @@ float softness(float distance, float share)
 vec3 dithered(vec3 color, vec2 place)
 {
     const uint h = mixUint(uint(place.x) + 65536u * uint(place.y));
-    const float noise = float(h >> 8u) / 16777215.0 - 0.5;
-    return color + noise / 255.0 * 2.2 * pow(max(color, 0.0), vec3(0.5454));
+    const float noise = float(h >> 8u) * (1.0 / 16777215.0) - 0.5;
+    return color + noise * (2.2 / 255.0) * pow(max(color, 0.0), vec3(0.5454));
 }
 
 /// A colour for a number, well spread, for the debug pictures.

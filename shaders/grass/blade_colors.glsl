@@ -15,7 +15,7 @@ struct BladeColors {
 
 float chance(uint key)
 {
-    return float(mixUint(key) >> 8u) / 16777215.0;
+    return float(mixUint(key) >> 8u) * (1.0 / 16777215.0);
 }
 
 /// `index` is the resident id: the same blade has the same colour in every picture.

@@ -84,11 +84,12 @@ SHARED_FN Blade unpackBlade(PackedBlade bits, Patch cell)
     blade.facing = float(bits.shape & 255u) * (twoPi / 256.0f);
     blade.height = cell.heightLow + cell.heightStep * float((bits.shape >> 8u) & 255u);
     blade.width = cell.widthLow + cell.widthStep * float((bits.shape >> 16u) & 63u);
-    blade.stiffness = float((bits.shape >> 22u) & 63u) / 63.0f;
+    blade.stiffness = float((bits.shape >> 22u) & 63u) * (1.0f / 63.0f);
     blade.hash = bits.shape >> 28u;
-    blade.tint = vec3(float(bits.look & 31u) / 31.0f, float((bits.look >> 5u) & 63u) / 63.0f,
-                      float((bits.look >> 11u) & 31u) / 31.0f);
-    blade.exposure = float((bits.look >> 16u) & 31u) / 31.0f;
+    blade.tint = vec3(float(bits.look & 31u) * (1.0f / 31.0f),
+                      float((bits.look >> 5u) & 63u) * (1.0f / 63.0f),
+                      float((bits.look >> 11u) & 31u) * (1.0f / 31.0f));
+    blade.exposure = float((bits.look >> 16u) & 31u) * (1.0f / 31.0f);
     blade.species = (bits.look >> 21u) & 7u;
     blade.clump = bits.look >> 24u;
     return blade;

@@ -17,28 +17,50 @@ SHARED_FN uint mixUint(uint x)
     return x;
 }
 
-/// Uniform in [0, 1] for a lattice point.
-SHARED_FN float latticeValue(int x, int y, int z)
+// A step of the lattice along each axis is one of these: so a point's neighbours cost an addition.
+// Odd, and far from each other's small multiples.
+SHARED_CONST uint latticeX = 0x9e3779b1u;
+SHARED_CONST uint latticeY = 0x85ebca77u;
+SHARED_CONST uint latticeZ = 0xc2b2ae3du;
+
+SHARED_FN uint latticePoint(int x, int y, int z)
 {
-    const uint h = mixUint(uint(x) + mixUint(uint(y) + mixUint(uint(z))));
-    return float(h >> 8u) * (1.0f / 16777215.0f);
+    return uint(x) * latticeX + uint(y) * latticeY + uint(z) * latticeZ;
 }
 
-/// Smooth noise in [0, 1] with period one lattice cell: cubic blend of the eight corners.
+/// The value there, in [0, 2³²]: mixUint() without its last step, which is for the lowest bits.
+SHARED_FN float latticeHeight(uint point)
+{
+    point ^= point >> 16u;
+    point *= 0x7feb352du;
+    point ^= point >> 15u;
+    point *= 0x846ca68bu;
+    return float(point);
+}
+
+SHARED_CONST float latticeUnit = 1.0f / 4294967296.0f;
+
+/// A number in [0, 1] for each point of the integer lattice.
+SHARED_FN float latticeValue(int x, int y, int z)
+{
+    return latticeUnit * latticeHeight(latticePoint(x, y, z));
+}
+
+/// Smooth noise in [0, 1], mean 0.5, with features about 1 wide.
 SHARED_FN float valueNoise(vec3 p)
 {
     const vec3 cell = floor(p);
     const vec3 f = p - cell;
     const vec3 s = f * f * (vec3(3.0f) - 2.0f * f);
-    const int x = int(cell.x);
-    const int y = int(cell.y);
-    const int z = int(cell.z);
-    const float near = mix(mix(latticeValue(x, y, z), latticeValue(x + 1, y, z), s.x),
-                           mix(latticeValue(x, y + 1, z), latticeValue(x + 1, y + 1, z), s.x), s.y);
-    const float far =
-        mix(mix(latticeValue(x, y, z + 1), latticeValue(x + 1, y, z + 1), s.x),
-            mix(latticeValue(x, y + 1, z + 1), latticeValue(x + 1, y + 1, z + 1), s.x), s.y);
-    return mix(near, far, s.z);
+    const uint near = latticePoint(int(cell.x), int(cell.y), int(cell.z));
+    const uint far = near + latticeZ;
+    const float nearHeight = mix(
+        mix(latticeHeight(near), latticeHeight(near + latticeX), s.x),
+        mix(latticeHeight(near + latticeY), latticeHeight(near + latticeX + latticeY), s.x), s.y);
+    const float farHeight =
+        mix(mix(latticeHeight(far), latticeHeight(far + latticeX), s.x),
+            mix(latticeHeight(far + latticeY), latticeHeight(far + latticeX + latticeY), s.x), s.y);
+    return latticeUnit * mix(nearHeight, farHeight, s.z);
 }
 
 SHARED_END

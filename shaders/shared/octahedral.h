@@ -38,8 +38,8 @@ SHARED_FN vec3 folded(float x, float y)
 SHARED_FN vec3 decodeOctahedral(uint bits)
 {
     // 254 steps, so that 0 and ±1 are met exactly: the axes survive.
-    return folded(float(int(bits & 255u) - 127) / 127.0f,
-                  float(int((bits >> 8u) & 255u) - 127) / 127.0f);
+    return folded(float(int(bits & 255u) - 127) * (1.0f / 127.0f),
+                  float(int((bits >> 8u) & 255u) - 127) * (1.0f / 127.0f));
 }
 
 /// The 16-bit form nearest to unit `v` among the four around its projection.
@@ -70,7 +70,7 @@ SHARED_FN uint packSnorm16(float x)
 
 SHARED_FN float unpackSnorm16(uint bits)
 {
-    return float((int(bits & 65535u) ^ 32768) - 32768) / 32767.0f;
+    return float((int(bits & 65535u) ^ 32768) - 32768) * (1.0f / 32767.0f);
 }
 
 /// Largest angle between a unit vector and its 32-bit form [rad].

@@ -48,10 +48,10 @@ SHARED_CONST float turnMaxError = 1.54e-5f;
 /// another. `front` is unit and at right angles to `up`.
 SHARED_FN BladeState stateOf(vec3 up, vec3 front, vec3 direction, float eta)
 {
-    const float rise = 1.0f + max(dot(direction, up), 0.0f);
+    const float share = 1.0f / (1.0f + max(dot(direction, up), 0.0f));
     BladeState state;
-    state.turn = packSnorm16(dot(direction, front) / rise) |
-                 (packSnorm16(dot(direction, cross(up, front)) / rise) << 16u);
+    state.turn = packSnorm16(share * dot(direction, front)) |
+                 (packSnorm16(share * dot(direction, cross(up, front))) << 16u);
     state.eta = eta;
     return state;
 }
@@ -63,18 +63,22 @@ SHARED_FN vec3 directionOf(vec3 up, vec3 front, BladeState state)
     const float forward = unpackSnorm16(state.turn);
     const float aside = unpackSnorm16(state.turn >> 16u);
     const float square = min(forward * forward + aside * aside, 1.0f);
-    return (2.0f * (forward * front + aside * cross(up, front)) + (1.0f - square) * up) /
-           (1.0f + square);
+    return (1.0f / (1.0f + square)) *
+           (2.0f * (forward * front + aside * cross(up, front)) + (1.0f - square) * up);
 }
 
 /// Gravity at `root` [m] with its elastic forward part: g = gE + forward·‖gE‖·front
 /// (section 5.1).
 SHARED_FN vec3 gravityAt(Gravity gravity, vec3 root, vec3 front)
 {
-    const vec3 toAttractor = gravity.attractor - root;
-    const float distance = length(toAttractor);
-    const vec3 pull = distance > 1e-6f ? toAttractor / distance : vec3(0.0f);
-    const vec3 environment = gravity.strength * mix(gravity.direction, pull, gravity.blend);
+    vec3 towards = gravity.direction;
+    if (gravity.blend > 0.0f) {
+        const vec3 toAttractor = gravity.attractor - root;
+        const float distance = length(toAttractor);
+        const vec3 pull = distance > 1e-6f ? toAttractor / distance : vec3(0.0f);
+        towards = mix(gravity.direction, pull, gravity.blend);
+    }
+    const vec3 environment = gravity.strength * towards;
     return environment + gravity.forward * length(environment) * front;
 }
 
@@ -91,6 +95,12 @@ SHARED_FN float lengthCorrection(float side)
     return (low * side - 0.037761414f) * side + 1.0f;
 }
 
+/// How far from its root [heights] a blade's tip is seen in `direction`, as poseTowards() has it.
+SHARED_FN float tipDistance(vec3 up, vec3 direction)
+{
+    return lengthCorrection(length(direction - up * dot(direction, up)));
+}
+
 /// Steps 2 and 3 of poseBlade(), of a tip in `direction`, unit and not below the ground plane.
 SHARED_FN Pose poseTowards(vec3 up, vec3 direction)
 {
@@ -101,6 +111,20 @@ SHARED_FN Pose poseTowards(vec3 up, vec3 direction)
     pose.v1 = v1 * scale;
     pose.v2 = direction * scale;
     return pose;
+}
+
+/// `direction`, which is unit, lifted to the ground plane if it points below it.
+SHARED_FN vec3 keptAbove(vec3 up, vec3 front, vec3 direction)
+{
+    const float rise = dot(up, direction);
+    if (rise >= 0.0f)
+        return direction;
+    const vec3 lifted = direction - up * rise;
+    // A tip on the root has no direction: let the blade lie down forward.
+    const float distance = length(lifted);
+    const vec3 towards = distance > 1e-4f ? lifted / distance : front;
+    // Division has magnified the rounding of the first step: lift again.
+    return towards - up * min(dot(up, towards), 0.0f);
 }
 
 /// The three validation steps (section 5.3) for a tip at `tip` heights from the root:
@@ -114,11 +138,8 @@ SHARED_FN Pose poseTowards(vec3 up, vec3 direction)
 SHARED_FN Pose poseBlade(vec3 up, vec3 front, vec3 tip)
 {
     const vec3 lifted = tip - up * min(dot(up, tip), 0.0f);
-    // A tip on the root has no direction: let the blade lie down forward.
     const float distance = length(lifted);
-    const vec3 towards = distance > 1e-4f ? lifted / distance : front;
-    // Division has magnified the rounding of the first step: lift again.
-    return poseTowards(up, towards - up * min(dot(up, towards), 0.0f));
+    return poseTowards(up, keptAbove(up, front, distance > 1e-4f ? lifted / distance : front));
 }
 
 /// The pose that a stored state stands for.
@@ -127,40 +148,48 @@ SHARED_FN Pose poseOfState(vec3 up, vec3 front, BladeState state)
     return poseTowards(up, directionOf(up, front, state));
 }
 
-/// One step of `dt` [s] (section 5.2) from a valid `tip` [heights]: tip' = recovery + gravity +
-/// wind, with the length kept, solved exactly for forces that stand still. Without the length the
-/// tip would relax towards rest + (g + w)/k with rate k; on the ball of all tips it turns towards
-/// the direction of that place, and the tangent of half the angle between them falls with rate
-/// k·|place|/|tip|. So any step is safe, and the frame rate does not matter. A blade that lies
-/// turns along the ground alone. Returns a direction, unit, for poseBlade(). With b = 1 −
-/// stiffness, as in the authors' demo, gravity and wind count b and recovery 1 − b/4; collision
-/// strength eta softens recovery. `wind` is what windForce() returns.
-SHARED_FN vec3 relaxTip(Blade blade, vec3 front, Gravity gravity, vec3 wind, float recovery,
-                        vec3 tip, float eta, float dt)
+/// One step of `dt` [s] (section 5.2) of a tip that is seen in `direction`, unit, `radius` heights
+/// from its root: tip' = recovery + gravity + wind, with the length kept, solved exactly for forces
+/// that stand still. Without the length the tip would relax towards rest + (g + w)/k with rate k;
+/// on the ball of all tips it turns towards the direction of that place, and the tangent of half
+/// the angle between them falls with rate k·|place|/|tip|. So any step is safe, and the frame rate
+/// does not matter. A blade that lies turns along the ground alone. Returns a direction, unit, for
+/// keptAbove(). With b = 1 − stiffness, as in the authors' demo, gravity and wind count b and
+/// recovery 1 − b/4; collision strength eta softens recovery. `force` is what gravityAt() and
+/// windForce() return, together.
+SHARED_FN vec3 relaxDirection(Blade blade, vec3 force, float recovery, vec3 direction, float radius,
+                              float eta, float dt)
 {
     const float b = 1.0f - blade.stiffness;
     const float k = max(recovery * (1.0f - 0.25f * b) * max(1.0f - eta, 0.1f), 1e-3f);
-    vec3 place = blade.up + (b / k) * (gravityAt(gravity, blade.root, front) + wind);
-
-    const float radius = max(length(tip), 1e-6f);
-    const vec3 direction = tip / radius;
+    vec3 place = blade.up + (b / k) * force;
     const float sink = dot(place, blade.up);
     if (sink < 0.0f && dot(direction, blade.up) < 1e-3f)
         place -= sink * blade.up;
-    const float distance = length(place);
-    if (distance < 1e-6f)
+    const float square = dot(place, place);
+    if (square < 1e-12f)
         return direction;
-    const vec3 target = place / distance;
+    const float inverse = inversesqrt(square);
+    const vec3 target = place * inverse;
 
     // With t the tangent of half the angle: cos = (1 − t²)/(1 + t²), sin = 2t/(1 + t²).
     const float cosine = clamp(dot(direction, target), -1.0f, 1.0f);
-    const float fall = exp(-k * distance / radius * dt);
+    const float fall = exp(-k * (square * inverse) / radius * dt);
     const float near = 1.0f + cosine;
     const float far = (1.0f - cosine) * fall * fall;
     // Straight away from the target nothing turns it to any side.
     if (near + far < 1e-6f)
         return direction;
-    return ((near - far) * target + 2.0f * fall * (direction - cosine * target)) / (near + far);
+    return normalize((near - far) * target + 2.0f * fall * (direction - cosine * target));
+}
+
+/// The same of a valid `tip` [heights], whose forces are given one by one.
+SHARED_FN vec3 relaxTip(Blade blade, vec3 front, Gravity gravity, vec3 wind, float recovery,
+                        vec3 tip, float eta, float dt)
+{
+    const float radius = max(length(tip), 1e-6f);
+    return relaxDirection(blade, gravityAt(gravity, blade.root, front) + wind, recovery,
+                          tip / radius, radius, eta, dt);
 }
 
 /// Rounds of pushing a blade out of all colliders near it. One collider takes one or two; between
@@ -243,8 +272,9 @@ SHARED_FN BladeState advanceBlade(Blade blade, Nature nature, ColliderMask near,
     const uint steps = uint(clamp(ceil(elapsed / longestStep), 1.0f, float(maxSteps)));
     const float dt = elapsed / float(steps);
 
-    const vec3 first = poseOfState(blade.up, front, state).v2;
-    vec3 tip = first;
+    const vec3 gravity = gravityAt(nature.gravity, blade.root, front);
+    const vec3 first = directionOf(blade.up, front, state);
+    vec3 direction = first;
     float eta = state.eta;
     float pushed = 0.0f;
     bool resting = true;
@@ -252,21 +282,27 @@ SHARED_FN BladeState advanceBlade(Blade blade, Nature nature, ColliderMask near,
         const float back = elapsed - dt * float(i + 1u);
         eta = max(eta - fade * dt, 0.0f);
         // The wind of the middle of the step stands for all of it.
+        const float radius = tipDistance(blade.up, direction);
+        const vec3 tipBefore = radius * direction;
         const vec3 wind =
-            windForce(nature.wind, blade.root, blade.up, tip, time - back - 0.5f * dt);
-        const vec3 tipBefore = tip;
-        tip = relaxTip(blade, front, nature.gravity, wind, nature.recovery, tip, eta, dt);
-        tip = poseBlade(blade.up, front, tip).v2;
+            windForce(nature.wind, blade.root, blade.up, tipBefore, time - back - 0.5f * dt);
+        direction =
+            relaxDirection(blade, gravity + wind, nature.recovery, direction, radius, eta, dt);
+        direction = keptAbove(blade.up, front, direction);
         if (nature.colliderCount > 0u) {
             const float before = pushed;
-            tip = pushBlade(blade, front, nature.colliders, near, tipBefore, tip, back, pushed,
-                            resting);
+            const vec3 tip =
+                pushBlade(blade, front, nature.colliders, near, tipBefore,
+                          tipDistance(blade.up, direction) * direction, back, pushed, resting);
+            direction = normalize(tip);
             eta = min(eta + (pushed - before), 1.0f);
         }
     }
-    if (pushed > 0.0f && resting && length(tip - first) < stickingSpeed * elapsed)
+    if (pushed > 0.0f && resting &&
+        length(tipDistance(blade.up, direction) * direction -
+               tipDistance(blade.up, first) * first) < stickingSpeed * elapsed)
         return state;
-    return stateOf(blade.up, front, normalize(tip), eta);
+    return stateOf(blade.up, front, direction, eta);
 }
 
 SHARED_END

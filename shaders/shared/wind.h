@@ -78,7 +78,7 @@ SHARED_FN float windNoiseAt(WindSource source, vec3 position, float time)
 {
     const vec3 carried = position - source.direction * (source.speed * time);
     const vec3 across = carried - source.direction * dot(carried, source.direction);
-    const vec3 stretched = (carried - 0.5f * across) / source.size;
+    const vec3 stretched = (1.0f / source.size) * (carried - 0.5f * across);
     const float gust =
         0.65f * valueNoise(stretched) + 0.35f * valueNoise(2.7f * stretched + vec3(17.3f));
     return 2.0f * gust * gust;
@@ -145,9 +145,14 @@ SHARED_FN vec3 windAround(WindSource source, vec3 arm, vec3 up, float time, bool
 /// The amount of a wind with a direction, per strength, over ground with unit `up`. What would blow
 /// into the ground or out of it is turned aside into `eddies`, so that no place of a ball is always
 /// calm, and nothing is divided by what is left along the ground.
-SHARED_FN vec3 windAlong(WindSource source, vec3 direction, float amount, vec3 up, vec3 eddies)
+SHARED_FN vec3 windAlong(Wind wind, WindSource source, vec3 direction, float amount, vec3 position,
+                         vec3 up, float time)
 {
-    return amount * (direction + ((1.0f - source.lift) * abs(dot(source.direction, up))) * eddies);
+    const float head = (1.0f - source.lift) * abs(dot(source.direction, up));
+    vec3 flow = direction;
+    if (head > 0.0f) // as nowhere on level ground
+        flow += head * windEddies(wind.eddySize, wind.eddySpeed, position, time);
+    return amount * flow;
 }
 
 /// What a blade with its tip at `tip` heights from its root feels of `flow`: along the ground
@@ -156,21 +161,21 @@ SHARED_FN vec3 windAlong(WindSource source, vec3 direction, float amount, vec3 u
 SHARED_FN vec3 windFelt(WindSource source, vec3 flow, vec3 up, vec3 tip)
 {
     const vec3 wind = source.strength * (flow - up * ((1.0f - source.lift) * dot(flow, up)));
-    const float product = length(wind) * length(tip);
-    const float along = product > 1e-6f ? abs(dot(wind, tip)) / product : 0.0f;
+    const float square = dot(wind, wind) * dot(tip, tip);
+    const float along = square > 1e-12f ? abs(dot(wind, tip)) * inversesqrt(square) : 0.0f;
     return (1.0f - source.alignment * along) * wind;
 }
 
 /// Sum over all sources of what a blade with its tip at `tip` feels at `position`; see windFelt().
 SHARED_FN vec3 windSum(Wind wind, vec3 position, vec3 up, vec3 tip, float time)
 {
-    const vec3 eddies = windEddies(wind.eddySize, wind.eddySpeed, position, time);
     vec3 sum = vec3(0.0f);
     uint next = 0u;
     for (uint i = windCount(wind.counts, windNoise); i > 0u; --i) {
         const WindSource source = wind.sources.at[next++];
         const float amount = windNoiseAt(source, position, time);
-        sum += windFelt(source, windAlong(source, source.direction, amount, up, eddies), up, tip);
+        sum += windFelt(
+            source, windAlong(wind, source, source.direction, amount, position, up, time), up, tip);
     }
     for (uint i = windCount(wind.counts, windTurning); i > 0u; --i) {
         const WindSource source = wind.sources.at[next++];
@@ -179,13 +184,15 @@ SHARED_FN vec3 windSum(Wind wind, vec3 position, vec3 up, vec3 tip, float time)
             source.direction * cos(angle) + cross(up, source.direction) * sin(angle);
         const float amount =
             sin(source.rate * time - (6.2831853f / source.size) * dot(position, source.direction));
-        sum += windFelt(source, windAlong(source, direction, amount, up, eddies), up, tip);
+        sum += windFelt(source, windAlong(wind, source, direction, amount, position, up, time), up,
+                        tip);
     }
     for (uint i = windCount(wind.counts, windWave); i > 0u; --i) {
         const WindSource source = wind.sources.at[next++];
         const float wave = windWaveAt(source, position, time);
-        sum +=
-            windFelt(source, windAlong(source, source.direction, wave * wave, up, eddies), up, tip);
+        sum += windFelt(source,
+                        windAlong(wind, source, source.direction, wave * wave, position, up, time),
+                        up, tip);
     }
     for (uint i = windCount(wind.counts, windRadial); i > 0u; --i) {
         const WindSource source = wind.sources.at[next++];
@@ -200,7 +207,8 @@ SHARED_FN vec3 windSum(Wind wind, vec3 position, vec3 up, vec3 tip, float time)
     for (uint i = windCount(wind.counts, windGusts); i > 0u; --i) {
         const WindSource source = wind.sources.at[next++];
         const float amount = windGustAt(source, position, time);
-        sum += windFelt(source, windAlong(source, source.direction, amount, up, eddies), up, tip);
+        sum += windFelt(
+            source, windAlong(wind, source, source.direction, amount, position, up, time), up, tip);
     }
     return sum;
 }

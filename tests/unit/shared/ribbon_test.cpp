@@ -231,7 +231,7 @@ TEST(Segments, KeepChordsWithinAQuarterOfAPixelOfTheCurve)
             curveLength += glm::distance(bezierPoint(v0, v1, v2, float(k) / parts),
                                          bezierPoint(v0, v1, v2, float(k + 1) / parts));
         const float pixels = dice.number(2.0f, 600.0f);
-        const float segments = segmentsFor(v0, v1, v2, shapeQuad, pixels, 0.5f, 64.0f);
+        const float segments = segmentsFor(v0, v1, v2, curveLength, shapeQuad, pixels, 0.5f, 64.0f);
         // In the middle of a chord in its parameter the curve is farthest from it.
         for (float k = 0.0f; k < segments; k += 1.0f) {
             const vec3 chord = 0.5f * (bezierPoint(v0, v1, v2, k / segments) +
@@ -241,8 +241,7 @@ TEST(Segments, KeepChordsWithinAQuarterOfAPixelOfTheCurve)
                                 pixels / curveLength);
         }
     }
-    // The estimate of the length is within a twentieth, but for hairpins.
-    EXPECT_LE(most, 0.28f);
+    EXPECT_LE(most, 0.2501f);
     EXPECT_GT(most, 0.2f);
 }
 

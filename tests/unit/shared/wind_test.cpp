@@ -321,5 +321,39 @@ TEST(ValueNoise, MeetsItsLatticeAndStaysInRange)
         EXPECT_NEAR(valueNoise(vec3(float(x), 2.0f, -1.0f)), latticeValue(x, 2, -1), 1e-6f);
 }
 
+TEST(ValueNoise, LatticePointsHaveNothingToDoWithTheirNeighbours)
+{
+    // Of independent numbers the correlation of n pairs is 1/√n, one in a million beyond 5 of that.
+    constexpr int n = 32;
+    const auto value = [](int x, int y, int z) { return double(latticeValue(x, y, z)) - 0.5; };
+    for (const int corner : {0, -1000, 100'000}) {
+        double sum = 0.0;
+        double squares = 0.0;
+        double worst = 0.0;
+        for (int dx = 0; dx <= 2; ++dx)
+            for (int dy = -2; dy <= 2; ++dy)
+                for (int dz = -2; dz <= 2; ++dz) {
+                    double products = 0.0;
+                    for (int x = 0; x < n; ++x)
+                        for (int y = 0; y < n; ++y)
+                            for (int z = 0; z < n; ++z)
+                                products += value(corner + x, y, z) *
+                                            value(corner + x + dx, y + dy, z + dz);
+                    if (dx == 0 && dy == 0 && dz == 0)
+                        squares = products;
+                    else
+                        worst = std::max(worst, std::abs(products));
+                }
+        for (int x = 0; x < n; ++x)
+            for (int y = 0; y < n; ++y)
+                for (int z = 0; z < n; ++z)
+                    sum += value(corner + x, y, z);
+        const double count = double(n) * n * n;
+        EXPECT_LT(std::abs(sum / count), 5.0 * std::sqrt(1.0 / 12.0 / count));
+        EXPECT_NEAR(squares / count, 1.0 / 12.0, 0.002);
+        EXPECT_LT(worst * 12.0 / count, 5.0 / std::sqrt(count)) << "from " << corner;
+    }
+}
+
 } // namespace
 } // namespace sward::shared
