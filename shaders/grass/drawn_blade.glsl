@@ -18,13 +18,13 @@ struct DrawnBlade {
     Species species;
 };
 
-float segmentsOf(Ribbon ribbon, uint shape, float heightPixels, float widthPixels)
+float segmentsOf(Ribbon ribbon, float height, uint shape, float heightPixels, float widthPixels)
 {
     if (FRAME.fixedTessellation > 0.0)
         return clamp(FRAME.fixedTessellation, 1.0, 64.0);
     if (FRAME.levelSteps.count > 0u)
         return segmentsAt(FRAME.levelSteps, length(ribbon.v0 - FRAME.view.eye));
-    return segmentsFor(ribbon.v0, ribbon.v1, ribbon.v2, shape, heightPixels, widthPixels,
+    return segmentsFor(ribbon.v0, ribbon.v1, ribbon.v2, height, shape, heightPixels, widthPixels,
                        float(FRAME.maxTessellation));
 }
 
@@ -47,7 +47,7 @@ DrawnBlade drawnBlade(VisibleBlade visible, Blade blade, BladeState state)
     const float widthPixels = visible.pixels * ribbon.width / blade.height;
     ribbon.fold = foldOf(species.fold, widthPixels);
     ribbon.outline = outlineOf(species.shape, species.tipThreshold,
-                               segmentsOf(ribbon, species.shape, visible.pixels, widthPixels));
+                               segmentsOf(ribbon, blade.height, species.shape, visible.pixels, widthPixels));
     drawn.ribbon = ribbon;
     return drawn;
 }
@@ -58,11 +58,17 @@ DrawnBlade drawnBlade(VisibleBlade visible, Blade blade)
     return drawnBlade(visible, blade, BladeState(turn, 0.0));
 }
 
-DrawnBlade drawnBlade(VisibleBlade visible)
+/// As high as it is drawn.
+Blade visibleBlade(VisibleBlade visible)
 {
     const Blade blade = unpackBlade(FRAME.blades.at[placeOf(uvec2(FRAME.pages), visible.blade)],
                                     FRAME.patches.at[visible.patchIndex]);
-    return drawnBlade(visible, raised(blade, heightFactorOf(visible)));
+    return raised(blade, heightFactorOf(visible));
+}
+
+DrawnBlade drawnBlade(VisibleBlade visible)
+{
+    return drawnBlade(visible, visibleBlade(visible));
 }
 
 #endif

@@ -33,8 +33,8 @@ bool segmentHidden(Lens lens, Ribbon ribbon, float from, float to)
     // What reaches through the near plane hides the rest.
     if (isCut(before) || isCut(after))
         return false;
-    const ScreenRib a = screenRib(before);
-    const ScreenRib b = screenRib(after);
+    const ScreenRib a = screenRib(before, ribbon.fold > 0.0);
+    const ScreenRib b = screenRib(after, ribbon.fold > 0.0);
     const vec3 low = min(min(min(a.left, a.right), a.ridge), min(min(b.left, b.right), b.ridge));
     const vec3 high = max(max(max(a.left, a.right), a.ridge), max(max(b.left, b.right), b.ridge));
     return rectangleHidden(low.xy, high.xy, high.z);

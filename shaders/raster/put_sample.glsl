@@ -57,16 +57,22 @@ void putFour(uvec4 earlier, FourSamples four, uint blade)
     }
 }
 
-/// `covered`, as bits, of the samples of a pixel of a blade that has few: nobody waits for an atomic's
-/// result, and to ask first whether it is needed takes longer.
-void putSmall(uvec2 pixel, uint covered, float depths[samplesPerPixel], uint blade)
+/// A sample of a blade that has few: nobody waits for an atomic's result, and to ask first whether it
+/// is needed takes longer.
+void putOne(uint index, float depth, uint blade)
 {
     Visibility visibility = Visibility(uvec2(push.visibility));
+    atomicMax(visibility.at[index],
+              (uint64_t(floatBitsToUint(depth)) << 32u) | uint64_t(push.firstBlade + blade));
+}
+
+/// Those of a pixel that are `covered`, as bits.
+void putSmall(uvec2 pixel, uint covered, float depths[samplesPerPixel], uint blade)
+{
     const uint first = sampleIndex(pixel, 0u);
     SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
         if ((covered & (1u << s)) != 0u)
-            atomicMax(visibility.at[first + s],
-                      (uint64_t(floatBitsToUint(depths[s])) << 32u) | uint64_t(push.firstBlade + blade));
+            putOne(first + s, depths[s], blade);
 }
 
 #endif

@@ -46,11 +46,27 @@ bool leftToOthers(Ribbon ribbon, uint blade, float pixels)
     return hasRoom;
 }
 
-/// Whether a blade lies beside the picture; not asked again where the list left such blades out.
+/// Whether the list holds blades beside the picture.
+bool listsThoseBeside()
+{
+    return uvec2(push.frame) != uvec2(push.judged) || (FRAME.view.cullMask & cullFrustum) == 0u;
+}
+
+/// Whether a blade lies beside the picture whichever way it bends: most of those that do, and known
+/// of one that has not been posed yet.
+bool isFarBeside(Lens lens, VisibleBlade visible, Blade blade)
+{
+    const float reach = blade.height + 0.5 * outlineMost * blade.width * widthFactorOf(visible) +
+                        ribMargin(length(blade.root - lens.eye) + blade.height, lens.leastWidth);
+    bool beside = false;
+    SHARED_UNROLL for (uint i = 0u; i < 4u; ++i) beside =
+        beside || planeDistance(FRAME.view.planes[i], blade.root) < -reach;
+    return beside;
+}
+
+/// Whether a blade lies beside the picture.
 bool isBeside(Lens lens, Ribbon ribbon, float height)
 {
-    if (uvec2(push.frame) == uvec2(push.judged) && (FRAME.view.cullMask & cullFrustum) != 0u)
-        return false;
     const float margin = 0.5 * outlineMost * ribbon.width +
                          ribMargin(length(ribbon.v0 - lens.eye) + height, lens.leastWidth);
     bool beside = false;
@@ -69,14 +85,17 @@ struct SmallRib {
 SmallRib smallRib(Lens lens, Ribbon ribbon, float t)
 {
     const SeenRib seen = seenRib(lens, ribbon, t);
-    return SmallRib(screenRib(seen), isCut(seen), isLost(seen));
+    return SmallRib(screenRib(seen, ribbon.fold > 0.0), isCut(seen), isLost(seen));
 }
 
 void rasterise(Lens lens, VisibleBlade visible)
 {
-    const DrawnBlade drawn = drawnBlade(visible);
+    const Blade blade = visibleBlade(visible);
+    if (listsThoseBeside() && isFarBeside(lens, visible, blade))
+        return;
+    const DrawnBlade drawn = drawnBlade(visible, blade);
     const Ribbon ribbon = drawn.ribbon;
-    if (isBeside(lens, ribbon, drawn.blade.height))
+    if (listsThoseBeside() && isBeside(lens, ribbon, blade.height))
         return;
     const float widthPixels = max(visible.pixels * ribbon.width / drawn.blade.height,
                                   lens.leastWidth * FRAME.view.pixelsPerUnit);

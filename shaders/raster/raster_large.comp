@@ -127,9 +127,9 @@ void makeStrip(Quad quad, uint place)
     Strip strip;
     if (!stripOf(quad, strip))
         return;
-    const vec2 left = vec2(min(min(strip.xs.x, strip.xs.y), min(strip.xs.z, strip.xs.w)), strip.low);
-    const vec2 right = vec2(max(max(strip.xs.x, strip.xs.y), max(strip.xs.z, strip.xs.w)), strip.high);
-    if (isLate && rectangleHidden(left, right, strip.shallowest))
+    const vec2 low = min(min(quad.a0.xy, quad.a1.xy), min(quad.b0.xy, quad.b1.xy));
+    const vec2 high = max(max(quad.a0.xy, quad.a1.xy), max(quad.b0.xy, quad.b1.xy));
+    if (isLate && rectangleHidden(low, high, strip.shallowest))
         return;
     strips[place] = strip;
     const ivec2 rows = rowsOf(strip);
@@ -146,8 +146,8 @@ bool halfSeen(uint i, SeenRib a, SeenRib b, bool isFolded, uint segment, out Qua
             atomicOr(odd, 1u << segment);
         return false;
     }
-    const ScreenRib before = screenRib(a);
-    const ScreenRib after = screenRib(b);
+    const ScreenRib before = screenRib(a, isFolded);
+    const ScreenRib after = screenRib(b, isFolded);
     quad = halfOf(i, before, after, isFolded);
     if (isConvex(quad) && (!isFolded || isConvex(halfOf(1u - i, before, after, isFolded))))
         return true;

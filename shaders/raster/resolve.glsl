@@ -51,21 +51,76 @@ struct Sighting {
     vec2 middle;
 };
 
-/// What lies between the ribs at the places `low` and `high`.
-void look(Lens lens, Ribbon ribbon, float low, float high, bool isUpper, Sighting sighting,
-          inout Found found)
+/// A triangle that errs by less is the one. Corners lie in steps of a 256th of a pixel where they are
+/// drawn, not here.
+const float foundError = 0.02;
+
+/// By how much a triangle errs of which a sample is said to show a point. The sample may lie just
+/// outside by rounding; between triangles that both hold it depth decides.
+float errorOf(SeenPoint seen, Sighting sighting)
 {
-    const SeenRib before = seenRib(lens, ribbon, low);
-    const SeenRib after = seenRib(lens, ribbon, high);
-    const bool isFolded = ribbon.fold > 0.0;
+    return max(-seen.least, 0.0) + abs(seen.depth / sighting.depth - 1.0);
+}
+
+/// The shares of a triangle's corners in the middle of what is shaded with a sample.
+vec3 sharesInMiddle(vec4 first, vec4 second, vec4 third, SeenPoint seen, Sighting sighting)
+{
+    const vec3 inside = max(samplesPerPixel == 1u ? seen.shares
+                                                  : seenAt(first, second, third, sighting.middle).shares,
+                            vec3(0.0));
+    return inside / max(inside.x + inside.y + inside.z, 1e-6);
+}
+
+/// What lies between two ribs of a ribbon without a fold, as lookAtHalves() has it: of the two
+/// triangles the one on whose side of the diagonal the sample is, and the other one if that is not it.
+void lookBetween(SeenRib before, SeenRib after, float low, float high, bool isUpper, Sighting sighting,
+                 inout Found found)
+{
+    // The diagonal goes from the rib before to that after, to the right, or to the left if isUpper.
+    const vec4 from = isUpper ? before.right : before.left;
+    const vec4 to = isUpper ? after.left : after.right;
+    const vec4 lower = isUpper ? before.left : before.right;
+    const vec4 upper = isUpper ? after.right : after.left;
+    const vec2 p = from.xy - sighting.pixel * from.w;
+    const vec2 q = to.xy - sighting.pixel * to.w;
+    const vec2 r = lower.xy - sighting.pixel * lower.w;
+    // Its share of the lower corner has this sign.
+    const float side = crossOf(p, q) * (crossOf(p, q) + crossOf(q, r) + crossOf(r, p));
+    bool isLower = side >= 0.0;
+    [[dont_unroll]] for (uint turn = 0u; turn < 2u; ++turn) {
+        const vec4 third = isLower ? lower : upper;
+        const SeenPoint seen = seenAt(from, to, third, sighting.pixel);
+        const float error = errorOf(seen, sighting);
+        if (error < found.error) {
+            const vec3 shares = sharesInMiddle(from, to, third, seen, sighting);
+            const vec3 begins = isUpper ? before.rib.right : before.rib.left;
+            const vec3 ends = isUpper ? after.rib.left : after.rib.right;
+            const vec3 other = isLower ? (isUpper ? before.rib.left : before.rib.right)
+                                       : (isUpper ? after.rib.right : after.rib.left);
+            const float across = shares.x - shares.y + (isLower ? -shares.z : shares.z);
+            found.error = error;
+            found.position = shares.x * begins + shares.y * ends + shares.z * other;
+            found.place = vec2(isUpper ? across : -across,
+                               mix(low, high, shares.y + (isLower ? 0.0 : shares.z)));
+        }
+        if (found.error < foundError)
+            break;
+        isLower = !isLower;
+    }
+}
+
+/// What lies between two ribs of a folded ribbon.
+void lookAtHalves(SeenRib before, SeenRib after, float low, float high, bool isUpper, Sighting sighting,
+                  inout Found found)
+{
     const Corner left = Corner(before.rib.left, before.left, vec2(-1.0, low));
     const Corner right = Corner(before.rib.right, before.right, vec2(1.0, low));
     const Corner ridge = Corner(before.rib.ridge, before.ridge, vec2(0.0, low));
     const Corner leftAfter = Corner(after.rib.left, after.left, vec2(-1.0, high));
     const Corner rightAfter = Corner(after.rib.right, after.right, vec2(1.0, high));
     const Corner ridgeAfter = Corner(after.rib.ridge, after.ridge, vec2(0.0, high));
-    [[dont_unroll]] for (uint i = 0u; i < trianglesOf(isFolded); ++i) {
-        const TriangleOf part = triangleOf(i, isFolded, isUpper);
+    [[dont_unroll]] for (uint i = 0u; i < trianglesOf(true); ++i) {
+        const TriangleOf part = triangleOf(i, true, isUpper);
         const Corner a = part.isRight ? ridge : left;
         const Corner b = part.endsAtRidge ? ridge : right;
         const Corner c = part.isRight ? ridgeAfter : leftAfter;
@@ -74,19 +129,27 @@ void look(Lens lens, Ribbon ribbon, float low, float high, bool isUpper, Sightin
         const Corner second = part.isSecond ? d : b;
         const Corner third = part.endsLeft ? c : d;
         const SeenPoint seen = seenAt(first.seen, second.seen, third.seen, sighting.pixel);
-        // A sample may lie just outside by rounding; between triangles that both hold it depth
-        // decides.
-        const float error = max(-seen.least, 0.0) + abs(seen.depth / sighting.depth - 1.0);
+        const float error = errorOf(seen, sighting);
         if (error >= found.error)
             continue;
-        const vec3 inside =
-            max(seenAt(first.seen, second.seen, third.seen, sighting.middle).shares, vec3(0.0));
-        const vec3 shares = inside / max(inside.x + inside.y + inside.z, 1e-6);
+        const vec3 shares = sharesInMiddle(first.seen, second.seen, third.seen, seen, sighting);
         found.error = error;
         found.position =
             shares.x * first.position + shares.y * second.position + shares.z * third.position;
         found.place = shares.x * first.place + shares.y * second.place + shares.z * third.place;
     }
+}
+
+/// What lies between the ribs at the places `low` and `high`.
+void look(Lens lens, Ribbon ribbon, float low, float high, bool isUpper, Sighting sighting,
+          inout Found found)
+{
+    const SeenRib before = seenRib(lens, ribbon, low);
+    const SeenRib after = seenRib(lens, ribbon, high);
+    if (ribbon.fold > 0.0)
+        lookAtHalves(before, after, low, high, isUpper, sighting, found);
+    else
+        lookBetween(before, after, low, high, isUpper, sighting, found);
 }
 
 /// Where along a ribbon a point of it lies. Seen along the axis a ribbon is a curve, and its points
@@ -102,7 +165,7 @@ float placeAlong(Ribbon ribbon, vec3 point)
     const vec3 b = toTip - dot(toTip, axis) * axis;
     const vec3 p = toPoint - dot(toPoint, axis) * axis;
     float t = clamp(dot(p, b) / max(dot(b, b), 1e-12), 0.0, 1.0);
-    [[dont_unroll]] for (uint i = 0u; i < 4u; ++i) {
+    [[dont_unroll]] for (uint i = 0u; i < 3u; ++i) {
         const vec3 off = bezierPoint(vec3(0.0), a, b, t) - p;
         const vec3 speed = bezierTangent(vec3(0.0), a, b, t);
         t = clamp(t - dot(off, speed) / max(dot(speed, speed), 1e-12), 0.0, 1.0);
@@ -120,12 +183,8 @@ vec3 pointSeen(Lens lens, Sighting sighting)
     return lens.eye + (dot(depthRow, vec4(lens.eye, 1.0)) / (sighting.depth - dot(depthRow.xyz, ray))) * ray;
 }
 
-/// A triangle that errs by less is the one. Corners lie in steps of a 256th of a pixel where they are
-/// drawn, not here.
-const float foundError = 0.02;
-
-/// Which point of a ribbon is seen: in the segment where it should be, or, if it is not there, in the
-/// best of all.
+/// Which point of a ribbon is seen: in the segment where it should be, or else in one near it, or, if
+/// it is in none, in the best of all.
 Found find(Lens lens, Ribbon ribbon, Sighting sighting)
 {
     Found found;
@@ -133,12 +192,19 @@ Found find(Lens lens, Ribbon ribbon, Sighting sighting)
     const float segments = ribbon.outline.segments;
     const float place = segments > 1.5 ? placeAlong(ribbon, pointSeen(lens, sighting)) : 0.0;
     const float guess = min(floor(place * segments) + 1.0, segments);
-    [[dont_unroll]] for (float i = 0.0; i <= segments; i += 1.0) {
-        const float segment = i < 0.5 ? guess : i;
-        look(lens, ribbon, (segment - 1.0) / segments, segment / segments,
-             upperHalf(segment, segments), sighting, found);
-        if (i < 0.5 && (found.error < foundError || segments < 1.5))
-            break;
+    // By how much the next one is farther along: the neighbour that is nearer first, then by turns.
+    float step_ = fract(place * segments) < 0.5 ? -1.0 : 1.0;
+    float segment = guess;
+    [[dont_unroll]] for (float looked = 0.0; looked < segments;) {
+        if (segment >= 1.0 && segment <= segments) {
+            look(lens, ribbon, (segment - 1.0) / segments, segment / segments,
+                 upperHalf(segment, segments), sighting, found);
+            if (found.error < foundError)
+                break;
+            looked += 1.0;
+        }
+        segment += step_;
+        step_ = -step_ - sign(step_);
     }
     return found;
 }
@@ -160,16 +226,19 @@ void noteSeen(VisibleBlade visible, Blade blade)
 /// seen, and 1 − softness. It lies at `depth` at one of them, `s`.
 vec4 shade(Lens lens, uint index, vec2 pixel, uint samples, uint s, float depth)
 {
+    // Read first: to find the patch takes as long.
+    const uint place = placeOf(uvec2(FRAME.pages), index);
+    const PackedBlade bits = FRAME.blades.at[place];
+    const BladeState state = BladeState(FRAME.states.at[place], 0.0);
     const uint patchIndex = patchOf(index);
     const Patch cell = FRAME.patches.at[patchIndex];
     Layers layers = allLayers();
     if (leavesLayers)
         layers = layersOf(push.judged.at[0].view, cell);
-    const Blade blade =
-        raised(unpackBlade(FRAME.blades.at[placeOf(uvec2(FRAME.pages), index)], cell), layers.rise);
+    const Blade blade = raised(unpackBlade(bits, cell), layers.rise);
     const VisibleBlade visible = visibleBlade(index, patchIndex, cell, blade, layers);
     noteSeen(visible, blade);
-    const DrawnBlade drawn = drawnBlade(visible, blade);
+    const DrawnBlade drawn = drawnBlade(visible, blade, state);
     const Found found = find(lens, drawn.ribbon,
                              Sighting(pixel + samplePlace(s), depth, pixel + middleOf(samples)));
     const BladeSurface surface = bladeSurface(drawn, visible, layers);

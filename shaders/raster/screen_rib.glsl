@@ -18,16 +18,19 @@ const float subpixels = 256.0;
 
 vec3 screenPoint(vec4 seen)
 {
-    return vec3(round(seen.xy / seen.w * subpixels) / subpixels, seen.z / seen.w);
+    const float inverse = 1.0 / seen.w;
+    return vec3(round(seen.xy * (inverse * subpixels)) / subpixels, seen.z * inverse);
 }
 
-/// Of a rib that lies behind the near plane.
-ScreenRib screenRib(SeenRib seen)
+/// Of a rib that lies behind the near plane. Only a folded ribbon has a ridge.
+ScreenRib screenRib(SeenRib seen, bool isFolded)
 {
     ScreenRib screen;
     screen.left = screenPoint(seen.left);
     screen.right = screenPoint(seen.right);
-    screen.ridge = screenPoint(seen.ridge);
+    screen.ridge = screen.left;
+    if (isFolded)
+        screen.ridge = screenPoint(seen.ridge);
     screen.weight = vec2(seen.rib.wide, seen.rib.drawn) / seen.ridge.w;
     return screen;
 }
@@ -76,11 +79,6 @@ Quad triangleBetween(uint i, ScreenRib before, ScreenRib after, bool isFolded, b
     quad.weightA1 = quad.weightA0;
     quad.weightB = part.isSecond ? before.weight : after.weight;
     return quad;
-}
-
-float crossOf(vec2 a, vec2 b)
-{
-    return a.x * b.y - a.y * b.x;
 }
 
 /// Whether it is convex, or is nothing but a line.

@@ -83,6 +83,11 @@ TriangleOf triangleOf(uint i, bool isFolded, bool isUpper)
     return part;
 }
 
+float crossOf(vec2 a, vec2 b)
+{
+    return a.x * b.y - a.y * b.x;
+}
+
 /// A point of a triangle that is seen at some place.
 struct SeenPoint {
     vec3 shares; ///< of the corners, as they lie in space; inside none is negative

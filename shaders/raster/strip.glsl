@@ -5,14 +5,44 @@
 
 #include "shaders/raster/screen_rib.glsl"
 
-/// The part of the horizontal through `y` between the sides of a quad: `from` and `to`.
-vec2 intervalAt(float y, vec4 xs, vec4 ys, vec4 slopes, bvec4 lefts, bvec4 rights)
+/// The sides of a convex quad that bound it to the left and to the right: where each meets the
+/// horizontal through the quad's first corner, and how far it goes in a row [pixels]. One that does not
+/// bound it on a hand is far away on that.
+struct Sides {
+    vec4 leftPlaces;
+    vec4 leftSlopes;
+    vec4 rightPlaces;
+    vec4 rightSlopes;
+};
+
+/// `area`: its sign says which way round the corners follow one another.
+Sides sidesOf(vec2 p0, vec2 p1, vec2 p2, vec2 p3, float area)
 {
-    const vec4 crossings = xs + (y - ys) * slopes;
-    const vec4 from = mix(vec4(-1e30), crossings, lefts);
-    const vec4 to = mix(vec4(1e30), crossings, rights);
+    const vec4 xs = vec4(p0.x, p1.x, p2.x, p3.x);
+    const vec4 ys = vec4(p0.y, p1.y, p2.y, p3.y);
+    const vec4 rises = ys.yzwx - ys;
+    const vec4 slopes = (xs.yzwx - xs) / mix(rises, vec4(1.0), equal(rises, vec4(0.0)));
+    const vec4 places = xs + (p0.y - ys) * slopes;
+    // Sides that rise bound the quad on one hand, those that fall on the other.
+    const vec4 turned = area < 0.0 ? -rises : rises;
+    const bvec4 lefts = lessThan(turned, vec4(0.0));
+    const bvec4 rights = greaterThan(turned, vec4(0.0));
+    return Sides(mix(vec4(-1e30), places, lefts), mix(vec4(0.0), slopes, lefts),
+                 mix(vec4(1e30), places, rights), mix(vec4(0.0), slopes, rights));
+}
+
+/// From the rightmost of some places to the leftmost of others.
+vec2 between(vec4 from, vec4 to)
+{
     return vec2(max(max(from.x, from.y), max(from.z, from.w)),
                 min(min(to.x, to.y), min(to.z, to.w)));
+}
+
+/// The part between them of the horizontal `below` the first corner: `from` and `to`.
+vec2 intervalAt(Sides sides, float below)
+{
+    return between(sides.leftPlaces + below * sides.leftSlopes,
+                   sides.rightPlaces + below * sides.rightSlopes);
 }
 
 /// A quad, ready to be drawn row by row.
@@ -67,7 +97,7 @@ bool stripOf(Quad quad, out Strip strip)
     strip.low = low.y;
     strip.high = high.y;
 
-    // Sides that rise bound the quad on one hand, those that fall on the other.
+    // Not Sides: with as many numbers more an H200 takes a fifth longer.
     strip.xs = vec4(p0.x, p1.x, p2.x, p3.x);
     strip.ys = vec4(p0.y, p1.y, p2.y, p3.y);
     const vec4 rises = strip.ys.yzwx - strip.ys;
@@ -95,7 +125,10 @@ void spansOf(Strip strip, int row, out vec2 spans[samplesPerPixel], out ivec2 re
     SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s) {
         const vec2 place = samplePlace(s);
         const float y = float(row) + place.y;
-        spans[s] = intervalAt(y, strip.xs, strip.ys, strip.slopes, lefts, rights) - place.x;
+        const vec4 crossings = strip.xs + (y - strip.ys) * strip.slopes;
+        const vec4 from = mix(vec4(-1e30), crossings, lefts);
+        const vec4 to = mix(vec4(1e30), crossings, rights);
+        spans[s] = between(from, to) - place.x;
         if (y < strip.low || y > strip.high)
             spans[s] = vec2(1e30, -1e30);
         widest = vec2(min(widest.x, spans[s].x), max(widest.y, spans[s].y));
@@ -124,11 +157,10 @@ FourSamples fourOf(Strip strip, SampleMask mask, int row, int start, int index,
     FourSamples four;
     four.index = uint(index);
     four.covered = 0u;
-    const vec2 first = vec2(strip.xs.x, strip.ys.x);
     if (samplesPerPixel == 1u) {
         SHARED_UNROLL for (int i = 0; i < 4; ++i) {
             const int column = index + i - start;
-            const vec2 corner = vec2(column, row) - first + samplePlace(0u);
+            const vec2 corner = vec2(column, row) - vec2(strip.xs.x, strip.ys.x) + samplePlace(0u);
             four.depths[i] = depthAt(strip, corner);
             bool isInside = column >= reach.x && column <= reach.y;
             if (strip.isThin)
@@ -138,7 +170,7 @@ FourSamples fourOf(Strip strip, SampleMask mask, int row, int start, int index,
         return four;
     }
     const int column = (index - start) / int(samplesPerPixel);
-    const vec2 corner = vec2(column, row) - first;
+    const vec2 corner = vec2(column, row) - vec2(strip.xs.x, strip.ys.x);
     SHARED_UNROLL for (uint s = 0u; s < 4u; ++s) {
         const vec2 span = spans[s % samplesPerPixel];
         if (column <= reach.y && float(column) >= span.x && float(column) <= span.y)
@@ -154,6 +186,40 @@ FourSamples fourOf(Strip strip, SampleMask mask, int row, int start, int index,
 /// but those beside the strip are read in vain.
 const int readTogether = samplesPerPixel == 1u ? 1 : 2;
 
+/// One row of pixels of one sample.
+void drawRowOfOne(Strip strip, SampleMask mask, uint blade, int row, ivec2 reach)
+{
+    const vec2 corner = vec2(reach.x, row) + samplePlace(0u) - vec2(strip.xs.x, strip.ys.x);
+    const float depth = strip.depth + dot(corner, strip.depthStep);
+    const float depthRight = strip.depthStep.x;
+    // A sample is kept, as keptBits() has it, where this is not negative.
+    float keeps = 0.0;
+    float keepsRight = 0.0;
+    if (strip.isThin) {
+        const vec2 weight = strip.weight + corner.x * strip.weightRight + corner.y * strip.weightDown;
+        keeps = weight.x - (1.0 - mask.threshold) * weight.y;
+        keepsRight = strip.weightRight.x - (1.0 - mask.threshold) * strip.weightRight.y;
+    }
+    const float deepest = strip.deepest;
+    const float shallowest = strip.shallowest;
+    const int start = row * int(push.size.x) + reach.x;
+    const float last = float(reach.y - reach.x);
+    for (int index = start & ~3; index <= start + reach.y - reach.x; index += 4) {
+        const uvec4 before = depthsBefore(uint(index));
+        FourSamples four;
+        four.index = uint(index);
+        four.covered = 0u;
+        const float begin = float(index - start);
+        SHARED_UNROLL for (int i = 0; i < 4; ++i) {
+            const float right = begin + float(i);
+            four.depths[i] = clamp(depth + right * depthRight, deepest, shallowest);
+            if (right >= 0.0 && right <= last && keeps + right * keepsRight >= 0.0)
+                four.covered |= 1u << i;
+        }
+        putFour(before, four, blade);
+    }
+}
+
 /// One row of pixels.
 void drawRow(Strip strip, SampleMask mask, uint blade, int row)
 {
@@ -162,6 +228,10 @@ void drawRow(Strip strip, SampleMask mask, uint blade, int row)
     spansOf(strip, row, spans, reach);
     if (reach.x > reach.y)
         return;
+    if (samplesPerPixel == 1u) {
+        drawRowOfOne(strip, mask, blade, row, reach);
+        return;
+    }
     const int samples = int(samplesPerPixel);
     const int start = row * int(push.size.x) * samples;
     const int end = start + reach.y * samples;
@@ -197,15 +267,11 @@ void drawSmall(Quad quad, SampleMask mask, uint blade)
     const float shallowest = max(max(quad.a0.z, quad.a1.z), max(quad.b0.z, quad.b1.z));
     const float deepest = min(min(quad.a0.z, quad.a1.z), min(quad.b0.z, quad.b1.z));
     const bool isThin = quad.weightA0.x < quad.weightA0.y || quad.weightB.x < quad.weightB.y;
+    // A single sample is kept, as keptBits() has it, where this is not negative.
+    const float keepsFirst = quad.weightA0.x - (1.0 - mask.threshold) * quad.weightA0.y;
+    const float keepsLast = quad.weightB.x - (1.0 - mask.threshold) * quad.weightB.y;
 
-    const vec4 xs = vec4(p0.x, p1.x, p2.x, p3.x);
-    const vec4 ys = vec4(p0.y, p1.y, p2.y, p3.y);
-    const vec4 rises = ys.yzwx - ys;
-    const vec4 slopes = (xs.yzwx - xs) / mix(rises, vec4(1.0), equal(rises, vec4(0.0)));
-    const vec4 turned = area < 0.0 ? -rises : rises;
-    const bvec4 lefts = lessThan(turned, vec4(0.0));
-    const bvec4 rights = greaterThan(turned, vec4(0.0));
-
+    const Sides sides = sidesOf(p0, p1, p2, p3, area);
     const ivec2 rows = rowsBetween(low.y, high.y, edge.y);
     for (int row = rows.x; row <= rows.y; ++row) {
         // The interval of each row of samples, in pixels whose sample lies inside.
@@ -214,8 +280,9 @@ void drawSmall(Quad quad, SampleMask mask, uint blade)
         SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s) {
             const vec2 place = samplePlace(s);
             const float y = float(row) + place.y;
-            spans[s] = intervalAt(y, xs, ys, slopes, lefts, rights) - place.x;
-            if (y < low.y || y > high.y)
+            spans[s] = intervalAt(sides, y - p0.y) - place.x;
+            // The rows have been chosen so that a single sample lies between the ends.
+            if (samplesPerPixel > 1u && (y < low.y || y > high.y))
                 spans[s] = vec2(1e30, -1e30);
             widest = vec2(min(widest.x, spans[s].x), max(widest.y, spans[s].y));
         }
@@ -223,13 +290,24 @@ void drawSmall(Quad quad, SampleMask mask, uint blade)
             continue;
         const int left = int(max(ceil(widest.x), 0.0));
         const int right = int(min(floor(widest.y), edge.x - 1.0));
+        if (samplesPerPixel == 1u) {
+            const vec2 corner = vec2(left, row) + samplePlace(0u) - p0;
+            float depth = quad.a0.z + dot(corner, depthStep);
+            float t = dot(corner, tStep);
+            for (int column = left; column <= right; ++column) {
+                if (keepsFirst + clamp(t, 0.0, 1.0) * (keepsLast - keepsFirst) >= 0.0)
+                    putOne(sampleIndex(uvec2(column, row), 0u), clamp(depth, deepest, shallowest),
+                           blade);
+                depth += depthStep.x;
+                t += tStep.x;
+            }
+            continue;
+        }
         for (int column = left; column <= right; ++column) {
-            // Of a single sample the interval is that of the row.
-            uint covered = samplesPerPixel == 1u ? 1u : 0u;
-            if (samplesPerPixel > 1u)
-                SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
-                    if (float(column) >= spans[s].x && float(column) <= spans[s].y)
-                        covered |= 1u << s;
+            uint covered = 0u;
+            SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
+                if (float(column) >= spans[s].x && float(column) <= spans[s].y)
+                    covered |= 1u << s;
             if (covered == 0u)
                 continue;
             const vec2 corner = vec2(column, row) - p0;

@@ -65,6 +65,25 @@ SHARED_CONST float exactSegments = 20.0f;
 /// How much wider than its width anything of an outline is drawn, at most.
 SHARED_CONST float outlineMost = 1.35f;
 
+/// Sum of the outline's widths at all i / segments between root and tip.
+SHARED_FN float innerWidths(uint shape, float tipThreshold, float segments)
+{
+    if (shape == shapeTriangleTip) {
+        // The last so many, from `first` on, lie where it tapers: an arithmetic series.
+        const float first = floor(tipThreshold * segments) + 1.0f;
+        const float count = max(segments - first, 0.0f);
+        const float beyond =
+            0.5f * count * (first + segments - 1.0f) / segments - tipThreshold * count;
+        return segments - 1.0f - beyond / max(1.0f - tipThreshold, 1e-3f);
+    }
+    float sum = 0.0f;
+    for (float i = 1.0f; i < segments; i += 1.0f) {
+        const vec2 edges = outlineAt(shape, tipThreshold, i / segments);
+        sum += edges.y - edges.x;
+    }
+    return sum;
+}
+
 SHARED_FN Outline outlineOf(uint shape, float tipThreshold, float segments)
 {
     Outline outline;
@@ -76,11 +95,8 @@ SHARED_FN Outline outlineOf(uint shape, float tipThreshold, float segments)
         return outline;
     const vec2 first = outlineAt(shape, tipThreshold, 0.0f);
     const vec2 last = outlineAt(shape, tipThreshold, 1.0f);
-    float sum = 0.5f * (first.y - first.x + last.y - last.x);
-    for (float i = 1.0f; i < segments; i += 1.0f) {
-        const vec2 edges = outlineAt(shape, tipThreshold, i / segments);
-        sum += edges.y - edges.x;
-    }
+    const float sum =
+        0.5f * (first.y - first.x + last.y - last.x) + innerWidths(shape, tipThreshold, segments);
     outline.scale = outlineArea(shape, tipThreshold) * segments / sum;
     return outline;
 }
@@ -113,14 +129,12 @@ SHARED_FN vec2 edgesAt(Outline outline, float t)
 
 /// Segments of a blade so large on the screen: so many that a chord strays from the curve by less
 /// than a quarter of a pixel, and that the outline shows; at most `most`, but for a dandelion's.
-/// `heightPixels` are those of its length.
-SHARED_FN float segmentsFor(vec3 v0, vec3 v1, vec3 v2, uint shape, float heightPixels,
+/// `heightPixels` are those of its length, `size` [m].
+SHARED_FN float segmentsFor(vec3 v0, vec3 v1, vec3 v2, float size, uint shape, float heightPixels,
                             float widthPixels, float most)
 {
     // L chords of a quadratic Bézier stray from it by at most |v0 − 2 v1 + v2| / (4 L²).
-    // heightPixels are those of its length, of which this is an estimate (Gravesen 1997).
-    const float size = (2.0f * length(v2 - v0) + length(v1 - v0) + length(v2 - v1)) / 3.0f;
-    const float stray = length(v0 - 2.0f * v1 + v2) / max(size, 1e-9f) * heightPixels;
+    const float stray = length(v0 - 2.0f * v1 + v2) * (heightPixels / max(size, 1e-9f));
     const float curve = ceil(sqrt(stray));
     if (shape == shapeDandelion && widthPixels > 2.0f)
         return dandelionLobes * segmentsPerLobe;
