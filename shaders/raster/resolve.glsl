@@ -191,18 +191,15 @@ Found find(Lens lens, Ribbon ribbon, Sighting sighting)
     found.error = 1e30;
     const float segments = ribbon.outline.segments;
     const float place = segments > 1.5 ? placeAlong(ribbon, pointSeen(lens, sighting)) : 0.0;
-    const float guess = min(floor(place * segments) + 1.0, segments);
+    float segment = clamp(floor(place * segments) + 1.0, 1.0, segments);
     // By how much the next one is farther along: the neighbour that is nearer first, then by turns.
     float step_ = fract(place * segments) < 0.5 ? -1.0 : 1.0;
-    float segment = guess;
-    [[dont_unroll]] for (float looked = 0.0; looked < segments;) {
-        if (segment >= 1.0 && segment <= segments) {
+    [[dont_unroll]] for (float turn = 0.0; turn < 2.0 * segments; turn += 1.0) {
+        if (segment >= 1.0 && segment <= segments)
             look(lens, ribbon, (segment - 1.0) / segments, segment / segments,
                  upperHalf(segment, segments), sighting, found);
-            if (found.error < foundError)
-                break;
-            looked += 1.0;
-        }
+        if (found.error < foundError || segments < 1.5)
+            break;
         segment += step_;
         step_ = -step_ - sign(step_);
     }

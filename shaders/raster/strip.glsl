@@ -150,25 +150,13 @@ float depthAt(Strip strip, vec2 corner)
     return clamp(strip.depth + dot(corner, strip.depthStep), strip.deepest, strip.shallowest);
 }
 
-/// Those from sample `index` on, a multiple of 4. The row begins with sample `start`.
+/// Of several samples those from sample `index` on, a multiple of 4. The row begins with sample `start`.
 FourSamples fourOf(Strip strip, SampleMask mask, int row, int start, int index,
                    vec2 spans[samplesPerPixel], ivec2 reach)
 {
     FourSamples four;
     four.index = uint(index);
     four.covered = 0u;
-    if (samplesPerPixel == 1u) {
-        SHARED_UNROLL for (int i = 0; i < 4; ++i) {
-            const int column = index + i - start;
-            const vec2 corner = vec2(column, row) - vec2(strip.xs.x, strip.ys.x) + samplePlace(0u);
-            four.depths[i] = depthAt(strip, corner);
-            bool isInside = column >= reach.x && column <= reach.y;
-            if (strip.isThin)
-                isInside = isInside && keptBits(mask, shareKept(strip, corner)) != 0u;
-            four.covered |= isInside ? 1u << i : 0u;
-        }
-        return four;
-    }
     const int column = (index - start) / int(samplesPerPixel);
     const vec2 corner = vec2(column, row) - vec2(strip.xs.x, strip.ys.x);
     SHARED_UNROLL for (uint s = 0u; s < 4u; ++s) {
@@ -184,7 +172,7 @@ FourSamples fourOf(Strip strip, SampleMask mask, int row, int start, int index,
 
 /// So many groups of four samples of a row are read at a time: what takes long is to wait for them,
 /// but those beside the strip are read in vain.
-const int readTogether = samplesPerPixel == 1u ? 1 : 2;
+const int readTogether = 2;
 
 /// One row of pixels of one sample.
 void drawRowOfOne(Strip strip, SampleMask mask, uint blade, int row, ivec2 reach)
