@@ -27,7 +27,7 @@ std::vector<SurfaceFeatures::BorderEdge> borderEdges(const GroundMesh& mesh,
     std::vector<SurfaceFeatures::BorderEdge> borders;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (glm::length_t e = 0; mesh.bears[t] != 0 && topology.originalOf[t] == t && e < 3; ++e)
-            if ((topology.borderEdges[t] >> e & 1U) != 0)
+            if ((unsigned(topology.borderEdges[t]) >> e & 1U) != 0)
                 borders.push_back({mesh.positions[mesh.triangles[t][e]],
                                    mesh.positions[mesh.triangles[t][(e + 1) % 3]]});
     return borders;
@@ -87,7 +87,7 @@ std::vector<std::uint8_t> roughVertices(const GroundMesh& mesh, const Topology& 
     std::vector<std::uint8_t> rough(topology.weldedVertices, 0);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (glm::length_t e = 0; e < 3; ++e)
-            if (((topology.borderEdges[t] | topology.brokenEdges[t]) >> e & 1U) != 0)
+            if ((unsigned(topology.borderEdges[t] | topology.brokenEdges[t]) >> e & 1U) != 0)
                 rough[topology.weldOf[mesh.triangles[t][e]]] =
                     rough[topology.weldOf[mesh.triangles[t][(e + 1) % 3]]] = 1;
     return rough;
