@@ -46,7 +46,7 @@ SHARED_FN float latticeValue(int x, int y, int z)
     return latticeUnit * latticeHeight(latticePoint(x, y, z));
 }
 
-/// Smooth noise in [0, 1], mean 0.5, with features about 1 wide.
+/// Smooth noise in [0, 1], mean 0.5: cubic blend of the eight corners of a lattice cell.
 SHARED_FN float valueNoise(vec3 p)
 {
     const vec3 cell = floor(p);

@@ -15,7 +15,7 @@ SHARED_BEGIN
 SHARED_CONST uint drawChunk = 256u;
 
 /// Threads of a work-group of the update; they loop over the blades of one patch. On an H200 64
-/// take a fifth longer, 128 a fifteenth, 32 and 256 three quarters: see decision 0036.
+/// take a fifth longer, 128 a fifteenth, 32 four fifths: see decision 0036.
 SHARED_CONST uint updateThreads = 96u;
 
 /// Work-groups of the update for so many live patches: from `updateGroupsFrom` on one group takes

@@ -32,10 +32,8 @@ std::uint32_t roundOf(const BakedBlades& baked, FieldBuffers::Records records)
 {
     if (records.list)
         return baked.ownerCount();
-    if (records.roundPatches > 0)
-        return records.roundPatches;
-    return baked.patchSizes().patchesWithin(
-        FieldBuffers::listedTogether(baked.placeCount(), baked.isPaged()));
+    return FieldBuffers::roundPatchesOf(baked.patchSizes(), records, baked.placeCount(),
+                                        baked.isPaged());
 }
 
 gpu::Buffer fatesOf(const gpu::DeviceContext& context, const BakedBlades& baked)
@@ -56,13 +54,16 @@ VkDeviceSize FieldBuffers::Records::bytesPerBlade(bool withEtas) const
            (list ? sizeof(shared::VisibleBlade) : 0) + (fates ? sizeof(std::uint32_t) : 0);
 }
 
-std::uint64_t FieldBuffers::listedTogether(std::uint64_t places, bool isPaged)
+std::uint32_t FieldBuffers::roundPatchesOf(const PatchSizes& sizes, const Records& records,
+                                           std::uint64_t places, bool isPaged)
 {
+    if (records.roundPatches > 0)
+        return records.roundPatches;
     constexpr std::uint64_t wholeLists = std::uint64_t(1) << 24;
     constexpr std::uint64_t leastPatches = 64;
     const std::uint64_t least =
         isPaged ? leastPatches * shared::maxPatchBlades : std::min(places, wholeLists);
-    return std::max(places / 8, least);
+    return std::max(sizes.patchesWithin(std::max(places / 8, least)), 1u);
 }
 
 FieldBuffers::FieldBuffers(const gpu::DeviceContext& context, gpu::BufferUpload& upload,

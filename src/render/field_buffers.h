@@ -25,7 +25,7 @@ public:
         bool list = false;  ///< a place in the list of visible blades; else there may be rounds
         bool fates = false; ///< its fate
         bool etas = false;  ///< what collisions leave; else from the first collider on
-        std::uint32_t roundPatches = 0; ///< live patches of a round; 0: listedTogether() says it
+        std::uint32_t roundPatches = 0; ///< live patches of a round; 0: roundPatchesOf() says it
         std::uint32_t walkStart = shared::walkStart; ///< nodes that a walk begins with, or less
         std::uint32_t pages = 0; ///< of blades that there is room for; 0: all blades are there
 
@@ -33,9 +33,11 @@ public:
         VkDeviceSize bytesPerBlade(bool withEtas) const;
     };
 
-    /// So many blades of `places` the list has room for, unless it is all of them or something else
-    /// is asked for: 2 bytes for each of them all, or 268 MB where everything is in memory.
-    static std::uint64_t listedTogether(std::uint64_t places, bool isPaged);
+    /// Live patches of a round of a field with so many places for blades, unless the list has room
+    /// for all: those asked for, or as many as 2 bytes for each place hold, or 268 MB where
+    /// everything is in memory.
+    static std::uint32_t roundPatchesOf(const PatchSizes& sizes, const Records& records,
+                                        std::uint64_t places, bool isPaged);
 
     /// Begins the upload; it is complete when `upload` is. Throws Error{runtime} if the device's
     /// memory is too small, naming both sizes.

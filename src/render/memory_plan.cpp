@@ -37,11 +37,7 @@ std::uint64_t roundBytes(const PatchSizes& sizes, const field::FieldView& field,
 {
     if (records.list)
         return 0;
-    const std::uint64_t patches = std::max<std::uint64_t>(
-        records.roundPatches > 0
-            ? records.roundPatches
-            : sizes.patchesWithin(FieldBuffers::listedTogether(places, isPaged)),
-        1);
+    const std::uint64_t patches = FieldBuffers::roundPatchesOf(sizes, records, places, isPaged);
     return std::min(sizes.mostBladesOf(patches), places) * sizeof(shared::VisibleBlade) +
            2 * (field.patches.size() / patches + 1) * sizeof(shared::WalkLevel);
 }
