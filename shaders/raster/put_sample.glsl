@@ -22,27 +22,43 @@ void putSample(uvec2 pixel, uint s, float depth, uint blade)
         atomicMax(visibility.at[index], value);
 }
 
-/// Samples read two at a time: most are nearer than what comes.
+/// A VisibilityArray as words of 32 bits: of each sample what is seen, and then its depth.
+layout(buffer_reference, scalar, buffer_reference_align = 8) buffer VisibilityHalves
+{
+    uint at[];
+};
+
+/// The same, two samples at a time.
 layout(buffer_reference, scalar, buffer_reference_align = 16) buffer VisibilityPairs
 {
     uvec4 at[];
 };
 
-/// Four samples of one row that lie next to each other: of one pixel, or of four.
+/// Four samples of a row that lie so far apart: one of each of four pixels, or all of one.
 struct FourSamples {
-    uint index;   ///< of the first, a multiple of 4
+    uint first; ///< sampleIndex()
+    uint stride;
     uint covered; ///< as bits
     float depths[4];
 };
 
-/// The depths, as bits, that four samples from `index` on have already, a multiple of 4. What lies
-/// behind the picture's last sample may be read.
-uvec4 depthsBefore(uint index)
+/// The depths, as bits, that four samples have already: of a pixel the whole of it, …
+uvec4 depthsOfPixel(uint first)
 {
     VisibilityPairs pairs = VisibilityPairs(uvec2(push.visibility));
-    const uvec4 low = pairs.at[index / 2u];
-    const uvec4 high = pairs.at[index / 2u + 1u];
+    const uvec4 low = pairs.at[first / 2u];
+    const uvec4 high = pairs.at[first / 2u + 1u];
     return uvec4(low.y, low.w, high.y, high.w);
+}
+
+/// … or of samples that lie apart. What lies right of the picture may be read.
+uvec4 depthsApart(uint first, uint stride)
+{
+    VisibilityHalves halves = VisibilityHalves(uvec2(push.visibility));
+    uvec4 depths;
+    SHARED_UNROLL for (uint s = 0u; s < 4u; ++s)
+        depths[s] = halves.at[2u * (first + s * stride) + 1u];
+    return depths;
 }
 
 void putFour(uvec4 earlier, FourSamples four, uint blade)
@@ -52,7 +68,7 @@ void putFour(uvec4 earlier, FourSamples four, uint blade)
         // Of equal depths the atomic takes the larger id.
         const uint bits = floatBitsToUint(four.depths[s]);
         if ((four.covered & (1u << s)) != 0u && bits >= earlier[s])
-            atomicMax(visibility.at[four.index + s],
+            atomicMax(visibility.at[four.first + s * four.stride],
                       (uint64_t(bits) << 32u) | uint64_t(push.firstBlade + blade));
     }
 }

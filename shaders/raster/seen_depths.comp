@@ -16,9 +16,9 @@ void main()
     const uvec2 low = gl_GlobalInvocationID.xy << pyramidFactorBits;
     const uvec2 high = min(low + (1u << pyramidFactorBits), push.size);
     float farthest = 1.0;
-    for (uint y = low.y; low.x < high.x && y < high.y; ++y) {
-        const uint first = sampleIndex(uvec2(low.x, y), 0u);
-        const uint end = first + (high.x - low.x) * samplesPerPixel;
+    for (uint x = low.x; low.y < high.y && x < high.x; ++x) {
+        const uint first = sampleIndex(uvec2(x, low.y), 0u);
+        const uint end = first + (high.y - low.y) * samplesPerPixel;
         for (uint i = first; i < end; ++i)
             farthest = min(farthest, uintBitsToFloat(uint(visibility.at[i] >> 32u)));
     }

@@ -150,18 +150,17 @@ float depthAt(Strip strip, vec2 corner)
     return clamp(strip.depth + dot(corner, strip.depthStep), strip.deepest, strip.shallowest);
 }
 
-/// Of several samples those from sample `index` on, a multiple of 4. The row begins with sample `start`.
-FourSamples fourOf(Strip strip, SampleMask mask, int row, int start, int index,
-                   vec2 spans[samplesPerPixel], ivec2 reach)
+/// The four samples of a pixel of a row.
+FourSamples fourOf(Strip strip, SampleMask mask, ivec2 pixel, vec2 spans[samplesPerPixel])
 {
     FourSamples four;
-    four.index = uint(index);
+    four.first = sampleIndex(uvec2(pixel), 0u);
+    four.stride = 1u;
     four.covered = 0u;
-    const int column = (index - start) / int(samplesPerPixel);
-    const vec2 corner = vec2(column, row) - vec2(strip.xs.x, strip.ys.x);
+    const vec2 corner = vec2(pixel) - vec2(strip.xs.x, strip.ys.x);
     SHARED_UNROLL for (uint s = 0u; s < 4u; ++s) {
         const vec2 span = spans[s % samplesPerPixel];
-        if (column <= reach.y && float(column) >= span.x && float(column) <= span.y)
+        if (float(pixel.x) >= span.x && float(pixel.x) <= span.y)
             four.covered |= 1u << s;
         four.depths[s] = depthAt(strip, corner + samplePlace(s % samplesPerPixel));
     }
@@ -170,7 +169,7 @@ FourSamples fourOf(Strip strip, SampleMask mask, int row, int start, int index,
     return four;
 }
 
-/// So many groups of four samples of a row are read at a time: what takes long is to wait for them,
+/// So many pixels of four samples of a row are read at a time: what takes long is to wait for them,
 /// but those beside the strip are read in vain.
 const int readTogether = 2;
 
@@ -190,21 +189,22 @@ void drawRowOfOne(Strip strip, SampleMask mask, uint blade, int row, ivec2 reach
     }
     const float deepest = strip.deepest;
     const float shallowest = strip.shallowest;
-    const int start = row * int(push.size.x) + reach.x;
+    const uint stride = columnStride();
     const float last = float(reach.y - reach.x);
-    for (int index = start & ~3; index <= start + reach.y - reach.x; index += 4) {
-        const uvec4 before = depthsBefore(uint(index));
-        FourSamples four;
-        four.index = uint(index);
+    FourSamples four;
+    four.first = sampleIndex(uvec2(reach.x, row), 0u);
+    four.stride = stride;
+    for (float begin = 0.0; begin <= last; begin += 4.0) {
+        const uvec4 before = depthsApart(four.first, stride);
         four.covered = 0u;
-        const float begin = float(index - start);
         SHARED_UNROLL for (int i = 0; i < 4; ++i) {
             const float right = begin + float(i);
             four.depths[i] = clamp(depth + right * depthRight, deepest, shallowest);
-            if (right >= 0.0 && right <= last && keeps + right * keepsRight >= 0.0)
+            if (right <= last && keeps + right * keepsRight >= 0.0)
                 four.covered |= 1u << i;
         }
         putFour(before, four, blade);
+        four.first += 4u * stride;
     }
 }
 
@@ -220,15 +220,12 @@ void drawRow(Strip strip, SampleMask mask, uint blade, int row)
         drawRowOfOne(strip, mask, blade, row, reach);
         return;
     }
-    const int samples = int(samplesPerPixel);
-    const int start = row * int(push.size.x) * samples;
-    const int end = start + reach.y * samples;
-    for (int index = (start + reach.x * samples) & ~3; index <= end; index += 4 * readTogether) {
+    for (int column = reach.x; column <= reach.y; column += readTogether) {
         uvec4 before[readTogether];
         SHARED_UNROLL for (int i = 0; i < readTogether; ++i)
-            before[i] = depthsBefore(uint(index + 4 * i));
+            before[i] = depthsOfPixel(sampleIndex(uvec2(column + i, row), 0u));
         SHARED_UNROLL for (int i = 0; i < readTogether; ++i)
-            putFour(before[i], fourOf(strip, mask, row, start, index + 4 * i, spans, reach), blade);
+            putFour(before[i], fourOf(strip, mask, ivec2(column + i, row), spans), blade);
     }
 }
 

@@ -71,9 +71,17 @@ Lens lensOf()
     return Lens(FRAME.viewProjection, FRAME.view.eye, FRAME.view.leastWidth, vec2(push.size));
 }
 
+/// Column by column: blades stand upright, and of threads that draw a row each those beside one another
+/// so read and write what lies together.
 uint sampleIndex(uvec2 pixel, uint s)
 {
-    return (pixel.y * push.size.x + pixel.x) * samplesPerPixel + s;
+    return (pixel.x * push.size.y + pixel.y) * samplesPerPixel + s;
+}
+
+/// So many samples lie between a pixel and the one to its right.
+uint columnStride()
+{
+    return push.size.y * samplesPerPixel;
 }
 
 #endif

@@ -66,9 +66,9 @@ void main()
         if (isBeside(triangle, vec2(low)))
             continue;
         const uvec2 end = min(low + solidTile, push.size);
-        const uint x = low.x + thread % solidTile;
-        for (uint y = low.y + thread / solidTile; y < end.y; y += solidTileThreads / solidTile)
-            if (x < end.x)
+        const uint y = low.y + thread % solidTile;
+        for (uint x = low.x + thread / solidTile; x < end.x; x += solidTileThreads / solidTile)
+            if (y < end.y)
                 drawPixel(triangle, large.triangle, uvec2(x, y));
     }
 }

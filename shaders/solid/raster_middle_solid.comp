@@ -23,9 +23,9 @@ void main()
         const uint number = push.middle.at[place];
         const SolidTriangle triangle = solidTriangle(number);
         const ivec4 pixels = pixelsOf(triangle);
-        const uint columns = uint(pixels.z - pixels.x + 1);
-        const uint inFront = columns * uint(pixels.w - pixels.y + 1);
+        const uint rows = uint(pixels.w - pixels.y + 1);
+        const uint inFront = rows * uint(pixels.z - pixels.x + 1);
         for (uint i = thread; i < inFront; i += solidTeam)
-            drawPixel(triangle, number, uvec2(pixels.xy) + uvec2(i % columns, i / columns));
+            drawPixel(triangle, number, uvec2(pixels.xy) + uvec2(i / rows, i % rows));
     }
 }

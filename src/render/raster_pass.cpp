@@ -28,10 +28,10 @@ std::uint32_t tilesFor(std::uint32_t pixels)
     return (pixels + shared::rasterTile - 1) / shared::rasterTile;
 }
 
-/// Of the visibility, with room behind it: eight samples are read at a time.
+/// Of the visibility, with room behind it: four samples of a row are read at a time.
 VkDeviceSize visibilityBytes(VkExtent2D size, std::uint32_t samples)
 {
-    return (VkDeviceSize(size.width) * size.height * samples + 8) * sizeof(std::uint64_t);
+    return (VkDeviceSize(size.width) * samples + 4) * size.height * sizeof(std::uint64_t);
 }
 
 } // namespace
