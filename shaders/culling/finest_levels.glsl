@@ -23,13 +23,13 @@ void putCell(DepthPyramid pyramid, uint level, uvec2 cell, float farthest)
     depths.at[pyramid.first[level] + cell.y * cells.x + cell.x] = farthest;
 }
 
-/// To be called by every thread of the group, with the farthest depth of its cell of the finest level, or
-/// 1 where there is none.
-void putFinestLevels(DepthPyramid pyramid, float farthest)
+/// To be called by every thread of the group, with one of its cells of the finest level and the farthest
+/// depth there, or 1 where there is none.
+void putFinestLevels(DepthPyramid pyramid, uvec2 own, float farthest)
 {
     const uint thread = gl_LocalInvocationIndex;
-    putCell(pyramid, 0u, gl_GlobalInvocationID.xy, farthest);
-    depthsOfFirst[thread] = farthest;
+    putCell(pyramid, 0u, gl_WorkGroupID.xy * pyramidThreads + own, farthest);
+    depthsOfFirst[own.y * pyramidThreads + own.x] = farthest;
     barrier();
     if (thread < cellsOfSecond * cellsOfSecond) {
         const uvec2 cell = uvec2(thread % cellsOfSecond, thread / cellsOfSecond);

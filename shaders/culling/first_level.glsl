@@ -26,5 +26,5 @@ void main()
             farthest = min(farthest, farthestAt(ivec2(x, y)));
     if (all(lessThan(low, high)))
         farthest -= push.slack;
-    putFinestLevels(pyramid, farthest);
+    putFinestLevels(pyramid, gl_LocalInvocationID.xy, farthest);
 }

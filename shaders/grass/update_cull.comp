@@ -24,7 +24,7 @@ layout(constant_id = 1) const bool hasColliders = false;
 layout(constant_id = 3) const uint role = moveAndJudge;
 layout(constant_id = 4) const bool keepsBefore = false;
 layout(constant_id = 5) const bool keepsEtas = false;
-layout(constant_id = 6) const bool asksSmall = false; // see askedBladePixels
+layout(constant_id = 6) const bool asksSmall = false; // see askedSmallPixels
 
 shared uint fateSums[fateCount]; // of all patches of the group
 shared uint simulatedSum;
@@ -86,24 +86,23 @@ void report(uint thread)
 }
 
 /// Whether it is asked for a blade of so many pixels if others hide it.
-bool isAsked(Blade blade, float pixels)
+bool isAsked(float pixels)
 {
-    return pixels > largeBladePixels || (asksSmall && pixels > askedBladePixels &&
-                                         leafAreaAt(JUDGED.cover, blade.root) > denseLeafArea);
+    return pixels > (asksSmall ? askedSmallPixels : askedPixels);
 }
 
-/// Whether the frame before has shown a blade that covers so many pixels; from now on it has not. One
-/// of which nobody asks counts as shown.
-bool takeSeen(uint index, Blade blade, float pixels)
+/// Which halves of a blade that covers so many pixels the frame before has shown, as RasterPush::seen has
+/// them; from now on it has not. One of which nobody asks counts as shown.
+uint takeSeen(uint index, float pixels)
 {
-    if (uvec2(push.seenBefore) == uvec2(0u) || !isAsked(blade, pixels))
-        return true;
-    UintArray seen = push.seenBefore;
-    const uint bit = 1u << (index % 32u);
-    const bool wasSeen = (seen.at[index / 32u] & bit) != 0u;
-    if (wasSeen)
-        atomicAnd(seen.at[index / 32u], ~bit);
-    return wasSeen;
+    if (uvec2(push.seenBefore) == uvec2(0u) || !isAsked(pixels))
+        return 3u;
+    UintArray words = push.seenBefore;
+    const uint shift = 2u * (index % 16u);
+    const uint seen = (words.at[index / 16u] >> shift) & 3u;
+    if (seen != 0u)
+        atomicAnd(words.at[index / 16u], ~(3u << shift));
+    return seen;
 }
 
 /// How many of a patch's blades any of the views asks for. What one of them asks for is moved in the
@@ -237,10 +236,13 @@ void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count, inou
             atomicAdd(fateSums[verdict.fate], 1u);
         } else {
             const float pixels = pixelsCovered(drawn, verdict.pixels, verdict.widthFactor);
-            const uint list = takeSeen(index, drawn, pixels) ? 0u : 1u;
+            const uint seen = takeSeen(index, pixels);
+            const uint list = seen != 0u ? 0u : 1u;
+            const uint late = seen == 1u ? upperHalfIsLate : seen == 2u ? lowerHalfIsLate : 0u;
             const uint slot = atomicAdd(kept[list], 1u);
             survivors[list == 0u ? slot : maxPatchBlades - 1u - slot] =
-                VisibleBlade(index, patchIndex, packFactors(verdict.widthFactor, layers.rise), verdict.pixels);
+                VisibleBlade(index, patchIndex, packFactors(verdict.widthFactor, layers.rise) | late,
+                             verdict.pixels);
         }
         noteFate(stored.place, verdict.fate);
     }

@@ -5,6 +5,47 @@
 #include "shaders/shared/passes.h"
 #include "shaders/shared/ribbon.h"
 
+/// A LargePartArray, 16 bytes at a time: threads with a part each so need a quarter of the steps.
+layout(buffer_reference, scalar, buffer_reference_align = 16) buffer LargePartQuarters
+{
+    uvec4 at[];
+};
+
+void putPart(uint place, LargePart part)
+{
+    LargePartQuarters quarters = LargePartQuarters(uvec2(push.large));
+    quarters.at[5u * place] = uvec4(floatBitsToUint(part.v0), floatBitsToUint(part.width));
+    quarters.at[5u * place + 1u] = uvec4(floatBitsToUint(part.v1), floatBitsToUint(part.fold));
+    quarters.at[5u * place + 2u] = uvec4(floatBitsToUint(part.v2), floatBitsToUint(part.segments));
+    quarters.at[5u * place + 3u] = uvec4(floatBitsToUint(part.axis), floatBitsToUint(part.tipThreshold));
+    quarters.at[5u * place + 4u] = uvec4(floatBitsToUint(part.scale), part.shape, part.blade, part.part);
+}
+
+LargePart partAt(uint place)
+{
+    LargePartQuarters quarters = LargePartQuarters(uvec2(push.large));
+    const uvec4 a = quarters.at[5u * place];
+    const uvec4 b = quarters.at[5u * place + 1u];
+    const uvec4 c = quarters.at[5u * place + 2u];
+    const uvec4 d = quarters.at[5u * place + 3u];
+    const uvec4 e = quarters.at[5u * place + 4u];
+    return LargePart(uintBitsToFloat(a.xyz), uintBitsToFloat(a.w), uintBitsToFloat(b.xyz),
+                     uintBitsToFloat(b.w), uintBitsToFloat(c.xyz), uintBitsToFloat(c.w),
+                     uintBitsToFloat(d.xyz), uintBitsToFloat(d.w), uintBitsToFloat(e.x), e.y, e.z, e.w);
+}
+
+/// Of LargePart::part.
+uint numberOfPart(uint part)
+{
+    return part & 0xffffu;
+}
+
+/// Of LargePart::part; 0: nothing is listed.
+uint partsOf(uint part)
+{
+    return (part >> 16u) & 0x3fffu;
+}
+
 Ribbon ribbonOf(LargePart part)
 {
     Ribbon ribbon;

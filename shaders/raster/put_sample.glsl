@@ -34,47 +34,22 @@ layout(buffer_reference, scalar, buffer_reference_align = 16) buffer VisibilityP
     uvec4 at[];
 };
 
-/// Four samples of a row that lie so far apart: one of each of four pixels, or all of one.
-struct FourSamples {
-    uint first; ///< sampleIndex()
-    uint stride;
-    uint covered; ///< as bits
-    float depths[4];
-};
-
-/// The depths, as bits, that four samples have already: of a pixel the whole of it, …
-uvec4 depthsOfPixel(uint first)
-{
-    VisibilityPairs pairs = VisibilityPairs(uvec2(push.visibility));
-    const uvec4 low = pairs.at[first / 2u];
-    const uvec4 high = pairs.at[first / 2u + 1u];
-    return uvec4(low.y, low.w, high.y, high.w);
-}
-
-/// … or of samples that lie apart. What lies right of the picture may be read.
-uvec4 depthsApart(uint first, uint stride)
+/// The depth, as bits, that a sample has already, …
+uint depthAt(uint index)
 {
     VisibilityHalves halves = VisibilityHalves(uvec2(push.visibility));
-    uvec4 depths;
-    SHARED_UNROLL for (uint s = 0u; s < 4u; ++s)
-        depths[s] = halves.at[2u * (first + s * stride) + 1u];
-    return depths;
+    return halves.at[2u * index + 1u];
 }
 
-void putFour(uvec4 earlier, FourSamples four, uint blade)
+/// … or that two have, from a multiple of 2 on.
+uvec2 depthsAt(uint index)
 {
-    Visibility visibility = Visibility(uvec2(push.visibility));
-    SHARED_UNROLL for (uint s = 0u; s < 4u; ++s) {
-        // Of equal depths the atomic takes the larger id.
-        const uint bits = floatBitsToUint(four.depths[s]);
-        if ((four.covered & (1u << s)) != 0u && bits >= earlier[s])
-            atomicMax(visibility.at[four.first + s * four.stride],
-                      (uint64_t(bits) << 32u) | uint64_t(push.firstBlade + blade));
-    }
+    VisibilityPairs pairs = VisibilityPairs(uvec2(push.visibility));
+    return pairs.at[index / 2u].yw;
 }
 
-/// A sample of a blade that has few: nobody waits for an atomic's result, and to ask first whether it
-/// is needed takes longer.
+/// A sample of a blade. Of one that has few nobody asks first whether it is needed: nobody waits for an
+/// atomic's result, and to ask takes longer.
 void putOne(uint index, float depth, uint blade)
 {
     Visibility visibility = Visibility(uvec2(push.visibility));

@@ -13,6 +13,7 @@ layout(constant_id = 3) const bool isPaged = false;
 #define FRAME_SET 1
 #include "shaders/frame_constants.glsl"
 #include "shaders/grass/drawn_blade.glsl"
+#include "shaders/raster/large_part.glsl"
 #include "shaders/raster/strip.glsl"
 
 layout(local_size_x = rasterThreads) in;
@@ -24,26 +25,43 @@ layout(constant_id = 2) const bool isLate = false;
 // Whether large blades are the tessellator's affair; known when the pipeline is made.
 layout(constant_id = 4) const bool isTessellated = false;
 
+/// A blade, or a part of it, as it is listed. `part`: LargePart::part.
+LargePart partOf(Ribbon ribbon, uint blade, uint part)
+{
+    return LargePart(ribbon.v0, ribbon.width, ribbon.v1, ribbon.fold, ribbon.v2, ribbon.outline.segments,
+                     ribbon.axis, ribbon.outline.tipThreshold, ribbon.outline.scale,
+                     ribbon.outline.shape, blade, part);
+}
+
 /// Gives a blade that covers so many pixels to work-groups or the tessellator; whether there was room.
-bool leftToOthers(Ribbon ribbon, uint blade, float pixels)
+bool leftToOthers(Ribbon ribbon, VisibleBlade visible, float pixels)
 {
     WalkLevelArray asked = push.largeCount;
-    LargePartArray large = push.large;
     const uint parts = isTessellated ? 1u : clamp(uint(pixels / partPixels), 1u, mostParts);
     const uint slot = atomicAdd(asked.at[0].count, parts);
     const bool hasRoom = slot + parts <= mostLargeParts;
+    const uint late = ((visible.factors & lowerHalfIsLate) != 0u ? lowerPartIsLate : 0u) |
+                      ((visible.factors & upperHalfIsLate) != 0u ? upperPartIsLate : 0u);
     for (uint part = 0u; part < parts && slot + part < mostLargeParts; ++part)
-        large.at[slot + part] =
-            LargePart(ribbon.v0, ribbon.width, ribbon.v1, ribbon.fold, ribbon.v2,
-                      ribbon.outline.segments, ribbon.axis, ribbon.outline.tipThreshold,
-                      ribbon.outline.scale, ribbon.outline.shape, blade,
-                      hasRoom ? part | (parts << 16u) : 0u);
+        putPart(slot + part,
+                partOf(ribbon, visible.blade, hasRoom ? part | (parts << 16u) | late : 0u));
     const uint listed = min(slot + parts, mostLargeParts);
     if (isTessellated)
         atomicMax(asked.at[1].groups[1], (listed + drawChunk - 1u) / drawChunk);
     else
-        atomicMax(asked.at[0].groups[0], min(listed, mostGroups));
+        atomicMax(asked.at[0].groups[0], groupsForLarge(listed, isLate));
     return hasRoom;
+}
+
+/// Gives a blade that may reach through the near plane to those who cut it there, if there is room.
+void leftToBeCut(Ribbon ribbon, uint blade)
+{
+    WalkLevelArray asked = push.largeCount;
+    const uint slot = atomicAdd(asked.at[3].count, 1u);
+    if (slot >= mostCutBlades)
+        return;
+    putPart(mostLargeParts + slot, partOf(ribbon, blade, 1u << 16u));
+    atomicMax(asked.at[3].groups[0], slot + 1u);
 }
 
 /// Whether the list holds blades beside the picture.
@@ -64,28 +82,29 @@ bool isFarBeside(Lens lens, VisibleBlade visible, Blade blade)
     return beside;
 }
 
-/// Whether a blade lies beside the picture.
-bool isBeside(Lens lens, Ribbon ribbon, float height)
+/// By how much at most a point of a blade lies beside its curve [m].
+float marginOf(Lens lens, Ribbon ribbon, float height)
 {
-    const float margin = 0.5 * outlineMost * ribbon.width +
-                         ribMargin(length(ribbon.v0 - lens.eye) + height, lens.leastWidth);
+    return 0.5 * outlineMost * ribbon.width + ribMargin(length(ribbon.v0 - lens.eye) + height, lens.leastWidth);
+}
+
+/// Whether a blade lies beside the picture.
+bool isBeside(Ribbon ribbon, float margin)
+{
     bool beside = false;
     SHARED_UNROLL for (uint i = 0u; i < 4u; ++i) beside =
         beside || curveOutside(FRAME.view.planes[i], ribbon.v0, ribbon.v1, ribbon.v2, margin);
     return beside;
 }
 
-/// A rib on the screen, if it is not cut by the near plane.
-struct SmallRib {
-    ScreenRib rib;
-    bool isCut;
-    bool isLost;
-};
-
-SmallRib smallRib(Lens lens, Ribbon ribbon, float t)
+/// Whether a part of a blade may lie before the near plane.
+bool reachesBeforeNear(Lens lens, Ribbon ribbon, float margin)
 {
-    const SeenRib seen = seenRib(lens, ribbon, t);
-    return SmallRib(screenRib(seen, ribbon.fold > 0.0), isCut(seen), isLost(seen));
+    // How far behind it a point lies, w − z, is linear.
+    const vec4 near = transpose(lens.viewProjection)[3] - transpose(lens.viewProjection)[2];
+    const vec3 depths = vec3(dot(near, vec4(ribbon.v0, 1.0)), dot(near, vec4(ribbon.v1, 1.0)),
+                             dot(near, vec4(ribbon.v2, 1.0)));
+    return min(depths.x, min(depths.y, depths.z)) < margin * length(near.xyz);
 }
 
 void rasterise(Lens lens, VisibleBlade visible)
@@ -95,44 +114,42 @@ void rasterise(Lens lens, VisibleBlade visible)
         return;
     const DrawnBlade drawn = drawnBlade(visible, blade);
     const Ribbon ribbon = drawn.ribbon;
-    if (listsThoseBeside() && isBeside(lens, ribbon, blade.height))
+    const float margin = marginOf(lens, ribbon, blade.height);
+    if (listsThoseBeside() && isBeside(ribbon, margin))
         return;
     const float widthPixels = max(visible.pixels * ribbon.width / drawn.blade.height,
                                   lens.leastWidth * FRAME.view.pixelsPerUnit);
     const float pixels = visible.pixels * widthPixels;
+    const bool mayBeCut = reachesBeforeNear(lens, ribbon, margin);
+    if (mayBeCut && !isTessellated) {
+        leftToBeCut(ribbon, visible.blade);
+        return;
+    }
     // A thread takes twice as long for a pixel of four samples as for one of one; a tessellator does not.
     const float most =
-        isTessellated ? largeBladePixels : largeBladePixels * inversesqrt(float(samplesPerPixel));
-    if ((isLate || pixels > most) && leftToOthers(ribbon, visible.blade, pixels))
+        isTessellated ? tessellatedPixels : largeBladePixels * inversesqrt(float(samplesPerPixel));
+    if ((isLate || mayBeCut || pixels > most) && leftToOthers(ribbon, visible, pixels))
+        return;
+    // The tessellator had no room.
+    if (mayBeCut)
         return;
 
-    const bool isFolded = ribbon.fold > 0.0;
+    const bool hasRidge = isFolded(ribbon);
     const float segments = ribbon.outline.segments;
     const SampleMask mask = sampleMaskOf(visible.blade, samplesPerPixel);
-    SmallRib before = smallRib(lens, ribbon, 0.0);
+    ScreenRib before = screenRib(seenRib(lens, ribbon, 0.0), hasRidge);
     float segment = 1.0;
     uint part = 0u;
     // Part by part: of a segment mostly one. While one is drawn no more than one rib is kept.
     while (segment <= segments) {
-        const SmallRib after = smallRib(lens, ribbon, segment / segments);
-        if (before.isCut || after.isCut) {
-            // What this thread has drawn already will be drawn again, the same.
-            if (!before.isLost || !after.isLost) {
-                leftToOthers(ribbon, visible.blade, pixels);
-                return;
-            }
-            before = after;
-            segment += 1.0;
-            continue;
-        }
+        const ScreenRib after = screenRib(seenRib(lens, ribbon, segment / segments), hasRidge);
         bool isTwisted = false;
-        for (uint i = 0u; i < halvesOf(isFolded); ++i)
-            isTwisted = isTwisted || !isConvex(halfOf(i, before.rib, after.rib, isFolded));
-        const Quad quad = isTwisted ? triangleBetween(part, before.rib, after.rib, isFolded,
-                                                      upperHalf(segment, segments))
-                                    : halfOf(part, before.rib, after.rib, isFolded);
+        for (uint i = 0u; i < halvesOf(hasRidge); ++i)
+            isTwisted = isTwisted || !isConvex(halfOf(i, before, after, hasRidge));
+        const Quad quad = isTwisted ? triangleBetween(part, before, after, hasRidge, upperHalf(segment, segments))
+                                    : halfOf(part, before, after, hasRidge);
         ++part;
-        if (part >= (isTwisted ? trianglesOf(isFolded) : halvesOf(isFolded))) {
+        if (part >= (isTwisted ? trianglesOf(hasRidge) : halvesOf(hasRidge))) {
             before = after;
             segment += 1.0;
             part = 0u;

@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_buffer_reference_uvec2 : require
-// Rasterises the blades that cover many pixels: each by a work-group, or by several. In the late turn
-// judge_large.comp has left out those that are hidden.
+// Rasterises the blades that cover many pixels, but for those that the near plane cuts: some by a
+// work-group, one by several. Their segments follow one another as if they were those of one blade, and
+// so do the rows of these, so that all threads have something to do.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
@@ -20,232 +20,277 @@ layout(constant_id = 3) const bool isPaged = false;
 
 layout(local_size_x = largeThreads) in;
 
-// Whether what the frame's pyramid hides is left out; known when the pipeline is made.
+// Whether segments that the frame's pyramid hides are left out; known when the pipeline is made.
 layout(constant_id = 2) const bool isLate = false;
 
-/// A corner of a triangle, of which a part may lie before the near plane.
-struct Corner {
-    vec4 seen;
-    vec2 widths; ///< Rib::wide, Rib::drawn
+/// So many ribs of one or several blades are made at a time, one by each thread, or half as many of
+/// folded ones.
+const uint ribsTogether = largeThreads;
+
+/// Pieces between them, of which each is a quad: of a folded ribbon two, where it is twisted twice as many.
+const uint piecesTogether = 2u * ribsTogether;
+
+/// A piece, as threads share it. Memory that a work-group shares decides how many of them a processor
+/// has at a time.
+struct Piece {
+    uint place; ///< 0–23 its first row among those of all pieces, 24–31 number of the blade
+    uint what;  ///< see packPiece()
 };
 
-/// Where an edge meets the near plane. One of its ends lies before it.
-Corner cutBetween(Corner a, Corner b)
+/// A blade, as threads share it.
+struct Shared {
+    uint firstRib; ///< among those of all
+    uint beginsAt; ///< the first of its ribs that is made
+    uint cycle;    ///< of so many rows of the picture eight are drawn
+    uint blade;    ///< resident id
+};
+
+shared Shared items[lateTogether + 1u]; // the last one: how many ribs there are
+shared vec4 points[2u * ribsTogether]; // of ribs, on the screen, w: to the left and to the right weights
+shared Piece pieces[piecesTogether];
+shared uint ticket; // 0–23 rows so far, 24–31 pieces
+shared uint seenBlades; // of those together those of which something is not hidden, as bits
+shared uint hiddenCount; // of all that the group has looked at
+shared bool isAnyFolded;
+
+// Where the points of a rib lie: first those of all ribs to the left, then to the right, then ridges.
+const uint leftSide = 0u;
+const uint rightSide = 1u;
+const uint ridgeSide = 2u;
+
+/// Which points are the corners of a piece: two of one rib, then two, or one, of the other.
+struct Corners {
+    bool beginsAfter; ///< the first two are those of the rib after
+    uint a0;          ///< sides
+    uint a1;
+    uint b0;
+    uint b1;
+};
+
+/// A half of what lies between a rib and the one before.
+Corners cornersOfHalf(uint i, bool isFolded)
 {
-    const float depthA = a.seen.w - a.seen.z;
-    const float depthB = b.seen.w - b.seen.z;
-    const float share = depthA / (depthA - depthB);
-    return Corner(mix(a.seen, b.seen, share), mix(a.widths, b.widths, share));
+    const uint from = i > 0u ? ridgeSide : leftSide;
+    const uint to = isFolded && i == 0u ? ridgeSide : rightSide;
+    return Corners(false, from, to, from, to);
 }
 
-/// What of a triangle lies behind the near plane; false if nothing does.
-bool behindNear(Corner a, Corner b, Corner c, out Quad quad)
-{
-    const uint lost = uint(isBefore(a.seen)) + uint(isBefore(b.seen)) + uint(isBefore(c.seen));
-    if (lost == 3u)
-        return false;
-    // The first is the one that is alone on its side.
-    const bool isLost = lost == 1u;
-    Corner first = a;
-    Corner second = b;
-    Corner third = c;
-    if (isBefore(b.seen) == isLost && lost > 0u) {
-        first = b;
-        second = c;
-        third = a;
-    } else if (isBefore(c.seen) == isLost && lost > 0u) {
-        first = c;
-        second = a;
-        third = b;
-    }
-    Corner fourth = third;
-    if (lost == 1u) {
-        fourth = cutBetween(first, third);
-        first = cutBetween(first, second);
-    } else if (lost == 2u) {
-        second = cutBetween(first, second);
-        third = cutBetween(first, third);
-        fourth = third;
-    }
-    quad.a0 = screenPoint(first.seen);
-    quad.a1 = screenPoint(second.seen);
-    quad.b1 = screenPoint(third.seen);
-    quad.b0 = screenPoint(fourth.seen);
-    quad.weightA0 = first.widths / first.seen.w;
-    quad.weightA1 = second.widths / second.seen.w;
-    quad.weightB = 0.5 * (third.widths / third.seen.w + fourth.widths / fourth.seen.w);
-    return true;
-}
-
-/// What of one of the triangles between two ribs lies behind the near plane; false if nothing does.
-bool triangleBehindNear(uint i, SeenRib before, SeenRib after, bool isFolded, bool isUpper, out Quad quad)
+/// One of the triangles: see triangleOf().
+Corners cornersOfTriangle(uint i, bool isFolded, bool isUpper)
 {
     const TriangleOf part = triangleOf(i, isFolded, isUpper);
-    const vec2 first = vec2(before.rib.wide, before.rib.drawn);
-    const vec2 second = vec2(after.rib.wide, after.rib.drawn);
-    const Corner a = Corner(part.isRight ? before.ridge : before.left, first);
-    const Corner b = Corner(part.endsAtRidge ? before.ridge : before.right, first);
-    const Corner c = Corner(part.isRight ? after.ridge : after.left, second);
-    const Corner d = Corner(part.endsAtRidge ? after.ridge : after.right, second);
-    return behindNear(part.beginsRight ? b : a, part.isSecond ? d : b, part.endsLeft ? c : d, quad);
+    const uint from = part.isRight ? ridgeSide : leftSide;
+    const uint to = part.endsAtRidge ? ridgeSide : rightSide;
+    const uint last = (part.isSecond ? part.beginsRight : !part.endsLeft) ? to : from;
+    return Corners(part.isSecond, part.isSecond ? to : from, part.isSecond ? from : to, last, last);
 }
 
-/// So many strips are looked at together, of a folded blade two for each segment, and the ribs between
-/// them. With twice as many a blade of an H200 takes a fifth longer: memory that a work-group shares
-/// is the caches' loss.
-const uint mostStrips = 16u;
-const uint mostRibs = mostStrips + 1u;
-
-/// A rib, as the threads share it.
-struct SharedRib {
-    vec4 left;
-    vec4 right;
-    vec4 ridge;
-    vec2 widths; ///< Rib::wide, Rib::drawn
-};
-
-shared SharedRib ribs[mostRibs];
-shared Strip strips[mostStrips];
-shared ivec2 stripRows[mostStrips]; // the first row of each and how many there are
-shared uint odd;  // segments that are not drawn by halves, as bits
-shared bool isSeen; // something of the blade is not hidden
-
-SeenRib fromShared(SharedRib rib)
+/// A piece before rib `rib`, and the first of its rows on the picture.
+uint packPiece(Corners corners, uint rib, bool mayBeThin, int row)
 {
-    SeenRib seen;
-    seen.left = rib.left;
-    seen.right = rib.right;
-    seen.ridge = rib.ridge;
-    seen.rib.wide = rib.widths.x;
-    seen.rib.drawn = rib.widths.y;
-    return seen;
+    return corners.a0 | (corners.a1 << 2u) | (corners.b0 << 4u) | (corners.b1 << 6u) |
+           (corners.beginsAfter ? 0x100u : 0u) | (rib << 9u) | (mayBeThin ? 0x4000u : 0u) |
+           (uint(row) << 15u);
 }
 
-/// Makes a strip of what is seen of a quad.
-void makeStrip(Quad quad, uint place)
+/// The quad of a piece. `stride`: so far apart lie the sides.
+Quad quadOf(uint what, uint stride)
 {
-    Strip strip;
-    if (!stripOf(quad, strip))
-        return;
-    const vec2 low = min(min(quad.a0.xy, quad.a1.xy), min(quad.b0.xy, quad.b1.xy));
-    const vec2 high = max(max(quad.a0.xy, quad.a1.xy), max(quad.b0.xy, quad.b1.xy));
-    if (isLate && rectangleHidden(low, high, strip.shallowest))
-        return;
-    strips[place] = strip;
-    const ivec2 rows = rowsOf(strip);
-    stripRows[place] = ivec2(rows.x, max(rows.y - rows.x + 1, 0));
-    isSeen = true;
+    const uint rib = (what >> 9u) & 31u;
+    const uint own = (what & 0x100u) != 0u ? rib : rib - 1u;
+    const uint other = (what & 0x100u) != 0u ? rib - 1u : rib;
+    Quad quad;
+    quad.a0 = points[(what & 3u) * stride + own].xyz;
+    quad.a1 = points[((what >> 2u) & 3u) * stride + own].xyz;
+    quad.b0 = points[((what >> 4u) & 3u) * stride + other].xyz;
+    quad.b1 = points[((what >> 6u) & 3u) * stride + other].xyz;
+    quad.weightA0 = vec2(points[own].w, points[stride + own].w);
+    quad.weightA1 = quad.weightA0;
+    quad.weightB = vec2(points[other].w, points[stride + other].w);
+    return quad;
 }
 
-/// A half of segment `segment` between two ribs, if it can be drawn as a whole; else the segment is
-/// noted to be odd. It is, too, where the other half is.
-bool halfSeen(uint i, SeenRib a, SeenRib b, bool isFolded, uint segment, out Quad quad)
+/// The first of the rows of the picture from `rows.x` to `rows.y` that one of several work-groups draws,
+/// and how many it does: eight of them, then the next eight are another's.
+ivec2 rowsOfPart(ivec2 rows, uint part)
 {
-    if (isCut(a) || isCut(b)) {
-        if (!isLost(a) || !isLost(b))
-            atomicOr(odd, 1u << segment);
-        return false;
+    const int parts = int(partsOf(part));
+    if (parts == 1)
+        return ivec2(rows.x, rows.y - rows.x + 1);
+    const int block = rows.x >> 3;
+    const int ahead = (int(numberOfPart(part)) + parts - block % parts) % parts;
+    const int first = ahead == 0 ? rows.x : (block + ahead) << 3;
+    const int cycle = parts << 3;
+    const int reach = rows.y - (first & ~7);
+    return ivec2(first, rows.y < first
+                            ? 0
+                            : reach / cycle * 8 + min(reach % cycle + 1, 8) - (first & 7));
+}
+
+/// Row `i` of those, in a cycle of so many.
+int rowAt(int first, int i, uint cycle)
+{
+    const int place = i + (first & 7);
+    return (first & ~7) + (place >> 3) * int(cycle) + (place & 7);
+}
+
+/// The rows of a quad that are to be drawn, the first and how many, if something of it is seen.
+ivec2 rowsSeen(Quad quad, uint part, uint number)
+{
+    const vec3 low = min(min(quad.a0, quad.a1), min(quad.b0, quad.b1));
+    const vec3 high = max(max(quad.a0, quad.a1), max(quad.b0, quad.b1));
+    const vec2 edge = vec2(push.size);
+    if (high.x < 0.0 || high.y < 0.0 || low.x > edge.x || low.y > edge.y)
+        return ivec2(0);
+    if (isLate && rectangleHidden(low.xy, high.xy, high.z))
+        return ivec2(0);
+    if (isLate)
+        atomicOr(seenBlades, 1u << number);
+    return rowsOfPart(rowsBetween(low.y, high.y, edge.y), part);
+}
+
+/// The pieces between rib `rib` and the one before.
+void makePieces(uint rib, bool isFolded, bool isUpper, uint part, uint number, uint stride)
+{
+    bool isTwisted = false;
+    for (uint i = 0u; i < halvesOf(isFolded); ++i)
+        isTwisted = isTwisted ||
+                    !isConvex(quadOf(packPiece(cornersOfHalf(i, isFolded), rib, false, 0), stride));
+    const uint count = isTwisted ? trianglesOf(isFolded) : halvesOf(isFolded);
+    for (uint i = 0u; i < count; ++i) {
+        Corners corners = cornersOfHalf(i, isFolded);
+        if (isTwisted)
+            corners = cornersOfTriangle(i, isFolded, isUpper);
+        const Quad quad = quadOf(packPiece(corners, rib, false, 0), stride);
+        const ivec2 rows = rowsSeen(quad, part, number);
+        if (rows.y <= 0)
+            continue;
+        const uint before = atomicAdd(ticket, (1u << 24u) | uint(rows.y));
+        pieces[before >> 24u] =
+            Piece((before & 0xffffffu) | (number << 24u), packPiece(corners, rib, isThin(quad), rows.x));
     }
-    const ScreenRib before = screenRib(a, isFolded);
-    const ScreenRib after = screenRib(b, isFolded);
-    quad = halfOf(i, before, after, isFolded);
-    if (isConvex(quad) && (!isFolded || isConvex(halfOf(1u - i, before, after, isFolded))))
-        return true;
-    atomicOr(odd, 1u << segment);
-    return false;
 }
 
-/// The ribs from `first` to `last`.
-void makeRibs(Lens lens, Ribbon ribbon, uint first, uint last)
+/// All rows of the pieces, as if they stood in one column.
+void drawPieces(uint stride)
 {
-    for (uint i = first + gl_LocalInvocationIndex; i <= last; i += largeThreads) {
-        const SeenRib seen = seenRib(lens, ribbon, float(i) / ribbon.outline.segments);
-        ribs[i - first] = SharedRib(seen.left, seen.right, seen.ridge,
-                                    vec2(seen.rib.wide, seen.rib.drawn));
+    const uint count = ticket >> 24u;
+    const uint rows = ticket & 0xffffffu;
+    uint place = 0u;
+    for (uint row = gl_LocalInvocationIndex; row < rows; row += largeThreads) {
+        while (place + 1u < count && row >= (pieces[place + 1u].place & 0xffffffu))
+            ++place;
+        const Piece piece = pieces[place];
+        const Shared item = items[piece.place >> 24u];
+        Strip strip;
+        if (stripOf(quadOf(piece.what, stride), (piece.what & 0x4000u) != 0u, strip))
+            drawRow(strip, item.blade,
+                    rowAt(int(piece.what >> 15u), int(row - (piece.place & 0xffffffu)), item.cycle));
     }
 }
 
-/// Every `step_`-th row of the strips, from `first` on, as if they stood in one column.
-void drawRows(uint stripCount, uint blade, int first, int step_)
+/// Draws what lies between the ribs from `first` to before `end` of the blades from `item` on.
+void drawBetween(Lens lens, uint first, uint end, uint item, uint blades, uint stride)
 {
-    const SampleMask mask = sampleMaskOf(blade, samplesPerPixel);
-    int before = 0;
-    uint strip = 0u;
-    for (int row = first;; row += step_) {
-        while (strip < stripCount && row >= before + stripRows[strip].y) {
-            before += stripRows[strip].y;
-            ++strip;
-        }
-        if (strip >= stripCount)
-            break;
-        drawRow(strips[strip], mask, blade, stripRows[strip].x + row - before);
+    const uint thread = gl_LocalInvocationIndex;
+    const uint rib = first + thread;
+    bool isSegment = false;
+    bool hasRidge = false;
+    bool isUpper = false;
+    uint number = 0u;
+    uint part = 0u;
+    if (rib < end) {
+        for (uint i = 1u; i < blades; ++i)
+            number += rib >= items[i].firstRib ? 1u : 0u;
+        const LargePart asked = partAt(item + number);
+        const Ribbon ribbon = ribbonOf(asked);
+        part = asked.part;
+        const uint own = rib - items[number].firstRib;
+        const float i = float(items[number].beginsAt + own);
+        hasRidge = isFolded(ribbon);
+        isSegment = thread > 0u && own > 0u;
+        isUpper = upperHalf(i, ribbon.outline.segments);
+        const ScreenRib screen =
+            screenRib(seenRib(lens, ribbon, i / ribbon.outline.segments), hasRidge);
+        points[thread] = vec4(screen.left, screen.weight.x);
+        points[stride + thread] = vec4(screen.right, screen.weight.y);
+        if (hasRidge)
+            points[2u * stride + thread] = vec4(screen.ridge, 0.0);
     }
+    if (thread == 0u)
+        ticket = 0u;
+    barrier();
+    if (isSegment)
+        makePieces(thread, hasRidge, isUpper, part, number, stride);
+    barrier();
+    drawPieces(stride);
+    barrier();
+}
+
+/// The first and the last rib between which a blade is drawn in this turn. Where grass hides grass those
+/// halves are drawn first that the frame before has shown, and then, with all other blades, the others.
+uvec2 ribsOf(LargePart blade, bool isDrawn)
+{
+    const uint segments = uint(blade.segments);
+    const uint half_ = segments / 2u;
+    const bool lowerIsLate = (blade.part & lowerPartIsLate) != 0u;
+    const bool upperIsLate = (blade.part & upperPartIsLate) != 0u;
+    uvec2 ribs = uvec2(0u, segments);
+    if (isLate && isDrawn)
+        ribs = uvec2(upperIsLate ? half_ : 0u, upperIsLate ? segments : lowerIsLate ? half_ : 0u);
+    else if (!isLate)
+        ribs = uvec2(lowerIsLate ? half_ : 0u, upperIsLate ? half_ : segments);
+    return partsOf(blade.part) > 0u ? ribs : uvec2(0u);
 }
 
 void main()
 {
     LargePartArray large = push.large;
-    // Of the late ones only those that are not hidden, of which there are no more than are listed.
-    const uint count = min(push.largeCount.at[isLate ? 2 : 0].count, mostLargeParts);
+    const uint count = min(push.largeCount.at[0].count, mostLargeParts);
+    const uint together = largeOfGroup(count, isLate);
     const uint thread = gl_LocalInvocationIndex;
     const Lens lens = lensOf();
-    uint hidden = 0u;
-    for (uint item = gl_WorkGroupID.x; item < count; item += gl_NumWorkGroups.x) {
-        const LargePart asked = large.at[isLate ? push.largeSeen.at[item] : item];
-        const uint parts = asked.part >> 16u;
-        const uint part = asked.part & 0xffffu;
-        if (parts == 0u)
-            continue;
-        const Ribbon ribbon = ribbonOf(asked);
-        const float segments = ribbon.outline.segments;
-        const bool isFolded = ribbon.fold > 0.0;
-        const uint halves = halvesOf(isFolded);
-        const uint mostSegments = mostStrips / halves;
-        if (thread == 0u)
-            isSeen = false;
-
-        // Each thread makes a rib or two and a strip between them; then they draw the rows.
-        for (uint first = 0u; first < uint(segments); first += mostSegments) {
-            const uint last = min(first + mostSegments, uint(segments));
-            makeRibs(lens, ribbon, first, last);
-            if (thread == 0u)
-                odd = 0u;
-            barrier();
-
-            // First the halves of all segments, then of those that are odd one triangle after the other.
-            uint rounds = 1u;
-            for (uint round_ = 0u; round_ < rounds; ++round_) {
-                const uint each = round_ == 0u ? halves : 1u;
-                const uint stripCount = (last - first) * each;
-                if (thread < stripCount) {
-                    const uint segment = thread / each;
-                    const SeenRib a = fromShared(ribs[segment]);
-                    const SeenRib b = fromShared(ribs[segment + 1u]);
-                    stripRows[thread] = ivec2(0);
-                    Quad quad;
-                    bool isThere = false;
-                    if (round_ == 0u)
-                        isThere = halfSeen(thread % each, a, b, isFolded, segment, quad);
-                    else if ((odd & (1u << segment)) != 0u)
-                        isThere = triangleBehindNear(
-                            round_ - 1u, a, b, isFolded,
-                            upperHalf(float(first + segment + 1u), segments), quad);
-                    if (isThere)
-                        makeStrip(quad, thread);
-                }
-                barrier();
-                rounds = odd == 0u ? 1u : 1u + trianglesOf(isFolded);
-                drawRows(stripCount, asked.blade, int(part * largeThreads + thread),
-                         int(parts * largeThreads));
-                barrier();
-            }
+    if (thread == 0u)
+        hiddenCount = 0u;
+    for (uint item = gl_WorkGroupID.x * together; item < count; item += gl_NumWorkGroups.x * together) {
+        const uint blades = min(together, count - item);
+        if (thread == 0u) {
+            items[0].firstRib = 0u;
+            seenBlades = 0u;
+            isAnyFolded = false;
         }
-        if (isLate && thread == 0u && part == 0u && !isSeen) {
-            noteHidden(asked.blade);
-            ++hidden;
+        barrier();
+        // How many ribs each has, and then how many those before it have.
+        const uint place = item + min(thread, blades - 1u);
+        const bool isDrawn = isLate && place < push.largeCount.at[2].count;
+        if (thread < blades) {
+            const uvec2 own = ribsOf(large.at[place], isDrawn);
+            items[thread + 1u].firstRib = own.x < own.y ? own.y - own.x + 1u : 0u;
+            items[thread].beginsAt = own.x;
+            items[thread].cycle = 8u * partsOf(large.at[place].part);
+            items[thread].blade = large.at[place].blade;
+            if (isFolded(ribbonOf(large.at[place])))
+                isAnyFolded = true;
+        }
+        barrier();
+        if (thread == 0u)
+            for (uint i = 0u; i < blades; ++i)
+                items[i + 1u].firstRib += items[i].firstRib;
+        barrier();
+        const uint end = items[blades].firstRib;
+        const uint stride = isAnyFolded ? ribsTogether / 2u : ribsTogether;
+        // The next ones begin with the last rib, between which and theirs there is a segment, too.
+        for (uint first = 0u; first + 1u < end; first += stride - 1u)
+            drawBetween(lens, first, min(first + stride, end), item, blades, stride);
+        // Each part of a blade finds the same.
+        const uint part = large.at[place].part;
+        if (isLate && !isDrawn && thread < blades && numberOfPart(part) == 0u && partsOf(part) > 0u &&
+            (seenBlades & (1u << thread)) == 0u) {
+            noteHidden(large.at[place].blade);
+            atomicAdd(hiddenCount, 1u);
         }
         barrier();
     }
-    if (isLate)
-        countHidden(hidden);
+    if (isLate && thread == 0u)
+        countHidden(hiddenCount);
 }

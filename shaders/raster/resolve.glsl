@@ -31,16 +31,16 @@ VisibleBlade visibleBlade(uint index, uint patchIndex, Patch cell, Blade blade, 
 
 /// A corner of a ribbon's triangle.
 struct Corner {
-    vec3 position;
     vec4 seen;
     vec2 place; ///< −1 … 1 across, 0 … 1 along
 };
 
-/// The best guess so far at which point of a ribbon is seen.
+/// The best guess so far at which point of a ribbon is seen. Where it lies in space its depth says: to
+/// remember that of every corner takes a device's registers, and with them the time.
 struct Found {
     float error; ///< 0: its triangle is where the sample says that something is
-    vec3 position;
-    vec2 place; ///< as a Corner has it
+    float depth; ///< in the middle of what is shaded
+    vec2 place;  ///< as a Corner has it
 };
 
 /// Where and how deep a sample of a ribbon is seen, and the middle of all that are shaded with it
@@ -71,6 +71,12 @@ vec3 sharesInMiddle(vec4 first, vec4 second, vec4 third, SeenPoint seen, Sightin
     return inside / max(inside.x + inside.y + inside.z, 1e-6);
 }
 
+/// The reversed depth where a triangle has these shares of its corners.
+float depthOf(vec4 first, vec4 second, vec4 third, vec3 shares)
+{
+    return dot(shares, vec3(first.z, second.z, third.z)) / dot(shares, vec3(first.w, second.w, third.w));
+}
+
 /// What lies between two ribs of a ribbon without a fold, as lookAtHalves() has it: of the two
 /// triangles the one on whose side of the diagonal the sample is, and the other one if that is not it.
 void lookBetween(SeenRib before, SeenRib after, float low, float high, bool isUpper, Sighting sighting,
@@ -93,13 +99,9 @@ void lookBetween(SeenRib before, SeenRib after, float low, float high, bool isUp
         const float error = errorOf(seen, sighting);
         if (error < found.error) {
             const vec3 shares = sharesInMiddle(from, to, third, seen, sighting);
-            const vec3 begins = isUpper ? before.rib.right : before.rib.left;
-            const vec3 ends = isUpper ? after.rib.left : after.rib.right;
-            const vec3 other = isLower ? (isUpper ? before.rib.left : before.rib.right)
-                                       : (isUpper ? after.rib.right : after.rib.left);
             const float across = shares.x - shares.y + (isLower ? -shares.z : shares.z);
             found.error = error;
-            found.position = shares.x * begins + shares.y * ends + shares.z * other;
+            found.depth = depthOf(from, to, third, shares);
             found.place = vec2(isUpper ? across : -across,
                                mix(low, high, shares.y + (isLower ? 0.0 : shares.z)));
         }
@@ -113,12 +115,12 @@ void lookBetween(SeenRib before, SeenRib after, float low, float high, bool isUp
 void lookAtHalves(SeenRib before, SeenRib after, float low, float high, bool isUpper, Sighting sighting,
                   inout Found found)
 {
-    const Corner left = Corner(before.rib.left, before.left, vec2(-1.0, low));
-    const Corner right = Corner(before.rib.right, before.right, vec2(1.0, low));
-    const Corner ridge = Corner(before.rib.ridge, before.ridge, vec2(0.0, low));
-    const Corner leftAfter = Corner(after.rib.left, after.left, vec2(-1.0, high));
-    const Corner rightAfter = Corner(after.rib.right, after.right, vec2(1.0, high));
-    const Corner ridgeAfter = Corner(after.rib.ridge, after.ridge, vec2(0.0, high));
+    const Corner left = Corner(before.left, vec2(-1.0, low));
+    const Corner right = Corner(before.right, vec2(1.0, low));
+    const Corner ridge = Corner(before.ridge, vec2(0.0, low));
+    const Corner leftAfter = Corner(after.left, vec2(-1.0, high));
+    const Corner rightAfter = Corner(after.right, vec2(1.0, high));
+    const Corner ridgeAfter = Corner(after.ridge, vec2(0.0, high));
     [[dont_unroll]] for (uint i = 0u; i < trianglesOf(true); ++i) {
         const TriangleOf part = triangleOf(i, true, isUpper);
         const Corner a = part.isRight ? ridge : left;
@@ -134,8 +136,7 @@ void lookAtHalves(SeenRib before, SeenRib after, float low, float high, bool isU
             continue;
         const vec3 shares = sharesInMiddle(first.seen, second.seen, third.seen, seen, sighting);
         found.error = error;
-        found.position =
-            shares.x * first.position + shares.y * second.position + shares.z * third.position;
+        found.depth = depthOf(first.seen, second.seen, third.seen, shares);
         found.place = shares.x * first.place + shares.y * second.place + shares.z * third.place;
     }
 }
@@ -146,7 +147,7 @@ void look(Lens lens, Ribbon ribbon, float low, float high, bool isUpper, Sightin
 {
     const SeenRib before = seenRib(lens, ribbon, low);
     const SeenRib after = seenRib(lens, ribbon, high);
-    if (ribbon.fold > 0.0)
+    if (isFolded(ribbon))
         lookAtHalves(before, after, low, high, isUpper, sighting, found);
     else
         lookBetween(before, after, low, high, isUpper, sighting, found);
@@ -173,14 +174,14 @@ float placeAlong(Ribbon ribbon, vec3 point)
     return t;
 }
 
-/// What a sample sees, relative to the field's origin.
-vec3 pointSeen(Lens lens, Sighting sighting)
+/// What is seen so deep at a place of the picture, relative to the field's origin.
+vec3 pointSeen(Lens lens, vec2 pixel, float depth)
 {
-    const vec3 ray = rayThrough(2.0 * sighting.pixel / lens.size - 1.0);
+    const vec3 ray = rayThrough(2.0 * pixel / lens.size - 1.0);
     // Clip w grows by 1 with the ray's length, from 0 at the eye.
     const vec4 depthRow = vec4(lens.viewProjection[0].z, lens.viewProjection[1].z,
                                lens.viewProjection[2].z, lens.viewProjection[3].z);
-    return lens.eye + (dot(depthRow, vec4(lens.eye, 1.0)) / (sighting.depth - dot(depthRow.xyz, ray))) * ray;
+    return lens.eye + (dot(depthRow, vec4(lens.eye, 1.0)) / (depth - dot(depthRow.xyz, ray))) * ray;
 }
 
 /// Which point of a ribbon is seen: in the segment where it should be, or else in one near it, or, if
@@ -190,7 +191,7 @@ Found find(Lens lens, Ribbon ribbon, Sighting sighting)
     Found found;
     found.error = 1e30;
     const float segments = ribbon.outline.segments;
-    const float place = segments > 1.5 ? placeAlong(ribbon, pointSeen(lens, sighting)) : 0.0;
+    const float place = segments > 1.5 ? placeAlong(ribbon, pointSeen(lens, sighting.pixel, sighting.depth)) : 0.0;
     float segment = clamp(floor(place * segments) + 1.0, 1.0, segments);
     // By how much the next one is farther along: the neighbour that is nearer first, then by turns.
     float step_ = fract(place * segments) < 0.5 ? -1.0 : 1.0;
@@ -206,15 +207,17 @@ Found find(Lens lens, Ribbon ribbon, Sighting sighting)
     return found;
 }
 
-/// In the next frame the blade counts as one that was seen, if that is asked of it.
-void noteSeen(VisibleBlade visible, Blade blade)
+/// In the next frame one half of the blade counts as seen, if that is asked of it. `along`: 0 at its root.
+void noteSeen(VisibleBlade visible, DrawnBlade drawn, float along)
 {
     if (uvec2(push.seen) == uvec2(0u) ||
-        pixelsCovered(blade, visible.pixels, widthFactorOf(visible)) <= askedBladePixels)
+        pixelsCovered(drawn.blade, visible.pixels, widthFactorOf(visible)) <= askedSmallPixels)
         return;
     UintArray seen = push.seen;
-    const uint word = visible.blade / 32u;
-    const uint bit = 1u << (visible.blade % 32u);
+    const float segments = drawn.ribbon.outline.segments;
+    const uint half_ = along * segments < floor(0.5 * segments) ? 0u : 1u;
+    const uint word = visible.blade / 16u;
+    const uint bit = 1u << (2u * (visible.blade % 16u) + half_);
     if ((seen.at[word] & bit) == 0u)
         atomicOr(seen.at[word], bit);
 }
@@ -234,13 +237,13 @@ vec4 shade(Lens lens, uint index, vec2 pixel, uint samples, uint s, float depth)
         layers = layersOf(push.judged.at[0].view, cell);
     const Blade blade = raised(unpackBlade(bits, cell), layers.rise);
     const VisibleBlade visible = visibleBlade(index, patchIndex, cell, blade, layers);
-    noteSeen(visible, blade);
     const DrawnBlade drawn = drawnBlade(visible, blade, state);
     const Found found = find(lens, drawn.ribbon,
                              Sighting(pixel + samplePlace(s), depth, pixel + middleOf(samples)));
+    noteSeen(visible, drawn, found.place.y);
     const BladeSurface surface = bladeSurface(drawn, visible, layers);
     BladePoint point;
-    point.position = found.position;
+    point.position = pointSeen(lens, pixel + middleOf(samples), found.depth);
     point.place = found.place;
     point.tangent = tangentAt(drawn.ribbon, point.place.y);
     point.axis = drawn.ribbon.axis;

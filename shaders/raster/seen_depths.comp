@@ -7,20 +7,24 @@
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 #include "shaders/culling/finest_levels.glsl"
-#include "shaders/raster/visibility.glsl"
+#include "shaders/raster/put_sample.glsl"
 
 void main()
 {
-    DepthPyramid pyramid = FRAME.pyramid;
-    Visibility visibility = Visibility(uvec2(push.visibility));
-    const uvec2 low = gl_GlobalInvocationID.xy << pyramidFactorBits;
+    // Threads beside one another read what lies below one another, which is together in memory.
+    const uvec2 own = gl_LocalInvocationID.yx;
+    const uvec2 low = (gl_WorkGroupID.xy * pyramidThreads + own) << pyramidFactorBits;
     const uvec2 high = min(low + (1u << pyramidFactorBits), push.size);
-    float farthest = 1.0;
-    for (uint x = low.x; low.y < high.y && x < high.x; ++x) {
+    uint farthest = floatBitsToUint(1.0);
+    for (uint x = low.x; x < high.x && low.y < high.y; ++x) {
         const uint first = sampleIndex(uvec2(x, low.y), 0u);
-        const uint end = first + (high.y - low.y) * samplesPerPixel;
-        for (uint i = first; i < end; ++i)
-            farthest = min(farthest, uintBitsToFloat(uint(visibility.at[i] >> 32u)));
+        SHARED_UNROLL for (uint i = 0u; i < samplesPerPixel << pyramidFactorBits; i += 2u) {
+            const uvec2 two = depthsAt(first + i);
+            if (low.y + i / samplesPerPixel < high.y)
+                farthest = min(farthest, two.x);
+            if (low.y + (i + 1u) / samplesPerPixel < high.y)
+                farthest = min(farthest, two.y);
+        }
     }
-    putFinestLevels(pyramid, farthest);
+    putFinestLevels(FRAME.pyramid, own, uintBitsToFloat(farthest));
 }

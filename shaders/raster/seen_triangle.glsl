@@ -8,6 +8,14 @@
 #include "shaders/raster/visibility.glsl"
 #include "shaders/shared/ribbon.h"
 
+// Whether there are folded blades; known when the pipeline is made.
+layout(constant_id = 11) const bool mayFold = true;
+
+bool isFolded(Ribbon ribbon)
+{
+    return mayFold && ribbon.fold > 0.0;
+}
+
 /// Pixels times w, pixels times w, reversed depth times w, w.
 vec4 seenPoint(Lens lens, vec3 position)
 {
@@ -31,7 +39,7 @@ SeenRib seenRib(Lens lens, Ribbon ribbon, float t)
     seen.right = seenPoint(lens, seen.rib.right);
     // Without a fold the middle is half way, here too.
     seen.ridge = 0.5 * (seen.left + seen.right);
-    if (ribbon.fold > 0.0)
+    if (isFolded(ribbon))
         seen.ridge = seenPoint(lens, seen.rib.ridge);
     return seen;
 }

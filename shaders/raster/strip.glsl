@@ -45,187 +45,133 @@ vec2 intervalAt(Sides sides, float below)
                    sides.rightPlaces + below * sides.rightSlopes);
 }
 
-/// A quad, ready to be drawn row by row.
+/// A quad, ready to be drawn row by row. What is linear in it is given by its value at the first corner, and
+/// by what a pixel adds to the right and downwards.
 struct Strip {
     vec4 xs; ///< its corners, one after the other [pixels]
     vec4 ys;
     vec4 slopes; ///< of the sides from them [pixels per row]
-    uint hands;  ///< sides that bound it to the left, as bits, and from the fifth bit on to the right
-    bool isThin; ///< it may keep less than all samples
-    float low;   ///< [pixels] where it begins and ends, downwards
-    float high;
-    float depth; ///< reversed, at the first corner …
-    vec2 depthStep; ///< … and what a pixel adds
-    float deepest;  ///< it has no other depths than these
+    vec3 depth;  ///< reversed
+    float deepest; ///< it has no other depths than these
     float shallowest;
-    vec2 weight; ///< ScreenRib::weight at the first corner …
-    vec2 weightRight; ///< … and what a pixel adds to the right
-    vec2 weightDown;  ///< … and downwards
+    bool isThin; ///< it may keep less than all samples, by the ratio of its weights:
+    vec3 wide;   ///< ScreenRib::weight.x
+    vec3 drawn;  ///< ScreenRib::weight.y
 };
 
+/// What is linear in a quad, with so much at a0, at a1, and between b0 and b1.
+vec3 linearIn(mat2 steps, float a0, float a1, float b)
+{
+    return vec3(a0, steps * vec2(a1 - a0, b - a0));
+}
+
+/// Whether a quad may keep less than all samples.
+bool isThin(Quad quad)
+{
+    return quad.weightA0.x < quad.weightA0.y || quad.weightA1.x < quad.weightA1.y ||
+           quad.weightB.x < quad.weightB.y;
+}
+
 /// Makes a strip of a quad that is not twisted; false if nothing of it is seen.
-bool stripOf(Quad quad, out Strip strip)
+bool stripOf(Quad quad, bool mayBeThin, out Strip strip)
 {
-    const vec2 p0 = quad.a0.xy;
-    const vec2 p1 = quad.a1.xy;
-    const vec2 p2 = quad.b1.xy;
-    const vec2 p3 = quad.b0.xy;
-    const vec2 low = min(min(p0, p1), min(p2, p3));
-    const vec2 high = max(max(p0, p1), max(p2, p3));
-    const vec2 edge = vec2(push.size);
-    // A place is p0 + s · (p1 − p0) + t · (m − p0), m the middle of b0 and b1.
+    strip.xs = vec4(quad.a0.x, quad.a1.x, quad.b1.x, quad.b0.x);
+    strip.ys = vec4(quad.a0.y, quad.a1.y, quad.b1.y, quad.b0.y);
+    strip.slopes = (strip.xs.yzwx - strip.xs) / (strip.ys.yzwx - strip.ys);
+    // A place is a0 + s · (a1 − a0) + t · (m − a0), m the middle of b0 and b1.
     const vec3 middle = 0.5 * (quad.b0 + quad.b1);
-    const vec2 across = p1 - p0;
-    const vec2 along = middle.xy - p0;
+    const vec2 across = quad.a1.xy - quad.a0.xy;
+    const vec2 along = middle.xy - quad.a0.xy;
     const float area = crossOf(across, along);
-    if (high.x < 0.0 || high.y < 0.0 || low.x > edge.x || low.y > edge.y || area == 0.0)
-        return false;
-
-    const vec2 sStep = vec2(along.y, -along.x) / area;
-    const vec2 tStep = vec2(-across.y, across.x) / area;
-    strip.depth = quad.a0.z;
-    strip.depthStep = sStep * (quad.a1.z - quad.a0.z) + tStep * (middle.z - quad.a0.z);
-    strip.shallowest = max(max(quad.a0.z, quad.a1.z), max(quad.b0.z, quad.b1.z));
+    const mat2 steps = mat2(along.y, -along.x, -across.y, across.x) * (1.0 / area);
+    strip.depth = linearIn(steps, quad.a0.z, quad.a1.z, middle.z);
     strip.deepest = min(min(quad.a0.z, quad.a1.z), min(quad.b0.z, quad.b1.z));
-    const vec2 weightAcross = quad.weightA1 - quad.weightA0;
-    const vec2 weightAlong = quad.weightB - quad.weightA0;
-    strip.weight = quad.weightA0;
-    strip.weightRight = sStep.x * weightAcross + tStep.x * weightAlong;
-    strip.weightDown = sStep.y * weightAcross + tStep.y * weightAlong;
-    strip.isThin = quad.weightA0.x < quad.weightA0.y || quad.weightA1.x < quad.weightA1.y ||
-                   quad.weightB.x < quad.weightB.y;
-    strip.low = low.y;
-    strip.high = high.y;
-
-    // Not Sides: with as many numbers more an H200 takes a fifth longer.
-    strip.xs = vec4(p0.x, p1.x, p2.x, p3.x);
-    strip.ys = vec4(p0.y, p1.y, p2.y, p3.y);
-    const vec4 rises = strip.ys.yzwx - strip.ys;
-    strip.slopes = (strip.xs.yzwx - strip.xs) / mix(rises, vec4(1.0), equal(rises, vec4(0.0)));
-    const vec4 turned = area < 0.0 ? -rises : rises;
-    strip.hands = 0u;
-    SHARED_UNROLL for (uint i = 0u; i < 4u; ++i)
-        strip.hands |= turned[i] < 0.0 ? 1u << i : (turned[i] > 0.0 ? 16u << i : 0u);
-    return true;
+    strip.shallowest = max(max(quad.a0.z, quad.a1.z), max(quad.b0.z, quad.b1.z));
+    strip.isThin = mayBeThin;
+    strip.wide = linearIn(steps, quad.weightA0.x, quad.weightA1.x, quad.weightB.x);
+    strip.drawn = linearIn(steps, quad.weightA0.y, quad.weightA1.y, quad.weightB.y);
+    return area != 0.0;
 }
 
-/// The first and the last row of pixels that a strip reaches.
-ivec2 rowsOf(Strip strip)
+/// From where to where a horizontal lies in a strip; the other way round where it does not.
+vec2 crossingsOf(Strip strip, float y)
 {
-    return rowsBetween(strip.low, strip.high, float(push.size.y));
+    const vec4 places = strip.xs + (y - strip.ys) * strip.slopes;
+    // It meets the sides of which one end lies above it, and one does not.
+    const bvec4 isAbove = lessThanEqual(strip.ys, vec4(y));
+    const bvec4 isMet = notEqual(isAbove, isAbove.yzwx);
+    const vec4 from = mix(vec4(1e30), places, isMet);
+    const vec4 to = mix(vec4(-1e30), places, isMet);
+    return vec2(min(min(from.x, from.y), min(from.z, from.w)), max(max(to.x, to.y), max(to.z, to.w)));
 }
 
-/// Where the samples of a row of pixels lie in a strip, as pixels whose sample lies inside; the
-/// last one encloses them all.
-void spansOf(Strip strip, int row, out vec2 spans[samplesPerPixel], out ivec2 reach)
+/// The first and the last pixel of a row of which sample `s` lies in a strip and is kept.
+vec2 spanOf(Strip strip, SampleMask mask, uint s, int row)
 {
-    const bvec4 lefts = notEqual(uvec4(strip.hands) & uvec4(1u, 2u, 4u, 8u), uvec4(0u));
-    const bvec4 rights = notEqual(uvec4(strip.hands) & uvec4(16u, 32u, 64u, 128u), uvec4(0u));
-    vec2 widest = vec2(1e30, -1e30);
-    SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s) {
-        const vec2 place = samplePlace(s);
-        const float y = float(row) + place.y;
-        const vec4 crossings = strip.xs + (y - strip.ys) * strip.slopes;
-        const vec4 from = mix(vec4(-1e30), crossings, lefts);
-        const vec4 to = mix(vec4(1e30), crossings, rights);
-        spans[s] = between(from, to) - place.x;
-        if (y < strip.low || y > strip.high)
-            spans[s] = vec2(1e30, -1e30);
-        widest = vec2(min(widest.x, spans[s].x), max(widest.y, spans[s].y));
-    }
-    const float width = float(push.size.x);
-    reach = ivec2(int(clamp(ceil(widest.x), 0.0, width)),
-                  int(clamp(floor(widest.y), -1.0, width - 1.0)));
-}
-
-/// The share of the samples that a strip keeps `corner` [pixels] from its first corner.
-float shareKept(Strip strip, vec2 corner)
-{
-    const vec2 weight = strip.weight + corner.x * strip.weightRight + corner.y * strip.weightDown;
-    return weight.x / max(weight.y, 1e-12);
-}
-
-float depthAt(Strip strip, vec2 corner)
-{
-    return clamp(strip.depth + dot(corner, strip.depthStep), strip.deepest, strip.shallowest);
-}
-
-/// The four samples of a pixel of a row.
-FourSamples fourOf(Strip strip, SampleMask mask, ivec2 pixel, vec2 spans[samplesPerPixel])
-{
-    FourSamples four;
-    four.first = sampleIndex(uvec2(pixel), 0u);
-    four.stride = 1u;
-    four.covered = 0u;
-    const vec2 corner = vec2(pixel) - vec2(strip.xs.x, strip.ys.x);
-    SHARED_UNROLL for (uint s = 0u; s < 4u; ++s) {
-        const vec2 span = spans[s % samplesPerPixel];
-        if (float(pixel.x) >= span.x && float(pixel.x) <= span.y)
-            four.covered |= 1u << s;
-        four.depths[s] = depthAt(strip, corner + samplePlace(s % samplesPerPixel));
-    }
-    if (strip.isThin && four.covered != 0u)
-        four.covered &= keptBits(mask, shareKept(strip, corner + middleOf(four.covered)));
-    return four;
-}
-
-/// So many pixels of four samples of a row are read at a time: what takes long is to wait for them,
-/// but those beside the strip are read in vain.
-const int readTogether = 2;
-
-/// One row of pixels of one sample.
-void drawRowOfOne(Strip strip, SampleMask mask, uint blade, int row, ivec2 reach)
-{
-    const vec2 corner = vec2(reach.x, row) + samplePlace(0u) - vec2(strip.xs.x, strip.ys.x);
-    const float depth = strip.depth + dot(corner, strip.depthStep);
-    const float depthRight = strip.depthStep.x;
-    // A sample is kept, as keptBits() has it, where this is not negative.
-    float keeps = 0.0;
-    float keepsRight = 0.0;
+    const vec2 place = samplePlace(s) + vec2(0.0, row);
+    const vec2 crossings = crossingsOf(strip, place.y) - place.x;
+    vec2 span = vec2(max(ceil(crossings.x), 0.0), min(floor(crossings.y), float(push.size.x) - 1.0));
     if (strip.isThin) {
-        const vec2 weight = strip.weight + corner.x * strip.weightRight + corner.y * strip.weightDown;
-        keeps = weight.x - (1.0 - mask.threshold) * weight.y;
-        keepsRight = strip.weightRight.x - (1.0 - mask.threshold) * strip.weightRight.y;
+        // It is kept, see keptCount(), where wide − least · drawn is not negative.
+        const uint turn = (s + samplesPerPixel - mask.first) % samplesPerPixel;
+        const float least = (float(turn + 1u) - mask.threshold) / float(samplesPerPixel);
+        const vec3 keeps = strip.wide - least * strip.drawn;
+        const float atLeft =
+            keeps.x + dot(place - vec2(strip.xs.x, strip.ys.x), keeps.yz);
+        const float zero = -atLeft / keeps.y;
+        if (keeps.y > 0.0)
+            span.x = max(span.x, ceil(zero));
+        else if (keeps.y < 0.0)
+            span.y = min(span.y, floor(zero));
+        else if (atLeft < 0.0)
+            span.y = -1.0;
     }
-    const float deepest = strip.deepest;
-    const float shallowest = strip.shallowest;
-    const uint stride = columnStride();
-    const float last = float(reach.y - reach.x);
-    FourSamples four;
-    four.first = sampleIndex(uvec2(reach.x, row), 0u);
-    four.stride = stride;
-    for (float begin = 0.0; begin <= last; begin += 4.0) {
-        const uvec4 before = depthsApart(four.first, stride);
-        four.covered = 0u;
-        SHARED_UNROLL for (int i = 0; i < 4; ++i) {
-            const float right = begin + float(i);
-            four.depths[i] = clamp(depth + right * depthRight, deepest, shallowest);
-            if (right <= last && keeps + right * keepsRight >= 0.0)
-                four.covered |= 1u << i;
-        }
-        putFour(before, four, blade);
-        four.first += 4u * stride;
-    }
+    return span;
 }
+
+/// So many pixels of a row are looked at together: what takes long is to wait for what they have already,
+/// but those beside the strip are read in vain.
+const uint pixelsTogether = samplesPerPixel == 1u ? 6u : 2u;
 
 /// One row of pixels.
-void drawRow(Strip strip, SampleMask mask, uint blade, int row)
+void drawRow(Strip strip, uint blade, int row)
 {
+    const SampleMask mask = sampleMaskOf(blade, samplesPerPixel);
     vec2 spans[samplesPerPixel];
-    ivec2 reach;
-    spansOf(strip, row, spans, reach);
-    if (reach.x > reach.y)
-        return;
-    if (samplesPerPixel == 1u) {
-        drawRowOfOne(strip, mask, blade, row, reach);
-        return;
+    vec2 reach = vec2(1e30, -1.0);
+    SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s) {
+        spans[s] = spanOf(strip, mask, s, row);
+        reach = vec2(min(reach.x, spans[s].x), max(reach.y, spans[s].y));
     }
-    for (int column = reach.x; column <= reach.y; column += readTogether) {
-        uvec4 before[readTogether];
-        SHARED_UNROLL for (int i = 0; i < readTogether; ++i)
-            before[i] = depthsOfPixel(sampleIndex(uvec2(column + i, row), 0u));
-        SHARED_UNROLL for (int i = 0; i < readTogether; ++i)
-            putFour(before[i], fourOf(strip, mask, ivec2(column + i, row), spans), blade);
+    uint first = sampleIndex(uvec2(reach.x, row), 0u);
+    const float depth =
+        strip.depth.x + dot(vec2(reach.x, row) - vec2(strip.xs.x, strip.ys.x), strip.depth.yz);
+    for (float begin = 0.0; begin <= reach.y - reach.x; begin += float(pixelsTogether)) {
+        // What lies right of the picture may be read, too.
+        uint before[pixelsTogether * samplesPerPixel];
+        SHARED_UNROLL for (uint i = 0u; i < pixelsTogether; ++i) {
+            const uint pixel = first + i * columnStride();
+            if (samplesPerPixel == 1u)
+                before[i] = depthAt(pixel);
+            else
+                SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; s += 2u) {
+                    const uvec2 two = depthsAt(pixel + s);
+                    before[i * samplesPerPixel + s] = two.x;
+                    before[i * samplesPerPixel + s + 1u] = two.y;
+                }
+        }
+        const float here = depth + begin * strip.depth.y;
+        SHARED_UNROLL for (uint i = 0u; i < pixelsTogether; ++i)
+            SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s) {
+                const float own = clamp(here + dot(samplePlace(s) + vec2(i, 0.0), strip.depth.yz),
+                                        strip.deepest, strip.shallowest);
+                const float column = reach.x + begin + float(i);
+                // Of equal depths the atomic takes the larger id.
+                if ((samplesPerPixel == 1u || column >= spans[s].x) && column <= spans[s].y &&
+                    floatBitsToUint(own) >= before[i * samplesPerPixel + s])
+                    putOne(first + i * columnStride() + s, own, blade);
+            }
+        first += pixelsTogether * columnStride();
     }
 }
 
@@ -251,7 +197,7 @@ void drawSmall(Quad quad, SampleMask mask, uint blade)
     const vec2 depthStep = sStep * (quad.a1.z - quad.a0.z) + tStep * (middle.z - quad.a0.z);
     const float shallowest = max(max(quad.a0.z, quad.a1.z), max(quad.b0.z, quad.b1.z));
     const float deepest = min(min(quad.a0.z, quad.a1.z), min(quad.b0.z, quad.b1.z));
-    const bool isThin = quad.weightA0.x < quad.weightA0.y || quad.weightB.x < quad.weightB.y;
+    const bool mayBeThin = isThin(quad);
     // A single sample is kept, as keptBits() has it, where this is not negative.
     const float keepsFirst = quad.weightA0.x - (1.0 - mask.threshold) * quad.weightA0.y;
     const float keepsLast = quad.weightB.x - (1.0 - mask.threshold) * quad.weightB.y;
@@ -296,7 +242,7 @@ void drawSmall(Quad quad, SampleMask mask, uint blade)
             if (covered == 0u)
                 continue;
             const vec2 corner = vec2(column, row) - p0;
-            if (isThin) {
+            if (mayBeThin) {
                 const float t = dot(corner + middleOf(covered), tStep);
                 const vec2 weight = mix(quad.weightA0, quad.weightB, clamp(t, 0.0, 1.0));
                 covered &= keptBits(mask, weight.x / max(weight.y, 1e-12));

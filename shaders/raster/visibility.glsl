@@ -71,17 +71,15 @@ Lens lensOf()
     return Lens(FRAME.viewProjection, FRAME.view.eye, FRAME.view.leastWidth, vec2(push.size));
 }
 
-/// Column by column: blades stand upright, and of threads that draw a row each those beside one another
-/// so read and write what lies together.
-uint sampleIndex(uvec2 pixel, uint s)
-{
-    return (pixel.x * push.size.y + pixel.y) * samplesPerPixel + s;
-}
-
-/// So many samples lie between a pixel and the one to its right.
+/// So many samples lie between a pixel and the one to its right: see VisibilityArray.
 uint columnStride()
 {
-    return push.size.y * samplesPerPixel;
+    return rowsOfColumn(push.size.y) * samplesPerPixel;
+}
+
+uint sampleIndex(uvec2 pixel, uint s)
+{
+    return pixel.x * columnStride() + pixel.y * samplesPerPixel + s;
 }
 
 #endif

@@ -22,10 +22,16 @@ SHARED_BEGIN
 struct VisibleBlade {
     uint blade; ///< index into the blades: the resident id
     uint patchIndex;
-    uint factors; ///< packFactors(): 1, or more where level of detail has left blades out
+    uint factors; ///< packFactors(): 1, or more where level of detail has left blades out; and
+                  ///< what of the blade is late
     float pixels; ///< height on the screen [pixels]
 };
 SHARED_LAYOUT(VisibleBlade, 16)
+
+/// Set in factors if the half towards the root, or the other one, is drawn in the late turn where
+/// large blades hide one another: the signs of both numbers.
+SHARED_CONST uint lowerHalfIsLate = 0x8000u;
+SHARED_CONST uint upperHalfIsLate = 0x80000000u;
 
 /// So many times as wide and as high as it is a blade is drawn, as two halves of a float.
 SHARED_FN uint packFactors(float width, float height)
@@ -36,13 +42,13 @@ SHARED_FN uint packFactors(float width, float height)
 /// In times the blade's own width.
 SHARED_FN float widthFactorOf(VisibleBlade visible)
 {
-    return unpackHalf2x16(visible.factors).x;
+    return abs(unpackHalf2x16(visible.factors).x);
 }
 
 /// In times the blade's own height.
 SHARED_FN float heightFactorOf(VisibleBlade visible)
 {
-    return unpackHalf2x16(visible.factors).y;
+    return abs(unpackHalf2x16(visible.factors).y);
 }
 
 /// VkDrawIndirectCommand, and the counts by fate behind it.

@@ -93,16 +93,18 @@ SHARED_CONST uint mostGroups = 65535u;
 /// Width and height of the tile of pixels that a work-group begins or resolves.
 SHARED_CONST uint rasterTile = 8u;
 
-/// A blade that covers more pixels than this is asked for whether other grass hides it. So large a
-/// one is not rasterised by one thread, but by a work-group; with several samples a pixel already
-/// one of so many pixels over the root of their number.
-SHARED_CONST float largeBladePixels = 256.0f;
+/// A blade that covers more pixels than this is not rasterised by one thread, but by a work-group;
+/// with several samples a pixel already one of so many pixels over the root of their number.
+SHARED_CONST float largeBladePixels = 64.0f;
 
-/// Where grass is dense most blades are hidden, so that smaller ones are asked, too: where more
-/// square metres of leaves than these stand on one of ground, those of more pixels than these.
-/// Elsewhere to find that out of them would take longer than to draw them.
-SHARED_CONST float denseLeafArea = 16.0f;
-SHARED_CONST float askedBladePixels = 64.0f;
+/// Where the tessellator draws large blades they are larger than this.
+SHARED_CONST float tessellatedPixels = 256.0f;
+
+/// A blade that covers more pixels than this is asked for whether other grass hides it, …
+SHARED_CONST float askedPixels = 256.0f;
+
+/// … or, on a device that is quick to find that out, than this.
+SHARED_CONST float askedSmallPixels = 64.0f;
 
 /// A large blade is rasterised by several work-groups, each for so many of its pixels, …
 SHARED_CONST float partPixels = 4096.0f;
@@ -114,13 +116,33 @@ SHARED_CONST uint mostParts = 64u;
 /// million pixels. Blades beyond them are rasterised by one thread each.
 SHARED_CONST uint mostLargeParts = 1048576u;
 
+/// So many blades can be listed that reach through the near plane.
+SHARED_CONST uint mostCutBlades = 65536u;
+
 /// Threads of a work-group that draws a large blade. With 64 an H200 takes twice as long.
 SHARED_CONST uint largeThreads = 32u;
 
-/// So many large blades a work-group looks at together whether they are hidden, each by so many
-/// threads: a segment each, and those beyond in turn.
-SHARED_CONST uint judgedTogether = 16u;
-SHARED_CONST uint judgeThreads = 4u;
+/// A work-group draws so many large blades together, so that its threads have something to do, …
+SHARED_CONST uint largeTogether = 4u;
+
+/// … in the late turn, where most are hidden, so many, …
+SHARED_CONST uint lateTogether = 8u;
+
+/// … but fewer where there are not enough for so many work-groups.
+SHARED_CONST uint largeGroups = 16384u;
+
+/// Of `listed` large blades a work-group takes so many at a time.
+SHARED_FN uint largeOfGroup(uint listed, bool isLate)
+{
+    return min(max(listed / largeGroups, 1u), isLate ? lateTogether : largeTogether);
+}
+
+/// Work-groups that draw them.
+SHARED_FN uint groupsForLarge(uint listed, bool isLate)
+{
+    const uint together = largeOfGroup(listed, isLate);
+    return min((listed + together - 1u) / together, mostGroups);
+}
 
 /// What a work-group draws: a large blade, or every `parts`-th bundle of its rows.
 struct LargePart {
@@ -135,9 +157,13 @@ struct LargePart {
     float scale;
     uint shape;
     uint blade; ///< resident id
-    uint part;  ///< 0–15 which of so many parts, 16–31; 0: nothing, there was no room for all parts
+    uint part; ///< 0–15 which of so many parts, 16–29; 0: nothing, there was no room for all parts;
+               ///< and what of the blade is drawn in the late turn
 };
 SHARED_LAYOUT(LargePart, 80)
+
+SHARED_CONST uint lowerPartIsLate = 0x40000000u;
+SHARED_CONST uint upperPartIsLate = 0x80000000u;
 
 SHARED_BUFFER(LargePartArray, LargePart, )
 
@@ -146,25 +172,36 @@ SHARED_CONST uint ownerStride = 64u;
 
 /// Per sample what is seen there: 0 is the sky, then come the triangles of solid.h, then the blades
 /// by their resident ids; above that the bits of the reversed depth. The larger is nearer, and
-/// among equals the later one wins, whoever comes first.
+/// among equals the later one wins, whoever comes first. Column by column of pixels, rowsOfColumn()
+/// each, then sample by sample: blades stand upright, and what threads beside one another read and
+/// write of them so lies together. To the right of the picture columnsBeside more may be read.
 SHARED_BUFFER(VisibilityArray, uvec2, )
+
+SHARED_CONST uint columnsBeside = 8u;
+
+/// Four rows begin at a multiple of 32 bytes.
+SHARED_FN uint rowsOfColumn(uint height)
+{
+    return (height + 3u) & ~3u;
+}
 
 struct RasterPush {
     FrameArray frame;
-    FrameArray judged;          ///< by whose camera the visible blades were listed
-    VisibilityArray visibility; ///< pixel by pixel, sample by sample
-    WalkLevelArray rounds;      ///< as in UpdatePush
+    FrameArray judged; ///< by whose camera the visible blades were listed
+    VisibilityArray visibility;
+    WalkLevelArray rounds; ///< as in UpdatePush
     LargePartArray large;
     WalkLevelArray largeCount; ///< how many of them were asked for, and work-groups for them;
-                               ///< then the draw for them by the tessellator; then as at first
-                               ///< of those that are not hidden
-    UintArray largeSeen;       ///< indices of these
+                               ///< then the draw for them by the tessellator; then how many of
+                               ///< them have been drawn in the first turn; then as at first of
+                               ///< those that are cut by the near plane, which lie behind them
     UintArray owners;          ///< patches that own blades, in the order of their blades
     UintArray firstOwners; ///< per ownerStride blades: index into `owners` of the first one's patch
 
-    /// A bit for each blade, by its resident id: whether a sample shows it. Those that the frame
-    /// before showed are drawn first, then the others as far as they are not hidden; so the bits
-    /// decide when a blade is looked at, and never whether it is seen. Address 0: nobody asks.
+    /// Two bits for each blade, by its resident id: whether a sample shows its half towards the
+    /// root, and the other one. Of large blades those halves that the frame before showed are drawn
+    /// first, then all others as far as they are not hidden; so the bits decide when something is
+    /// looked at, and never whether it is seen. Address 0: nobody asks.
     UintArray seen;
     uvec2 size;      ///< [pixels]
     uint isBgr;      ///< 1: the picture's first channel is blue
@@ -172,7 +209,7 @@ struct RasterPush {
     uint firstBlade; ///< what the visibility has for the blade with the id 0: see VisibilityArray
     uint reserved;
 };
-SHARED_LAYOUT(RasterPush, 104)
+SHARED_LAYOUT(RasterPush, 96)
 
 /// A collider is drawn as so many quads around its axis, in so many rings from each pole.
 SHARED_CONST uint colliderSegments = 64u;

@@ -4,15 +4,19 @@
 
 #include "shaders/solid/solid_triangle.glsl"
 
-void drawPixel(SolidTriangle triangle, uint number, uvec2 pixel)
+void drawSample(SolidTriangle triangle, uint number, uvec2 pixel, uint s)
 {
     Visibility visibility = Visibility(uvec2(push.visibility));
-    SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s) {
-        const float depth = depthThrough(triangle, areasAt(triangle, vec2(pixel) + samplePlace(s)));
-        if (depth >= 0.0)
-            atomicMax(visibility.at[sampleIndex(pixel, s)],
-                      (uint64_t(floatBitsToUint(depth)) << 32u) | uint64_t(number + 1u));
-    }
+    const float depth = depthThrough(triangle, areasAt(triangle, vec2(pixel) + samplePlace(s)));
+    if (depth >= 0.0)
+        atomicMax(visibility.at[sampleIndex(pixel, s)],
+                  (uint64_t(floatBitsToUint(depth)) << 32u) | uint64_t(number + 1u));
+}
+
+void drawPixel(SolidTriangle triangle, uint number, uvec2 pixel)
+{
+    SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
+        drawSample(triangle, number, pixel, s);
 }
 
 #endif

@@ -66,9 +66,12 @@ void main()
         if (isBeside(triangle, vec2(low)))
             continue;
         const uvec2 end = min(low + solidTile, push.size);
-        const uint y = low.y + thread % solidTile;
-        for (uint x = low.x + thread / solidTile; x < end.x; x += solidTileThreads / solidTile)
-            if (y < end.y)
-                drawPixel(triangle, large.triangle, uvec2(x, y));
+        // Threads beside one another draw samples that lie together.
+        const uint samplesOfColumn = solidTile * samplesPerPixel;
+        for (uint i = thread; i < samplesOfColumn * solidTile; i += solidTileThreads) {
+            const uvec2 pixel = low + uvec2(i / samplesOfColumn, i % samplesOfColumn / samplesPerPixel);
+            if (all(lessThan(pixel, end)))
+                drawSample(triangle, large.triangle, pixel, i % samplesPerPixel);
+        }
     }
 }

@@ -13,6 +13,7 @@
 #include "render/judged_frame.h"
 #include "shaders/shared/passes.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -33,11 +34,14 @@ FieldBuffers::Records recordsFor(const gpu::DeviceContext& context, Geometry geo
             .walkStart = context.isCpu() ? shared::walkStart : shared::walkStartOfGpu};
 }
 
-TargetSettings targetFor(Geometry geometry, bool isTriedOut, const FieldRenderer::Settings& wanted)
+TargetSettings targetFor(const field::FieldView& field, Geometry geometry, bool isTriedOut,
+                         const FieldRenderer::Settings& wanted)
 {
     return {.colorFormat = wanted.colorFormat,
             .samples = wanted.samples,
             .mayBePaged = wanted.deviceBytes > 0,
+            .mayFold = std::ranges::any_of(
+                field.species, [](const field::Species& kind) { return kind.look.fold > 0.0f; }),
             .groupsDrawLarge = geometry != Geometry::hybrid,
             .tessellatesLarge = geometry == Geometry::hybrid || isTriedOut};
 }
@@ -80,7 +84,7 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , geometry(chooseGeometry(context, wanted))
     , shaders(wanted.shaders.empty() ? embedded::shaders() : wanted.shaders)
     , trial(madeIf<GeometryTrial>(isTriedOut(context, wanted), context, wanted.framesInFlight))
-    , targetSettings(targetFor(geometry, trial.has_value(), wanted))
+    , targetSettings(targetFor(field, geometry, trial.has_value(), wanted))
     , ground(uploaded<GroundBuffers>(context, *field.ground))
     , cover(uploaded<GrassCover>(context, field))
     , sunShadow(context, shaders, ground.box())

@@ -19,8 +19,8 @@ struct FieldRendererSettings {
     std::uint32_t framesInFlight = 1;               ///< frames recorded before one is waited for
     Geometry geometry = Geometry::automatic;        ///< how blades are drawn
 
-    /// Whether the rasteriser finds out of blades of some dozen pixels that others hide them, where
-    /// grass is dense; where nothing is said, not on a CPU device. Never changes a picture.
+    /// Whether the rasteriser finds out of blades of some dozen pixels that others hide them; where
+    /// nothing is said, not on a CPU device. Never changes a picture.
     std::optional<bool> asksSmallBlades{};
 
     bool recordFates = false; ///< keep each blade's fate for dumpBlades(); 20 bytes a blade

@@ -10,31 +10,30 @@ namespace {
 struct Counts {
     shared::WalkLevel parts{.groups = {0, 1, 1}, .count = 0};
     VkDrawIndirectCommand draw{shared::drawChunk, 0, 0, 0};
-    shared::WalkLevel seen{.groups = {0, 1, 1}, .count = 0};
+    shared::WalkLevel drawn{.groups = {0, 1, 1}, .count = 0};
+    shared::WalkLevel cut{.groups = {0, 1, 1}, .count = 0};
 };
 
 } // namespace
 
 LargeBladeList::LargeBladeList(const gpu::DeviceContext& context, bool findsHidden,
                                std::uint32_t bladeCount)
-    : parts_(context, {.name = "raster/large blades",
-                       .bytes = shared::mostLargeParts * sizeof(shared::LargePart),
-                       .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT})
+    : parts_(context,
+             {.name = "raster/large blades",
+              .bytes = (shared::mostLargeParts + shared::mostCutBlades) * sizeof(shared::LargePart),
+              .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT})
     , counts_(context,
               {.name = "raster/large blades' count",
                .bytes = sizeof(Counts),
-               .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-                        VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT})
+               .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
+                        VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT})
 {
     if (!findsHidden)
         return;
-    seen_ = gpu::Buffer(context, {.name = "raster/large blades that are seen",
-                                  .bytes = shared::mostLargeParts * sizeof(std::uint32_t),
-                                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
-    constexpr VkDeviceSize wordBits = 32;
+    constexpr VkDeviceSize bladesOfWord = 16;
     shown_ = gpu::Buffer(
         context, {.name = "raster/blades that the frame before showed",
-                  .bytes = (bladeCount / wordBits + 1) * sizeof(std::uint32_t),
+                  .bytes = (bladeCount / bladesOfWord + 1) * sizeof(std::uint32_t),
                   .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
 }
 
@@ -42,13 +41,22 @@ void LargeBladeList::describe(shared::RasterPush& push) const
 {
     push.large = parts_.address();
     push.largeCount = counts_.address();
-    push.largeSeen = seen_.address();
 }
 
 void LargeBladeList::clear(VkCommandBuffer commands) const
 {
     const Counts none{};
     vkCmdUpdateBuffer(commands, counts_.get(), 0, sizeof none, &none);
+}
+
+void LargeBladeList::beginLate(VkCommandBuffer commands) const
+{
+    const VkBufferCopy count{.srcOffset = offsetof(Counts, parts.count),
+                             .dstOffset = offsetof(Counts, drawn.count),
+                             .size = sizeof(std::uint32_t)};
+    vkCmdCopyBuffer(commands, counts_.get(), counts_.get(), 1, &count);
+    const Counts none{};
+    vkCmdUpdateBuffer(commands, counts_.get(), offsetof(Counts, cut), sizeof none.cut, &none.cut);
 }
 
 void LargeBladeList::beginShown(VkCommandBuffer commands)
@@ -58,14 +66,14 @@ void LargeBladeList::beginShown(VkCommandBuffer commands)
     hasShown_ = true;
 }
 
-void LargeBladeList::dispatchAll(VkCommandBuffer commands) const
+void LargeBladeList::dispatch(VkCommandBuffer commands) const
 {
     vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, parts));
 }
 
-void LargeBladeList::dispatchSeen(VkCommandBuffer commands) const
+void LargeBladeList::dispatchCut(VkCommandBuffer commands) const
 {
-    vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, seen));
+    vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, cut));
 }
 
 VkDeviceSize LargeBladeList::drawOffset()

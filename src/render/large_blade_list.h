@@ -16,34 +16,37 @@ class LargeBladeList {
 public:
     LargeBladeList() = default;
 
-    /// With room for shared::mostLargeParts of them; and, if some are to be left out as hidden, for
-    /// the indices of the others, and a bit for each of a field's blades.
+    /// With room for shared::mostLargeParts of them, and shared::mostCutBlades; and, if some are to
+    /// be left out as hidden, for two bits for each of a field's blades.
     LargeBladeList(const gpu::DeviceContext& context, bool findsHidden, std::uint32_t bladeCount);
 
     void describe(shared::RasterPush& push) const; ///< where shaders find all but those bits
 
-    /// A bit for each blade: see shared::RasterPush::seen.
+    /// Two bits for each blade: see shared::RasterPush::seen.
     VkDeviceAddress shown() const { return shown_.address(); }
 
     /// Empties it; a transfer.
     void clear(VkCommandBuffer commands) const;
 
+    /// Keeps what is listed, and how much that is as drawn in the first turn; but those that the
+    /// near plane cuts have been drawn for good. A transfer.
+    void beginLate(VkCommandBuffer commands) const;
+
     /// Before the first frame no blade has been shown; a transfer, once.
     void beginShown(VkCommandBuffer commands);
 
-    void dispatchAll(VkCommandBuffer commands) const;  ///< a work-group for each that is listed
-    void dispatchSeen(VkCommandBuffer commands) const; ///< … that is not hidden
+    void dispatch(VkCommandBuffer commands) const;    ///< work-groups for all that are listed …
+    void dispatchCut(VkCommandBuffer commands) const; ///< … but the cut ones, and for these
 
     /// Of VkDrawIndirectCommand, a vertex for each that is listed.
     VkBuffer drawBuffer() const { return counts_.get(); }
     static VkDeviceSize drawOffset();
 
-    VkDeviceSize bytes() const { return parts_.bytes() + seen_.bytes() + shown_.bytes(); }
+    VkDeviceSize bytes() const { return parts_.bytes() + shown_.bytes(); }
 
 private:
     gpu::Buffer parts_;
     gpu::Buffer counts_;
-    gpu::Buffer seen_; ///< indices of those that are not hidden
     gpu::Buffer shown_;
     bool hasShown_ = false; ///< whether it has been filled
 };

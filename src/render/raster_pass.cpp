@@ -28,10 +28,11 @@ std::uint32_t tilesFor(std::uint32_t pixels)
     return (pixels + shared::rasterTile - 1) / shared::rasterTile;
 }
 
-/// Of the visibility, with room behind it: four samples of a row are read at a time.
+/// Of a shared::VisibilityArray.
 VkDeviceSize visibilityBytes(VkExtent2D size, std::uint32_t samples)
 {
-    return (VkDeviceSize(size.width) * samples + 4) * size.height * sizeof(std::uint64_t);
+    return VkDeviceSize(size.width + shared::columnsBeside) * shared::rowsOfColumn(size.height) *
+           samples * sizeof(std::uint64_t);
 }
 
 } // namespace
@@ -70,14 +71,15 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                                      .constants = {{.id = 1, .value = target.samples},
                                                    {.id = 2, .value = isLate ? 1u : 0u},
                                                    {.id = 3, .value = target.mayBePaged},
-                                                   {.id = 4, .value = isTessellated ? 1u : 0u}}});
+                                                   {.id = 4, .value = isTessellated ? 1u : 0u},
+                                                   {.id = 11, .value = target.mayFold}}});
     };
     depths_ = pipeline("raster/depths", "seen_depths.comp");
     if (target.groupsDrawLarge) {
         blades_ = pipeline("raster/blades", "raster_blades.comp");
         large_ = pipeline("raster/large blades", "raster_large.comp");
+        cut_ = pipeline("raster/cut blades", "raster_cut.comp");
         lateBlades_ = pipeline("raster/late blades", "raster_blades.comp", true);
-        judgeLarge_ = pipeline("raster/hidden large blades", "judge_large.comp");
         lateLarge_ = pipeline("raster/late large blades", "raster_large.comp", true);
     }
     if (target.tessellatesLarge) {
@@ -101,6 +103,7 @@ void RasterPass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
                                    .setLayouts = {imageLayout_.get(), frameLayout_.get()},
                                    .constants = {{.id = 0, .value = shading.paintsWind ? 1u : 0u},
                                                  {.id = 8, .value = shading.leavesLayers ? 1u : 0u},
+                                                 {.id = 11, .value = target_.mayFold},
                                                  {.id = 1, .value = target_.samples}}}));
 }
 
@@ -138,7 +141,6 @@ shared::RasterPush RasterPass::pushFor(const Input& input) const
                             .rounds = input.field->list().rounds().address(),
                             .large = 0,
                             .largeCount = 0,
-                            .largeSeen = 0,
                             .owners = input.field->baked().owners(),
                             .firstOwners = input.field->baked().firstOwners(),
                             .seen = input.findsHidden ? largeList_.shown() : 0,
@@ -182,28 +184,22 @@ void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Turn 
     if (input.tessellatesLarge)
         return tessellated_->record(commands, pushFor(input), largeList_.drawBuffer(),
                                     LargeBladeList::drawOffset());
-    const gpu::ComputePipeline& pipeline = turn == Turn::late ? lateLarge_ : large_;
-    pipeline.bind(commands);
-    input.frame.bind(commands, pipeline.layout(), frameSet);
-    pipeline.push(commands, pushFor(input));
-    if (turn == Turn::late)
-        largeList_.dispatchSeen(commands);
-    else
-        largeList_.dispatchAll(commands);
+    const shared::RasterPush push = pushFor(input);
+    const auto bind = [&](const gpu::ComputePipeline& pipeline) {
+        pipeline.bind(commands);
+        input.frame.bind(commands, pipeline.layout(), frameSet);
+        pipeline.push(commands, push);
+    };
+    bind(turn == Turn::late ? lateLarge_ : large_);
+    largeList_.dispatch(commands);
+    bind(cut_);
+    largeList_.dispatchCut(commands);
 }
 
-void RasterPass::recordJudgement(VkCommandBuffer commands, const Input& input) const
-{
-    judgeLarge_.bind(commands);
-    input.frame.bind(commands, judgeLarge_.layout(), frameSet);
-    judgeLarge_.push(commands, pushFor(input));
-    largeList_.dispatchAll(commands);
-}
-
-void RasterPass::recordNoLarge(VkCommandBuffer commands) const
+void RasterPass::recordLateTurn(VkCommandBuffer commands) const
 {
     gpu::memoryBarrier(commands, gpu::dispatchAccess, gpu::transferAccess);
-    largeList_.clear(commands);
+    largeList_.beginLate(commands);
     gpu::memoryBarrier(commands, gpu::transferAccess, gpu::dispatchAccess);
 }
 

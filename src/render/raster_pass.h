@@ -63,15 +63,13 @@ public:
     void recordBlades(VkCommandBuffer commands, const Input& input, std::uint32_t round,
                       Turn turn) const;
 
-    /// Finds those of the late large ones that the frame's pyramid does not hide. As above.
-    void recordJudgement(VkCommandBuffer commands, const Input& input) const;
-
-    /// Rasterises the large ones of all rounds since this was last recorded, or has them
-    /// tessellated, whichever their turn; the late ones have been judged. As above.
+    /// Rasterises the large ones that have been listed, or has them tessellated. If blades hide
+    /// others the upper halves of those that are listed in the first turn, and then, in the late
+    /// one, of these and of all others what the frame's pyramid does not hide. As above.
     void recordLarge(VkCommandBuffer commands, const Input& input, Turn turn) const;
 
-    /// Empties the list of large ones, with barriers from and to compute shaders.
-    void recordNoLarge(VkCommandBuffer commands) const;
+    /// What is listed from now on has its late turn; with barriers from and to compute shaders.
+    void recordLateTurn(VkCommandBuffer commands) const;
 
     /// Fills the finest levels of the frame's pyramid with what has been drawn so far. As above.
     void recordDepths(VkCommandBuffer commands, const Input& input) const;
@@ -97,9 +95,9 @@ private:
     gpu::ComputePipeline blades_;
     gpu::ComputePipeline smallBlades_; ///< leave large ones to the tessellator
     gpu::ComputePipeline large_;
-    gpu::ComputePipeline lateBlades_; ///< leave out what is hidden
-    gpu::ComputePipeline judgeLarge_;
-    gpu::ComputePipeline lateLarge_;
+    gpu::ComputePipeline cut_; ///< those that reach through the near plane
+    gpu::ComputePipeline lateBlades_;
+    gpu::ComputePipeline lateLarge_; ///< leaves out what is hidden
     gpu::ComputePipeline depths_;
     std::optional<LargeBladePass> tessellated_; ///< of large blades
     std::map<Shading, gpu::ComputePipeline> resolve_;

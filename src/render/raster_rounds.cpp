@@ -22,10 +22,6 @@ void RasterRounds::record(VkCommandBuffer commands, const RasterPass::Input& inp
     }
     gpu::computeToCompute(commands);
     const PassScope scope(context, commands, timestamps, "blades");
-    if (input.findsHidden) {
-        raster.recordJudgement(commands, input);
-        gpu::computeToCompute(commands);
-    }
     raster.recordLarge(commands, input, input.findsHidden ? Turn::late : Turn::first);
 }
 
@@ -49,7 +45,7 @@ void RasterRounds::recordPyramid(VkCommandBuffer commands, const RasterPass::Inp
     {
         const PassScope scope(context, commands, timestamps, "blades");
         raster.recordLarge(commands, input, RasterPass::Turn::first);
-        raster.recordNoLarge(commands);
+        raster.recordLateTurn(commands);
     }
     const PassScope scope(context, commands, timestamps, "pyramid");
     raster.recordDepths(commands, input);

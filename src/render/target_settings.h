@@ -15,6 +15,7 @@ struct TargetSettings {
     std::uint32_t samples = 4;
     bool paintsWind = false;       ///< ground and blades show the wind's speed
     bool mayBePaged = false;       ///< blades may be in memory in part
+    bool mayFold = true;           ///< there are folded blades
     bool groupsDrawLarge = true;   ///< the rasteriser may draw large blades by work-groups …
     bool tessellatesLarge = false; ///< … or leave them to the tessellator
 };

@@ -127,7 +127,7 @@ Walked walkThroughThicket(const gpu::Device& device, std::uint32_t samples, bool
     wanted.recordFates = true;
     FieldRenderer renderer(device, field::viewOf(field), wanted);
     FrameSettings settings = FrameSettings::of(field::viewOf(field));
-    test::Picture picture(device.context(), {321, 180});
+    test::Picture picture(device.context(), {321, 179});
     Walked walked;
     for (int step = 0; step < 6; ++step) {
         settings.cullMask = visible;

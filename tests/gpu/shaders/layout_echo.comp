@@ -292,7 +292,6 @@ void main()
     put(uvec2(sources.at[0].rasterPush.at[1].rounds));
     put(uvec2(sources.at[0].rasterPush.at[1].large));
     put(uvec2(sources.at[0].rasterPush.at[1].largeCount));
-    put(uvec2(sources.at[0].rasterPush.at[1].largeSeen));
     put(uvec2(sources.at[0].rasterPush.at[1].owners));
     put(uvec2(sources.at[0].rasterPush.at[1].firstOwners));
     put(uvec2(sources.at[0].rasterPush.at[1].seen));
