@@ -74,18 +74,13 @@ bool listsThoseBeside()
 /// of one that has not been posed yet.
 bool isFarBeside(Lens lens, VisibleBlade visible, Blade blade)
 {
-    const float reach = blade.height + 0.5 * outlineMost * blade.width * widthFactorOf(visible) +
-                        ribMargin(length(blade.root - lens.eye) + blade.height, lens.leastWidth);
+    const float reach =
+        blade.height + marginBeside(blade.width * widthFactorOf(visible),
+                                    length(blade.root - lens.eye) + blade.height, lens.leastWidth);
     bool beside = false;
     SHARED_UNROLL for (uint i = 0u; i < 4u; ++i) beside =
         beside || planeDistance(FRAME.view.planes[i], blade.root) < -reach;
     return beside;
-}
-
-/// By how much at most a point of a blade lies beside its curve [m].
-float marginOf(Lens lens, Ribbon ribbon, float height)
-{
-    return 0.5 * outlineMost * ribbon.width + ribMargin(length(ribbon.v0 - lens.eye) + height, lens.leastWidth);
 }
 
 /// Whether a blade lies beside the picture.
@@ -97,16 +92,6 @@ bool isBeside(Ribbon ribbon, float margin)
     return beside;
 }
 
-/// Whether a part of a blade may lie before the near plane.
-bool reachesBeforeNear(Lens lens, Ribbon ribbon, float margin)
-{
-    // How far behind it a point lies, w − z, is linear.
-    const vec4 near = transpose(lens.viewProjection)[3] - transpose(lens.viewProjection)[2];
-    const vec3 depths = vec3(dot(near, vec4(ribbon.v0, 1.0)), dot(near, vec4(ribbon.v1, 1.0)),
-                             dot(near, vec4(ribbon.v2, 1.0)));
-    return min(depths.x, min(depths.y, depths.z)) < margin * length(near.xyz);
-}
-
 void rasterise(Lens lens, VisibleBlade visible)
 {
     const Blade blade = visibleBlade(visible);
@@ -114,13 +99,15 @@ void rasterise(Lens lens, VisibleBlade visible)
         return;
     const DrawnBlade drawn = drawnBlade(visible, blade);
     const Ribbon ribbon = drawn.ribbon;
-    const float margin = marginOf(lens, ribbon, blade.height);
+    const float margin =
+        marginBeside(ribbon.width, length(ribbon.v0 - lens.eye) + blade.height, lens.leastWidth);
     if (listsThoseBeside() && isBeside(ribbon, margin))
         return;
     const float widthPixels = max(visible.pixels * ribbon.width / drawn.blade.height,
                                   lens.leastWidth * FRAME.view.pixelsPerUnit);
     const float pixels = visible.pixels * widthPixels;
-    const bool mayBeCut = reachesBeforeNear(lens, ribbon, margin);
+    const bool mayBeCut =
+        !curveInside(FRAME.view.planes[4], ribbon.v0, ribbon.v1, ribbon.v2, margin);
     if (mayBeCut && !isTessellated) {
         leftToBeCut(ribbon, visible.blade);
         return;

@@ -44,6 +44,13 @@ SHARED_FN bool curveOutside(vec4 plane, vec3 v0, vec3 v1, vec3 v2, float margin)
            -margin;
 }
 
+/// Whether all of that curve, as wide as 2·`margin`, lies inside.
+SHARED_FN bool curveInside(vec4 plane, vec3 v0, vec3 v1, vec3 v2, float margin)
+{
+    return min(min(planeDistance(plane, v0), planeDistance(plane, v1)), planeDistance(plane, v2)) >
+           margin;
+}
+
 /// Whether a box lies wholly outside `plane`.
 SHARED_FN bool boxOutside(vec4 plane, vec3 low, vec3 high)
 {

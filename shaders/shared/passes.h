@@ -129,7 +129,7 @@ SHARED_CONST uint largeTogether = 4u;
 SHARED_CONST uint lateTogether = 8u;
 
 /// … but fewer where there are not enough for so many work-groups.
-SHARED_CONST uint largeGroups = 16384u;
+SHARED_CONST uint largeGroups = 4096u;
 
 /// Of `listed` large blades a work-group takes so many at a time.
 SHARED_FN uint largeOfGroup(uint listed, bool isLate)

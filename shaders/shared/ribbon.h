@@ -105,6 +105,13 @@ SHARED_FN float ribMargin(float distance, float leastWidth)
     return leastWidth * distance;
 }
 
+/// By how much at most a point of a ribbon lies beside its curve [m]: one so wide, of which no
+/// point is farther than `distance` [m].
+SHARED_FN float marginBeside(float width, float distance, float leastWidth)
+{
+    return 0.5f * outlineMost * width + ribMargin(distance, leastWidth);
+}
+
 /// What of a blade decides which samples it keeps where it weighs less than 1: each blade others,
 /// more with more weight and never others instead.
 struct SampleMask {

@@ -1,6 +1,7 @@
 // Blades that cover many pixels: drawn together, in parts, by halves, and cut by the near plane.
 
 #include "picture.h"
+#include "shaders/shared/passes.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
 #include "thicket.h"
@@ -25,30 +26,81 @@ class LargeBlades : public test::GpuTest {};
 /// The graphics pipeline clips by itself; the rasteriser finds what may be cut, and cuts it.
 TEST_F(LargeBlades, TheNearPlaneCutsThemAsTheGraphicsPipelineDoes)
 {
-    for (const bool isFolded : {false, true}) {
-        const field::Field field = isFolded ? foldedThicket() : test::thicket();
-        for (const std::uint32_t samples : {1u, 4u}) {
-            SCOPED_TRACE(samples);
-            FieldRenderer pipeline(device(), field::viewOf(field),
-                                   {.samples = samples, .geometry = Geometry::hybrid});
-            FieldRenderer raster(device(), field::viewOf(field),
-                                 {.samples = samples, .geometry = Geometry::raster});
-            const FrameSettings settings = FrameSettings::of(field::viewOf(field));
-            test::Picture picture(context(), size);
-            for (const double near : {0.7, 1.3}) {
-                Camera camera = test::onTheWay(1);
-                picture.draw(raster, camera, settings, 1.0);
-                const auto whole = picture.pixels();
-                camera.near = static_cast<float>(near);
-                picture.draw(raster, camera, settings, 1.0);
-                const auto cut = picture.pixels();
-                EXPECT_GT(test::differingPixels(whole, cut), size.x * size.y / 10) << "it cuts";
-                picture.draw(pipeline, camera, settings, 1.0);
-                // Here and there a sample lies so near to an edge that the two do not agree.
-                EXPECT_LT(test::differingPixels(cut, picture.pixels()), size.x * size.y / 200)
-                    << near << " m";
-            }
+    for (const std::uint32_t samples : {1u, 4u}) {
+        const field::Field field = samples > 1 ? foldedThicket() : test::thicket();
+        SCOPED_TRACE(samples);
+        FieldRenderer pipeline(device(), field::viewOf(field),
+                               {.samples = samples, .geometry = Geometry::hybrid});
+        FieldRenderer raster(device(), field::viewOf(field),
+                             {.samples = samples, .geometry = Geometry::raster});
+        const FrameSettings settings = FrameSettings::of(field::viewOf(field));
+        test::Picture picture(context(), size);
+        for (const double near : {0.7, 1.3}) {
+            Camera camera = test::onTheWay(1);
+            picture.draw(raster, camera, settings, 1.0);
+            const auto whole = picture.pixels();
+            camera.near = static_cast<float>(near);
+            picture.draw(raster, camera, settings, 1.0);
+            const auto cut = picture.pixels();
+            EXPECT_GT(test::differingPixels(whole, cut), size.x * size.y / 10) << "it cuts";
+            picture.draw(pipeline, camera, settings, 1.0);
+            // Here and there a sample lies so near to an edge that the two do not agree.
+            EXPECT_LT(test::differingPixels(cut, picture.pixels()), size.x * size.y / 200)
+                << near << " m";
         }
+    }
+}
+
+/// So many that a work-group takes several at a time, with ribs of some in one turn and in the
+/// next.
+TEST_F(LargeBlades, DrawnTogetherLookAsTheGraphicsPipelineDrawsThem)
+{
+    const field::Field field = test::makeField({.blades = 40000,
+                                                .extent = 8.0f,
+                                                .heightLow = 1.2f,
+                                                .heightHigh = 2.4f,
+                                                .widthLow = 0.05f,
+                                                .widthHigh = 0.15f});
+    FieldRenderer pipeline(device(), field::viewOf(field),
+                           {.samples = 1, .geometry = Geometry::hybrid});
+    FieldRenderer raster(device(), field::viewOf(field),
+                         {.samples = 1, .geometry = Geometry::raster});
+    FrameSettings settings = FrameSettings::of(field::viewOf(field));
+    settings.cullMask = 0;
+    settings.levelOfDetail = false;
+    test::Picture picture(context(), size);
+    Camera camera;
+    camera.eye = {0.0, 3.2, 7.0};
+    picture.draw(pipeline, camera, settings, 1.0);
+    const auto expected = picture.pixels();
+    picture.draw(raster, camera, settings, 1.0);
+    ASSERT_GT(raster.stats().drawn, 2 * shared::largeGroups) << "large ones, for the most part";
+    EXPECT_LT(test::differingPixels(expected, picture.pixels()), size.x * size.y / 200);
+}
+
+/// So large that several work-groups share a blade, each with some of its rows.
+TEST_F(LargeBlades, InPartsLookAsTheGraphicsPipelineDrawsThem)
+{
+    const field::Field field = test::makeField({.blades = 60,
+                                                .extent = 4.0f,
+                                                .heightLow = 1.2f,
+                                                .heightHigh = 2.4f,
+                                                .widthLow = 0.3f,
+                                                .widthHigh = 0.6f});
+    for (const std::uint32_t samples : {1u, 4u}) {
+        FieldRenderer pipeline(device(), field::viewOf(field),
+                               {.samples = samples, .geometry = Geometry::hybrid});
+        FieldRenderer raster(device(), field::viewOf(field),
+                             {.samples = samples, .geometry = Geometry::raster});
+        const FrameSettings settings = FrameSettings::of(field::viewOf(field));
+        test::Picture picture(context(), 2u * size);
+        Camera camera;
+        camera.eye = {0.5, 1.5, 5.0};
+        picture.draw(pipeline, camera, settings, 1.0);
+        const auto expected = picture.pixels();
+        picture.draw(raster, camera, settings, 1.0);
+        EXPECT_LT(test::differingPixels(expected, picture.pixels()), size.x * size.y / 100)
+            << samples << " samples";
     }
 }
 

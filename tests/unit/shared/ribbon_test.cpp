@@ -129,6 +129,40 @@ TEST(Rib, IsNeverNarrowerThanTheLeastAndWeighsWhatItIs)
     EXPECT_LT(widened, 90'000);
 }
 
+/// What the rasteriser takes for uncut by a plane has no point beyond it, whatever its outline and
+/// fold, wherever it is looked at from and however narrow it is seen.
+TEST(Rib, OfACurveInsideAPlaneLiesInside)
+{
+    tests::Dice dice(29);
+    float nearest = 1e30f; // in times the margin
+    for (int run = 0; run < 20'000; ++run) {
+        Ribbon ribbon;
+        ribbon.v0 = 2.0f * dice.direction();
+        ribbon.v1 = ribbon.v0 + 0.5f * dice.direction();
+        ribbon.v2 = ribbon.v1 + 0.5f * dice.direction();
+        ribbon.axis = normalize(cross(ribbon.v1 - ribbon.v0, dice.direction()));
+        ribbon.width = dice.number(0.01f, 0.3f);
+        ribbon.fold = run % 2 == 0 ? 0.0f : dice.number(0.0f, 1.0f);
+        ribbon.outline = outlineOf(uint(run) % shapeCount, dice.number(0.0f, 1.0f), 8.0f);
+        const vec3 eye = 3.0f * dice.direction();
+        const float leastWidth = run % 3 == 0 ? 0.0f : dice.number(0.0f, 0.02f);
+        const float margin = marginBeside(ribbon.width, length(ribbon.v0 - eye) + 1.0f, leastWidth);
+        // As close as it may come.
+        const vec3 normal = dice.direction();
+        const float lowest =
+            std::min({dot(normal, ribbon.v0), dot(normal, ribbon.v1), dot(normal, ribbon.v2)});
+        const vec4 plane(normal, 1.001f * margin - lowest);
+        ASSERT_TRUE(curveInside(plane, ribbon.v0, ribbon.v1, ribbon.v2, margin));
+        for (float t = 0.0f; t <= 1.0f; t += 1.0f / 32.0f) {
+            const Rib rib = ribAt(ribbon, t, eye, leastWidth);
+            for (const vec3& point : {rib.left, rib.right, rib.ridge})
+                nearest = std::min(nearest, planeDistance(plane, point) / margin);
+        }
+        ASSERT_GE(nearest, 0.0f) << "run " << run;
+    }
+    EXPECT_LT(nearest, 0.3f) << "and some nearly reach it";
+}
+
 TEST(Rib, StaysAsItIsWithoutALeastWidth)
 {
     tests::Dice dice(12);
