@@ -94,8 +94,9 @@ void FieldBuffers::clearFates(VkCommandBuffer commands) const
 
 std::uint32_t FieldBuffers::roundCount(std::uint64_t patches) const
 {
-    const std::uint64_t rounds = patches / list_.roundPatches() + 1;
-    return static_cast<std::uint32_t>(std::min<std::uint64_t>(rounds, list_.roundCount()));
+    // `patches` may be the largest number there is.
+    const std::uint64_t before = patches / list_.roundPatches();
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(before, list_.roundCount() - 1)) + 1;
 }
 
 VkDeviceSize FieldBuffers::bytes() const

@@ -99,6 +99,7 @@ TEST_F(LargeBlades, InPartsLookAsTheGraphicsPipelineDrawsThem)
         picture.draw(pipeline, camera, settings, 1.0);
         const auto expected = picture.pixels();
         picture.draw(raster, camera, settings, 1.0);
+        EXPECT_GT(raster.stats().drawn, 20u);
         EXPECT_LT(test::differingPixels(expected, picture.pixels()), size.x * size.y / 100)
             << samples << " samples";
     }

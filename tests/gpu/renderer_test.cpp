@@ -126,6 +126,25 @@ TEST_F(RendererTest, DrawsTheSameInRoundsAsAtOnce)
     EXPECT_LT(bytes[1] + 1000 * sizeof(shared::VisibleBlade), bytes[0]);
 }
 
+/// As small meshes have it.
+TEST_F(RendererTest, DrawsAFieldOfOnePatch)
+{
+    const field::Field field = test::makeField({.blades = 60, .extent = 1.0f});
+    ASSERT_EQ(field.patches.size(), 1u);
+    for (const Geometry geometry : {Geometry::tessellation, Geometry::raster, Geometry::hybrid}) {
+        FieldRenderer renderer(device(), field::viewOf(field),
+                               {.samples = 1, .geometry = geometry});
+        FrameSettings settings = FrameSettings::of(field::viewOf(field));
+        settings.levelOfDetail = false;
+        settings.cullMask = 0;
+        test::Picture picture(context(), {96, 60});
+        Camera camera;
+        camera.eye = {0.0, 1.0, 2.0};
+        picture.draw(renderer, camera, settings, 1.0);
+        EXPECT_EQ(renderer.stats().drawn, 60u) << static_cast<int>(geometry);
+    }
+}
+
 TEST_F(RendererTest, TakesStepsOfAnyLength)
 {
     Scene scene = meadow(600);
