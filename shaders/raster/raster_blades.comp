@@ -61,7 +61,7 @@ void leftToBeCut(Ribbon ribbon, uint blade)
     if (slot >= mostCutBlades)
         return;
     putPart(mostLargeParts + slot, partOf(ribbon, blade, 1u << 16u));
-    atomicMax(asked.at[3].groups[0], slot + 1u);
+    atomicMax(asked.at[3].groups[0], min(slot + 1u, mostGroups));
 }
 
 /// Whether the list holds blades beside the picture.
