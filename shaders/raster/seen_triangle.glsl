@@ -50,18 +50,6 @@ bool isBefore(vec4 seen)
     return seen.w <= 0.0 || seen.z > seen.w;
 }
 
-/// Whether a part of a rib lies before the near plane.
-bool isCut(SeenRib seen)
-{
-    return isBefore(seen.left) || isBefore(seen.right) || isBefore(seen.ridge);
-}
-
-/// Whether nothing of a rib can be seen.
-bool isLost(SeenRib seen)
-{
-    return isBefore(seen.left) && isBefore(seen.right) && isBefore(seen.ridge);
-}
-
 /// Triangles between two ribs.
 uint trianglesOf(bool isFolded)
 {
