@@ -64,8 +64,8 @@ public:
                       Turn turn) const;
 
     /// Rasterises the large ones that have been listed, or has them tessellated. If blades hide
-    /// others the upper halves of those that are listed in the first turn, and then, in the late
-    /// one, of these and of all others what the frame's pyramid does not hide. As above.
+    /// others, in the first turn those halves that the frame before has shown, and in the late one
+    /// what of all the rest the frame's pyramid does not hide. As above.
     void recordLarge(VkCommandBuffer commands, const Input& input, Turn turn) const;
 
     /// What is listed from now on has its late turn; with barriers from and to compute shaders.
