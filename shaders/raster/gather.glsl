@@ -12,9 +12,9 @@ shared uint asked[samplesPerPixel * gatherThreads]; // see questionAt()
 shared uint askedCount;
 shared vec4 answers[samplesPerPixel * gatherThreads]; // by pixel and sample
 
-uvec2 pixelOf(uint thread)
+uvec2 pixelOf(uvec2 tile, uint thread)
 {
-    return gl_WorkGroupID.xy * gatherTile + uvec2(thread % gatherTile, thread / gatherTile);
+    return tile * gatherTile + uvec2(thread % gatherTile, thread / gatherTile);
 }
 
 /// What one pixel shows in some of its samples.

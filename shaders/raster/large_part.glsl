@@ -11,9 +11,9 @@ layout(buffer_reference, scalar, buffer_reference_align = 16) buffer LargePartQu
     uvec4 at[];
 };
 
-void putPart(uint place, LargePart part)
+void putPart(LargePartArray list, uint place, LargePart part)
 {
-    LargePartQuarters quarters = LargePartQuarters(uvec2(push.large));
+    LargePartQuarters quarters = LargePartQuarters(uvec2(list));
     quarters.at[5u * place] = uvec4(floatBitsToUint(part.v0), floatBitsToUint(part.width));
     quarters.at[5u * place + 1u] = uvec4(floatBitsToUint(part.v1), floatBitsToUint(part.fold));
     quarters.at[5u * place + 2u] = uvec4(floatBitsToUint(part.v2), floatBitsToUint(part.segments));

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Rasterises the visible blades, one thread each. Those that cover many pixels, or reach through the
-// near plane, are left to raster_large.comp.
+// Rasterises the visible blades, one thread each. Those that cover many pixels may be left to
+// raster_large.comp or to the tessellator, and those that reach through the near plane to raster_cut.comp.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
@@ -22,8 +22,9 @@ layout(local_size_x = rasterThreads) in;
 // pipeline is made.
 layout(constant_id = 2) const bool isLate = false;
 
-// Whether large blades are the tessellator's affair; known when the pipeline is made.
-layout(constant_id = 4) const bool isTessellated = false;
+// Whose affair large blades are; known when the pipeline is made.
+layout(constant_id = 4) const uint largeTo = largeToGroups;
+const bool isTessellated = largeTo == largeToTessellator;
 
 /// A blade, or a part of it, as it is listed. `part`: LargePart::part.
 LargePart partOf(Ribbon ribbon, uint blade, uint part)
@@ -43,7 +44,7 @@ bool leftToOthers(Ribbon ribbon, VisibleBlade visible, float pixels)
     const uint late = ((visible.factors & lowerHalfIsLate) != 0u ? lowerPartIsLate : 0u) |
                       ((visible.factors & upperHalfIsLate) != 0u ? upperPartIsLate : 0u);
     for (uint part = 0u; part < parts && slot + part < mostLargeParts; ++part)
-        putPart(slot + part,
+        putPart(push.large, slot + part,
                 partOf(ribbon, visible.blade, hasRoom ? part | (parts << 16u) | late : 0u));
     const uint listed = min(slot + parts, mostLargeParts);
     if (isTessellated)
@@ -60,7 +61,7 @@ void leftToBeCut(Ribbon ribbon, uint blade)
     const uint slot = atomicAdd(asked.at[3].count, 1u);
     if (slot >= mostCutBlades)
         return;
-    putPart(mostLargeParts + slot, partOf(ribbon, blade, 1u << 16u));
+    putPart(push.cut, slot, partOf(ribbon, blade, 1u << 16u));
     atomicMax(asked.at[3].groups[0], min(slot + 1u, mostGroups));
 }
 
@@ -115,7 +116,8 @@ void rasterise(Lens lens, VisibleBlade visible)
     // A thread takes twice as long for a pixel of four samples as for one of one; a tessellator does not.
     const float most =
         isTessellated ? tessellatedPixels : largeBladePixels * inversesqrt(float(samplesPerPixel));
-    if ((isLate || mayBeCut || pixels > most) && leftToOthers(ribbon, visible, pixels))
+    if (largeTo != largeToNobody && (isLate || mayBeCut || pixels > most) &&
+        leftToOthers(ribbon, visible, pixels))
         return;
     // The tessellator had no room.
     if (mayBeCut)

@@ -82,11 +82,11 @@ bool triangleBehindNear(uint i, SeenRib before, SeenRib after, bool isFolded, bo
 
 void main()
 {
-    LargePartArray large = push.large;
+    LargePartArray cut = push.cut;
     const uint count = min(push.largeCount.at[3].count, mostCutBlades);
     const Lens lens = lensOf();
     for (uint item = gl_WorkGroupID.x; item < count; item += gl_NumWorkGroups.x) {
-        const LargePart blade = large.at[mostLargeParts + item];
+        const LargePart blade = cut.at[item];
         const Ribbon ribbon = ribbonOf(blade);
         const float segments = ribbon.outline.segments;
         const bool hasRidge = isFolded(ribbon);

@@ -12,21 +12,25 @@ layout(set = 0, binding = 1, rgba8) uniform writeonly image2D picture;
 #include "shaders/frame_constants.glsl"
 #include "shaders/raster/visibility.glsl"
 #include "shaders/raster/resolve.glsl"
+#include "shaders/raster/shown_tiles.glsl"
 
 /// `word` of the visibility.
 vec4 shadeAt(uvec2 pixel, uint64_t word)
 {
     const Lens lens = lensOf();
     const uint what = uint(word);
-    if (what >= push.firstBlade)
+    if (showsBlades && what >= push.firstBlade)
         return shade(lens, what - push.firstBlade, vec2(pixel), 1u, 0u,
                      uintBitsToFloat(uint(word >> 32u)));
-    return what > 0u ? texelFetch(solid, ivec2(pixel), 0) : skyAt(lens, pixel);
+    return !showsSky || what > 0u ? texelFetch(solid, ivec2(pixel), 0) : skyAt(lens, pixel);
 }
 
 void main()
 {
-    const uvec2 pixel = gl_GlobalInvocationID.xy;
+    uvec2 tile;
+    if (!findTile(tile))
+        return;
+    const uvec2 pixel = tile * rasterTile + gl_LocalInvocationID.xy;
     if (any(greaterThanEqual(pixel, push.size)))
         return;
     Visibility visibility = Visibility(uvec2(push.visibility));

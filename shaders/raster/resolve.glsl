@@ -10,6 +10,10 @@ layout(local_size_x = rasterTile, local_size_y = rasterTile) in;
 /// Whether grass that others hide is left out, see layerShare(); known when the pipeline is made.
 layout(constant_id = 8) const bool leavesLayers = true;
 
+// Whether there may be blades in a work-group's tile, and sky; known when the pipeline is made.
+layout(constant_id = 12) const bool showsBlades = true;
+layout(constant_id = 13) const bool showsSky = true;
+
 /// Index of the patch that owns a blade.
 uint patchOf(uint blade)
 {

@@ -16,13 +16,17 @@ layout(set = 0, binding = 1, rgba16f) uniform image2D shaded;
 
 const uint gatherTile = rasterTile;
 #include "shaders/raster/gather.glsl"
+#include "shaders/raster/shown_tiles.glsl"
 
 void main()
 {
+    uvec2 tile;
+    if (!findTile(tile))
+        return;
     Visibility visibility = Visibility(uvec2(push.visibility));
     const Lens lens = lensOf();
     const uint thread = gl_LocalInvocationIndex;
-    const uvec2 pixel = pixelOf(thread);
+    const uvec2 pixel = pixelOf(tile, thread);
     const bool isInside = all(lessThan(pixel, push.size));
     if (thread == 0u)
         askedCount = 0u;
@@ -37,9 +41,9 @@ void main()
     }
     barrier();
 
-    for (uint i = thread; i < askedCount; i += gatherThreads) {
+    for (uint i = thread; showsBlades && i < askedCount; i += gatherThreads) {
         const Question question = questionAt(i);
-        const uvec2 place = pixelOf(question.thread);
+        const uvec2 place = pixelOf(tile, question.thread);
         const uint64_t word = visibility.at[sampleIndex(place, question.s)];
         answer(question, shade(lens, uint(word) - push.firstBlade, vec2(place), question.samples, question.s,
                                uintBitsToFloat(uint(word >> 32u))));
@@ -58,7 +62,7 @@ void main()
         sky += seen[s] == 0u ? 1.0 : 0.0;
         seesSolid = seesSolid || (seen[s] > 0u && seen[s] < push.firstBlade);
     }
-    if (sky > 0.0)
+    if (showsSky && sky > 0.0)
         sum += sky * skyAt(lens, pixel);
     vec4 mean = sum / float(samplesPerPixel);
     if (seesSolid)

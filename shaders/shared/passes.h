@@ -5,6 +5,7 @@
 #include "shaders/shared/frame.h"
 #include "shaders/shared/ground.h"
 #include "shaders/shared/patch_tree.h"
+#include "shaders/shared/shown_tiles.h"
 #include "shaders/shared/types.h"
 
 SHARED_BEGIN
@@ -90,9 +91,6 @@ SHARED_CONST uint rasterThreads = 64u;
 /// Work-groups in one dimension that every device takes; beyond them threads loop.
 SHARED_CONST uint mostGroups = 65535u;
 
-/// Width and height of the tile of pixels that a work-group begins or resolves.
-SHARED_CONST uint rasterTile = 8u;
-
 /// A blade that covers more pixels than this is not rasterised by one thread, but by a work-group;
 /// with several samples a pixel already one of so many pixels over the root of their number.
 SHARED_CONST float largeBladePixels = 64.0f;
@@ -131,6 +129,12 @@ SHARED_CONST uint lateTogether = 8u;
 
 /// … but fewer where there are not enough for so many work-groups.
 SHARED_CONST uint largeGroups = 4096u;
+
+/// Whose affair the blades are that cover many pixels: of work-groups, of the tessellator, or of
+/// nobody but the thread that has one.
+SHARED_CONST uint largeToGroups = 0u;
+SHARED_CONST uint largeToTessellator = 1u;
+SHARED_CONST uint largeToNobody = 2u;
 
 /// Of `listed` large blades a work-group takes so many at a time.
 SHARED_FN uint largeOfGroup(uint listed, bool isLate)
@@ -194,8 +198,8 @@ struct RasterPush {
     LargePartArray large;
     WalkLevelArray largeCount; ///< how many of them were asked for, and work-groups for them;
                                ///< then the draw for them by the tessellator; then how many of
-                               ///< them have been drawn in the first turn; then as at first of
-                               ///< those that are cut by the near plane, which lie behind them
+                               ///< them have been drawn in the first turn; then as at first of …
+    LargePartArray cut;        ///< … those that are cut by the near plane
     UintArray owners;          ///< patches that own blades, in the order of their blades
     UintArray firstOwners; ///< per ownerStride blades: index into `owners` of the first one's patch
 
@@ -204,13 +208,14 @@ struct RasterPush {
     /// first, then all others as far as they are not hidden; so the bits decide when something is
     /// looked at, and never whether it is seen. Address 0: nobody asks.
     UintArray seen;
-    uvec2 size;      ///< [pixels]
-    uint isBgr;      ///< 1: the picture's first channel is blue
-    uint round;      ///< whose list is rasterised: its first blades, or its last ones
+    WalkLevelArray tiles; ///< by what they show: see shown_tiles.h
+    uvec2 size;           ///< [pixels]
+    uint isBgr;           ///< 1: the picture's first channel is blue
+    uint round;           ///< whose list is rasterised: its first blades, or its last ones
     uint firstBlade; ///< what the visibility has for the blade with the id 0: see VisibilityArray
     uint reserved;
 };
-SHARED_LAYOUT(RasterPush, 96)
+SHARED_LAYOUT(RasterPush, 112)
 
 /// A collider is drawn as so many quads around its axis, in so many rings from each pole.
 SHARED_CONST uint colliderSegments = 64u;

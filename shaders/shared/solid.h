@@ -66,19 +66,17 @@ struct SolidPush {
     UintArray seen;   ///< indices of the clusters that may be seen
     UintArray middle; ///< triangles for teams
     LargeTriangleArray large;
-    uvec2 size;         ///< [pixels]
-    uint clusterCount;  ///< of all parts
-    uint triangleCount; ///< of the colliders
-    uint firstImage;    ///< of those that this dispatch knows …
-    uint imageCount;    ///< … and of them all, with a white one at the end
+    WalkLevelArray tiles; ///< as in RasterPush
+    uvec2 size;           ///< [pixels]
+    uint clusterCount;    ///< of all parts
+    uint triangleCount;   ///< of the colliders
+    uint firstImage;      ///< of those that this dispatch knows …
+    uint imageCount;      ///< … and of them all, with a white one at the end
 };
-SHARED_LAYOUT(SolidPush, 104)
+SHARED_LAYOUT(SolidPush, 112)
 
 /// Images that a dispatch of the solid's light knows; for more there are more dispatches.
 SHARED_CONST uint imagesTogether = 8u;
-
-/// Width and height of the tile of pixels that a work-group lights.
-SHARED_CONST uint lightTile = 16u;
 
 SHARED_END
 #endif

@@ -19,6 +19,7 @@ layout(set = 0, binding = 1, rgba16f) uniform image2D lit;
 
 const uint gatherTile = lightTile;
 #include "shaders/raster/gather.glsl"
+#include "shaders/raster/shown_tiles.glsl"
 
 layout(local_size_x = gatherThreads) in;
 
@@ -134,8 +135,11 @@ vec4 lightOf(uint number, vec2 middle)
 
 void main()
 {
+    uvec2 tile;
+    if (!findTile(tile))
+        return;
     const uint thread = gl_LocalInvocationIndex;
-    const uvec2 pixel = pixelOf(thread);
+    const uvec2 pixel = pixelOf(tile, thread);
     if (thread == 0u)
         askedCount = 0u;
     barrier();
@@ -151,7 +155,7 @@ void main()
 
     for (uint i = thread; i < askedCount; i += gatherThreads) {
         const Question question = questionAt(i);
-        const uvec2 place = pixelOf(question.thread);
+        const uvec2 place = pixelOf(tile, question.thread);
         answer(question, lightOf(triangleAt(place, question.s) - 1u, vec2(place) + 0.5));
     }
     barrier();

@@ -34,16 +34,18 @@ FieldBuffers::Records recordsFor(const gpu::DeviceContext& context, Geometry geo
             .walkStart = context.isCpu() ? shared::walkStart : shared::walkStartOfGpu};
 }
 
-TargetSettings targetFor(const field::FieldView& field, Geometry geometry, bool isTriedOut,
-                         const FieldRenderer::Settings& wanted)
+TargetSettings targetFor(const gpu::DeviceContext& context, const field::FieldView& field,
+                         Geometry geometry, bool isTriedOut, const FieldRenderer::Settings& wanted)
 {
+    const bool isForCpu = wanted.rastersForCpu.value_or(context.isCpu());
     return {.colorFormat = wanted.colorFormat,
             .samples = wanted.samples,
             .mayBePaged = wanted.deviceBytes > 0,
             .mayFold = std::ranges::any_of(
                 field.species, [](const field::Species& kind) { return kind.look.fold > 0.0f; }),
-            .groupsDrawLarge = geometry != Geometry::hybrid,
-            .tessellatesLarge = geometry == Geometry::hybrid || isTriedOut};
+            .groupsDrawLarge = geometry != Geometry::hybrid && !isForCpu,
+            .tessellatesLarge = geometry == Geometry::hybrid || isTriedOut,
+            .sortsTiles = isForCpu};
 }
 
 /// Throws Error{unsupported} if the visibility has not numbers for all that may be seen.
@@ -84,7 +86,7 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , geometry(chooseGeometry(context, wanted))
     , shaders(wanted.shaders.empty() ? embedded::shaders() : wanted.shaders)
     , trial(madeIf<GeometryTrial>(isTriedOut(context, wanted), context, wanted.framesInFlight))
-    , targetSettings(targetFor(field, geometry, trial.has_value(), wanted))
+    , targetSettings(targetFor(context, field, geometry, trial.has_value(), wanted))
     , ground(uploaded<GroundBuffers>(context, *field.ground))
     , cover(uploaded<GrassCover>(context, field))
     , sunShadow(context, shaders, ground.box())
@@ -94,9 +96,10 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , tessellated(madeIf<TessellatedPass>(geometry == Geometry::tessellation, context, shaders,
                                           targetSettings))
     , solidRaster(
-          madeIf<SolidRasterPass>(rasterises(geometry), context, shaders, ground, wanted.samples))
+          madeIf<SolidRasterPass>(rasterises(geometry), context, shaders, ground, targetSettings))
     , raster(madeIf<RasterPass>(rasterises(geometry), context, shaders, targetSettings,
                                 static_cast<std::uint32_t>(field.blades.size())))
+    , resolve(madeIf<ResolvePass>(rasterises(geometry), context, shaders, targetSettings))
     , plan(planWithin(field))
     , blades(context, shaders, uploaded<FieldBuffers>(context, field, plan.records),
              wanted.asksSmallBlades.value_or(!context.isCpu()))
@@ -155,7 +158,8 @@ void FieldRenderer::Parts::fit(glm::uvec2 size)
         const VkExtent2D extent{size.x, size.y};
         pyramid.resize(extent);
         solidRaster->resize(extent);
-        raster->resize(extent, solidRaster->lit());
+        raster->resize(extent);
+        resolve->resize(extent, solidRaster->lit());
         return;
     }
     attachments->resize(size);
@@ -205,8 +209,8 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
     sunShadow.prepare(shaders);
     if (raster) {
         solidRaster->prepare(shaders, frame.nature.colliderCount, paintsWind);
-        raster->prepare(shaders,
-                        {.paintsWind = paintsWind, .leavesLayers = frame.view.mostLayers > 0.0f});
+        resolve->prepare(shaders,
+                         {.paintsWind = paintsWind, .leavesLayers = frame.view.mostLayers > 0.0f});
     } else {
         solid->prepare(shaders, frame.nature.colliderCount, paintsWind);
         tessellated->prepare(shaders, paintsWind);
@@ -253,14 +257,18 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
 
     const bool looksForHidden = (settings.cullMask & shared::cullOcclusion) != 0;
     const bool findsReasons = settings.debug == DebugMode::reason;
-    RasterPass::Input raster{.field = &parts.blades.buffers(),
-                             .frame = parts.slots[slot].frame.place(),
-                             .judged = findsReasons ? parts.slots[slot].listing.place() : judged,
-                             .firstBlade = parts.raster ? parts.solidRaster->firstBlade() : 1,
-                             // What blades hide is known of the camera that draws, and of no other.
-                             .findsHidden = parts.geometry == Geometry::raster && looksForHidden &&
-                                            !settings.cullingCamera && !findsReasons,
-                             .tessellatesLarge = parts.geometry == Geometry::hybrid};
+    RasterPass::Input raster{
+        .field = &parts.blades.buffers(),
+        .frame = parts.slots[slot].frame.place(),
+        .judged = findsReasons ? parts.slots[slot].listing.place() : judged,
+        .tiles = parts.resolve && parts.resolve->tiles() != nullptr
+                     ? parts.resolve->tiles()->address()
+                     : 0,
+        .firstBlade = parts.raster ? parts.solidRaster->firstBlade() : 1,
+        // What blades hide is known of the camera that draws, and of no other.
+        .findsHidden = parts.geometry == Geometry::raster && parts.targetSettings.groupsDrawLarge &&
+                       looksForHidden && !settings.cullingCamera && !findsReasons,
+        .tessellatesLarge = parts.geometry == Geometry::hybrid};
 
     // What the ground hides needs neither be moved nor drawn.
     if (parts.raster)
@@ -294,7 +302,7 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
     if (!findsReasons)
         parts.slots[slot].recordCounts(commands, parts.blades.buffers().draw());
     if (parts.raster) {
-        parts.resolve(commands, target, raster, timestamps);
+        parts.makePicture(commands, target, raster, timestamps);
     } else {
         parts.drawBlades(commands, target, slot, timestamps);
         parts.tessellated->finish(commands, target.view);
@@ -381,8 +389,8 @@ const char* FieldRenderer::geometryReason() const
 
 std::size_t FieldRenderer::Parts::bytesBesideBlades() const
 {
-    const std::size_t pictures =
-        raster ? raster->bytes() + solidRaster->bytes() : attachments->bytes() + solid->bytes();
+    const std::size_t pictures = raster ? raster->bytes() + solidRaster->bytes() + resolve->bytes()
+                                        : attachments->bytes() + solid->bytes();
     return ground.bytes() + cover.bytes() + sunShadow.bytes() + pyramid.bytes() + pictures +
            settings.framesInFlight * FrameSlot::bytes();
 }

@@ -14,6 +14,7 @@
 #include "render/memory_plan.h"
 #include "render/moving_blades.h"
 #include "render/raster_rounds.h"
+#include "render/resolve_pass.h"
 #include "render/solid_pass.h"
 #include "render/solid_raster_pass.h"
 #include "render/streaming.h"
@@ -50,6 +51,7 @@ struct FieldRenderer::Parts {
     // … or compute shaders alone.
     std::optional<SolidRasterPass> solidRaster;
     std::optional<RasterPass> raster;
+    std::optional<ResolvePass> resolve;
     MemoryPlan plan;
     MovingBlades blades;
     std::optional<Streaming> streaming; ///< where not all blades are in memory
@@ -79,8 +81,8 @@ struct FieldRenderer::Parts {
                     gpu::Timestamps* timestamps);
     void rasterBlades(VkCommandBuffer commands, const RasterPass::Input& input,
                       gpu::Timestamps* timestamps);
-    void resolve(VkCommandBuffer commands, const Target& target, const RasterPass::Input& input,
-                 gpu::Timestamps* timestamps);
+    void makePicture(VkCommandBuffer commands, const Target& target, const RasterPass::Input& input,
+                     gpu::Timestamps* timestamps);
     gpu::ColorAttachment colorAttachment(const Target& target) const;
 };
 

@@ -42,6 +42,7 @@ void FieldRenderer::Parts::rasterSolid(VkCommandBuffer commands, std::uint32_t s
     const PassScope scope(context, commands, timestamps, "ground");
     gpu::anythingToTransfer(commands);
     raster->recordBegin(commands);
+    resolve->recordBegin(commands);
     solidRaster->recordBegin(commands);
     gpu::memoryBarrier(commands, gpu::transferAccess, gpu::dispatchAccess);
     solidRaster->recordTriangles(commands, slots[slot].frame.place(), raster->visibility());
@@ -104,19 +105,21 @@ void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, const RasterPa
         trial->endBlades(commands);
 }
 
-void FieldRenderer::Parts::resolve(VkCommandBuffer commands, const Target& target,
-                                   const RasterPass::Input& input, gpu::Timestamps* timestamps)
+void FieldRenderer::Parts::makePicture(VkCommandBuffer commands, const Target& target,
+                                       const RasterPass::Input& input, gpu::Timestamps* timestamps)
 {
+    const shared::RasterPush push = raster->pushFor(input);
     gpu::computeToCompute(commands);
     {
         const PassScope scope(context, commands, timestamps, "ground");
-        solidRaster->recordLight(commands, input.frame, raster->visibility());
+        resolve->recordTiles(commands, push);
+        solidRaster->recordLight(commands, input.frame, raster->visibility(), resolve->tiles());
     }
     const PassScope scope(context, commands, timestamps, "resolve");
-    raster->recordResolve(commands, input);
+    resolve->record(commands, push, input.frame);
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, gpu::ImageUse::colorTarget,
                     gpu::ImageUse::transferTarget);
-    raster->copyTo(commands, target.image);
+    resolve->copyTo(commands, target.image);
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT,
                     gpu::ImageUse::transferTarget, gpu::ImageUse::colorTarget);
 }

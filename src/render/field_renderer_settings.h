@@ -19,6 +19,12 @@ struct FieldRendererSettings {
     std::uint32_t framesInFlight = 1;               ///< frames recorded before one is waited for
     Geometry geometry = Geometry::automatic;        ///< how blades are drawn
 
+    /// Whether the rasteriser does what suits a CPU, whose lanes wait for one another and cannot
+    /// jump over what none of them needs: a thread draws each blade, nobody asks which of them
+    /// others hide, and tiles of the picture are shaded by what they show. Where nothing is said,
+    /// on a CPU device. Changes no picture but for single samples at edges.
+    std::optional<bool> rastersForCpu{};
+
     /// Whether the rasteriser finds out of blades of some dozen pixels that others hide them; where
     /// nothing is said, not on a CPU device. Never changes a picture.
     std::optional<bool> asksSmallBlades{};

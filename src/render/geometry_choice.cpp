@@ -43,9 +43,8 @@ Geometry chooseGeometry(const gpu::DeviceContext& context, const FieldRenderer::
              nameOf(wanted.geometry), obstacle);
     if (wanted.geometry != Geometry::automatic)
         return wanted.geometry;
-    return obstacleTo(Geometry::raster, context, wanted) == nullptr && !context.isCpu()
-               ? Geometry::raster
-               : Geometry::tessellation;
+    return obstacleTo(Geometry::raster, context, wanted) == nullptr ? Geometry::raster
+                                                                    : Geometry::tessellation;
 }
 
 bool isTriedOut(const gpu::DeviceContext& context, const FieldRenderer::Settings& wanted)
@@ -53,7 +52,7 @@ bool isTriedOut(const gpu::DeviceContext& context, const FieldRenderer::Settings
     return wanted.geometry == Geometry::automatic &&
            chooseGeometry(context, wanted) == Geometry::raster &&
            obstacleTo(Geometry::hybrid, context, wanted) == nullptr &&
-           context.timestampValidBits > 0;
+           context.timestampValidBits > 0 && !wanted.rastersForCpu.value_or(context.isCpu());
 }
 
 const char* reasonForGeometry(const gpu::DeviceContext& context,
@@ -64,8 +63,9 @@ const char* reasonForGeometry(const gpu::DeviceContext& context,
     const char* obstacle = obstacleToRaster(context, wanted.colorFormat);
     if (obstacle != nullptr)
         return obstacle;
-    return context.isCpu() ? "a CPU's compute shaders leave lanes idle: its tessellator is faster"
-                           : "compute shaders draw blades faster than the tessellator";
+    return context.isCpu()
+               ? "compute shaders with a thread for each blade are faster than a CPU's tessellator"
+               : "compute shaders draw blades faster than the tessellator";
 }
 
 } // namespace sward::render

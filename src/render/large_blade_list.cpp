@@ -16,24 +16,26 @@ struct Counts {
 
 } // namespace
 
-LargeBladeList::LargeBladeList(const gpu::DeviceContext& context, bool findsHidden,
-                               std::uint32_t bladeCount)
-    : parts_(context,
-             {.name = "raster/large blades",
-              .bytes = (shared::mostLargeParts + shared::mostCutBlades) * sizeof(shared::LargePart),
-              .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT})
+LargeBladeList::LargeBladeList(const gpu::DeviceContext& context, Room room)
+    : cut_(context, {.name = "raster/cut blades",
+                     .bytes = shared::mostCutBlades * sizeof(shared::LargePart),
+                     .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT})
     , counts_(context,
               {.name = "raster/large blades' count",
                .bytes = sizeof(Counts),
                .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
                         VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT})
 {
-    if (!findsHidden)
+    if (room.large)
+        parts_ = gpu::Buffer(context, {.name = "raster/large blades",
+                                       .bytes = shared::mostLargeParts * sizeof(shared::LargePart),
+                                       .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+    if (room.shownBlades == 0)
         return;
     constexpr VkDeviceSize bladesOfWord = 16;
     shown_ = gpu::Buffer(
         context, {.name = "raster/blades that the frame before showed",
-                  .bytes = (bladeCount / bladesOfWord + 1) * sizeof(std::uint32_t),
+                  .bytes = (room.shownBlades / bladesOfWord + 1) * sizeof(std::uint32_t),
                   .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
 }
 
@@ -41,6 +43,7 @@ void LargeBladeList::describe(shared::RasterPush& push) const
 {
     push.large = parts_.address();
     push.largeCount = counts_.address();
+    push.cut = cut_.address();
 }
 
 void LargeBladeList::clear(VkCommandBuffer commands) const

@@ -16,9 +16,13 @@ class LargeBladeList {
 public:
     LargeBladeList() = default;
 
-    /// With room for shared::mostLargeParts of them, and shared::mostCutBlades; and, if some are to
-    /// be left out as hidden, for two bits for each of a field's blades.
-    LargeBladeList(const gpu::DeviceContext& context, bool findsHidden, std::uint32_t bladeCount);
+    /// For what there is room beside shared::mostCutBlades.
+    struct Room {
+        bool large = false;            ///< shared::mostLargeParts
+        std::uint32_t shownBlades = 0; ///< two bits each, if some are to be left out as hidden
+    };
+
+    LargeBladeList(const gpu::DeviceContext& context, Room room);
 
     void describe(shared::RasterPush& push) const; ///< where shaders find all but those bits
 
@@ -42,10 +46,11 @@ public:
     VkBuffer drawBuffer() const { return counts_.get(); }
     static VkDeviceSize drawOffset();
 
-    VkDeviceSize bytes() const { return parts_.bytes() + shown_.bytes(); }
+    VkDeviceSize bytes() const { return parts_.bytes() + cut_.bytes() + shown_.bytes(); }
 
 private:
     gpu::Buffer parts_;
+    gpu::Buffer cut_;
     gpu::Buffer counts_;
     gpu::Buffer shown_;
     bool hasShown_ = false; ///< whether it has been filled

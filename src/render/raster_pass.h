@@ -3,9 +3,7 @@
 #include "gpu/buffer.h"
 #include "gpu/compute_pipeline.h"
 #include "gpu/context.h"
-#include "gpu/image.h"
 #include "gpu/image_set.h"
-#include "gpu/sampler.h"
 #include "gpu/shader_library.h"
 #include "gpu/uniform_sets.h"
 #include "render/field_buffers.h"
@@ -17,7 +15,6 @@
 
 #include <vulkan/vulkan.h>
 
-#include <map>
 #include <optional>
 
 namespace sward::render {
@@ -27,25 +24,22 @@ namespace sward::render {
 const char* obstacleToRaster(const gpu::DeviceContext& context, VkFormat colorFormat);
 
 /// Draws blades by compute shaders: those that are seen into a visibility buffer, which holds what
-/// is solid already, then the picture from both.
+/// is solid already. ResolvePass makes the picture of both.
 class RasterPass {
 public:
     /// `obstacleToRaster()` has none.
     RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
                const TargetSettings& target, std::uint32_t bladeCount);
 
-    /// Has pictures of this size; the device is done with the former ones. `lit`, which outlives
-    /// them, is SolidRasterPass::lit(): with several samples the picture is shaded in it.
-    void resize(VkExtent2D size, const gpu::Image& lit);
-
-    /// Makes ready for a frame.
-    void prepare(const gpu::ShaderLibrary& shaders, Shading shading);
+    /// Has pictures of this size; the device is done with the former ones.
+    void resize(VkExtent2D size);
 
     /// What each of the following reads.
     struct Input {
         const FieldBuffers* field = nullptr;
         FramePlace frame{};            ///< of the picture
         FramePlace judged{};           ///< by whose camera the visible blades were listed
+        VkDeviceAddress tiles = 0;     ///< ShownTiles::address(), where they are sorted
         std::uint32_t firstBlade = 1;  ///< see SolidRasterPass
         bool findsHidden = false;      ///< whether blades hide others: see shared::RasterPush::seen
         bool tessellatesLarge = false; ///< whether large ones are left to the tessellator
@@ -74,24 +68,18 @@ public:
     /// Fills the finest levels of the frame's pyramid with what has been drawn so far. As above.
     void recordDepths(VkCommandBuffer commands, const Input& input) const;
 
-    /// Shades and filters the picture, then in ImageUse::transferSource; empties the visibility.
-    void recordResolve(VkCommandBuffer commands, const Input& input) const;
-
-    /// Copies the picture to a target in ImageUse::transferTarget.
-    void copyTo(VkCommandBuffer commands, VkImage target) const;
+    /// What all shaders are told that draw into the visibility or look at it.
+    shared::RasterPush pushFor(const Input& input) const;
 
     VkDeviceAddress visibility() const { return visibility_.address(); }
     VkDeviceAddress seen() const { return largeList_.shown(); } ///< see shared::RasterPush
-    VkDeviceSize bytes() const { return bytes_; }
+    VkDeviceSize bytes() const { return visibility_.bytes() + largeList_.bytes(); }
 
 private:
-    shared::RasterPush pushFor(const Input& input) const;
-
     const gpu::DeviceContext* context_;
     TargetSettings target_;
-    gpu::ImageSetLayout imageLayout_;
+    gpu::ImageSetLayout noImages_; ///< set 0, which only a resolve has
     gpu::UniformSetLayout frameLayout_;
-    gpu::Sampler sampler_;
     gpu::ComputePipeline blades_;
     gpu::ComputePipeline smallBlades_; ///< leave large ones to the tessellator
     gpu::ComputePipeline large_;
@@ -100,19 +88,11 @@ private:
     gpu::ComputePipeline lateLarge_; ///< leaves out what is hidden
     gpu::ComputePipeline depths_;
     std::optional<LargeBladePass> tessellated_; ///< of large blades
-    std::map<Shading, gpu::ComputePipeline> resolve_;
-    Shading shading_{};           ///< of the frame prepared last
-    gpu::ComputePipeline soften_; ///< with several samples
 
     VkExtent2D size_{};
     bool isEmpty_ = false; ///< nothing is in the visibility when a frame begins
-    VkDeviceSize bytes_ = 0;
     gpu::Buffer visibility_;
     LargeBladeList largeList_;
-    const gpu::Image* lit_ = nullptr;
-    gpu::Image picture_;
-    gpu::ImageSet images_;
-    gpu::ImageSet filmImages_;
 };
 
 } // namespace sward::render

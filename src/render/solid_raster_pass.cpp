@@ -25,10 +25,10 @@ std::uint32_t groupsFor(std::uint32_t count, std::uint32_t threads)
 
 SolidRasterPass::SolidRasterPass(const gpu::DeviceContext& context,
                                  const gpu::ShaderLibrary& shaders, const GroundBuffers& ground,
-                                 std::uint32_t samples)
+                                 const TargetSettings& target)
     : context_(&context)
     , ground_(&ground)
-    , samples_(samples)
+    , target_(target)
     , imageLayout_(context, {.name = "solid/pictures",
                              .sampledCount = shared::imagesTogether,
                              .storageCount = 1,
@@ -63,7 +63,7 @@ gpu::ComputePipeline
 SolidRasterPass::pipeline(const gpu::ShaderLibrary& shaders, const char* name, const char* shader,
                           std::vector<gpu::SpecializationConstant> constants) const
 {
-    constants.push_back({.id = 1, .value = samples_});
+    constants.push_back({.id = 1, .value = target_.samples});
     return {*context_,
             shaders,
             {.name = name,
@@ -83,7 +83,10 @@ void SolidRasterPass::prepare(const gpu::ShaderLibrary& shaders, std::uint32_t c
             pipeline(shaders, "solid/colliders", "raster_solid.comp", {{.id = 2, .value = 1u}});
     if (!light_.contains(paintsWind))
         light_.emplace(paintsWind, pipeline(shaders, "solid/light", "light_solid.comp",
-                                            {{.id = 0, .value = paintsWind ? 1u : 0u}}));
+                                            {{.id = 0, .value = paintsWind ? 1u : 0u},
+                                             {.id = 10,
+                                              .value = target_.sortsTiles ? shared::tilesOfSolid
+                                                                          : shared::tileLists}}));
 }
 
 void SolidRasterPass::resize(VkExtent2D size)
@@ -129,6 +132,7 @@ shared::SolidPush SolidRasterPass::pushFor(const FramePlace& frame,
             .seen = seen_.address(),
             .middle = middleTriangles_.address(),
             .large = largeTriangles_.address(),
+            .tiles = 0,
             .size = {size_.width, size_.height},
             .clusterCount = ground_->clusterCount(),
             .triangleCount = colliderTriangles_,
@@ -180,12 +184,14 @@ void SolidRasterPass::recordTriangles(VkCommandBuffer commands, const FramePlace
 }
 
 void SolidRasterPass::recordLight(VkCommandBuffer commands, const FramePlace& frame,
-                                  VkDeviceAddress visibility) const
+                                  VkDeviceAddress visibility, const ShownTiles* tiles) const
 {
+    expect(target_.sortsTiles == (tiles != nullptr), "tiles are sorted if they shall be");
     const auto found = light_.find(paintsWind_);
     expect(found != light_.end(), "the light has been prepared");
     const gpu::ComputePipeline& light = found->second;
     shared::SolidPush push = pushFor(frame, visibility);
+    push.tiles = tiles != nullptr ? tiles->address() : 0;
     gpu::transition(commands, lit_, gpu::ImageUse::undefined, gpu::ImageUse::storage);
     light.bind(commands);
     frame.bind(commands, light.layout(), frameSet);
@@ -195,8 +201,11 @@ void SolidRasterPass::recordLight(VkCommandBuffer commands, const FramePlace& fr
             gpu::computeToCompute(commands);
         set.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, light.layout());
         light.push(commands, push);
-        vkCmdDispatch(commands, groupsFor(size_.width, shared::lightTile),
-                      groupsFor(size_.height, shared::lightTile), 1);
+        if (tiles != nullptr)
+            tiles->dispatch(commands, shared::tilesOfSolid);
+        else
+            vkCmdDispatch(commands, shared::tilesAlong(size_.width, shared::lightTile),
+                          shared::tilesAlong(size_.height, shared::lightTile), 1);
         push.firstImage += shared::imagesTogether;
     }
 }

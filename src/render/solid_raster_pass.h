@@ -9,6 +9,8 @@
 #include "gpu/uniform_sets.h"
 #include "render/frame_place.h"
 #include "render/ground_buffers.h"
+#include "render/shown_tiles.h"
+#include "render/target_settings.h"
 #include "shaders/shared/solid.h"
 
 #include <vulkan/vulkan.h>
@@ -23,9 +25,9 @@ namespace sward::render {
 /// visibility (shared::VisibilityArray), and later the light of what is still seen of it.
 class SolidRasterPass {
 public:
-    /// `ground` outlives it; the device has 64-bit atomics. `samples`: 1 or 4 per pixel.
+    /// `ground` outlives it; the device has 64-bit atomics.
     SolidRasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-                    const GroundBuffers& ground, std::uint32_t samples);
+                    const GroundBuffers& ground, const TargetSettings& target);
 
     /// Makes ready for a frame with so many colliders, in the colours of the wind or in its own.
     void prepare(const gpu::ShaderLibrary& shaders, std::uint32_t colliders, bool paintsWind);
@@ -46,9 +48,10 @@ public:
                          VkDeviceAddress visibility) const;
 
     /// Lights what the visibility shows; between barriers from and to compute shaders. lit() is
-    /// then in ImageUse::storage.
-    void recordLight(VkCommandBuffer commands, const FramePlace& frame,
-                     VkDeviceAddress visibility) const;
+    /// then in ImageUse::storage. `tiles` have been sorted if the target asks for that, or are
+    /// null.
+    void recordLight(VkCommandBuffer commands, const FramePlace& frame, VkDeviceAddress visibility,
+                     const ShownTiles* tiles) const;
 
     /// Linear; alpha: see softness() of lighting.glsl. Per pixel the sum over the samples that see
     /// something solid, over all samples; of other pixels it holds nothing of use.
@@ -63,7 +66,7 @@ private:
 
     const gpu::DeviceContext* context_;
     const GroundBuffers* ground_;
-    std::uint32_t samples_;
+    TargetSettings target_;
     gpu::ImageSetLayout imageLayout_;
     gpu::UniformSetLayout frameLayout_;
     gpu::ComputePipeline find_;

@@ -16,8 +16,10 @@ struct TargetSettings {
     bool paintsWind = false;       ///< ground and blades show the wind's speed
     bool mayBePaged = false;       ///< blades may be in memory in part
     bool mayFold = true;           ///< there are folded blades
-    bool groupsDrawLarge = true;   ///< the rasteriser may draw large blades by work-groups …
-    bool tessellatesLarge = false; ///< … or leave them to the tessellator
+    bool groupsDrawLarge = true;   ///< the rasteriser may draw large blades by work-groups, …
+    bool tessellatesLarge = false; ///< … leave them to the tessellator, or, without both, draw each
+                                   ///< blade by one thread
+    bool sortsTiles = false;       ///< tiles of the picture are shaded by what they show
 };
 
 /// What the shading of a frame's blades is to know.

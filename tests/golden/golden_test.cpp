@@ -58,9 +58,15 @@ TEST_P(GoldenPicture, LooksAsItDid)
     // Draw it.
     std::vector<std::string> render{"render", field.string(), "-o", actualPath.string(),
                                     "--size", size,           "-q", "--validation"};
-    // The rasteriser, unless a scene says otherwise: what is automatic depends on the device.
-    if (std::find(scene.render.begin(), scene.render.end(), "--geometry") == scene.render.end())
+    // The rasteriser as it is on a GPU, unless a scene says otherwise: what is automatic depends on
+    // the device.
+    const auto says = [&scene](const char* option) {
+        return std::find(scene.render.begin(), scene.render.end(), option) != scene.render.end();
+    };
+    if (!says("--geometry"))
         render.insert(render.end(), {"--geometry", "raster"});
+    if (!says("--raster-for"))
+        render.insert(render.end(), {"--raster-for", "gpu"});
     for (const std::string& argument : withFolders(scene.render))
         render.push_back(argument);
     const Finished drawn = run(GOLDEN_SWARD_VIEW, render, folder / "render.log");

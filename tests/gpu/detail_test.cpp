@@ -23,7 +23,7 @@ constexpr double way = 12.0; ///< [m] over all frames: blades at every distance 
 class DetailTest : public test::GpuTest {
 protected:
     void driveAndCompare(std::uint32_t samples);
-    void measureCoverage(Geometry geometry);
+    void measureCoverage(Geometry geometry, bool forCpu = false);
     void measureLayers(glm::vec2 heights, double mostShift);
 };
 
@@ -128,7 +128,7 @@ std::array<double, bands> lightOf(const std::vector<std::byte>& pixels, std::uin
     return sums;
 }
 
-void DetailTest::measureCoverage(Geometry geometry)
+void DetailTest::measureCoverage(Geometry geometry, bool forCpu)
 {
     // Black blades on bright ground: the light that is missing is what they cover.
     std::array<double, bands> ground{};
@@ -148,7 +148,7 @@ void DetailTest::measureCoverage(Geometry geometry)
             species.look.dryness = species.look.translucency = 0.0f;
         }
         FieldRenderer renderer(device(), field::viewOf(field),
-                               {.samples = 4, .geometry = geometry});
+                               {.samples = 4, .geometry = geometry, .rastersForCpu = forCpu});
         test::Picture picture(context(), bandSize);
         FrameSettings settings = FrameSettings::of(field::viewOf(field));
         settings.winds.clear();
@@ -198,6 +198,11 @@ TEST_F(DetailTest, TessellatedGrassHidesAsMuchOfTheGroundAtEveryDistance)
 TEST_F(DetailTest, RasterisedGrassHidesAsMuchOfTheGroundAtEveryDistance)
 {
     measureCoverage(Geometry::raster);
+}
+
+TEST_F(DetailTest, GrassRasterisedForACpuHidesAsMuchOfTheGroundAtEveryDistance)
+{
+    measureCoverage(Geometry::raster, true);
 }
 
 /// Of dense grass that is so high [m], and so flat before the eye that a ray to the far end has

@@ -26,7 +26,9 @@ protected:
     static FieldRenderer rendererOf(const field::Field& field, Geometry geometry,
                                     std::uint32_t samples)
     {
-        return {device(), field::viewOf(field), {.samples = samples, .geometry = geometry}};
+        return {device(),
+                field::viewOf(field),
+                {.samples = samples, .geometry = geometry, .rastersForCpu = false}};
     }
 
     /// Pixels in which the rasteriser and the graphics pipeline do not agree: here and there a
@@ -113,9 +115,11 @@ TEST_F(LargeBlades, WhicheverHalfWasSeenBeforeThePictureIsTheSame)
 {
     const field::Field field = foldedThicket();
     for (const std::uint32_t samples : {1u, 4u}) {
-        FieldRenderer renderer(
-            device(), field::viewOf(field),
-            {.samples = samples, .geometry = Geometry::raster, .asksSmallBlades = true});
+        FieldRenderer renderer(device(), field::viewOf(field),
+                               {.samples = samples,
+                                .geometry = Geometry::raster,
+                                .rastersForCpu = false,
+                                .asksSmallBlades = true});
         FrameSettings settings = FrameSettings::of(field::viewOf(field));
         const std::uint32_t everything = settings.cullMask;
         test::Picture picture(context(), size);

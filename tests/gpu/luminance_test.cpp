@@ -67,9 +67,11 @@ void add(Rings& sums, const Camera& camera, const std::vector<std::byte>& pixels
 
 TEST_F(LuminanceTest, StaysWithinThreePerCentOfAReferenceInEachRing)
 {
-    const std::array<FieldRenderer::Settings, 4> ways{
-        {{.samples = 1, .geometry = Geometry::raster},
-         {.samples = 4, .geometry = Geometry::raster},
+    const std::array<FieldRenderer::Settings, 6> ways{
+        {{.samples = 1, .geometry = Geometry::raster, .rastersForCpu = false},
+         {.samples = 4, .geometry = Geometry::raster, .rastersForCpu = false},
+         {.samples = 1, .geometry = Geometry::raster, .rastersForCpu = true},
+         {.samples = 4, .geometry = Geometry::raster, .rastersForCpu = true},
          {.samples = 1, .geometry = Geometry::tessellation},
          {.samples = 4, .geometry = Geometry::tessellation}}};
     test::Picture picture(context(), size);

@@ -45,6 +45,7 @@ protected:
         // Of two blades at the same depth the rasteriser shows the one with the larger id; the
         // tessellator the one that comes first in the list, whose order changes from run to run.
         wanted.geometry = Geometry::raster;
+        wanted.rastersForCpu = false;
         FieldRenderer renderer(device(), field::viewOf(field), wanted);
         FrameSettings settings = FrameSettings::of(field::viewOf(field));
         settings.levelOfDetail = levelOfDetail;
@@ -123,6 +124,7 @@ Walked walkThroughThicket(const gpu::Device& device, std::uint32_t samples, bool
     FieldRenderer::Settings wanted;
     wanted.samples = samples;
     wanted.geometry = Geometry::raster;
+    wanted.rastersForCpu = false;
     wanted.asksSmallBlades = asksSmallBlades;
     wanted.recordFates = true;
     FieldRenderer renderer(device, field::viewOf(field), wanted);

@@ -103,6 +103,7 @@ TEST_F(RendererTest, DrawsTheSameInRoundsAsAtOnce)
 {
     FieldRenderer::Settings atOnce;
     atOnce.geometry = Geometry::raster;
+    atOnce.rastersForCpu = false;
     FieldRenderer::Settings inRounds = atOnce;
     inRounds.roundPatches = 3;
     test::Picture picture(context(), {128, 80});
@@ -131,9 +132,13 @@ TEST_F(RendererTest, DrawsAFieldOfOnePatch)
 {
     const field::Field field = test::makeField({.blades = 60, .extent = 1.0f});
     ASSERT_EQ(field.patches.size(), 1u);
-    for (const Geometry geometry : {Geometry::tessellation, Geometry::raster, Geometry::hybrid}) {
-        FieldRenderer renderer(device(), field::viewOf(field),
-                               {.samples = 1, .geometry = geometry});
+    const std::array<FieldRenderer::Settings, 4> ways{
+        {{.samples = 1, .geometry = Geometry::tessellation},
+         {.samples = 1, .geometry = Geometry::hybrid},
+         {.samples = 1, .geometry = Geometry::raster, .rastersForCpu = false},
+         {.samples = 1, .geometry = Geometry::raster, .rastersForCpu = true}}};
+    for (std::size_t way = 0; way < ways.size(); ++way) {
+        FieldRenderer renderer(device(), field::viewOf(field), ways[way]);
         FrameSettings settings = FrameSettings::of(field::viewOf(field));
         settings.levelOfDetail = false;
         settings.cullMask = 0;
@@ -141,7 +146,7 @@ TEST_F(RendererTest, DrawsAFieldOfOnePatch)
         Camera camera;
         camera.eye = {0.0, 1.0, 2.0};
         picture.draw(renderer, camera, settings, 1.0);
-        EXPECT_EQ(renderer.stats().drawn, 60u) << static_cast<int>(geometry);
+        EXPECT_EQ(renderer.stats().drawn, 60u) << way;
     }
 }
 

@@ -146,11 +146,13 @@ TEST_F(SolidTest, LooksAsByTheGraphicsPipeline)
     for (const std::uint32_t cells : {5u, 60u}) {
         const field::Field field = wavesWith(10, cells);
         for (const std::uint32_t samples : {1u, 4u}) {
-            const auto rendererOf = [&](Geometry geometry) {
-                return FieldRenderer(device(), field::viewOf(field),
-                                     {.samples = samples, .geometry = geometry});
+            const auto rendererOf = [&](Geometry geometry, bool forCpu = false) {
+                return FieldRenderer(
+                    device(), field::viewOf(field),
+                    {.samples = samples, .geometry = geometry, .rastersForCpu = forCpu});
             };
             FieldRenderer raster = rendererOf(Geometry::raster);
+            FieldRenderer forCpu = rendererOf(Geometry::raster, true);
             FieldRenderer pipeline = rendererOf(Geometry::tessellation);
             FrameSettings settings = bareSettings(field);
             settings.colliders = {
@@ -164,7 +166,11 @@ TEST_F(SolidTest, LooksAsByTheGraphicsPipeline)
                 settings.debug = i == 7 ? DebugMode::wind : DebugMode::none;
                 byCompute.draw(raster, around(i), settings, 1.0);
                 byPipeline.draw(pipeline, around(i), settings, 1.0);
-                far += farPixels(byCompute.pixels(), byPipeline.pixels(), 6);
+                const Pixels computed = byCompute.pixels();
+                far += farPixels(computed, byPipeline.pixels(), 6);
+                byCompute.draw(forCpu, around(i), settings, 1.0);
+                EXPECT_EQ(test::differingPixels(computed, byCompute.pixels()), 0u)
+                    << cells << " squares, " << samples << " samples, camera " << i;
                 seen += 211u * 131u;
             }
             // With one sample a few that lie on an edge, to a 256th of a pixel. With four the

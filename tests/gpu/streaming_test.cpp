@@ -31,6 +31,7 @@ FieldRenderer::Settings rasterised()
     FieldRenderer::Settings settings;
     settings.samples = 1;
     settings.geometry = Geometry::raster;
+    settings.rastersForCpu = false;
     settings.largestTarget = size;
     settings.waitsForDisk = true;
     return settings;

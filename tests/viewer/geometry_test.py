@@ -50,10 +50,9 @@ class GeometryTest(unittest.TestCase):
     def compare(self, field, *arguments):
         bare = self.draw(field, *arguments, "--draw-distance", "0.001")
         by_pipeline = self.draw(field, *arguments, "--geometry", "tessellation")
-        by_compute = self.draw(field, *arguments, "--geometry", "raster")
-        by_both = self.draw(field, *arguments, "--geometry", "hybrid")
-        for way, picture in (("raster", by_compute), ("hybrid", by_both)):
+        for way in ("--geometry raster --raster-for gpu", "--geometry raster --raster-for cpu", "--geometry hybrid"):
             with self.subTest(way=way):
+                picture = self.draw(field, *arguments, *way.split())
                 grass = np.any(by_pipeline != bare, axis=-1) | np.any(picture != bare, axis=-1)
                 self.assertGreater(np.mean(grass), 0.02, "there is grass to compare")
                 self.assertGreaterEqual(psnr(picture, by_pipeline, grass), LEAST_PSNR)
@@ -99,9 +98,11 @@ class GeometryTest(unittest.TestCase):
 
     def test_the_picture_does_not_depend_on_the_order_of_threads(self):
         field = self.bake("hills", "--count", "20000", "--blade-scale", "3")
-        first = self.draw(field, "--camera", "eye", "--geometry", "raster")
-        for _ in range(3):
-            self.assertTrue((first == self.draw(field, "--camera", "eye", "--geometry", "raster")).all())
+        for device in ("gpu", "cpu"):
+            way = ("--camera", "eye", "--geometry", "raster", "--raster-for", device)
+            first = self.draw(field, *way)
+            for _ in range(3):
+                self.assertTrue((first == self.draw(field, *way)).all())
 
 
 if __name__ == "__main__":

@@ -31,6 +31,15 @@ render::Geometry parseGeometry(const std::string& word)
          word);
 }
 
+std::optional<bool> parseRasterFor(const std::string& word)
+{
+    if (word == "auto")
+        return std::nullopt;
+    if (word != "gpu" && word != "cpu")
+        fail(ErrorKind::usage, "--raster-for: '{}' is not one of auto, gpu, cpu", word);
+    return word == "cpu";
+}
+
 render::DebugMode parseDebug(const std::string& word)
 {
     if (word == "none")
@@ -129,6 +138,9 @@ void FrameOptions::addMeasured(CLI::App& app)
     option(
         "--geometry", [this](const std::string& text) { geometry = parseGeometry(text); }, "WORD",
         "auto, tessellation, raster, hybrid [auto]");
+    option(
+        "--raster-for", [this](const std::string& text) { rastersForCpu = parseRasterFor(text); },
+        "WORD", "How the rasteriser goes about it: auto, as the device is; gpu, cpu [auto]");
     app.add_option("--tess-level", tessellationLevel,
                    "Segments along every blade, 1 to 64; 0: by size on the screen [0]")
         ->type_name("N")

@@ -75,6 +75,7 @@ Headless::Headless(const FrameOptions& options, bool recordFates)
                  .samples = samples_,
                  .framesInFlight = 1,
                  .geometry = options.geometry,
+                 .rastersForCpu = options.rastersForCpu,
                  .recordFates = recordFates || options.debug == render::DebugMode::reason,
                  .deviceBytes = options.gpuMemory,
                  .largestTarget = options.size,

@@ -3,7 +3,6 @@
 #include "apps/sward_view/viewer.h"
 #include "core/error.h"
 #include "core/log.h"
-#include "render/raster_pass.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,15 +11,6 @@ namespace sward::view {
 namespace {
 
 constexpr double watchInterval = 0.25; ///< [s] between looks at watched files
-
-// Of few pixels each is shaded once: on a CPU that is worth more than the tessellator's speed.
-render::Geometry geometryFor(const gpu::Device& device, VkFormat format, bool fewPixels)
-{
-    return device.isCpu() && fewPixels &&
-                   render::obstacleToRaster(device.context(), format) == nullptr
-               ? render::Geometry::raster
-               : render::Geometry::automatic;
-}
 
 } // namespace
 
@@ -113,14 +103,12 @@ void Viewer::show(Opening::Opened opened)
     const render::Camera home = path.at(0.0);
     auto next = std::make_unique<Exhibit>(
         device_, std::move(opened.field),
-        render::FieldRenderer::Settings{
-            .colorFormat = swapchain_.format(),
-            .samples = frame.samples.value_or(device_.isCpu() ? 1 : 4),
-            .framesInFlight = 2,
-            .geometry = geometryFor(device_, swapchain_.format(), stage_.automaticScale),
-            .recordFates = true,
-            .deviceBytes = frame.gpuMemory,
-            .largestTarget = window_.screenSize()},
+        render::FieldRenderer::Settings{.colorFormat = swapchain_.format(),
+                                        .samples = frame.samples.value_or(device_.isCpu() ? 1 : 4),
+                                        .framesInFlight = 2,
+                                        .recordFates = true,
+                                        .deviceBytes = frame.gpuMemory,
+                                        .largestTarget = window_.screenSize()},
         goodShaders_, home, stage_.settings, aspect());
     device_.waitIdle();
 

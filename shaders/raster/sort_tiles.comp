@@ -1,0 +1,61 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Sorts the tiles of a picture by what they show, for those who shade them.
+#include "shaders/shared/passes.h"
+
+layout(push_constant, scalar) uniform Block { RasterPush push; };
+
+#include "shaders/raster/put_sample.glsl"
+#include "shaders/raster/shown_tiles.glsl"
+
+layout(local_size_x = sortThreads) in;
+
+// What a tile shows, as bits.
+const uint showsSky = 1u;
+const uint showsSolid = 2u;
+const uint showsBlades = 4u;
+
+uint shownIn(uvec2 low)
+{
+    VisibilityHalves halves = VisibilityHalves(uvec2(push.visibility));
+    const uvec2 high = min(low + rasterTile, push.size);
+    uint shown = 0u;
+    for (uint x = low.x; x < high.x; ++x)
+        for (uint y = low.y; y < high.y; ++y)
+            for (uint s = 0u; s < samplesPerPixel; ++s) {
+                const uint what = halves.at[2u * sampleIndex(uvec2(x, y), s)];
+                shown |= what == 0u ? showsSky : what < push.firstBlade ? showsSolid : showsBlades;
+            }
+    return shown;
+}
+
+void put(uint list, uvec2 tile)
+{
+    WalkLevelArray lists = push.tiles;
+    UintArray words = UintArray(uvec2(push.tiles));
+    const uint place = atomicAdd(lists.at[list].count, 1u);
+    words.at[firstOfTiles(list, push.size.x, push.size.y) + place] = tile.x | (tile.y << 16u);
+    atomicMax(lists.at[list].groups[0], min(place + 1u, tileGroups));
+    atomicMax(lists.at[list].groups[1], place / tileGroups + 1u);
+}
+
+void main()
+{
+    const uint columns = tilesAlong(push.size.x, lightTile);
+    const uvec2 large = uvec2(gl_GlobalInvocationID.x % columns, gl_GlobalInvocationID.x / columns);
+    if (large.y >= tilesAlong(push.size.y, lightTile))
+        return;
+    const uint along = lightTile / rasterTile;
+    uint all = 0u;
+    for (uint i = 0u; i < along * along; ++i) {
+        const uvec2 tile = along * large + uvec2(i % along, i / along);
+        const uint shown = shownIn(tile * rasterTile);
+        all |= shown;
+        if (shown == 0u) // beside the picture
+            continue;
+        const bool hasSky = (shown & showsSky) != 0u;
+        put((shown & showsBlades) == 0u ? tilesWithoutBlades : hasSky ? tilesOfBladesAndSky : tilesOfBlades, tile);
+    }
+    if ((all & showsSolid) != 0u)
+        put(tilesOfSolid, large);
+}

@@ -1,0 +1,51 @@
+// The tiles of a picture by what they show. A device whose lanes cannot jump over what none of them
+// needs takes as long for a tile of sky as for one of grass, unless a shader without grass has it.
+#ifndef SWARD_SHARED_SHOWN_TILES_H
+#define SWARD_SHARED_SHOWN_TILES_H
+
+#include "shaders/shared/patch_tree.h"
+#include "shaders/shared/types.h"
+
+SHARED_BEGIN
+
+/// Width and height of the tile of pixels that a work-group begins or resolves …
+SHARED_CONST uint rasterTile = 8u;
+
+/// … and of the one whose ground and colliders it lights.
+SHARED_CONST uint lightTile = 16u;
+
+// What sort_tiles.comp lists, each in a list of its own: tiles of lightTile …
+SHARED_CONST uint tilesOfSolid = 0u; ///< with something solid
+// … and of rasterTile, of which each is in one list.
+SHARED_CONST uint tilesOfBlades = 1u;       ///< with blades and without sky
+SHARED_CONST uint tilesWithoutBlades = 2u;
+SHARED_CONST uint tilesOfBladesAndSky = 3u;
+SHARED_CONST uint tileLists = 4u;
+
+/// Work-groups side by side of a dispatch for a list; the rows that it takes lie one below the
+/// other. Every device takes so many rows that there are enough for 4 million tiles.
+SHARED_CONST uint tileGroups = 64u;
+
+/// Threads of a work-group that sorts, one for each tile of lightTile.
+SHARED_CONST uint sortThreads = 64u;
+
+SHARED_FN uint tilesAlong(uint pixels, uint tile)
+{
+    return (pixels + tile - 1u) / tile;
+}
+
+/// Tiles for which a list of a picture has room.
+SHARED_FN uint roomForTiles(uint width, uint height)
+{
+    return tilesAlong(width, rasterTile) * tilesAlong(height, rasterTile);
+}
+
+/// Word of the buffer at which a list begins: `tileLists` WalkLevels come first, which count its
+/// tiles and are its dispatch. A tile is its column, and from bit 16 on its row.
+SHARED_FN uint firstOfTiles(uint list, uint width, uint height)
+{
+    return 4u * tileLists + list * roomForTiles(width, height);
+}
+
+SHARED_END
+#endif

@@ -1,0 +1,179 @@
+#include "render/resolve_pass.h"
+
+#include "core/expect.h"
+#include "gpu/barrier.h"
+#include "gpu/image_use.h"
+
+#include <array>
+#include <utility>
+
+namespace sward::render {
+namespace {
+
+/// What is stored into is encoded by the shader; it is copied, bit by bit, to a target.
+constexpr VkFormat pictureFormat = VK_FORMAT_R8G8B8A8_UNORM;
+
+/// The set of descriptors that holds the frame.
+constexpr std::uint32_t frameSet = 1;
+
+/// What a list's tiles may show.
+struct Shown {
+    std::uint32_t list;
+    bool blades;
+    bool sky;
+};
+
+constexpr std::array all{Shown{shared::tileLists, true, true}};
+constexpr std::array sorted{Shown{shared::tilesOfBlades, true, false},
+                            Shown{shared::tilesWithoutBlades, false, true},
+                            Shown{shared::tilesOfBladesAndSky, true, true}};
+
+} // namespace
+
+ResolvePass::ResolvePass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                         const TargetSettings& target)
+    : context_(&context)
+    , target_(target)
+    , imageLayout_(context, {.name = "raster/pictures",
+                             .sampledCount = 1,
+                             .storageCount = 1,
+                             .stages = VK_SHADER_STAGE_COMPUTE_BIT})
+    , frameLayout_(context, "raster/frame")
+    , sampler_(gpu::createSampler(context, {.name = "raster",
+                                            .filter = VK_FILTER_NEAREST,
+                                            .address = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE}))
+{
+    if (target.samples > 1)
+        soften_ = pipeline(shaders, "raster/soften", "soften.comp", {});
+    if (target.sortsTiles)
+        tiles_.emplace(context, shaders, target.samples);
+}
+
+gpu::ComputePipeline ResolvePass::pipeline(const gpu::ShaderLibrary& shaders, const char* name,
+                                           const char* shader,
+                                           std::vector<gpu::SpecializationConstant> constants) const
+{
+    constants.push_back({.id = 1, .value = target_.samples});
+    return {*context_,
+            shaders,
+            {.name = name,
+             .shader = shader,
+             .pushConstantBytes = sizeof(shared::RasterPush),
+             .setLayouts = {imageLayout_.get(), frameLayout_.get()},
+             .constants = std::move(constants)}};
+}
+
+void ResolvePass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
+{
+    shading_ = shading;
+    if (parts_.contains(shading))
+        return;
+    std::vector<Part> parts;
+    const auto add = [&](const Shown& shown) {
+        parts.push_back(
+            {shown.list,
+             pipeline(shaders, "raster/resolve",
+                      target_.samples > 1 ? "resolve_of_four.comp" : "resolve.comp",
+                      {{.id = 0, .value = shading.paintsWind ? 1u : 0u},
+                       {.id = 8, .value = shading.leavesLayers ? 1u : 0u},
+                       {.id = 10, .value = shown.list},
+                       {.id = 11, .value = target_.mayFold ? 1u : 0u},
+                       {.id = 12, .value = shown.blades ? 1u : 0u},
+                       {.id = 13, .value = shown.sky ? 1u : 0u}})});
+    };
+    if (tiles_)
+        for (const Shown& shown : sorted)
+            add(shown);
+    else
+        for (const Shown& shown : all)
+            add(shown);
+    parts_.emplace(shading, std::move(parts));
+}
+
+void ResolvePass::resize(VkExtent2D size, const gpu::Image& lit)
+{
+    size_ = size;
+    lit_ = &lit;
+    picture_ = gpu::Image(*context_,
+                          {.name = "frame/picture",
+                           .format = pictureFormat,
+                           .extent = size_,
+                           .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+    images_ = gpu::ImageSet(*context_, imageLayout_, "raster/pictures");
+    images_.setSampled(0, lit.view(), sampler_.get());
+    images_.setStorage(0, picture_.view());
+    if (tiles_)
+        tiles_->resize(size);
+    if (target_.samples == 1)
+        return;
+    images_.setStorage(0, lit.view());
+    filmImages_ = gpu::ImageSet(*context_, imageLayout_, "raster/film");
+    filmImages_.setSampled(0, lit.view(), sampler_.get());
+    filmImages_.setStorage(0, picture_.view());
+}
+
+VkDeviceSize ResolvePass::bytes() const
+{
+    return picture_.memoryBytes() + (tiles_ ? tiles_->bytes() : 0);
+}
+
+void ResolvePass::recordBegin(VkCommandBuffer commands) const
+{
+    if (tiles_)
+        tiles_->clear(commands);
+}
+
+void ResolvePass::recordTiles(VkCommandBuffer commands, const shared::RasterPush& push) const
+{
+    if (!tiles_)
+        return;
+    tiles_->record(commands, push);
+    gpu::memoryBarrier(commands, gpu::computeAccess, gpu::dispatchAccess);
+}
+
+void ResolvePass::record(VkCommandBuffer commands, const shared::RasterPush& push,
+                         const FramePlace& frame) const
+{
+    const auto found = parts_.find(shading_);
+    expect(found != parts_.end(), "the resolve has been prepared");
+    gpu::computeToCompute(commands);
+    gpu::transition(commands, picture_, gpu::ImageUse::undefined, gpu::ImageUse::storage);
+    if (target_.samples == 1)
+        gpu::transition(commands, *lit_, gpu::ImageUse::storage, gpu::ImageUse::sampled);
+    for (const Part& part : found->second) {
+        part.pipeline.bind(commands);
+        images_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, part.pipeline.layout());
+        frame.bind(commands, part.pipeline.layout(), frameSet);
+        if (part.list == shared::tileLists) {
+            recordAll(commands, push, part.pipeline);
+        } else {
+            part.pipeline.push(commands, push);
+            tiles_->dispatch(commands, part.list);
+        }
+    }
+    if (target_.samples > 1) {
+        gpu::transition(commands, *lit_, gpu::ImageUse::storage, gpu::ImageUse::sampled);
+        soften_.bind(commands);
+        filmImages_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, soften_.layout());
+        recordAll(commands, push, soften_);
+    }
+    gpu::transition(commands, picture_, gpu::ImageUse::storage, gpu::ImageUse::transferSource);
+}
+
+void ResolvePass::recordAll(VkCommandBuffer commands, const shared::RasterPush& push,
+                            const gpu::ComputePipeline& pipeline) const
+{
+    pipeline.push(commands, push);
+    vkCmdDispatch(commands, shared::tilesAlong(size_.width, shared::rasterTile),
+                  shared::tilesAlong(size_.height, shared::rasterTile), 1);
+}
+
+void ResolvePass::copyTo(VkCommandBuffer commands, VkImage target) const
+{
+    const VkImageSubresourceLayers layers{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    const VkImageCopy region{layers, {}, layers, {}, {size_.width, size_.height, 1}};
+    vkCmdCopyImage(commands, picture_.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target,
+                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+}
+
+} // namespace sward::render

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "gpu/compute_pipeline.h"
+#include "gpu/context.h"
+#include "gpu/image.h"
+#include "gpu/image_set.h"
+#include "gpu/sampler.h"
+#include "gpu/shader_library.h"
+#include "gpu/uniform_sets.h"
+#include "render/frame_place.h"
+#include "render/shown_tiles.h"
+#include "render/target_settings.h"
+#include "shaders/shared/passes.h"
+
+#include <vulkan/vulkan.h>
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace sward::render {
+
+/// Makes the picture of what a visibility shows.
+class ResolvePass {
+public:
+    ResolvePass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                const TargetSettings& target);
+
+    /// Has pictures of this size; the device is done with the former ones. `lit`, which outlives
+    /// them, is SolidRasterPass::lit(): with several samples the picture is shaded in it.
+    void resize(VkExtent2D size, const gpu::Image& lit);
+
+    /// Makes ready for a frame.
+    void prepare(const gpu::ShaderLibrary& shaders, Shading shading);
+
+    /// Empties the lists of tiles; between barriers from anything to fills, and from those to
+    /// dispatches.
+    void recordBegin(VkCommandBuffer commands) const;
+
+    /// Sorts the picture's tiles by what they show if the target asks for that; between barriers
+    /// from compute shaders and to dispatches.
+    void recordTiles(VkCommandBuffer commands, const shared::RasterPush& push) const;
+
+    /// Shades and filters the picture, then in ImageUse::transferSource; empties the visibility.
+    void record(VkCommandBuffer commands, const shared::RasterPush& push,
+                const FramePlace& frame) const;
+
+    /// Copies the picture to a target in ImageUse::transferTarget.
+    void copyTo(VkCommandBuffer commands, VkImage target) const;
+
+    /// Null where tiles are shaded as they lie.
+    const ShownTiles* tiles() const { return tiles_ ? &*tiles_ : nullptr; }
+    VkDeviceSize bytes() const;
+
+private:
+    /// For the tiles of one list, or for all of them if it is shared::tileLists.
+    struct Part {
+        std::uint32_t list;
+        gpu::ComputePipeline pipeline;
+    };
+
+    gpu::ComputePipeline pipeline(const gpu::ShaderLibrary& shaders, const char* name,
+                                  const char* shader,
+                                  std::vector<gpu::SpecializationConstant> constants) const;
+    void recordAll(VkCommandBuffer commands, const shared::RasterPush& push,
+                   const gpu::ComputePipeline& pipeline) const;
+
+    const gpu::DeviceContext* context_;
+    TargetSettings target_;
+    gpu::ImageSetLayout imageLayout_;
+    gpu::UniformSetLayout frameLayout_;
+    gpu::Sampler sampler_;
+    std::map<Shading, std::vector<Part>> parts_;
+    Shading shading_{};           ///< of the frame prepared last
+    gpu::ComputePipeline soften_; ///< with several samples
+    std::optional<ShownTiles> tiles_;
+
+    VkExtent2D size_{};
+    const gpu::Image* lit_ = nullptr;
+    gpu::Image picture_;
+    gpu::ImageSet images_;
+    gpu::ImageSet filmImages_;
+};
+
+} // namespace sward::render

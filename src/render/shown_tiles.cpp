@@ -1,0 +1,52 @@
+#include "render/shown_tiles.h"
+
+#include <algorithm>
+#include <array>
+
+namespace sward::render {
+
+ShownTiles::ShownTiles(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                       std::uint32_t samples)
+    : context_(&context)
+    , sort_(context, shaders,
+            {.name = "raster/tiles",
+             .shader = "sort_tiles.comp",
+             .pushConstantBytes = sizeof(shared::RasterPush),
+             .constants = {{.id = 1, .value = samples}}})
+{
+}
+
+void ShownTiles::resize(VkExtent2D size)
+{
+    const std::uint32_t words = shared::firstOfTiles(shared::tileLists, size.width, size.height);
+    lists_ = gpu::Buffer(*context_, {.name = "raster/tiles",
+                                     .bytes = words * sizeof(std::uint32_t),
+                                     .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                              VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                              VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT});
+    groups_ = static_cast<std::uint32_t>(
+        gpu::groupsFor(shared::tilesAlong(size.width, shared::lightTile) *
+                           shared::tilesAlong(size.height, shared::lightTile),
+                       shared::sortThreads));
+}
+
+void ShownTiles::clear(VkCommandBuffer commands) const
+{
+    std::array<shared::WalkLevel, shared::tileLists> none{};
+    std::ranges::fill(none, shared::WalkLevel{.groups = {0, 0, 1}, .count = 0});
+    vkCmdUpdateBuffer(commands, lists_.get(), 0, sizeof none, none.data());
+}
+
+void ShownTiles::record(VkCommandBuffer commands, const shared::RasterPush& push) const
+{
+    sort_.bind(commands);
+    sort_.push(commands, push);
+    vkCmdDispatch(commands, groups_, 1, 1);
+}
+
+void ShownTiles::dispatch(VkCommandBuffer commands, std::uint32_t list) const
+{
+    vkCmdDispatchIndirect(commands, lists_.get(), list * sizeof(shared::WalkLevel));
+}
+
+} // namespace sward::render
