@@ -17,7 +17,7 @@ SHARED_CONST uint lightTile = 16u;
 // What sort_tiles.comp lists, each in a list of its own: tiles of lightTile …
 SHARED_CONST uint tilesOfSolid = 0u; ///< with something solid
 // … and of rasterTile, of which each is in one list.
-SHARED_CONST uint tilesOfBlades = 1u;       ///< with blades and without sky
+SHARED_CONST uint tilesOfBlades = 1u; ///< with blades and without sky
 SHARED_CONST uint tilesWithoutBlades = 2u;
 SHARED_CONST uint tilesOfBladesAndSky = 3u;
 SHARED_CONST uint tileLists = 4u;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
 
 namespace sward::render {
 namespace {
@@ -27,11 +26,8 @@ void writeTables(TablePlace place, const FieldShape& field, const std::vector<Wi
     expect(winds.size() <= shared::maxWindSources, "at most maxWindSources blow at once");
     expect(colliders.size() <= shared::maxColliders, "at most maxColliders collide");
     const std::vector<shared::WindSource> blown = blowing(winds, field.origin);
-    std::memcpy(place.mapped + offsetof(Tables, winds), blown.data(),
-                blown.size() * sizeof(shared::WindSource));
-    if (!colliders.empty())
-        std::memcpy(place.mapped + offsetof(Tables, colliders), colliders.data(),
-                    colliders.size_bytes());
+    std::ranges::copy(std::as_bytes(std::span(blown)), place.mapped + offsetof(Tables, winds));
+    std::ranges::copy(std::as_bytes(colliders), place.mapped + offsetof(Tables, colliders));
 
     shared::Nature& nature = frame.nature;
     const glm::vec3 size = field.content.isEmpty() ? glm::vec3(0.0f) : field.content.size();

@@ -1,10 +1,9 @@
 // What the rasteriser does on a device whose lanes cannot jump: the same picture another way.
 
 #include "picture.h"
-#include "thicket.h"
-
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
+#include "thicket.h"
 
 #include <gtest/gtest.h>
 
