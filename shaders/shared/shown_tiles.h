@@ -22,9 +22,9 @@ SHARED_CONST uint tilesWithoutBlades = 2u;
 SHARED_CONST uint tilesOfBladesAndSky = 3u;
 SHARED_CONST uint tileLists = 4u;
 
-/// Work-groups side by side of a dispatch for a list; the rows that it takes lie one below the
-/// other. Every device takes so many rows that there are enough for 4 million tiles.
-SHARED_CONST uint tileGroups = 64u;
+/// Work-groups side by side of a dispatch for a list; below one another are as many rows of them as
+/// it takes. Of 65 535, which every device takes, a list of 16 384 × 16 384 pixels has enough.
+SHARED_CONST uint tileGroups = 72u;
 
 /// Threads of a work-group that sorts, one for each tile of lightTile.
 SHARED_CONST uint sortThreads = 64u;
