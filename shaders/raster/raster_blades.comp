@@ -10,7 +10,7 @@ layout(push_constant, scalar) uniform Block { RasterPush push; };
 layout(constant_id = 3) const bool isPaged = false;
 #define MAY_BE_PAGED isPaged
 
-#define FRAME_SET 1
+#define FRAME_SET 0
 #include "shaders/frame_constants.glsl"
 #include "shaders/grass/drawn_blade.glsl"
 #include "shaders/raster/large_part.glsl"

@@ -6,7 +6,7 @@
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
-#define FRAME_SET 1
+#define FRAME_SET 0
 #include "shaders/frame_constants.glsl"
 #include "shaders/raster/large_part.glsl"
 #include "shaders/raster/strip.glsl"

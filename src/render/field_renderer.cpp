@@ -261,9 +261,6 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
         .field = &parts.blades.buffers(),
         .frame = parts.slots[slot].frame.place(),
         .judged = findsReasons ? parts.slots[slot].listing.place() : judged,
-        .tiles = parts.resolve && parts.resolve->tiles() != nullptr
-                     ? parts.resolve->tiles()->address()
-                     : 0,
         .firstBlade = parts.raster ? parts.solidRaster->firstBlade() : 1,
         // What blades hide is known of the camera that draws, and of no other.
         .findsHidden = parts.geometry == Geometry::raster && parts.targetSettings.groupsDrawLarge &&

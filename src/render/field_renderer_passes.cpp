@@ -108,7 +108,8 @@ void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, const RasterPa
 void FieldRenderer::Parts::makePicture(VkCommandBuffer commands, const Target& target,
                                        const RasterPass::Input& input, gpu::Timestamps* timestamps)
 {
-    const shared::RasterPush push = raster->pushFor(input);
+    shared::RasterPush push = raster->pushFor(input);
+    resolve->describe(push);
     gpu::computeToCompute(commands);
     {
         const PassScope scope(context, commands, timestamps, "ground");

@@ -8,7 +8,7 @@ namespace sward::render {
 namespace {
 
 /// The set of descriptors that holds the frame.
-constexpr std::uint32_t frameSet = 1;
+constexpr std::uint32_t frameSet = 0;
 
 bool isBgr(VkFormat format)
 {
@@ -37,7 +37,6 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                        const TargetSettings& target, std::uint32_t bladeCount)
     : context_(&context)
     , target_(target)
-    , noImages_(context, {.name = "raster/no pictures", .stages = VK_SHADER_STAGE_COMPUTE_BIT})
     , frameLayout_(context, "raster/frame")
     , largeList_(context, {.large = target.groupsDrawLarge || target.tessellatesLarge,
                            .shownBlades = target.groupsDrawLarge ? bladeCount : 0})
@@ -49,7 +48,7 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                                     {.name = name,
                                      .shader = shader,
                                      .pushConstantBytes = sizeof(shared::RasterPush),
-                                     .setLayouts = {noImages_.get(), frameLayout_.get()},
+                                     .setLayouts = {frameLayout_.get()},
                                      .constants = {{.id = 1, .value = target.samples},
                                                    {.id = 2, .value = isLate ? 1u : 0u},
                                                    {.id = 3, .value = target.mayBePaged},
@@ -99,7 +98,7 @@ shared::RasterPush RasterPass::pushFor(const Input& input) const
                             .owners = input.field->baked().owners(),
                             .firstOwners = input.field->baked().firstOwners(),
                             .seen = input.findsHidden ? largeList_.shown() : 0,
-                            .tiles = input.tiles,
+                            .tiles = 0,
                             .size = {size_.width, size_.height},
                             .isBgr = isBgr(target_.colorFormat) ? 1u : 0u,
                             .round = 0,

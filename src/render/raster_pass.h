@@ -3,7 +3,6 @@
 #include "gpu/buffer.h"
 #include "gpu/compute_pipeline.h"
 #include "gpu/context.h"
-#include "gpu/image_set.h"
 #include "gpu/shader_library.h"
 #include "gpu/uniform_sets.h"
 #include "render/field_buffers.h"
@@ -39,7 +38,6 @@ public:
         const FieldBuffers* field = nullptr;
         FramePlace frame{};            ///< of the picture
         FramePlace judged{};           ///< by whose camera the visible blades were listed
-        VkDeviceAddress tiles = 0;     ///< ShownTiles::address(), where they are sorted
         std::uint32_t firstBlade = 1;  ///< see SolidRasterPass
         bool findsHidden = false;      ///< whether blades hide others: see shared::RasterPush::seen
         bool tessellatesLarge = false; ///< whether large ones are left to the tessellator
@@ -68,7 +66,7 @@ public:
     /// Fills the finest levels of the frame's pyramid with what has been drawn so far. As above.
     void recordDepths(VkCommandBuffer commands, const Input& input) const;
 
-    /// What all shaders are told that draw into the visibility or look at it.
+    /// What all shaders are told that draw into the visibility or look at it; but for tiles.
     shared::RasterPush pushFor(const Input& input) const;
 
     VkDeviceAddress visibility() const { return visibility_.address(); }
@@ -78,7 +76,6 @@ public:
 private:
     const gpu::DeviceContext* context_;
     TargetSettings target_;
-    gpu::ImageSetLayout noImages_; ///< set 0, which only a resolve has
     gpu::UniformSetLayout frameLayout_;
     gpu::ComputePipeline blades_;
     gpu::ComputePipeline smallBlades_; ///< leave large ones to the tessellator

@@ -5,6 +5,7 @@
 #include "gpu/image_use.h"
 
 #include <array>
+#include <span>
 #include <utility>
 
 namespace sward::render {
@@ -69,7 +70,8 @@ void ResolvePass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
     if (parts_.contains(shading))
         return;
     std::vector<Part> parts;
-    const auto add = [&](const Shown& shown) {
+    const std::span<const Shown> lists = tiles_ ? std::span<const Shown>(sorted) : all;
+    for (const Shown& shown : lists)
         parts.push_back(
             {shown.list, pipeline(shaders, "raster/resolve",
                                   target_.samples > 1 ? "resolve_of_four.comp" : "resolve.comp",
@@ -79,13 +81,6 @@ void ResolvePass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
                                    {.id = 11, .value = target_.mayFold ? 1u : 0u},
                                    {.id = 12, .value = shown.blades ? 1u : 0u},
                                    {.id = 13, .value = shown.sky ? 1u : 0u}})});
-    };
-    if (tiles_)
-        for (const Shown& shown : sorted)
-            add(shown);
-    else
-        for (const Shown& shown : all)
-            add(shown);
     parts_.emplace(shading, std::move(parts));
 }
 
@@ -114,6 +109,11 @@ void ResolvePass::resize(VkExtent2D size, const gpu::Image& lit)
 VkDeviceSize ResolvePass::bytes() const
 {
     return picture_.memoryBytes() + (tiles_ ? tiles_->bytes() : 0);
+}
+
+void ResolvePass::describe(shared::RasterPush& push) const
+{
+    push.tiles = tiles_ ? tiles_->address() : 0;
 }
 
 void ResolvePass::recordBegin(VkCommandBuffer commands) const

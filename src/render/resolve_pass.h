@@ -33,6 +33,8 @@ public:
     /// Makes ready for a frame.
     void prepare(const gpu::ShaderLibrary& shaders, Shading shading);
 
+    void describe(shared::RasterPush& push) const; ///< where its shaders find tiles
+
     /// Empties the lists of tiles; between barriers from anything to fills, and from those to
     /// dispatches.
     void recordBegin(VkCommandBuffer commands) const;
