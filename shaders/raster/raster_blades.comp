@@ -41,8 +41,10 @@ bool leftToOthers(Ribbon ribbon, VisibleBlade visible, float pixels)
     const uint parts = isTessellated ? 1u : clamp(uint(pixels / partPixels), 1u, mostParts);
     const uint slot = atomicAdd(asked.at[0].count, parts);
     const bool hasRoom = slot + parts <= mostLargeParts;
-    const uint late = ((visible.factors & lowerHalfIsLate) != 0u ? lowerPartIsLate : 0u) |
-                      ((visible.factors & upperHalfIsLate) != 0u ? upperPartIsLate : 0u);
+    uint late = ((visible.factors & lowerHalfIsLate) != 0u ? lowerPartIsLate : 0u) |
+                ((visible.factors & upperHalfIsLate) != 0u ? upperPartIsLate : 0u);
+    if (push.takesTurns != 0u)
+        late = latePartsUnseen(pixels, visible.blade);
     for (uint part = 0u; part < parts && slot + part < mostLargeParts; ++part)
         putPart(push.large, slot + part,
                 partOf(ribbon, visible.blade, hasRoom ? part | (parts << 16u) | late : 0u));

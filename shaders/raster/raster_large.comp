@@ -227,8 +227,8 @@ void drawBetween(Lens lens, uint first, uint end, uint item, uint blades, uint s
     barrier();
 }
 
-/// The first and the last rib between which a blade is drawn in this turn. Where grass hides grass those
-/// halves are drawn first that the frame before has shown, and then, with all other blades, the others.
+/// The first and the last rib between which a blade is drawn in this turn. `isDrawn`: it had its first
+/// one, of which some halves may have been left to the late one.
 uvec2 ribsOf(LargePart blade, bool isDrawn)
 {
     const uint segments = uint(blade.segments);
@@ -237,7 +237,7 @@ uvec2 ribsOf(LargePart blade, bool isDrawn)
     const bool upperIsLate = (blade.part & upperPartIsLate) != 0u;
     uvec2 ribs = uvec2(0u, segments);
     if (isLate && isDrawn)
-        ribs = uvec2(upperIsLate ? half_ : 0u, upperIsLate ? segments : lowerIsLate ? half_ : 0u);
+        ribs = uvec2(lowerIsLate ? 0u : half_, upperIsLate ? segments : lowerIsLate ? half_ : 0u);
     else if (!isLate)
         ribs = uvec2(lowerIsLate ? half_ : 0u, upperIsLate ? half_ : segments);
     return partsOf(blade.part) > 0u ? ribs : uvec2(0u);

@@ -131,7 +131,7 @@ vec2 spanOf(Strip strip, SampleMask mask, uint s, int row)
 
 /// So many pixels of a row are looked at together: what takes long is to wait for what they have already,
 /// but those beside the strip are read in vain.
-const uint pixelsTogether = samplesPerPixel == 1u ? 6u : 2u;
+const uint pixelsTogether = samplesPerPixel == 1u ? 6u : 4u;
 
 /// One row of pixels.
 void drawRow(Strip strip, uint blade, int row)

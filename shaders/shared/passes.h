@@ -170,6 +170,20 @@ SHARED_LAYOUT(LargePart, 80)
 SHARED_CONST uint lowerPartIsLate = 0x40000000u;
 SHARED_CONST uint upperPartIsLate = 0x80000000u;
 
+/// Where nobody knows what the frame before has shown, and blades are drawn in two turns all the
+/// same, the first one takes the upper halves of those that cover so many pixels …
+SHARED_CONST float foremostPixels = 8192.0f;
+
+/// … and of so many others one: enough of them to hide most of what stands behind.
+SHARED_CONST uint foremostOf = 4u;
+
+/// What of a large blade is then drawn in the late turn, as LargePart::part has it.
+SHARED_FN uint latePartsUnseen(float pixels, uint blade)
+{
+    const bool isForemost = pixels >= foremostPixels || blade % foremostOf == 0u;
+    return isForemost ? lowerPartIsLate : lowerPartIsLate | upperPartIsLate;
+}
+
 SHARED_BUFFER(LargePartArray, LargePart, )
 
 /// Blades that share an entry of the table from resident ids to patches.
@@ -206,14 +220,14 @@ struct RasterPush {
     /// Two bits for each blade, by its resident id: whether a sample shows its half towards the
     /// root, and the other one. Of large blades those halves that the frame before showed are drawn
     /// first, then all others as far as they are not hidden; so the bits decide when something is
-    /// looked at, and never whether it is seen. Address 0: nobody asks.
+    /// looked at, and never whether it is seen. Address 0: nobody asks; see `takesTurns`.
     UintArray seen;
     WalkLevelArray tiles; ///< by what they show: see shown_tiles.h
     uvec2 size;           ///< [pixels]
     uint isBgr;           ///< 1: the picture's first channel is blue
     uint round;           ///< whose list is rasterised: its first blades, or its last ones
     uint firstBlade; ///< what the visibility has for the blade with the id 0: see VisibilityArray
-    uint reserved;
+    uint takesTurns; ///< 1: large blades have two turns without `seen`, by latePartsUnseen()
 };
 SHARED_LAYOUT(RasterPush, 112)
 

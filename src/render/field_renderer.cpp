@@ -89,6 +89,8 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , targetSettings(targetFor(context, field, geometry, trial.has_value(), wanted))
     , ground(uploaded<GroundBuffers>(context, *field.ground))
     , cover(uploaded<GrassCover>(context, field))
+    , drawsInTurns(targetSettings.groupsDrawLarge &&
+                   wanted.drawsInTurns.value_or(cover.leafArea() >= leastAreaForTurns))
     , sunShadow(context, shaders, ground.box())
     , pyramid(context, shaders, wanted.samples)
     , attachments(madeIf<Attachments>(!rasterises(geometry), context, targetSettings))
@@ -195,7 +197,7 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
         blades.expectColliders();
     blades.buffers().describe(frame);
     cover.describe(frame);
-    if ((frame.view.cullMask & shared::cullOcclusion) != 0)
+    if ((frame.view.cullMask & shared::cullOcclusion) != 0 || drawsInTurns)
         pyramid.describe(frame);
     slots[slot].tables.write(shape, wishes, time, blades.hasMoved() ? lastTime : time, frame);
     lastTime = time;
@@ -265,7 +267,11 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
         // What blades hide is known of the camera that draws, and of no other.
         .findsHidden = parts.geometry == Geometry::raster && parts.targetSettings.groupsDrawLarge &&
                        looksForHidden && !settings.cullingCamera && !findsReasons,
+        .takesTurns = false,
         .tessellatesLarge = parts.geometry == Geometry::hybrid};
+    // Another camera goes on asking the pyramid that it has made.
+    raster.takesTurns = parts.geometry == Geometry::raster && parts.drawsInTurns &&
+                        !raster.findsHidden && !settings.cullingCamera;
 
     // What the ground hides needs neither be moved nor drawn.
     if (parts.raster)

@@ -40,6 +40,7 @@ struct FieldRenderer::Parts {
     TargetSettings targetSettings;
     GroundBuffers ground;
     GrassCover cover;
+    bool drawsInTurns; ///< see FieldRendererSettings
     SunShadowPass sunShadow;
     DepthPyramid pyramid;
     glm::uvec2 pictureSize{0}; ///< [pixels] of the pictures that are there

@@ -103,7 +103,7 @@ shared::RasterPush RasterPass::pushFor(const Input& input) const
                             .isBgr = isBgr(target_.colorFormat) ? 1u : 0u,
                             .round = 0,
                             .firstBlade = input.firstBlade,
-                            .reserved = 0};
+                            .takesTurns = input.takesTurns ? 1u : 0u};
     largeList_.describe(push);
     return push;
 }

@@ -40,6 +40,7 @@ public:
         FramePlace judged{};           ///< by whose camera the visible blades were listed
         std::uint32_t firstBlade = 1;  ///< see SolidRasterPass
         bool findsHidden = false;      ///< whether blades hide others: see shared::RasterPush::seen
+        bool takesTurns = false;       ///< see shared::RasterPush; not beside `findsHidden`
         bool tessellatesLarge = false; ///< whether large ones are left to the tessellator
     };
 
@@ -56,8 +57,9 @@ public:
                       Turn turn) const;
 
     /// Rasterises the large ones that have been listed, or has them tessellated. If blades hide
-    /// others, in the first turn those halves that the frame before has shown, and in the late one
-    /// what of all the rest the frame's pyramid does not hide. As above.
+    /// others, in the first turn those halves that the frame before has shown, if they take turns,
+    /// those by shared::latePartsUnseen(), and in the late one what of all the rest the frame's
+    /// pyramid does not hide. As above.
     void recordLarge(VkCommandBuffer commands, const Input& input, Turn turn) const;
 
     /// What is listed from now on has its late turn; with barriers from and to compute shaders.

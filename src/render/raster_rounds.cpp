@@ -20,9 +20,12 @@ void RasterRounds::record(VkCommandBuffer commands, const RasterPass::Input& inp
         const PassScope scope(context, commands, timestamps, "blades");
         raster.recordBlades(commands, input, round, Turn::late);
     }
+    if (input.takesTurns)
+        recordPyramid(commands, input, timestamps);
     gpu::computeToCompute(commands);
     const PassScope scope(context, commands, timestamps, "blades");
-    raster.recordLarge(commands, input, input.findsHidden ? Turn::late : Turn::first);
+    const bool isLate = input.findsHidden || input.takesTurns;
+    raster.recordLarge(commands, input, isLate ? Turn::late : Turn::first);
 }
 
 void RasterRounds::recordFirst(VkCommandBuffer commands, const RasterPass::Input& input,

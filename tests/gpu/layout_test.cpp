@@ -174,8 +174,8 @@ std::size_t fillValues(Values& v)
     n.fillAll(w.judged, w.subtrees, w.queue, w.live, w.levels, w.startCount, w.startLevel, w.level,
               w.reserved);
     shared::RasterPush& r = v.rasterPush;
-    n.fillAll(r.frame, r.judged, r.visibility, r.rounds, r.large, r.largeCount, r.owners,
-              r.firstOwners, r.seen, r.size, r.isBgr, r.round, r.firstBlade, r.reserved);
+    n.fillAll(r.frame, r.judged, r.visibility, r.rounds, r.large, r.largeCount, r.cut, r.owners,
+              r.firstOwners, r.seen, r.tiles, r.size, r.isBgr, r.round, r.firstBlade, r.takesTurns);
     n.fillAll(v.subtree.blades, v.subtree.widest, v.subtree.rankBelow);
     n.fillAll(v.live.patchIndex, v.live.count);
     n.fillAll(v.walkLevel.groups, v.walkLevel.count);

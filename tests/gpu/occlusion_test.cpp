@@ -46,6 +46,7 @@ protected:
         // tessellator the one that comes first in the list, whose order changes from run to run.
         wanted.geometry = Geometry::raster;
         wanted.rastersForCpu = false;
+        wanted.drawsInTurns = false;
         FieldRenderer renderer(device(), field::viewOf(field), wanted);
         FrameSettings settings = FrameSettings::of(field::viewOf(field));
         settings.levelOfDetail = levelOfDetail;
@@ -125,6 +126,7 @@ Walked walkThroughThicket(const gpu::Device& device, std::uint32_t samples, bool
     wanted.samples = samples;
     wanted.geometry = Geometry::raster;
     wanted.rastersForCpu = false;
+    wanted.drawsInTurns = false;
     wanted.asksSmallBlades = asksSmallBlades;
     wanted.recordFates = true;
     FieldRenderer renderer(device, field::viewOf(field), wanted);

@@ -40,6 +40,15 @@ std::optional<bool> parseRasterFor(const std::string& word)
     return word == "cpu";
 }
 
+std::optional<bool> parseLargeTurns(const std::string& word)
+{
+    if (word == "auto")
+        return std::nullopt;
+    if (word != "one" && word != "two")
+        fail(ErrorKind::usage, "--large-turns: '{}' is not one of auto, one, two", word);
+    return word == "two";
+}
+
 render::DebugMode parseDebug(const std::string& word)
 {
     if (word == "none")
@@ -141,6 +150,11 @@ void FrameOptions::addMeasured(CLI::App& app)
     option(
         "--raster-for", [this](const std::string& text) { rastersForCpu = parseRasterFor(text); },
         "WORD", "How the rasteriser goes about it: auto, as the device is; gpu, cpu [auto]");
+    option(
+        "--large-turns", [this](const std::string& text) { drawsInTurns = parseLargeTurns(text); },
+        "WORD",
+        "Draw large blades in one turn or, where none is culled by others, in two: auto, one, two "
+        "[auto]");
     app.add_option("--tess-level", tessellationLevel,
                    "Segments along every blade, 1 to 64; 0: by size on the screen [0]")
         ->type_name("N")

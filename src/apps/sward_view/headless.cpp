@@ -76,6 +76,7 @@ Headless::Headless(const FrameOptions& options, bool recordFates)
                  .framesInFlight = 1,
                  .geometry = options.geometry,
                  .rastersForCpu = options.rastersForCpu,
+                 .drawsInTurns = options.drawsInTurns,
                  .recordFates = recordFates || options.debug == render::DebugMode::reason,
                  .deviceBytes = options.gpuMemory,
                  .largestTarget = options.size,

@@ -292,14 +292,16 @@ void main()
     put(uvec2(sources.at[0].rasterPush.at[1].rounds));
     put(uvec2(sources.at[0].rasterPush.at[1].large));
     put(uvec2(sources.at[0].rasterPush.at[1].largeCount));
+    put(uvec2(sources.at[0].rasterPush.at[1].cut));
     put(uvec2(sources.at[0].rasterPush.at[1].owners));
     put(uvec2(sources.at[0].rasterPush.at[1].firstOwners));
     put(uvec2(sources.at[0].rasterPush.at[1].seen));
+    put(uvec2(sources.at[0].rasterPush.at[1].tiles));
     put(sources.at[0].rasterPush.at[1].size);
     put(sources.at[0].rasterPush.at[1].isBgr);
     put(sources.at[0].rasterPush.at[1].round);
     put(sources.at[0].rasterPush.at[1].firstBlade);
-    put(sources.at[0].rasterPush.at[1].reserved);
+    put(sources.at[0].rasterPush.at[1].takesTurns);
 
     const Subtree subtree = sources.at[0].subtree.at[1];
     put(subtree.blades);
