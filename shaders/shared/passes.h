@@ -172,7 +172,7 @@ SHARED_CONST uint upperPartIsLate = 0x80000000u;
 
 /// Where nobody knows what the frame before has shown, and blades are drawn in two turns all the
 /// same, the first one takes the upper halves of those that cover so many pixels …
-SHARED_CONST float foremostPixels = 8192.0f;
+SHARED_CONST float foremostPixels = 4096.0f;
 
 /// … and of so many others one: enough of them to hide most of what stands behind.
 SHARED_CONST uint foremostOf = 4u;

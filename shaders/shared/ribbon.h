@@ -49,6 +49,17 @@ SHARED_FN vec3 tangentAt(Ribbon ribbon, float t)
     return normalize(directionAt(ribbon, t));
 }
 
+/// Which way a ribbon is drawn wider that is too narrow for its samples: as far across the view as
+/// unit `across`, and `level`, of any length, with the ground where the blade is not nearly level
+/// itself: askew, half of what is added would lie below the ground.
+SHARED_FN vec3 outwardsOf(vec3 across, vec3 level)
+{
+    const float square = dot(level, level);
+    const vec3 unit = square > 1e-18f ? level * inversesqrt(square) : across;
+    const float upright = dot(unit, across);
+    return across + (upright / max(upright * upright, 0.25f)) * (unit - upright * across);
+}
+
 /// The cross-section at `t`. Where the view sees less than `leastWidth` [m at 1 m distance], be it
 /// that the blade is far, that it ends, or that it is seen edge-on, it is drawn that wide, across
 /// the view, so that few rows of samples miss it, and weighs the less.
@@ -79,14 +90,7 @@ SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float leastWidth)
         const float seen = dot(ribbon.axis, across);
         rib.wide *= abs(seen);
         rib.drawn = max(rib.wide, leastWidth * distance);
-        // Level with the ground where the blade is not nearly level itself: askew, half of what is
-        // added would lie below the ground.
-        vec3 level = cross(ray, ribbon.v1 - ribbon.v0);
-        const float levelSquare = dot(level, level);
-        level = levelSquare > 1e-18f ? level * inversesqrt(levelSquare) : across;
-        const float upright = dot(level, across);
-        const vec3 outwards =
-            across + (upright / max(upright * upright, 0.25f)) * (level - upright * across);
+        const vec3 outwards = outwardsOf(across, cross(ray, ribbon.v1 - ribbon.v0));
         const vec3 grown =
             (0.5f * (rib.drawn - rib.wide) * (seen < 0.0f ? -1.0f : 1.0f)) * outwards;
         rib.left -= grown;

@@ -1,0 +1,218 @@
+// Which place of a blade a sample shows, of which the visibility knows the blade and the depth.
+#ifndef SWARD_RASTER_SEEN_PLACE_GLSL
+#define SWARD_RASTER_SEEN_PLACE_GLSL
+
+#include "shaders/raster/seen_triangle.glsl"
+#include "shaders/sky/sky_light.glsl"
+
+/// A corner of a ribbon's triangle.
+struct Corner {
+    vec4 seen;
+    vec2 place; ///< −1 … 1 across, 0 … 1 along
+};
+
+/// Which point of a ribbon is seen, or the best guess so far. Where it lies in space its depth says as
+/// long as that is a guess: to remember the place of every corner takes a device's registers, and with
+/// them the time.
+struct Found {
+    float error; ///< 0: its triangle is where the sample says that something is
+    float depth; ///< in the middle of what is shaded
+    vec2 place;  ///< as a Corner has it; beside the rim a little more
+    vec3 point;  ///< relative to the field's origin
+};
+
+/// Where and how deep a sample of a ribbon is seen, and the middle of all that are shaded with it
+/// [pixels].
+struct Sighting {
+    vec2 pixel;
+    float depth;
+    vec2 middle;
+};
+
+/// A triangle that errs by less is the one. Corners lie in steps of a 256th of a pixel where they are
+/// drawn, not here.
+const float foundError = 0.02;
+
+/// By how much a triangle errs of which a sample is said to show a point. The sample may lie just
+/// outside by rounding; between triangles that both hold it depth decides.
+float errorOf(SeenPoint seen, Sighting sighting)
+{
+    return max(-seen.least, 0.0) + abs(seen.depth / sighting.depth - 1.0);
+}
+
+/// The shares of a triangle's corners in the middle of what is shaded with a sample.
+vec3 sharesInMiddle(vec4 first, vec4 second, vec4 third, SeenPoint seen, Sighting sighting)
+{
+    const vec3 inside = max(samplesPerPixel == 1u ? seen.shares
+                                                  : seenAt(first, second, third, sighting.middle).shares,
+                            vec3(0.0));
+    return inside / max(inside.x + inside.y + inside.z, 1e-6);
+}
+
+/// The reversed depth where a triangle has these shares of its corners.
+float depthOf(vec4 first, vec4 second, vec4 third, vec3 shares)
+{
+    return dot(shares, vec3(first.z, second.z, third.z)) / dot(shares, vec3(first.w, second.w, third.w));
+}
+
+/// What lies between the ribs at the places `low` and `high` of a folded ribbon.
+void lookAtHalves(Lens lens, Ribbon ribbon, float low, float high, bool isUpper, Sighting sighting,
+                  inout Found found)
+{
+    const SeenRib before = seenRib(lens, ribbon, low);
+    const SeenRib after = seenRib(lens, ribbon, high);
+    const Corner left = Corner(before.left, vec2(-1.0, low));
+    const Corner right = Corner(before.right, vec2(1.0, low));
+    const Corner ridge = Corner(before.ridge, vec2(0.0, low));
+    const Corner leftAfter = Corner(after.left, vec2(-1.0, high));
+    const Corner rightAfter = Corner(after.right, vec2(1.0, high));
+    const Corner ridgeAfter = Corner(after.ridge, vec2(0.0, high));
+    [[dont_unroll]] for (uint i = 0u; i < trianglesOf(true); ++i) {
+        const TriangleOf part = triangleOf(i, true, isUpper);
+        const Corner a = part.isRight ? ridge : left;
+        const Corner b = part.endsAtRidge ? ridge : right;
+        const Corner c = part.isRight ? ridgeAfter : leftAfter;
+        const Corner d = part.endsAtRidge ? ridgeAfter : rightAfter;
+        const Corner first = part.beginsRight ? b : a;
+        const Corner second = part.isSecond ? d : b;
+        const Corner third = part.endsLeft ? c : d;
+        const SeenPoint seen = seenAt(first.seen, second.seen, third.seen, sighting.pixel);
+        const float error = errorOf(seen, sighting);
+        if (error >= found.error)
+            continue;
+        const vec3 shares = sharesInMiddle(first.seen, second.seen, third.seen, seen, sighting);
+        found.error = error;
+        found.depth = depthOf(first.seen, second.seen, third.seen, shares);
+        found.place = shares.x * first.place + shares.y * second.place + shares.z * third.place;
+    }
+}
+
+/// Where along a ribbon a point of it lies, so near that it is found in which segment. Seen along the
+/// axis a ribbon is a curve, and its points lie on it: Gauss and Newton's way to the nearest, from where
+/// the chord has it.
+float placeAlong(Ribbon ribbon, vec3 point)
+{
+    const vec3 axis = ribbon.axis;
+    const vec3 toMiddle = ribbon.v1 - ribbon.v0;
+    const vec3 toTip = ribbon.v2 - ribbon.v0;
+    const vec3 toPoint = point - ribbon.v0;
+    const vec3 a = toMiddle - dot(toMiddle, axis) * axis;
+    const vec3 b = toTip - dot(toTip, axis) * axis;
+    const vec3 p = toPoint - dot(toPoint, axis) * axis;
+    float t = clamp(dot(p, b) / max(dot(b, b), 1e-12), 0.0, 1.0);
+    [[dont_unroll]] for (uint i = 0u; i < 2u; ++i) {
+        const vec3 off = bezierPoint(vec3(0.0), a, b, t) - p;
+        const vec3 speed = bezierTangent(vec3(0.0), a, b, t);
+        t = clamp(t - dot(off, speed) / max(dot(speed, speed), 1e-12), 0.0, 1.0);
+    }
+    return t;
+}
+
+/// The direction in which a place of the picture is seen, of any length.
+vec3 rayTo(Lens lens, vec2 pixel)
+{
+    return rayThrough(2.0 * pixel / lens.size - 1.0);
+}
+
+/// What is seen so deep in the direction of a ray, relative to the field's origin.
+vec3 pointSeen(Lens lens, vec3 ray, float depth)
+{
+    // Clip w grows by 1 with the ray's length, from 0 at the eye.
+    const vec4 depthRow = vec4(lens.viewProjection[0].z, lens.viewProjection[1].z,
+                               lens.viewProjection[2].z, lens.viewProjection[3].z);
+    return lens.eye + (dot(depthRow, vec4(lens.eye, 1.0)) / (depth - dot(depthRow.xyz, ray))) * ray;
+}
+
+/// Which point of a folded ribbon is seen: in the segment where it should be, or else in one near it,
+/// or, if it is in none, in the best of all.
+Found findOnFold(Lens lens, Ribbon ribbon, Sighting sighting)
+{
+    Found found;
+    found.error = 1e30;
+    const float segments = ribbon.outline.segments;
+    const vec3 point = pointSeen(lens, rayTo(lens, sighting.pixel), sighting.depth);
+    const float place = segments > 1.5 ? placeAlong(ribbon, point) : 0.0;
+    float segment = clamp(floor(place * segments) + 1.0, 1.0, segments);
+    // By how much the next one is farther along: the neighbour that is nearer first, then by turns.
+    float step_ = fract(place * segments) < 0.5 ? -1.0 : 1.0;
+    [[dont_unroll]] for (float turn = 0.0; turn < 2.0 * segments; turn += 1.0) {
+        if (segment >= 1.0 && segment <= segments)
+            lookAtHalves(lens, ribbon, (segment - 1.0) / segments, segment / segments,
+                         upperHalf(segment, segments), sighting, found);
+        if (found.error < foundError || segments < 1.5)
+            break;
+        segment += step_;
+        step_ = -step_ - sign(step_);
+    }
+    found.point = pointSeen(lens, rayTo(lens, sighting.middle), found.depth);
+    return found;
+}
+
+/// Where across a segment a point is, −1 … 1: of the two triangles in that which holds it, as a
+/// tessellator interpolates it. `toLeft`, `toRight`: so far are the sides; `widths`: of the ribs at its
+/// ends; `share`: of the way from the first to the second.
+float placeAcross(float toLeft, float toRight, vec2 widths, float share, bool isUpper)
+{
+    const bool isFirst = (isUpper ? toLeft : toRight) <= widths.x * (1.0 - share);
+    const float width = max(isFirst ? widths.x : widths.y, 1e-6);
+    return isFirst == isUpper ? 2.0 * toLeft / width - 1.0 : 1.0 - 2.0 * toRight / width;
+}
+
+/// The same without a fold: a segment is plane, between two ribs along the same axis. The depth says
+/// which segment it is, and the place on the picture alone where on that, as it does for a triangle.
+Found findOnPlane(Lens lens, Ribbon ribbon, Sighting sighting)
+{
+    const float segments = ribbon.outline.segments;
+    const vec3 point = pointSeen(lens, rayTo(lens, sighting.pixel), sighting.depth);
+    const float guess = placeAlong(ribbon, point) * segments;
+    const float segment = min(floor(guess), segments - 1.0);
+    const float low = segment / segments;
+    const float high = (segment + 1.0) / segments;
+    const vec3 begin = bezierPoint(ribbon.v0, ribbon.v1, ribbon.v2, low);
+    const vec3 chord = bezierPoint(ribbon.v0, ribbon.v1, ribbon.v2, high) - begin;
+    const vec3 ray = rayTo(lens, sighting.middle);
+
+    // What is too narrow across the view is drawn wider, as ribAt() has it.
+    const vec3 side = cross(ray, chord);
+    const float square = dot(side, side);
+    const bool isAtEye = square <= 1e-12 * dot(ray, ray) * dot(chord, chord);
+    vec3 across = isAtEye ? ribbon.axis : side * inversesqrt(square);
+    const float seen = dot(ribbon.axis, across);
+    across = seen < 0.0 ? -across : across;
+    const vec2 first = ribbon.width * edgesAt(ribbon.outline, low);
+    const vec2 second = ribbon.width * edgesAt(ribbon.outline, high);
+    const vec2 ends = vec2(first.y - first.x, second.y - second.x);
+    const vec2 wide = abs(seen) * ends;
+    const vec2 drawn = max(wide, vec2(lens.leastWidth * length(begin - lens.eye)));
+    const vec2 grown = drawn - wide;
+    vec3 axis = ribbon.axis;
+    if (grown.x + grown.y > 0.0)
+        axis = (ends.x + ends.y) * axis +
+               (grown.x + grown.y) * outwardsOf(across, cross(ray, ribbon.v1 - ribbon.v0));
+
+    // Where the ray meets the plane of the segment, from the middle of the first rib to that of the
+    // second: how far the eye is does not matter.
+    const vec3 toEye = lens.eye - begin - (0.5 * (first.x + first.y)) * ribbon.axis;
+    const vec3 upwards = chord + (0.5 * (second.x + second.y - first.x - first.y)) * ribbon.axis;
+    const vec3 turned = cross(ray, axis);
+    const float steepness = dot(upwards, turned);
+    const bool isLine = isAtEye || steepness == 0.0;
+    const float share = clamp(isLine ? guess - segment : dot(toEye, turned) / steepness, 0.0, 1.0);
+    const float reach = 0.5 * mix(drawn.x, drawn.y, share);
+    const float off = dot(toEye - share * upwards, across);
+    Found found;
+    found.point = pointSeen(lens, ray, sighting.depth);
+    found.place = vec2(placeAcross(reach + off, reach - off, drawn, share,
+                                   upperHalf(segment + 1.0, segments)),
+                       (segment + share) / segments);
+    return found;
+}
+
+Found find(Lens lens, Ribbon ribbon, Sighting sighting)
+{
+    if (isFolded(ribbon))
+        return findOnFold(lens, ribbon, sighting);
+    return findOnPlane(lens, ribbon, sighting);
+}
+
+#endif
