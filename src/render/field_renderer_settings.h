@@ -14,7 +14,7 @@ namespace sward::render {
 
 /// Square metres of blades on one of ground, where they stand, from which on an H200 draws them
 /// quicker in two turns: see FieldRendererSettings::drawsInTurns.
-constexpr float leastAreaForTurns = 10.0f;
+constexpr float leastAreaForTurns = 15.0f;
 
 /// What stays the same from frame to frame of a FieldRenderer.
 struct FieldRendererSettings {
