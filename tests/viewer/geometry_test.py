@@ -123,6 +123,14 @@ class GeometryTest(unittest.TestCase):
         self.assertEqual(pyramid(dense, "--large-turns", "one"), 0.0)
         self.assertEqual(pyramid(dense, device="cpu"), 0.0)
 
+    def test_ways_that_there_are_not_are_wrong_usage(self):
+        for option in ("--geometry", "--raster-for", "--large-turns"):
+            with self.subTest(option=option):
+                done = subprocess.run([VIEWER, "render", "none.sward", "-o", "none.png", option, "maybe"],
+                                      capture_output=True, text=True, timeout=60)
+                self.assertEqual(done.returncode, 1)
+                self.assertRegex(done.stderr, f"{option}: 'maybe' is not one of auto, ")
+
     def test_the_picture_does_not_depend_on_the_order_of_threads(self):
         field = self.bake("hills", "--count", "20000", "--blade-scale", "3")
         for device in ("gpu", "cpu"):
