@@ -208,6 +208,8 @@ Found findOnPlane(Lens lens, Ribbon ribbon, Sighting sighting)
     return found;
 }
 
+/// Which point of a ribbon is seen. Across a blade it is where a tessellator has it, to the last bits,
+/// but for where ribs are drawn wider than they are and so do not run alike.
 Found find(Lens lens, Ribbon ribbon, Sighting sighting)
 {
     if (isFolded(ribbon))
