@@ -11,14 +11,18 @@ struct Corner {
     vec2 place; ///< −1 … 1 across, 0 … 1 along
 };
 
-/// Which point of a ribbon is seen, or the best guess so far. Where it lies in space its depth says as
-/// long as that is a guess: to remember the place of every corner takes a device's registers, and with
-/// them the time.
+/// Which point of a ribbon is seen.
 struct Found {
+    vec3 point; ///< relative to the field's origin
+    vec2 place; ///< as a Corner has it; beside the rim a little more
+};
+
+/// The best guess so far at which point of a folded ribbon it is. Where it lies in space its depth says:
+/// to remember that of every corner takes a device's registers, and with them the time.
+struct Guess {
     float error; ///< 0: its triangle is where the sample says that something is
     float depth; ///< in the middle of what is shaded
-    vec2 place;  ///< as a Corner has it; beside the rim a little more
-    vec3 point;  ///< relative to the field's origin
+    vec2 place;  ///< as a Corner has it
 };
 
 /// Where and how deep a sample of a ribbon is seen, and the middle of all that are shaded with it
@@ -57,7 +61,7 @@ float depthOf(vec4 first, vec4 second, vec4 third, vec3 shares)
 
 /// What lies between the ribs at the places `low` and `high` of a folded ribbon.
 void lookAtHalves(Lens lens, Ribbon ribbon, float low, float high, bool isUpper, Sighting sighting,
-                  inout Found found)
+                  inout Guess guess)
 {
     const SeenRib before = seenRib(lens, ribbon, low);
     const SeenRib after = seenRib(lens, ribbon, high);
@@ -78,12 +82,12 @@ void lookAtHalves(Lens lens, Ribbon ribbon, float low, float high, bool isUpper,
         const Corner third = part.endsLeft ? c : d;
         const SeenPoint seen = seenAt(first.seen, second.seen, third.seen, sighting.pixel);
         const float error = errorOf(seen, sighting);
-        if (error >= found.error)
+        if (error >= guess.error)
             continue;
         const vec3 shares = sharesInMiddle(first.seen, second.seen, third.seen, seen, sighting);
-        found.error = error;
-        found.depth = depthOf(first.seen, second.seen, third.seen, shares);
-        found.place = shares.x * first.place + shares.y * second.place + shares.z * third.place;
+        guess.error = error;
+        guess.depth = depthOf(first.seen, second.seen, third.seen, shares);
+        guess.place = shares.x * first.place + shares.y * second.place + shares.z * third.place;
     }
 }
 
@@ -127,8 +131,8 @@ vec3 pointSeen(Lens lens, vec3 ray, float depth)
 /// or, if it is in none, in the best of all.
 Found findOnFold(Lens lens, Ribbon ribbon, Sighting sighting)
 {
-    Found found;
-    found.error = 1e30;
+    Guess guess;
+    guess.error = 1e30;
     const float segments = ribbon.outline.segments;
     const vec3 point = pointSeen(lens, rayTo(lens, sighting.pixel), sighting.depth);
     const float place = segments > 1.5 ? placeAlong(ribbon, point) : 0.0;
@@ -138,14 +142,13 @@ Found findOnFold(Lens lens, Ribbon ribbon, Sighting sighting)
     [[dont_unroll]] for (float turn = 0.0; turn < 2.0 * segments; turn += 1.0) {
         if (segment >= 1.0 && segment <= segments)
             lookAtHalves(lens, ribbon, (segment - 1.0) / segments, segment / segments,
-                         upperHalf(segment, segments), sighting, found);
-        if (found.error < foundError || segments < 1.5)
+                         upperHalf(segment, segments), sighting, guess);
+        if (guess.error < foundError || segments < 1.5)
             break;
         segment += step_;
         step_ = -step_ - sign(step_);
     }
-    found.point = pointSeen(lens, rayTo(lens, sighting.middle), found.depth);
-    return found;
+    return Found(pointSeen(lens, rayTo(lens, sighting.middle), guess.depth), guess.place);
 }
 
 /// Where across a segment a point is, −1 … 1: of the two triangles in that which holds it, as a
@@ -200,16 +203,13 @@ Found findOnPlane(Lens lens, Ribbon ribbon, Sighting sighting)
     const float share = clamp(isLine ? guess - segment : dot(toEye, turned) / steepness, 0.0, 1.0);
     const float reach = 0.5 * mix(drawn.x, drawn.y, share);
     const float off = dot(toEye - share * upwards, across);
-    Found found;
-    found.point = pointSeen(lens, ray, sighting.depth);
-    found.place = vec2(placeAcross(reach + off, reach - off, drawn, share,
-                                   upperHalf(segment + 1.0, segments)),
-                       (segment + share) / segments);
-    return found;
+    const float placeX = placeAcross(reach + off, reach - off, drawn, share,
+                                      upperHalf(segment + 1.0, segments));
+    return Found(pointSeen(lens, ray, sighting.depth), vec2(placeX, (segment + share) / segments));
 }
 
-/// Which point of a ribbon is seen. Across a blade it is where a tessellator has it, to the last bits,
-/// but for where ribs are drawn wider than they are and so do not run alike.
+/// What a sample shows. Across a flat blade it is what a tessellator's two triangles make of it, but for
+/// ribs that are drawn wider than they are, which do not run alike.
 Found find(Lens lens, Ribbon ribbon, Sighting sighting)
 {
     if (isFolded(ribbon))

@@ -259,19 +259,21 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
 
     const bool looksForHidden = (settings.cullMask & shared::cullOcclusion) != 0;
     const bool findsReasons = settings.debug == DebugMode::reason;
-    RasterPass::Input raster{
-        .field = &parts.blades.buffers(),
-        .frame = parts.slots[slot].frame.place(),
-        .judged = findsReasons ? parts.slots[slot].listing.place() : judged,
-        .firstBlade = parts.raster ? parts.solidRaster->firstBlade() : 1,
-        // What blades hide is known of the camera that draws, and of no other.
-        .findsHidden = parts.geometry == Geometry::raster && parts.targetSettings.groupsDrawLarge &&
-                       looksForHidden && !settings.cullingCamera && !findsReasons,
-        .takesTurns = false,
-        .tessellatesLarge = parts.geometry == Geometry::hybrid};
-    // Another camera goes on asking the pyramid that it has made.
-    raster.takesTurns = parts.geometry == Geometry::raster && parts.drawsInTurns &&
-                        !raster.findsHidden && !settings.cullingCamera;
+    const bool groupsDrawLarge =
+        parts.geometry == Geometry::raster && parts.targetSettings.groupsDrawLarge;
+    // What blades hide is known of the camera that draws, and of no other.
+    const bool findsHidden =
+        groupsDrawLarge && looksForHidden && !settings.cullingCamera && !findsReasons;
+    const RasterPass::Input raster{.field = &parts.blades.buffers(),
+                                   .frame = parts.slots[slot].frame.place(),
+                                   .judged =
+                                       findsReasons ? parts.slots[slot].listing.place() : judged,
+                                   .firstBlade = parts.raster ? parts.solidRaster->firstBlade() : 1,
+                                   .findsHidden = findsHidden,
+                                   // Another camera goes on asking the pyramid that it has made.
+                                   .takesTurns = groupsDrawLarge && parts.drawsInTurns &&
+                                                 !findsHidden && !settings.cullingCamera,
+                                   .tessellatesLarge = parts.geometry == Geometry::hybrid};
 
     // What the ground hides needs neither be moved nor drawn.
     if (parts.raster)

@@ -31,22 +31,15 @@ render::Geometry parseGeometry(const std::string& word)
          word);
 }
 
-std::optional<bool> parseRasterFor(const std::string& word)
+/// Of an option that says no, yes, or leaves it to what suits best.
+std::optional<bool> parseChoice(const char* option, const std::string& word, const char* no,
+                                const char* yes)
 {
     if (word == "auto")
         return std::nullopt;
-    if (word != "gpu" && word != "cpu")
-        fail(ErrorKind::usage, "--raster-for: '{}' is not one of auto, gpu, cpu", word);
-    return word == "cpu";
-}
-
-std::optional<bool> parseLargeTurns(const std::string& word)
-{
-    if (word == "auto")
-        return std::nullopt;
-    if (word != "one" && word != "two")
-        fail(ErrorKind::usage, "--large-turns: '{}' is not one of auto, one, two", word);
-    return word == "two";
+    if (word != no && word != yes)
+        fail(ErrorKind::usage, "{}: '{}' is not one of auto, {}, {}", option, word, no, yes);
+    return word == yes;
 }
 
 render::DebugMode parseDebug(const std::string& word)
@@ -148,10 +141,16 @@ void FrameOptions::addMeasured(CLI::App& app)
         "--geometry", [this](const std::string& text) { geometry = parseGeometry(text); }, "WORD",
         "auto, tessellation, raster, hybrid [auto]");
     option(
-        "--raster-for", [this](const std::string& text) { rastersForCpu = parseRasterFor(text); },
+        "--raster-for",
+        [this](const std::string& text) {
+            rastersForCpu = parseChoice("--raster-for", text, "gpu", "cpu");
+        },
         "WORD", "How the rasteriser goes about it: auto, as the device is; gpu, cpu [auto]");
     option(
-        "--large-turns", [this](const std::string& text) { drawsInTurns = parseLargeTurns(text); },
+        "--large-turns",
+        [this](const std::string& text) {
+            drawsInTurns = parseChoice("--large-turns", text, "one", "two");
+        },
         "WORD",
         "Draw large blades in one turn or, where none is culled by others, in two: auto, one, two "
         "[auto]");
