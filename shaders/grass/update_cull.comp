@@ -1,10 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_buffer_reference_uvec2 : require
-// Moves the blades of the live patches, judges each, and lists those that are to be drawn. One
-// work-group per patch at a time; survivors gather in shared memory, so that some patches together
-// cost one atomic on the list. Nothing here depends on the size of a subgroup. Where several views share the blades,
-// one role of this shader moves them for all views, and another judges them for each.
+// Moves the blades of the live patches, judges each, and lists those that are to be drawn. A work-group
+// takes some patches together, whose blades follow one another as if they were those of one: so all
+// threads have one, and what a patch says is waited for once. Survivors gather in shared memory, so that
+// some hundred cost one atomic on the list. Nothing here depends on the size of a subgroup. Where several
+// views share the blades, one role of this shader moves them for all views, and another judges them for each.
 #include "shaders/shared/passes.h"
 #include "shaders/shared/visibility.h"
 
@@ -16,6 +17,9 @@ layout(push_constant, scalar) uniform Block { UpdatePush push; };
 
 #include "shaders/culling/hidden.glsl"
 #include "shaders/grass/pages.glsl"
+
+/// So many survivors gather before they are listed.
+const uint survivorRoom = 512u;
 
 // Known when the pipeline is made, so that winds that do not blow and colliders that are not there
 // cost nothing.
@@ -32,24 +36,67 @@ shared uint mostFilled[2];
 shared uint listBase[2];
 shared uint kept[2];
 // Of one patch or several small ones: those that the frame before has shown in front, the others from behind.
-shared VisibleBlade survivors[maxPatchBlades];
-shared uint colliderBits[colliderWords];
+shared VisibleBlade survivors[survivorRoom];
 
-/// The colliders that may touch a blade of the patch, found by all threads together.
-ColliderMask collidersNear(Patch cell, float elapsed, uint thread)
+/// One of the patches that a work-group takes together, as its threads share it.
+struct Taken {
+    uint patchIndex;
+    uint firstBlade;
+    uint begin; ///< where its blades begin among those of all
+    uint moved; ///< so many are looked at, …
+    uint movedBefore;
+    float elapsed; ///< [s] by which they are moved
+    Layers layers;
+    vec3 rootLow; ///< as Patch has it, from here on
+    float rootStep;
+    float heightLow;
+    float heightStep;
+    float widthLow;
+    float widthStep;
+    float rankLow;
+    float rankHigh;
+    uint bladeCount;
+};
+shared Taken taken[patchesTogether];
+shared uint colliderBits[patchesTogether * colliderWords];
+
+/// What of a patch its blades ask for.
+Patch cellOf(uint slot)
+{
+    Patch cell;
+    cell.firstBlade = taken[slot].firstBlade;
+    cell.bladeCount = taken[slot].bladeCount;
+    cell.rootLow = taken[slot].rootLow;
+    cell.rootStep = taken[slot].rootStep;
+    cell.heightLow = taken[slot].heightLow;
+    cell.heightStep = taken[slot].heightStep;
+    cell.widthLow = taken[slot].widthLow;
+    cell.widthStep = taken[slot].widthStep;
+    cell.rankLow = taken[slot].rankLow;
+    cell.rankHigh = taken[slot].rankHigh;
+    return cell;
+}
+
+/// Notes the colliders that may touch a blade of the patches, by all threads together.
+void findColliders(uint patches, uint thread)
+{
+    for (uint i = thread; i < patches * JUDGED.nature.colliderCount; i += gl_WorkGroupSize.x) {
+        const uint slot = i / JUDGED.nature.colliderCount;
+        const uint number = i % JUDGED.nature.colliderCount;
+        const Patch cell = JUDGED.patches.at[taken[slot].patchIndex];
+        if (taken[slot].elapsed > 0.0f &&
+            colliderNear(JUDGED.nature.colliders.at[number], cell.boundsLow, cell.boundsHigh,
+                         taken[slot].elapsed))
+            atomicOr(colliderBits[slot * colliderWords + number / 32u], 1u << (number % 32u));
+    }
+}
+
+/// The colliders that may touch a blade of a patch.
+ColliderMask collidersNear(uint slot)
 {
     ColliderMask near = noColliders();
-    if (!hasColliders || elapsed <= 0.0f)
-        return near;
-    if (thread < colliderWords)
-        colliderBits[thread] = 0u;
-    barrier();
-    for (uint i = thread; i < JUDGED.nature.colliderCount; i += gl_WorkGroupSize.x)
-        if (colliderNear(JUDGED.nature.colliders.at[i], cell.boundsLow, cell.boundsHigh, elapsed))
-            atomicOr(colliderBits[i / 32u], 1u << (i % 32u));
-    barrier();
-    for (uint word = 0u; word < colliderWords; ++word)
-        near.words[word] = colliderBits[word];
+    for (uint word = 0u; hasColliders && word < colliderWords; ++word)
+        near.words[word] = colliderBits[slot * colliderWords + word];
     return near;
 }
 
@@ -139,7 +186,7 @@ void listSurvivors(uint thread)
     for (uint i = thread; i < kept[1]; i += gl_WorkGroupSize.x)
         if (listBase[1] + i < JUDGED.visibleCapacity)
             JUDGED.visible.at[JUDGED.visibleCapacity - 1u - listBase[1] - i] =
-                survivors[maxPatchBlades - 1u - i];
+                survivors[survivorRoom - 1u - i];
     barrier();
     if (thread < 2u)
         kept[thread] = 0u;
@@ -160,105 +207,139 @@ StoredBlade storedBlade(uint index)
                        BladeState(JUDGED.states.at[place], keepsEtas ? JUDGED.etas.at[place] : 0.0));
 }
 
-/// Moves and judges the first `count` blades of a patch; the others are thinned out. `gathered` is
-/// no less than the survivors that have not been listed yet.
-void updatePatch(Eyepoint view, Nature nature, uint patchIndex, uint count, inout uint gathered)
+/// Takes a patch, of which `live` says how many blades the view asks for. One thread does so, which is the
+/// only one that asks when the patch was moved.
+void takePatch(Eyepoint view, LivePatch live, uint slot)
 {
-    const uint thread = gl_LocalInvocationIndex;
-    const Patch cell = JUDGED.patches.at[patchIndex];
-    float elapsed = max(JUDGED.time - JUDGED.patchTimes.at[patchIndex], 0.0f);
+    const Patch cell = JUDGED.patches.at[live.patchIndex];
+    const bool isAll = push.onlyUpdate != 0u;
+    const uint count = !isAll ? live.count : isPresent(uvec2(JUDGED.pages), cell) ? cell.bladeCount : 0u;
+    float elapsed = max(JUDGED.time - JUDGED.patchTimes.at[live.patchIndex], 0.0f);
     bool moves = role != onlyJudge &&
-                 (push.onlyUpdate != 0u ||
-                  movesNow(JUDGED.pace, patchIndex,
-                           boxDistance(view.eye, cell.boundsLow, cell.boundsHigh), elapsed));
-    const uint moved = role == onlyMove ? wantedByAll(cell, patchIndex, elapsed, count, moves) : count;
+                 (isAll || movesNow(JUDGED.pace, live.patchIndex,
+                                    boxDistance(view.eye, cell.boundsLow, cell.boundsHigh), elapsed));
+    const uint moved =
+        role == onlyMove ? wantedByAll(cell, live.patchIndex, elapsed, count, moves) : count;
     elapsed = moves ? elapsed : 0.0f;
-    const uint movedBefore = JUDGED.patchCounts.at[patchIndex];
-
-    // Beyond this all survivors of the patches before have gathered, and all threads have read when
-    // this one was moved.
-    barrier();
-    gathered += role == onlyMove ? 0u : count;
-    if (gathered > maxPatchBlades) {
-        listSurvivors(thread);
-        gathered = count;
+    const uint movedBefore = JUDGED.patchCounts.at[live.patchIndex];
+    if (isAll && count == 0u)
+        moves = false;
+    if (moves) {
+        JUDGED.patchTimes.at[live.patchIndex] = JUDGED.time;
+        atomicAdd(simulatedSum, moved);
     }
-    if (thread == 0u) {
-        if (moves) {
-            JUDGED.patchTimes.at[patchIndex] = JUDGED.time;
-            simulatedSum += moved;
-        }
-        if (role != onlyJudge && (moves || moved > movedBefore))
-            JUDGED.patchCounts.at[patchIndex] = moved;
+    if (role != onlyJudge && (moves || moved > movedBefore))
+        JUDGED.patchCounts.at[live.patchIndex] = moved;
+    if (!isAll)
         atomicAdd(fateSums[fateLod], cell.bladeCount - count);
-    }
-    const Layers layers = layersOf(view, cell);
-    const ColliderMask near = collidersNear(cell, elapsed, thread);
-
-    // The next blade is read while one is moved.
-    StoredBlade next;
-    if (thread < moved)
-        next = storedBlade(cell.firstBlade + thread);
-    for (uint i = thread; i < moved; i += gl_WorkGroupSize.x) {
-        const uint index = cell.firstBlade + i;
-        const StoredBlade stored = next;
-        if (i + gl_WorkGroupSize.x < moved)
-            next = storedBlade(index + gl_WorkGroupSize.x);
-        const float since = role == onlyJudge ? 0.0f : i < movedBefore ? elapsed : settlingTime;
-        if (role == onlyMove && since <= 0.0f)
-            continue;
-        const Blade blade = unpackBlade(stored.bits, cell);
-
-        // Move it. At a standstill the stored state stays as it is, to the bit.
-        BladeState state = stored.state;
-        if (since > 0.0f) {
-            const uint before = state.turn;
-            state = advanceBlade(blade, nature, near, state, JUDGED.time, since);
-            // One that was thinned out comes back from nowhere.
-            if (keepsBefore) {
-                UintArray kept = push.before;
-                kept.at[index] = i < movedBefore ? before : state.turn;
-            }
-            JUDGED.states.at[stored.place] = state.turn;
-            if (keepsEtas)
-                JUDGED.etas.at[stored.place] = state.eta;
-        }
-        if (role == onlyMove || push.onlyUpdate != 0u)
-            continue;
-
-        // Judge it, and keep it if it shall be drawn.
-        const Blade drawn = raised(blade, layers.rise);
-        Verdict verdict = judgeBlade(view, layers, drawn, index, state, bladeRank(cell, i));
-        if (verdict.fate == fateDrawn && (view.cullMask & cullOcclusion) != 0u &&
-            isHidden(verdict.low, verdict.high))
-            verdict.fate = fateOcclusion;
-        if (verdict.fate != fateDrawn) {
-            atomicAdd(fateSums[verdict.fate], 1u);
-        } else {
-            const float pixels = pixelsCovered(drawn, verdict.pixels, verdict.widthFactor);
-            const uint seen = takeSeen(index, pixels);
-            const uint list = seen != 0u ? 0u : 1u;
-            const uint late = seen == 1u ? upperHalfIsLate : seen == 2u ? lowerHalfIsLate : 0u;
-            const uint slot = atomicAdd(kept[list], 1u);
-            survivors[list == 0u ? slot : maxPatchBlades - 1u - slot] =
-                VisibleBlade(index, patchIndex, packFactors(verdict.widthFactor, layers.rise) | late,
-                             verdict.pixels);
-        }
-        noteFate(stored.place, verdict.fate);
-    }
-    for (uint i = count + thread; role != onlyMove && i < cell.bladeCount; i += gl_WorkGroupSize.x)
-        noteFate(placeOf(uvec2(JUDGED.pages), cell.firstBlade + i), fateLod);
+    taken[slot] = Taken(live.patchIndex, cell.firstBlade, 0u, moved, movedBefore, elapsed,
+                        layersOf(view, cell), cell.rootLow, cell.rootStep, cell.heightLow, cell.heightStep,
+                        cell.widthLow, cell.widthStep, cell.rankLow, cell.rankHigh, cell.bladeCount);
 }
 
-/// What is done as item `i` of `end`: a live patch, or, of all, an owner, with whatever count.
-LivePatch patchAt(uint i, uint end, bool all)
+/// Notes of the blades of a patch that are not looked at, for those who ask, that they are thinned out.
+void noteThinned(uint slot, uint thread)
 {
-    LivePatch live = LivePatch(0u, 0u);
-    if (i < end && all)
-        live.patchIndex = push.owners.at[i];
-    else if (i < end)
-        live = push.live.at[i];
-    return live;
+    if (uvec2(JUDGED.fates) == uvec2(0u) || role == onlyMove)
+        return;
+    for (uint i = taken[slot].moved + thread; i < taken[slot].bladeCount; i += gl_WorkGroupSize.x)
+        noteFate(placeOf(uvec2(JUDGED.pages), taken[slot].firstBlade + i), fateLod);
+}
+
+/// Moves and judges blade `i` of a patch.
+void updateBlade(Eyepoint view, Nature nature, uint slot, uint i, StoredBlade stored)
+{
+    const uint movedBefore = taken[slot].movedBefore;
+    const float since =
+        role == onlyJudge ? 0.0f : i < movedBefore ? taken[slot].elapsed : settlingTime;
+    if (role == onlyMove && since <= 0.0f)
+        return;
+    const Patch cell = cellOf(slot);
+    const Blade blade = unpackBlade(stored.bits, cell);
+    const uint index = cell.firstBlade + i;
+
+    // Move it. At a standstill the stored state stays as it is, to the bit.
+    BladeState state = stored.state;
+    if (since > 0.0f) {
+        const uint before = state.turn;
+        state = advanceBlade(blade, nature, collidersNear(slot), state, JUDGED.time, since);
+        // One that was thinned out comes back from nowhere.
+        if (keepsBefore) {
+            UintArray kept = push.before;
+            kept.at[index] = i < movedBefore ? before : state.turn;
+        }
+        JUDGED.states.at[stored.place] = state.turn;
+        if (keepsEtas)
+            JUDGED.etas.at[stored.place] = state.eta;
+    }
+    if (role == onlyMove || push.onlyUpdate != 0u)
+        return;
+
+    // Judge it, and keep it if it shall be drawn.
+    const Layers layers = taken[slot].layers;
+    const Blade drawn = raised(blade, layers.rise);
+    Verdict verdict = judgeBlade(view, layers, drawn, index, state, bladeRank(cell, i));
+    if (verdict.fate == fateDrawn && (view.cullMask & cullOcclusion) != 0u &&
+        isHidden(verdict.low, verdict.high))
+        verdict.fate = fateOcclusion;
+    if (verdict.fate != fateDrawn) {
+        atomicAdd(fateSums[verdict.fate], 1u);
+    } else {
+        const float pixels = pixelsCovered(drawn, verdict.pixels, verdict.widthFactor);
+        const uint seen = takeSeen(index, pixels);
+        const uint list = seen != 0u ? 0u : 1u;
+        const uint late = seen == 1u ? upperHalfIsLate : seen == 2u ? lowerHalfIsLate : 0u;
+        const uint place = atomicAdd(kept[list], 1u);
+        survivors[list == 0u ? place : survivorRoom - 1u - place] =
+            VisibleBlade(index, taken[slot].patchIndex,
+                         packFactors(verdict.widthFactor, layers.rise) | late, verdict.pixels);
+    }
+    noteFate(stored.place, verdict.fate);
+}
+
+/// The patch to which blade `i` of all belongs, from `slot` on.
+uint slotOf(uint i, uint slot, uint patches)
+{
+    while (slot + 1u < patches && i >= taken[slot + 1u].begin)
+        ++slot;
+    return slot;
+}
+
+/// Moves and judges all blades of the patches. `gathered` is no less than the survivors that have not been
+/// listed yet.
+void updatePatches(Eyepoint view, Nature nature, uint patches, inout uint gathered)
+{
+    const uint thread = gl_LocalInvocationIndex;
+    const uint end = taken[patches - 1u].begin + taken[patches - 1u].moved;
+    uint slot = slotOf(thread, 0u, patches);
+    // The next blade is read while one is moved.
+    StoredBlade next;
+    if (thread < end)
+        next = storedBlade(taken[slot].firstBlade + (thread - taken[slot].begin));
+    for (uint first = 0u; first < end; first += gl_WorkGroupSize.x) {
+        if (role != onlyMove && push.onlyUpdate == 0u) {
+            if (gathered + gl_WorkGroupSize.x > survivorRoom) {
+                barrier();
+                gathered = kept[0] + kept[1];
+                barrier();
+                if (gathered + gl_WorkGroupSize.x > survivorRoom) {
+                    listSurvivors(thread);
+                    gathered = 0u;
+                }
+            }
+            gathered += gl_WorkGroupSize.x;
+        }
+        const uint i = first + thread;
+        const uint own = slot;
+        const StoredBlade stored = next;
+        if (i + gl_WorkGroupSize.x < end) {
+            const uint after = i + gl_WorkGroupSize.x;
+            slot = slotOf(after, slot, patches);
+            next = storedBlade(taken[slot].firstBlade + (after - taken[slot].begin));
+        }
+        if (i < end)
+            updateBlade(view, nature, own, i - taken[own].begin, stored);
+    }
 }
 
 void main()
@@ -278,27 +359,39 @@ void main()
         kept[1] = 0u;
     }
     uint gathered = 0u;
-    const bool all = push.onlyUpdate != 0u;
-    const uint first = all ? 0u : push.firstLive;
-    const uint end =
-        all ? push.ownerCount
-            : min(push.levels.at[liveLevel].count, push.firstLive + push.mostLive);
-    // One loop: a driver that cannot jump over what it need not do would do the work of two. The next
-    // patch's index is read while this one's blades are moved.
-    uint i = first + gl_WorkGroupID.x;
-    LivePatch next = patchAt(i, end, all);
-    while (i < end) {
-        const LivePatch live = next;
-        i += gl_NumWorkGroups.x;
-        next = patchAt(i, end, all);
-        uint count = live.count;
-        if (all) {
-            const Patch cell = JUDGED.patches.at[live.patchIndex];
-            if (!isPresent(uvec2(JUDGED.pages), cell))
-                continue;
-            count = cell.bladeCount;
+    const bool isAll = push.onlyUpdate != 0u;
+    const uint begin = isAll ? 0u : push.firstLive;
+    const uint end = isAll ? push.ownerCount
+                           : min(push.levels.at[liveLevel].count, push.firstLive + push.mostLive);
+    const uint ofGroup = (max(end, begin) - begin + gl_NumWorkGroups.x - 1u) / gl_NumWorkGroups.x;
+    const uint last = min(begin + (gl_WorkGroupID.x + 1u) * ofGroup, end);
+    for (uint first = begin + gl_WorkGroupID.x * ofGroup; first < last; first += patchesTogether) {
+        const uint patches = min(last - first, patchesTogether);
+        // Nobody looks at the patches before any more.
+        barrier();
+        for (uint slot = thread; slot < patches; slot += gl_WorkGroupSize.x) {
+            LivePatch live = LivePatch(0u, 0u);
+            if (isAll)
+                live.patchIndex = push.owners.at[first + slot];
+            else
+                live = push.live.at[first + slot];
+            takePatch(view, live, slot);
         }
-        updatePatch(view, nature, live.patchIndex, count, gathered);
+        for (uint i = thread; hasColliders && i < patches * colliderWords; i += gl_WorkGroupSize.x)
+            colliderBits[i] = 0u;
+        barrier();
+        for (uint slot = thread; slot < patches; slot += gl_WorkGroupSize.x) {
+            uint before = 0u;
+            for (uint other = 0u; other < slot; ++other)
+                before += taken[other].moved;
+            taken[slot].begin = before;
+        }
+        if (hasColliders)
+            findColliders(patches, thread);
+        barrier();
+        updatePatches(view, nature, patches, gathered);
+        for (uint slot = 0u; slot < patches; ++slot)
+            noteThinned(slot, thread);
     }
     barrier();
     listSurvivors(thread);

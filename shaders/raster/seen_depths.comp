@@ -9,22 +9,67 @@ layout(push_constant, scalar) uniform Block { RasterPush push; };
 #include "shaders/culling/finest_levels.glsl"
 #include "shaders/raster/put_sample.glsl"
 
-void main()
+// Of several samples: pairs of them in a column of the group's pixels, in what of it a cell has, and
+// columns that its threads read at a time, and wait for.
+const uint groupReach = pyramidThreads << pyramidFactorBits;
+const uint pairsOfColumn = groupReach * samplesPerPixel / 2u;
+const uint pairsOfCell = pairsOfColumn / pyramidThreads;
+const uint columnsTogether = pyramidThreads * pyramidThreads / pairsOfColumn;
+const uint readsTogether = 8u;
+
+shared uint farthestOfCells[pyramidThreads * pyramidThreads]; // as bits
+
+/// The farthest depth of a cell, read by its own thread.
+float farthestOf(uvec2 own)
 {
-    // Threads beside one another read what lies below one another, which is together in memory.
-    const uvec2 own = gl_LocalInvocationID.yx;
     const uvec2 low = (gl_WorkGroupID.xy * pyramidThreads + own) << pyramidFactorBits;
     const uvec2 high = min(low + (1u << pyramidFactorBits), push.size);
     uint farthest = floatBitsToUint(1.0);
     for (uint x = low.x; x < high.x && low.y < high.y; ++x) {
         const uint first = sampleIndex(uvec2(x, low.y), 0u);
-        SHARED_UNROLL for (uint i = 0u; i < samplesPerPixel << pyramidFactorBits; i += 2u) {
+        SHARED_UNROLL for (uint i = 0u; i < 1u << pyramidFactorBits; i += 2u) {
             const uvec2 two = depthsAt(first + i);
-            if (low.y + i / samplesPerPixel < high.y)
+            if (low.y + i < high.y)
                 farthest = min(farthest, two.x);
-            if (low.y + (i + 1u) / samplesPerPixel < high.y)
+            if (low.y + i + 1u < high.y)
                 farthest = min(farthest, two.y);
         }
     }
-    putFinestLevels(FRAME.pyramid, own, uintBitsToFloat(farthest));
+    return uintBitsToFloat(farthest);
+}
+
+/// The same where a pixel has several samples: a cell's lie so far apart that threads beside one another
+/// read pairs beside one another instead, whosever they are. All threads come here together.
+float farthestTogether(uvec2 own)
+{
+    const uint thread = gl_LocalInvocationIndex;
+    const uvec2 corner = gl_WorkGroupID.xy * groupReach;
+    const uint pair = thread % pairsOfColumn;
+    const uint row = corner.y + 2u * pair / samplesPerPixel;
+    farthestOfCells[thread] = floatBitsToUint(1.0);
+    barrier();
+    for (uint first = thread / pairsOfColumn; first < groupReach; first += columnsTogether * readsTogether) {
+        uint farthest[readsTogether];
+        SHARED_UNROLL for (uint i = 0u; i < readsTogether; ++i) {
+            const uint column = corner.x + first + i * columnsTogether;
+            farthest[i] = floatBitsToUint(1.0);
+            if (column < push.size.x && row < push.size.y) {
+                const uvec2 two = depthsAt(sampleIndex(uvec2(column, corner.y), 0u) + 2u * pair);
+                farthest[i] = min(two.x, two.y);
+            }
+        }
+        SHARED_UNROLL for (uint i = 0u; i < readsTogether; ++i) {
+            const uint cell = (first + i * columnsTogether) >> pyramidFactorBits;
+            atomicMin(farthestOfCells[pair / pairsOfCell * pyramidThreads + cell], farthest[i]);
+        }
+    }
+    barrier();
+    return uintBitsToFloat(farthestOfCells[own.y * pyramidThreads + own.x]);
+}
+
+void main()
+{
+    // Threads beside one another read what lies below one another, which is together in memory.
+    const uvec2 own = gl_LocalInvocationID.yx;
+    putFinestLevels(FRAME.pyramid, own, samplesPerPixel == 1u ? farthestOf(own) : farthestTogether(own));
 }

@@ -15,26 +15,28 @@ SHARED_BEGIN
 /// each, stay below that.
 SHARED_CONST uint drawChunk = 256u;
 
-/// Threads of a work-group of the update; they loop over the blades of one patch. On an H200 64
-/// take a fifth longer, 128 a fifteenth, 32 four fifths: see decision 0036.
-SHARED_CONST uint updateThreads = 96u;
+/// Threads of a work-group of the update, one blade each. On an H200 64 take two fifths longer, 96
+/// and 256 a seventh, 192 a hundredth: see decision 0040.
+SHARED_CONST uint updateThreads = 128u;
 
-/// Work-groups of the update for so many live patches: from `updateGroupsFrom` on one group takes
-/// up to so many of them, one after the other, for each group adds its counts to the frame's at the
-/// same address as all others. With fewer groups a device has some idle at the end.
-SHARED_CONST uint updateGroupsFrom = 4096u;
-SHARED_CONST uint patchesOfGroup = 6u;
+/// A work-group of the update takes so many live patches together, so that all threads have a blade
+/// but at the end of the last patch, and waits once for what all of them say.
+SHARED_CONST uint patchesTogether = 8u;
+
+/// Work-groups of the update for so many live patches: fewer than a patch each only from here on,
+/// since with fewer groups a device has some idle at the end.
+SHARED_CONST uint updateGroupsFrom = 2048u;
 
 SHARED_FN uint updateGroups(uint patches)
 {
-    return min(patches, max(updateGroupsFrom, (patches + patchesOfGroup - 1u) / patchesOfGroup));
+    return min(patches, max(updateGroupsFrom, (patches + patchesTogether - 1u) / patchesTogether));
 }
 
 /// Where the list of visible blades has not room for all blades of a field, the live patches are
 /// updated and drawn in rounds, of which each fills the list anew.
 struct UpdatePush {
-    FrameArray judged;     ///< by whose camera blades are judged
-    LivePatchArray live;   ///< one work-group each, or one for several
+    FrameArray judged; ///< by whose camera blades are judged
+    LivePatchArray live;
     WalkLevelArray levels; ///< the first says how many they are
     WalkLevelArray rounds; ///< each round's length of the list, and work-groups to rasterise it
     UintArray owners;      ///< indices of the patches that own blades

@@ -72,11 +72,9 @@ void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& b
                                                .lateRound = found.roundCount() + input.round,
                                                .viewCount = input.viewCount,
                                                .reserved = 0});
-    // One work-group per patch, or one for several where they are more than one can count.
     if (scope == Scope::all)
         commands.vk->CmdDispatch(
-            commands, std::min(shared::updateGroups(blades.ownerCount()), shared::mostGroups), 1,
-            1);
+            commands, std::min(shared::updateGroups(blades.ownerCount()), input.mostGroups), 1, 1);
     else
         commands.vk->CmdDispatchIndirect(commands, found.levels().get(),
                                          shared::liveLevel * sizeof(shared::WalkLevel));

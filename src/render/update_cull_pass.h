@@ -8,6 +8,7 @@
 #include "render/baked_blades.h"
 #include "render/frame_place.h"
 #include "render/visible_blades.h"
+#include "shaders/shared/passes.h"
 
 #include <vulkan/vulkan.h>
 
@@ -57,6 +58,7 @@ public:
         std::uint32_t viewCount = 0; ///< … and how many
         VkDeviceAddress before = 0;  ///< where it keeps states, if the variant does
         VkDeviceAddress seen = 0;    ///< see shared::RasterPush; 0: all are listed in front
+        std::uint32_t mostGroups = shared::mostGroups; ///< work-groups that share all patches
     };
 
     /// Between a barrier from the clearing of the counts, or from the walk, and one to the draw.

@@ -164,6 +164,30 @@ TEST_F(CullingTest, JudgesAsTheCpuDoesSaveWhereRoundingDecides)
         EXPECT_GT(seen[fate], 0u) << "no camera of this test gives fate " << fate;
 }
 
+TEST_F(CullingTest, JudgesTheSameWhoeverTakesAPatch)
+{
+    ASSERT_GT(field_.patches.size(), 2 * shared::patchesTogether);
+    for (const std::uint32_t groups : {1u, 2u, 5u}) {
+        test::UpdateBench together(context(), field::viewOf(field_), {.groups = groups});
+        for (std::uint64_t c = 0; c < 4; ++c) {
+            const shared::Frame frame = this->frame(randomCamera(c), c == 0 ? 0u : 15u);
+            const auto expected = run(frame);
+            const auto result =
+                together.run(frame, FrameSettings(), states_, 0.0f, UpdateCullPass::Scope::visible);
+            EXPECT_EQ(result.fates, expected.fates) << groups << " groups, camera " << c;
+            std::set<std::uint32_t> listed;
+            for (const shared::VisibleBlade& visible : result.visible) {
+                ASSERT_TRUE(listed.insert(visible.blade).second) << "blade " << visible.blade;
+                ASSERT_EQ(result.fates[visible.blade], shared::fateDrawn);
+                ASSERT_EQ(visible.patchIndex, patches_[visible.blade]);
+            }
+            EXPECT_EQ(listed.size(), expected.visible.size()) << groups << " groups, camera " << c;
+            EXPECT_EQ(result.draw.simulated, expected.draw.simulated);
+            EXPECT_EQ(result.draw.instanceCount, expected.draw.instanceCount);
+        }
+    }
+}
+
 TEST_F(CullingTest, ListsExactlyTheDrawnBladesEachOnce)
 {
     for (std::uint64_t c = 0; c < 6; ++c) {

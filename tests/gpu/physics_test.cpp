@@ -136,14 +136,18 @@ int difference(const shared::BladeState& a, const shared::BladeState& b)
 class MovesBlades : public PhysicsTest {
 protected:
     /// Single steps of many lengths, from identical states, on the device and on the CPU.
-    void compareWithCpu(std::size_t colliders, std::size_t allowedPerThousand)
+    void compareWithCpu(std::size_t colliders, std::size_t allowedPerThousand,
+                        std::uint32_t groups = 0)
     {
         const field::Field field =
             test::makeField({.surface = test::Surface::cloud, .blades = 4096, .seed = seed});
         const field::FieldView view = field::viewOf(field);
         const std::vector<std::uint32_t> patches = field::patchOfBlades(view);
         const std::vector<shared::BladeState> before = randomStates(field.blades.size());
-        test::UpdateBench bench(context(), view);
+        test::UpdateBench bench(context(), view, {.groups = groups});
+        // Some work-groups take more patches than they can at a time.
+        ASSERT_TRUE(groups == 0 ||
+                    field.patches.size() > std::size_t(groups) * shared::patchesTogether);
 
         std::size_t compared = 0;
         std::size_t beyondOne = 0;
@@ -204,6 +208,11 @@ TEST_F(MovesBlades, AmongAFewCollidersAsTheCpuDoes)
 TEST_F(MovesBlades, AmongAsManyCollidersAsThereMayBeAsTheCpuDoes)
 {
     compareWithCpu(shared::maxColliders, 2);
+}
+
+TEST_F(MovesBlades, AmongAFewCollidersWhoeverTakesAPatch)
+{
+    compareWithCpu(24, 2, 2);
 }
 
 TEST_F(PhysicsTest, LeavesAFieldAtAStandstillUntouched)

@@ -25,11 +25,15 @@ render::FieldBuffers upload(const gpu::DeviceContext& context, const field::Fiel
 } // namespace
 
 UpdateBench::UpdateBench(const gpu::DeviceContext& context, const field::FieldView& field,
-                         std::uint32_t walkStart, bool recordFates)
+                         const Settings& settings)
     : context_(context)
+    , groups_(settings.groups)
     , shaders_(embedded::shaders())
     , buffers_(upload(context, field,
-                      {.list = true, .fates = recordFates, .etas = true, .walkStart = walkStart}))
+                      {.list = true,
+                       .fates = settings.recordFates,
+                       .etas = true,
+                       .walkStart = settings.walkStart}))
     , walk_(context, shaders_)
     , pass_(context)
     , tables_(context)
@@ -71,9 +75,17 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
         gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
         if (scope == render::UpdateCullPass::Scope::visible)
             walk_.record(commands, buffers_.baked(), buffers_.list(), constants.place().address);
-        gpu::computeToCompute(commands);
-        pass_.record(commands, buffers_.baked(), buffers_.list(), variant, scope,
-                     {.frame = constants.place()});
+        gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
+        render::UpdateCullPass::Input input{.frame = constants.place()};
+        if (groups_ > 0) {
+            input.mostGroups = groups_;
+            vkCmdFillBuffer(commands, buffers_.list().levels().get(),
+                            shared::liveLevel * sizeof(shared::WalkLevel) +
+                                offsetof(shared::WalkLevel, groups),
+                            sizeof(std::uint32_t), groups_);
+            gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
+        }
+        pass_.record(commands, buffers_.baked(), buffers_.list(), variant, scope, input);
     });
 
     Result result;

@@ -17,9 +17,18 @@ namespace sward::test {
 /// Runs the walk and the update and cull pass of the product by themselves on one field.
 class UpdateBench {
 public:
-    /// Without fates nobody is told of each blade, only of their numbers.
+    struct Settings {
+        std::uint32_t walkStart = 8;
+        bool recordFates = true;  ///< else nobody is told of each blade, only of their numbers
+        std::uint32_t groups = 0; ///< work-groups that share all patches; 0: as many as the product
+    };
+
     UpdateBench(const gpu::DeviceContext& context, const field::FieldView& field,
-                std::uint32_t walkStart = 8, bool recordFates = true);
+                const Settings& settings);
+    UpdateBench(const gpu::DeviceContext& context, const field::FieldView& field)
+        : UpdateBench(context, field, Settings())
+    {
+    }
 
     struct Result {
         std::vector<shared::BladeState> states;
@@ -39,6 +48,7 @@ public:
 
 private:
     const gpu::DeviceContext& context_;
+    std::uint32_t groups_;
     gpu::ShaderLibrary shaders_;
     render::FieldBuffers buffers_;
     render::WalkPass walk_;

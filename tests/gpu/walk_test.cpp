@@ -122,9 +122,9 @@ TEST_F(WalkTest, LeavesNothingOutThatAPatchBelowWouldKeep)
 TEST_F(WalkTest, FindsTheSameWhereverItBegins)
 {
     const field::FieldView view = field::viewOf(field_);
-    test::UpdateBench stepByStep(context(), view, 1);
-    test::UpdateBench fromTheMiddle(context(), view, 40);
-    test::UpdateBench atOnce(context(), view, shared::walkStart);
+    test::UpdateBench stepByStep(context(), view, {.walkStart = 1});
+    test::UpdateBench fromTheMiddle(context(), view, {.walkStart = 40});
+    test::UpdateBench atOnce(context(), view, {.walkStart = shared::walkStart});
     for (std::uint64_t c = 0; c < 12; ++c) {
         const shared::Frame frame = this->frame(c, everything);
         const auto run = [&](test::UpdateBench& bench) {
@@ -153,8 +153,8 @@ std::array<std::uint32_t, shared::fateCount> joined(const shared::DrawArguments&
 TEST_F(WalkTest, CountsTheSameWhetherOrNotEachBladeIsToldOf)
 {
     const field::FieldView view = field::viewOf(field_);
-    test::UpdateBench told(context(), view, 1, true);
-    test::UpdateBench untold(context(), view, 1, false);
+    test::UpdateBench told(context(), view, {.walkStart = 1});
+    test::UpdateBench untold(context(), view, {.walkStart = 1, .recordFates = false});
     std::uint64_t thinned = 0;
     std::uint64_t spared = 0;
     for (std::uint64_t c = 0; c < 12; ++c) {
