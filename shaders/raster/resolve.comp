@@ -20,7 +20,7 @@ vec4 shadeAt(uvec2 pixel, uint64_t word)
     const Lens lens = lensOf();
     const uint what = uint(word);
     if (showsBlades && what >= push.firstBlade)
-        return shade(lens, what - push.firstBlade, vec2(pixel), 1u, 0u,
+        return shade(lens, seenBlade(what - push.firstBlade), vec2(pixel), 1u, 0u,
                      uintBitsToFloat(uint(word >> 32u)));
     return !showsSky || what > 0u ? texelFetch(solid, ivec2(pixel), 0) : skyAt(lens, pixel);
 }

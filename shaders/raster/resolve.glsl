@@ -33,24 +33,15 @@ VisibleBlade visibleBlade(uint index, uint patchIndex, Patch cell, Blade blade, 
     return VisibleBlade(index, patchIndex, packFactors(size.widthFactor, layers.rise), size.pixels);
 }
 
-/// In the next frame one half of the blade counts as seen, if that is asked of it. `along`: 0 at its root.
-void noteSeen(VisibleBlade visible, DrawnBlade drawn, float along)
-{
-    if (uvec2(push.seen) == uvec2(0u) ||
-        pixelsCovered(drawn.blade, visible.pixels, widthFactorOf(visible)) <= askedSmallPixels)
-        return;
-    UintArray seen = push.seen;
-    const float segments = drawn.ribbon.outline.segments;
-    const uint half_ = along * segments < floor(0.5 * segments) ? 0u : 1u;
-    const uint word = visible.blade / 16u;
-    const uint bit = 1u << (2u * (visible.blade % 16u) + half_);
-    if ((seen.at[word] & bit) == 0u)
-        atomicOr(seen.at[word], bit);
-}
+/// What of a blade all pixels ask for that show it.
+struct SeenBlade {
+    Ribbon ribbon;
+    BladeSurface surface;
+    uint blade;   ///< resident id
+    bool isAsked; ///< whether its halves count as seen in the next frame
+};
 
-/// What the film sees of a blade in the middle of the samples of a pixel, as bits, at which it is
-/// seen, and 1 − softness. It lies at `depth` at one of them, `s`.
-vec4 shade(Lens lens, uint index, vec2 pixel, uint samples, uint s, float depth)
+SeenBlade seenBlade(uint index)
 {
     // Read first: to find the patch takes as long.
     const uint place = placeOf(uvec2(FRAME.pages), index);
@@ -64,20 +55,47 @@ vec4 shade(Lens lens, uint index, vec2 pixel, uint samples, uint s, float depth)
     const Blade blade = raised(unpackBlade(bits, cell), layers.rise);
     const VisibleBlade visible = visibleBlade(index, patchIndex, cell, blade, layers);
     const DrawnBlade drawn = drawnBlade(visible, blade, state);
+    SeenBlade seen;
+    seen.ribbon = drawn.ribbon;
+    seen.surface = bladeSurface(drawn, visible, layers);
+    seen.blade = index;
+    seen.isAsked = uvec2(push.seen) != uvec2(0u) &&
+                   pixelsCovered(blade, visible.pixels, widthFactorOf(visible)) > askedSmallPixels;
+    return seen;
+}
+
+/// In the next frame one half of the blade counts as seen, if that is asked of it. `along`: 0 at its root.
+void noteSeen(SeenBlade blade, float along)
+{
+    if (!blade.isAsked)
+        return;
+    UintArray seen = push.seen;
+    const float segments = blade.ribbon.outline.segments;
+    const uint half_ = along * segments < floor(0.5 * segments) ? 0u : 1u;
+    const uint word = blade.blade / 16u;
+    const uint bit = 1u << (2u * (blade.blade % 16u) + half_);
+    if ((seen.at[word] & bit) == 0u)
+        atomicOr(seen.at[word], bit);
+}
+
+/// What the film sees of a blade in the middle of the samples of a pixel, as bits, at which it is
+/// seen, and 1 − softness. It lies at `depth` at one of them, `s`.
+vec4 shade(Lens lens, SeenBlade seen, vec2 pixel, uint samples, uint s, float depth)
+{
+    const Ribbon ribbon = seen.ribbon;
     const Sighting sighting = Sighting(pixel + samplePlace(s), depth, pixel + middleOf(samples));
-    const Found found = find(lens, drawn.ribbon, sighting);
-    noteSeen(visible, drawn, found.place.y);
-    const BladeSurface surface = bladeSurface(drawn, visible, layers);
+    const Found found = find(lens, ribbon, sighting);
+    noteSeen(seen, found.place.y);
     BladePoint point;
     point.position = found.point;
     point.place = found.place;
-    point.tangent = tangentAt(drawn.ribbon, point.place.y);
-    point.axis = drawn.ribbon.axis;
-    point.up = normalize(drawn.ribbon.v1 - drawn.ribbon.v0);
-    point.fold = drawn.ribbon.fold;
-    point.rootColor = surface.root;
-    point.tipColor = surface.tip;
-    point.material = surface.material;
+    point.tangent = tangentAt(ribbon, point.place.y);
+    point.axis = ribbon.axis;
+    point.up = normalize(ribbon.v1 - ribbon.v0);
+    point.fold = ribbon.fold;
+    point.rootColor = seen.surface.root;
+    point.tipColor = seen.surface.tip;
+    point.material = seen.surface.material;
     return vec4(bladePicture(point), 1.0 - softness(length(FRAME.view.eye - point.position), 1.0));
 }
 

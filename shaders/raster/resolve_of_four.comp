@@ -45,8 +45,8 @@ void main()
         const Question question = questionAt(i);
         const uvec2 place = pixelOf(tile, question.thread);
         const uint64_t word = visibility.at[sampleIndex(place, question.s)];
-        answer(question, shade(lens, uint(word) - push.firstBlade, vec2(place), question.samples, question.s,
-                               uintBitsToFloat(uint(word >> 32u))));
+        answer(question, shade(lens, seenBlade(uint(word) - push.firstBlade), vec2(place), question.samples,
+                               question.s, uintBitsToFloat(uint(word >> 32u))));
     }
     barrier();
 
