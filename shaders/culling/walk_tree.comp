@@ -11,6 +11,9 @@ layout(local_size_x = walkThreads) in;
 layout(push_constant, scalar) uniform Block { WalkPush push; };
 #define JUDGED push.judged.at[0]
 
+// How many live patches a work-group of the update takes; known when the pipeline is made.
+layout(constant_id = 0) const uint patchesOfGroup = patchesTogether;
+
 #include "shaders/culling/hidden.glsl"
 #include "shaders/grass/pages.glsl"
 
@@ -123,7 +126,7 @@ void main()
             }
             if (liveTotal > 0u) {
                 liveBase = atomicAdd(levels.at[liveLevel].count, liveTotal);
-                startGroups(liveLevel, updateGroups(liveBase + liveTotal));
+                startGroups(liveLevel, updateGroups(liveBase + liveTotal, patchesOfGroup));
             }
             if (unseenTotal > 0u)
                 atomicAdd(JUDGED.draw.at[0].fates[fatePatch], unseenTotal);

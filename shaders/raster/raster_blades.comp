@@ -1,7 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Rasterises the visible blades, one thread each. Those that cover many pixels may be left to
-// raster_large.comp or to the tessellator, and those that reach through the near plane to raster_cut.comp.
+// Rasterises the visible blades, one thread each. Those that cover many pixels are left to
+// raster_large.comp, to the tessellator, or, on a CPU, if they are very many, to raster_cut.comp, as are
+// those that reach through the near plane.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
@@ -56,15 +57,30 @@ bool leftToOthers(Ribbon ribbon, VisibleBlade visible, float pixels)
     return hasRoom;
 }
 
-/// Gives a blade that may reach through the near plane to those who cut it there, if there is room.
-void leftToBeCut(Ribbon ribbon, uint blade)
+/// Gives a blade that may reach through the near plane to those who cut it there; whether there was room.
+bool leftToBeCut(Ribbon ribbon, uint blade)
 {
     WalkLevelArray asked = push.largeCount;
     const uint slot = atomicAdd(asked.at[3].count, 1u);
     if (slot >= mostCutBlades)
-        return;
+        return false;
     putPart(push.cut, slot, partOf(ribbon, blade, 1u << 16u));
     atomicMax(asked.at[3].groups[0], min(slot + 1u, mostGroups));
+    return true;
+}
+
+/// No more pixels are covered by a ribbon behind the near plane, so high [m], than these: as if all of it
+/// were as near as its nearest control point, and seen from its broad side.
+float pixelsAtMost(Lens lens, Ribbon ribbon, float height)
+{
+    const mat4 m = lens.viewProjection;
+    const vec4 depth = vec4(m[0].w, m[1].w, m[2].w, m[3].w);
+    const vec3 depths = vec3(dot(depth, vec4(ribbon.v0, 1.0)), dot(depth, vec4(ribbon.v1, 1.0)),
+                             dot(depth, vec4(ribbon.v2, 1.0)));
+    const float wide = outlineMost * ribbon.width;
+    const float nearest = min(min(depths.x, depths.y), depths.z) - 0.5 * wide;
+    const float scale = FRAME.view.pixelsPerUnit / max(nearest, 1e-6);
+    return height * scale * max(wide * scale, lens.leastWidth * FRAME.view.pixelsPerUnit);
 }
 
 /// Whether the list holds blades beside the picture.
@@ -120,6 +136,9 @@ void rasterise(Lens lens, VisibleBlade visible)
         isTessellated ? tessellatedPixels : largeBladePixels * inversesqrt(float(samplesPerPixel));
     if (largeTo != largeToNobody && (isLate || mayBeCut || pixels > most) &&
         leftToOthers(ribbon, visible, pixels))
+        return;
+    if (largeTo == largeToNobody && pixelsAtMost(lens, ribbon, blade.height) > mostPixelsOfThread &&
+        leftToBeCut(ribbon, visible.blade))
         return;
     // The tessellator had no room.
     if (mayBeCut)

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Rasterises the blades that may reach through the near plane, each by a work-group: what of them lies
-// behind it. They are few, so that every thread makes all triangles, and draws some of their rows.
+// behind it; and on a CPU those that cover too many pixels for a thread. They are few, so that every thread makes all triangles, and draws some of their rows.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };

@@ -27,9 +27,10 @@ SHARED_CONST uint patchesTogether = 8u;
 /// since with fewer groups a device has some idle at the end.
 SHARED_CONST uint updateGroupsFrom = 2048u;
 
-SHARED_FN uint updateGroups(uint patches)
+/// `ofGroup`: patchesTogether, or fewer.
+SHARED_FN uint updateGroups(uint patches, uint ofGroup)
 {
-    return min(patches, max(updateGroupsFrom, (patches + patchesTogether - 1u) / patchesTogether));
+    return min(patches, max(updateGroupsFrom, (patches + ofGroup - 1u) / ofGroup));
 }
 
 /// Where the list of visible blades has not room for all blades of a field, the live patches are
@@ -116,8 +117,14 @@ SHARED_CONST uint mostParts = 64u;
 /// million pixels. Blades beyond them are rasterised by one thread each.
 SHARED_CONST uint mostLargeParts = 1048576u;
 
-/// So many blades can be listed that reach through the near plane.
+/// So many blades can be listed that reach through the near plane, or of which a single thread must
+/// not have so many pixels.
 SHARED_CONST uint mostCutBlades = 65536u;
+
+/// Where threads draw large blades, too, none draws one that may cover more pixels than this.
+/// llvmpipe ends all loops of an invocation after 65 535 turns, which eight blades share there, and
+/// each takes some more turns than pixels.
+SHARED_CONST float mostPixelsOfThread = 4096.0f;
 
 /// Threads of a work-group that draws large blades, which numbers their ribs in 5 bits. With 64 an
 /// H200 takes a twelfth longer.

@@ -19,6 +19,13 @@ std::uint32_t threadsOf(const gpu::DeviceContext& context)
 
 } // namespace
 
+// Of a CPU one alone: llvmpipe ends all loops of an invocation after 65 535 turns, and a patch
+// among colliders takes thousands.
+std::uint32_t UpdateCullPass::patchesOfGroup(const gpu::DeviceContext& context)
+{
+    return context.isCpu() ? 1 : shared::patchesTogether;
+}
+
 UpdateCullPass::UpdateCullPass(const gpu::DeviceContext& context)
     : context_(&context)
     , frameLayout_(context, "update/frame")
@@ -72,9 +79,10 @@ void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& b
                                                .lateRound = found.roundCount() + input.round,
                                                .viewCount = input.viewCount,
                                                .reserved = 0});
+    const std::uint32_t groups =
+        shared::updateGroups(blades.ownerCount(), patchesOfGroup(*context_));
     if (scope == Scope::all)
-        commands.vk->CmdDispatch(
-            commands, std::min(shared::updateGroups(blades.ownerCount()), input.mostGroups), 1, 1);
+        commands.vk->CmdDispatch(commands, std::min(groups, input.mostGroups), 1, 1);
     else
         commands.vk->CmdDispatchIndirect(commands, found.levels().get(),
                                          shared::liveLevel * sizeof(shared::WalkLevel));

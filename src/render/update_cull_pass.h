@@ -24,6 +24,9 @@ class UpdateCullPass {
 public:
     explicit UpdateCullPass(const gpu::DeviceContext& context);
 
+    /// How many patches a work-group takes where there are many, see shared::updateGroups().
+    static std::uint32_t patchesOfGroup(const gpu::DeviceContext& context);
+
     /// What is done about a live patch.
     enum class Role : std::uint32_t {
         moveAndJudge = 0,

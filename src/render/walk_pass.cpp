@@ -1,6 +1,7 @@
 #include "render/walk_pass.h"
 
 #include "gpu/barrier.h"
+#include "render/update_cull_pass.h"
 #include "shaders/shared/passes.h"
 
 namespace sward::render {
@@ -10,7 +11,8 @@ WalkPass::WalkPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& 
     , walk_(context, shaders,
             {.name = "walk the patch tree",
              .shader = "walk_tree.comp",
-             .pushConstantBytes = sizeof(shared::WalkPush)})
+             .pushConstantBytes = sizeof(shared::WalkPush),
+             .constants = {{.id = 0, .value = UpdateCullPass::patchesOfGroup(context)}}})
 {
 }
 

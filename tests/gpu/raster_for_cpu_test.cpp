@@ -72,6 +72,26 @@ TEST_F(RasterForCpu, LargeBladesLookAsWorkGroupsDrawThem)
     }
 }
 
+/// A CPU's lanes share what its driver allows a thread: none of these blades is too much for one.
+TEST_F(RasterForCpu, LosesNothingOfBladesThatFillThePicture)
+{
+    const field::Field field = test::thicket();
+    const FrameSettings settings = FrameSettings::of(field::viewOf(field));
+    constexpr glm::uvec2 size{1280, 720};
+    test::Picture picture(context(), size);
+    for (const std::uint32_t samples : {1u, 4u}) {
+        FieldRenderer forGpu = rendererOf(field, samples, false);
+        FieldRenderer forCpu = rendererOf(field, samples, true);
+        for (int step = 0; step < 3; ++step) {
+            picture.draw(forGpu, test::onTheWay(step), settings, 1.0);
+            const auto expected = picture.pixels();
+            picture.draw(forCpu, test::onTheWay(step), settings, 1.0);
+            EXPECT_LT(test::differingPixels(expected, picture.pixels()), size.x * size.y / 1000)
+                << samples << " samples, step " << step;
+        }
+    }
+}
+
 TEST_F(RasterForCpu, IsWhatACpuDeviceDoesByItself)
 {
     const field::Field field = test::makeField({.blades = 100, .extent = 2.0f});
