@@ -9,12 +9,17 @@ namespace sward::render {
 namespace {
 
 /// Threads of a work-group. All lanes of a CPU do the work of those that have some, so that it has
-/// no more of them than it runs at once.
-std::uint32_t threadsOf(const gpu::DeviceContext& context)
+/// no more of them than it runs at once; but among colliders a blade takes thousands of turns of
+/// loops, of which llvmpipe ends all after 65 535, so that each has a thread of its own.
+std::uint32_t threadsOf(const gpu::DeviceContext& context, bool hasColliders)
 {
     constexpr std::uint32_t lanesOfCpu = 8;
     static_assert(lanesOfCpu >= shared::fateCount && lanesOfCpu >= shared::colliderWords);
-    return context.isCpu() ? lanesOfCpu : shared::updateThreads;
+    if (!context.isCpu())
+        return shared::updateThreads;
+    return hasColliders
+               ? std::min(shared::maxPatchBlades, context.limits.maxComputeWorkGroupInvocations)
+               : lanesOfCpu;
 }
 
 } // namespace
@@ -45,7 +50,7 @@ void UpdateCullPass::prepare(const gpu::ShaderLibrary& shaders, Variant variant)
                       .setLayouts = {frameLayout_.get()},
                       .constants = {{.id = 0, .value = variant.windCounts},
                                     {.id = 1, .value = variant.hasColliders},
-                                    {.id = 2, .value = threadsOf(*context_)},
+                                    {.id = 2, .value = threadsOf(*context_, variant.hasColliders)},
                                     {.id = 3, .value = static_cast<std::uint32_t>(variant.role)},
                                     {.id = 4, .value = variant.keepsBefore},
                                     {.id = 5, .value = variant.keepsEtas},

@@ -215,6 +215,31 @@ TEST_F(MovesBlades, AmongAFewCollidersWhoeverTakesAPatch)
     compareWithCpu(24, 2, 2);
 }
 
+/// The longest way to go, and every blade among as many colliders as there may be: no driver's
+/// patience ends before the last blade.
+TEST_F(PhysicsTest, MovesEveryBladeAmongCollidersThatLieOnOneHeap)
+{
+    const field::Field field = test::makeField({.blades = 3000, .extent = 1.0f});
+    FrameSettings settings = randomNature(1, shared::maxColliders);
+    for (Collider& collider : settings.colliders) {
+        collider.from *= 0.1;
+        collider.to = collider.from;
+        collider.path.clear();
+    }
+    settings.cullMask = 0;
+    settings.levelOfDetail = false;
+    settings.pace.everyFrame = 1e6f; // wherever it stands
+    const std::vector<shared::BladeState> before(field.blades.size());
+    test::UpdateBench bench(context(), field::viewOf(field));
+    const auto result = bench.run(frameOf({}, ViewMatrices{}, settings, 20.0, 1), settings, before,
+                                  5.0f, UpdateCullPass::Scope::visible);
+    EXPECT_EQ(result.draw.fates[shared::fateDrawn], field.blades.size());
+    std::size_t moved = 0;
+    for (const shared::BladeState& state : result.states)
+        moved += state.turn != 0 ? 1u : 0u;
+    EXPECT_EQ(moved, field.blades.size());
+}
+
 TEST_F(PhysicsTest, LeavesAFieldAtAStandstillUntouched)
 {
     const field::Field field =
