@@ -35,7 +35,7 @@ shared uint simulatedSum;
 shared uint mostFilled[2];
 shared uint listBase[2];
 shared uint kept[2];
-// Of one patch or several small ones: those that the frame before has shown in front, the others from behind.
+// Those that the frame before has shown in front, the others from behind.
 shared VisibleBlade survivors[survivorRoom];
 
 /// One of the patches that a work-group takes together, as its threads share it.
