@@ -18,8 +18,8 @@ layout(push_constant, scalar) uniform Block { UpdatePush push; };
 #include "shaders/culling/hidden.glsl"
 #include "shaders/grass/pages.glsl"
 
-/// So many survivors gather before they are listed.
-const uint survivorRoom = 512u;
+/// So many survivors gather before they are listed; no fewer than a work-group has threads.
+const uint survivorRoom = maxPatchBlades;
 
 // Known when the pipeline is made, so that winds that do not blow and colliders that are not there
 // cost nothing.
@@ -216,14 +216,13 @@ void takePatch(Eyepoint view, LivePatch live, uint slot)
     const uint count = !isAll ? live.count : isPresent(uvec2(JUDGED.pages), cell) ? cell.bladeCount : 0u;
     float elapsed = max(JUDGED.time - JUDGED.patchTimes.at[live.patchIndex], 0.0f);
     bool moves = role != onlyJudge &&
-                 (isAll || movesNow(JUDGED.pace, live.patchIndex,
-                                    boxDistance(view.eye, cell.boundsLow, cell.boundsHigh), elapsed));
+                 (isAll ? count > 0u
+                        : movesNow(JUDGED.pace, live.patchIndex,
+                                   boxDistance(view.eye, cell.boundsLow, cell.boundsHigh), elapsed));
     const uint moved =
-        role == onlyMove ? wantedByAll(cell, live.patchIndex, elapsed, count, moves) : count;
+        role == onlyMove && !isAll ? wantedByAll(cell, live.patchIndex, elapsed, count, moves) : count;
     elapsed = moves ? elapsed : 0.0f;
     const uint movedBefore = JUDGED.patchCounts.at[live.patchIndex];
-    if (isAll && count == 0u)
-        moves = false;
     if (moves) {
         JUDGED.patchTimes.at[live.patchIndex] = JUDGED.time;
         atomicAdd(simulatedSum, moved);

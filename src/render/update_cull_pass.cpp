@@ -84,13 +84,14 @@ void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& b
                                                .lateRound = found.roundCount() + input.round,
                                                .viewCount = input.viewCount,
                                                .reserved = 0});
-    const std::uint32_t groups =
-        shared::updateGroups(blades.ownerCount(), patchesOfGroup(*context_));
-    if (scope == Scope::all)
+    if (scope == Scope::all) {
+        const std::uint32_t groups =
+            shared::updateGroups(blades.ownerCount(), patchesOfGroup(*context_));
         commands.vk->CmdDispatch(commands, std::min(groups, input.mostGroups), 1, 1);
-    else
+    } else {
         commands.vk->CmdDispatchIndirect(commands, found.levels().get(),
                                          shared::liveLevel * sizeof(shared::WalkLevel));
+    }
 }
 
 } // namespace sward::render
