@@ -37,7 +37,7 @@ DrawnBlade drawnBlade(VisibleBlade visible, Blade blade, BladeState state)
     drawn.species = species;
 
     const vec3 axis = widthAxis(blade.up, blade.facing);
-    const Pose pose = poseOfState(blade.up, frontOf(blade.up, axis), state);
+    const Pose pose = poseOfState(axesAlong(blade.up, axis), state);
     Ribbon ribbon;
     ribbon.v0 = blade.root;
     ribbon.v1 = blade.root + blade.height * pose.v1;

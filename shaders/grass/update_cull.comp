@@ -7,16 +7,18 @@
 // some hundred cost one atomic on the list. Nothing here depends on the size of a subgroup. Where several
 // views share the blades, one role of this shader moves them for all views, and another judges them for each.
 #include "shaders/shared/passes.h"
-#include "shaders/shared/visibility.h"
 
 layout(local_size_x = updateThreads, local_size_x_id = 2) in;
 layout(push_constant, scalar) uniform Block { UpdatePush push; };
 #define FRAME_SET 0
 #include "shaders/frame_constants.glsl"
 #define JUDGED FRAME
+#define WIND_SOURCE(wind, i) JUDGED.nature.wind.sources[i]
 
 #include "shaders/culling/hidden.glsl"
 #include "shaders/grass/pages.glsl"
+#include "shaders/shared/physics.h"
+#include "shaders/shared/visibility.h"
 
 /// So many survivors gather before they are listed; no fewer than a work-group has threads.
 const uint survivorRoom = maxPatchBlades;

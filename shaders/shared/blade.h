@@ -107,5 +107,44 @@ SHARED_FN vec3 frontOf(vec3 up, vec3 axis)
     return cross(up, axis);
 }
 
+/// The axes of a blade: unit, at right angles, right-handed in this order.
+struct BladeAxes {
+    vec3 front; ///< where it looks and leans to
+    vec3 side;  ///< against its width axis
+    vec3 up;
+};
+
+/// Of a blade that grows along unit `up` and has its width along `axis`.
+SHARED_FN BladeAxes axesAlong(vec3 up, vec3 axis)
+{
+    BladeAxes axes;
+    axes.front = frontOf(up, axis);
+    axes.side = -axis;
+    axes.up = up;
+    return axes;
+}
+
+/// The same from its front.
+SHARED_FN BladeAxes axesTowards(vec3 up, vec3 front)
+{
+    BladeAxes axes;
+    axes.front = front;
+    axes.side = cross(up, front);
+    axes.up = up;
+    return axes;
+}
+
+/// A vector in space as a blade has it: to its front, to its side, upwards.
+SHARED_FN vec3 alongAxes(BladeAxes axes, vec3 v)
+{
+    return vec3(dot(v, axes.front), dot(v, axes.side), dot(v, axes.up));
+}
+
+/// A vector along a blade's axes as space has it.
+SHARED_FN vec3 inSpace(BladeAxes axes, vec3 v)
+{
+    return v.x * axes.front + v.y * axes.side + v.z * axes.up;
+}
+
 SHARED_END
 #endif

@@ -6,15 +6,15 @@
 #include "shaders/shared/cover.h"
 #include "shaders/shared/culling.h"
 #include "shaders/shared/eyepoint.h"
+#include "shaders/shared/nature.h"
 #include "shaders/shared/occlusion.h"
 #include "shaders/shared/pace.h"
 #include "shaders/shared/patch.h"
-#include "shaders/shared/physics.h"
+#include "shaders/shared/pose.h"
 #include "shaders/shared/shape.h"
 #include "shaders/shared/species.h"
 #include "shaders/shared/sun_shadow.h"
 #include "shaders/shared/types.h"
-#include "shaders/shared/wind.h"
 
 SHARED_BEGIN
 
@@ -110,9 +110,9 @@ struct Frame {
     float fogBase;  ///< [m] along skyUp, relative to the field's origin: where it has fogDensity
 
     float time;        ///< [s]
-    uint reserved[15]; ///< frames that lie on end begin where any device takes constants
+    uint reserved[65]; ///< frames that lie on end begin where any device takes constants
 };
-SHARED_LAYOUT(Frame, 768)
+SHARED_LAYOUT(Frame, 1536)
 
 SHARED_BUFFER(FrameArray, Frame, readonly)
 

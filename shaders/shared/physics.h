@@ -3,73 +3,17 @@
 #ifndef SWARD_SHARED_PHYSICS_H
 #define SWARD_SHARED_PHYSICS_H
 
-#include "shaders/shared/bezier.h"
 #include "shaders/shared/blade.h"
 #include "shaders/shared/collision.h"
+#include "shaders/shared/nature.h"
+#include "shaders/shared/pose.h"
 #include "shaders/shared/types.h"
 #include "shaders/shared/wind.h"
 
 SHARED_BEGIN
 
-/// What moves between frames. A pose is a function of the tip's direction alone, so that this is
-/// all that is stored of it: 4 bytes; and where there are colliders 4 more.
-struct BladeState {
-    uint turn; ///< snorm16 × 2: towards the blade's front and to its side, each the tangent of half
-               ///< the angle between the up-vector and the tip's direction; 0: straight up
-    float eta; ///< [0, 1] strength of the last collision
-};
-
-/// The pull of gravity: a direction, an attractor, or a blend of both.
-struct Gravity {
-    vec3 direction; ///< unit
-    float strength; ///< [1/s] in heights per second
-    vec3 attractor; ///< [m] relative to the field's origin: a planet's centre
-    float blend;    ///< [0, 1]: 0 direction only, 1 attractor only
-    float
-        forward; ///< [0, 1] share of the pull that leans a blade forward; the paper's is a quarter
-};
-SHARED_LAYOUT(Gravity, 36)
-
-/// Gravity::forward of the paper.
-SHARED_CONST float forwardShare = 0.25f;
-
-/// A blade's control points relative to its root, in heights; v0 is the origin.
-struct Pose {
-    vec3 v1;
-    vec3 v2;
-};
-
-/// Half of a step of a stored tangent, and the rounding of a number near 1. The direction turns by
-/// twice that at most along each axis [rad].
-SHARED_CONST float turnMaxError = 1.54e-5f;
-
-/// The state of a blade whose tip is seen from its root in `direction`, unit and not below the
-/// blade's ground plane: stereographic, so that no direction is stored worse than half as well as
-/// another. `front` is unit and at right angles to `up`.
-SHARED_FN BladeState stateOf(vec3 up, vec3 front, vec3 direction, float eta)
-{
-    const float share = 1.0f / (1.0f + max(dot(direction, up), 0.0f));
-    BladeState state;
-    state.turn = packSnorm16(share * dot(direction, front)) |
-                 (packSnorm16(share * dot(direction, cross(up, front))) << 16u);
-    state.eta = eta;
-    return state;
-}
-
-/// Where the tip points: never below the ground plane, and unit, but for one that lies in it, which
-/// may be longer by √2·turnMaxError.
-SHARED_FN vec3 directionOf(vec3 up, vec3 front, BladeState state)
-{
-    const float forward = unpackSnorm16(state.turn);
-    const float aside = unpackSnorm16(state.turn >> 16u);
-    const float square = min(forward * forward + aside * aside, 1.0f);
-    return (1.0f / (1.0f + square)) *
-           (2.0f * (forward * front + aside * cross(up, front)) + (1.0f - square) * up);
-}
-
-/// Gravity at `root` [m] with its elastic forward part: g = gE + forward·‖gE‖·front
-/// (section 5.1).
-SHARED_FN vec3 gravityAt(Gravity gravity, vec3 root, vec3 front)
+/// Gravity at `root` [m] without its elastic forward part, gE (section 5.1).
+SHARED_FN vec3 environmentAt(Gravity gravity, vec3 root)
 {
     vec3 towards = gravity.direction;
     if (gravity.blend > 0.0f) {
@@ -78,74 +22,25 @@ SHARED_FN vec3 gravityAt(Gravity gravity, vec3 root, vec3 front)
         const vec3 pull = distance > 1e-6f ? toAttractor / distance : vec3(0.0f);
         towards = mix(gravity.direction, pull, gravity.blend);
     }
-    const vec3 environment = gravity.strength * towards;
+    return gravity.strength * towards;
+}
+
+/// With it: g = gE + forward·‖gE‖·front.
+SHARED_FN vec3 gravityAt(Gravity gravity, vec3 root, vec3 front)
+{
+    const vec3 environment = environmentAt(gravity, root);
     return environment + gravity.forward * length(environment) * front;
 }
 
-/// What a curve from the root over v1 = up · max(1 − side, 0.05) to a tip at unit distance, `side`
-/// from the up-vector's line, is to be multiplied by to be one height long: polynomials fitted to
-/// the exact length, within 2.1e-4; 1 where it is straight (the paper's estimate after Gravesen,
-/// (2·|v2−v0| + |v1−v0| + |v2−v1|)/3, is within 1.1e-2). Asserted by bezier_test.cpp.
-SHARED_FN float lengthCorrection(float side)
+/// `direction`, along a blade's axes, turned into the ground plane if it points below it.
+SHARED_FN vec3 turnedAbove(vec3 direction)
 {
-    if (side > 0.95f)
-        return (-0.48620368f * side + 0.92399928f) * side + 0.55642926f;
-    const float high = (-1.3481541f * side + 4.0007265f) * side - 4.6675167f;
-    const float low = (high * side + 2.7635532f) * side - 0.71043977f;
-    return (low * side - 0.037761414f) * side + 1.0f;
-}
-
-/// How far from its root [heights] a blade's tip is seen in `direction`, as poseTowards() has it.
-SHARED_FN float tipDistance(vec3 up, vec3 direction)
-{
-    return lengthCorrection(length(direction - up * dot(direction, up)));
-}
-
-/// Steps 2 and 3 of poseBlade(), of a tip in `direction`, unit and not below the ground plane.
-SHARED_FN Pose poseTowards(vec3 up, vec3 direction)
-{
-    const float side = length(direction - up * dot(direction, up));
-    const vec3 v1 = up * max(1.0f - side, 0.05f);
-    const float scale = lengthCorrection(side);
-    Pose pose;
-    pose.v1 = v1 * scale;
-    pose.v2 = direction * scale;
-    return pose;
-}
-
-/// `direction`, which is unit, lifted to the ground plane if it points below it.
-SHARED_FN vec3 keptAbove(vec3 up, vec3 front, vec3 direction)
-{
-    const float rise = dot(up, direction);
-    if (rise >= 0.0f)
+    if (direction.z >= 0.0f)
         return direction;
-    const vec3 lifted = direction - up * rise;
+    const float distance = length(vec2(direction.x, direction.y));
     // A tip on the root has no direction: let the blade lie down forward.
-    const float distance = length(lifted);
-    const vec3 towards = distance > 1e-4f ? lifted / distance : front;
-    // Division has magnified the rounding of the first step: lift again.
-    return towards - up * min(dot(up, towards), 0.0f);
-}
-
-/// The three validation steps (section 5.3) for a tip at `tip` heights from the root:
-///   1. the tip is lifted to the blade's ground plane;
-///   2. v1 = up · max(1 − l, 0.05), l the tip's distance from the up-vector's line: always slightly
-///   curved;
-///   3. both are scaled about the root until the curve is one height long.
-/// The paper applies 2 and 3 to whatever length the tip has, so that each frame's result differs
-/// from its own validation. Here the tip is brought to unit distance first: the pose is a function
-/// of the tip's direction alone, and validating twice changes nothing.
-SHARED_FN Pose poseBlade(vec3 up, vec3 front, vec3 tip)
-{
-    const vec3 lifted = tip - up * min(dot(up, tip), 0.0f);
-    const float distance = length(lifted);
-    return poseTowards(up, keptAbove(up, front, distance > 1e-4f ? lifted / distance : front));
-}
-
-/// The pose that a stored state stands for.
-SHARED_FN Pose poseOfState(vec3 up, vec3 front, BladeState state)
-{
-    return poseTowards(up, directionOf(up, front, state));
+    return distance > 1e-4f ? vec3(direction.x / distance, direction.y / distance, 0.0f)
+                            : vec3(1.0f, 0.0f, 0.0f);
 }
 
 /// One step of `dt` [s] (section 5.2) of a tip that is seen in `direction`, unit, `radius` heights
@@ -154,18 +49,17 @@ SHARED_FN Pose poseOfState(vec3 up, vec3 front, BladeState state)
 /// on the ball of all tips it turns towards the direction of that place, and the tangent of half
 /// the angle between them falls with rate k·|place|/|tip|. So any step is safe, and the frame rate
 /// does not matter. A blade that lies turns along the ground alone. Returns a direction, unit, for
-/// keptAbove(). With b = 1 − stiffness, as in the authors' demo, gravity and wind count b and
-/// recovery 1 − b/4; collision strength eta softens recovery. `force` is what gravityAt() and
-/// windForce() return, together.
-SHARED_FN vec3 relaxDirection(Blade blade, vec3 force, float recovery, vec3 direction, float radius,
-                              float eta, float dt)
+/// turnedAbove(). With b = 1 − stiffness, as in the authors' demo, gravity and wind count b and
+/// recovery 1 − b/4; collision strength eta softens recovery. `force` is gravity and wind together;
+/// it and all directions are along the blade's axes.
+SHARED_FN vec3 relaxDirection(float stiffness, vec3 force, float recovery, vec3 direction,
+                              float radius, float eta, float dt)
 {
-    const float b = 1.0f - blade.stiffness;
+    const float b = 1.0f - stiffness;
     const float k = max(recovery * (1.0f - 0.25f * b) * max(1.0f - eta, 0.1f), 1e-3f);
-    vec3 place = blade.up + (b / k) * force;
-    const float sink = dot(place, blade.up);
-    if (sink < 0.0f && dot(direction, blade.up) < 1e-3f)
-        place -= sink * blade.up;
+    vec3 place = vec3(0.0f, 0.0f, 1.0f) + (b / k) * force;
+    if (direction.z < 1e-3f)
+        place.z = max(place.z, 0.0f);
     const float square = dot(place, place);
     if (square < 1e-12f)
         return direction;
@@ -183,13 +77,15 @@ SHARED_FN vec3 relaxDirection(Blade blade, vec3 force, float recovery, vec3 dire
     return normalize((near - far) * target + 2.0f * fall * (direction - cosine * target));
 }
 
-/// The same of a valid `tip` [heights], whose forces are given one by one.
+/// The same of a valid `tip` [heights] in space, whose forces are given one by one.
 SHARED_FN vec3 relaxTip(Blade blade, vec3 front, Gravity gravity, vec3 wind, float recovery,
                         vec3 tip, float eta, float dt)
 {
+    const BladeAxes axes = axesTowards(blade.up, front);
     const float radius = max(length(tip), 1e-6f);
-    return relaxDirection(blade, gravityAt(gravity, blade.root, front) + wind, recovery,
-                          tip / radius, radius, eta, dt);
+    const vec3 force = gravityAt(gravity, blade.root, front) + wind;
+    return inSpace(axes, relaxDirection(blade.stiffness, alongAxes(axes, force), recovery,
+                                        alongAxes(axes, tip / radius), radius, eta, dt));
 }
 
 /// Rounds of pushing a blade out of all colliders near it. One collider takes one or two; between
@@ -241,17 +137,6 @@ SHARED_FN vec3 pushBlade(Blade blade, vec3 front, ColliderTable colliders, Colli
     return touched && resting ? poseBlade(blade.up, front, tipBefore + result).v2 : result;
 }
 
-/// What moves every blade of a field in one frame.
-struct Nature {
-    Gravity gravity;
-    float recovery;     ///< [1/s] rate at which a stiff blade rises again
-    uint colliderCount; ///< 0: no blade asks for colliders
-    uint reserved;
-    Wind wind;
-    ColliderTable colliders;
-};
-SHARED_LAYOUT(Nature, 80)
-
 /// Longest time the forces are taken to stand still [s], and how often at most one frame is
 /// divided.
 SHARED_CONST float longestStep = 0.034f;
@@ -266,14 +151,16 @@ SHARED_CONST float stickingSpeed = 0.06f;
 SHARED_FN BladeState advanceBlade(Blade blade, Nature nature, ColliderMask near, BladeState state,
                                   float time, float elapsed)
 {
-    const vec3 front = frontOf(blade.up, widthAxis(blade.up, blade.facing));
+    const BladeAxes axes = axesAlong(blade.up, widthAxis(blade.up, blade.facing));
     // Contact fades within 1/a seconds, a = (1 − b)/2 … 1/2 as in the demo.
     const float fade = 0.5f * max(blade.stiffness, 0.1f);
     const uint steps = uint(clamp(ceil(elapsed / longestStep), 1.0f, float(maxSteps)));
     const float dt = elapsed / float(steps);
 
-    const vec3 gravity = gravityAt(nature.gravity, blade.root, front);
-    const vec3 first = directionOf(blade.up, front, state);
+    const vec3 environment = environmentAt(nature.gravity, blade.root);
+    vec3 gravity = alongAxes(axes, environment);
+    gravity.x += nature.gravity.forward * length(environment);
+    const vec3 first = storedDirection(state);
     vec3 direction = first;
     float eta = state.eta;
     float pushed = 0.0f;
@@ -282,27 +169,29 @@ SHARED_FN BladeState advanceBlade(Blade blade, Nature nature, ColliderMask near,
         const float back = elapsed - dt * float(i + 1u);
         eta = max(eta - fade * dt, 0.0f);
         // The wind of the middle of the step stands for all of it.
-        const float radius = tipDistance(blade.up, direction);
+        const float radius = tipDistance(direction);
+        const float before = pushed;
         const vec3 tipBefore = radius * direction;
         const vec3 wind =
-            windForce(nature.wind, blade.root, blade.up, tipBefore, time - back - 0.5f * dt);
-        direction =
-            relaxDirection(blade, gravity + wind, nature.recovery, direction, radius, eta, dt);
-        direction = keptAbove(blade.up, front, direction);
+            windAlongAxes(nature.wind, blade.root, axes, direction, time - back - 0.5f * dt);
+        direction = relaxDirection(blade.stiffness, gravity + (radius * direction.z) * wind,
+                                   nature.recovery, direction, radius, eta, dt);
+        direction = turnedAbove(direction);
         if (nature.colliderCount > 0u) {
-            const float before = pushed;
             const vec3 tip =
-                pushBlade(blade, front, nature.colliders, near, tipBefore,
-                          tipDistance(blade.up, direction) * direction, back, pushed, resting);
-            direction = normalize(tip);
+                pushBlade(blade, axes.front, nature.colliders, near, inSpace(axes, tipBefore),
+                          inSpace(axes, tipDistance(direction) * direction), back, pushed, resting);
+            // What nothing touches stays as it would be without colliders, to the bit.
+            if (pushed > before)
+                direction = alongAxes(axes, normalize(tip));
             eta = min(eta + (pushed - before), 1.0f);
         }
     }
     if (pushed > 0.0f && resting &&
-        length(tipDistance(blade.up, direction) * direction -
-               tipDistance(blade.up, first) * first) < stickingSpeed * elapsed)
+        length(tipDistance(direction) * direction - tipDistance(first) * first) <
+            stickingSpeed * elapsed)
         return state;
-    return stateOf(blade.up, front, direction, eta);
+    return stateTowards(direction, eta);
 }
 
 SHARED_END

@@ -7,7 +7,7 @@
 #include "shaders/shared/eyepoint.h"
 #include "shaders/shared/octahedral.h"
 #include "shaders/shared/patch.h"
-#include "shaders/shared/physics.h"
+#include "shaders/shared/pose.h"
 #include "shaders/shared/ribbon.h"
 #include "shaders/shared/types.h"
 
@@ -244,7 +244,7 @@ SHARED_FN Verdict judgeBlade(Eyepoint view, Layers layers, Blade blade, uint ind
     verdict.low = blade.root;
     verdict.high = blade.root;
     if ((view.cullMask & (cullFrustum | cullOcclusion)) != 0u) {
-        const Pose pose = poseOfState(blade.up, frontOf(blade.up, axis), state);
+        const Pose pose = poseOfState(axesAlong(blade.up, axis), state);
         const vec3 v1 = blade.root + blade.height * pose.v1;
         const vec3 v2 = blade.root + blade.height * pose.v2;
         const float margin = 0.5f * outlineMost * blade.width * max(factor, 1.0f) +

@@ -3,56 +3,44 @@
 #ifndef SWARD_SHARED_WIND_H
 #define SWARD_SHARED_WIND_H
 
+#include "shaders/shared/blade.h"
+#include "shaders/shared/nature.h"
 #include "shaders/shared/noise.h"
 #include "shaders/shared/types.h"
 
 SHARED_BEGIN
 
-// Kinds of sources.
-SHARED_CONST uint windNoise = 0u;   ///< a direction times value noise that the wind carries along
-SHARED_CONST uint windTurning = 1u; ///< a sine of the time, whose direction may turn
-SHARED_CONST uint windWave = 2u;    ///< the paper's directional wave
-SHARED_CONST uint windRadial = 3u;  ///< the paper's helicopter: rings away from a centre
-SHARED_CONST uint windSwirl = 4u;   ///< the paper's swirl: away from a centre and around it
-SHARED_CONST uint windGusts = 5u;   ///< fronts that rise quickly and die away slowly
-SHARED_CONST uint windKinds = 6u;
-
-/// Sources that blow at once.
-SHARED_CONST uint maxWindSources = 8u;
-
-/// One source of wind. Not every kind uses every number.
-struct WindSource {
-    vec3 direction;  ///< unit; where it blows to (not radial, swirl)
-    float strength;  ///< [1/s] largest pull on a blade across it, in its heights per second
-    vec3 centre;     ///< [m] relative to the field's origin (radial, swirl)
-    float size;      ///< [m] > 0: noise: its grain along the wind, half of that across; turning,
-                     ///< wave: from crest to crest; gusts: from front to front; radial, swirl:
-                     ///< distance at which nothing is felt any more
-    float speed;     ///< [m/s] at which noise, waves, rings and fronts travel
-    float rate;      ///< [rad/s] of the sine (turning)
-    float turn;      ///< [rad/s] of the direction about the blade's up-vector (turning)
-    float alignment; ///< [0, 1] how much a blade that lies along the wind escapes it
-    float lift;      ///< [0, 1] share that is kept of what blows along the blade's up-vector
-    uint kind;       ///< windNoise …
-};
-SHARED_LAYOUT(WindSource, 56)
-
-SHARED_TABLE(WindTable, WindSource)
-
-/// All that blows at once. Where `counts` is known when a shader is compiled, kinds that do not
-/// blow cost nothing.
-struct Wind {
-    uint counts;       ///< four bits for each kind, from the lowest: how many sources it has
-    float eddySize;    ///< [m] > 0 of the eddies where wind meets the ground head-on
-    float eddySpeed;   ///< [m/s] at which they travel
-    float sum;         ///< [1/s] of all strengths
-    WindTable sources; ///< kind after kind
-};
-SHARED_LAYOUT(Wind, 24)
+/// Source `i` of a wind. A stage that has all of them as constants names them so before it includes
+/// this: then what they say takes no registers.
+#ifndef WIND_SOURCE
+#define WIND_SOURCE(wind, i) wind.sources[i]
+#endif
 
 SHARED_FN uint windCount(uint counts, uint kind)
 {
     return (counts >> (4u * kind)) & 15u;
+}
+
+/// A source with what follows from the rest of it: a unit vector across its direction, level but
+/// for a wind that blows straight up or down, and 1/size.
+SHARED_FN WindSource preparedSource(WindSource source)
+{
+    WindSource prepared = source;
+    prepared.side = abs(source.direction.y) < 0.99f
+                        ? normalize(cross(source.direction, vec3(0.0f, 1.0f, 0.0f)))
+                        : vec3(1.0f, 0.0f, 0.0f);
+    prepared.perSize = 1.0f / source.size;
+    return prepared;
+}
+
+/// Whether sources of two kinds that only differ in their amounts are felt alike: of their sum a
+/// blade feels as much as of each of them together. See windsAlike.
+SHARED_FN bool blowsLike(WindSource a, WindSource b)
+{
+    const bool hasAmounts = (a.kind == windNoise || a.kind == windWave || a.kind == windGusts) &&
+                            (b.kind == windNoise || b.kind == windWave || b.kind == windGusts);
+    return hasAmounts && a.direction == b.direction && a.alignment == b.alignment &&
+           a.lift == b.lift;
 }
 
 /// Height of the travelling wave at a place, in [0, 1]: three sines of unlike direction and length,
@@ -60,12 +48,9 @@ SHARED_FN uint windCount(uint counts, uint kind)
 /// axis.
 SHARED_FN float windWaveAt(WindSource source, vec3 position, float time)
 {
-    const vec3 side = abs(source.direction.y) < 0.99f
-                          ? normalize(cross(source.direction, vec3(0.0f, 1.0f, 0.0f)))
-                          : vec3(1.0f, 0.0f, 0.0f);
-    const float k = 6.2831853f / source.size;
+    const float k = 6.2831853f * source.perSize;
     const float along = k * (dot(position, source.direction) - source.speed * time);
-    const float across = k * dot(position, side);
+    const float across = k * dot(position, source.side);
     const float sum = cos(0.9f * along + 0.4f * across) + sin(0.55f * along - 0.25f * across) +
                       sin(0.3f * along + 0.6f * across);
     return 1.0f - max(sum / 3.0f, 0.0f);
@@ -76,9 +61,8 @@ SHARED_FN float windWaveAt(WindSource source, vec3 position, float time)
 /// that across. The position is stretched by half across.
 SHARED_FN float windNoiseAt(WindSource source, vec3 position, float time)
 {
-    const vec3 carried = position - source.direction * (source.speed * time);
-    const vec3 across = carried - source.direction * dot(carried, source.direction);
-    const vec3 stretched = (1.0f / source.size) * (carried - 0.5f * across);
+    const float along = dot(position, source.direction) - 2.0f * source.speed * time;
+    const vec3 stretched = (0.5f * source.perSize) * (position + source.direction * along);
     const float gust =
         0.65f * valueNoise(stretched) + 0.35f * valueNoise(2.7f * stretched + vec3(17.3f));
     return 2.0f * gust * gust;
@@ -92,10 +76,10 @@ SHARED_CONST float gustRise = 0.12f;
 SHARED_FN float windGustAt(WindSource source, vec3 position, float time)
 {
     const float along = dot(position, source.direction);
-    const vec3 across = (position - source.direction * along) / source.size;
+    const vec3 across = source.perSize * (position - source.direction * along);
     const float bend = 0.8f * (valueNoise(0.7f * across + vec3(5.1f)) - 0.5f);
     // Behind a front the phase grows: what is felt rises first, and then dies away.
-    const float phase = (source.speed * time - along) / source.size + bend;
+    const float phase = (source.speed * time - along) * source.perSize + bend;
     const float front = floor(phase);
     const float s = phase - front;
     const float rise = clamp(s / gustRise, 0.0f, 1.0f);
@@ -155,60 +139,86 @@ SHARED_FN vec3 windAlong(Wind wind, WindSource source, vec3 direction, float amo
     return amount * flow;
 }
 
-/// What a blade with its tip at `tip` heights from its root feels of `flow`: along the ground
-/// alone, but for `lift`; and less where the blade lies along it (Jahrmann & Wimmer, section 5.1).
-/// A tip of no length feels all.
-SHARED_FN vec3 windFelt(WindSource source, vec3 flow, vec3 up, vec3 tip)
+/// What a blade whose tip is seen in `direction`, unit and along its axes, feels of `flow`: along
+/// the ground alone, but for `lift`; and less where the blade lies along it (Jahrmann & Wimmer,
+/// section 5.1). One without a direction feels all. Along the blade's axes.
+SHARED_FN vec3 windFelt(WindSource source, vec3 flow, BladeAxes axes, vec3 direction)
 {
-    const vec3 wind = source.strength * (flow - up * ((1.0f - source.lift) * dot(flow, up)));
-    const float square = dot(wind, wind) * dot(tip, tip);
-    const float along = square > 1e-12f ? abs(dot(wind, tip)) * inversesqrt(square) : 0.0f;
+    vec3 wind = alongAxes(axes, flow);
+    wind.z *= source.lift;
+    const float square = dot(wind, wind);
+    const float along = square > 1e-12f ? abs(dot(wind, direction)) * inversesqrt(square) : 0.0f;
     return (1.0f - source.alignment * along) * wind;
 }
 
-/// Sum over all sources of what a blade with its tip at `tip` feels at `position`; see windFelt().
-SHARED_FN vec3 windSum(Wind wind, vec3 position, vec3 up, vec3 tip, float time)
+/// Sum over all sources of what a blade feels at `position`; see windFelt().
+SHARED_FN vec3 windAlongAxes(Wind wind, vec3 position, BladeAxes axes, vec3 direction, float time)
 {
     vec3 sum = vec3(0.0f);
+    const bool alike = (wind.counts & windsAlike) != 0u;
+    float amounts = 0.0f;
     uint next = 0u;
     for (uint i = windCount(wind.counts, windNoise); i > 0u; --i) {
-        const WindSource source = wind.sources.at[next++];
-        const float amount = windNoiseAt(source, position, time);
-        sum += windFelt(
-            source, windAlong(wind, source, source.direction, amount, position, up, time), up, tip);
+        const WindSource source = WIND_SOURCE(wind, next++);
+        const float amount = source.strength * windNoiseAt(source, position, time);
+        if (alike)
+            amounts += amount;
+        else
+            sum += windFelt(
+                source, windAlong(wind, source, source.direction, amount, position, axes.up, time),
+                axes, direction);
     }
     for (uint i = windCount(wind.counts, windTurning); i > 0u; --i) {
-        const WindSource source = wind.sources.at[next++];
+        const WindSource source = WIND_SOURCE(wind, next++);
         const float angle = source.turn * time;
-        const vec3 direction =
-            source.direction * cos(angle) + cross(up, source.direction) * sin(angle);
+        const vec3 turned =
+            source.direction * cos(angle) + cross(axes.up, source.direction) * sin(angle);
         const float amount =
-            sin(source.rate * time - (6.2831853f / source.size) * dot(position, source.direction));
-        sum += windFelt(source, windAlong(wind, source, direction, amount, position, up, time), up,
-                        tip);
+            source.strength * sin(source.rate * time -
+                                  (6.2831853f * source.perSize) * dot(position, source.direction));
+        sum += windFelt(source, windAlong(wind, source, turned, amount, position, axes.up, time),
+                        axes, direction);
     }
     for (uint i = windCount(wind.counts, windWave); i > 0u; --i) {
-        const WindSource source = wind.sources.at[next++];
+        const WindSource source = WIND_SOURCE(wind, next++);
         const float wave = windWaveAt(source, position, time);
-        sum += windFelt(source,
-                        windAlong(wind, source, source.direction, wave * wave, position, up, time),
-                        up, tip);
+        const float amount = source.strength * wave * wave;
+        if (alike)
+            amounts += amount;
+        else
+            sum += windFelt(
+                source, windAlong(wind, source, source.direction, amount, position, axes.up, time),
+                axes, direction);
     }
     for (uint i = windCount(wind.counts, windRadial); i > 0u; --i) {
-        const WindSource source = wind.sources.at[next++];
-        sum += windFelt(source, windAround(source, position - source.centre, up, time, false), up,
-                        tip);
+        const WindSource source = WIND_SOURCE(wind, next++);
+        sum += windFelt(source,
+                        source.strength *
+                            windAround(source, position - source.centre, axes.up, time, false),
+                        axes, direction);
     }
     for (uint i = windCount(wind.counts, windSwirl); i > 0u; --i) {
-        const WindSource source = wind.sources.at[next++];
-        sum +=
-            windFelt(source, windAround(source, position - source.centre, up, time, true), up, tip);
+        const WindSource source = WIND_SOURCE(wind, next++);
+        sum += windFelt(source,
+                        source.strength *
+                            windAround(source, position - source.centre, axes.up, time, true),
+                        axes, direction);
     }
     for (uint i = windCount(wind.counts, windGusts); i > 0u; --i) {
-        const WindSource source = wind.sources.at[next++];
-        const float amount = windGustAt(source, position, time);
-        sum += windFelt(
-            source, windAlong(wind, source, source.direction, amount, position, up, time), up, tip);
+        const WindSource source = WIND_SOURCE(wind, next++);
+        const float amount = source.strength * windGustAt(source, position, time);
+        if (alike)
+            amounts += amount;
+        else
+            sum += windFelt(
+                source, windAlong(wind, source, source.direction, amount, position, axes.up, time),
+                axes, direction);
+    }
+    if (alike) {
+        const WindSource source = WIND_SOURCE(wind, 0);
+        sum += windFelt(source,
+                        windAlong(wind, source, source.direction, amounts, position, axes.up, time),
+                        axes, direction);
     }
     return sum;
 }
@@ -217,14 +227,18 @@ SHARED_FN vec3 windSum(Wind wind, vec3 position, vec3 up, vec3 tip, float time)
 /// second.
 SHARED_FN vec3 windAt(Wind wind, vec3 position, vec3 up, float time)
 {
-    return windSum(wind, position, up, vec3(0.0f), time);
+    const BladeAxes axes = axesTowards(up, tangentOf(up));
+    return inSpace(axes, windAlongAxes(wind, position, axes, vec3(0.0f), time));
 }
 
 /// What of the wind pulls at a blade with its tip at `tip` heights from the root: less the more the
 /// blade lies down.
 SHARED_FN vec3 windForce(Wind wind, vec3 root, vec3 up, vec3 tip, float time)
 {
-    return max(dot(tip, up), 0.0f) * windSum(wind, root, up, tip, time);
+    const BladeAxes axes = axesTowards(up, tangentOf(up));
+    const vec3 direction = alongAxes(axes, tip / max(length(tip), 1e-6f));
+    return max(dot(tip, up), 0.0f) *
+           inSpace(axes, windAlongAxes(wind, root, axes, direction, time));
 }
 
 SHARED_END

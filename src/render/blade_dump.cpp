@@ -18,7 +18,7 @@ FieldRenderer::BladeRecord recordOf(const shared::Blade& blade, const shared::Bl
                                     glm::dvec3 origin)
 {
     const glm::vec3 axis = shared::widthAxis(blade.up, blade.facing);
-    const shared::Pose pose = shared::poseOfState(blade.up, shared::frontOf(blade.up, axis), state);
+    const shared::Pose pose = shared::poseOfState(shared::axesAlong(blade.up, axis), state);
     FieldRenderer::BladeRecord record;
     record.root = origin + glm::dvec3(blade.root);
     record.v1 = record.root + glm::dvec3(blade.height * pose.v1);

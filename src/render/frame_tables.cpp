@@ -3,21 +3,12 @@
 #include "core/expect.h"
 
 #include <algorithm>
-#include <cstddef>
 
 namespace sward::render {
-namespace {
-
-struct Tables {
-    shared::WindSource winds[shared::maxWindSources];
-    shared::Collider colliders[shared::maxColliders];
-};
-
-} // namespace
 
 VkDeviceSize tableBytes()
 {
-    return sizeof(Tables);
+    return sizeof(shared::Collider) * shared::maxColliders;
 }
 
 void writeTables(TablePlace place, const FieldShape& field, const std::vector<WindSource>& winds,
@@ -26,20 +17,18 @@ void writeTables(TablePlace place, const FieldShape& field, const std::vector<Wi
     expect(winds.size() <= shared::maxWindSources, "at most maxWindSources blow at once");
     expect(colliders.size() <= shared::maxColliders, "at most maxColliders collide");
     const std::vector<shared::WindSource> blown = blowing(winds, field.origin);
-    std::ranges::copy(std::as_bytes(std::span(blown)), place.mapped + offsetof(Tables, winds));
-    std::ranges::copy(std::as_bytes(colliders), place.mapped + offsetof(Tables, colliders));
+    std::ranges::copy(std::as_bytes(colliders), place.mapped);
 
     shared::Nature& nature = frame.nature;
     const glm::vec3 size = field.content.isEmpty() ? glm::vec3(0.0f) : field.content.size();
     nature.wind = together(blown, std::max({size.x, size.y, size.z}));
-    nature.wind.sources.address = place.address + offsetof(Tables, winds);
     nature.colliderCount = static_cast<std::uint32_t>(colliders.size());
-    nature.colliders.address = place.address + offsetof(Tables, colliders);
+    nature.colliders.address = place.address;
 }
 
 FrameTables::FrameTables(const gpu::DeviceContext& context)
     : buffer_(context, {.name = "frame/tables",
-                        .bytes = sizeof(Tables),
+                        .bytes = tableBytes(),
                         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                         .memory = gpu::MemoryUse::constants})
 {
@@ -47,7 +36,7 @@ FrameTables::FrameTables(const gpu::DeviceContext& context)
 
 VkDeviceSize FrameTables::bytes()
 {
-    return sizeof(Tables);
+    return tableBytes();
 }
 
 void FrameTables::write(const FieldShape& field, const FrameSettings& settings, double time,

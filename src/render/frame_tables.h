@@ -19,18 +19,18 @@ struct TablePlace {
 };
 VkDeviceSize tableBytes();
 
-/// Writes a frame's sources of wind and its colliders, both as `field` counts, and what the frame
-/// knows of them into `frame`. At most shared::maxWindSources and shared::maxColliders of each.
+/// Writes a frame's colliders, and what it knows of them and its sources of wind into `frame`, both
+/// as `field` counts. At most shared::maxWindSources and shared::maxColliders of each.
 void writeTables(TablePlace place, const FieldShape& field, const std::vector<WindSource>& winds,
                  std::span<const shared::Collider> colliders, shared::Frame& frame);
 
-/// What a frame knows in more than one: its sources of wind and its colliders, in memory that the
-/// CPU writes and the device reads.
+/// What a frame knows in more than one: its colliders, in memory that the CPU writes and the device
+/// reads.
 class FrameTables {
 public:
     explicit FrameTables(const gpu::DeviceContext& context);
 
-    /// Writes the tables for a frame at `time` [s] after one at `before`, and what the frame knows
+    /// Writes the table for a frame at `time` [s] after one at `before`, and what the frame knows
     /// of wind and colliders into `frame`. At most shared::maxWindSources and shared::maxColliders
     /// of each.
     void write(const FieldShape& field, const FrameSettings& settings, double time, double before,

@@ -21,7 +21,7 @@ shared::WindSource relativeTo(glm::dvec3 origin, const WindSource& wind)
     // A wave or gust of no size would divide by zero.
     result.size = std::max(result.size, 1e-3f);
     result.centre = glm::vec3(wind.centre - origin);
-    return result;
+    return shared::preparedSource(result);
 }
 
 } // namespace
@@ -111,7 +111,13 @@ std::vector<shared::WindSource> blowing(const std::vector<WindSource>& sources, 
 
 shared::Wind together(std::span<const shared::WindSource> sources, float extent)
 {
+    expect(sources.size() <= shared::maxWindSources, "at most maxWindSources blow at once");
     shared::Wind wind = {};
+    std::ranges::copy(sources, wind.sources);
+    if (!sources.empty() && std::ranges::all_of(sources, [&](const shared::WindSource& source) {
+            return shared::blowsLike(sources.front(), source);
+        }))
+        wind.counts |= shared::windsAlike;
     wind.eddySize = extent > 0.0f ? 0.25f * extent : everywhere;
     for (const shared::WindSource& source : sources) {
         wind.counts += 1u << (4u * source.kind);

@@ -33,9 +33,9 @@ void scaleWind(std::vector<WindSource>& sources, float strength);
 /// What blows at all, as the shaders read it: relative to `origin`, kind after kind.
 std::vector<shared::WindSource> blowing(const std::vector<WindSource>& sources, glm::dvec3 origin);
 
-/// What the shaders know of such sources beside their table. Eddies are twice as large as the
-/// finest source with a direction, but no larger than a quarter of `extent` [m], the size of what
-/// is seen, and as quick as the quickest.
+/// Such sources, at most shared::maxWindSources, as the shaders know them. Eddies are twice as
+/// large as the finest source with a direction, but no larger than a quarter of `extent` [m], the
+/// size of what is seen, and as quick as the quickest.
 shared::Wind together(std::span<const shared::WindSource> sources, float extent);
 
 } // namespace sward::render

@@ -108,7 +108,7 @@ bool isClose(const shared::Frame& frame, const shared::Blade& blade, std::uint32
         return true;
     if (std::abs(distance - frame.view.drawDistance) < margin * distance)
         return true;
-    const shared::Pose pose = shared::poseOfState(blade.up, shared::frontOf(blade.up, axis), state);
+    const shared::Pose pose = shared::poseOfState(shared::axesAlong(blade.up, axis), state);
     for (const glm::vec4& plane : frame.view.planes) {
         const float reach =
             std::max({shared::planeDistance(plane, blade.root),
@@ -244,7 +244,7 @@ TEST_F(CullingTest, DropsNoBladeOfWhichAPointIsInThePicture)
             const shared::Blade blade = this->blade(i);
             const glm::vec3 axis = shared::widthAxis(blade.up, blade.facing);
             const shared::Pose pose =
-                shared::poseOfState(blade.up, shared::frontOf(blade.up, axis), states_[i]);
+                shared::poseOfState(shared::axesAlong(blade.up, axis), states_[i]);
             for (int step = 0; step <= 20; ++step) {
                 for (const float side : {-0.5f, 0.0f, 0.5f}) {
                     const glm::vec3 point =

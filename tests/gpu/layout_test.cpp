@@ -46,14 +46,11 @@ public:
     {
         fillAll(g.direction, g.strength, g.attractor, g.blend, g.forward);
     }
-    void fill(shared::Wind& w)
-    {
-        fillAll(w.counts, w.eddySize, w.eddySpeed, w.sum, w.sources.address);
-    }
+    void fill(shared::Wind& w) { fillAll(w.counts, w.eddySize, w.eddySpeed, w.sum, w.sources); }
     void fill(shared::WindSource& s)
     {
         fillAll(s.direction, s.strength, s.centre, s.size, s.speed, s.rate, s.turn, s.alignment,
-                s.lift, s.kind);
+                s.lift, s.kind, s.side, s.perSize);
     }
     void fill(shared::Collider& c)
     {
@@ -111,7 +108,6 @@ struct Values {
     shared::Species species;
     shared::GroundVertex groundVertex;
     shared::GroundMaterial groundMaterial;
-    shared::WindSource windSource;
     shared::Collider collider;
     shared::UpdatePush updatePush;
     shared::WalkPush walkPush;
@@ -165,7 +161,7 @@ std::size_t fillValues(Values& v)
               v.groundVertex.color);
     n.fillAll(v.groundMaterial.baseColor, v.groundMaterial.roughness, v.groundMaterial.metallic,
               v.groundMaterial.image, v.groundMaterial.flags);
-    n.fillAll(v.windSource, v.collider);
+    n.fillAll(v.collider);
     shared::UpdatePush& u = v.updatePush;
     n.fillAll(u.judged, u.live, u.levels, u.rounds, u.owners, u.views, u.before, u.seenBefore,
               u.ownerCount, u.onlyUpdate, u.firstLive, u.mostLive, u.round, u.lateRound,
@@ -242,7 +238,6 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
                                            secondElement(context(), values.species),
                                            secondElement(context(), values.groundVertex),
                                            secondElement(context(), values.groundMaterial),
-                                           secondElement(context(), values.windSource),
                                            secondElement(context(), values.collider),
                                            secondElement(context(), values.updatePush),
                                            secondElement(context(), values.walkPush),

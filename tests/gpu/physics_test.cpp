@@ -98,7 +98,6 @@ struct CpuNature {
             colliders.push_back(
                 colliderAt(collider, glm::dvec3(0.0), time, time - static_cast<double>(elapsed)));
         nature.wind = together(winds, 0.0f);
-        nature.wind.sources.at = winds.data();
         nature.colliderCount = static_cast<std::uint32_t>(colliders.size());
         nature.colliders.at = colliders.data();
     }

@@ -31,7 +31,6 @@ struct Sources {
     SpeciesArray species;
     GroundVertexArray groundVertex;
     GroundMaterialArray groundMaterial;
-    WindTable windSource;
     ColliderTable collider;
     UpdatePushArray updatePush;
     WalkPushArray walkPush;
@@ -144,6 +143,8 @@ void put(WindSource source)
     put(source.alignment);
     put(source.lift);
     put(source.kind);
+    put(source.side);
+    put(source.perSize);
 }
 
 void put(Collider collider)
@@ -166,7 +167,8 @@ void put(Nature nature)
     put(nature.wind.eddySize);
     put(nature.wind.eddySpeed);
     put(nature.wind.sum);
-    put(uvec2(nature.wind.sources));
+    for (uint i = 0u; i < maxWindSources; ++i)
+        put(nature.wind.sources[i]);
     put(uvec2(nature.colliders));
 }
 
@@ -256,7 +258,6 @@ void main()
     put(material.image);
     put(material.flags);
 
-    put(sources.at[0].windSource.at[1]);
     put(sources.at[0].collider.at[1]);
 
     put(uvec2(sources.at[0].updatePush.at[1].judged));

@@ -61,6 +61,6 @@ void putFrame()
     put(FRAME.shadow);
     put(FRAME.fogFalloff);
     put(FRAME.fogBase);
-    for (int i = 0; i < 15; ++i)
+    for (int i = 0; i < 65; ++i)
         put(FRAME.reserved[i]);
 }

@@ -35,7 +35,7 @@ vec3 frontOfBlade(const Blade& blade)
 /// Relative to the root, in heights.
 vec3 tipOf(const Blade& blade, const BladeState& state)
 {
-    return poseOfState(blade.up, frontOfBlade(blade), state).v2;
+    return poseOfState(axesTowards(blade.up, frontOfBlade(blade)), state).v2;
 }
 
 /// Moves a blade frame by frame of 1/60 s.
@@ -53,7 +53,7 @@ float depthOf(const Blade& blade, const BladeState& state, const Collider& colli
 {
     const Collider seen = colliderSeenFrom(collider, blade.root, blade.height, 0.0f);
     const vec3 front = frontOfBlade(blade);
-    const Pose pose = poseOfState(blade.up, front, state);
+    const Pose pose = poseOfState(axesTowards(blade.up, front), state);
     return std::max(length(pushOut(seen, pose.v2, front)),
                     length(pushOut(seen, 0.5f * pose.v1 + 0.25f * pose.v2, front)));
 }

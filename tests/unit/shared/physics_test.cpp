@@ -53,7 +53,7 @@ BladeState advanced(const Blade& blade, const BladeState& state, Gravity gravity
 /// Of the tip, in heights.
 float fromRest(const Blade& blade, const BladeState& state)
 {
-    return length(poseOfState(blade.up, frontOfBlade(blade), state).v2 - blade.up);
+    return length(poseOfState(axesTowards(blade.up, frontOfBlade(blade)), state).v2 - blade.up);
 }
 
 /// Of a blade whose tip points anywhere above its ground, or lies on it.
@@ -212,7 +212,7 @@ TEST(Physics, AnyFrameTimeIsSafe)
             for (int frame = 1; frame <= 5; ++frame) {
                 state =
                     advanced(blade, state, downward(8.0f), someWind(20.0f), dt * float(frame), dt);
-                const Pose pose = poseOfState(blade.up, frontOfBlade(blade), state);
+                const Pose pose = poseOfState(axesTowards(blade.up, frontOfBlade(blade)), state);
                 ASSERT_TRUE(std::isfinite(pose.v2.x + pose.v2.y + pose.v2.z + state.eta));
                 ASSERT_GE(dot(pose.v2, blade.up), -1e-4f) << "dt " << dt;
                 ASSERT_LE(length(pose.v2), 1.001f) << "dt " << dt;
@@ -237,8 +237,8 @@ TEST(Physics, OneLongFrameEndsWhereManyShortOnesDo)
             coarse = advanced(blade, coarse, downward(2.0f), someWind(2.0f), float(frame) / 30.0f,
                               1.0f / 30.0f);
         const vec3 front = frontOfBlade(blade);
-        const vec3 difference =
-            poseOfState(blade.up, front, fine).v2 - poseOfState(blade.up, front, coarse).v2;
+        const vec3 difference = poseOfState(axesTowards(blade.up, front), fine).v2 -
+                                poseOfState(axesTowards(blade.up, front), coarse).v2;
         squared += double(dot(difference, difference));
     }
     EXPECT_LT(std::sqrt(squared / blades), 0.01) << "root mean square, in heights";

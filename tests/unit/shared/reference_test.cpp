@@ -124,7 +124,7 @@ double tipError(int rate, int seconds)
             for (int step = 1; step <= fine; ++step)
                 tip = moved(blade, tip, sources, (frame - 1.0 + double(step) / fine) / rate,
                             1.0 / (rate * fine));
-            const dvec3 error = dvec3(poseOfState(blade.up, front, state).v2) - tip;
+            const dvec3 error = dvec3(poseOfState(axesTowards(blade.up, front), state).v2) - tip;
             squares += dot(error, error);
             ++compared;
         }

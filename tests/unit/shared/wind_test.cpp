@@ -123,6 +123,58 @@ TEST(Wind, OfEveryKindVariesAndTogetherTheyAddUp)
     }
 }
 
+TEST(Wind, OfSourcesThatBlowAlikeIsFeltAsOfEachOfThem)
+{
+    tests::Dice dice(9);
+    const auto felt = [](const std::vector<WindSource>& sources, const BladeAxes& axes, vec3 place,
+                         vec3 direction, float time) {
+        const tests::NatureTables tables(sources);
+        return windAlongAxes(tables.wind(), place, axes, direction, time);
+    };
+    int alike = 0;
+    for (int i = 0; i < 3000; ++i) {
+        std::vector<WindSource> sources = {tests::windSourceOf(windNoise, dice.number(0.5f, 3)),
+                                           tests::windSourceOf(windWave, dice.number(0.5f, 3)),
+                                           tests::windSourceOf(windGusts, dice.number(0.5f, 3))};
+        const float lift = dice.number(0, 1);
+        const float alignment = dice.number(0, 1);
+        for (WindSource& source : sources) {
+            source.lift = lift;
+            source.alignment = alignment;
+        }
+        // One of three differs in something, and must not be taken together with the others.
+        switch (i % 6) {
+        case 1:
+            sources[1].lift = 0.5f * lift;
+            break;
+        case 2:
+            sources[2].alignment = 0.5f * alignment;
+            break;
+        case 3:
+            sources[2].direction = dice.direction();
+            break;
+        case 4:
+            sources.push_back(tests::windSourceOf(windTurning, 1.0f));
+            break;
+        default:
+            break;
+        }
+        alike += (tests::NatureTables(sources).wind().counts & windsAlike) != 0u ? 1 : 0;
+        const vec3 up = dice.direction();
+        const BladeAxes axes = axesTowards(up, tangentOf(up));
+        const vec3 place = 20.0f * dice.direction();
+        vec3 direction = dice.direction();
+        direction.z = std::abs(direction.z);
+        const float time = dice.number(0, 60);
+        vec3 sum(0.0f);
+        for (const WindSource& source : sources)
+            sum += felt({source}, axes, place, direction, time);
+        ASSERT_LT(length(felt(sources, axes, place, direction, time) - sum), 2e-5f)
+            << "mixture " << i;
+    }
+    EXPECT_EQ(alike, 1000);
+}
+
 TEST(Wind, TravelsAgainstThePlaceAtItsSpeed)
 {
     // What is here now was upstream before.

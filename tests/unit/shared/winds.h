@@ -18,6 +18,8 @@ public:
     {
         std::stable_sort(sources_.begin(), sources_.end(),
                          [](const auto& a, const auto& b) { return a.kind < b.kind; });
+        for (shared::WindSource& source : sources_)
+            source = shared::preparedSource(source);
     }
     NatureTables(const NatureTables&) = delete;
     NatureTables& operator=(const NatureTables&) = delete;
@@ -27,11 +29,15 @@ public:
         shared::Wind wind = {};
         wind.eddySize = 5.0f;
         wind.eddySpeed = 2.5f;
-        wind.sources.at = sources_.data();
+        std::copy(sources_.begin(), sources_.end(), wind.sources);
+        bool alike = !sources_.empty();
         for (const shared::WindSource& source : sources_) {
             wind.counts += 1u << (4u * source.kind);
             wind.sum += source.strength;
+            alike = alike && shared::blowsLike(sources_.front(), source);
         }
+        if (alike)
+            wind.counts |= shared::windsAlike;
         return wind;
     }
 

@@ -47,8 +47,7 @@ glm::vec3 windOn(const PickedBlade& picked, const field::FieldView& field,
     const std::vector<shared::WindSource> sources = render::blowing(settings.winds, field.origin);
     const Aabb bounds = field.bounds();
     const glm::vec3 size = bounds.isEmpty() ? glm::vec3(0.0f) : bounds.size();
-    shared::Wind wind = render::together(sources, std::max({size.x, size.y, size.z}));
-    wind.sources.at = sources.data();
+    const shared::Wind wind = render::together(sources, std::max({size.x, size.y, size.z}));
     return shared::windForce(wind, picked.blade.root, picked.blade.up, tip,
                              static_cast<float>(time));
 }

@@ -1,0 +1,139 @@
+// How a blade stands: what is stored of it, and the curve that this means. Jahrmann & Wimmer,
+// "Responsive Real-Time Grass Rendering for General 3D Scenes", I3D 2017, section 5.3, in units of
+// the blade's own height and relative to its root.
+#ifndef SWARD_SHARED_POSE_H
+#define SWARD_SHARED_POSE_H
+
+#include "shaders/shared/bezier.h"
+#include "shaders/shared/blade.h"
+#include "shaders/shared/types.h"
+
+SHARED_BEGIN
+
+/// What moves between frames. A pose is a function of the tip's direction alone, so that this is
+/// all that is stored of it: 4 bytes; and where there are colliders 4 more.
+struct BladeState {
+    uint turn; ///< snorm16 × 2: towards the blade's front and to its side, each the tangent of half
+               ///< the angle between the up-vector and the tip's direction; 0: straight up
+    float eta; ///< [0, 1] strength of the last collision
+};
+
+/// A blade's control points relative to its root, in heights; v0 is the origin.
+struct Pose {
+    vec3 v1;
+    vec3 v2;
+};
+
+/// Half of a step of a stored tangent, and the rounding of a number near 1. The direction turns by
+/// twice that at most along each axis [rad].
+SHARED_CONST float turnMaxError = 1.54e-5f;
+
+/// The state of a blade whose tip is seen from its root in `direction`, along its axes, unit and not
+/// below its ground plane: stereographic, so that no direction is stored worse than half as well as
+/// another.
+SHARED_FN BladeState stateTowards(vec3 direction, float eta)
+{
+    const float share = 1.0f / (1.0f + max(direction.z, 0.0f));
+    BladeState state;
+    state.turn = packSnorm16(share * direction.x) | (packSnorm16(share * direction.y) << 16u);
+    state.eta = eta;
+    return state;
+}
+
+/// The same of a direction in space. `front` is unit and at right angles to `up`.
+SHARED_FN BladeState stateOf(vec3 up, vec3 front, vec3 direction, float eta)
+{
+    return stateTowards(alongAxes(axesTowards(up, front), direction), eta);
+}
+
+/// Where the tip points, along the blade's axes: never below the ground plane, and unit, but for one
+/// that lies in it, which may be longer by √2·turnMaxError.
+SHARED_FN vec3 storedDirection(BladeState state)
+{
+    const float forward = unpackSnorm16(state.turn);
+    const float aside = unpackSnorm16(state.turn >> 16u);
+    const float square = min(forward * forward + aside * aside, 1.0f);
+    return (1.0f / (1.0f + square)) * vec3(2.0f * forward, 2.0f * aside, 1.0f - square);
+}
+
+/// The same in space.
+SHARED_FN vec3 directionOf(vec3 up, vec3 front, BladeState state)
+{
+    return inSpace(axesTowards(up, front), storedDirection(state));
+}
+
+/// What a curve from the root over v1 = up · max(1 − side, 0.05) to a tip at unit distance, `side`
+/// from the up-vector's line, is to be multiplied by to be one height long: polynomials fitted to
+/// the exact length, within 2.1e-4; 1 where it is straight (the paper's estimate after Gravesen,
+/// (2·|v2−v0| + |v1−v0| + |v2−v1|)/3, is within 1.1e-2). Asserted by bezier_test.cpp.
+SHARED_FN float lengthCorrection(float side)
+{
+    if (side > 0.95f)
+        return (-0.48620368f * side + 0.92399928f) * side + 0.55642926f;
+    const float high = (-1.3481541f * side + 4.0007265f) * side - 4.6675167f;
+    const float low = (high * side + 2.7635532f) * side - 0.71043977f;
+    return (low * side - 0.037761414f) * side + 1.0f;
+}
+
+/// How far from its root [heights] a blade's tip is seen in `direction`, along its axes, as
+/// poseTowards() has it.
+SHARED_FN float tipDistance(vec3 direction)
+{
+    return lengthCorrection(length(vec2(direction.x, direction.y)));
+}
+
+/// Steps 2 and 3 of poseBlade(), of a tip in `direction`, unit and not below the ground plane.
+SHARED_FN Pose poseTowards(vec3 up, vec3 direction)
+{
+    const float side = length(direction - up * dot(direction, up));
+    const vec3 v1 = up * max(1.0f - side, 0.05f);
+    const float scale = lengthCorrection(side);
+    Pose pose;
+    pose.v1 = v1 * scale;
+    pose.v2 = direction * scale;
+    return pose;
+}
+
+/// `direction`, which is unit, lifted to the ground plane if it points below it.
+SHARED_FN vec3 keptAbove(vec3 up, vec3 front, vec3 direction)
+{
+    const float rise = dot(up, direction);
+    if (rise >= 0.0f)
+        return direction;
+    const vec3 lifted = direction - up * rise;
+    // A tip on the root has no direction: let the blade lie down forward.
+    const float distance = length(lifted);
+    const vec3 towards = distance > 1e-4f ? lifted / distance : front;
+    // Division has magnified the rounding of the first step: lift again.
+    return towards - up * min(dot(up, towards), 0.0f);
+}
+
+/// The three validation steps (section 5.3) for a tip at `tip` heights from the root:
+///   1. the tip is lifted to the blade's ground plane;
+///   2. v1 = up · max(1 − l, 0.05), l the tip's distance from the up-vector's line: always slightly
+///   curved;
+///   3. both are scaled about the root until the curve is one height long.
+/// The paper applies 2 and 3 to whatever length the tip has, so that each frame's result differs
+/// from its own validation. Here the tip is brought to unit distance first: the pose is a function
+/// of the tip's direction alone, and validating twice changes nothing.
+SHARED_FN Pose poseBlade(vec3 up, vec3 front, vec3 tip)
+{
+    const vec3 lifted = tip - up * min(dot(up, tip), 0.0f);
+    const float distance = length(lifted);
+    return poseTowards(up, keptAbove(up, front, distance > 1e-4f ? lifted / distance : front));
+}
+
+/// The pose that a stored state stands for.
+SHARED_FN Pose poseOfState(BladeAxes axes, BladeState state)
+{
+    const vec3 direction = storedDirection(state);
+    const float side = length(vec2(direction.x, direction.y));
+    const float scale = lengthCorrection(side);
+    Pose pose;
+    pose.v1 = axes.up * (max(1.0f - side, 0.05f) * scale);
+    pose.v2 = inSpace(axes, direction * scale);
+    return pose;
+}
+
+SHARED_END
+#endif
