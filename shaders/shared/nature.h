@@ -1,5 +1,5 @@
-// What moves the blades of a field: gravity, the wind's sources, colliders. The forces themselves are
-// in wind.h and physics.h.
+// What moves the blades of a field: gravity, the wind's sources, colliders. The forces themselves
+// are in wind.h and physics.h.
 #ifndef SWARD_SHARED_NATURE_H
 #define SWARD_SHARED_NATURE_H
 

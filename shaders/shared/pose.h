@@ -28,9 +28,9 @@ struct Pose {
 /// twice that at most along each axis [rad].
 SHARED_CONST float turnMaxError = 1.54e-5f;
 
-/// The state of a blade whose tip is seen from its root in `direction`, along its axes, unit and not
-/// below its ground plane: stereographic, so that no direction is stored worse than half as well as
-/// another.
+/// The state of a blade whose tip is seen from its root in `direction`, along its axes, unit and
+/// not below its ground plane: stereographic, so that no direction is stored worse than half as
+/// well as another.
 SHARED_FN BladeState stateTowards(vec3 direction, float eta)
 {
     const float share = 1.0f / (1.0f + max(direction.z, 0.0f));
@@ -46,8 +46,8 @@ SHARED_FN BladeState stateOf(vec3 up, vec3 front, vec3 direction, float eta)
     return stateTowards(alongAxes(axesTowards(up, front), direction), eta);
 }
 
-/// Where the tip points, along the blade's axes: never below the ground plane, and unit, but for one
-/// that lies in it, which may be longer by √2·turnMaxError.
+/// Where the tip points, along the blade's axes: never below the ground plane, and unit, but for
+/// one that lies in it, which may be longer by √2·turnMaxError.
 SHARED_FN vec3 storedDirection(BladeState state)
 {
     const float forward = unpackSnorm16(state.turn);
