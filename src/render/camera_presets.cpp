@@ -107,6 +107,26 @@ Camera standing(const Scene& scene, glm::dvec3 origin, glm::dvec3 place, double 
     return camera;
 }
 
+/// The rise per distance at which to look along the longer side: `usual`, unless all that lies
+/// ahead is below the picture, or in its lowest tenth, as on top of an arch. What is nearest to the
+/// horizon is in the middle then.
+double slopeAhead(const Scene& scene, glm::dvec3 eye, const Sides& sides, double usual,
+                  double aspect)
+{
+    const double halfHeight = glm::radians(0.5 * fieldOfView);
+    const double tanX = aspect * std::tan(halfHeight);
+    std::optional<double> highest;
+    for (const glm::vec3& point : scene.points) {
+        const glm::dvec3 way = glm::dvec3(point) - eye;
+        const double ahead = glm::dot(way, sides.longer);
+        if (ahead > 0.0 && std::abs(glm::dot(way, sides.shorter)) <= ahead * tanX)
+            highest = std::max(highest.value_or(glm::dot(way, scene.up) / ahead),
+                               glm::dot(way, scene.up) / ahead);
+    }
+    const double lowest = std::tan(std::atan(usual) - 0.8 * halfHeight);
+    return highest && *highest < lowest ? *highest : usual;
+}
+
 Camera presetOf(CameraPreset preset, const Scene& scene, glm::dvec3 origin, double aspect)
 {
     const Sides sides = sidesOf(scene);
@@ -121,7 +141,8 @@ Camera presetOf(CameraPreset preset, const Scene& scene, glm::dvec3 origin, doub
     case CameraPreset::eye: {
         Camera camera = standing(scene, origin, centre, 1.7 * scale, centre);
         // A little downwards: two thirds of the picture are meadow.
-        camera.target = camera.eye + scale * (10.0 * sides.longer - 1.5 * up);
+        const double slope = slopeAhead(scene, camera.eye - origin, sides, -0.15, aspect);
+        camera.target = camera.eye + 10.0 * scale * (sides.longer + slope * up);
         return camera;
     }
     case CameraPreset::edge: {

@@ -154,6 +154,52 @@ TEST(Camera, StandsAboveTheGroundWhereThePresetPutsIt)
     EXPECT_NEAR(presetCamera(CameraPreset::edge, view, up, 1.5f).eye.y, 303.0, 1e-4);
 }
 
+/// How many blades the preset `eye` shows of a lawn that is `extent` [m] long, eight metres above
+/// whose middle there is a little ground to stand on.
+int shownFromAbove(float extent)
+{
+    field::Field field =
+        test::makeField({.surface = test::Surface::plane, .blades = 3000, .extent = extent});
+    for (const glm::vec2 corner :
+         {glm::vec2(-0.5f, -0.5f), glm::vec2(0.5f, -0.5f), glm::vec2(0.0f, 0.5f)}) {
+        shared::GroundVertex vertex = {};
+        vertex.position = {corner.x, 8.0f, corner.y};
+        field.ground.indices.push_back(static_cast<std::uint32_t>(field.ground.vertices.size()));
+        field.ground.vertices.push_back(vertex);
+    }
+    const std::size_t count = field.ground.indices.size();
+    field.ground.ranges.push_back(
+        {.firstIndex = static_cast<std::uint32_t>(count - 3), .indexCount = 3});
+    const field::FieldView view = field::viewOf(field);
+    const Camera camera =
+        presetCamera(CameraPreset::eye, view, glm::vec3(0.0f, 1.0f, 0.0f), 16.0f / 9.0f);
+    EXPECT_GT(camera.eye.y, 8.0);
+    const ViewMatrices matrices = viewMatrices(camera, field.origin, size, view.bounds());
+    int shown = 0;
+    for (const shared::Patch& cell : field.patches)
+        for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
+            const glm::vec3 root =
+                shared::unpackBlade(field.blades[cell.firstBlade + i], cell).root;
+            const glm::vec4 clip = matrices.viewProjection * glm::vec4(root, 1.0f);
+            shown +=
+                clip.w > 0.0f && std::abs(clip.x) < clip.w && std::abs(clip.y) < clip.w ? 1 : 0;
+        }
+    return shown;
+}
+
+TEST(Camera, LooksAtTheFieldFromOnTopOfAnArch)
+{
+    EXPECT_GT(shownFromAbove(6.0f), 100);
+    // Of this one its very end would be in the picture's lowest rows.
+    EXPECT_GT(shownFromAbove(37.0f), 100);
+    // Where one sees the field anyway, one looks ahead.
+    const field::Field lawn = test::makeField({.surface = test::Surface::plane, .extent = 40.0f});
+    const Camera ahead = presetCamera(CameraPreset::eye, field::viewOf(lawn),
+                                      glm::vec3(0.0f, 1.0f, 0.0f), 16.0f / 9.0f);
+    const glm::dvec3 way = glm::normalize(ahead.target - ahead.eye);
+    EXPECT_NEAR(way.y, -0.148, 0.001);
+}
+
 TEST(Camera, HasAPlaceEvenForAnEmptyField)
 {
     const field::Field field = test::emptyField();
