@@ -3,6 +3,7 @@
 #ifndef SWARD_LIGHTING_GLSL
 #define SWARD_LIGHTING_GLSL
 
+#include "shaders/shared/debug_mode.h"
 #include "shaders/shared/distance_band.h"
 #include "shaders/shared/passes.h"
 
@@ -16,8 +17,9 @@
 
 #include "shaders/shared/wind.h"
 
-/// Whether ground and blades show the wind; known when the pipeline is made.
-layout(constant_id = 0) const bool paintsWind = false;
+/// Known when the pipeline is made, see debugAsTold.
+layout(constant_id = 0) const uint knownDebugMode = debugAsTold;
+const bool paintsWind = knownDebugMode == debugWind;
 
 /// To whom the picture goes: 0 to Sward's own film, 1 to a host's as it is, 2 to a host's own film,
 /// 3 to nobody, who wants depth alone.
@@ -26,10 +28,16 @@ const uint handedToFilm = 0u;
 const uint handedToHostFilm = 2u;
 const uint handedToNobody = 3u;
 
+/// Of the frame.
+uint debugMode()
+{
+    return knownDebugMode == debugAsTold ? FRAME.debugMode : knownDebugMode;
+}
+
 /// Whether the picture shows nothing but how much grass covers, by distance.
 bool showsBands()
 {
-    return FRAME.debugMode >= debugNear;
+    return debugMode() >= debugNear;
 }
 
 float luminance(vec3 color)
@@ -122,7 +130,7 @@ vec3 develop(vec3 radiance)
 /// or are drawn as narrow as they are. It stands in the alpha channel, as 1 − softness.
 float softness(float distance, float share)
 {
-    if (FRAME.view.leastWidth <= 0.0 || FRAME.debugMode != 0u || paintsWind)
+    if (FRAME.view.leastWidth <= 0.0 || debugMode() != debugNothing)
         return 0.0;
     const float widthPixels = FRAME.view.lodWidth * FRAME.view.pixelsPerUnit / max(distance, 1e-6);
     return share * (1.0 - smoothstep(0.6, 1.5, widthPixels));

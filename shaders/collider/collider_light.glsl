@@ -24,7 +24,7 @@ vec4 colliderPicture(vec3 position, vec3 normal)
     const float spot = pow(max(dot(n, normalize(FRAME.sunDirection + toEye)), 0.0), 220.0);
     color += FRAME.sunColor * (0.5 * spot * sunlit);
 
-    if (FRAME.debugMode != 0u)
+    if (debugMode() != debugNothing)
         color = showsBands() ? vec3(0.0) : vec3(0.5) * (0.5 + 0.5 * facing);
     else
         color = throughAir(color, position);

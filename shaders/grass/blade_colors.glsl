@@ -71,16 +71,16 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, Layers layers)
     const Blade blade = drawn.blade;
     const Species species = drawn.species;
     BladeColors colors = bladeColors(blade, species, visible.blade);
-    if (FRAME.debugMode == 1u)
+    if (debugMode() == 1u)
         colors.tip = mix(vec3(0.1, 0.6, 0.1), vec3(1.0, 0.1, 0.0),
                          clamp(log2(max(widthFactorOf(visible), 1.0)) / 4.0, 0.0, 1.0));
-    else if (FRAME.debugMode == 2u)
+    else if (debugMode() == 2u)
         colors.tip = colorOf(visible.patchIndex);
-    else if (FRAME.debugMode == debugReason)
+    else if (debugMode() == debugReason)
         colors.tip = fateColor(FRAME.fates.at[placeOf(uvec2(FRAME.pages), visible.blade)]);
     if (paintsWind)
         colors.tip = colorOfWind(blade.root, blade.up);
-    if (FRAME.debugMode != 0u)
+    if (debugMode() != debugNothing)
         colors.root = 0.4 * colors.tip;
 
     BladeSurface surface;

@@ -45,7 +45,7 @@ vec3 bladePicture(BladePoint point)
     const float distance = length(ray);
     if (showsBands()) {
         const uint band = distanceBand(distance, FRAME.view.drawDistance);
-        const uint channel = band - 3u * (FRAME.debugMode - debugNear);
+        const uint channel = band - 3u * (debugMode() - debugNear);
         return vec3(channel == 0u, channel == 1u, channel == 2u);
     }
     const vec3 toEye = ray / max(distance, 1e-6);
@@ -83,7 +83,7 @@ vec3 bladePicture(BladePoint point)
     color += (gloss * sunlit * along * max(facing + 0.2, 0.0)) *
              (FRAME.sunColor * shine * 0.25 + FRAME.skyColor * fresnel);
 
-    if (FRAME.debugMode != 0u)
+    if (debugMode() != debugNothing)
         color = albedo * (0.25 + 0.75 * along) * (0.6 + 0.4 * max(facing, 0.0));
     else
         color = throughAir(color, point.position);

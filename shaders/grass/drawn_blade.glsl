@@ -3,6 +3,7 @@
 #ifndef SWARD_DRAWN_BLADE_GLSL
 #define SWARD_DRAWN_BLADE_GLSL
 
+#include "shaders/grass/known_shape.glsl"
 #include "shaders/grass/pages.glsl"
 #include "shaders/shared/passes.h"
 #include "shaders/shared/ribbon.h"
@@ -46,8 +47,9 @@ DrawnBlade drawnBlade(VisibleBlade visible, Blade blade, BladeState state)
     ribbon.width = blade.width * widthFactorOf(visible);
     const float widthPixels = visible.pixels * ribbon.width / blade.height;
     ribbon.fold = foldOf(species.fold, widthPixels);
-    ribbon.outline = outlineOf(species.shape, species.tipThreshold,
-                               segmentsOf(ribbon, blade.height, species.shape, visible.pixels, widthPixels));
+    const uint shape = knownShape(species.shape);
+    ribbon.outline = outlineOf(shape, species.tipThreshold,
+                               segmentsOf(ribbon, blade.height, shape, visible.pixels, widthPixels));
     drawn.ribbon = ribbon;
     return drawn;
 }

@@ -19,7 +19,7 @@ uint placeOf(uvec2 pages, uint blade)
 /// Whether all blades of a patch are in memory.
 bool isPresent(uvec2 pages, Patch cell)
 {
-    return pages == uvec2(0u) || cell.bladeCount == 0u ||
+    return !MAY_BE_PAGED || pages == uvec2(0u) || cell.bladeCount == 0u ||
            (UintArray(pages).at[cell.firstBlade / pageBlades] != noPlace &&
             UintArray(pages).at[(cell.firstBlade + cell.bladeCount - 1u) / pageBlades] != noPlace);
 }

@@ -15,6 +15,11 @@ layout(push_constant, scalar) uniform Block { UpdatePush push; };
 #define JUDGED FRAME
 #define WIND_SOURCE(wind, i) JUDGED.nature.wind.sources[i]
 
+// What frames may ask for, see asksOf(); known when the pipeline is made, so that what nobody asks
+// for costs nothing.
+layout(constant_id = 7) const uint asks = asksAll;
+#define MAY_BE_PAGED ((asks & asksPages) != 0u)
+
 #include "shaders/culling/hidden.glsl"
 #include "shaders/grass/pages.glsl"
 #include "shaders/shared/physics.h"
@@ -102,10 +107,25 @@ ColliderMask collidersNear(uint slot)
     return near;
 }
 
+bool hasFates()
+{
+    return (asks & asksFates) != 0u && uvec2(JUDGED.fates) != uvec2(0u);
+}
+
 void noteFate(uint place, uint fate)
 {
-    if (uvec2(JUDGED.fates) != uvec2(0u))
+    if (hasFates())
         JUDGED.fates.at[place] = fate;
+}
+
+/// By which blades are judged.
+Eyepoint judgingView()
+{
+    Eyepoint view = JUDGED.view;
+    view.cullMask &= asks;
+    view.lodThreshold = (asks & asksThinning) != 0u ? view.lodThreshold : 0.0f;
+    view.mostLayers = (asks & asksLayers) != 0u ? view.mostLayers : 0.0f;
+    return view;
 }
 
 /// Adds what the group has counted to the frame's counts: all groups do so at the same address, so
@@ -144,7 +164,7 @@ bool isAsked(float pixels)
 /// them; from now on it has not. One of which nobody asks counts as shown.
 uint takeSeen(uint index, float pixels)
 {
-    if (uvec2(push.seenBefore) == uvec2(0u) || !isAsked(pixels))
+    if ((asks & cullOcclusion) == 0u || uvec2(push.seenBefore) == uvec2(0u) || !isAsked(pixels))
         return 3u;
     UintArray words = push.seenBefore;
     const uint shift = 2u * (index % 16u);
@@ -241,7 +261,7 @@ void takePatch(Eyepoint view, LivePatch live, uint slot)
 /// Notes of the blades of a patch that are not looked at, for those who ask, that they are thinned out.
 void noteThinned(uint slot, uint thread)
 {
-    if (uvec2(JUDGED.fates) == uvec2(0u) || role == onlyMove)
+    if (!hasFates() || role == onlyMove)
         return;
     for (uint i = taken[slot].moved + thread; i < taken[slot].bladeCount; i += gl_WorkGroupSize.x)
         noteFate(placeOf(uvec2(JUDGED.pages), taken[slot].firstBlade + i), fateLod);
@@ -345,7 +365,7 @@ void updatePatches(Eyepoint view, Nature nature, uint patches, inout uint gather
 
 void main()
 {
-    const Eyepoint view = JUDGED.view;
+    const Eyepoint view = judgingView();
     Nature nature = JUDGED.nature; // what holds references cannot be const
     nature.wind.counts = windCounts;
     nature.colliderCount = hasColliders ? nature.colliderCount : 0u;

@@ -52,7 +52,7 @@ vec4 groundPicture(GroundPoint point)
     const vec3 light = hemisphere(n) * skyBelow(leafArea) + lightAmongLeaves(leafArea, facing, seen) +
                        FRAME.sunColor * (facing * seen * sunBelow(leafArea, facing));
     vec3 color = albedo * light;
-    if (FRAME.debugMode != 0u)
+    if (debugMode() != debugNothing)
         color = showsBands() ? vec3(0.0) : vec3(0.35) * (0.5 + 0.5 * facing);
     else
         color = throughAir(color, point.position);

@@ -2,6 +2,7 @@
 #ifndef SWARD_LARGE_PART_GLSL
 #define SWARD_LARGE_PART_GLSL
 
+#include "shaders/grass/known_shape.glsl"
 #include "shaders/shared/passes.h"
 #include "shaders/shared/ribbon.h"
 
@@ -55,7 +56,7 @@ Ribbon ribbonOf(LargePart part)
     ribbon.axis = part.axis;
     ribbon.width = part.width;
     ribbon.fold = part.fold;
-    ribbon.outline = Outline(part.shape, part.tipThreshold, part.segments, part.scale);
+    ribbon.outline = Outline(knownShape(part.shape), part.tipThreshold, part.segments, part.scale);
     return ribbon;
 }
 

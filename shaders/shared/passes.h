@@ -55,6 +55,22 @@ struct UpdatePush {
 };
 SHARED_LAYOUT(UpdatePush, 96)
 
+// What a pipeline of the update has code for, and a frame may ask for: the tests of its cullMask,
+// and more.
+SHARED_CONST uint asksThinning = 1u << 8u; ///< a lodThreshold above 0
+SHARED_CONST uint asksLayers = 1u << 9u;   ///< mostLayers above 0
+SHARED_CONST uint asksPages = 1u << 10u;   ///< blades may be in memory in part
+SHARED_CONST uint asksFates = 1u << 11u;   ///< the fate of each blade is kept
+SHARED_CONST uint asksAll = 0xffffffffu;
+
+/// What of that a frame asks for.
+SHARED_FN uint asksOf(Eyepoint view, bool isPaged, bool hasFates)
+{
+    return view.cullMask | (view.lodThreshold > 0.0f ? asksThinning : 0u) |
+           (view.mostLayers > 0.0f ? asksLayers : 0u) | (isPaged ? asksPages : 0u) |
+           (hasFates ? asksFates : 0u);
+}
+
 // What the update does about a live patch.
 SHARED_CONST uint moveAndJudge = 0u;
 SHARED_CONST uint onlyMove = 1u;  ///< as far as any of the views asks; lists nothing

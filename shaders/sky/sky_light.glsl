@@ -46,7 +46,7 @@ vec3 withClouds(vec3 color, vec3 ray)
 /// The sky with its sun towards unit `ray`, at `place` [pixels] of the picture.
 vec3 skyPicture(vec3 ray, vec2 place)
 {
-    if (FRAME.debugMode != 0u)
+    if (debugMode() != debugNothing)
         return showsBands() ? vec3(0.0) : dithered(develop(vec3(0.6)), place);
     vec3 color = withClouds(skyRadiance(ray), ray);
     // The sun's disc is half a degree wide; its soft rim is drawn a little wider.

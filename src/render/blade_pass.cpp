@@ -24,7 +24,7 @@ BladePass::BladePass(const gpu::DeviceContext& context, const gpu::ShaderLibrary
     settings.colorFormats = {target.colorFormat};
     settings.depthFormat = depthFormat;
     settings.samples = target.samples;
-    settings.constants = {{.id = 0, .value = target.paintsWind ? 1u : 0u}};
+    settings.constants = {{.id = 0, .value = target.debugMode}};
     pipeline_ = gpu::GraphicsPipeline(context, shaders, settings);
 }
 

@@ -27,6 +27,9 @@ const field::FieldView& refusingWhatCannotFit(const gpu::DeviceContext& context,
     return field;
 }
 
+/// Nodes of the patch tree that are looked at to know how many rounds a frame may have: some 20 µs.
+constexpr std::size_t nodesOfBound = 2048;
+
 /// Live patches of a round.
 std::uint32_t roundOf(const BakedBlades& baked, FieldBuffers::Records records)
 {
@@ -72,6 +75,7 @@ FieldBuffers::FieldBuffers(const gpu::DeviceContext& context, gpu::BufferUpload&
              records.pages)
     , states_(context, baked_, {.before = false, .etas = records.etas || records.pages > 0})
     , list_(context, baked_, roundOf(baked_, records), std::numeric_limits<std::uint32_t>::max())
+    , liveBound_(field, nodesOfBound)
 {
     if (records.fates)
         fates_ = fatesOf(context, baked_);
@@ -92,11 +96,13 @@ void FieldBuffers::clearFates(VkCommandBuffer commands) const
         vkCmdFillBuffer(commands, fates_.get(), 0, VK_WHOLE_SIZE, shared::fatePatch);
 }
 
-std::uint32_t FieldBuffers::roundCount(std::uint64_t patches) const
+std::uint32_t FieldBuffers::roundCount(const shared::Frame& judged, std::uint64_t resident) const
 {
-    // `patches` may be the largest number there is.
-    const std::uint64_t before = patches / list_.roundPatches();
-    return static_cast<std::uint32_t>(std::min<std::uint64_t>(before, list_.roundCount() - 1)) + 1;
+    if (list_.roundCount() == 1)
+        return 1;
+    const std::uint64_t live = std::min(liveBound_.of(judged.view, judged.fates != 0), resident);
+    const auto rounds = static_cast<std::uint32_t>(gpu::groupsFor(live, list_.roundPatches()));
+    return std::clamp(rounds, 1u, list_.roundCount());
 }
 
 VkDeviceSize FieldBuffers::bytes() const

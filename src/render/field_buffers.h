@@ -7,6 +7,7 @@
 #include "gpu/context.h"
 #include "render/baked_blades.h"
 #include "render/blade_states.h"
+#include "render/live_bound.h"
 #include "render/visible_blades.h"
 #include "shaders/shared/frame.h"
 
@@ -66,8 +67,9 @@ public:
     std::uint32_t bladeCount() const { return baked_.bladeCount(); }
     field::BladeSize bladeSize() const { return baked_.bladeSize(); } ///< mean over all blades
 
-    /// How often so many live patches, or all, fill the list of visible blades at most.
-    std::uint32_t roundCount(std::uint64_t patches) const;
+    /// How often the live patches of a view, of which so many may be in memory, fill the list of
+    /// visible blades at most.
+    std::uint32_t roundCount(const shared::Frame& judged, std::uint64_t resident) const;
     VkDeviceSize bytes() const;
 
     const gpu::Buffer& draw() const { return list_.draw(); } ///< shared::DrawArguments
@@ -81,6 +83,7 @@ private:
     BakedBlades baked_;
     BladeStates states_;
     VisibleBlades list_;
+    LiveBound liveBound_;
     gpu::Buffer fates_;
 };
 

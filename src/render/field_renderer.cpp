@@ -34,6 +34,18 @@ FieldBuffers::Records recordsFor(const gpu::DeviceContext& context, Geometry geo
             .walkStart = context.isCpu() ? shared::walkStart : shared::walkStartOfGpu};
 }
 
+/// TargetSettings::onlyShape.
+std::uint32_t onlyShapeOf(const field::FieldView& field)
+{
+    const auto shapeOf = [](const field::Species& kind) { return kind.look.shape; };
+    if (field.species.empty())
+        return shared::shapeCount;
+    const std::uint32_t shape = shapeOf(field.species[0]);
+    return std::ranges::count(field.species, shape, shapeOf) == std::ssize(field.species)
+               ? shape
+               : shared::shapeCount;
+}
+
 TargetSettings targetFor(const gpu::DeviceContext& context, const field::FieldView& field,
                          Geometry geometry, bool isTriedOut, const FieldRenderer::Settings& wanted)
 {
@@ -43,6 +55,7 @@ TargetSettings targetFor(const gpu::DeviceContext& context, const field::FieldVi
             .mayBePaged = wanted.deviceBytes > 0,
             .mayFold = std::ranges::any_of(
                 field.species, [](const field::Species& kind) { return kind.look.fold > 0.0f; }),
+            .onlyShape = onlyShapeOf(field),
             .groupsDrawLarge = geometry != Geometry::hybrid && !isForCpu,
             .tessellatesLarge = geometry == Geometry::hybrid || isTriedOut,
             .sortsTiles = isForCpu};
@@ -207,12 +220,13 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
 
     // What is asked for the first time is made now.
     blades.prepare(shaders, frame);
+    const std::uint32_t debugMode = knownDebugMode(wishes.debug);
     const bool paintsWind = wishes.debug == DebugMode::wind;
     sunShadow.prepare(shaders);
     if (raster) {
-        solidRaster->prepare(shaders, frame.nature.colliderCount, paintsWind);
+        solidRaster->prepare(shaders, frame.nature.colliderCount, debugMode);
         resolve->prepare(shaders,
-                         {.paintsWind = paintsWind, .leavesLayers = frame.view.mostLayers > 0.0f});
+                         {.debugMode = debugMode, .leavesLayers = frame.view.mostLayers > 0.0f});
     } else {
         solid->prepare(shaders, frame.nature.colliderCount, paintsWind);
         tessellated->prepare(shaders, paintsWind);
@@ -227,10 +241,14 @@ FramePlace FieldRenderer::Parts::judge(const shared::Frame& frame, const FrameSe
            "who asks for reasons has them recorded");
     if (wishes.debug == DebugMode::reason)
         slots[slot].listing.fill(listingAll(frame));
+    shared::Frame judged = frame;
+    if (wishes.cullingCamera)
+        judged = judgedFrom(frame,
+                            viewMatrices(*wishes.cullingCamera, shape.origin, size, shape.content));
+    rounds = blades.buffers().roundCount(judged, streaming ? streaming->residentPatches()
+                                                           : blades.buffers().baked().ownerCount());
     if (!wishes.cullingCamera)
         return slots[slot].frame.place();
-    shared::Frame judged =
-        judgedFrom(frame, viewMatrices(*wishes.cullingCamera, shape.origin, size, shape.content));
     if (!hasPyramid)
         judged.pyramid = {};
     slots[slot].judged.fill(judged);

@@ -60,7 +60,8 @@ struct FieldRenderer::Parts {
     std::vector<FrameSlot> slots;
     double lastTime = 0.0; ///< [s] of the frame before
     std::uint32_t frameNumber = 0;
-    bool hasPyramid = false; ///< of the picture's size, and of the culling camera
+    bool hasPyramid = false;  ///< of the picture's size, and of the culling camera
+    std::uint32_t rounds = 1; ///< in which the frame's blades are listed and drawn
 
     MemoryPlan planWithin(const field::FieldView& field);
     std::size_t bytesBesideBlades() const;

@@ -3,9 +3,6 @@
 #include "render/field_renderer_parts.h"
 #include "render/pass_scope.h"
 
-#include <algorithm>
-#include <limits>
-
 namespace sward::render {
 
 gpu::ColorAttachment FieldRenderer::Parts::colorAttachment(const Target& target) const
@@ -95,12 +92,9 @@ void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& ta
 void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, const RasterPass::Input& input,
                                         gpu::Timestamps* timestamps)
 {
-    const std::uint64_t patches =
-        streaming ? streaming->residentPatches() : std::numeric_limits<std::uint64_t>::max();
     if (trial)
         trial->beginBlades(commands);
-    RasterRounds{context, blades, *raster, pyramid, blades.buffers().roundCount(patches)}.record(
-        commands, input, timestamps);
+    RasterRounds{context, blades, *raster, pyramid, rounds}.record(commands, input, timestamps);
     if (trial)
         trial->endBlades(commands);
 }

@@ -20,7 +20,7 @@ gpu::GraphicsPipeline createPipeline(const gpu::DeviceContext& context,
     settings.depthFormat = depthFormat;
     settings.samples = target.samples;
     settings.cullMode = cullMode;
-    settings.constants = {{.id = 0, .value = target.paintsWind ? 1u : 0u}};
+    settings.constants = {{.id = 0, .value = target.debugMode}};
     return {context, shaders, settings};
 }
 

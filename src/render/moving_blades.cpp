@@ -24,7 +24,8 @@ void MovingBlades::prepare(const gpu::ShaderLibrary& shaders, const shared::Fram
     variant_ = {.windCounts = frame.nature.wind.counts,
                 .hasColliders = frame.nature.colliderCount > 0,
                 .keepsEtas = buffers_.hasEtas(),
-                .asksSmall = asksSmall_};
+                .asksSmall = asksSmall_,
+                .asks = shared::asksOf(frame.view, frame.pages != 0, frame.fates != 0)};
     update_.prepare(shaders, variant_);
 }
 

@@ -53,7 +53,8 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                                                    {.id = 2, .value = isLate ? 1u : 0u},
                                                    {.id = 3, .value = target.mayBePaged},
                                                    {.id = 4, .value = largeTo},
-                                                   {.id = 11, .value = target.mayFold}}});
+                                                   {.id = 11, .value = target.mayFold},
+                                                   {.id = 14, .value = target.onlyShape}}});
     };
     const std::uint32_t untold = shared::largeToNobody;
     depths_ = pipeline("raster/depths", "seen_depths.comp", untold);

@@ -75,12 +75,13 @@ void ResolvePass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
         parts.push_back(
             {shown.list, pipeline(shaders, "raster/resolve",
                                   target_.samples > 1 ? "resolve_of_four.comp" : "resolve.comp",
-                                  {{.id = 0, .value = shading.paintsWind ? 1u : 0u},
+                                  {{.id = 0, .value = shading.debugMode},
                                    {.id = 8, .value = shading.leavesLayers ? 1u : 0u},
                                    {.id = 10, .value = shown.list},
                                    {.id = 11, .value = target_.mayFold ? 1u : 0u},
                                    {.id = 12, .value = shown.blades ? 1u : 0u},
-                                   {.id = 13, .value = shown.sky ? 1u : 0u}})});
+                                   {.id = 13, .value = shown.sky ? 1u : 0u},
+                                   {.id = 14, .value = target_.onlyShape}})});
     parts_.emplace(shading, std::move(parts));
 }
 

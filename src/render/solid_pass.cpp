@@ -20,7 +20,7 @@ void SolidPass::prepare(const gpu::ShaderLibrary& shaders, std::uint32_t collide
         colliders_ = std::make_unique<ColliderPass>(*context_, shaders, target_);
     if (paintsWind && windy_ == nullptr) {
         TargetSettings target = target_;
-        target.paintsWind = true;
+        target.debugMode = shared::debugWind;
         windy_ = std::make_unique<GroundPass>(*context_, shaders, target, ground_->imageLayout());
     }
 }

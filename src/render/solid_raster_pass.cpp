@@ -74,19 +74,19 @@ SolidRasterPass::pipeline(const gpu::ShaderLibrary& shaders, const char* name, c
 }
 
 void SolidRasterPass::prepare(const gpu::ShaderLibrary& shaders, std::uint32_t colliders,
-                              bool paintsWind)
+                              std::uint32_t debugMode)
 {
     colliderTriangles_ = colliders * shared::colliderTriangles;
-    paintsWind_ = paintsWind;
+    debugMode_ = debugMode;
     if (colliders > 0 && colliders_.get() == VK_NULL_HANDLE)
         colliders_ =
             pipeline(shaders, "solid/colliders", "raster_solid.comp", {{.id = 2, .value = 1u}});
-    if (!light_.contains(paintsWind))
-        light_.emplace(paintsWind, pipeline(shaders, "solid/light", "light_solid.comp",
-                                            {{.id = 0, .value = paintsWind ? 1u : 0u},
-                                             {.id = 10,
-                                              .value = target_.sortsTiles ? shared::tilesOfSolid
-                                                                          : shared::tileLists}}));
+    if (!light_.contains(debugMode))
+        light_.emplace(debugMode, pipeline(shaders, "solid/light", "light_solid.comp",
+                                           {{.id = 0, .value = debugMode},
+                                            {.id = 10,
+                                             .value = target_.sortsTiles ? shared::tilesOfSolid
+                                                                         : shared::tileLists}}));
 }
 
 void SolidRasterPass::resize(VkExtent2D size)
@@ -187,7 +187,7 @@ void SolidRasterPass::recordLight(VkCommandBuffer commands, const FramePlace& fr
                                   VkDeviceAddress visibility, const ShownTiles* tiles) const
 {
     expect(target_.sortsTiles == (tiles != nullptr), "tiles are sorted if they shall be");
-    const auto found = light_.find(paintsWind_);
+    const auto found = light_.find(debugMode_);
     expect(found != light_.end(), "the light has been prepared");
     const gpu::ComputePipeline& light = found->second;
     shared::SolidPush push = pushFor(frame, visibility);

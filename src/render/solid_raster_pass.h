@@ -29,8 +29,9 @@ public:
     SolidRasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
                     const GroundBuffers& ground, const TargetSettings& target);
 
-    /// Makes ready for a frame with so many colliders, in the colours of the wind or in its own.
-    void prepare(const gpu::ShaderLibrary& shaders, std::uint32_t colliders, bool paintsWind);
+    /// Makes ready for a frame with so many colliders; `debugMode` as knownDebugMode() has it.
+    void prepare(const gpu::ShaderLibrary& shaders, std::uint32_t colliders,
+                 std::uint32_t debugMode);
 
     /// Has pictures of this size; the device is done with the former ones.
     void resize(VkExtent2D size);
@@ -74,13 +75,13 @@ private:
     gpu::ComputePipeline colliders_; ///< once there have been any
     gpu::ComputePipeline middle_;
     gpu::ComputePipeline large_;
-    std::map<bool, gpu::ComputePipeline> light_; ///< by whether it paints the wind
-    gpu::Buffer work_;                           ///< shared::SolidWork
-    gpu::Buffer seen_;                           ///< indices of clusters
-    gpu::Buffer middleTriangles_;                ///< their numbers
-    gpu::Buffer largeTriangles_;                 ///< shared::LargeTriangle
-    std::uint32_t colliderTriangles_ = 0;        ///< of the frame prepared last
-    bool paintsWind_ = false;
+    std::map<std::uint32_t, gpu::ComputePipeline> light_; ///< by the debug mode they know
+    gpu::Buffer work_;                                    ///< shared::SolidWork
+    gpu::Buffer seen_;                                    ///< indices of clusters
+    gpu::Buffer middleTriangles_;                         ///< their numbers
+    gpu::Buffer largeTriangles_;                          ///< shared::LargeTriangle
+    std::uint32_t colliderTriangles_ = 0;                 ///< of the frame prepared last
+    std::uint32_t debugMode_ = shared::debugAsTold;       ///< likewise
 
     VkExtent2D size_{};
     gpu::Image lit_;

@@ -1,5 +1,9 @@
 #pragma once
 
+#include "render/frame_settings.h"
+#include "shaders/shared/debug_mode.h"
+#include "shaders/shared/shape.h"
+
 #include <vulkan/vulkan.h>
 
 #include <compare>
@@ -13,18 +17,29 @@ constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
 struct TargetSettings {
     VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB;
     std::uint32_t samples = 4;
-    bool paintsWind = false;       ///< ground and blades show the wind's speed
-    bool mayBePaged = false;       ///< blades may be in memory in part
-    bool mayFold = true;           ///< there are folded blades
+    std::uint32_t debugMode = shared::debugAsTold; ///< see knownDebugMode()
+    bool mayBePaged = false;                       ///< blades may be in memory in part
+    bool mayFold = true;                           ///< there are folded blades
+    std::uint32_t onlyShape = shared::shapeCount;  ///< of all blades, if they have the same
     bool groupsDrawLarge = true;   ///< the rasteriser may draw large blades by work-groups, …
     bool tessellatesLarge = false; ///< … leave them to the tessellator, or, without both, draw each
                                    ///< blade by one thread
     bool sortsTiles = false;       ///< tiles of the picture are shaded by what they show
 };
 
+/// What pipelines know of a frame's debug mode: that there is none, that it is the wind's, which
+/// takes more than others, or nothing.
+constexpr std::uint32_t knownDebugMode(DebugMode mode)
+{
+    static_assert(std::uint32_t(DebugMode::none) == shared::debugNothing &&
+                  std::uint32_t(DebugMode::wind) == shared::debugWind);
+    return mode == DebugMode::none || mode == DebugMode::wind ? static_cast<std::uint32_t>(mode)
+                                                              : shared::debugAsTold;
+}
+
 /// What the shading of a frame's blades is to know.
 struct Shading {
-    bool paintsWind = false;   ///< in the colours of the wind
+    std::uint32_t debugMode = shared::debugAsTold; ///< see knownDebugMode()
     bool leavesLayers = false; ///< what other grass hides is not drawn, see shared::layerShare()
     auto operator<=>(const Shading&) const = default;
 };

@@ -27,7 +27,7 @@ void TessellatedPass::prepare(const gpu::ShaderLibrary& shaders, bool paintsWind
     if (!paintsWind || windy_)
         return;
     TargetSettings target = target_;
-    target.paintsWind = true;
+    target.debugMode = shared::debugWind;
     windy_.emplace(*context_, shaders, target);
 }
 

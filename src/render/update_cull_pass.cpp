@@ -54,7 +54,8 @@ void UpdateCullPass::prepare(const gpu::ShaderLibrary& shaders, Variant variant)
                                     {.id = 3, .value = static_cast<std::uint32_t>(variant.role)},
                                     {.id = 4, .value = variant.keepsBefore},
                                     {.id = 5, .value = variant.keepsEtas},
-                                    {.id = 6, .value = variant.asksSmall}}}));
+                                    {.id = 6, .value = variant.asksSmall},
+                                    {.id = 7, .value = variant.asks}}}));
 }
 
 void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& blades,

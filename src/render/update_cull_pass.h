@@ -42,6 +42,7 @@ public:
         bool keepsBefore = false; ///< states from which blades are moved
         bool keepsEtas = false;   ///< what collisions leave; with colliders always
         bool asksSmall = false;   ///< whether others hide it of blades that are not large, too
+        std::uint32_t asks = shared::asksAll; ///< no frame asks for more, see shared::asksOf()
         auto operator<=>(const Variant&) const = default;
     };
 

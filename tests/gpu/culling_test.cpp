@@ -12,8 +12,10 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -184,6 +186,41 @@ TEST_F(CullingTest, JudgesTheSameWhoeverTakesAPatch)
             EXPECT_EQ(listed.size(), expected.visible.size()) << groups << " groups, camera " << c;
             EXPECT_EQ(result.draw.simulated, expected.draw.simulated);
             EXPECT_EQ(result.draw.instanceCount, expected.draw.instanceCount);
+        }
+    }
+}
+
+TEST_F(CullingTest, JudgesTheSameByAShaderThatKnowsWhatIsAsked)
+{
+    for (const bool recordsFates : {true, false}) {
+        const auto benchOf = [&](bool asksAll) {
+            return test::UpdateBench(context(), field::viewOf(field_),
+                                     {.recordFates = recordsFates, .asksAll = asksAll});
+        };
+        test::UpdateBench ready = benchOf(true);
+        test::UpdateBench knowing = benchOf(false);
+        for (std::uint32_t i = 0; i < 6; ++i) {
+            // Each test alone, none, and all; with and without level of detail and layers.
+            shared::Frame frame =
+                this->frame(randomCamera(i), std::array{1u, 2u, 4u, 8u, 0u, 15u}[i]);
+            frame.view.lodThreshold *= i % 2 == 0 ? 0.0f : 1.0f;
+            frame.view.mostLayers = i % 3 == 0 ? 0.0f : 1e-3f;
+            const auto run = [&](test::UpdateBench& bench) {
+                return bench.run(frame, FrameSettings(), states_, 0.03f,
+                                 UpdateCullPass::Scope::visible);
+            };
+            const auto expected = run(ready);
+            const auto result = run(knowing);
+            EXPECT_EQ(result.fates, expected.fates) << "frame " << i;
+            EXPECT_TRUE(std::ranges::equal(result.draw.fates, expected.draw.fates));
+            EXPECT_EQ(result.draw.simulated, expected.draw.simulated);
+            const auto listed = [](const test::UpdateBench::Result& of) {
+                std::map<std::uint32_t, std::uint32_t> factors;
+                for (const shared::VisibleBlade& visible : of.visible)
+                    factors[visible.blade] = visible.factors;
+                return factors;
+            };
+            EXPECT_EQ(listed(result), listed(expected)) << "frame " << i;
         }
     }
 }

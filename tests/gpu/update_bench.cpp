@@ -28,6 +28,7 @@ UpdateBench::UpdateBench(const gpu::DeviceContext& context, const field::FieldVi
                          const Settings& settings)
     : context_(context)
     , groups_(settings.groups)
+    , asksAll_(settings.asksAll)
     , shaders_(embedded::shaders())
     , buffers_(upload(context, field,
                       {.list = true,
@@ -47,9 +48,12 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
     buffers_.describe(frame);
     const double time = static_cast<double>(frame.time);
     tables_.write({}, settings, time, time - static_cast<double>(elapsed), frame);
-    const render::UpdateCullPass::Variant variant{.windCounts = frame.nature.wind.counts,
-                                                  .hasColliders = frame.nature.colliderCount > 0,
-                                                  .keepsEtas = true};
+    const render::UpdateCullPass::Variant variant{
+        .windCounts = frame.nature.wind.counts,
+        .hasColliders = frame.nature.colliderCount > 0,
+        .keepsEtas = true,
+        .asks = asksAll_ ? shared::asksAll
+                         : shared::asksOf(frame.view, frame.pages != 0, frame.fates != 0)};
     pass_.prepare(shaders_, variant);
     const render::FrameConstants constants(context_, gpu::UniformSetLayout(context_, "frame"),
                                            "frame");

@@ -21,6 +21,7 @@ public:
         std::uint32_t walkStart = 8;
         bool recordFates = true;  ///< else nobody is told of each blade, only of their numbers
         std::uint32_t groups = 0; ///< work-groups that share all patches; 0: as many as the product
+        bool asksAll = true;      ///< else shaders have code for what a frame asks for alone
     };
 
     UpdateBench(const gpu::DeviceContext& context, const field::FieldView& field,
@@ -49,6 +50,7 @@ public:
 private:
     const gpu::DeviceContext& context_;
     std::uint32_t groups_;
+    bool asksAll_;
     gpu::ShaderLibrary shaders_;
     render::FieldBuffers buffers_;
     render::WalkPass walk_;
