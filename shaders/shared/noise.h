@@ -28,13 +28,13 @@ SHARED_FN uint latticePoint(int x, int y, int z)
     return uint(x) * latticeX + uint(y) * latticeY + uint(z) * latticeZ;
 }
 
-/// The value there, in [0, 2³²]: mixUint() without its last step, which is for the lowest bits.
+/// The value there, in [0, 2³²]: less than mixUint(), which would be most of what noise takes. The
+/// shift and the factor are those of 112 pairs that left the least correlation between points of a
+/// plane: none of more than 0.05 at any distance in 1024² of them, none between near ones.
 SHARED_FN float latticeHeight(uint point)
 {
-    point ^= point >> 16u;
-    point *= 0x7feb352du;
-    point ^= point >> 15u;
-    point *= 0x846ca68bu;
+    point ^= point >> 11u;
+    point *= 0x31848babu;
     return float(point);
 }
 

@@ -12,7 +12,7 @@ SHARED_BEGIN
 SHARED_CONST uint solidThreads = 256u;
 
 /// A triangle whose box holds so many pixels at most is drawn by one thread.
-SHARED_CONST uint smallSolidPixels = 32u;
+SHARED_CONST uint smallSolidPixels = 64u;
 
 /// One whose box holds so many at most is drawn by a team of threads, of which a work-group has
 /// some.

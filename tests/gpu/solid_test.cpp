@@ -202,11 +202,11 @@ void putCrowd(field::DisplayGround& ground, std::uint32_t count, float side)
 
 TEST_F(SolidTest, DrawsWhatHasNoRoomInItsLists)
 {
-    // A metre is 24 pixels: boxes of 41 × 41 pixels, and of 8 × 8, all of them in the picture.
+    // A metre is 24 pixels: boxes of 41 × 41 pixels, and of 10 × 10, all of them in the picture.
     // Those that come last, and find the lists full, are the nearest.
     field::Field field = bareField();
     putCrowd(field.ground, shared::mostLargeTriangles + 4000, 1.4f);
-    putCrowd(field.ground, shared::mostMiddleTriangles, 0.25f);
+    putCrowd(field.ground, shared::mostMiddleTriangles + 4000, 0.3f);
     endGround(field.ground);
     for (std::size_t i = 0; i < field.ground.vertices.size(); ++i)
         field.ground.vertices[i].color =
