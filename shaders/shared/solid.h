@@ -11,6 +11,10 @@ SHARED_BEGIN
 /// Threads of a work-group that goes through the triangles of a cluster.
 SHARED_CONST uint solidThreads = 256u;
 
+/// So many work-groups, or as many as there are clusters of the ground, share these: each asks
+/// which of its own may be seen, and draws them.
+SHARED_CONST uint mostSolidGroups = 2048u;
+
 /// A triangle whose box holds so many pixels at most is drawn by one thread.
 SHARED_CONST uint smallSolidPixels = 64u;
 
@@ -42,16 +46,15 @@ SHARED_BUFFER(LargeTriangleArray, LargeTriangle, )
 
 /// What of a frame's ground is to be drawn.
 struct SolidWork {
-    WalkLevel clusters;  ///< that may be seen, and work-groups for them
     WalkLevel middle;    ///< triangles for teams, and work-groups for them
     WalkLevel tiles;     ///< of large triangles in the list, and work-groups for them
     uint tilesAsked;     ///< of all large triangles …
     uint trianglesAsked; ///< … and how many these are; both are counted in one step
 };
-SHARED_LAYOUT(SolidWork, 56)
+SHARED_LAYOUT(SolidWork, 40)
 
 /// Place of that step's 64 bits in a SolidWork.
-SHARED_CONST uint ticketPlace = 6u;
+SHARED_CONST uint ticketPlace = 4u;
 
 SHARED_BUFFER(SolidWorkArray, SolidWork, )
 
@@ -63,7 +66,6 @@ struct SolidPush {
     GroundVertexArray vertices;
     GroundMaterialArray materials;
     SolidWorkArray work;
-    UintArray seen;   ///< indices of the clusters that may be seen
     UintArray middle; ///< triangles for teams
     LargeTriangleArray large;
     WalkLevelArray tiles; ///< as in RasterPush
@@ -73,7 +75,7 @@ struct SolidPush {
     uint firstImage;      ///< of those that this dispatch knows …
     uint imageCount;      ///< … and of them all, with a white one at the end
 };
-SHARED_LAYOUT(SolidPush, 112)
+SHARED_LAYOUT(SolidPush, 104)
 
 /// Images that a dispatch of the solid's light knows; for more there are more dispatches.
 SHARED_CONST uint imagesTogether = 8u;

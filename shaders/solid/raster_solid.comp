@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Draws small triangles of what is solid into the visibility, one thread each, and lists the others for
 // raster_middle_solid.comp and raster_large_solid.comp.
+#include "shaders/shared/culling.h"
 #include "shaders/shared/passes.h"
 #include "shaders/shared/solid.h"
 
@@ -9,6 +10,8 @@ layout(push_constant, scalar) uniform Block { SolidPush push; };
 
 #define FRAME_SET 1
 #include "shaders/frame_constants.glsl"
+#define JUDGED FRAME
+#include "shaders/ground/cluster_seen.glsl"
 #include "shaders/solid/draw_solid.glsl"
 #include "shaders/solid/solid_reach.glsl"
 
@@ -22,6 +25,11 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) buffer TicketArray
 
 // Whether these are triangles of colliders; known when the pipeline is made.
 layout(constant_id = 2) const bool isOfColliders = false;
+
+// Clusters of the work-group that may be seen, in any order: depths and numbers decide what is seen, not
+// who comes first.
+shared uint seenClusters[solidThreads];
+shared uint seenCount;
 
 /// Gives a triangle to a team; whether there was room.
 bool leftToTeam(uint number)
@@ -82,13 +90,24 @@ void main()
             rasterise(groundTriangles() + i, colliderTriangle(i));
         return;
     }
-    const uint count = push.work.at[0].clusters.count;
-    for (uint place = gl_WorkGroupID.x; place < count; place += gl_NumWorkGroups.x) {
-        const uint cluster = push.seen.at[place];
-        const uint triangles = push.clusters.at[cluster].indexCount / 3u;
-        for (uint i = gl_LocalInvocationIndex; i < triangles; i += solidThreads) {
-            const uint number = cluster * clusterTriangles + i;
-            rasterise(number, groundTriangle(number));
+    const uint thread = gl_LocalInvocationIndex;
+    // Neighbours are seen together, and so are different groups'.
+    const uint stride = gl_NumWorkGroups.x;
+    for (uint first = gl_WorkGroupID.x; first < push.clusterCount; first += stride * solidThreads) {
+        if (thread == 0u)
+            seenCount = 0u;
+        barrier();
+        const uint asked = first + thread * stride;
+        if (asked < push.clusterCount && clusterSeen(push.clusters.at[asked]))
+            seenClusters[atomicAdd(seenCount, 1u)] = asked;
+        barrier();
+        for (uint i = 0u; i < seenCount; ++i) {
+            const uint cluster = seenClusters[i];
+            if (thread < push.clusters.at[cluster].indexCount / 3u) {
+                const uint number = cluster * clusterTriangles + thread;
+                rasterise(number, groundTriangle(number));
+            }
         }
+        barrier();
     }
 }

@@ -39,10 +39,6 @@ SolidRasterPass::SolidRasterPass(const gpu::DeviceContext& context,
              .bytes = sizeof(shared::SolidWork),
              .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
                       VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT})
-    , seen_(context,
-            {.name = "solid/seen clusters",
-             .bytes = std::max<VkDeviceSize>(ground.clusterCount(), 1) * sizeof(std::uint32_t),
-             .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT})
     , middleTriangles_(context, {.name = "solid/middle triangles",
                                  .bytes = shared::mostMiddleTriangles * sizeof(std::uint32_t),
                                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT})
@@ -50,10 +46,6 @@ SolidRasterPass::SolidRasterPass(const gpu::DeviceContext& context,
                                 .bytes = shared::mostLargeTriangles * sizeof(shared::LargeTriangle),
                                 .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT})
 {
-    find_ = gpu::ComputePipeline(context, shaders,
-                                 {.name = "solid/seen clusters",
-                                  .shader = "live_clusters.comp",
-                                  .pushConstantBytes = sizeof(shared::SolidPush)});
     triangles_ = pipeline(shaders, "solid/triangles", "raster_solid.comp");
     middle_ = pipeline(shaders, "solid/middle triangles", "raster_middle_solid.comp");
     large_ = pipeline(shaders, "solid/large triangles", "raster_large_solid.comp");
@@ -115,8 +107,7 @@ std::uint32_t SolidRasterPass::firstBlade() const
 
 VkDeviceSize SolidRasterPass::bytes() const
 {
-    return work_.bytes() + seen_.bytes() + middleTriangles_.bytes() + largeTriangles_.bytes() +
-           lit_.memoryBytes();
+    return work_.bytes() + middleTriangles_.bytes() + largeTriangles_.bytes() + lit_.memoryBytes();
 }
 
 shared::SolidPush SolidRasterPass::pushFor(const FramePlace& frame,
@@ -129,7 +120,6 @@ shared::SolidPush SolidRasterPass::pushFor(const FramePlace& frame,
             .vertices = ground_->vertices(),
             .materials = ground_->materials(),
             .work = work_.address(),
-            .seen = seen_.address(),
             .middle = middleTriangles_.address(),
             .large = largeTriangles_.address(),
             .tiles = 0,
@@ -143,9 +133,8 @@ shared::SolidPush SolidRasterPass::pushFor(const FramePlace& frame,
 void SolidRasterPass::recordBegin(VkCommandBuffer commands) const
 {
     shared::SolidWork none{};
-    none.clusters = {.groups = {0, 1, 1}, .count = 0};
-    none.middle = none.clusters;
-    none.tiles = none.clusters;
+    none.middle = {.groups = {0, 1, 1}, .count = 0};
+    none.tiles = none.middle;
     vkCmdUpdateBuffer(commands, work_.get(), 0, sizeof none, &none);
 }
 
@@ -154,14 +143,10 @@ void SolidRasterPass::recordTriangles(VkCommandBuffer commands, const FramePlace
 {
     const shared::SolidPush push = pushFor(frame, visibility);
     if (ground_->clusterCount() > 0) {
-        find_.bind(commands);
-        find_.push(commands, push);
-        vkCmdDispatch(commands, groupsFor(ground_->clusterCount(), shared::groundThreads), 1, 1);
-        gpu::computeToCompute(commands);
         triangles_.bind(commands);
         frame.bind(commands, triangles_.layout(), frameSet);
         triangles_.push(commands, push);
-        vkCmdDispatchIndirect(commands, work_.get(), offsetof(shared::SolidWork, clusters));
+        vkCmdDispatch(commands, std::min(ground_->clusterCount(), shared::mostSolidGroups), 1, 1);
     }
     if (colliderTriangles_ > 0) {
         colliders_.bind(commands);

@@ -70,14 +70,12 @@ private:
     TargetSettings target_;
     gpu::ImageSetLayout imageLayout_;
     gpu::UniformSetLayout frameLayout_;
-    gpu::ComputePipeline find_;
     gpu::ComputePipeline triangles_;
     gpu::ComputePipeline colliders_; ///< once there have been any
     gpu::ComputePipeline middle_;
     gpu::ComputePipeline large_;
     std::map<std::uint32_t, gpu::ComputePipeline> light_; ///< by the debug mode they know
     gpu::Buffer work_;                                    ///< shared::SolidWork
-    gpu::Buffer seen_;                                    ///< indices of clusters
     gpu::Buffer middleTriangles_;                         ///< their numbers
     gpu::Buffer largeTriangles_;                          ///< shared::LargeTriangle
     std::uint32_t colliderTriangles_ = 0;                 ///< of the frame prepared last

@@ -198,11 +198,10 @@ std::size_t fillValues(Values& v)
     n.fillAll(g.frame, g.clusters, g.draws, g.seen, g.drawCount, g.clusterCount, g.firstCluster);
     n.fillAll(v.largeTriangle.triangle, v.largeTriangle.firstTile, v.largeTriangle.tile,
               v.largeTriangle.columns);
-    n.fillAll(v.solidWork.clusters.groups, v.solidWork.clusters.count, v.solidWork.middle.groups,
-              v.solidWork.middle.count, v.solidWork.tiles.groups, v.solidWork.tiles.count,
-              v.solidWork.tilesAsked, v.solidWork.trianglesAsked);
+    n.fillAll(v.solidWork.middle.groups, v.solidWork.middle.count, v.solidWork.tiles.groups,
+              v.solidWork.tiles.count, v.solidWork.tilesAsked, v.solidWork.trianglesAsked);
     shared::SolidPush& s = v.solidPush;
-    n.fillAll(s.frame, s.visibility, s.clusters, s.indices, s.vertices, s.materials, s.work, s.seen,
+    n.fillAll(s.frame, s.visibility, s.clusters, s.indices, s.vertices, s.materials, s.work,
               s.middle, s.large, s.size, s.clusterCount, s.triangleCount, s.firstImage,
               s.imageCount);
     return n.count();

@@ -6,9 +6,6 @@ void putSolid()
     put(sources.at[0].largeTriangle.at[1].tile);
     put(sources.at[0].largeTriangle.at[1].columns);
     for (uint i = 0u; i < 3u; ++i)
-        put(sources.at[0].solidWork.at[1].clusters.groups[i]);
-    put(sources.at[0].solidWork.at[1].clusters.count);
-    for (uint i = 0u; i < 3u; ++i)
         put(sources.at[0].solidWork.at[1].middle.groups[i]);
     put(sources.at[0].solidWork.at[1].middle.count);
     for (uint i = 0u; i < 3u; ++i)
@@ -23,7 +20,6 @@ void putSolid()
     put(uvec2(sources.at[0].solidPush.at[1].vertices));
     put(uvec2(sources.at[0].solidPush.at[1].materials));
     put(uvec2(sources.at[0].solidPush.at[1].work));
-    put(uvec2(sources.at[0].solidPush.at[1].seen));
     put(uvec2(sources.at[0].solidPush.at[1].middle));
     put(uvec2(sources.at[0].solidPush.at[1].large));
     put(sources.at[0].solidPush.at[1].size);
