@@ -25,8 +25,10 @@ layout(constant_id = 7) const uint asks = asksAll;
 #include "shaders/shared/physics.h"
 #include "shaders/shared/visibility.h"
 
-/// So many survivors gather before they are listed; no fewer than a work-group has threads.
-const uint survivorRoom = maxPatchBlades;
+/// So many survivors gather before they are listed; no fewer than a work-group has threads. More of them
+/// lie together in the list, so that the rasteriser finds what it reads; but what a group shares decides
+/// how many groups a processor holds at once, see decision 0043.
+const uint survivorRoom = 512u;
 
 // Known when the pipeline is made, so that winds that do not blow and colliders that are not there
 // cost nothing.
@@ -42,8 +44,8 @@ shared uint simulatedSum;
 shared uint mostFilled[2];
 shared uint listBase[2];
 shared uint kept[2];
-// Those that the frame before has shown in front, the others from behind.
-shared VisibleBlade survivors[survivorRoom];
+// Those that the frame before has shown in front, the others from behind; see keptOf().
+shared uvec2 survivors[survivorRoom];
 
 /// One of the patches that a work-group takes together, as its threads share it.
 struct Taken {
@@ -82,6 +84,14 @@ Patch cellOf(uint slot)
     cell.rankLow = taken[slot].rankLow;
     cell.rankHigh = taken[slot].rankHigh;
     return cell;
+}
+
+/// What is drawn of a patch.
+Layers layersOfSlot(uint slot)
+{
+    if ((asks & asksLayers) == 0u)
+        return allLayers();
+    return taken[slot].layers;
 }
 
 /// Notes the colliders that may touch a blade of the patches, by all threads together.
@@ -189,6 +199,26 @@ uint wantedByAll(Patch cell, uint patchIndex, float elapsed, uint own, inout boo
     return wanted;
 }
 
+/// A survivor as it is kept until it is listed, in half of a VisibleBlade's room. x: 0–8 which one of its
+/// patch, 9–11 the patch among those taken, 12–13 the signs of the factors, 16–31 its width's factor as
+/// half a float; y: its pixels.
+uvec2 keptOf(uint slot, uint i, float widthFactor, uint late, float pixels)
+{
+    const uint signs = ((late & lowerHalfIsLate) >> 3u) | ((late & upperHalfIsLate) >> 18u);
+    return uvec2(i | (slot << 9u) | signs | (packHalf2x16(vec2(widthFactor, 0.0f)) << 16u),
+                 floatBitsToUint(pixels));
+}
+
+/// The same as it is listed, while its patch is still taken.
+VisibleBlade listedOf(uvec2 survivor)
+{
+    const uint slot = (survivor.x >> 9u) & 7u;
+    const uint late = ((survivor.x << 3u) & lowerHalfIsLate) | ((survivor.x << 18u) & upperHalfIsLate);
+    const uint factors = (survivor.x >> 16u) | packFactors(0.0f, layersOfSlot(slot).rise) | late;
+    return VisibleBlade(taken[slot].firstBlade + (survivor.x & 511u), taken[slot].patchIndex, factors,
+                        uintBitsToFloat(survivor.y));
+}
+
 /// Lists the survivors that have gathered, and counts them. All threads come here together.
 void listSurvivors(uint thread)
 {
@@ -204,11 +234,11 @@ void listSurvivors(uint thread)
     // The list has room for every blade of a round; the guard is for a frame that was filled wrongly.
     for (uint i = thread; i < kept[0]; i += gl_WorkGroupSize.x)
         if (listBase[0] + i < JUDGED.visibleCapacity)
-            JUDGED.visible.at[listBase[0] + i] = survivors[i];
+            JUDGED.visible.at[listBase[0] + i] = listedOf(survivors[i]);
     for (uint i = thread; i < kept[1]; i += gl_WorkGroupSize.x)
         if (listBase[1] + i < JUDGED.visibleCapacity)
             JUDGED.visible.at[JUDGED.visibleCapacity - 1u - listBase[1] - i] =
-                survivors[survivorRoom - 1u - i];
+                listedOf(survivors[survivorRoom - 1u - i]);
     barrier();
     if (thread < 2u)
         kept[thread] = 0u;
@@ -297,7 +327,7 @@ void updateBlade(Eyepoint view, Nature nature, uint slot, uint i, StoredBlade st
         return;
 
     // Judge it, and keep it if it shall be drawn.
-    const Layers layers = taken[slot].layers;
+    const Layers layers = layersOfSlot(slot);
     const Blade drawn = raised(blade, layers.rise);
     Verdict verdict = judgeBlade(view, layers, drawn, index, state, bladeRank(cell, i));
     if (verdict.fate == fateDrawn && (view.cullMask & cullOcclusion) != 0u &&
@@ -312,8 +342,7 @@ void updateBlade(Eyepoint view, Nature nature, uint slot, uint i, StoredBlade st
         const uint late = seen == 1u ? upperHalfIsLate : seen == 2u ? lowerHalfIsLate : 0u;
         const uint place = atomicAdd(kept[list], 1u);
         survivors[list == 0u ? place : survivorRoom - 1u - place] =
-            VisibleBlade(index, taken[slot].patchIndex,
-                         packFactors(verdict.widthFactor, layers.rise) | late, verdict.pixels);
+            keptOf(slot, i, verdict.widthFactor, late, verdict.pixels);
     }
     noteFate(stored.place, verdict.fate);
 }
@@ -326,10 +355,11 @@ uint slotOf(uint i, uint slot, uint patches)
     return slot;
 }
 
-/// Moves and judges all blades of the patches. `gathered` is no less than the survivors that have not been
-/// listed yet.
-void updatePatches(Eyepoint view, Nature nature, uint patches, inout uint gathered)
+/// Moves, judges and lists all blades of the patches.
+void updatePatches(Eyepoint view, Nature nature, uint patches)
 {
+    // No less than the survivors that have not been listed yet.
+    uint gathered = 0u;
     const uint thread = gl_LocalInvocationIndex;
     const uint end = taken[patches - 1u].begin + taken[patches - 1u].moved;
     uint slot = slotOf(thread, 0u, patches);
@@ -361,6 +391,11 @@ void updatePatches(Eyepoint view, Nature nature, uint patches, inout uint gather
         if (i < end)
             updateBlade(view, nature, own, i - taken[own].begin, stored);
     }
+    // What is kept of survivors means nothing beside other patches.
+    if (role != onlyMove && push.onlyUpdate == 0u) {
+        barrier();
+        listSurvivors(thread);
+    }
 }
 
 void main()
@@ -379,7 +414,6 @@ void main()
         kept[0] = 0u;
         kept[1] = 0u;
     }
-    uint gathered = 0u;
     const bool isAll = push.onlyUpdate != 0u;
     const uint begin = isAll ? 0u : push.firstLive;
     const uint end = isAll ? push.ownerCount
@@ -410,11 +444,10 @@ void main()
         if (hasColliders)
             findColliders(patches, thread);
         barrier();
-        updatePatches(view, nature, patches, gathered);
+        updatePatches(view, nature, patches);
         for (uint slot = 0u; slot < patches; ++slot)
             noteThinned(slot, thread);
     }
     barrier();
-    listSurvivors(thread);
     report(thread);
 }

@@ -20,7 +20,7 @@ SHARED_CONST uint drawChunk = 256u;
 SHARED_CONST uint updateThreads = 128u;
 
 /// A work-group of the update takes so many live patches together, so that all threads have a blade
-/// but at the end of the last patch, and waits once for what all of them say.
+/// but at the end of the last patch, and waits once for what all of them say. Three bits say which.
 SHARED_CONST uint patchesTogether = 8u;
 
 /// Work-groups of the update for so many live patches: fewer than a patch each only from here on,

@@ -32,49 +32,79 @@ SHARED_FN vec3 gravityAt(Gravity gravity, vec3 root, vec3 front)
     return environment + gravity.forward * length(environment) * front;
 }
 
-/// `direction`, along a blade's axes, turned into the ground plane if it points below it.
-SHARED_FN vec3 turnedAbove(vec3 direction)
+/// A stored turn, see BladeState, as a quotient of two complex numbers: the front is their real
+/// axis. So a tip right below its root has one, too.
+struct TurnQuotient {
+    vec2 over;
+    vec2 under;
+};
+
+/// a times the conjugate of b.
+SHARED_FN vec2 timesConjugate(vec2 a, vec2 b)
 {
-    if (direction.z >= 0.0f)
-        return direction;
-    const float distance = length(vec2(direction.x, direction.y));
-    // A tip on the root has no direction: let the blade lie down forward.
-    return distance > 1e-4f ? vec3(direction.x / distance, direction.y / distance, 0.0f)
-                            : vec3(1.0f, 0.0f, 0.0f);
+    return vec2(a.x * b.x + a.y * b.y, a.y * b.x - a.x * b.y);
 }
 
-/// One step of `dt` [s] (section 5.2) of a tip that is seen in `direction`, unit, `radius` heights
-/// from its root: tip' = recovery + gravity + wind, with the length kept, solved exactly for forces
-/// that stand still. Without the length the tip would relax towards rest + (g + w)/k with rate k;
-/// on the ball of all tips it turns towards the direction of that place, and the tangent of half
-/// the angle between them falls with rate k·|place|/|tip|. So any step is safe, and the frame rate
-/// does not matter. A blade that lies turns along the ground alone. Returns a direction, unit, for
-/// turnedAbove(). With b = 1 − stiffness, as in the authors' demo, gravity and wind count b and
-/// recovery 1 − b/4; collision strength eta softens recovery. `force` is gravity and wind together;
-/// it and all directions are along the blade's axes.
-SHARED_FN vec3 relaxDirection(float stiffness, vec3 force, float recovery, vec3 direction,
-                              float radius, float eta, float dt)
+/// The turn, into the ground plane if the tip lies below it.
+SHARED_FN vec2 turnAbove(TurnQuotient turn)
+{
+    const vec2 product = timesConjugate(turn.over, turn.under);
+    const float under = dot(turn.under, turn.under);
+    if (dot(turn.over, turn.over) <= under)
+        return (1.0f / under) * product;
+    const float square = dot(product, product);
+    // A tip right below its root has no direction: let the blade lie down forward.
+    return square > 1e-30f ? inversesqrt(square) * product : vec2(1.0f, 0.0f);
+}
+
+/// Where such a tip points, along the blade's axes, unit, wherever it lies.
+SHARED_FN vec3 directionOfQuotient(TurnQuotient turn)
+{
+    const float over = dot(turn.over, turn.over);
+    const float under = dot(turn.under, turn.under);
+    const vec2 product = timesConjugate(turn.over, turn.under);
+    return (1.0f / (under + over)) * vec3(2.0f * product.x, 2.0f * product.y, under - over);
+}
+
+/// A blade whose tip's direction rises no more than this lies.
+SHARED_CONST float lyingBelow = 1e-3f;
+
+/// One step of `dt` [s] (section 5.2) of a tip that is seen at `turn`, `radius` heights from its
+/// root: tip' = recovery + gravity + wind, with the length kept, solved exactly for forces that
+/// stand still. Without the length the tip would relax towards rest + (g + w)/k with rate k; on the
+/// ball of all tips it turns towards the direction of that place, and the tangent of half the angle
+/// between them falls with rate k·|place|/|tip|. So any step is safe, and the frame rate does not
+/// matter. A turn is the tip's place on a plane onto which the ball is projected, where rotations
+/// of the ball are quotients of linear functions; the one that takes the target to the up-vector,
+/// then what is left made `fall` times as large, and then the same rotation back are, multiplied
+/// out, this one quotient. A blade that `lies` turns along the ground alone. With b = 1 −
+/// stiffness, as in the authors' demo, gravity and wind count b and recovery 1 − b/4; collision
+/// strength eta softens recovery. `force` is gravity and wind together, along the blade's axes.
+SHARED_FN TurnQuotient relaxTurn(float stiffness, vec3 force, float recovery, vec2 turn, bool lies,
+                                 float radius, float eta, float dt)
 {
     const float b = 1.0f - stiffness;
     const float k = max(recovery * (1.0f - 0.25f * b) * max(1.0f - eta, 0.1f), 1e-3f);
-    vec3 place = vec3(0.0f, 0.0f, 1.0f) + (b / k) * force;
-    if (direction.z < 1e-3f)
-        place.z = max(place.z, 0.0f);
-    const float square = dot(place, place);
-    if (square < 1e-12f)
-        return direction;
-    const float inverse = inversesqrt(square);
-    const vec3 target = place * inverse;
-
-    // With t the tangent of half the angle: cos = (1 − t²)/(1 + t²), sin = 2t/(1 + t²).
-    const float cosine = clamp(dot(direction, target), -1.0f, 1.0f);
-    const float fall = exp(-k * (square * inverse) / radius * dt);
-    const float near = 1.0f + cosine;
-    const float far = (1.0f - cosine) * fall * fall;
-    // Straight away from the target nothing turns it to any side.
-    if (near + far < 1e-6f)
-        return direction;
-    return normalize((near - far) * target + 2.0f * fall * (direction - cosine * target));
+    // k times the place.
+    vec3 pull = b * force;
+    pull.z += k;
+    if (lies)
+        pull.z = max(pull.z, 0.0f);
+    const float strength = length(pull);
+    TurnQuotient turned;
+    turned.over = turn;
+    turned.under = vec2(1.0f, 0.0f);
+    // Nothing pulls to any side.
+    if (strength < 1e-6f * k)
+        return turned;
+    const float fall = exp(-(strength / radius) * dt);
+    const float above = strength + pull.z;
+    const float below = strength - pull.z;
+    const vec2 towards = (1.0f - fall) * vec2(pull.x, pull.y);
+    turned.over = (fall * above + below) * turn + towards;
+    turned.under = timesConjugate(turn, towards);
+    turned.under.x += above + fall * below;
+    return turned;
 }
 
 /// The same of a valid `tip` [heights] in space, whose forces are given one by one.
@@ -84,8 +114,10 @@ SHARED_FN vec3 relaxTip(Blade blade, vec3 front, Gravity gravity, vec3 wind, flo
     const BladeAxes axes = axesTowards(blade.up, front);
     const float radius = max(length(tip), 1e-6f);
     const vec3 force = gravityAt(gravity, blade.root, front) + wind;
-    return inSpace(axes, relaxDirection(blade.stiffness, alongAxes(axes, force), recovery,
-                                        alongAxes(axes, tip / radius), radius, eta, dt));
+    const vec3 direction = alongAxes(axes, tip / radius);
+    return inSpace(axes, directionOfQuotient(relaxTurn(blade.stiffness, alongAxes(axes, force),
+                                                       recovery, turnTowards(direction),
+                                                       direction.z < lyingBelow, radius, eta, dt)));
 }
 
 /// Rounds of pushing a blade out of all colliders near it. One collider takes one or two; between
@@ -160,38 +192,41 @@ SHARED_FN BladeState advanceBlade(Blade blade, Nature nature, ColliderMask near,
     const vec3 environment = environmentAt(nature.gravity, blade.root);
     vec3 gravity = alongAxes(axes, environment);
     gravity.x += nature.gravity.forward * length(environment);
-    const vec3 first = storedDirection(state);
-    vec3 direction = first;
+    const vec2 first = storedTurn(state);
+    vec2 turn = first;
     float eta = state.eta;
     float pushed = 0.0f;
     bool resting = true;
     for (uint i = 0u; i < steps; ++i) {
         const float back = elapsed - dt * float(i + 1u);
         eta = max(eta - fade * dt, 0.0f);
-        // The wind of the middle of the step stands for all of it.
+        const vec3 direction = directionOfTurn(turn);
         const float radius = tipDistance(direction);
         const float before = pushed;
-        const vec3 tipBefore = radius * direction;
+        // The wind of the middle of the step stands for all of it.
         const vec3 wind =
             windAlongAxes(nature.wind, blade.root, axes, direction, time - back - 0.5f * dt);
-        direction = relaxDirection(blade.stiffness, gravity + (radius * direction.z) * wind,
-                                   nature.recovery, direction, radius, eta, dt);
-        direction = turnedAbove(direction);
+        turn =
+            turnAbove(relaxTurn(blade.stiffness, gravity + (radius * direction.z) * wind,
+                                nature.recovery, turn, direction.z < lyingBelow, radius, eta, dt));
         if (nature.colliderCount > 0u) {
-            const vec3 tip =
-                pushBlade(blade, axes.front, nature.colliders, near, inSpace(axes, tipBefore),
-                          inSpace(axes, tipDistance(direction) * direction), back, pushed, resting);
+            const vec3 moved = directionOfTurn(turn);
+            const vec3 tip = pushBlade(
+                blade, axes.front, nature.colliders, near, inSpace(axes, radius * direction),
+                inSpace(axes, tipDistance(moved) * moved), back, pushed, resting);
             // What nothing touches stays as it would be without colliders, to the bit.
             if (pushed > before)
-                direction = alongAxes(axes, normalize(tip));
+                turn = turnTowards(alongAxes(axes, normalize(tip)));
             eta = min(eta + (pushed - before), 1.0f);
         }
     }
-    if (pushed > 0.0f && resting &&
-        length(tipDistance(direction) * direction - tipDistance(first) * first) <
-            stickingSpeed * elapsed)
-        return state;
-    return stateTowards(direction, eta);
+    if (pushed > 0.0f && resting) {
+        const vec3 from = directionOfTurn(first);
+        const vec3 to = directionOfTurn(turn);
+        if (length(tipDistance(to) * to - tipDistance(from) * from) < stickingSpeed * elapsed)
+            return state;
+    }
+    return stateOfTurn(turn, eta);
 }
 
 SHARED_END

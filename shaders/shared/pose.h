@@ -28,32 +28,48 @@ struct Pose {
 /// twice that at most along each axis [rad].
 SHARED_CONST float turnMaxError = 1.54e-5f;
 
-/// The state of a blade whose tip is seen from its root in `direction`, along its axes, unit and
+/// The turn of a tip that is seen from its root in `direction`, along the blade's axes, unit and
 /// not below its ground plane: stereographic, so that no direction is stored worse than half as
 /// well as another.
-SHARED_FN BladeState stateTowards(vec3 direction, float eta)
+SHARED_FN vec2 turnTowards(vec3 direction)
 {
-    const float share = 1.0f / (1.0f + max(direction.z, 0.0f));
+    return (1.0f / (1.0f + max(direction.z, 0.0f))) * vec2(direction.x, direction.y);
+}
+
+/// Where a tip with that turn points: unit, but for one that lies, which may be longer by
+/// √2·turnMaxError.
+SHARED_FN vec3 directionOfTurn(vec2 turn)
+{
+    const float square = min(dot(turn, turn), 1.0f);
+    return (1.0f / (1.0f + square)) * vec3(2.0f * turn.x, 2.0f * turn.y, 1.0f - square);
+}
+
+/// The state of a blade with that turn.
+SHARED_FN BladeState stateOfTurn(vec2 turn, float eta)
+{
     BladeState state;
-    state.turn = packSnorm16(share * direction.x) | (packSnorm16(share * direction.y) << 16u);
+    state.turn = packSnorm16(turn.x) | (packSnorm16(turn.y) << 16u);
     state.eta = eta;
     return state;
 }
 
-/// The same of a direction in space. `front` is unit and at right angles to `up`.
+/// The state of one whose tip is seen in `direction`, in space. `front` is unit and at right angles
+/// to `up`.
 SHARED_FN BladeState stateOf(vec3 up, vec3 front, vec3 direction, float eta)
 {
-    return stateTowards(alongAxes(axesTowards(up, front), direction), eta);
+    return stateOfTurn(turnTowards(alongAxes(axesTowards(up, front), direction)), eta);
 }
 
-/// Where the tip points, along the blade's axes: never below the ground plane, and unit, but for
-/// one that lies in it, which may be longer by √2·turnMaxError.
+SHARED_FN vec2 storedTurn(BladeState state)
+{
+    return vec2(unpackSnorm16(state.turn), unpackSnorm16(state.turn >> 16u));
+}
+
+/// Where the tip points, along the blade's axes: never below the ground plane, and as
+/// directionOfTurn() has it.
 SHARED_FN vec3 storedDirection(BladeState state)
 {
-    const float forward = unpackSnorm16(state.turn);
-    const float aside = unpackSnorm16(state.turn >> 16u);
-    const float square = min(forward * forward + aside * aside, 1.0f);
-    return (1.0f / (1.0f + square)) * vec3(2.0f * forward, 2.0f * aside, 1.0f - square);
+    return directionOfTurn(storedTurn(state));
 }
 
 /// The same in space.

@@ -151,22 +151,53 @@ SHARED_FN vec3 windFelt(WindSource source, vec3 flow, BladeAxes axes, vec3 direc
     return (1.0f - source.alignment * along) * wind;
 }
 
+/// Sum of the amounts, times strength, of sources that blow alike.
+SHARED_FN float windAmount(Wind wind, vec3 position, float time)
+{
+    float sum = 0.0f;
+    uint next = 0u;
+    for (uint i = windCount(wind.counts, windNoise); i > 0u; --i) {
+        const WindSource source = WIND_SOURCE(wind, next++);
+        sum += source.strength * windNoiseAt(source, position, time);
+    }
+    for (uint i = windCount(wind.counts, windWave); i > 0u; --i) {
+        const WindSource source = WIND_SOURCE(wind, next++);
+        const float wave = windWaveAt(source, position, time);
+        sum += source.strength * wave * wave;
+    }
+    for (uint i = windCount(wind.counts, windGusts); i > 0u; --i) {
+        const WindSource source = WIND_SOURCE(wind, next++);
+        sum += source.strength * windGustAt(source, position, time);
+    }
+    return sum;
+}
+
+/// What a blade feels of sources that blow alike with `amount`, see windAmount(), in whose sum it
+/// is linear.
+SHARED_FN vec3 windOfAmount(Wind wind, float amount, vec3 position, BladeAxes axes, vec3 direction,
+                            float time)
+{
+    const WindSource source = WIND_SOURCE(wind, 0);
+    return amount *
+           windFelt(source,
+                    windAlong(wind, source, source.direction, 1.0f, position, axes.up, time), axes,
+                    direction);
+}
+
 /// Sum over all sources of what a blade feels at `position`; see windFelt().
 SHARED_FN vec3 windAlongAxes(Wind wind, vec3 position, BladeAxes axes, vec3 direction, float time)
 {
+    if ((wind.counts & windsAlike) != 0u)
+        return windOfAmount(wind, windAmount(wind, position, time), position, axes, direction,
+                            time);
     vec3 sum = vec3(0.0f);
-    const bool alike = (wind.counts & windsAlike) != 0u;
-    float amounts = 0.0f;
     uint next = 0u;
     for (uint i = windCount(wind.counts, windNoise); i > 0u; --i) {
         const WindSource source = WIND_SOURCE(wind, next++);
         const float amount = source.strength * windNoiseAt(source, position, time);
-        if (alike)
-            amounts += amount;
-        else
-            sum += windFelt(
-                source, windAlong(wind, source, source.direction, amount, position, axes.up, time),
-                axes, direction);
+        sum += windFelt(source,
+                        windAlong(wind, source, source.direction, amount, position, axes.up, time),
+                        axes, direction);
     }
     for (uint i = windCount(wind.counts, windTurning); i > 0u; --i) {
         const WindSource source = WIND_SOURCE(wind, next++);
@@ -183,12 +214,9 @@ SHARED_FN vec3 windAlongAxes(Wind wind, vec3 position, BladeAxes axes, vec3 dire
         const WindSource source = WIND_SOURCE(wind, next++);
         const float wave = windWaveAt(source, position, time);
         const float amount = source.strength * wave * wave;
-        if (alike)
-            amounts += amount;
-        else
-            sum += windFelt(
-                source, windAlong(wind, source, source.direction, amount, position, axes.up, time),
-                axes, direction);
+        sum += windFelt(source,
+                        windAlong(wind, source, source.direction, amount, position, axes.up, time),
+                        axes, direction);
     }
     for (uint i = windCount(wind.counts, windRadial); i > 0u; --i) {
         const WindSource source = WIND_SOURCE(wind, next++);
@@ -207,17 +235,8 @@ SHARED_FN vec3 windAlongAxes(Wind wind, vec3 position, BladeAxes axes, vec3 dire
     for (uint i = windCount(wind.counts, windGusts); i > 0u; --i) {
         const WindSource source = WIND_SOURCE(wind, next++);
         const float amount = source.strength * windGustAt(source, position, time);
-        if (alike)
-            amounts += amount;
-        else
-            sum += windFelt(
-                source, windAlong(wind, source, source.direction, amount, position, axes.up, time),
-                axes, direction);
-    }
-    if (alike) {
-        const WindSource source = WIND_SOURCE(wind, 0);
         sum += windFelt(source,
-                        windAlong(wind, source, source.direction, amounts, position, axes.up, time),
+                        windAlong(wind, source, source.direction, amount, position, axes.up, time),
                         axes, direction);
     }
     return sum;

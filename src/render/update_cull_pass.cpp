@@ -8,6 +8,9 @@
 namespace sward::render {
 namespace {
 
+// Survivors are kept with so many bits for their patch, and for their place there.
+static_assert(shared::patchesTogether <= 8 && shared::maxPatchBlades <= 512);
+
 /// Threads of a work-group. All lanes of a CPU do the work of those that have some, so that it has
 /// no more of them than it runs at once; but among colliders a blade takes thousands of turns of
 /// loops, of which llvmpipe ends all after 65 535, so that each has a thread of its own.

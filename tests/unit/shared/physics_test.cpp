@@ -291,6 +291,70 @@ TEST(Physics, TwoStepsAreOne)
     }
 }
 
+/// Angle between two directions, of which neither need be quite unit.
+double angleBetween(vec3 a, vec3 b)
+{
+    const glm::dvec3 x = glm::normalize(glm::dvec3(a));
+    const glm::dvec3 y = glm::normalize(glm::dvec3(b));
+    return 2.0 * std::atan2(glm::length(x - y), glm::length(x + y));
+}
+
+TEST(Physics, TurnsTowardsItsTargetUntilAShareOfTheTangentIsLeft)
+{
+    tests::Dice dice(13);
+    int below = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const vec3 start = dice.direction();
+        const vec3 direction(start.x, start.y, std::abs(start.z));
+        const float stiffness = dice.number(0, 1);
+        const float radius = dice.number(0.9f, 1.0f);
+        const float dt = dice.number(0.0f, 0.2f);
+        const vec3 force = dice.number(0, 20) * dice.direction();
+        const TurnQuotient quotient =
+            relaxTurn(stiffness, force, recovery, turnTowards(direction), false, radius, 0.0f, dt);
+        const vec3 turned = directionOfQuotient(quotient);
+
+        // By the formula as it is stated, with angles.
+        const float b = 1.0f - stiffness;
+        const float k = recovery * (1.0f - 0.25f * b);
+        const vec3 place = vec3(0, 0, 1) + (b / k) * force;
+        const double before = angleBetween(direction, place);
+        const double left =
+            std::tan(0.5 * before) * std::exp(-double(k * length(place) / radius * dt));
+        const double after = angleBetween(turned, place);
+        ASSERT_NEAR(length(turned), 1.0f, 1e-5f);
+        ASSERT_NEAR(after, 2.0 * std::atan(left), 2e-5 * (1.0 + before)) << "blade " << i;
+        // In the plane of both.
+        ASSERT_NEAR(angleBetween(direction, turned), before - after, 1e-4) << "blade " << i;
+        // What is kept of it is that direction, or where it meets the ground.
+        const vec3 kept = directionOfTurn(turnAbove(quotient));
+        below += turned.z < 0.0f ? 1 : 0;
+        ASSERT_LT(length(kept - keptAbove(vec3(0, 0, 1), vec3(1, 0, 0), turned)), 1e-4f);
+    }
+    EXPECT_GT(below, 500);
+}
+
+TEST(Physics, FallsWhereItLeansWhenItIsPulledStraightDown)
+{
+    for (const float lean : {1e-3f, 0.2f, 0.9f}) {
+        const vec2 turn = lean * vec2(0.6f, -0.8f);
+        const auto turned = [&](float dt) {
+            return turnAbove(
+                relaxTurn(0.0f, vec3(0, 0, -20), recovery, turn, false, 1.0f, 0.0f, dt));
+        };
+        const vec2 soon = turned(0.01f);
+        ASSERT_GT(length(soon), lean * 1.05f);
+        ASSERT_LT(length(normalize(soon) - vec2(0.6f, -0.8f)), 1e-5f);
+        ASSERT_LT(length(turned(0.5f) - vec2(0.6f, -0.8f)), 1e-5f);
+    }
+    // One that stands upright does not know where to, and stays; one right below its root lies
+    // down forward.
+    EXPECT_EQ(
+        turnAbove(relaxTurn(0.0f, vec3(0, 0, -20), recovery, vec2(0.0f), false, 1.0f, 0.0f, 0.1f)),
+        vec2(0.0f));
+    EXPECT_EQ(turnAbove(TurnQuotient{vec2(1, 1), vec2(0, 0)}), vec2(1, 0));
+}
+
 TEST(Gravity, OfAnAttractorPullsToItFromEverywhere)
 {
     const Gravity gravity{vec3(0, -1, 0), 3.0f, vec3(1, 2, 3), 1.0f, forwardShare};
