@@ -21,6 +21,7 @@ layout(constant_id = 7) const uint asks = asksAll;
 #define MAY_BE_PAGED ((asks & asksPages) != 0u)
 
 #include "shaders/culling/hidden.glsl"
+#include "shaders/grass/kept_survivor.glsl"
 #include "shaders/grass/pages.glsl"
 #include "shaders/shared/physics.h"
 #include "shaders/shared/visibility.h"
@@ -199,24 +200,11 @@ uint wantedByAll(Patch cell, uint patchIndex, float elapsed, uint own, inout boo
     return wanted;
 }
 
-/// A survivor as it is kept until it is listed, in half of a VisibleBlade's room. x: 0–8 which one of its
-/// patch, 9–11 the patch among those taken, 12–13 the signs of the factors, 16–31 its width's factor as
-/// half a float; y: its pixels.
-uvec2 keptOf(uint slot, uint i, float widthFactor, uint late, float pixels)
+/// A survivor as it is listed, while its patch is taken.
+VisibleBlade listed(uvec2 survivor)
 {
-    const uint signs = ((late & lowerHalfIsLate) >> 3u) | ((late & upperHalfIsLate) >> 18u);
-    return uvec2(i | (slot << 9u) | signs | (packHalf2x16(vec2(widthFactor, 0.0f)) << 16u),
-                 floatBitsToUint(pixels));
-}
-
-/// The same as it is listed, while its patch is still taken.
-VisibleBlade listedOf(uvec2 survivor)
-{
-    const uint slot = (survivor.x >> 9u) & 7u;
-    const uint late = ((survivor.x << 3u) & lowerHalfIsLate) | ((survivor.x << 18u) & upperHalfIsLate);
-    const uint factors = (survivor.x >> 16u) | packFactors(0.0f, layersOfSlot(slot).rise) | late;
-    return VisibleBlade(taken[slot].firstBlade + (survivor.x & 511u), taken[slot].patchIndex, factors,
-                        uintBitsToFloat(survivor.y));
+    const uint slot = slotOfKept(survivor);
+    return listedOf(survivor, taken[slot].firstBlade, taken[slot].patchIndex, layersOfSlot(slot).rise);
 }
 
 /// Lists the survivors that have gathered, and counts them. All threads come here together.
@@ -234,11 +222,11 @@ void listSurvivors(uint thread)
     // The list has room for every blade of a round; the guard is for a frame that was filled wrongly.
     for (uint i = thread; i < kept[0]; i += gl_WorkGroupSize.x)
         if (listBase[0] + i < JUDGED.visibleCapacity)
-            JUDGED.visible.at[listBase[0] + i] = listedOf(survivors[i]);
+            JUDGED.visible.at[listBase[0] + i] = listed(survivors[i]);
     for (uint i = thread; i < kept[1]; i += gl_WorkGroupSize.x)
         if (listBase[1] + i < JUDGED.visibleCapacity)
             JUDGED.visible.at[JUDGED.visibleCapacity - 1u - listBase[1] - i] =
-                listedOf(survivors[survivorRoom - 1u - i]);
+                listed(survivors[survivorRoom - 1u - i]);
     barrier();
     if (thread < 2u)
         kept[thread] = 0u;

@@ -14,6 +14,9 @@ namespace {
 /// The set of descriptors that holds the frame.
 constexpr std::uint32_t frameSet = 1;
 
+// A thread of a work-group for each triangle of a cluster.
+static_assert(shared::clusterTriangles <= shared::solidThreads);
+
 constexpr VkFormat litFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 
 std::uint32_t groupsFor(std::uint32_t count, std::uint32_t threads)
