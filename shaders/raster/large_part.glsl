@@ -38,13 +38,19 @@ LargePart partAt(uint place)
 /// Of LargePart::part.
 uint numberOfPart(uint part)
 {
-    return part & 0xffffu;
+    return part & 0xffu;
 }
 
 /// Of LargePart::part; 0: nothing is listed.
 uint partsOf(uint part)
 {
-    return (part >> 16u) & 0x3fffu;
+    return (part >> 8u) & 0xffu;
+}
+
+/// Of LargePart::part: the first segment of which something is drawn, and one past the last.
+uvec2 segmentsOfPart(uint part)
+{
+    return uvec2(part >> 16u, part >> 23u) & 0x7fu;
 }
 
 Ribbon ribbonOf(LargePart part)

@@ -231,11 +231,12 @@ void drawBetween(Lens lens, uint first, uint end, uint item, uint blades, uint s
 /// one, of which some halves may have been left to the late one.
 uvec2 ribsOf(LargePart blade, bool isDrawn)
 {
-    const uint segments = uint(blade.segments);
-    const uint half_ = segments / 2u;
+    const uvec2 own = segmentsOfPart(blade.part);
+    const uint segments = own.y;
+    const uint half_ = uint(blade.segments) / 2u;
     const bool lowerIsLate = (blade.part & lowerPartIsLate) != 0u;
     const bool upperIsLate = (blade.part & upperPartIsLate) != 0u;
-    uvec2 ribs = uvec2(0u, segments);
+    uvec2 ribs = own;
     if (isLate && isDrawn)
         ribs = uvec2(lowerIsLate ? 0u : half_, upperIsLate ? segments : lowerIsLate ? half_ : 0u);
     else if (!isLate)

@@ -187,10 +187,17 @@ struct LargePart {
     float scale;
     uint shape;
     uint blade; ///< resident id
-    uint part; ///< 0–15 which of so many parts, 16–29; 0: nothing, there was no room for all parts;
+    uint part; ///< 0–7 which of so many parts, 8–15; 0: nothing, there was no room for all parts;
+               ///< 16–22 the first segment of which something is drawn, 23–29 one past the last;
                ///< and what of the blade is drawn in the late turn
 };
 SHARED_LAYOUT(LargePart, 80)
+
+/// LargePart::part, but for what is late.
+SHARED_FN uint packPart(uint number, uint parts, uint begin, uint end)
+{
+    return number | (parts << 8u) | (begin << 16u) | (end << 23u);
+}
 
 SHARED_CONST uint lowerPartIsLate = 0x40000000u;
 SHARED_CONST uint upperPartIsLate = 0x80000000u;

@@ -62,7 +62,7 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
         const std::uint32_t toGroups = shared::largeToGroups;
         blades_ = pipeline("raster/blades", "raster_blades.comp", toGroups);
         large_ = pipeline("raster/large blades", "raster_large.comp", untold);
-        lateBlades_ = pipeline("raster/late blades", "raster_blades.comp", toGroups, true);
+        lateBlades_ = pipeline("raster/late blades", "list_late.comp", untold);
         lateLarge_ = pipeline("raster/late large blades", "raster_large.comp", untold, true);
     }
     if (target.tessellatesLarge) {

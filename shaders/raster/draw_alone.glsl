@@ -1,0 +1,33 @@
+// A blade drawn by one thread.
+#ifndef SWARD_RASTER_DRAW_ALONE_GLSL
+#define SWARD_RASTER_DRAW_ALONE_GLSL
+
+#include "shaders/raster/strip.glsl"
+
+void drawAlone(Lens lens, Ribbon ribbon, uint blade)
+{
+    const bool hasRidge = isFolded(ribbon);
+    const float segments = ribbon.outline.segments;
+    const SampleMask mask = sampleMaskOf(blade, samplesPerPixel);
+    ScreenRib before = screenRib(seenRib(lens, ribbon, 0.0), hasRidge);
+    float segment = 1.0;
+    uint part = 0u;
+    // Part by part: of a segment mostly one. While one is drawn no more than one rib is kept.
+    while (segment <= segments) {
+        const ScreenRib after = screenRib(seenRib(lens, ribbon, segment / segments), hasRidge);
+        bool isTwisted = false;
+        for (uint i = 0u; i < halvesOf(hasRidge); ++i)
+            isTwisted = isTwisted || !isConvex(halfOf(i, before, after, hasRidge));
+        const Quad quad = isTwisted ? triangleBetween(part, before, after, hasRidge, upperHalf(segment, segments))
+                                    : halfOf(part, before, after, hasRidge);
+        ++part;
+        if (part >= (isTwisted ? trianglesOf(hasRidge) : halvesOf(hasRidge))) {
+            before = after;
+            segment += 1.0;
+            part = 0u;
+        }
+        drawSmall(quad, mask, blade);
+    }
+}
+
+#endif

@@ -1,0 +1,98 @@
+// How blades come into the lists of those that are not drawn by one thread: large ones, and those that
+// reach through the near plane. The including stage has `push`, and says by `isTessellated` who draws
+// large ones, and by `isLate` in which turn.
+#ifndef SWARD_RASTER_LARGE_LIST_GLSL
+#define SWARD_RASTER_LARGE_LIST_GLSL
+
+#include "shaders/grass/drawn_blade.glsl"
+#include "shaders/raster/large_part.glsl"
+#include "shaders/raster/visibility.glsl"
+
+/// A blade, or a part of it, as it is listed. `part`: LargePart::part.
+LargePart partOf(Ribbon ribbon, uint blade, uint part)
+{
+    return LargePart(ribbon.v0, ribbon.width, ribbon.v1, ribbon.fold, ribbon.v2, ribbon.outline.segments,
+                     ribbon.axis, ribbon.outline.tipThreshold, ribbon.outline.scale,
+                     ribbon.outline.shape, blade, part);
+}
+
+/// So many parts has a blade that covers so many pixels.
+uint partsFor(float pixels)
+{
+    return isTessellated ? 1u : clamp(uint(pixels / partPixels), 1u, mostParts);
+}
+
+/// Lists a blade's parts from `slot` on, of which so many segments are drawn; whether there was room.
+bool putParts(Ribbon ribbon, VisibleBlade visible, float pixels, uint slot, uint parts, uvec2 segments)
+{
+    const bool hasRoom = slot + parts <= mostLargeParts;
+    uint late = ((visible.factors & lowerHalfIsLate) != 0u ? lowerPartIsLate : 0u) |
+                ((visible.factors & upperHalfIsLate) != 0u ? upperPartIsLate : 0u);
+    if (push.takesTurns != 0u)
+        late = latePartsUnseen(pixels, visible.blade);
+    for (uint part = 0u; part < parts && slot + part < mostLargeParts; ++part)
+        putPart(push.large, slot + part,
+                partOf(ribbon, visible.blade,
+                       hasRoom ? packPart(part, parts, segments.x, segments.y) | late : 0u));
+    return hasRoom;
+}
+
+/// The list has so many parts by now, or had room for fewer.
+void noteListed(uint parts)
+{
+    WalkLevelArray asked = push.largeCount;
+    const uint listed = min(parts, mostLargeParts);
+    if (isTessellated)
+        atomicMax(asked.at[1].groups[1], (listed + drawChunk - 1u) / drawChunk);
+    else
+        atomicMax(asked.at[0].groups[0], groupsForLarge(listed, isLate));
+}
+
+/// Gives a blade that may reach through the near plane to those who cut it there; whether there was room.
+bool leftToBeCut(Ribbon ribbon, uint blade)
+{
+    WalkLevelArray asked = push.largeCount;
+    const uint slot = atomicAdd(asked.at[3].count, 1u);
+    if (slot >= mostCutBlades)
+        return false;
+    putPart(push.cut, slot, partOf(ribbon, blade, packPart(0u, 1u, 0u, uint(ribbon.outline.segments))));
+    atomicMax(asked.at[3].groups[0], min(slot + 1u, mostGroups));
+    return true;
+}
+
+/// Whether the list holds blades beside the picture.
+bool listsThoseBeside()
+{
+    return uvec2(push.frame) != uvec2(push.judged) || (FRAME.view.cullMask & cullFrustum) == 0u;
+}
+
+/// Whether a blade lies beside the picture whichever way it bends: most of those that do, and known
+/// of one that has not been posed yet.
+bool isFarBeside(Lens lens, VisibleBlade visible, Blade blade)
+{
+    const float reach =
+        blade.height + marginBeside(blade.width * widthFactorOf(visible),
+                                    length(blade.root - lens.eye) + blade.height, lens.leastWidth);
+    bool beside = false;
+    SHARED_UNROLL for (uint i = 0u; i < 4u; ++i) beside =
+        beside || planeDistance(FRAME.view.planes[i], blade.root) < -reach;
+    return beside;
+}
+
+/// Whether a blade lies beside the picture.
+bool isBeside(Ribbon ribbon, float margin)
+{
+    bool beside = false;
+    SHARED_UNROLL for (uint i = 0u; i < 4u; ++i) beside =
+        beside || curveOutside(FRAME.view.planes[i], ribbon.v0, ribbon.v1, ribbon.v2, margin);
+    return beside;
+}
+
+/// Pixels that a blade so high covers.
+float pixelsOf(Lens lens, VisibleBlade visible, Ribbon ribbon, float height)
+{
+    return visible.pixels *
+           max(visible.pixels * ribbon.width / height, lens.leastWidth * FRAME.view.pixelsPerUnit);
+}
+
+#endif

@@ -1,0 +1,108 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Lists the blades of the late turn, which all cover many pixels, one thread each: those of which the
+// frame's pyramid does not hide everything, for raster_large.comp.
+#include "shaders/shared/passes.h"
+
+layout(push_constant, scalar) uniform Block { RasterPush push; };
+
+// Whether blades may be in memory in part; known when the pipeline is made.
+layout(constant_id = 3) const bool isPaged = false;
+#define MAY_BE_PAGED isPaged
+
+#define FRAME_SET 0
+#include "shaders/frame_constants.glsl"
+
+const bool isTessellated = false;
+const bool isLate = true;
+
+#include "shaders/raster/draw_alone.glsl"
+#include "shaders/raster/large_list.glsl"
+#include "shaders/raster/seen_segments.glsl"
+
+layout(local_size_x = rasterThreads) in;
+
+shared uint hiddenCount; // of all that the group has looked at
+shared uint listedParts; // of those that it looks at together
+shared uint listBase;    // where they begin in the list
+
+/// A blade of this turn.
+struct LateBlade {
+    VisibleBlade visible;
+    Ribbon ribbon;
+    float pixels;   ///< that it covers
+    uvec2 segments; ///< the first that may be seen, and one past the last; 0: there is nothing to list
+};
+
+LateBlade lateBlade(Lens lens, VisibleBlade visible)
+{
+    LateBlade own;
+    own.visible = visible;
+    own.segments = uvec2(0u);
+    const Blade blade = visibleBlade(visible);
+    if (listsThoseBeside() && isFarBeside(lens, visible, blade))
+        return own;
+    own.ribbon = drawnBlade(visible, blade).ribbon;
+    const float distance = length(own.ribbon.v0 - lens.eye) + blade.height;
+    const float margin = marginBeside(own.ribbon.width, distance, lens.leastWidth);
+    if (listsThoseBeside() && isBeside(own.ribbon, margin))
+        return own;
+    own.pixels = pixelsOf(lens, visible, own.ribbon, blade.height);
+    if (!curveInside(FRAME.view.planes[4], own.ribbon.v0, own.ribbon.v1, own.ribbon.v2, margin)) {
+        leftToBeCut(own.ribbon, visible.blade);
+        return own;
+    }
+    own.segments = segmentsSeen(lens, own.ribbon, ribMargin(distance, lens.leastWidth));
+    if (own.segments.y == 0u) {
+        noteHidden(visible.blade);
+        atomicAdd(hiddenCount, 1u);
+    }
+    return own;
+}
+
+/// Lists what may be seen of a group's blades. All threads come here together, each with one of them or
+/// none. They have their places by one atomic, and write side by side: left to the lanes that have
+/// something to list it takes an H200 three times as long.
+void listTogether(Lens lens, bool hasBlade, uint place)
+{
+    if (gl_LocalInvocationIndex == 0u)
+        listedParts = 0u;
+    barrier();
+    LateBlade own;
+    uint parts = 0u;
+    uint before = 0u;
+    if (hasBlade) {
+        own = lateBlade(lens, FRAME.visible.at[place]);
+        if (own.segments.y > 0u) {
+            parts = partsFor(own.pixels);
+            before = atomicAdd(listedParts, parts);
+        }
+    }
+    barrier();
+    if (gl_LocalInvocationIndex == 0u && listedParts > 0u) {
+        WalkLevelArray asked = push.largeCount;
+        listBase = atomicAdd(asked.at[0].count, listedParts);
+        noteListed(listBase + listedParts);
+    }
+    barrier();
+    if (parts > 0u &&
+        !putParts(own.ribbon, own.visible, own.pixels, listBase + before, parts, own.segments))
+        drawAlone(lens, own.ribbon, own.visible.blade);
+    barrier();
+}
+
+void main()
+{
+    const uint capacity = FRAME.visibleCapacity;
+    const uint count = min(push.rounds.at[push.round].count, capacity);
+    const Lens lens = lensOf();
+    if (gl_LocalInvocationIndex == 0u)
+        hiddenCount = 0u;
+    for (uint first = gl_WorkGroupID.x * rasterThreads; first < count;
+         first += gl_NumWorkGroups.x * rasterThreads) {
+        const uint i = first + gl_LocalInvocationIndex;
+        listTogether(lens, i < count, capacity - 1u - i);
+    }
+    if (gl_LocalInvocationIndex == 0u)
+        countHidden(hiddenCount);
+}

@@ -1,0 +1,90 @@
+// Between which segments of a blade the frame's pyramid does not hide it, asked of some stretches and
+// without ribs, which take longer than the question: of a late turn's segments a twentieth is seen. Never
+// less than is seen; those that are left are asked again, one by one (raster_large.comp).
+#ifndef SWARD_RASTER_SEEN_SEGMENTS_GLSL
+#define SWARD_RASTER_SEEN_SEGMENTS_GLSL
+
+#include "shaders/raster/hidden_rectangle.glsl"
+#include "shaders/raster/seen_triangle.glsl"
+
+/// What one step of 1 m adds to what seenPoint() says: along the blade's axis, and any way at most.
+struct Leverage {
+    vec4 axis;
+    vec2 squares;  ///< of pixels times w, to the right and downwards
+    vec2 products; ///< of those with w
+    vec2 ofDepth;  ///< of reversed depth times w, and of w
+};
+
+Leverage leverageOf(Lens lens, vec3 axis)
+{
+    const mat4 m = lens.viewProjection;
+    const vec3 w = vec3(m[0].w, m[1].w, m[2].w);
+    const vec3 right = 0.5 * lens.size.x * (vec3(m[0].x, m[1].x, m[2].x) + w);
+    const vec3 down = 0.5 * lens.size.y * (vec3(m[0].y, m[1].y, m[2].y) + w);
+    const vec3 depth = vec3(m[0].z, m[1].z, m[2].z);
+    Leverage leverage;
+    leverage.axis = vec4(dot(right, axis), dot(down, axis), dot(depth, axis), dot(w, axis));
+    leverage.squares = vec2(dot(right, right), dot(down, down));
+    leverage.products = vec2(dot(right, w), dot(down, w));
+    leverage.ofDepth = vec2(length(depth), length(w));
+    return leverage;
+}
+
+/// A part of the screen, and the nearest reversed depth in it.
+struct SeenBox {
+    vec2 low; ///< [pixels]
+    vec2 high;
+    float nearest;
+};
+
+/// Where everything is seen that lies no farther from a point than `wide` [m] along the blade's axis and
+/// then `margin` [m] any way, all of it behind the near plane. If x is the point's place and δ the way
+/// there, it moves by (right·δ − x·(w·δ)) / w', with w' as w is there. Corners of ribs are rounded, by half
+/// of 1/256 pixel.
+SeenBox boxAround(Lens lens, Leverage leverage, vec3 position, float wide, float margin)
+{
+    const vec4 seen = seenPoint(lens, position);
+    const vec2 place = seen.xy / seen.w;
+    const vec2 square = leverage.squares + place * (place * (leverage.ofDepth.y * leverage.ofDepth.y) -
+                                                    2.0 * leverage.products);
+    const float perW =
+        1.0 / max(seen.w - wide * abs(leverage.axis.w) - margin * leverage.ofDepth.y, 1e-12);
+    const vec2 reach = perW * (wide * abs(leverage.axis.xy - place * leverage.axis.w) +
+                               margin * sqrt(max(square, vec2(0.0)))) + 1.0 / 128.0;
+    const float nearest = seen.z + wide * abs(leverage.axis.z) + margin * leverage.ofDepth.x;
+    return SeenBox(place - reach, place + reach, perW * nearest);
+}
+
+/// So many stretches of a blade are asked for, each of some segments.
+const uint stretches = 4u;
+
+/// The first segment that may be seen, and one past the last; both 0 where all are hidden. The ribbon's ribs
+/// are widened by no more than `margin` [m] on either side.
+uvec2 segmentsSeen(Lens lens, Ribbon ribbon, float margin)
+{
+    const Leverage leverage = leverageOf(lens, ribbon.axis);
+    const uint segments = uint(ribbon.outline.segments);
+    const uint count = min(segments, stretches);
+    const float perSegment = 1.0 / ribbon.outline.segments;
+    // A quadratic curve strays from a chord over the part h of it by |v0 - 2 v1 + v2| h²/4 at most.
+    const float longest = float((segments + count - 1u) / count) * perSegment;
+    const float stray = 0.25 * longest * longest * length(ribbon.v0 - 2.0 * ribbon.v1 + ribbon.v2);
+    const float widest = 0.5 * outlineMost * ribbon.width;
+    const float around = margin + stray + (isFolded(ribbon) ? widest * ribbon.fold : 0.0);
+    uvec2 seen = uvec2(0u);
+    uint begin = 0u;
+    SeenBox before = boxAround(lens, leverage, ribbon.v0, widest, around);
+    for (uint i = 1u; i <= count; ++i) {
+        const uint end = i * segments / count;
+        const vec3 place = bezierPoint(ribbon.v0, ribbon.v1, ribbon.v2, float(end) * perSegment);
+        const SeenBox after = boxAround(lens, leverage, place, widest, around);
+        if (!rectangleHidden(min(before.low, after.low), max(before.high, after.high),
+                             max(before.nearest, after.nearest)))
+            seen = uvec2(seen.y == 0u ? begin : seen.x, end);
+        before = after;
+        begin = end;
+    }
+    return seen;
+}
+
+#endif
