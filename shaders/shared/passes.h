@@ -187,9 +187,9 @@ struct LargePart {
     float scale;
     uint shape;
     uint blade; ///< resident id
-    uint part; ///< 0–7 which of so many parts, 8–15; 0: nothing, there was no room for all parts;
-               ///< 16–22 the first segment of which something is drawn, 23–29 one past the last;
-               ///< and what of the blade is drawn in the late turn
+    uint part;  ///< 0–7 which of so many parts, 8–15; 0: nothing, there was no room for all parts;
+                ///< 16–22 the first segment of which something is drawn, 23–29 one past the last;
+                ///< and what of the blade is drawn in the late turn
 };
 SHARED_LAYOUT(LargePart, 80)
 
