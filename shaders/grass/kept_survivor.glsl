@@ -4,12 +4,11 @@
 
 #include "shaders/shared/frame.h"
 
-/// x: 0–8 which one of its patch, 9–11 the patch among those taken, 12–13 the signs of
-/// VisibleBlade::factors, 16–31 its width's factor as half a float; y: its pixels.
+/// x: 0–8 which one of its patch, 9–11 the patch among those taken, 12–15 its late
+/// quarters, 16–31 its width's factor as half a float; y: its pixels.
 uvec2 keptOf(uint slot, uint i, float widthFactor, uint late, float pixels)
 {
-    const uint signs = ((late & lowerHalfIsLate) >> 3u) | ((late & upperHalfIsLate) >> 18u);
-    return uvec2(i | (slot << 9u) | signs | (packHalf2x16(vec2(widthFactor, 0.0f)) << 16u),
+    return uvec2(i | (slot << 9u) | (late << 12u) | (packHalf2x16(vec2(widthFactor, 0.0f)) << 16u),
                  floatBitsToUint(pixels));
 }
 
@@ -21,7 +20,7 @@ uint slotOfKept(uvec2 survivor)
 /// The same as it is listed, with what its patch says.
 VisibleBlade listedOf(uvec2 survivor, uint firstBlade, uint patchIndex, float rise)
 {
-    const uint late = ((survivor.x << 3u) & lowerHalfIsLate) | ((survivor.x << 18u) & upperHalfIsLate);
+    const uint late = ((survivor.x >> 12u) & allQuarters) << lateShift;
     return VisibleBlade(firstBlade + (survivor.x & 511u), patchIndex,
                         (survivor.x >> 16u) | packFactors(0.0f, rise) | late, uintBitsToFloat(survivor.y));
 }

@@ -171,17 +171,17 @@ bool isAsked(float pixels)
     return pixels > (asksSmall ? askedSmallPixels : askedPixels);
 }
 
-/// Which halves of a blade that covers so many pixels the frame before has shown, as RasterPush::seen has
-/// them; from now on it has not. One of which nobody asks counts as shown.
+/// Which quarters of a blade that covers so many pixels have been seen, as RasterPush::seen has them. One
+/// of which nobody asks counts as seen.
 uint takeSeen(uint index, float pixels)
 {
     if ((asks & cullOcclusion) == 0u || uvec2(push.seenBefore) == uvec2(0u) || !isAsked(pixels))
-        return 3u;
+        return allQuarters;
     UintArray words = push.seenBefore;
-    const uint shift = 2u * (index % 16u);
-    const uint seen = (words.at[index / 16u] >> shift) & 3u;
-    if (seen != 0u)
-        atomicAnd(words.at[index / 16u], ~(3u << shift));
+    const uint shift = quarters * (index % seenOfWord);
+    const uint seen = (words.at[index / seenOfWord] >> shift) & allQuarters;
+    if (seen != 0u && forgetsSeen(index, push.frame))
+        atomicAnd(words.at[index / seenOfWord], ~(allQuarters << shift));
     return seen;
 }
 
@@ -327,10 +327,9 @@ void updateBlade(Eyepoint view, Nature nature, uint slot, uint i, StoredBlade st
         const float pixels = pixelsCovered(drawn, verdict.pixels, verdict.widthFactor);
         const uint seen = takeSeen(index, pixels);
         const uint list = seen != 0u ? 0u : 1u;
-        const uint late = seen == 1u ? upperHalfIsLate : seen == 2u ? lowerHalfIsLate : 0u;
         const uint place = atomicAdd(kept[list], 1u);
         survivors[list == 0u ? place : survivorRoom - 1u - place] =
-            keptOf(slot, i, verdict.widthFactor, late, verdict.pixels);
+            keptOf(slot, i, verdict.widthFactor, list == 0u ? allQuarters & ~seen : 0u, verdict.pixels);
     }
     noteFate(stored.place, verdict.fate);
 }

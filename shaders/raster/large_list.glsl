@@ -22,18 +22,14 @@ uint partsFor(float pixels)
     return isTessellated ? 1u : clamp(uint(pixels / partPixels), 1u, mostParts);
 }
 
-/// Lists a blade's parts from `slot` on, of which so many segments are drawn; whether there was room.
-bool putParts(Ribbon ribbon, VisibleBlade visible, float pixels, uint slot, uint parts, uvec2 segments)
+/// Lists a blade's parts from `slot` on, of which some segments are drawn; whether there was room.
+bool putParts(Ribbon ribbon, VisibleBlade visible, uint slot, uint parts, uvec2 segments)
 {
     const bool hasRoom = slot + parts <= mostLargeParts;
-    uint late = ((visible.factors & lowerHalfIsLate) != 0u ? lowerPartIsLate : 0u) |
-                ((visible.factors & upperHalfIsLate) != 0u ? upperPartIsLate : 0u);
-    if (push.takesTurns != 0u)
-        late = latePartsUnseen(pixels, visible.blade);
     for (uint part = 0u; part < parts && slot + part < mostLargeParts; ++part)
         putPart(push.large, slot + part,
                 partOf(ribbon, visible.blade,
-                       hasRoom ? packPart(part, parts, segments.x, segments.y) | late : 0u));
+                       hasRoom ? packPart(part, parts, segments.x, segments.y) : 0u));
     return hasRoom;
 }
 

@@ -86,7 +86,7 @@ void listTogether(Lens lens, bool hasBlade, uint place)
     }
     barrier();
     if (parts > 0u &&
-        !putParts(own.ribbon, own.visible, own.pixels, listBase + before, parts, own.segments))
+        !putParts(own.ribbon, own.visible, listBase + before, parts, own.segments))
         drawAlone(lens, own.ribbon, own.visible.blade);
     barrier();
 }

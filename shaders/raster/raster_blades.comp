@@ -30,8 +30,12 @@ bool leftToOthers(Ribbon ribbon, VisibleBlade visible, float pixels)
     WalkLevelArray asked = push.largeCount;
     const uint parts = partsFor(pixels);
     const uint slot = atomicAdd(asked.at[0].count, parts);
-    const bool hasRoom =
-        putParts(ribbon, visible, pixels, slot, parts, uvec2(0u, uint(ribbon.outline.segments)));
+    // Those of other rounds than the first are all listed after the first turn.
+    const uint late = push.round > 0u          ? 0u
+                      : push.takesTurns != 0u ? lateQuartersUnseen(pixels, visible.blade)
+                                              : visible.factors >> lateShift;
+    const bool hasRoom = putParts(ribbon, visible, slot, parts,
+                                  firstSegments(late, uint(ribbon.outline.segments)));
     noteListed(slot + parts);
     return hasRoom;
 }

@@ -43,6 +43,7 @@ struct Shared {
     uint beginsAt; ///< the first of its ribs that is made
     uint cycle;    ///< of so many rows of the picture eight are drawn
     uint blade;    ///< resident id
+    uvec2 drawn;   ///< in the late turn the segments that the first one has drawn
 };
 
 shared Shared items[lateTogether + 1u]; // the last one: how many ribs there are
@@ -208,7 +209,9 @@ void drawBetween(Lens lens, uint first, uint end, uint item, uint blades, uint s
         const uint own = rib - items[number].firstRib;
         const float i = float(items[number].beginsAt + own);
         hasRidge = isFolded(ribbon);
-        isSegment = thread > 0u && own > 0u;
+        const uint segment = items[number].beginsAt + own - 1u;
+        const uvec2 drawn = items[number].drawn;
+        isSegment = thread > 0u && own > 0u && (segment < drawn.x || segment >= drawn.y);
         isUpper = upperHalf(i, ribbon.outline.segments);
         const ScreenRib screen =
             screenRib(seenRib(lens, ribbon, i / ribbon.outline.segments), hasRidge);
@@ -228,19 +231,13 @@ void drawBetween(Lens lens, uint first, uint end, uint item, uint blades, uint s
 }
 
 /// The first and the last rib between which a blade is drawn in this turn. `isDrawn`: it had its first
-/// one, of which some halves may have been left to the late one.
+/// one, which has left to this one what lies before and behind the segments that it drew.
 uvec2 ribsOf(LargePart blade, bool isDrawn)
 {
-    const uvec2 own = segmentsOfPart(blade.part);
-    const uint segments = own.y;
-    const uint half_ = uint(blade.segments) / 2u;
-    const bool lowerIsLate = (blade.part & lowerPartIsLate) != 0u;
-    const bool upperIsLate = (blade.part & upperPartIsLate) != 0u;
-    uvec2 ribs = own;
-    if (isLate && isDrawn)
-        ribs = uvec2(lowerIsLate ? 0u : half_, upperIsLate ? segments : lowerIsLate ? half_ : 0u);
-    else if (!isLate)
-        ribs = uvec2(lowerIsLate ? half_ : 0u, upperIsLate ? half_ : segments);
+    uvec2 ribs = segmentsOfPart(blade.part);
+    const uint segments = uint(blade.segments);
+    if (isDrawn)
+        ribs = uvec2(ribs.x > 0u ? 0u : ribs.y, ribs.y < segments ? segments : ribs.x);
     return partsOf(blade.part) > 0u ? ribs : uvec2(0u);
 }
 
@@ -266,6 +263,7 @@ void main()
         const bool isDrawn = isLate && place < push.largeCount.at[2].count;
         if (thread < blades) {
             const uvec2 own = ribsOf(large.at[place], isDrawn);
+            items[thread].drawn = isDrawn ? segmentsOfPart(large.at[place].part) : uvec2(0u);
             items[thread + 1u].firstRib = own.x < own.y ? own.y - own.x + 1u : 0u;
             items[thread].beginsAt = own.x;
             items[thread].cycle = 8u * partsOf(large.at[place].part);

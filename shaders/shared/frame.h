@@ -23,32 +23,48 @@ struct VisibleBlade {
     uint blade; ///< index into the blades: the resident id
     uint patchIndex;
     uint factors; ///< packFactors(): 1, or more where level of detail has left blades out; and
-                  ///< what of the blade is late
+                  ///< which quarters of the blade are late
     float pixels; ///< height on the screen [pixels]
 };
 SHARED_LAYOUT(VisibleBlade, 16)
 
-/// Set in factors if the half towards the root, or the other one, is drawn in the late turn where
-/// large blades hide one another: the signs of both numbers.
-SHARED_CONST uint lowerHalfIsLate = 0x8000u;
-SHARED_CONST uint upperHalfIsLate = 0x80000000u;
+/// So many times as wide and as high as it is a blade is drawn, as two halves of a float, of which
+/// the second, 1 to less than 2, has the upper 6 bits of 1 always.
+SHARED_CONST uint heightFactorBits = 0x03ff0000u;
 
-/// So many times as wide and as high as it is a blade is drawn, as two halves of a float.
 SHARED_FN uint packFactors(float width, float height)
 {
-    return packHalf2x16(vec2(width, height));
+    return packHalf2x16(vec2(width, height)) & (heightFactorBits | 0xffffu);
 }
 
 /// In times the blade's own width.
 SHARED_FN float widthFactorOf(VisibleBlade visible)
 {
-    return abs(unpackHalf2x16(visible.factors).x);
+    return unpackHalf2x16(visible.factors).x;
 }
 
 /// In times the blade's own height.
 SHARED_FN float heightFactorOf(VisibleBlade visible)
 {
-    return abs(unpackHalf2x16(visible.factors).y);
+    return unpackHalf2x16((visible.factors & heightFactorBits) | 0x3c000000u).y;
+}
+
+/// Where large blades hide one another, some of a blade's quarters are drawn in a late turn: which,
+/// are bits, the lowest of that at its root. In VisibleBlade::factors they are shifted by so many.
+SHARED_CONST uint quarters = 4u;
+SHARED_CONST uint allQuarters = 15u;
+SHARED_CONST uint lateShift = 28u;
+
+/// The first segment of quarter `i`, of so many of a blade; `quarters`: one past the last.
+SHARED_FN uint beginOfQuarter(uint i, uint segments)
+{
+    return i * segments / quarters;
+}
+
+/// The last quarter that begins at segment `i` or before: the one to which that belongs.
+SHARED_FN uint quarterOf(uint i, uint segments)
+{
+    return (quarters * i + quarters - 1u) / segments;
 }
 
 /// VkDrawIndirectCommand, and the counts by fate behind it.

@@ -51,9 +51,19 @@ struct UpdatePush {
     uint round;
     uint lateRound; ///< the same of those blades that are listed from behind
     uint viewCount; ///< frames at `views`
-    uint reserved;
+    uint frame;     ///< one after the other; see forgetsSeen()
 };
 SHARED_LAYOUT(UpdatePush, 96)
+
+/// What a frame has shown of a blade counts as seen until the blade forgets it, in every 16th
+/// frame. If all forgot in each, what turns up and is gone again with every wind would leave holes
+/// in what hides the rest.
+SHARED_CONST uint framesSeen = 16u;
+
+SHARED_FN bool forgetsSeen(uint blade, uint frame)
+{
+    return (blade + frame) % framesSeen == 0u;
+}
 
 // What a pipeline of the update has code for, and a frame may ask for: the tests of its cullMask,
 // and more.
@@ -188,19 +198,16 @@ struct LargePart {
     uint shape;
     uint blade; ///< resident id
     uint part;  ///< 0–7 which of so many parts, 8–15; 0: nothing, there was no room for all parts;
-                ///< 16–22 the first segment of which something is drawn, 23–29 one past the last;
-                ///< and what of the blade is drawn in the late turn
+                ///< 16–22 the first segment that is drawn, 23–29 one past the last; of a blade that
+                ///< had its first turn all others are left to the late one
 };
 SHARED_LAYOUT(LargePart, 80)
 
-/// LargePart::part, but for what is late.
+/// LargePart::part.
 SHARED_FN uint packPart(uint number, uint parts, uint begin, uint end)
 {
     return number | (parts << 8u) | (begin << 16u) | (end << 23u);
 }
-
-SHARED_CONST uint lowerPartIsLate = 0x40000000u;
-SHARED_CONST uint upperPartIsLate = 0x80000000u;
 
 /// Where nobody knows what the frame before has shown, and blades are drawn in two turns all the
 /// same, the first one takes the upper halves of those that cover so many pixels …
@@ -209,11 +216,22 @@ SHARED_CONST float foremostPixels = 4096.0f;
 /// … and of so many others one: enough of them to hide most of what stands behind.
 SHARED_CONST uint foremostOf = 4u;
 
-/// What of a large blade is then drawn in the late turn, as LargePart::part has it.
-SHARED_FN uint latePartsUnseen(float pixels, uint blade)
+/// Which quarters of a large blade are then drawn in the late turn.
+SHARED_FN uint lateQuartersUnseen(float pixels, uint blade)
 {
     const bool isForemost = pixels >= foremostPixels || blade % foremostOf == 0u;
-    return isForemost ? lowerPartIsLate : lowerPartIsLate | upperPartIsLate;
+    return isForemost ? 3u : allQuarters;
+}
+
+/// Between which segments a blade is drawn in the first turn, the first and one past the last:
+/// those of its quarters that are not late, and what lies between them.
+SHARED_FN uvec2 firstSegments(uint late, uint segments)
+{
+    const uint early = allQuarters & ~late;
+    if (early == 0u)
+        return uvec2(0u, 0u);
+    return uvec2(beginOfQuarter(uint(findLSB(early)), segments),
+                 beginOfQuarter(uint(findMSB(early)) + 1u, segments));
 }
 
 SHARED_BUFFER(LargePartArray, LargePart, )
@@ -236,6 +254,15 @@ SHARED_FN uint rowsOfColumn(uint height)
     return (height + 3u) & ~3u;
 }
 
+/// Of so many large blades what shading asks of them is kept for all pixels that show them, …
+SHARED_CONST uint mostSurfaces = 262144u;
+
+/// … and where it may be by resident id modulo this: of two that meet there one is shaded without.
+SHARED_CONST uint surfacePlaceCount = 1048576u;
+
+/// Blades that share a word of RasterPush::seen.
+SHARED_CONST uint seenOfWord = 32u / quarters;
+
 struct RasterPush {
     FrameArray frame;
     FrameArray judged; ///< by whose camera the visible blades were listed
@@ -249,19 +276,22 @@ struct RasterPush {
     UintArray owners;          ///< patches that own blades, in the order of their blades
     UintArray firstOwners; ///< per ownerStride blades: index into `owners` of the first one's patch
 
-    /// Two bits for each blade, by its resident id: whether a sample shows its half towards the
-    /// root, and the other one. Of large blades those halves that the frame before showed are drawn
-    /// first, then all others as far as they are not hidden; so the bits decide when something is
-    /// looked at, and never whether it is seen. Address 0: nobody asks; see `takesTurns`.
+    /// A bit for each quarter of each blade, by its resident id: whether a sample has shown
+    /// it, see forgetsSeen(). Of large blades those quarters are drawn first, then all others as
+    /// far as they are not hidden; so the bits decide when something is looked at, and never
+    /// whether it is seen. Address 0: nobody asks; see `takesTurns`.
     UintArray seen;
-    WalkLevelArray tiles; ///< by what they show: see shown_tiles.h
-    uvec2 size;           ///< [pixels]
-    uint isBgr;           ///< 1: the picture's first channel is blue
-    uint round;           ///< whose list is rasterised: its first blades, or its last ones
+    UintArray surfacePlaces; ///< per resident id modulo surfacePlaceCount: the place in `large`
+                             ///< where a blade with such an id was listed last
+    UintArray surfaces;      ///< 12 words each: see kept_surfaces.glsl
+    WalkLevelArray tiles;    ///< by what they show: see shown_tiles.h
+    uvec2 size;              ///< [pixels]
+    uint isBgr;              ///< 1: the picture's first channel is blue
+    uint round;              ///< whose list is rasterised: its first blades, or its last ones
     uint firstBlade; ///< what the visibility has for the blade with the id 0: see VisibilityArray
-    uint takesTurns; ///< 1: large blades have two turns without `seen`, by latePartsUnseen()
+    uint takesTurns; ///< 1: large blades have two turns without `seen`, by lateQuartersUnseen()
 };
-SHARED_LAYOUT(RasterPush, 112)
+SHARED_LAYOUT(RasterPush, 128)
 
 /// A collider is drawn as so many quads around its axis, in so many rings from each pole.
 SHARED_CONST uint colliderSegments = 64u;

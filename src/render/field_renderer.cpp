@@ -225,8 +225,11 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
     sunShadow.prepare(shaders);
     if (raster) {
         solidRaster->prepare(shaders, frame.nature.colliderCount, debugMode);
-        resolve->prepare(shaders,
-                         {.debugMode = debugMode, .leavesLayers = frame.view.mostLayers > 0.0f});
+        const Shading shading{.debugMode = debugMode,
+                              .leavesLayers = frame.view.mostLayers > 0.0f,
+                              .keepsSurfaces = findsHidden(wishes)};
+        raster->prepare(shaders, shading);
+        resolve->prepare(shaders, shading);
     } else {
         solid->prepare(shaders, frame.nature.colliderCount, paintsWind);
         tessellated->prepare(shaders, paintsWind);
@@ -277,11 +280,7 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
 
     const bool looksForHidden = (settings.cullMask & shared::cullOcclusion) != 0;
     const bool findsReasons = settings.debug == DebugMode::reason;
-    const bool groupsDrawLarge =
-        parts.geometry == Geometry::raster && parts.targetSettings.groupsDrawLarge;
-    // What blades hide is known of the camera that draws, and of no other.
-    const bool findsHidden =
-        groupsDrawLarge && looksForHidden && !settings.cullingCamera && !findsReasons;
+    const bool findsHidden = parts.findsHidden(settings);
     const RasterPass::Input raster{.field = &parts.blades.buffers(),
                                    .frame = parts.slots[slot].frame.place(),
                                    .judged =
@@ -289,10 +288,11 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
                                    .firstBlade = parts.raster ? parts.solidRaster->firstBlade() : 1,
                                    .findsHidden = findsHidden,
                                    // Another camera goes on asking the pyramid that it has made.
-                                   .takesTurns = groupsDrawLarge && parts.drawsInTurns &&
+                                   .takesTurns = parts.groupsDrawLarge() && parts.drawsInTurns &&
                                                  !findsHidden && !settings.cullingCamera,
                                    .tessellatesLarge = parts.geometry == Geometry::hybrid};
 
+    parts.blades.begin(commands, time);
     // What the ground hides needs neither be moved nor drawn.
     if (parts.raster)
         parts.rasterSolid(commands, slot, timestamps);
@@ -305,13 +305,12 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
             parts.seeWhatIsHidden(commands, slot, timestamps);
         parts.hasPyramid = looksForHidden;
     }
-    parts.blades.begin(commands, time);
     if (parts.streaming)
         parts.recordStreaming(commands, slot, time);
     parts.blades.findLive(commands, judged.address, timestamps);
     if (findsReasons) {
         // All blades are drawn, in the colours of what becomes of them.
-        parts.blades.moveAndList(commands, judged, 0, 0, timestamps);
+        parts.blades.moveAndList(commands, judged, 0, {}, timestamps);
         parts.slots[slot].recordCounts(commands, parts.blades.buffers().draw());
         parts.blades.beginAgain(commands);
         parts.blades.findLive(commands, raster.judged.address, nullptr);
@@ -319,7 +318,7 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
     if (parts.raster)
         parts.rasterBlades(commands, raster, timestamps);
     else
-        parts.blades.moveAndList(commands, raster.judged, 0, 0, timestamps);
+        parts.blades.moveAndList(commands, raster.judged, 0, {}, timestamps);
 
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
     if (!findsReasons)

@@ -73,6 +73,8 @@ struct FieldRenderer::Parts {
                              std::uint32_t slot);
     FramePlace judge(const shared::Frame& frame, const FrameSettings& wishes, glm::uvec2 size,
                      std::uint32_t slot);
+    bool groupsDrawLarge() const;
+    bool findsHidden(const FrameSettings& wishes) const; ///< of blades what others hide
     void drawSolid(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
                    gpu::Timestamps* timestamps);
     void rasterSolid(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);

@@ -5,6 +5,18 @@
 
 namespace sward::render {
 
+bool FieldRenderer::Parts::groupsDrawLarge() const
+{
+    return geometry == Geometry::raster && targetSettings.groupsDrawLarge;
+}
+
+bool FieldRenderer::Parts::findsHidden(const FrameSettings& wishes) const
+{
+    // What blades hide is known of the camera that draws, and of no other.
+    return groupsDrawLarge() && (wishes.cullMask & shared::cullOcclusion) != 0 &&
+           !wishes.cullingCamera && wishes.debug != DebugMode::reason;
+}
+
 gpu::ColorAttachment FieldRenderer::Parts::colorAttachment(const Target& target) const
 {
     gpu::ColorAttachment color{

@@ -23,8 +23,8 @@ LargeBladeList::LargeBladeList(const gpu::DeviceContext& context, Room room)
     , counts_(context,
               {.name = "raster/large blades' count",
                .bytes = sizeof(Counts),
-               .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
-                        VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT})
+               .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                        VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT})
 {
     if (room.large)
         parts_ = gpu::Buffer(context, {.name = "raster/large blades",
@@ -32,10 +32,9 @@ LargeBladeList::LargeBladeList(const gpu::DeviceContext& context, Room room)
                                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
     if (room.shownBlades == 0)
         return;
-    constexpr VkDeviceSize bladesOfWord = 16;
     shown_ = gpu::Buffer(
         context, {.name = "raster/blades that the frame before showed",
-                  .bytes = (room.shownBlades / bladesOfWord + 1) * sizeof(std::uint32_t),
+                  .bytes = (room.shownBlades / shared::seenOfWord + 1) * sizeof(std::uint32_t),
                   .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
 }
 
@@ -52,21 +51,11 @@ void LargeBladeList::clear(VkCommandBuffer commands) const
     vkCmdUpdateBuffer(commands, counts_.get(), 0, sizeof none, &none);
 }
 
-void LargeBladeList::beginLate(VkCommandBuffer commands) const
-{
-    const VkBufferCopy count{.srcOffset = offsetof(Counts, parts.count),
-                             .dstOffset = offsetof(Counts, drawn.count),
-                             .size = sizeof(std::uint32_t)};
-    vkCmdCopyBuffer(commands, counts_.get(), counts_.get(), 1, &count);
-    const Counts none{};
-    vkCmdUpdateBuffer(commands, counts_.get(), offsetof(Counts, cut), sizeof none.cut, &none.cut);
-}
-
 void LargeBladeList::beginShown(VkCommandBuffer commands)
 {
-    if (!hasShown_ && shown_.bytes() > 0)
+    if (frame_ == 0 && shown_.bytes() > 0)
         vkCmdFillBuffer(commands, shown_.get(), 0, VK_WHOLE_SIZE, 0);
-    hasShown_ = true;
+    ++frame_;
 }
 
 void LargeBladeList::dispatch(VkCommandBuffer commands) const
@@ -82,6 +71,11 @@ void LargeBladeList::dispatchCut(VkCommandBuffer commands) const
 VkDeviceSize LargeBladeList::drawOffset()
 {
     return offsetof(Counts, draw);
+}
+
+VkDeviceSize LargeBladeList::offsetOfSurfaces()
+{
+    return offsetof(Counts, drawn);
 }
 
 } // namespace sward::render

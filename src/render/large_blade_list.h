@@ -2,6 +2,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/context.h"
+#include "render/update_cull_pass.h"
 #include "shaders/shared/passes.h"
 
 #include <vulkan/vulkan.h>
@@ -18,33 +19,32 @@ public:
 
     /// For what there is room beside shared::mostCutBlades.
     struct Room {
-        bool large = false;            ///< shared::mostLargeParts
-        std::uint32_t shownBlades = 0; ///< two bits each, if some are to be left out as hidden
+        bool large = false; ///< shared::mostLargeParts
+        std::uint32_t shownBlades =
+            0; ///< a bit for each quarter, if some are to be left out as hidden
     };
 
     LargeBladeList(const gpu::DeviceContext& context, Room room);
 
     void describe(shared::RasterPush& push) const; ///< where shaders find all but those bits
 
-    /// Two bits for each blade: see shared::RasterPush::seen.
-    VkDeviceAddress shown() const { return shown_.address(); }
+    /// A bit for each quarter of each blade: see shared::RasterPush::seen.
+    UpdateCullPass::Shown shown() const { return {shown_.address(), frame_}; }
 
     /// Empties it; a transfer.
     void clear(VkCommandBuffer commands) const;
 
-    /// Keeps what is listed, and how much that is as drawn in the first turn; but those that the
-    /// near plane cuts have been drawn for good. A transfer.
-    void beginLate(VkCommandBuffer commands) const;
-
-    /// Before the first frame no blade has been shown; a transfer, once.
+    /// Begins a frame. Before the first one no blade has been shown; a transfer, once.
     void beginShown(VkCommandBuffer commands);
 
     void dispatch(VkCommandBuffer commands) const;    ///< work-groups for all that are listed …
     void dispatchCut(VkCommandBuffer commands) const; ///< … but the cut ones, and for these
 
-    /// Of VkDrawIndirectCommand, a vertex for each that is listed.
-    VkBuffer drawBuffer() const { return counts_.get(); }
+    /// Of VkDrawIndirectCommand, a vertex for each that is listed, and of what SurfacePass
+    /// dispatches.
+    VkBuffer counts() const { return counts_.get(); }
     static VkDeviceSize drawOffset();
+    static VkDeviceSize offsetOfSurfaces();
 
     VkDeviceSize bytes() const { return parts_.bytes() + cut_.bytes() + shown_.bytes(); }
 
@@ -53,7 +53,7 @@ private:
     gpu::Buffer cut_;
     gpu::Buffer counts_;
     gpu::Buffer shown_;
-    bool hasShown_ = false; ///< whether it has been filled
+    std::uint32_t frame_ = 0; ///< so many have begun
 };
 
 } // namespace sward::render

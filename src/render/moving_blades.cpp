@@ -68,12 +68,13 @@ void MovingBlades::findLive(VkCommandBuffer commands, VkDeviceAddress judged,
 }
 
 void MovingBlades::moveAndList(VkCommandBuffer commands, const FramePlace& judged,
-                               std::uint32_t round, VkDeviceAddress seen,
+                               std::uint32_t round, UpdateCullPass::Shown shown,
                                gpu::Timestamps* timestamps) const
 {
     const PassScope scope(*context_, commands, timestamps, "update");
     update_.record(commands, buffers_.baked(), buffers_.list(), variant_,
-                   UpdateCullPass::Scope::visible, {.frame = judged, .round = round, .seen = seen});
+                   UpdateCullPass::Scope::visible,
+                   {.frame = judged, .round = round, .shown = shown});
 }
 
 void MovingBlades::moveAll(VkCommandBuffer commands, const FramePlace& frame) const

@@ -44,10 +44,10 @@ public:
     void findLive(VkCommandBuffer commands, VkDeviceAddress judged,
                   gpu::Timestamps* timestamps) const;
 
-    /// Moves, judges and lists the blades of one round of live patches; those that are not among
-    /// the `seen` from behind, see shared::RasterPush.
+    /// Moves, judges and lists the blades of one round of live patches; those that have not
+    /// been shown from behind.
     void moveAndList(VkCommandBuffer commands, const FramePlace& judged, std::uint32_t round,
-                     VkDeviceAddress seen, gpu::Timestamps* timestamps) const;
+                     UpdateCullPass::Shown shown, gpu::Timestamps* timestamps) const;
 
     /// Moves all blades, and does nothing else.
     void moveAll(VkCommandBuffer commands, const FramePlace& frame) const;

@@ -63,6 +63,7 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
         blades_ = pipeline("raster/blades", "raster_blades.comp", toGroups);
         large_ = pipeline("raster/large blades", "raster_large.comp", untold);
         lateBlades_ = pipeline("raster/late blades", "list_late.comp", untold);
+        surfaces_.emplace(context, target);
         lateLarge_ = pipeline("raster/late large blades", "raster_large.comp", untold, true);
     }
     if (target.tessellatesLarge) {
@@ -75,6 +76,13 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
         blades_ = pipeline("raster/blades", "raster_blades.comp", shared::largeToNobody);
     if (drawsAlone || target.groupsDrawLarge)
         cut_ = pipeline("raster/cut blades", "raster_cut.comp", untold);
+}
+
+void RasterPass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
+{
+    expect(!shading.keepsSurfaces || surfaces_, "work-groups draw large blades");
+    if (shading.keepsSurfaces)
+        surfaces_->prepare(shaders, shading);
 }
 
 void RasterPass::resize(VkExtent2D size)
@@ -98,7 +106,9 @@ shared::RasterPush RasterPass::pushFor(const Input& input) const
                             .cut = 0,
                             .owners = input.field->baked().owners(),
                             .firstOwners = input.field->baked().firstOwners(),
-                            .seen = input.findsHidden ? largeList_.shown() : 0,
+                            .seen = input.findsHidden ? largeList_.shown().quarters : 0,
+                            .surfacePlaces = 0,
+                            .surfaces = 0,
                             .tiles = 0,
                             .size = {size_.width, size_.height},
                             .isBgr = isBgr(target_.colorFormat) ? 1u : 0u,
@@ -106,7 +116,14 @@ shared::RasterPush RasterPass::pushFor(const Input& input) const
                             .firstBlade = input.firstBlade,
                             .takesTurns = input.takesTurns ? 1u : 0u};
     largeList_.describe(push);
+    if (surfaces_)
+        surfaces_->describe(push);
     return push;
+}
+
+VkDeviceSize RasterPass::bytes() const
+{
+    return visibility_.bytes() + largeList_.bytes() + (surfaces_ ? surfaces_->bytes() : 0);
 }
 
 void RasterPass::recordBegin(VkCommandBuffer commands)
@@ -138,7 +155,7 @@ void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input, std:
 void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Turn turn) const
 {
     if (input.tessellatesLarge)
-        return tessellated_->record(commands, pushFor(input), largeList_.drawBuffer(),
+        return tessellated_->record(commands, pushFor(input), largeList_.counts(),
                                     LargeBladeList::drawOffset());
     const shared::RasterPush push = pushFor(input);
     const auto bind = [&](const gpu::ComputePipeline& pipeline) {
@@ -146,19 +163,16 @@ void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Turn 
         input.frame.bind(commands, pipeline.layout(), frameSet);
         pipeline.push(commands, push);
     };
+    // Only those that the frame before has shown are as good as seen.
+    if (turn == Turn::late && input.findsHidden)
+        surfaces_->record(commands, push, input.frame, largeList_.counts(),
+                          LargeBladeList::offsetOfSurfaces());
     if (target_.groupsDrawLarge) {
         bind(turn == Turn::late ? lateLarge_ : large_);
         largeList_.dispatch(commands);
     }
     bind(cut_);
     largeList_.dispatchCut(commands);
-}
-
-void RasterPass::recordLateTurn(VkCommandBuffer commands) const
-{
-    gpu::memoryBarrier(commands, gpu::dispatchAccess, gpu::transferAccess);
-    largeList_.beginLate(commands);
-    gpu::memoryBarrier(commands, gpu::transferAccess, gpu::dispatchAccess);
 }
 
 void RasterPass::recordDepths(VkCommandBuffer commands, const Input& input) const

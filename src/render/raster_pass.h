@@ -9,6 +9,7 @@
 #include "render/frame_place.h"
 #include "render/large_blade_list.h"
 #include "render/large_blade_pass.h"
+#include "render/surface_pass.h"
 #include "render/target_settings.h"
 #include "shaders/shared/passes.h"
 
@@ -29,6 +30,9 @@ public:
     /// `obstacleToRaster()` has none.
     RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
                const TargetSettings& target, std::uint32_t bladeCount);
+
+    /// Makes ready for a frame.
+    void prepare(const gpu::ShaderLibrary& shaders, Shading shading);
 
     /// Has pictures of this size; the device is done with the former ones.
     void resize(VkExtent2D size);
@@ -57,23 +61,21 @@ public:
                       Turn turn) const;
 
     /// Rasterises the large ones that have been listed, or has them tessellated. If blades hide
-    /// others, in the first turn those halves that the frame before has shown, if they take turns,
-    /// those by shared::latePartsUnseen(), and in the late one what of all the rest the frame's
-    /// pyramid does not hide. As above.
+    /// others, in the first turn those quarters that frames have shown lately, if they take
+    /// turns, those by shared::lateQuartersUnseen(), and in the late one what of all the rest the
+    /// frame's pyramid does not hide, while the surfaces of the first ones are kept. As above.
     void recordLarge(VkCommandBuffer commands, const Input& input, Turn turn) const;
 
-    /// What is listed from now on has its late turn; with barriers from and to compute shaders.
-    void recordLateTurn(VkCommandBuffer commands) const;
-
-    /// Fills the finest levels of the frame's pyramid with what has been drawn so far. As above.
+    /// Fills the finest levels of the frame's pyramid with what has been drawn so far; what is
+    /// listed from now on has its late turn. As above.
     void recordDepths(VkCommandBuffer commands, const Input& input) const;
 
     /// What all shaders are told that draw into the visibility or look at it; but for tiles.
     shared::RasterPush pushFor(const Input& input) const;
 
     VkDeviceAddress visibility() const { return visibility_.address(); }
-    VkDeviceAddress seen() const { return largeList_.shown(); } ///< see shared::RasterPush
-    VkDeviceSize bytes() const { return visibility_.bytes() + largeList_.bytes(); }
+    UpdateCullPass::Shown shown() const { return largeList_.shown(); }
+    VkDeviceSize bytes() const;
 
 private:
     const gpu::DeviceContext* context_;
@@ -87,6 +89,7 @@ private:
     gpu::ComputePipeline lateLarge_; ///< leaves out what is hidden
     gpu::ComputePipeline depths_;
     std::optional<LargeBladePass> tessellated_; ///< of large blades
+    std::optional<SurfacePass> surfaces_;       ///< of those that work-groups draw
 
     VkExtent2D size_{};
     bool isEmpty_ = false; ///< nothing is in the visibility when a frame begins

@@ -34,7 +34,8 @@ void RasterRounds::recordFirst(VkCommandBuffer commands, const RasterPass::Input
     // The round before draws from the list that is filled anew.
     if (round > 0)
         gpu::computeToCompute(commands);
-    blades.moveAndList(commands, input.judged, round, input.findsHidden ? raster.seen() : 0,
+    using Shown = UpdateCullPass::Shown;
+    blades.moveAndList(commands, input.judged, round, input.findsHidden ? raster.shown() : Shown(),
                        timestamps);
     gpu::computeToCompute(commands);
     const PassScope scope(context, commands, timestamps, "blades");
@@ -48,8 +49,8 @@ void RasterRounds::recordPyramid(VkCommandBuffer commands, const RasterPass::Inp
     {
         const PassScope scope(context, commands, timestamps, "blades");
         raster.recordLarge(commands, input, RasterPass::Turn::first);
-        raster.recordLateTurn(commands);
     }
+    gpu::memoryBarrier(commands, gpu::dispatchAccess, gpu::dispatchAccess);
     const PassScope scope(context, commands, timestamps, "pyramid");
     raster.recordDepths(commands, input);
     pyramid.recordCoarser(commands, input.frame.address);

@@ -13,7 +13,7 @@
 namespace sward::render {
 
 /// Moves, judges and rasterises the live blades of a frame, as many at a time as the list holds.
-/// Where blades hide others, those that the frame before has shown come first; what they hide is
+/// Where blades hide others, those that frames have shown lately come first; what they hide is
 /// left out of the rest. Where large ones take turns, all small ones and some large ones come
 /// first, and what these hide of the other large ones is not drawn.
 struct RasterRounds {

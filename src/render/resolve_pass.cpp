@@ -81,7 +81,8 @@ void ResolvePass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
                                    {.id = 11, .value = target_.mayFold ? 1u : 0u},
                                    {.id = 12, .value = shown.blades ? 1u : 0u},
                                    {.id = 13, .value = shown.sky ? 1u : 0u},
-                                   {.id = 14, .value = target_.onlyShape}})});
+                                   {.id = 14, .value = target_.onlyShape},
+                                   {.id = 15, .value = shading.keepsSurfaces ? 1u : 0u}})});
     parts_.emplace(shading, std::move(parts));
 }
 

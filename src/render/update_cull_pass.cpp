@@ -79,7 +79,7 @@ void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& b
                                                .owners = blades.owners(),
                                                .views = input.views,
                                                .before = input.before,
-                                               .seenBefore = input.seen,
+                                               .seenBefore = input.shown.quarters,
                                                .ownerCount = blades.ownerCount(),
                                                .onlyUpdate = scope == Scope::all ? 1u : 0u,
                                                .firstLive = input.round * found.roundPatches(),
@@ -87,7 +87,7 @@ void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& b
                                                .round = input.round,
                                                .lateRound = found.roundCount() + input.round,
                                                .viewCount = input.viewCount,
-                                               .reserved = 0});
+                                               .frame = input.shown.frame});
     if (scope == Scope::all) {
         const std::uint32_t groups =
             shared::updateGroups(blades.ownerCount(), patchesOfGroup(*context_));

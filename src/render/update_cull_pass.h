@@ -54,6 +54,12 @@ public:
         all,     ///< every patch; move only
     };
 
+    /// What frames before have shown of blades.
+    struct Shown {
+        VkDeviceAddress quarters = 0; ///< see shared::RasterPush; 0: all are listed in front
+        std::uint32_t frame = 0;      ///< one after the other; see shared::forgetsSeen()
+    };
+
     /// What it reads and writes besides blades and lists.
     struct Input {
         FramePlace frame{}; ///< by whose camera blades are judged
@@ -61,7 +67,7 @@ public:
         VkDeviceAddress views = 0;   ///< frames on end for which Role::move moves blades …
         std::uint32_t viewCount = 0; ///< … and how many
         VkDeviceAddress before = 0;  ///< where it keeps states, if the variant does
-        VkDeviceAddress seen = 0;    ///< see shared::RasterPush; 0: all are listed in front
+        Shown shown{};
         std::uint32_t mostGroups = shared::mostGroups; ///< work-groups that share all patches
     };
 

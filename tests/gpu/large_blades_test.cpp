@@ -109,9 +109,10 @@ TEST_F(LargeBlades, InPartsLookAsTheGraphicsPipelineDrawsThem)
             << samples << " samples";
 }
 
-/// Two bits of each blade decide which of its halves is drawn first, and never what is seen: amid
+/// Bits of each blade decide which of its quarters is drawn first, and whether its surface is kept,
+/// and never what is seen: amid
 /// the blades, from above, and in the first frame after a jump from one to the other.
-TEST_F(LargeBlades, WhicheverHalfWasSeenBeforeThePictureIsTheSame)
+TEST_F(LargeBlades, WhicheverQuarterWasSeenBeforeThePictureIsTheSame)
 {
     const field::Field field = foldedThicket();
     for (const std::uint32_t samples : {1u, 4u}) {

@@ -165,13 +165,14 @@ std::size_t fillValues(Values& v)
     shared::UpdatePush& u = v.updatePush;
     n.fillAll(u.judged, u.live, u.levels, u.rounds, u.owners, u.views, u.before, u.seenBefore,
               u.ownerCount, u.onlyUpdate, u.firstLive, u.mostLive, u.round, u.lateRound,
-              u.viewCount, u.reserved);
+              u.viewCount, u.frame);
     shared::WalkPush& w = v.walkPush;
     n.fillAll(w.judged, w.subtrees, w.queue, w.live, w.levels, w.startCount, w.startLevel, w.level,
               w.reserved);
     shared::RasterPush& r = v.rasterPush;
     n.fillAll(r.frame, r.judged, r.visibility, r.rounds, r.large, r.largeCount, r.cut, r.owners,
-              r.firstOwners, r.seen, r.tiles, r.size, r.isBgr, r.round, r.firstBlade, r.takesTurns);
+              r.firstOwners, r.seen, r.surfacePlaces, r.surfaces, r.tiles, r.size, r.isBgr, r.round,
+              r.firstBlade, r.takesTurns);
     n.fillAll(v.subtree.blades, v.subtree.widest, v.subtree.rankBelow);
     n.fillAll(v.live.patchIndex, v.live.count);
     n.fillAll(v.walkLevel.groups, v.walkLevel.count);

@@ -5,6 +5,7 @@
 #include "gpu/readback.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace sward::test {
 
@@ -40,6 +41,15 @@ std::size_t differingPixels(const std::vector<std::byte>& a, const std::vector<s
     for (std::size_t i = 0; i + 3 < std::min(a.size(), b.size()); i += 4)
         count += std::equal(&a[i], &a[i] + 4, &b[i]) ? 0u : 1u;
     return count;
+}
+
+int largestDifference(const std::vector<std::byte>& a, const std::vector<std::byte>& b)
+{
+    int largest = 0;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+        largest =
+            std::max(largest, std::abs(std::to_integer<int>(a[i]) - std::to_integer<int>(b[i])));
+    return largest;
 }
 
 } // namespace sward::test

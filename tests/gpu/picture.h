@@ -51,4 +51,7 @@ struct FieldScene {
 /// Pixels in which two pictures differ.
 std::size_t differingPixels(const std::vector<std::byte>& a, const std::vector<std::byte>& b);
 
+/// The largest difference of any of their bytes.
+int largestDifference(const std::vector<std::byte>& a, const std::vector<std::byte>& b);
+
 } // namespace sward::test

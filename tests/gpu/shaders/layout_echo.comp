@@ -275,7 +275,7 @@ void main()
     put(sources.at[0].updatePush.at[1].round);
     put(sources.at[0].updatePush.at[1].lateRound);
     put(sources.at[0].updatePush.at[1].viewCount);
-    put(sources.at[0].updatePush.at[1].reserved);
+    put(sources.at[0].updatePush.at[1].frame);
 
     put(uvec2(sources.at[0].walkPush.at[1].judged));
     put(uvec2(sources.at[0].walkPush.at[1].subtrees));
@@ -297,6 +297,8 @@ void main()
     put(uvec2(sources.at[0].rasterPush.at[1].owners));
     put(uvec2(sources.at[0].rasterPush.at[1].firstOwners));
     put(uvec2(sources.at[0].rasterPush.at[1].seen));
+    put(uvec2(sources.at[0].rasterPush.at[1].surfacePlaces));
+    put(uvec2(sources.at[0].rasterPush.at[1].surfaces));
     put(uvec2(sources.at[0].rasterPush.at[1].tiles));
     put(sources.at[0].rasterPush.at[1].size);
     put(sources.at[0].rasterPush.at[1].isBgr);

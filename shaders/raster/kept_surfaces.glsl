@@ -1,0 +1,58 @@
+// What shading asks of a large blade, kept for all pixels that show it: to find it anew takes as long as half
+// of a resolve.
+#ifndef SWARD_RASTER_KEPT_SURFACES_GLSL
+#define SWARD_RASTER_KEPT_SURFACES_GLSL
+
+#include "shaders/raster/large_part.glsl"
+#include "shaders/raster/seen_blade.glsl"
+
+/// RasterPush::surfaces, 16 bytes at a time: a BladeSurface has three, with SeenBlade::isAsked in the sign of
+/// the leaf area, which has none.
+layout(buffer_reference, scalar, buffer_reference_align = 16) buffer SurfaceQuarters
+{
+    uvec4 at[];
+};
+
+const uint isAskedSign = 0x80000000u;
+
+/// Keeps the surface of the blade that is listed at `slot`.
+void keepSurface(uint slot, SeenBlade seen)
+{
+    UintArray places = push.surfacePlaces;
+    places.at[seen.blade % surfacePlaceCount] = slot;
+    SurfaceQuarters surfaces = SurfaceQuarters(uvec2(push.surfaces));
+    surfaces.at[3u * slot] = floatBitsToUint(seen.surface.root);
+    surfaces.at[3u * slot + 1u] = floatBitsToUint(seen.surface.tip);
+    surfaces.at[3u * slot + 2u] =
+        floatBitsToUint(seen.surface.material) | uvec4(0u, 0u, 0u, seen.isAsked ? isAskedSign : 0u);
+}
+
+/// Whether a surface is kept of the blade that is listed at a slot.
+bool isKept(uint slot, LargePart blade)
+{
+    return slot < min(push.largeCount.at[2].count, mostSurfaces) && partsOf(blade.part) > 0u &&
+           numberOfPart(blade.part) == 0u;
+}
+
+/// Finds a blade whose surface has been kept; false if it has not, or if another one's has that might lie
+/// at the same place.
+bool findKept(uint index, out SeenBlade seen)
+{
+    const uint slot = push.surfacePlaces.at[index % surfacePlaceCount];
+    if (slot >= mostSurfaces)
+        return false;
+    const LargePart blade = partAt(slot);
+    if (blade.blade != index || !isKept(slot, blade))
+        return false;
+    SurfaceQuarters surfaces = SurfaceQuarters(uvec2(push.surfaces));
+    const uvec4 material = surfaces.at[3u * slot + 2u];
+    seen.ribbon = ribbonOf(blade);
+    seen.surface.root = uintBitsToFloat(surfaces.at[3u * slot]);
+    seen.surface.tip = uintBitsToFloat(surfaces.at[3u * slot + 1u]);
+    seen.surface.material = uintBitsToFloat(material & uvec4(uvec3(~0u), ~isAskedSign));
+    seen.blade = index;
+    seen.isAsked = (material.w & isAskedSign) != 0u;
+    return true;
+}
+
+#endif

@@ -1,0 +1,64 @@
+// What shading asks of a blade that the visibility shows, found by its resident id. The including stage has
+// a push constant `push` of type RasterPush.
+#ifndef SWARD_RASTER_SEEN_BLADE_GLSL
+#define SWARD_RASTER_SEEN_BLADE_GLSL
+
+#include "shaders/grass/blade_colors.glsl"
+#include "shaders/shared/passes.h"
+#include "shaders/shared/visibility.h"
+
+/// Whether grass that others hide is left out, see layerShare(); known when the pipeline is made.
+layout(constant_id = 8) const bool leavesLayers = true;
+
+/// Index of the patch that owns a blade.
+uint patchOf(uint blade)
+{
+    uint owner = push.firstOwners.at[blade / ownerStride];
+    uint patchIndex = push.owners.at[owner];
+    while (blade >= FRAME.patches.at[patchIndex].firstBlade + FRAME.patches.at[patchIndex].bladeCount)
+        patchIndex = push.owners.at[++owner];
+    return patchIndex;
+}
+
+/// A blade of patch `patchIndex`, raised() by its layers, as the list of visible blades had it.
+VisibleBlade visibleBlade(uint index, uint patchIndex, Patch cell, Blade blade, Layers layers)
+{
+    const Eyepoint view = push.judged.at[0].view;
+    const DrawnSize size = drawnSize(view, layers, blade, bladeRank(cell, index - cell.firstBlade),
+                                     length(blade.root - view.eye));
+    return VisibleBlade(index, patchIndex, packFactors(size.widthFactor, layers.rise), size.pixels);
+}
+
+/// What of a blade all pixels ask for that show it.
+struct SeenBlade {
+    Ribbon ribbon;
+    BladeSurface surface;
+    uint blade;   ///< resident id
+    bool isAsked; ///< whether its quarters count as seen in the next frame
+};
+
+/// Posed and coloured from what is stored of it.
+SeenBlade freshBlade(uint index)
+{
+    // Read first: to find the patch takes as long.
+    const uint place = placeOf(uvec2(FRAME.pages), index);
+    const PackedBlade bits = FRAME.blades.at[place];
+    const BladeState state = BladeState(FRAME.states.at[place], 0.0);
+    const uint patchIndex = patchOf(index);
+    const Patch cell = FRAME.patches.at[patchIndex];
+    Layers layers = allLayers();
+    if (leavesLayers)
+        layers = layersOf(push.judged.at[0].view, cell);
+    const Blade blade = raised(unpackBlade(bits, cell), layers.rise);
+    const VisibleBlade visible = visibleBlade(index, patchIndex, cell, blade, layers);
+    const DrawnBlade drawn = drawnBlade(visible, blade, state);
+    SeenBlade seen;
+    seen.ribbon = drawn.ribbon;
+    seen.surface = bladeSurface(drawn, visible, layers);
+    seen.blade = index;
+    seen.isAsked = uvec2(push.seen) != uvec2(0u) &&
+                   pixelsCovered(blade, visible.pixels, widthFactorOf(visible)) > askedSmallPixels;
+    return seen;
+}
+
+#endif

@@ -1,0 +1,70 @@
+#include "render/surface_pass.h"
+
+#include "core/expect.h"
+
+#include <cstdint>
+
+namespace sward::render {
+namespace {
+
+/// The set of descriptors that holds the frame.
+constexpr std::uint32_t frameSet = 0;
+
+constexpr VkDeviceSize wordsOfSurface = 12;
+
+gpu::Buffer bufferOf(const gpu::DeviceContext& context, const char* name, VkDeviceSize words)
+{
+    return {context,
+            {.name = name,
+             .bytes = words * sizeof(std::uint32_t),
+             .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}};
+}
+
+} // namespace
+
+SurfacePass::SurfacePass(const gpu::DeviceContext& context, const TargetSettings& target)
+    : context_(&context)
+    , target_(target)
+    , frameLayout_(context, "raster/frame")
+    , places_(bufferOf(context, "raster/places of surfaces", shared::surfacePlaceCount))
+    , surfaces_(bufferOf(context, "raster/surfaces", wordsOfSurface * shared::mostSurfaces))
+{
+}
+
+void SurfacePass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
+{
+    shading_ = shading;
+    if (pipelines_.contains(shading))
+        return;
+    pipelines_.emplace(
+        shading, gpu::ComputePipeline(*context_, shaders,
+                                      {.name = "raster/surfaces",
+                                       .shader = "keep_surfaces.comp",
+                                       .pushConstantBytes = sizeof(shared::RasterPush),
+                                       .setLayouts = {frameLayout_.get()},
+                                       .constants = {{.id = 0, .value = shading.debugMode},
+                                                     {.id = 1, .value = target_.samples},
+                                                     {.id = 8, .value = shading.leavesLayers},
+                                                     {.id = 11, .value = target_.mayFold},
+                                                     {.id = 14, .value = target_.onlyShape}}}));
+}
+
+void SurfacePass::describe(shared::RasterPush& push) const
+{
+    push.surfacePlaces = places_.address();
+    push.surfaces = surfaces_.address();
+}
+
+void SurfacePass::record(VkCommandBuffer commands, const shared::RasterPush& push,
+                         const FramePlace& frame, VkBuffer groups, VkDeviceSize offset) const
+{
+    const auto found = pipelines_.find(shading_);
+    expect(found != pipelines_.end(), "the pass has been prepared");
+    const gpu::ComputePipeline& pipeline = found->second;
+    pipeline.bind(commands);
+    frame.bind(commands, pipeline.layout(), frameSet);
+    pipeline.push(commands, push);
+    vkCmdDispatchIndirect(commands, groups, offset);
+}
+
+} // namespace sward::render

@@ -1,0 +1,80 @@
+// Quarters of a blade, of which each has been seen or not.
+#include "shaders/shared/frame.h"
+#include "shaders/shared/passes.h"
+
+#include <gtest/gtest.h>
+
+namespace sward::shared {
+namespace {
+
+constexpr uint mostSegments = 64;
+
+TEST(Quarters, EachSegmentLiesInOne)
+{
+    for (uint segments = 1; segments <= mostSegments; ++segments) {
+        EXPECT_EQ(beginOfQuarter(0, segments), 0u);
+        EXPECT_EQ(beginOfQuarter(quarters, segments), segments);
+        for (uint i = 0; i < segments; ++i) {
+            const uint own = quarterOf(i, segments);
+            ASSERT_LT(own, quarters) << i << " of " << segments;
+            EXPECT_LE(beginOfQuarter(own, segments), i) << i << " of " << segments;
+            EXPECT_GT(beginOfQuarter(own + 1, segments), i) << i << " of " << segments;
+        }
+    }
+}
+
+TEST(Quarters, TheFirstTurnDrawsAllThatAreNotLate)
+{
+    for (uint segments = 1; segments <= mostSegments; ++segments)
+        for (uint late = 0; late <= allQuarters; ++late) {
+            const uvec2 first = firstSegments(late, segments);
+            ASSERT_LE(first.x, first.y);
+            ASSERT_LE(first.y, segments);
+            for (uint i = 0; i < segments; ++i)
+                if ((late & (1u << quarterOf(i, segments))) == 0u) {
+                    EXPECT_LE(first.x, i) << "late " << late << ", " << segments << " segments";
+                    EXPECT_GT(first.y, i) << "late " << late << ", " << segments << " segments";
+                }
+            // And none that is late at either end.
+            if (first.x < first.y && segments >= quarters) {
+                EXPECT_EQ(late & (1u << quarterOf(first.x, segments)), 0u);
+                EXPECT_EQ(late & (1u << quarterOf(first.y - 1, segments)), 0u);
+            }
+        }
+    EXPECT_EQ(firstSegments(allQuarters, 8), uvec2(0u));
+    EXPECT_EQ(firstSegments(0, 8), uvec2(0u, 8u));
+}
+
+TEST(Quarters, LieBesideTheFactorsOfABlade)
+{
+    for (uint late = 0; late <= allQuarters; ++late) {
+        VisibleBlade visible{};
+        visible.factors = packFactors(2.5f, 1.25f) | (late << lateShift);
+        EXPECT_EQ(widthFactorOf(visible), 2.5f);
+        EXPECT_EQ(heightFactorOf(visible), 1.25f);
+        EXPECT_EQ(visible.factors >> lateShift, late);
+    }
+}
+
+TEST(Quarters, OfALargePartAreReadAsTheyWerePacked)
+{
+    const uint part = packPart(mostParts - 1, mostParts, mostSegments - 1, mostSegments);
+    EXPECT_EQ(part & 0xffu, mostParts - 1);
+    EXPECT_EQ((part >> 8u) & 0xffu, mostParts);
+    EXPECT_EQ((part >> 16u) & 0x7fu, mostSegments - 1);
+    EXPECT_EQ((part >> 23u) & 0x7fu, mostSegments);
+}
+
+TEST(Quarters, AreForgottenOnceInSoManyFrames)
+{
+    for (const uint blade : {0u, 7u, 1000003u})
+        for (const uint start : {0u, 0xfffffff8u}) {
+            uint forgotten = 0;
+            for (uint frame = 0; frame < 4 * framesSeen; ++frame)
+                forgotten += forgetsSeen(blade, start + frame) ? 1u : 0u;
+            EXPECT_EQ(forgotten, 4u) << blade << ", from frame " << start;
+        }
+}
+
+} // namespace
+} // namespace sward::shared
