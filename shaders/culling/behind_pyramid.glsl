@@ -1,9 +1,13 @@
 // Whether all of a part of the screen lies behind what a depth pyramid has seen. PYRAMID is the
-// pyramid, in memory.
+// pyramid, in memory, and PYRAMID_LEVELS how many of its levels have been filled.
 #ifndef SWARD_BEHIND_PYRAMID_GLSL
 #define SWARD_BEHIND_PYRAMID_GLSL
 
 #include "shaders/shared/occlusion.h"
+
+#ifndef PYRAMID_LEVELS
+#define PYRAMID_LEVELS PYRAMID.levels
+#endif
 
 /// Whether one of the cells from column `low` to `high` of a row, pyramidReach at most, whose first
 /// cell is `row`, is no nearer than `nearest`.
@@ -30,8 +34,11 @@ bool seesBehind(uint row, int low, int high, float nearest)
 /// hundred-thousandth nearer than it is.
 bool behindPyramid(ScreenBox box)
 {
-    const uint level = pyramidLevelFor(box, PYRAMID.levels);
+    const uint level = pyramidLevelFor(box, PYRAMID_LEVELS);
     const uint bits = pyramidFactorBits * (level + 1u);
+    // Too large for the coarsest level.
+    if (any(greaterThanEqual((box.high >> bits) - (box.low >> bits), ivec2(pyramidReach))))
+        return false;
     const uint row = pyramidCells(PYRAMID.size.x, level);
     const uint first = PYRAMID.first[level];
     const float nearest = box.nearest * 1.00001;

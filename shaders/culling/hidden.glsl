@@ -1,4 +1,4 @@
-// Whether the ground hides a box. JUDGED is the frame whose camera asks.
+// Whether the ground hides something. JUDGED is the frame whose camera asks.
 #ifndef SWARD_HIDDEN_GLSL
 #define SWARD_HIDDEN_GLSL
 
@@ -11,6 +11,15 @@ bool isHidden(vec3 low, vec3 high)
     if (uvec2(PYRAMID.depths) == uvec2(0u))
         return false;
     const ScreenBox box = screenBoxOf(JUDGED.viewProjection, PYRAMID.size, low, high);
+    return box.isKnown && behindPyramid(box);
+}
+
+/// Whether all that is no farther than `margin` [m] from a curve does.
+bool isHidden(vec3 v0, vec3 v1, vec3 v2, float margin)
+{
+    if (uvec2(PYRAMID.depths) == uvec2(0u))
+        return false;
+    const ScreenBox box = screenBoxOfCurve(JUDGED.viewProjection, PYRAMID.size, v0, v1, v2, margin);
     return box.isKnown && behindPyramid(box);
 }
 

@@ -319,7 +319,7 @@ void updateBlade(Eyepoint view, Nature nature, uint slot, uint i, StoredBlade st
     const Blade drawn = raised(blade, layers.rise);
     Verdict verdict = judgeBlade(view, layers, drawn, index, state, bladeRank(cell, i));
     if (verdict.fate == fateDrawn && (view.cullMask & cullOcclusion) != 0u &&
-        isHidden(verdict.low, verdict.high))
+        isHidden(drawn.root, verdict.v1, verdict.v2, verdict.margin))
         verdict.fate = fateOcclusion;
     if (verdict.fate != fateDrawn) {
         atomicAdd(fateSums[verdict.fate], 1u);

@@ -4,8 +4,12 @@
 #define SWARD_RASTER_HIDDEN_RECTANGLE_GLSL
 
 #define PYRAMID FRAME.pyramid
+// Those that seen_depths.comp fills: of four cells of the coarsest of them a stretch of a blade hardly needs
+// more, and one that does counts as seen.
+#define PYRAMID_LEVELS min(PYRAMID.levels, pyramidFirstOfRest)
 #define READS_CELLS_TOGETHER
 #include "shaders/culling/behind_pyramid.glsl"
+#include "shaders/shared/passes.h"
 #include "shaders/grass/pages.glsl"
 
 /// Whether nothing between `low` and `high` [pixels] can be seen whose reversed depth is `nearest` at

@@ -72,6 +72,50 @@ SHARED_FN ScreenBox screenBoxOf(mat4 viewProjection, uvec2 size, vec3 low, vec3 
     return box;
 }
 
+/// The first three numbers of row `i` of a matrix: what it makes of a direction there.
+SHARED_FN vec3 rowOf(mat4 m, int i)
+{
+    return vec3(m[0][i], m[1][i], m[2][i]);
+}
+
+/// The same of a quadratic Bézier curve over v0, v1, v2 and all that is no farther from it than
+/// `margin` [m]: quicker, and closer around a bent blade. While all weights are positive the
+/// picture of the curve lies between those of its control points, and a place x there moves by
+/// (row_x·δ − x·(row_w·δ)) / w' if its point moves by δ.
+SHARED_FN ScreenBox screenBoxOfCurve(mat4 viewProjection, uvec2 size, vec3 v0, vec3 v1, vec3 v2,
+                                     float margin)
+{
+    const vec4 a = viewProjection * vec4(v0, 1.0f);
+    const vec4 b = viewProjection * vec4(v1, 1.0f);
+    const vec4 c = viewProjection * vec4(v2, 1.0f);
+    const float ofW = length(rowOf(viewProjection, 3));
+    const float leastW = min(min(a.w, b.w), c.w) - margin * ofW;
+    const float mostZ = max(max(a.z, b.z), c.z) + margin * length(rowOf(viewProjection, 2));
+    ScreenBox box;
+    box.low = ivec2(0);
+    box.high = ivec2(0);
+    box.nearest = 0.0f;
+    box.isKnown = leastW > 0.0f && mostZ <= leastW;
+    if (!box.isKnown)
+        return box;
+    const vec2 placeA = vec2(a.x, a.y) * (1.0f / a.w);
+    const vec2 placeB = vec2(b.x, b.y) * (1.0f / b.w);
+    const vec2 placeC = vec2(c.x, c.y) * (1.0f / c.w);
+    vec2 lowest = min(min(placeA, placeB), placeC);
+    vec2 highest = max(max(placeA, placeB), placeC);
+    const vec2 ofPlace = vec2(length(rowOf(viewProjection, 0)), length(rowOf(viewProjection, 1)));
+    const float perW = 1.0f / leastW;
+    const vec2 reach = (ofPlace + max(abs(lowest), abs(highest)) * ofW) * (margin * perW);
+    const vec2 pixels = vec2(float(size.x), float(size.y));
+    const vec2 last = pixels - vec2(1.0f);
+    lowest = floor(((lowest - reach) * 0.5f + vec2(0.5f)) * pixels) - vec2(1.0f);
+    highest = floor(((highest + reach) * 0.5f + vec2(0.5f)) * pixels) + vec2(1.0f);
+    box.low = ivec2(clamp(lowest, vec2(0.0f), last));
+    box.high = ivec2(clamp(highest, vec2(0.0f), last));
+    box.nearest = mostZ * perW;
+    return box;
+}
+
 /// Cells along an axis that are looked at for one box, at most.
 SHARED_CONST int pyramidReach = 4;
 

@@ -55,10 +55,10 @@ struct UpdatePush {
 };
 SHARED_LAYOUT(UpdatePush, 96)
 
-/// What a frame has shown of a blade counts as seen until the blade forgets it, in every 16th
+/// What a frame has shown of a blade counts as seen until the blade forgets it, in every 32nd
 /// frame. If all forgot in each, what turns up and is gone again with every wind would leave holes
 /// in what hides the rest.
-SHARED_CONST uint framesSeen = 16u;
+SHARED_CONST uint framesSeen = 32u;
 
 SHARED_FN bool forgetsSeen(uint blade, uint frame)
 {

@@ -18,8 +18,9 @@ struct Verdict {
     uint fate;
     float widthFactor; ///< 0 unless drawn
     float pixels;      ///< height on the screen [pixels]
-    vec3 low;          ///< box around the blade; only where cullFrustum or cullOcclusion asks
-    vec3 high;
+    vec3 v1;           ///< of the blade's curve; only where cullFrustum or cullOcclusion asks
+    vec3 v2;
+    float margin; ///< [m] by which the blade reaches beyond it
 };
 
 /// Share of the blades that is drawn at `distance` [m]: lodFullShare where none is left out or
@@ -241,16 +242,18 @@ SHARED_FN Verdict judgeBlade(Eyepoint view, Layers layers, Blade blade, uint ind
     verdict.pixels = size.pixels;
 
     bool outside = false;
-    verdict.low = blade.root;
-    verdict.high = blade.root;
+    verdict.v1 = blade.root;
+    verdict.v2 = blade.root;
+    verdict.margin = 0.0f;
     if ((view.cullMask & (cullFrustum | cullOcclusion)) != 0u) {
         const Pose pose = poseOfState(axesAlong(blade.up, axis), state);
         const vec3 v1 = blade.root + blade.height * pose.v1;
         const vec3 v2 = blade.root + blade.height * pose.v2;
         const float margin = 0.5f * outlineMost * blade.width * max(factor, 1.0f) +
                              ribMargin(distance + blade.height, view.leastWidth);
-        verdict.low = min(min(blade.root, v1), v2) - vec3(margin);
-        verdict.high = max(max(blade.root, v1), v2) + vec3(margin);
+        verdict.v1 = v1;
+        verdict.v2 = v2;
+        verdict.margin = margin;
         if ((view.cullMask & cullFrustum) != 0u)
             SHARED_UNROLL for (uint i = 0u; i < 6u; ++i) outside =
                 outside || curveOutside(view.planes[i], blade.root, v1, v2, margin);

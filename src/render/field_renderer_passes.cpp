@@ -106,7 +106,7 @@ void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, const RasterPa
 {
     if (trial)
         trial->beginBlades(commands);
-    RasterRounds{context, blades, *raster, pyramid, rounds}.record(commands, input, timestamps);
+    RasterRounds{context, blades, *raster, rounds}.record(commands, input, timestamps);
     if (trial)
         trial->endBlades(commands);
 }

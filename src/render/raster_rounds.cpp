@@ -53,7 +53,6 @@ void RasterRounds::recordPyramid(VkCommandBuffer commands, const RasterPass::Inp
     gpu::memoryBarrier(commands, gpu::dispatchAccess, gpu::dispatchAccess);
     const PassScope scope(context, commands, timestamps, "pyramid");
     raster.recordDepths(commands, input);
-    pyramid.recordCoarser(commands, input.frame.address);
 }
 
 } // namespace sward::render

@@ -2,7 +2,6 @@
 
 #include "gpu/context.h"
 #include "gpu/timestamps.h"
-#include "render/depth_pyramid.h"
 #include "render/moving_blades.h"
 #include "render/raster_pass.h"
 
@@ -20,8 +19,7 @@ struct RasterRounds {
     const gpu::DeviceContext& context;
     const MovingBlades& blades;
     RasterPass& raster;
-    const DepthPyramid& pyramid; ///< of the frame
-    std::uint32_t rounds;        ///< as many as the live patches may need
+    std::uint32_t rounds; ///< as many as the live patches may need
 
     /// After MovingBlades::findLive(), with all that is solid in the visibility. `input` says
     /// whether blades hide others; then the frame describes the pyramid and judges by its own

@@ -58,12 +58,66 @@ TEST(Occlusion, ABoxOnTheScreenHoldsAllThatIsInIt)
     EXPECT_GT(known, 50'000);
 }
 
+/// Points near a curve, none farther away than the margin; and the box is no larger than one around
+/// the box that its control points and the margin span, but for what the margin's reach is rounded
+/// to.
+TEST(Occlusion, ACurveOnTheScreenHoldsAllThatIsNearIt)
+{
+    tests::Dice dice(7);
+    int known = 0;
+    double areaOfCurves = 0.0;
+    double areaOfBoxes = 0.0;
+    for (int i = 0; i < 20'000; ++i) {
+        const mat4 view = projection() * lookAt(4.0f * dice.direction(), dice.direction() * 0.3f,
+                                                vec3(0.1f, 1.0f, 0.2f));
+        const vec3 v0 = 1.5f * dice.direction();
+        const vec3 v1 = v0 + 0.4f * dice.direction();
+        const vec3 v2 = v1 + 0.4f * dice.direction();
+        const float margin = 0.1f * std::abs(dice.direction().x);
+        const ScreenBox box = screenBoxOfCurve(view, size, v0, v1, v2, margin);
+        if (!box.isKnown)
+            continue;
+        for (int k = 0; k < 8; ++k) {
+            const float t = 0.5f + 0.5f * dice.direction().x;
+            const vec3 place = mix(mix(v0, v1, t), mix(v1, v2, t), t) + margin * dice.direction();
+            const vec4 clip = view * vec4(place, 1.0f);
+            ASSERT_GT(clip.w, 0.0f);
+            ++known;
+            EXPECT_LE(clip.z / clip.w, box.nearest * 1.00001f);
+            const vec2 seen = (vec2(clip.x, clip.y) / clip.w * 0.5f + 0.5f) * vec2(size);
+            if (seen.x < 0.0f || seen.y < 0.0f || seen.x >= float(size.x) ||
+                seen.y >= float(size.y))
+                continue;
+            EXPECT_GE(int(seen.x), box.low.x);
+            EXPECT_LE(int(seen.x), box.high.x);
+            EXPECT_GE(int(seen.y), box.low.y);
+            EXPECT_LE(int(seen.y), box.high.y);
+        }
+        const vec3 low = min(min(v0, v1), v2) - margin;
+        const vec3 high = max(max(v0, v1), v2) + margin;
+        const ScreenBox around = screenBoxOf(view, size, low, high);
+        if (!around.isKnown)
+            continue;
+        const auto areaOf = [](const ScreenBox& of) {
+            return double(of.high.x - of.low.x + 1) * double(of.high.y - of.low.y + 1);
+        };
+        areaOfCurves += areaOf(box);
+        areaOfBoxes += areaOf(around);
+    }
+    EXPECT_GT(known, 50'000);
+    EXPECT_LT(areaOfCurves, 0.8 * areaOfBoxes);
+}
+
 TEST(Occlusion, OfABoxAroundTheEyeNothingIsSaid)
 {
     const mat4 view = projection() * lookAt(vec3(0.0f), vec3(0, 0, -1), vec3(0, 1, 0));
     EXPECT_FALSE(screenBoxOf(view, size, vec3(-1.0f), vec3(1.0f)).isKnown);
     EXPECT_FALSE(screenBoxOf(view, size, vec3(-1, -1, -1), vec3(1.0f, 1.0f, -0.05f)).isKnown);
     EXPECT_TRUE(screenBoxOf(view, size, vec3(-1, -1, -4), vec3(1, 1, -3)).isKnown);
+    const vec3 before(0.0f, 0.0f, -3.0f);
+    EXPECT_FALSE(screenBoxOfCurve(view, size, before, vec3(0.0f), before, 0.1f).isKnown);
+    EXPECT_FALSE(screenBoxOfCurve(view, size, before, before, before, 3.0f).isKnown);
+    EXPECT_TRUE(screenBoxOfCurve(view, size, before, before, before, 0.1f).isKnown);
 }
 
 TEST(Occlusion, CellsCoverEveryPixelAndEndAtOne)
