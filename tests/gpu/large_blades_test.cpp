@@ -145,6 +145,38 @@ TEST_F(LargeBlades, WhicheverQuarterWasSeenBeforeThePictureIsTheSame)
     }
 }
 
+/// Where surfaces are kept is found by id, and ids so far apart share a place: of two blades that do
+/// one is found anew. Some hundreds of them stand here before the eye.
+TEST_F(LargeBlades, ThatShareAPlaceForTheirSurfacesHaveTheirOwn)
+{
+    const field::Field field = test::makeField({.blades = shared::surfacePlaceCount + 400'000,
+                                                .extent = 70.0f,
+                                                .heightLow = 1.3f,
+                                                .heightHigh = 2.5f,
+                                                .widthLow = 0.1f,
+                                                .widthHigh = 0.14f});
+    FieldRenderer renderer(device(), field::viewOf(field),
+                           {.samples = 1,
+                            .geometry = Geometry::raster,
+                            .rastersForCpu = false,
+                            .asksSmallBlades = true,
+                            .drawsInTurns = false});
+    FrameSettings settings = FrameSettings::of(field::viewOf(field));
+    test::Picture picture(context(), 2u * size);
+    Camera camera;
+    camera.eye = {0.0, 3.9, 13.5};
+    const std::uint32_t everything = settings.cullMask;
+    settings.cullMask = everything & ~shared::cullOcclusion;
+    picture.draw(renderer, camera, settings, 1.0);
+    const auto expected = picture.pixels();
+    settings.cullMask = everything | shared::cullOcclusion;
+    for (int frame = 0; frame < 3; ++frame) {
+        picture.draw(renderer, camera, settings, 1.0);
+        EXPECT_LE(test::largestDifference(expected, picture.pixels()), 1) << "frame " << frame;
+    }
+    EXPECT_GT(renderer.stats().drawn, 10'000u);
+}
+
 /// What some large blades hide of the others is not drawn, and is not seen: whatever is culled,
 /// with frames between them in which each blade is asked for, from above, and through the near
 /// plane.
