@@ -145,8 +145,8 @@ TEST_F(LargeBlades, WhicheverQuarterWasSeenBeforeThePictureIsTheSame)
     }
 }
 
-/// Where surfaces are kept is found by id, and ids so far apart share a place: of two blades that do
-/// one is found anew. Some hundreds of them stand here before the eye.
+/// Where surfaces are kept is found by id, and ids so far apart share a place: of two blades that
+/// do one is found anew. Some hundreds of them stand here before the eye.
 TEST_F(LargeBlades, ThatShareAPlaceForTheirSurfacesHaveTheirOwn)
 {
     const field::Field field = test::makeField({.blades = shared::surfacePlaceCount + 400'000,
