@@ -45,7 +45,7 @@ shared uint simulatedSum;
 shared uint mostFilled[2];
 shared uint listBase[2];
 shared uint kept[2];
-// Those that the frame before has shown in front, the others from behind; see keptOf().
+// Those that frames have shown lately in front, the others from behind; see keptOf().
 shared uvec2 survivors[survivorRoom];
 
 /// One of the patches that a work-group takes together, as its threads share it.

@@ -33,7 +33,7 @@ LargeBladeList::LargeBladeList(const gpu::DeviceContext& context, Room room)
     if (room.shownBlades == 0)
         return;
     shown_ = gpu::Buffer(
-        context, {.name = "raster/blades that the frame before showed",
+        context, {.name = "raster/quarters that frames have shown",
                   .bytes = (room.shownBlades / shared::seenOfWord + 1) * sizeof(std::uint32_t),
                   .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
 }

@@ -163,7 +163,7 @@ void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Turn 
         input.frame.bind(commands, pipeline.layout(), frameSet);
         pipeline.push(commands, push);
     };
-    // Only those that the frame before has shown are as good as seen.
+    // Those that frames have shown lately are as good as seen.
     if (turn == Turn::late && input.findsHidden)
         surfaces_->record(commands, push, input.frame, largeList_.counts(),
                           LargeBladeList::offsetOfSurfaces());

@@ -1,4 +1,4 @@
-// Blades that cover many pixels: drawn together, in parts, by halves, and cut by the near plane.
+// Blades that cover many pixels: drawn together, in parts, by quarters, and cut by the near plane.
 
 #include "picture.h"
 #include "shaders/shared/passes.h"
@@ -115,13 +115,19 @@ TEST_F(LargeBlades, InPartsLookAsTheGraphicsPipelineDrawsThem)
 TEST_F(LargeBlades, WhicheverQuarterWasSeenBeforeThePictureIsTheSame)
 {
     const field::Field field = foldedThicket();
-    for (const std::uint32_t samples : {1u, 4u}) {
+    // Of several rounds the first alone has two turns.
+    struct Way {
+        std::uint32_t samples;
+        std::uint32_t roundPatches; ///< 0: all in one round
+    };
+    for (const auto [samples, roundPatches] : {Way{1, 0}, Way{4, 0}, Way{1, 3}}) {
         FieldRenderer renderer(device(), field::viewOf(field),
                                {.samples = samples,
                                 .geometry = Geometry::raster,
                                 .rastersForCpu = false,
                                 .asksSmallBlades = true,
-                                .drawsInTurns = false});
+                                .drawsInTurns = false,
+                                .roundPatches = roundPatches});
         FrameSettings settings = FrameSettings::of(field::viewOf(field));
         const std::uint32_t everything = settings.cullMask;
         test::Picture picture(context(), size);
@@ -137,7 +143,8 @@ TEST_F(LargeBlades, WhicheverQuarterWasSeenBeforeThePictureIsTheSame)
             for (int frame = 0; frame < 3; ++frame) {
                 picture.draw(renderer, camera, settings, 1.0);
                 EXPECT_EQ(test::differingPixels(all, picture.pixels()), 0u)
-                    << samples << " samples, step " << step << ", frame " << frame;
+                    << samples << " samples, step " << step << ", frame " << frame << ", "
+                    << roundPatches << " patches in a round";
                 hidden = renderer.stats().culledOcclusion;
             }
             EXPECT_GT(hidden, 20u) << "step " << step;
