@@ -27,6 +27,18 @@ bool rectangleHidden(vec2 low, vec2 high, float nearest)
     return behindPyramid(box);
 }
 
+/// The same of some pixels of a row, from column `low` to `high` of the picture, pixelsOfRowAsked at most:
+/// cell by cell of the finest level, where the rectangle around a whole segment asked larger ones.
+const uint pixelsOfRowAsked = 2u << pyramidFactorBits;
+bool pixelsHidden(uint row, uint low, uint high, float nearest)
+{
+    const uint cells = PYRAMID.first[0] + (row >> pyramidFactorBits) * pyramidCells(PYRAMID.size.x, 0u);
+    const uvec3 own = min((low >> pyramidFactorBits) + uvec3(0u, 1u, 2u), uvec3(high >> pyramidFactorBits));
+    const vec3 depths = vec3(PYRAMID.depths.at[cells + own.x], PYRAMID.depths.at[cells + own.y],
+                             PYRAMID.depths.at[cells + own.z]);
+    return all(greaterThan(depths, vec3(nearest * 1.00001)));
+}
+
 /// Notes that a blade is hidden, for those who ask; it is not counted with that.
 void noteHidden(uint blade)
 {

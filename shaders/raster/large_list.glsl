@@ -41,7 +41,9 @@ void noteListed(uint parts)
     if (isTessellated)
         atomicMax(asked.at[1].groups[1], (listed + drawChunk - 1u) / drawChunk);
     else
-        atomicMax(asked.at[0].groups[0], groupsForLarge(listed, isLate));
+        atomicMax(asked.at[0].groups[0], groupsForLarge(listed));
+    if (isLate || push.round > 0u)
+        atomicMax(asked.at[4].groups[0], groupsForLate(listed));
 }
 
 /// Gives a blade that may reach through the near plane to those who cut it there; whether there was room.

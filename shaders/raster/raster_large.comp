@@ -2,26 +2,20 @@
 #extension GL_GOOGLE_include_directive : require
 // Rasterises the blades that cover many pixels, but for those that the near plane cuts: some by a
 // work-group, one by several. Their segments follow one another as if they were those of one blade, and
-// so do the rows of these, so that all threads have something to do.
+// so do the rows of these, so that all threads have something to do. raster_late.comp draws what a late
+// turn leaves.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
-// Whether blades may be in memory in part; known when the pipeline is made.
-layout(constant_id = 3) const bool isPaged = false;
-#define MAY_BE_PAGED isPaged
-
 #define FRAME_SET 0
 #include "shaders/frame_constants.glsl"
 
-#include "shaders/raster/hidden_rectangle.glsl"
 #include "shaders/raster/large_part.glsl"
+#include "shaders/raster/part_rows.glsl"
 #include "shaders/raster/strip.glsl"
 
 layout(local_size_x = largeThreads) in;
-
-// Whether segments that the frame's pyramid hides are left out; known when the pipeline is made.
-layout(constant_id = 2) const bool isLate = false;
 
 /// So many ribs of one or several blades are made at a time, one by each thread, or half as many of
 /// folded ones.
@@ -43,15 +37,12 @@ struct Shared {
     uint beginsAt; ///< the first of its ribs that is made
     uint cycle;    ///< of so many rows of the picture eight are drawn
     uint blade;    ///< resident id
-    uvec2 drawn;   ///< in the late turn the segments that the first one has drawn
 };
 
-shared Shared items[lateTogether + 1u]; // the last one: how many ribs there are
+shared Shared items[largeTogether + 1u]; // the last one: how many ribs there are
 shared vec4 points[2u * ribsTogether]; // of ribs, on the screen, w: to the left and to the right weights
 shared Piece pieces[piecesTogether];
 shared uint ticket; // 0–23 rows so far, 24–31 pieces
-shared uint seenBlades; // of those together those of which something is not hidden, as bits
-shared uint hiddenCount; // of all that the group has looked at
 shared bool isAnyFolded;
 
 // Where the points of a rib lie: first those of all ribs to the left, then to the right, then ridges.
@@ -111,42 +102,14 @@ Quad quadOf(uint what, uint stride)
     return quad;
 }
 
-/// The first of the rows of the picture from `rows.x` to `rows.y` that one of several work-groups draws,
-/// and how many it does: eight of them, then the next eight are another's.
-ivec2 rowsOfPart(ivec2 rows, uint part)
-{
-    const int parts = int(partsOf(part));
-    if (parts == 1)
-        return ivec2(rows.x, rows.y - rows.x + 1);
-    const int block = rows.x >> 3;
-    const int ahead = (int(numberOfPart(part)) + parts - block % parts) % parts;
-    const int first = ahead == 0 ? rows.x : (block + ahead) << 3;
-    const int cycle = parts << 3;
-    const int reach = rows.y - (first & ~7);
-    return ivec2(first, rows.y < first
-                            ? 0
-                            : reach / cycle * 8 + min(reach % cycle + 1, 8) - (first & 7));
-}
-
-/// Row `i` of those, in a cycle of so many.
-int rowAt(int first, int i, uint cycle)
-{
-    const int place = i + (first & 7);
-    return (first & ~7) + (place >> 3) * int(cycle) + (place & 7);
-}
-
 /// The rows of a quad that are to be drawn, the first and how many, if something of it is seen.
-ivec2 rowsSeen(Quad quad, uint part, uint number)
+ivec2 rowsSeen(Quad quad, uint part)
 {
-    const vec3 low = min(min(quad.a0, quad.a1), min(quad.b0, quad.b1));
-    const vec3 high = max(max(quad.a0, quad.a1), max(quad.b0, quad.b1));
+    const vec2 low = min(min(quad.a0.xy, quad.a1.xy), min(quad.b0.xy, quad.b1.xy));
+    const vec2 high = max(max(quad.a0.xy, quad.a1.xy), max(quad.b0.xy, quad.b1.xy));
     const vec2 edge = vec2(push.size);
     if (high.x < 0.0 || high.y < 0.0 || low.x > edge.x || low.y > edge.y)
         return ivec2(0);
-    if (isLate && rectangleHidden(low.xy, high.xy, high.z))
-        return ivec2(0);
-    if (isLate)
-        atomicOr(seenBlades, 1u << number);
     return rowsOfPart(rowsBetween(low.y, high.y, edge.y), part);
 }
 
@@ -163,7 +126,7 @@ void makePieces(uint rib, bool isFolded, bool isUpper, uint part, uint number, u
         if (isTwisted)
             corners = cornersOfTriangle(i, isFolded, isUpper);
         const Quad quad = quadOf(packPiece(corners, rib, false, 0), stride);
-        const ivec2 rows = rowsSeen(quad, part, number);
+        const ivec2 rows = rowsSeen(quad, part);
         if (rows.y <= 0)
             continue;
         const uint before = atomicAdd(ticket, (1u << 24u) | uint(rows.y));
@@ -209,9 +172,7 @@ void drawBetween(Lens lens, uint first, uint end, uint item, uint blades, uint s
         const uint own = rib - items[number].firstRib;
         const float i = float(items[number].beginsAt + own);
         hasRidge = isFolded(ribbon);
-        const uint segment = items[number].beginsAt + own - 1u;
-        const uvec2 drawn = items[number].drawn;
-        isSegment = thread > 0u && own > 0u && (segment < drawn.x || segment >= drawn.y);
+        isSegment = thread > 0u && own > 0u;
         isUpper = upperHalf(i, ribbon.outline.segments);
         const ScreenRib screen =
             screenRib(seenRib(lens, ribbon, i / ribbon.outline.segments), hasRidge);
@@ -230,43 +191,28 @@ void drawBetween(Lens lens, uint first, uint end, uint item, uint blades, uint s
     barrier();
 }
 
-/// The first and the last rib between which a blade is drawn in this turn. `isDrawn`: it had its first
-/// one, which has left to this one what lies before and behind the segments that it drew.
-uvec2 ribsOf(LargePart blade, bool isDrawn)
-{
-    uvec2 ribs = segmentsOfPart(blade.part);
-    const uint segments = uint(blade.segments);
-    if (isDrawn)
-        ribs = uvec2(ribs.x > 0u ? 0u : ribs.y, ribs.y < segments ? segments : ribs.x);
-    return partsOf(blade.part) > 0u ? ribs : uvec2(0u);
-}
-
 void main()
 {
     LargePartArray large = push.large;
     const uint count = min(push.largeCount.at[0].count, mostLargeParts);
-    const uint together = largeOfGroup(count, isLate);
+    const uint together = largeOfGroup(count);
     const uint thread = gl_LocalInvocationIndex;
     const Lens lens = lensOf();
-    if (thread == 0u)
-        hiddenCount = 0u;
     for (uint item = gl_WorkGroupID.x * together; item < count; item += gl_NumWorkGroups.x * together) {
         const uint blades = min(together, count - item);
         if (thread == 0u) {
             items[0].firstRib = 0u;
-            seenBlades = 0u;
             isAnyFolded = false;
         }
         barrier();
         // How many ribs each has, and then how many those before it have.
-        const uint place = item + min(thread, blades - 1u);
-        const bool isDrawn = isLate && place < push.largeCount.at[2].count;
         if (thread < blades) {
-            const uvec2 own = ribsOf(large.at[place], isDrawn);
-            items[thread].drawn = isDrawn ? segmentsOfPart(large.at[place].part) : uvec2(0u);
+            const uint place = item + thread;
+            const uint part = large.at[place].part;
+            const uvec2 own = partsOf(part) > 0u ? segmentsOfPart(part) : uvec2(0u);
             items[thread + 1u].firstRib = own.x < own.y ? own.y - own.x + 1u : 0u;
             items[thread].beginsAt = own.x;
-            items[thread].cycle = 8u * partsOf(large.at[place].part);
+            items[thread].cycle = 8u * partsOf(part);
             items[thread].blade = large.at[place].blade;
             if (isFolded(ribbonOf(large.at[place])))
                 isAnyFolded = true;
@@ -281,15 +227,6 @@ void main()
         // The next ones begin with the last rib, between which and theirs there is a segment, too.
         for (uint first = 0u; first + 1u < end; first += stride - 1u)
             drawBetween(lens, first, min(first + stride, end), item, blades, stride);
-        // Each part of a blade finds the same.
-        const uint part = large.at[place].part;
-        if (isLate && !isDrawn && thread < blades && numberOfPart(part) == 0u && partsOf(part) > 0u &&
-            (seenBlades & (1u << thread)) == 0u) {
-            noteHidden(large.at[place].blade);
-            atomicAdd(hiddenCount, 1u);
-        }
         barrier();
     }
-    if (isLate && thread == 0u)
-        countHidden(hiddenCount);
 }

@@ -9,13 +9,13 @@ layout(push_constant, scalar) uniform Block { RasterPush push; };
 #include "shaders/culling/finest_levels.glsl"
 #include "shaders/raster/put_sample.glsl"
 
-// Of several samples: pairs of them in a column of the group's pixels, in what of it a cell has, and
-// columns that its threads read at a time, and wait for.
+// Of several samples: pairs of them in a column of the group's pixels, in what of it a cell has, columns
+// that its threads read at a time, and cells of each of which one has pairs that it waits for together.
 const uint groupReach = pyramidThreads << pyramidFactorBits;
 const uint pairsOfColumn = groupReach * samplesPerPixel / 2u;
 const uint pairsOfCell = pairsOfColumn / pyramidThreads;
 const uint columnsTogether = pyramidThreads * pyramidThreads / pairsOfColumn;
-const uint readsTogether = 8u;
+const uint cellsTogether = 2u;
 
 shared uint farthestOfCells[pyramidThreads * pyramidThreads]; // as bits
 
@@ -48,20 +48,22 @@ float farthestTogether(uvec2 own)
     const uint row = corner.y + 2u * pair / samplesPerPixel;
     farthestOfCells[thread] = floatBitsToUint(1.0);
     barrier();
-    for (uint first = thread / pairsOfColumn; first < groupReach; first += columnsTogether * readsTogether) {
-        uint farthest[readsTogether];
-        SHARED_UNROLL for (uint i = 0u; i < readsTogether; ++i) {
-            const uint column = corner.x + first + i * columnsTogether;
+    for (uint first = thread / pairsOfColumn; first < pyramidThreads; first += columnsTogether * cellsTogether) {
+        uint farthest[cellsTogether];
+        SHARED_UNROLL for (uint i = 0u; i < cellsTogether; ++i) {
             farthest[i] = floatBitsToUint(1.0);
-            if (column < push.size.x && row < push.size.y) {
-                const uvec2 two = depthsAt(sampleIndex(uvec2(column, corner.y), 0u) + 2u * pair);
-                farthest[i] = min(two.x, two.y);
+            SHARED_UNROLL for (uint x = 0u; x < 1u << pyramidFactorBits; ++x) {
+                const uint column =
+                    corner.x + ((first + i * columnsTogether) << pyramidFactorBits) + x;
+                if (column < push.size.x && row < push.size.y) {
+                    const uvec2 two = depthsAt(sampleIndex(uvec2(column, corner.y), 0u) + 2u * pair);
+                    farthest[i] = min(farthest[i], min(two.x, two.y));
+                }
             }
         }
-        SHARED_UNROLL for (uint i = 0u; i < readsTogether; ++i) {
-            const uint cell = (first + i * columnsTogether) >> pyramidFactorBits;
-            atomicMin(farthestOfCells[pair / pairsOfCell * pyramidThreads + cell], farthest[i]);
-        }
+        SHARED_UNROLL for (uint i = 0u; i < cellsTogether; ++i)
+            atomicMin(farthestOfCells[pair / pairsOfCell * pyramidThreads + first + i * columnsTogether],
+                      farthest[i]);
     }
     barrier();
     return uintBitsToFloat(farthestOfCells[own.y * pyramidThreads + own.x]);
@@ -77,6 +79,7 @@ void beginLateTurn()
     asked.at[2].groups[0] = (min(drawn, mostSurfaces) + rasterThreads - 1u) / rasterThreads;
     asked.at[3].count = 0u;
     asked.at[3].groups[0] = 0u;
+    asked.at[4].groups[0] = groupsForLate(drawn);
 }
 
 void main()

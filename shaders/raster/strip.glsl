@@ -129,9 +129,8 @@ vec2 spanOf(Strip strip, SampleMask mask, uint s, int row)
     return span;
 }
 
-/// So many pixels of a row are looked at together: what takes long is to wait for what they have already,
-/// but those beside the strip are read in vain.
-const uint pixelsTogether = samplesPerPixel == 1u ? 6u : 4u;
+/// So many pixels of a row are looked at together: what takes long is to wait for what they have already.
+const uint pixelsTogether = samplesPerPixel == 1u ? 8u : 4u;
 
 /// One row of pixels.
 void drawRow(Strip strip, uint blade, int row)
@@ -143,35 +142,51 @@ void drawRow(Strip strip, uint blade, int row)
         spans[s] = spanOf(strip, mask, s, row);
         reach = vec2(min(reach.x, spans[s].x), max(reach.y, spans[s].y));
     }
+    if (reach.x > reach.y)
+        return;
     uint first = sampleIndex(uvec2(reach.x, row), 0u);
     const float depth =
         strip.depth.x + dot(vec2(reach.x, row) - vec2(strip.xs.x, strip.ys.x), strip.depth.yz);
-    for (float begin = 0.0; begin <= reach.y - reach.x; begin += float(pixelsTogether)) {
-        // What lies right of the picture may be read, too.
+    for (float begin = 0.0; begin <= reach.y - reach.x;
+         begin += float(pixelsTogether), first += pixelsTogether * columnStride()) {
+        const float here = depth + begin * strip.depth.y;
+#ifdef ASKS_PIXELS
+        // To ask costs less than to look at all samples of some pixels, and as much as at one of each.
+        if (samplesPerPixel > 1u) {
+            const float pixels = min(float(pixelsTogether), reach.y - reach.x - begin + 1.0);
+            const float nearest = min(here + max(pixels * strip.depth.y, 0.0) + max(strip.depth.z, 0.0),
+                                      strip.shallowest);
+            const uint column = uint(reach.x + begin);
+            if (pixelsHidden(uint(row), column, column + uint(pixels) - 1u, nearest))
+                continue;
+        }
+#endif
         uint before[pixelsTogether * samplesPerPixel];
         SHARED_UNROLL for (uint i = 0u; i < pixelsTogether; ++i) {
             const uint pixel = first + i * columnStride();
-            if (samplesPerPixel == 1u)
-                before[i] = depthAt(pixel);
-            else
+            const bool isAsked = begin + float(i) <= reach.y - reach.x;
+            // What is not asked for is nearer than anything.
+            if (samplesPerPixel == 1u) {
+                before[i] = ~0u;
+                if (isAsked)
+                    before[i] = depthAt(pixel);
+            } else if (isAsked)
                 SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; s += 2u) {
                     const uvec2 two = depthsAt(pixel + s);
                     before[i * samplesPerPixel + s] = two.x;
                     before[i * samplesPerPixel + s + 1u] = two.y;
                 }
         }
-        const float here = depth + begin * strip.depth.y;
         SHARED_UNROLL for (uint i = 0u; i < pixelsTogether; ++i)
             SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s) {
                 const float own = clamp(here + dot(samplePlace(s) + vec2(i, 0.0), strip.depth.yz),
                                         strip.deepest, strip.shallowest);
                 const float column = reach.x + begin + float(i);
                 // Of equal depths the atomic takes the larger id.
-                if ((samplesPerPixel == 1u || column >= spans[s].x) && column <= spans[s].y &&
+                if ((samplesPerPixel == 1u || column >= spans[s].x && column <= spans[s].y) &&
                     floatBitsToUint(own) >= before[i * samplesPerPixel + s])
                     putOne(first + i * columnStride() + s, own, blade);
             }
-        first += pixelsTogether * columnStride();
     }
 }
 

@@ -156,14 +156,15 @@ SHARED_CONST float mostPixelsOfThread = 4096.0f;
 /// H200 takes a twelfth longer.
 SHARED_CONST uint largeThreads = 32u;
 
-/// A work-group draws so many large blades together, so that its threads have something to do, …
+/// A work-group draws so many large blades together, so that its threads have something to do, but
+/// fewer where there are not enough for so many work-groups.
 SHARED_CONST uint largeTogether = 4u;
-
-/// … in the late turn, where most are hidden, so many, …
-SHARED_CONST uint lateTogether = 8u;
-
-/// … but fewer where there are not enough for so many work-groups.
 SHARED_CONST uint largeGroups = 4096u;
+
+/// The same of the late turn, where most segments are hidden, and of threads of such a work-group.
+SHARED_CONST uint lateTogether = 32u;
+SHARED_CONST uint lateGroups = 2048u;
+SHARED_CONST uint lateThreads = 128u;
 
 /// Whose affair the blades are that cover many pixels: of work-groups, of the tessellator, or of
 /// nobody but the thread that has one.
@@ -172,15 +173,27 @@ SHARED_CONST uint largeToTessellator = 1u;
 SHARED_CONST uint largeToNobody = 2u;
 
 /// Of `listed` large blades a work-group takes so many at a time.
-SHARED_FN uint largeOfGroup(uint listed, bool isLate)
+SHARED_FN uint largeOfGroup(uint listed)
 {
-    return min(max(listed / largeGroups, 1u), isLate ? lateTogether : largeTogether);
+    return min(max(listed / largeGroups, 1u), largeTogether);
 }
 
 /// Work-groups that draw them.
-SHARED_FN uint groupsForLarge(uint listed, bool isLate)
+SHARED_FN uint groupsForLarge(uint listed)
 {
-    const uint together = largeOfGroup(listed, isLate);
+    const uint together = largeOfGroup(listed);
+    return min((listed + together - 1u) / together, mostGroups);
+}
+
+/// The same of the late turn, of all that are listed by then.
+SHARED_FN uint lateOfGroup(uint listed)
+{
+    return min(max(listed / lateGroups, 1u), lateTogether);
+}
+
+SHARED_FN uint groupsForLate(uint listed)
+{
+    const uint together = lateOfGroup(listed);
     return min((listed + together - 1u) / together, mostGroups);
 }
 
@@ -243,10 +256,8 @@ SHARED_CONST uint ownerStride = 64u;
 /// by their resident ids; above that the bits of the reversed depth. The larger is nearer, and
 /// among equals the later one wins, whoever comes first. Column by column of pixels, rowsOfColumn()
 /// each, then sample by sample: blades stand upright, and what threads beside one another read and
-/// write of them so lies together. To the right of the picture columnsBeside more may be read.
+/// write of them so lies together.
 SHARED_BUFFER(VisibilityArray, uvec2, )
-
-SHARED_CONST uint columnsBeside = 8u;
 
 /// Four rows begin at a multiple of 32 bytes.
 SHARED_FN uint rowsOfColumn(uint height)
@@ -271,8 +282,9 @@ struct RasterPush {
     LargePartArray large;
     WalkLevelArray largeCount; ///< how many of them were asked for, and work-groups for them;
                                ///< then the draw for them by the tessellator; then how many of
-                               ///< them have been drawn in the first turn; then as at first of …
-    LargePartArray cut;        ///< … those that are cut by the near plane
+                               ///< them have been drawn in the first turn; then as at first of
+                               ///< `cut`; then work-groups for the late turn
+    LargePartArray cut;        ///< those that are cut by the near plane
     UintArray owners;          ///< patches that own blades, in the order of their blades
     UintArray firstOwners; ///< per ownerStride blades: index into `owners` of the first one's patch
 

@@ -12,6 +12,7 @@ struct Counts {
     VkDrawIndirectCommand draw{shared::drawChunk, 0, 0, 0};
     shared::WalkLevel drawn{.groups = {0, 1, 1}, .count = 0};
     shared::WalkLevel cut{.groups = {0, 1, 1}, .count = 0};
+    shared::WalkLevel late{.groups = {0, 1, 1}, .count = 0};
 };
 
 } // namespace
@@ -61,6 +62,11 @@ void LargeBladeList::beginShown(VkCommandBuffer commands)
 void LargeBladeList::dispatch(VkCommandBuffer commands) const
 {
     vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, parts));
+}
+
+void LargeBladeList::dispatchLate(VkCommandBuffer commands) const
+{
+    vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, late));
 }
 
 void LargeBladeList::dispatchCut(VkCommandBuffer commands) const

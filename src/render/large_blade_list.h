@@ -37,8 +37,9 @@ public:
     /// Begins a frame. Before the first one no blade has been shown; a transfer, once.
     void beginShown(VkCommandBuffer commands);
 
-    void dispatch(VkCommandBuffer commands) const;    ///< work-groups for all that are listed …
-    void dispatchCut(VkCommandBuffer commands) const; ///< … but the cut ones, and for these
+    void dispatch(VkCommandBuffer commands) const;     ///< work-groups for all that are listed …
+    void dispatchLate(VkCommandBuffer commands) const; ///< … in a late turn …
+    void dispatchCut(VkCommandBuffer commands) const;  ///< … but the cut ones, and for these
 
     /// Of VkDrawIndirectCommand, a vertex for each that is listed, and of what SurfacePass
     /// dispatches.

@@ -18,8 +18,8 @@ bool isBgr(VkFormat format)
 /// Of a shared::VisibilityArray.
 VkDeviceSize visibilityBytes(VkExtent2D size, std::uint32_t samples)
 {
-    return VkDeviceSize(size.width + shared::columnsBeside) * shared::rowsOfColumn(size.height) *
-           samples * sizeof(std::uint64_t);
+    return VkDeviceSize(size.width) * shared::rowsOfColumn(size.height) * samples *
+           sizeof(std::uint64_t);
 }
 
 } // namespace
@@ -42,15 +42,13 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                            .shownBlades = target.groupsDrawLarge ? bladeCount : 0})
 {
     expect(obstacleToRaster(context, target.colorFormat) == nullptr, "the device can rasterise");
-    const auto pipeline = [&](const char* name, const char* shader, std::uint32_t largeTo,
-                              bool isLate = false) {
+    const auto pipeline = [&](const char* name, const char* shader, std::uint32_t largeTo) {
         return gpu::ComputePipeline(context, shaders,
                                     {.name = name,
                                      .shader = shader,
                                      .pushConstantBytes = sizeof(shared::RasterPush),
                                      .setLayouts = {frameLayout_.get()},
                                      .constants = {{.id = 1, .value = target.samples},
-                                                   {.id = 2, .value = isLate ? 1u : 0u},
                                                    {.id = 3, .value = target.mayBePaged},
                                                    {.id = 4, .value = largeTo},
                                                    {.id = 11, .value = target.mayFold},
@@ -64,7 +62,7 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
         large_ = pipeline("raster/large blades", "raster_large.comp", untold);
         lateBlades_ = pipeline("raster/late blades", "list_late.comp", untold);
         surfaces_.emplace(context, target);
-        lateLarge_ = pipeline("raster/late large blades", "raster_large.comp", untold, true);
+        lateLarge_ = pipeline("raster/late large blades", "raster_late.comp", untold);
     }
     if (target.tessellatesLarge) {
         smallBlades_ =
@@ -169,7 +167,10 @@ void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Turn 
                           LargeBladeList::offsetOfSurfaces());
     if (target_.groupsDrawLarge) {
         bind(turn == Turn::late ? lateLarge_ : large_);
-        largeList_.dispatch(commands);
+        if (turn == Turn::late)
+            largeList_.dispatchLate(commands);
+        else
+            largeList_.dispatch(commands);
     }
     bind(cut_);
     largeList_.dispatchCut(commands);

@@ -184,6 +184,42 @@ TEST_F(LargeBlades, ThatShareAPlaceForTheirSurfacesHaveTheirOwn)
     EXPECT_GT(renderer.stats().drawn, 10'000u);
 }
 
+/// A work-group of the late turn has room for some hundred segments and a few quads at a time, and
+/// takes the rest in further rounds: blades of 64 segments, so many that groups have a dozen.
+TEST_F(LargeBlades, OfManySegmentsLeaveNoneOut)
+{
+    for (const std::uint32_t samples : {1u, 4u}) {
+        const field::Field field = test::makeField({.blades = 32'768,
+                                                    .extent = 12.0f,
+                                                    .heightLow = 1.3f,
+                                                    .heightHigh = 2.5f,
+                                                    .widthLow = 0.1f,
+                                                    .widthHigh = 0.14f});
+        FieldRenderer renderer(device(), field::viewOf(field),
+                               {.samples = samples,
+                                .geometry = Geometry::raster,
+                                .rastersForCpu = false,
+                                .asksSmallBlades = true,
+                                .drawsInTurns = false});
+        FrameSettings settings = FrameSettings::of(field::viewOf(field));
+        settings.tessellationLevel = 64;
+        test::Picture picture(context(), size);
+        Camera camera;
+        camera.eye = {0.0, 4.5, 13.0};
+        const std::uint32_t everything = settings.cullMask;
+        settings.cullMask = everything & ~shared::cullOcclusion;
+        picture.draw(renderer, camera, settings, 1.0);
+        const auto expected = picture.pixels();
+        settings.cullMask = everything | shared::cullOcclusion;
+        for (int frame = 0; frame < 2; ++frame) {
+            picture.draw(renderer, camera, settings, 1.0);
+            EXPECT_EQ(test::differingPixels(expected, picture.pixels()), 0u) << "frame " << frame;
+            const std::uint64_t listed = renderer.stats().drawn + renderer.stats().culledOcclusion;
+            EXPECT_GE(listed, 12u * shared::lateGroups);
+        }
+    }
+}
+
 /// What some large blades hide of the others is not drawn, and is not seen: whatever is culled,
 /// with frames between them in which each blade is asked for, from above, and through the near
 /// plane.

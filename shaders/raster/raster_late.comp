@@ -1,0 +1,221 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Rasterises the late turn of large blades: what of those that had their first one was left to this one,
+// and all of the others. Most segments are hidden by the frame's pyramid. Each is asked by a thread of its
+// own, which makes both of its ribs; the rows of those that may be seen are dealt out to all threads.
+#include "shaders/shared/passes.h"
+
+layout(push_constant, scalar) uniform Block { RasterPush push; };
+
+// Whether blades may be in memory in part; known when the pipeline is made.
+layout(constant_id = 3) const bool isPaged = false;
+#define MAY_BE_PAGED isPaged
+
+#define FRAME_SET 0
+#include "shaders/frame_constants.glsl"
+
+#include "shaders/raster/hidden_rectangle.glsl"
+#include "shaders/raster/part_rows.glsl"
+#define ASKS_PIXELS
+#include "shaders/raster/strip.glsl"
+
+layout(local_size_x = lateThreads) in;
+
+/// So many segments are listed at a time, and so many quads of them drawn: memory that a work-group
+/// shares decides how many of them a processor has at a time.
+const uint segmentsTogether = 2u * lateThreads;
+const uint quadsTogether = 32u;
+
+shared uint segmentsLeft[segmentsTogether]; // 0–6 the segment, from 7 on the part's number in the group
+shared uint segmentCount;
+shared vec4 corners[4u * quadsTogether];  // of quads: a0, a1, b0, b1, w: weights of a0, a1 and b
+shared uvec4 pieces[quadsTogether];       // see packQuad()
+shared uint ticket;                       // 0–23 rows so far, 24–31 quads
+shared bool isAnyLeft;                    // there was no room for all quads
+shared uint seenBlades[(lateTogether + 31u) / 32u]; // of which something is not hidden, as bits
+shared uint hiddenCount;                  // of all blades that the group has looked at
+
+/// A quad of `part` that begins `at` so many rows of all and has `rows`, the first of the picture and how
+/// many of them: where it begins, its first row and whether it may be thin, how many and in how many
+/// parts, its blade.
+uvec4 packQuad(uint at, ivec2 rows, LargePart part, bool mayBeThin)
+{
+    return uvec4(at, uint(rows.x) | (mayBeThin ? 0x80000000u : 0u), uint(rows.y) | (partsOf(part.part) << 16u),
+                 part.blade);
+}
+
+void putQuad(uint slot, Quad quad)
+{
+    corners[4u * slot] = vec4(quad.a0, quad.weightA0.x);
+    corners[4u * slot + 1u] = vec4(quad.a1, quad.weightA0.y);
+    corners[4u * slot + 2u] = vec4(quad.b0, quad.weightB.x);
+    corners[4u * slot + 3u] = vec4(quad.b1, quad.weightB.y);
+}
+
+/// As it was put: the weights of a0 and a1 are those of their rib.
+Quad quadAt(uint slot)
+{
+    const vec4 a0 = corners[4u * slot];
+    const vec4 a1 = corners[4u * slot + 1u];
+    const vec4 b0 = corners[4u * slot + 2u];
+    const vec4 b1 = corners[4u * slot + 3u];
+    return Quad(a0.xyz, a1.xyz, b0.xyz, b1.xyz, vec2(a0.w, a1.w), vec2(a0.w, a1.w), vec2(b0.w, b1.w));
+}
+
+/// The rows of a quad that are to be drawn, the first and how many, if something of it may be seen.
+ivec2 rowsSeen(Quad quad, LargePart part, uint number)
+{
+    const vec3 low = min(min(quad.a0, quad.a1), min(quad.b0, quad.b1));
+    const vec3 high = max(max(quad.a0, quad.a1), max(quad.b0, quad.b1));
+    const vec2 edge = vec2(push.size);
+    if (high.x < 0.0 || high.y < 0.0 || low.x > edge.x || low.y > edge.y ||
+        rectangleHidden(low.xy, high.xy, high.z))
+        return ivec2(0);
+    atomicOr(seenBlades[number / 32u], 1u << (number % 32u));
+    return rowsOfPart(rowsBetween(low.y, high.y, edge.y), part.part);
+}
+
+/// Lists what may be seen of a segment for drawRows(), from its quad `first` on. Returns the first for
+/// which there was no room, or a number that no quad has.
+uint putSegment(Lens lens, uint item, uint listed, uint first)
+{
+    const uint number = listed >> 7u;
+    const LargePart part = partAt(item + number);
+    const Ribbon ribbon = ribbonOf(part);
+    const bool hasRidge = isFolded(ribbon);
+    const float i = float((listed & 0x7fu) + 1u);
+    const float segments = ribbon.outline.segments;
+    const ScreenRib before = screenRib(seenRib(lens, ribbon, (i - 1.0) / segments), hasRidge);
+    const ScreenRib after = screenRib(seenRib(lens, ribbon, i / segments), hasRidge);
+    bool isTwisted = false;
+    for (uint k = 0u; k < halvesOf(hasRidge); ++k)
+        isTwisted = isTwisted || !isConvex(halfOf(k, before, after, hasRidge));
+    const uint count = isTwisted ? trianglesOf(hasRidge) : halvesOf(hasRidge);
+    for (uint k = first; k < count; ++k) {
+        Quad quad = halfOf(k, before, after, hasRidge);
+        if (isTwisted)
+            quad = triangleBetween(k, before, after, hasRidge, upperHalf(i, segments));
+        const ivec2 rows = rowsSeen(quad, part, number);
+        if (rows.y <= 0)
+            continue;
+        const uint place = atomicAdd(ticket, (1u << 24u) | uint(rows.y));
+        if (place >> 24u >= quadsTogether) {
+            isAnyLeft = true;
+            return k;
+        }
+        putQuad(place >> 24u, quad);
+        pieces[place >> 24u] = packQuad(place & 0xffffffu, rows, part, isThin(quad));
+    }
+    return ~0u;
+}
+
+/// All rows of the quads, as if they stood in one column.
+void drawRows()
+{
+    const uint count = min(ticket >> 24u, quadsTogether);
+    if (count == 0u)
+        return;
+    const uint rows = pieces[count - 1u].x + (pieces[count - 1u].z & 0xffffu);
+    uint place = 0u;
+    for (uint row = gl_LocalInvocationIndex; row < rows; row += lateThreads) {
+        while (place + 1u < count && row >= pieces[place + 1u].x)
+            ++place;
+        const uvec4 piece = pieces[place];
+        Strip strip;
+        if (stripOf(quadAt(place), piece.y >> 31u != 0u, strip))
+            drawRow(strip, piece.w, rowAt(int(piece.y & 0x7fffffffu), int(row - piece.x), 8u * (piece.z >> 16u)));
+    }
+}
+
+/// Draws what may be seen of the segments that are listed, of the parts from `item` on.
+void drawSegments(Lens lens, uint item, uint count)
+{
+    uint next = gl_LocalInvocationIndex;
+    uint quad = 0u;
+    bool isMore = true;
+    while (isMore) {
+        if (gl_LocalInvocationIndex == 0u) {
+            ticket = 0u;
+            isAnyLeft = false;
+        }
+        barrier();
+        while (next < count) {
+            quad = putSegment(lens, item, segmentsLeft[next], quad);
+            if (quad != ~0u)
+                break;
+            quad = 0u;
+            next += lateThreads;
+        }
+        barrier();
+        isMore = isAnyLeft;
+        drawRows();
+        barrier();
+    }
+}
+
+/// Goes through the parts from `item` on, each thread with one of them, or with none.
+void drawTogether(Lens lens, uint item, uint parts)
+{
+    const uint thread = gl_LocalInvocationIndex;
+    const uint place = item + thread;
+    const bool isDrawn = place < push.largeCount.at[2].count;
+    uint part = 0u;
+    uint blade = 0u;
+    uint segments = 0u;
+    if (thread < parts) {
+        LargePartArray large = push.large;
+        part = large.at[place].part;
+        blade = large.at[place].blade;
+        segments = uint(large.at[place].segments);
+    }
+    // Those that are left: of what had its first turn all but some in the middle, or else these.
+    const uvec2 listed = segmentsOfPart(part);
+    uint left = 0u;
+    if (partsOf(part) > 0u)
+        left = isDrawn ? segments - (listed.y - listed.x) : listed.y - listed.x;
+    uint next = isDrawn && listed.x > 0u ? 0u : isDrawn ? listed.y : listed.x;
+    bool isMore = true;
+    while (isMore) {
+        if (thread == 0u)
+            segmentCount = 0u;
+        barrier();
+        if (left > 0u) {
+            for (uint slot = atomicAdd(segmentCount, left); left > 0u && slot < segmentsTogether; ++slot, --left) {
+                segmentsLeft[slot] = (thread << 7u) | next;
+                ++next;
+                if (isDrawn && next == listed.x)
+                    next = listed.y;
+            }
+        }
+        barrier();
+        const uint count = segmentCount;
+        isMore = count > segmentsTogether;
+        drawSegments(lens, item, min(count, segmentsTogether));
+    }
+    // Each part of a blade finds the same.
+    if (!isDrawn && partsOf(part) > 0u && numberOfPart(part) == 0u &&
+        (seenBlades[thread / 32u] & (1u << (thread % 32u))) == 0u) {
+        noteHidden(blade);
+        atomicAdd(hiddenCount, 1u);
+    }
+}
+
+void main()
+{
+    const uint count = min(push.largeCount.at[0].count, mostLargeParts);
+    const uint together = lateOfGroup(count);
+    const uint thread = gl_LocalInvocationIndex;
+    const Lens lens = lensOf();
+    if (thread == 0u)
+        hiddenCount = 0u;
+    for (uint item = gl_WorkGroupID.x * together; item < count; item += gl_NumWorkGroups.x * together) {
+        barrier();
+        if (thread < seenBlades.length())
+            seenBlades[thread] = 0u;
+        barrier();
+        drawTogether(lens, item, min(together, count - item));
+        barrier();
+    }
+    if (thread == 0u)
+        countHidden(hiddenCount);
+}
