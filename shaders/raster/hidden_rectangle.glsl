@@ -27,9 +27,8 @@ bool rectangleHidden(vec2 low, vec2 high, float nearest)
     return behindPyramid(box);
 }
 
-/// The same of some pixels of a row, from column `low` to `high` of the picture, pixelsOfRowAsked at most:
-/// cell by cell of the finest level, where the rectangle around a whole segment asked larger ones.
-const uint pixelsOfRowAsked = 2u << pyramidFactorBits;
+/// The same of some pixels of a row, from column `low` to `high` of the picture, so few that they lie in
+/// three cells of the finest level: where the rectangle around a whole segment asked larger ones.
 bool pixelsHidden(uint row, uint low, uint high, float nearest)
 {
     const uint cells = PYRAMID.first[0] + (row >> pyramidFactorBits) * pyramidCells(PYRAMID.size.x, 0u);
