@@ -1,11 +1,13 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Shades a visibility of four samples per pixel; soften.comp makes the picture.
+// Shades a visibility of four samples per pixel. Of what is soft soften.comp makes the picture, all else is
+// in it then.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 // Holds what light_solid.comp has lit, and then the whole pixel.
 layout(set = 0, binding = 1, rgba16f) uniform image2D shaded;
+layout(set = 2, binding = 1, rgba8) uniform writeonly image2D picture;
 
 #define FRAME_SET 1
 #include "shaders/frame_constants.glsl"
@@ -13,10 +15,13 @@ layout(set = 0, binding = 1, rgba16f) uniform image2D shaded;
 
 #include "shaders/raster/resolve.glsl"
 #include "shaders/raster/half_rounded.glsl"
+#include "shaders/raster/stored.glsl"
 
 const uint gatherTile = rasterTile;
 #include "shaders/raster/gather.glsl"
 #include "shaders/raster/shown_tiles.glsl"
+
+shared uint softPixels;
 
 void main()
 {
@@ -28,8 +33,10 @@ void main()
     const uint thread = gl_LocalInvocationIndex;
     const uvec2 pixel = pixelOf(tile, thread);
     const bool isInside = all(lessThan(pixel, push.size));
-    if (thread == 0u)
+    if (thread == 0u) {
         askedCount = 0u;
+        softPixels = 0u;
+    }
     barrier();
 
     uint seen[samplesPerPixel];
@@ -67,5 +74,10 @@ void main()
     vec4 mean = sum / float(samplesPerPixel);
     if (seesSolid)
         mean += imageLoad(shaded, ivec2(pixel));
-    imageStore(shaded, ivec2(pixel), halfRounded(mean));
+    const vec4 rounded = halfRounded(mean);
+    imageStore(shaded, ivec2(pixel), rounded);
+    if (rounded.a >= 1.0)
+        imageStore(picture, ivec2(pixel), stored(rounded.rgb));
+    else if (atomicAdd(softPixels, 1u) == 0u)
+        putTile(tilesOfSoft, tile);
 }

@@ -27,4 +27,17 @@ bool findTile(out uvec2 tile)
     return true;
 }
 
+/// Lists a tile.
+void putTile(uint list, uvec2 tile)
+{
+    WalkLevelArray lists = push.tiles;
+    UintArray words = UintArray(uvec2(push.tiles));
+    const uint place = atomicAdd(lists.at[list].count, 1u);
+    words.at[firstOfTiles(list, push.size.x, push.size.y) + place] = tile.x | (tile.y << 16u);
+    if (place < tileGroups)
+        atomicMax(lists.at[list].groups[0], place + 1u);
+    if (place % tileGroups == 0u)
+        atomicMax(lists.at[list].groups[1], place / tileGroups + 1u);
+}
+
 #endif

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The picture from what has been shaded.
+// The picture of tiles of which something is soft, from what has been shaded.
 #include "shaders/shared/passes.h"
 
 layout(local_size_x = rasterTile, local_size_y = rasterTile) in;
@@ -16,10 +16,14 @@ vec4 pixelAt(ivec2 pixel)
 }
 
 #include "shaders/film/softened.glsl"
+#include "shaders/raster/shown_tiles.glsl"
 
 void main()
 {
-    const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    uvec2 tile;
+    if (!findTile(tile))
+        return;
+    const ivec2 pixel = ivec2(tile * rasterTile + gl_LocalInvocationID.xy);
     if (all(lessThan(pixel, ivec2(push.size))))
         imageStore(picture, pixel, stored(softened(pixel)));
 }

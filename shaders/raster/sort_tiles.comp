@@ -29,16 +29,6 @@ uint shownIn(uvec2 low)
     return shown;
 }
 
-void put(uint list, uvec2 tile)
-{
-    WalkLevelArray lists = push.tiles;
-    UintArray words = UintArray(uvec2(push.tiles));
-    const uint place = atomicAdd(lists.at[list].count, 1u);
-    words.at[firstOfTiles(list, push.size.x, push.size.y) + place] = tile.x | (tile.y << 16u);
-    atomicMax(lists.at[list].groups[0], min(place + 1u, tileGroups));
-    atomicMax(lists.at[list].groups[1], place / tileGroups + 1u);
-}
-
 void main()
 {
     const uint columns = tilesAlong(push.size.x, lightTile);
@@ -54,8 +44,8 @@ void main()
         if (shown == 0u) // beside the picture
             continue;
         const bool hasSky = (shown & showsSky) != 0u;
-        put((shown & showsBlades) == 0u ? tilesWithoutBlades : hasSky ? tilesOfBladesAndSky : tilesOfBlades, tile);
+        putTile((shown & showsBlades) == 0u ? tilesWithoutBlades : hasSky ? tilesOfBladesAndSky : tilesOfBlades, tile);
     }
     if ((all & showsSolid) != 0u)
-        put(tilesOfSolid, large);
+        putTile(tilesOfSolid, large);
 }

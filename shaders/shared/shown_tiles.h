@@ -14,13 +14,15 @@ SHARED_CONST uint rasterTile = 8u;
 /// … and of the one whose ground and colliders it lights.
 SHARED_CONST uint lightTile = 16u;
 
-// What sort_tiles.comp lists, each in a list of its own: tiles of lightTile …
+// What is listed of them, each in a list of its own; by sort_tiles.comp tiles of lightTile …
 SHARED_CONST uint tilesOfSolid = 0u; ///< with something solid
 // … and of rasterTile, of which each is in one list.
 SHARED_CONST uint tilesOfBlades = 1u; ///< with blades and without sky
 SHARED_CONST uint tilesWithoutBlades = 2u;
 SHARED_CONST uint tilesOfBladesAndSky = 3u;
-SHARED_CONST uint tileLists = 4u;
+// Beside them, if a pixel has several samples:
+SHARED_CONST uint tilesOfSoft = 4u; ///< whose pixels get light from their neighbours
+SHARED_CONST uint tileLists = 5u;
 
 /// Work-groups side by side of a dispatch for a list; below one another are as many rows of them as
 /// it takes. Of 65 535, which every device takes, a list of 16 384 × 16 384 pixels has enough.

@@ -120,7 +120,7 @@ void FieldRenderer::Parts::makePicture(VkCommandBuffer commands, const Target& t
     {
         const PassScope scope(context, commands, timestamps, "ground");
         resolve->recordTiles(commands, push);
-        solidRaster->recordLight(commands, input.frame, raster->visibility(), resolve->tiles());
+        solidRaster->recordLight(commands, input.frame, raster->visibility(), resolve->sorted());
     }
     const PassScope scope(context, commands, timestamps, "resolve");
     resolve->record(commands, push, input.frame);

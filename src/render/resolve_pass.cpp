@@ -14,8 +14,10 @@ namespace {
 /// What is stored into is encoded by the shader; it is copied, bit by bit, to a target.
 constexpr VkFormat pictureFormat = VK_FORMAT_R8G8B8A8_UNORM;
 
-/// The set of descriptors that holds the frame.
+/// Sets of descriptors: what has been lit, the frame, and the picture where that is filtered.
+constexpr std::uint32_t litSet = 0;
 constexpr std::uint32_t frameSet = 1;
+constexpr std::uint32_t filmSet = 2;
 
 /// What a list's tiles may show.
 struct Shown {
@@ -25,9 +27,9 @@ struct Shown {
 };
 
 constexpr std::array all{Shown{shared::tileLists, true, true}};
-constexpr std::array sorted{Shown{shared::tilesOfBlades, true, false},
-                            Shown{shared::tilesWithoutBlades, false, true},
-                            Shown{shared::tilesOfBladesAndSky, true, true}};
+constexpr std::array byContent{Shown{shared::tilesOfBlades, true, false},
+                               Shown{shared::tilesWithoutBlades, false, true},
+                               Shown{shared::tilesOfBladesAndSky, true, true}};
 
 } // namespace
 
@@ -45,9 +47,10 @@ ResolvePass::ResolvePass(const gpu::DeviceContext& context, const gpu::ShaderLib
                                             .address = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE}))
 {
     if (target.samples > 1)
-        soften_ = pipeline(shaders, "raster/soften", "soften.comp", {});
-    if (target.sortsTiles)
-        tiles_.emplace(context, shaders, target.samples);
+        soften_ = pipeline(shaders, "raster/soften", "soften.comp",
+                           {{.id = 10, .value = shared::tilesOfSoft}});
+    if (target.sortsTiles || target.samples > 1)
+        tiles_.emplace(context, shaders, target.samples, target.sortsTiles);
 }
 
 gpu::ComputePipeline ResolvePass::pipeline(const gpu::ShaderLibrary& shaders, const char* name,
@@ -60,7 +63,7 @@ gpu::ComputePipeline ResolvePass::pipeline(const gpu::ShaderLibrary& shaders, co
             {.name = name,
              .shader = shader,
              .pushConstantBytes = sizeof(shared::RasterPush),
-             .setLayouts = {imageLayout_.get(), frameLayout_.get()},
+             .setLayouts = {imageLayout_.get(), frameLayout_.get(), imageLayout_.get()},
              .constants = std::move(constants)}};
 }
 
@@ -70,7 +73,8 @@ void ResolvePass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
     if (parts_.contains(shading))
         return;
     std::vector<Part> parts;
-    const std::span<const Shown> lists = tiles_ ? std::span<const Shown>(sorted) : all;
+    const std::span<const Shown> lists =
+        target_.sortsTiles ? std::span<const Shown>(byContent) : all;
     for (const Shown& shown : lists)
         parts.push_back(
             {shown.list, pipeline(shaders, "raster/resolve",
@@ -89,14 +93,14 @@ void ResolvePass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
 void ResolvePass::resize(VkExtent2D size, const gpu::Image& lit)
 {
     size_ = size;
-    lit_ = &lit;
     picture_ = gpu::Image(*context_,
                           {.name = "frame/picture",
                            .format = pictureFormat,
                            .extent = size_,
                            .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
     images_ = gpu::ImageSet(*context_, imageLayout_, "raster/pictures");
-    images_.setSampled(0, lit.view(), sampler_.get());
+    // In the layout in which it is stored into: without barriers of its own.
+    images_.setSampled(0, lit.view(), sampler_.get(), VK_IMAGE_LAYOUT_GENERAL);
     images_.setStorage(0, picture_.view());
     if (tiles_)
         tiles_->resize(size);
@@ -104,7 +108,7 @@ void ResolvePass::resize(VkExtent2D size, const gpu::Image& lit)
         return;
     images_.setStorage(0, lit.view());
     filmImages_ = gpu::ImageSet(*context_, imageLayout_, "raster/film");
-    filmImages_.setSampled(0, lit.view(), sampler_.get());
+    filmImages_.setSampled(0, lit.view(), sampler_.get(), VK_IMAGE_LAYOUT_GENERAL);
     filmImages_.setStorage(0, picture_.view());
 }
 
@@ -126,7 +130,7 @@ void ResolvePass::recordBegin(VkCommandBuffer commands) const
 
 void ResolvePass::recordTiles(VkCommandBuffer commands, const shared::RasterPush& push) const
 {
-    if (!tiles_)
+    if (!target_.sortsTiles)
         return;
     tiles_->record(commands, push);
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::dispatchAccess);
@@ -139,34 +143,33 @@ void ResolvePass::record(VkCommandBuffer commands, const shared::RasterPush& pus
     expect(found != parts_.end(), "the resolve has been prepared");
     gpu::computeToCompute(commands);
     gpu::transition(commands, picture_, gpu::ImageUse::undefined, gpu::ImageUse::storage);
-    if (target_.samples == 1)
-        gpu::transition(commands, *lit_, gpu::ImageUse::storage, gpu::ImageUse::sampled);
     for (const Part& part : found->second) {
         part.pipeline.bind(commands);
-        images_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, part.pipeline.layout());
+        images_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, part.pipeline.layout(), litSet);
+        if (target_.samples > 1)
+            filmImages_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, part.pipeline.layout(),
+                             filmSet);
         frame.bind(commands, part.pipeline.layout(), frameSet);
+        part.pipeline.push(commands, push);
         if (part.list == shared::tileLists) {
-            recordAll(commands, push, part.pipeline);
+            vkCmdDispatch(commands, shared::tilesAlong(size_.width, shared::rasterTile),
+                          shared::tilesAlong(size_.height, shared::rasterTile), 1);
         } else {
-            part.pipeline.push(commands, push);
             tiles_->dispatch(commands, part.list);
         }
     }
-    if (target_.samples > 1) {
-        gpu::transition(commands, *lit_, gpu::ImageUse::storage, gpu::ImageUse::sampled);
-        soften_.bind(commands);
-        filmImages_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, soften_.layout());
-        recordAll(commands, push, soften_);
-    }
+    if (target_.samples > 1)
+        recordSoft(commands, push);
     gpu::transition(commands, picture_, gpu::ImageUse::storage, gpu::ImageUse::transferSource);
 }
 
-void ResolvePass::recordAll(VkCommandBuffer commands, const shared::RasterPush& push,
-                            const gpu::ComputePipeline& pipeline) const
+void ResolvePass::recordSoft(VkCommandBuffer commands, const shared::RasterPush& push) const
 {
-    pipeline.push(commands, push);
-    vkCmdDispatch(commands, shared::tilesAlong(size_.width, shared::rasterTile),
-                  shared::tilesAlong(size_.height, shared::rasterTile), 1);
+    gpu::memoryBarrier(commands, gpu::computeAccess, gpu::dispatchAccess);
+    soften_.bind(commands);
+    filmImages_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, soften_.layout(), litSet);
+    soften_.push(commands, push);
+    tiles_->dispatch(commands, shared::tilesOfSoft);
 }
 
 void ResolvePass::copyTo(VkCommandBuffer commands, VkImage target) const

@@ -51,7 +51,7 @@ public:
     void copyTo(VkCommandBuffer commands, VkImage target) const;
 
     /// Null where tiles are shaded as they lie.
-    const ShownTiles* tiles() const { return tiles_ ? &*tiles_ : nullptr; }
+    const ShownTiles* sorted() const { return target_.sortsTiles ? &*tiles_ : nullptr; }
     VkDeviceSize bytes() const;
 
 private:
@@ -64,8 +64,7 @@ private:
     gpu::ComputePipeline pipeline(const gpu::ShaderLibrary& shaders, const char* name,
                                   const char* shader,
                                   std::vector<gpu::SpecializationConstant> constants) const;
-    void recordAll(VkCommandBuffer commands, const shared::RasterPush& push,
-                   const gpu::ComputePipeline& pipeline) const;
+    void recordSoft(VkCommandBuffer commands, const shared::RasterPush& push) const;
 
     const gpu::DeviceContext* context_;
     TargetSettings target_;
@@ -73,12 +72,11 @@ private:
     gpu::UniformSetLayout frameLayout_;
     gpu::Sampler sampler_;
     std::map<Shading, std::vector<Part>> parts_;
-    Shading shading_{};           ///< of the frame prepared last
-    gpu::ComputePipeline soften_; ///< with several samples
-    std::optional<ShownTiles> tiles_;
+    Shading shading_{};               ///< of the frame prepared last
+    gpu::ComputePipeline soften_;     ///< with several samples
+    std::optional<ShownTiles> tiles_; ///< sorted ones, and with several samples soft ones
 
     VkExtent2D size_{};
-    const gpu::Image* lit_ = nullptr;
     gpu::Image picture_;
     gpu::ImageSet images_;
     gpu::ImageSet filmImages_;

@@ -6,14 +6,15 @@
 namespace sward::render {
 
 ShownTiles::ShownTiles(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-                       std::uint32_t samples)
+                       std::uint32_t samples, bool sorts)
     : context_(&context)
-    , sort_(context, shaders,
-            {.name = "raster/tiles",
-             .shader = "sort_tiles.comp",
-             .pushConstantBytes = sizeof(shared::RasterPush),
-             .constants = {{.id = 1, .value = samples}}})
 {
+    if (sorts)
+        sort_ = gpu::ComputePipeline(context, shaders,
+                                     {.name = "raster/tiles",
+                                      .shader = "sort_tiles.comp",
+                                      .pushConstantBytes = sizeof(shared::RasterPush),
+                                      .constants = {{.id = 1, .value = samples}}});
 }
 
 void ShownTiles::resize(VkExtent2D size)

@@ -12,12 +12,12 @@
 
 namespace sward::render {
 
-/// The tiles of a picture, sorted by what they show: see shaders/shared/shown_tiles.h.
+/// Lists of a picture's tiles: see shaders/shared/shown_tiles.h.
 class ShownTiles {
 public:
-    /// `samples`: 1 or 4 per pixel.
+    /// `samples`: 1 or 4 per pixel. `sorts`: whether record() fills the lists of what tiles show.
     ShownTiles(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-               std::uint32_t samples);
+               std::uint32_t samples, bool sorts);
 
     /// Has pictures of this size; the device is done with the former ones.
     void resize(VkExtent2D size);
@@ -29,7 +29,8 @@ public:
     /// has drawn, after it one to dispatches.
     void record(VkCommandBuffer commands, const shared::RasterPush& push) const;
 
-    /// A work-group for each tile of a list, of shared::tilesOfSolid … .
+    /// A work-group for each tile of a list, of shared::tilesOfSolid … ; between barriers to
+    /// dispatches and from compute shaders.
     void dispatch(VkCommandBuffer commands, std::uint32_t list) const;
 
     VkDeviceAddress address() const { return lists_.address(); }
