@@ -5,29 +5,12 @@
 
 #include "shaders/shared/occlusion.h"
 
-#ifndef PYRAMID_LEVELS
-#define PYRAMID_LEVELS PYRAMID.levels
+#ifndef PYRAMID_DEPTHS
+#define PYRAMID_DEPTHS PYRAMID.depths
 #endif
 
-/// Whether one of the cells from column `low` to `high` of a row, pyramidReach at most, whose first
-/// cell is `row`, is no nearer than `nearest`.
-#ifdef READS_CELLS_TOGETHER
-// They are waited for once; in a shader that has much to remember that costs more than it gains.
-bool seesBehind(uint row, int low, int high, float nearest)
-{
-    const uvec4 cells = row + uvec4(min(low + ivec4(0, 1, 2, 3), ivec4(high)));
-    const vec4 depths = vec4(PYRAMID.depths.at[cells.x], PYRAMID.depths.at[cells.y],
-                             PYRAMID.depths.at[cells.z], PYRAMID.depths.at[cells.w]);
-    return any(lessThanEqual(depths, vec4(nearest)));
-}
-#else
-bool seesBehind(uint row, int low, int high, float nearest)
-{
-    for (int x = low; x <= high; ++x)
-        if (PYRAMID.depths.at[row + uint(x)] <= nearest)
-            return true;
-    return false;
-}
+#ifndef PYRAMID_LEVELS
+#define PYRAMID_LEVELS PYRAMID.levels
 #endif
 
 /// Depths of the rasteriser and of what asks are rounded differently; what asks is taken a
@@ -42,9 +25,27 @@ bool behindPyramid(ScreenBox box)
     const uint row = pyramidCells(PYRAMID.size.x, level);
     const uint first = PYRAMID.first[level];
     const float nearest = box.nearest * 1.00001;
-    for (int y = box.low.y >> bits; y <= box.high.y >> bits; ++y)
-        if (seesBehind(first + uint(y) * row, box.low.x >> bits, box.high.x >> bits, nearest))
+    const ivec2 low = box.low >> bits;
+    const ivec2 high = box.high >> bits;
+#ifdef READS_CELLS_TOGETHER
+    // Those of two columns are waited for once; in a shader that has much to remember that costs more than
+    // it gains.
+    for (int x = low.x; x <= high.x; x += 2) {
+        float farthest = 1.0;
+        SHARED_UNROLL for (int y = 0; y < pyramidReach; ++y) {
+            const uint cells = first + uint(min(low.y + y, high.y)) * row;
+            farthest = min(farthest, min(PYRAMID_DEPTHS.at[cells + uint(x)],
+                                         PYRAMID_DEPTHS.at[cells + uint(min(x + 1, high.x))]));
+        }
+        if (farthest <= nearest)
             return false;
+    }
+#else
+    for (int y = low.y; y <= high.y; ++y)
+        for (int x = low.x; x <= high.x; ++x)
+            if (PYRAMID_DEPTHS.at[first + uint(y) * row + uint(x)] <= nearest)
+                return false;
+#endif
     return true;
 }
 

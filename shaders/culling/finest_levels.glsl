@@ -3,7 +3,7 @@
 #ifndef SWARD_FINEST_LEVELS_GLSL
 #define SWARD_FINEST_LEVELS_GLSL
 
-#include "shaders/shared/passes.h"
+#include "shaders/culling/coarse_levels.glsl"
 
 layout(local_size_x = pyramidThreads, local_size_y = pyramidThreads) in;
 
@@ -19,7 +19,7 @@ void putCell(DepthPyramid pyramid, uint level, uvec2 cell, float farthest)
         uvec2(pyramidCells(pyramid.size.x, level), pyramidCells(pyramid.size.y, level));
     if (level >= pyramid.levels || any(greaterThanEqual(cell, cells)))
         return;
-    DepthArray depths = pyramid.depths;
+    SharedDepths depths = SharedDepths(uvec2(pyramid.depths));
     depths.at[pyramid.first[level] + cell.y * cells.x + cell.x] = farthest;
 }
 

@@ -10,7 +10,6 @@
 #define READS_CELLS_TOGETHER
 #include "shaders/culling/behind_pyramid.glsl"
 #include "shaders/shared/passes.h"
-#include "shaders/grass/pages.glsl"
 
 /// Whether nothing between `low` and `high` [pixels] can be seen whose reversed depth is `nearest` at
 /// most. What lies beside the picture is not seen, either.
@@ -36,23 +35,6 @@ bool pixelsHidden(uint row, uint low, uint high, float nearest)
     const vec3 depths = vec3(PYRAMID.depths.at[cells + own.x], PYRAMID.depths.at[cells + own.y],
                              PYRAMID.depths.at[cells + own.z]);
     return all(greaterThan(depths, vec3(nearest * 1.00001)));
-}
-
-/// Notes that a blade is hidden, for those who ask; it is not counted with that.
-void noteHidden(uint blade)
-{
-    if (uvec2(FRAME.fates) != uvec2(0u))
-        FRAME.fates.at[placeOf(uvec2(FRAME.pages), blade)] = fateOcclusion;
-}
-
-/// Moves so many blades from those that are drawn to those that are hidden. All groups do so at the
-/// same address, so each does it once.
-void countHidden(uint blades)
-{
-    if (blades == 0u)
-        return;
-    atomicAdd(FRAME.draw.at[0].fates[fateDrawn], 0u - blades);
-    atomicAdd(FRAME.draw.at[0].fates[fateOcclusion], blades);
 }
 
 #endif

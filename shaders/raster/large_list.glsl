@@ -11,9 +11,10 @@
 /// A blade, or a part of it, as it is listed. `part`: LargePart::part.
 LargePart partOf(Ribbon ribbon, uint blade, uint part)
 {
-    return LargePart(ribbon.v0, ribbon.width, ribbon.v1, ribbon.fold, ribbon.v2, ribbon.outline.segments,
+    return LargePart(ribbon.v0, ribbon.width, ribbon.v1, ribbon.fold, ribbon.v2,
+                     packOutline(ribbon.outline.shape, uint(ribbon.outline.segments)),
                      ribbon.axis, ribbon.outline.tipThreshold, ribbon.outline.scale,
-                     ribbon.outline.shape, blade, part);
+                     0u, blade, part);
 }
 
 /// So many parts has a blade that covers so many pixels.

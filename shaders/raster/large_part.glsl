@@ -17,9 +17,9 @@ void putPart(LargePartArray list, uint place, LargePart part)
     LargePartQuarters quarters = LargePartQuarters(uvec2(list));
     quarters.at[5u * place] = uvec4(floatBitsToUint(part.v0), floatBitsToUint(part.width));
     quarters.at[5u * place + 1u] = uvec4(floatBitsToUint(part.v1), floatBitsToUint(part.fold));
-    quarters.at[5u * place + 2u] = uvec4(floatBitsToUint(part.v2), floatBitsToUint(part.segments));
+    quarters.at[5u * place + 2u] = uvec4(floatBitsToUint(part.v2), part.outline);
     quarters.at[5u * place + 3u] = uvec4(floatBitsToUint(part.axis), floatBitsToUint(part.tipThreshold));
-    quarters.at[5u * place + 4u] = uvec4(floatBitsToUint(part.scale), part.shape, part.blade, part.part);
+    quarters.at[5u * place + 4u] = uvec4(floatBitsToUint(part.scale), part.leftOut, part.blade, part.part);
 }
 
 LargePart partAt(uint place)
@@ -31,7 +31,7 @@ LargePart partAt(uint place)
     const uvec4 d = quarters.at[5u * place + 3u];
     const uvec4 e = quarters.at[5u * place + 4u];
     return LargePart(uintBitsToFloat(a.xyz), uintBitsToFloat(a.w), uintBitsToFloat(b.xyz),
-                     uintBitsToFloat(b.w), uintBitsToFloat(c.xyz), uintBitsToFloat(c.w),
+                     uintBitsToFloat(b.w), uintBitsToFloat(c.xyz), c.w,
                      uintBitsToFloat(d.xyz), uintBitsToFloat(d.w), uintBitsToFloat(e.x), e.y, e.z, e.w);
 }
 
@@ -62,7 +62,7 @@ Ribbon ribbonOf(LargePart part)
     ribbon.axis = part.axis;
     ribbon.width = part.width;
     ribbon.fold = part.fold;
-    ribbon.outline = Outline(knownShape(part.shape), part.tipThreshold, part.segments, part.scale);
+    ribbon.outline = Outline(knownShape(shapeOfOutline(part.outline)), part.tipThreshold, float(segmentsOfOutline(part.outline)), part.scale);
     return ribbon;
 }
 

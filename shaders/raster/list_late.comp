@@ -18,6 +18,7 @@ const bool isLate = true;
 
 #include "shaders/raster/draw_alone.glsl"
 #include "shaders/raster/large_list.glsl"
+#include "shaders/raster/note_hidden.glsl"
 #include "shaders/raster/seen_segments.glsl"
 
 layout(local_size_x = rasterThreads) in;

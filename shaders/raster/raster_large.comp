@@ -11,8 +11,11 @@ layout(push_constant, scalar) uniform Block { RasterPush push; };
 #define FRAME_SET 0
 #include "shaders/frame_constants.glsl"
 
+#define PYRAMID_DEPTHS FRAME.depthsBefore
+#include "shaders/raster/hidden_rectangle.glsl"
 #include "shaders/raster/large_part.glsl"
 #include "shaders/raster/part_rows.glsl"
+#define KEEPS_RUN
 #include "shaders/raster/strip.glsl"
 
 layout(local_size_x = largeThreads) in;
@@ -44,6 +47,7 @@ shared vec4 points[2u * ribsTogether]; // of ribs, on the screen, w: to the left
 shared Piece pieces[piecesTogether];
 shared uint ticket; // 0–23 rows so far, 24–31 pieces
 shared bool isAnyFolded;
+shared uint leftOut[largeTogether]; // LargePart::leftOut
 
 // Where the points of a rib lie: first those of all ribs to the left, then to the right, then ridges.
 const uint leftSide = 0u;
@@ -113,9 +117,34 @@ ivec2 rowsSeen(Quad quad, uint part)
     return rowsOfPart(rowsBetween(low.y, high.y, edge.y), part);
 }
 
-/// The pieces between rib `rib` and the one before.
-void makePieces(uint rib, bool isFolded, bool isUpper, uint part, uint number, uint stride)
+/// So far [pixels] around a segment nothing may have been seen of what stands as far away: what wind moves
+/// aside until the next frame would else leave holes in what hides the rest.
+const float sinceBefore = 3.0;
+
+/// Whether the frame before hid what lies between a rib and the one before.
+bool wasHidden(uint rib, bool isFolded, uint stride)
 {
+    if (uvec2(FRAME.depthsBefore) == uvec2(0u))
+        return false;
+    vec3 low = vec3(1e30);
+    vec3 high = vec3(-1e30);
+    for (uint i = 0u; i < (isFolded ? 3u : 2u); ++i) {
+        const vec3 before = points[i * stride + rib - 1u].xyz;
+        const vec3 after = points[i * stride + rib].xyz;
+        low = min(low, min(before, after));
+        high = max(high, max(before, after));
+    }
+    return rectangleHidden(low.xy - sinceBefore, high.xy + sinceBefore, high.z);
+}
+
+/// The pieces between rib `rib` and the one before, the `own`th of a blade that is drawn. Where pixels have
+/// several samples, each of which is looked at, those that the frame before hid are left to the late turn.
+void makePieces(uint rib, uint own, bool isFolded, bool isUpper, uint part, uint number, uint stride)
+{
+    if (samplesPerPixel > 1u && own <= 32u && wasHidden(rib, isFolded, stride)) {
+        atomicOr(leftOut[number], 1u << (own - 1u));
+        return;
+    }
     bool isTwisted = false;
     for (uint i = 0u; i < halvesOf(isFolded); ++i)
         isTwisted = isTwisted ||
@@ -151,6 +180,7 @@ void drawPieces(uint stride)
             drawRow(strip, item.blade,
                     rowAt(int(piece.what >> 15u), int(row - (piece.place & 0xffffffu)), item.cycle));
     }
+    putKept();
 }
 
 /// Draws what lies between the ribs from `first` to before `end` of the blades from `item` on.
@@ -162,6 +192,7 @@ void drawBetween(Lens lens, uint first, uint end, uint item, uint blades, uint s
     bool hasRidge = false;
     bool isUpper = false;
     uint number = 0u;
+    uint own = 0u;
     uint part = 0u;
     if (rib < end) {
         for (uint i = 1u; i < blades; ++i)
@@ -169,7 +200,7 @@ void drawBetween(Lens lens, uint first, uint end, uint item, uint blades, uint s
         const LargePart asked = partAt(item + number);
         const Ribbon ribbon = ribbonOf(asked);
         part = asked.part;
-        const uint own = rib - items[number].firstRib;
+        own = rib - items[number].firstRib;
         const float i = float(items[number].beginsAt + own);
         hasRidge = isFolded(ribbon);
         isSegment = thread > 0u && own > 0u;
@@ -185,7 +216,7 @@ void drawBetween(Lens lens, uint first, uint end, uint item, uint blades, uint s
         ticket = 0u;
     barrier();
     if (isSegment)
-        makePieces(thread, hasRidge, isUpper, part, number, stride);
+        makePieces(thread, own, hasRidge, isUpper, part, number, stride);
     barrier();
     drawPieces(stride);
     barrier();
@@ -212,6 +243,7 @@ void main()
             const uvec2 own = partsOf(part) > 0u ? segmentsOfPart(part) : uvec2(0u);
             items[thread + 1u].firstRib = own.x < own.y ? own.y - own.x + 1u : 0u;
             items[thread].beginsAt = own.x;
+            leftOut[thread] = 0u;
             items[thread].cycle = 8u * partsOf(part);
             items[thread].blade = large.at[place].blade;
             if (isFolded(ribbonOf(large.at[place])))
@@ -227,6 +259,8 @@ void main()
         // The next ones begin with the last rib, between which and theirs there is a segment, too.
         for (uint first = 0u; first + 1u < end; first += stride - 1u)
             drawBetween(lens, first, min(first + stride, end), item, blades, stride);
+        if (thread < blades && leftOut[thread] != 0u)
+            large.at[item + thread].leftOut = leftOut[thread];
         barrier();
     }
 }

@@ -9,6 +9,10 @@ layout(push_constant, scalar) uniform Block { RasterPush push; };
 #include "shaders/culling/finest_levels.glsl"
 #include "shaders/raster/put_sample.glsl"
 
+/// Whether the coarse levels are filled, too, by the work-group that is done last; known when the pipeline
+/// is made.
+layout(constant_id = 2) const bool fillsAll = false;
+
 // Of several samples: pairs of them in a column of the group's pixels, in what of it a cell has, columns
 // that its threads read at a time, and cells of each of which one has pairs that it waits for together.
 const uint groupReach = pyramidThreads << pyramidFactorBits;
@@ -18,6 +22,7 @@ const uint columnsTogether = pyramidThreads * pyramidThreads / pairsOfColumn;
 const uint cellsTogether = 2u;
 
 shared uint farthestOfCells[pyramidThreads * pyramidThreads]; // as bits
+shared bool isLastGroup;
 
 /// The farthest depth of a cell, read by its own thread.
 float farthestOf(uvec2 own)
@@ -82,6 +87,15 @@ void beginLateTurn()
     asked.at[4].groups[0] = groupsForLate(drawn);
 }
 
+/// Whether all other work-groups have filled their cells. The first thread comes here behind the last one
+/// that it has put, of which alone coarser levels are made.
+bool areOthersDone()
+{
+    memoryBarrierBuffer();
+    WalkLevelArray asked = push.largeCount;
+    return atomicAdd(asked.at[4].count, 1u) + 1u == gl_NumWorkGroups.x * gl_NumWorkGroups.y;
+}
+
 void main()
 {
     if (gl_WorkGroupID.xy == uvec2(0u) && gl_LocalInvocationIndex == 0u)
@@ -89,4 +103,13 @@ void main()
     // Threads beside one another read what lies below one another, which is together in memory.
     const uvec2 own = gl_LocalInvocationID.yx;
     putFinestLevels(FRAME.pyramid, own, samplesPerPixel == 1u ? farthestOf(own) : farthestTogether(own));
+    if (!fillsAll)
+        return;
+    if (gl_LocalInvocationIndex == 0u)
+        isLastGroup = areOthersDone();
+    barrier();
+    if (!isLastGroup)
+        return;
+    memoryBarrierBuffer();
+    putCoarseLevels(FRAME.pyramid, gl_LocalInvocationIndex, pyramidThreads * pyramidThreads);
 }

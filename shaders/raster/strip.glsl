@@ -132,6 +132,37 @@ vec2 spanOf(Strip strip, SampleMask mask, uint s, int row)
 /// So many pixels of a row are looked at together: what takes long is to wait for what they have already.
 const uint pixelsTogether = samplesPerPixel == 1u ? 8u : 4u;
 
+#ifdef KEEPS_RUN
+/// Pixels of a row that have been looked at, and of which some samples, as bits pixel by pixel, are to be
+/// put. What is written holds up what is read after it: each run is put when the next one has been asked
+/// for, and the last one is left to putKept().
+struct Run {
+    uint first;  ///< sampleIndex() of the first
+    float depth; ///< at its corner, reversed
+    vec2 steps;  ///< by which that changes to the right and downwards
+    float deepest;
+    float shallowest;
+    uint blade;
+    uint nearer;
+};
+
+Run kept = Run(0u, 0.0, vec2(0.0), 0.0, 0.0, 0u, 0u);
+
+void putKept()
+{
+    if (kept.nearer == 0u)
+        return;
+    SHARED_UNROLL for (uint i = 0u; i < pixelsTogether; ++i)
+        SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
+            if ((kept.nearer & (1u << (i * samplesPerPixel + s))) != 0u)
+                putOne(kept.first + i * columnStride() + s,
+                       clamp(kept.depth + dot(samplePlace(s) + vec2(i, 0.0), kept.steps), kept.deepest,
+                             kept.shallowest),
+                       kept.blade);
+    kept.nearer = 0u;
+}
+#endif
+
 /// One row of pixels.
 void drawRow(Strip strip, uint blade, int row)
 {
@@ -177,6 +208,10 @@ void drawRow(Strip strip, uint blade, int row)
                     before[i * samplesPerPixel + s + 1u] = two.y;
                 }
         }
+#ifdef KEEPS_RUN
+        putKept();
+        uint nearer = 0u;
+#endif
         SHARED_UNROLL for (uint i = 0u; i < pixelsTogether; ++i)
             SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s) {
                 const float own = clamp(here + dot(samplePlace(s) + vec2(i, 0.0), strip.depth.yz),
@@ -185,8 +220,15 @@ void drawRow(Strip strip, uint blade, int row)
                 // Of equal depths the atomic takes the larger id.
                 if ((samplesPerPixel == 1u || column >= spans[s].x && column <= spans[s].y) &&
                     floatBitsToUint(own) >= before[i * samplesPerPixel + s])
+#ifdef KEEPS_RUN
+                    nearer |= 1u << (i * samplesPerPixel + s);
+#else
                     putOne(first + i * columnStride() + s, own, blade);
+#endif
             }
+#ifdef KEEPS_RUN
+        kept = Run(first, here, strip.depth.yz, strip.deepest, strip.shallowest, blade, nearer);
+#endif
     }
 }
 

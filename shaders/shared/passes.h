@@ -25,7 +25,7 @@ SHARED_CONST uint patchesTogether = 8u;
 
 /// Work-groups of the update for so many live patches: fewer than a patch each only from here on,
 /// since with fewer groups a device has some idle at the end.
-SHARED_CONST uint updateGroupsFrom = 2048u;
+SHARED_CONST uint updateGroupsFrom = 3072u;
 
 /// `ofGroup`: patchesTogether, or fewer.
 SHARED_FN uint updateGroups(uint patches, uint ofGroup)
@@ -204,17 +204,34 @@ struct LargePart {
     vec3 v1;
     float fold;
     vec3 v2;
-    float segments;
+    uint outline; ///< packOutline()
     vec3 axis;
     float tipThreshold;
     float scale;
-    uint shape;
-    uint blade; ///< resident id
-    uint part;  ///< 0–7 which of so many parts, 8–15; 0: nothing, there was no room for all parts;
-                ///< 16–22 the first segment that is drawn, 23–29 one past the last; of a blade that
-                ///< had its first turn all others are left to the late one
+    uint leftOut; ///< of the segments that the first turn was to draw those that it has left to the
+                  ///< late one, as the frame before hid them: bits, the lowest of the first
+    uint blade;   ///< resident id
+    uint part; ///< 0–7 which of so many parts, 8–15; 0: nothing, there was no room for all parts;
+               ///< 16–22 the first segment that is drawn, 23–29 one past the last; of a blade that
+               ///< had its first turn all others are left to the late one
 };
 SHARED_LAYOUT(LargePart, 80)
+
+/// LargePart::outline.
+SHARED_FN uint packOutline(uint shape, uint segments)
+{
+    return shape | (segments << 16u);
+}
+
+SHARED_FN uint shapeOfOutline(uint outline)
+{
+    return outline & 0xffffu;
+}
+
+SHARED_FN uint segmentsOfOutline(uint outline)
+{
+    return outline >> 16u;
+}
 
 /// LargePart::part.
 SHARED_FN uint packPart(uint number, uint parts, uint begin, uint end)
@@ -283,7 +300,8 @@ struct RasterPush {
     WalkLevelArray largeCount; ///< how many of them were asked for, and work-groups for them;
                                ///< then the draw for them by the tessellator; then how many of
                                ///< them have been drawn in the first turn; then as at first of
-                               ///< `cut`; then work-groups for the late turn
+                               ///< `cut`; then work-groups for the late turn, and how many of
+                               ///< the ground's pyramid are done
     LargePartArray cut;        ///< those that are cut by the near plane
     UintArray owners;          ///< patches that own blades, in the order of their blades
     UintArray firstOwners; ///< per ownerStride blades: index into `owners` of the first one's patch

@@ -9,6 +9,7 @@
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <utility>
 
 namespace sward::render {
 
@@ -19,6 +20,7 @@ public:
     DepthPyramid(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
                  std::uint32_t samples)
         : pass_(context, shaders, {.samples = samples})
+        , keepsBefore_(samples > 1)
     {
     }
 
@@ -30,11 +32,33 @@ public:
                   {depth.extent().width, depth.extent().height});
     }
 
-    /// The same where somebody else fills the finest levels.
-    void resize(VkExtent2D size) { pass_.fit(cells_, glm::uvec2(size.width, size.height)); }
+    /// The same where RasterPass::recordDepths() fills it.
+    void resize(VkExtent2D size)
+    {
+        pass_.fit(cells_, glm::uvec2(size.width, size.height));
+        if (keepsBefore_)
+            pass_.fit(before_, glm::uvec2(size.width, size.height));
+        holdsBlades_ = false;
+    }
+
+    /// Begins a frame. If blades have two turns in it and had them in the frame before, the finest
+    /// levels of that are kept, of several samples.
+    void begin(bool hasTurns)
+    {
+        if (!keepsBefore_)
+            return;
+        if (hasTurns)
+            std::swap(cells_, before_);
+        knowsBefore_ = hasTurns && holdsBlades_;
+        holdsBlades_ = hasTurns;
+    }
 
     /// Writes where it lies into a frame.
-    void describe(shared::Frame& frame) const { frame.pyramid = cells_.layout; }
+    void describe(shared::Frame& frame) const
+    {
+        frame.pyramid = cells_.layout;
+        frame.depthsBefore = knowsBefore_ ? before_.layout.depths : 0;
+    }
 
     /// Fills it, between barriers from the drawing of depth and to compute shaders.
     void record(VkCommandBuffer commands, VkDeviceAddress frame) const
@@ -42,17 +66,15 @@ public:
         pass_.record(commands, cells_, frame);
     }
 
-    /// The same but for the three finest levels, which another pass has filled.
-    void recordCoarser(VkCommandBuffer commands, VkDeviceAddress frame) const
-    {
-        pass_.recordCoarser(commands, cells_, frame);
-    }
-
-    VkDeviceSize bytes() const { return cells_.bytes(); }
+    VkDeviceSize bytes() const { return cells_.bytes() + before_.bytes(); }
 
 private:
     PyramidPass pass_;
     DepthCells cells_;
+    bool keepsBefore_;
+    DepthCells before_;        ///< of the frame before
+    bool holdsBlades_ = false; ///< cells_
+    bool knowsBefore_ = false;
 };
 
 } // namespace sward::render

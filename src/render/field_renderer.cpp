@@ -210,6 +210,7 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
         blades.expectColliders();
     blades.buffers().describe(frame);
     cover.describe(frame);
+    pyramid.begin(findsHidden(wishes) || takesTurns(wishes));
     if ((frame.view.cullMask & shared::cullOcclusion) != 0 || drawsInTurns)
         pyramid.describe(frame);
     slots[slot].tables.write(shape, wishes, time, blades.hasMoved() ? lastTime : time, frame);
@@ -288,8 +289,7 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
                                    .firstBlade = parts.raster ? parts.solidRaster->firstBlade() : 1,
                                    .findsHidden = findsHidden,
                                    // Another camera goes on asking the pyramid that it has made.
-                                   .takesTurns = parts.groupsDrawLarge() && parts.drawsInTurns &&
-                                                 !findsHidden && !settings.cullingCamera,
+                                   .takesTurns = parts.takesTurns(settings),
                                    .tessellatesLarge = parts.geometry == Geometry::hybrid};
 
     parts.blades.begin(commands, time);

@@ -75,6 +75,7 @@ struct FieldRenderer::Parts {
                      std::uint32_t slot);
     bool groupsDrawLarge() const;
     bool findsHidden(const FrameSettings& wishes) const; ///< of blades what others hide
+    bool takesTurns(const FrameSettings& wishes) const;  ///< without asking
     void drawSolid(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
                    gpu::Timestamps* timestamps);
     void rasterSolid(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);

@@ -17,6 +17,11 @@ bool FieldRenderer::Parts::findsHidden(const FrameSettings& wishes) const
            !wishes.cullingCamera && wishes.debug != DebugMode::reason;
 }
 
+bool FieldRenderer::Parts::takesTurns(const FrameSettings& wishes) const
+{
+    return groupsDrawLarge() && drawsInTurns && !findsHidden(wishes) && !wishes.cullingCamera;
+}
+
 gpu::ColorAttachment FieldRenderer::Parts::colorAttachment(const Target& target) const
 {
     gpu::ColorAttachment color{
@@ -77,8 +82,7 @@ void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, const Raste
                                            gpu::Timestamps* timestamps)
 {
     const PassScope scope(context, commands, timestamps, "pyramid");
-    raster->recordDepths(commands, input);
-    pyramid.recordCoarser(commands, input.frame.address);
+    raster->recordDepths(commands, input, RasterPass::Levels::all);
     gpu::computeToCompute(commands);
 }
 

@@ -84,12 +84,6 @@ void PyramidPass::record(const gpu::Recording& commands, const DepthCells& cells
     first_.push(commands, shared::PyramidPush{.frame = frame, .slack = slack_, .reserved = 0});
     commands.vk->CmdDispatch(commands, groupsFor(shared::pyramidCells(cells.layout.size.x, 0)),
                              groupsFor(shared::pyramidCells(cells.layout.size.y, 0)), 1);
-    recordCoarser(commands, cells, frame);
-}
-
-void PyramidPass::recordCoarser(const gpu::Recording& commands, const DepthCells& cells,
-                                VkDeviceAddress frame) const
-{
     if (cells.layout.levels <= shared::pyramidFirstOfRest)
         return;
     gpu::computeToCompute(commands);

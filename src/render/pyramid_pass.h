@@ -39,8 +39,8 @@ public:
     PyramidPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
                 const Settings& settings);
 
-    /// Makes cells for pictures of so many pixels unless they are that many. Somebody else fills
-    /// the finest levels: see recordCoarser(). The device is done with the former ones.
+    /// Makes cells for pictures of so many pixels unless they are that many, which somebody else
+    /// fills. The device is done with the former ones.
     void fit(DepthCells& cells, glm::uvec2 size) const;
 
     /// Makes cells for a depth picture of so many pixels, which is in `layout` when record() runs.
@@ -51,10 +51,6 @@ public:
     /// knows their layout.
     void record(const gpu::Recording& commands, const DepthCells& cells,
                 VkDeviceAddress frame) const;
-
-    /// Fills all but the three finest levels, which somebody else has filled.
-    void recordCoarser(const gpu::Recording& commands, const DepthCells& cells,
-                       VkDeviceAddress frame) const;
 
 private:
     const gpu::DeviceContext* context_;

@@ -42,13 +42,15 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                            .shownBlades = target.groupsDrawLarge ? bladeCount : 0})
 {
     expect(obstacleToRaster(context, target.colorFormat) == nullptr, "the device can rasterise");
-    const auto pipeline = [&](const char* name, const char* shader, std::uint32_t largeTo) {
+    const auto pipeline = [&](const char* name, const char* shader, std::uint32_t largeTo,
+                              bool fillsAll = false) {
         return gpu::ComputePipeline(context, shaders,
                                     {.name = name,
                                      .shader = shader,
                                      .pushConstantBytes = sizeof(shared::RasterPush),
                                      .setLayouts = {frameLayout_.get()},
                                      .constants = {{.id = 1, .value = target.samples},
+                                                   {.id = 2, .value = fillsAll},
                                                    {.id = 3, .value = target.mayBePaged},
                                                    {.id = 4, .value = largeTo},
                                                    {.id = 11, .value = target.mayFold},
@@ -56,6 +58,7 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
     };
     const std::uint32_t untold = shared::largeToNobody;
     depths_ = pipeline("raster/depths", "seen_depths.comp", untold);
+    allDepths_ = pipeline("raster/all depths", "seen_depths.comp", untold, true);
     if (target.groupsDrawLarge) {
         const std::uint32_t toGroups = shared::largeToGroups;
         blades_ = pipeline("raster/blades", "raster_blades.comp", toGroups);
@@ -176,14 +179,15 @@ void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Turn 
     largeList_.dispatchCut(commands);
 }
 
-void RasterPass::recordDepths(VkCommandBuffer commands, const Input& input) const
+void RasterPass::recordDepths(VkCommandBuffer commands, const Input& input, Levels levels) const
 {
     const auto groups = [](std::uint32_t pixels) {
         return static_cast<std::uint32_t>(
             gpu::groupsFor(shared::pyramidCells(pixels, 0), shared::pyramidThreads));
     };
-    depths_.bind(commands);
-    depths_.push(commands, pushFor(input));
+    const gpu::ComputePipeline& pipeline = levels == Levels::all ? allDepths_ : depths_;
+    pipeline.bind(commands);
+    pipeline.push(commands, pushFor(input));
     vkCmdDispatch(commands, groups(size_.width), groups(size_.height), 1);
 }
 

@@ -66,9 +66,12 @@ public:
     /// frame's pyramid does not hide, while the surfaces of the first ones are kept. As above.
     void recordLarge(VkCommandBuffer commands, const Input& input, Turn turn) const;
 
-    /// Fills the finest levels of the frame's pyramid with what has been drawn so far; what is
-    /// listed from now on has its late turn. As above.
-    void recordDepths(VkCommandBuffer commands, const Input& input) const;
+    /// Those of a pyramid; all of them once a frame.
+    enum class Levels { finest, all };
+
+    /// Fills levels of the frame's pyramid with what has been drawn so far; what is listed from now
+    /// on has its late turn. As above.
+    void recordDepths(VkCommandBuffer commands, const Input& input, Levels levels) const;
 
     /// What all shaders are told that draw into the visibility or look at it; but for tiles.
     shared::RasterPush pushFor(const Input& input) const;
@@ -88,6 +91,7 @@ private:
     gpu::ComputePipeline lateBlades_;
     gpu::ComputePipeline lateLarge_; ///< leaves out what is hidden
     gpu::ComputePipeline depths_;
+    gpu::ComputePipeline allDepths_;
     std::optional<LargeBladePass> tessellated_; ///< of large blades
     std::optional<SurfacePass> surfaces_;       ///< of those that work-groups draw
 

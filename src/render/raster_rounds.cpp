@@ -52,7 +52,7 @@ void RasterRounds::recordPyramid(VkCommandBuffer commands, const RasterPass::Inp
     }
     gpu::memoryBarrier(commands, gpu::dispatchAccess, gpu::dispatchAccess);
     const PassScope scope(context, commands, timestamps, "pyramid");
-    raster.recordDepths(commands, input);
+    raster.recordDepths(commands, input, RasterPass::Levels::finest);
 }
 
 } // namespace sward::render

@@ -2,6 +2,7 @@
 
 #include "core/random.h"
 #include "picture.h"
+#include "render/depth_pyramid.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
 #include "thicket.h"
@@ -10,6 +11,10 @@
 
 #include <cmath>
 #include <cstdlib>
+
+namespace sward::embedded {
+std::span<const EmbeddedFile> shaders();
+} // namespace sward::embedded
 
 namespace sward::render {
 namespace {
@@ -135,16 +140,19 @@ Walked walkThroughThicket(const gpu::Device& device, std::uint32_t samples, bool
     wanted.drawsInTurns = false;
     wanted.asksSmallBlades = asksSmallBlades;
     wanted.recordFates = true;
+    // Another one draws what is expected, so that each camera follows the one before.
+    FieldRenderer whole(device, field::viewOf(field), wanted);
     FieldRenderer renderer(device, field::viewOf(field), wanted);
     FrameSettings settings = FrameSettings::of(field::viewOf(field));
     test::Picture picture(device.context(), {321, 179});
     Walked walked;
     for (int step = 0; step < 6; ++step) {
         settings.cullMask = visible;
-        picture.draw(renderer, test::onTheWay(step), settings, 1.0);
+        picture.draw(whole, test::onTheWay(step), settings, 1.0);
         const auto all = picture.pixels();
-        walked.listed += renderer.stats().drawn;
-        // The first of the two begins with what other cameras have seen.
+        walked.listed += whole.stats().drawn;
+        // The first of the two begins with what other cameras have seen, and leaves out at first
+        // what they have not.
         settings.cullMask = visible | shared::cullOcclusion;
         for (int frame = 0; frame < 2; ++frame) {
             picture.draw(renderer, test::onTheWay(step), settings, 1.0);
@@ -175,6 +183,62 @@ TEST_F(OcclusionTest, GrassHidesGrassAndNoByteOfAnyPicture)
         EXPECT_EQ(all.listed, large.listed);
         EXPECT_LT(all.drawn, large.drawn * 9 / 10);
     }
+}
+
+/// From above nothing is seen of what stands below a plane. Boxes as large as the picture ask
+/// the coarsest cells, which the work-group fills that is done last, or a pass of their own.
+TEST_F(OcclusionTest, GroundThatFillsThePictureHidesWholePatches)
+{
+    field::Field field = test::makeField({.blades = 3000, .extent = 10.0f, .seed = seed});
+    for (shared::GroundVertex& vertex : field.ground.vertices)
+        vertex.position.y += 2.0f;
+    Camera camera;
+    camera.eye = {0.0, 4.0, 0.0};
+    camera.target = {0.1, 0.0, 0.0};
+    camera.up = {1.0f, 0.0f, 0.0f};
+    for (const Geometry geometry : {Geometry::raster, Geometry::tessellation})
+        for (const std::uint32_t samples : {1u, 4u}) {
+            FieldRenderer renderer(
+                device(), field::viewOf(field),
+                {.samples = samples, .geometry = geometry, .rastersForCpu = false});
+            FrameSettings settings = FrameSettings::of(field::viewOf(field));
+            for (const glm::uvec2 size : {glm::uvec2(300, 160), glm::uvec2(1300, 700)}) {
+                SCOPED_TRACE(testing::Message() << nameOf(geometry) << ", " << samples
+                                                << " samples, " << size.x << " columns");
+                test::Picture picture(context(), size);
+                // What is counted begins anew with each frame, and so do the cells.
+                for (int frame = 0; frame < 2; ++frame) {
+                    picture.draw(renderer, camera, settings, 1.0);
+                    EXPECT_EQ(renderer.stats().culledPatch, renderer.stats().resident);
+                }
+            }
+        }
+}
+
+TEST_F(OcclusionTest, TheFrameBeforeIsAskedOnlyIfItsBladesAreKnown)
+{
+    const gpu::ShaderLibrary shaders(embedded::shaders());
+    DepthPyramid pyramid(context(), shaders, 4);
+    pyramid.resize(VkExtent2D{320, 200});
+    const auto frameAfter = [&pyramid](bool hasTurns) {
+        pyramid.begin(hasTurns);
+        shared::Frame frame = {};
+        pyramid.describe(frame);
+        return frame;
+    };
+    const shared::Frame first = frameAfter(true);
+    EXPECT_EQ(first.depthsBefore, 0u);
+    const shared::Frame second = frameAfter(true);
+    EXPECT_EQ(second.depthsBefore, first.pyramid.depths);
+    EXPECT_NE(second.pyramid.depths, first.pyramid.depths);
+    EXPECT_EQ(frameAfter(true).depthsBefore, second.pyramid.depths);
+    // One whose blades have a single turn neither asks nor says what it hid.
+    EXPECT_EQ(frameAfter(false).depthsBefore, 0u);
+    EXPECT_EQ(frameAfter(true).depthsBefore, 0u);
+    EXPECT_NE(frameAfter(true).depthsBefore, 0u);
+    // Nor does one of another size.
+    pyramid.resize(VkExtent2D{640, 400});
+    EXPECT_EQ(frameAfter(true).depthsBefore, 0u);
 }
 
 } // namespace

@@ -320,11 +320,11 @@ void main()
     put(sources.at[0].largePart.at[1].v1);
     put(sources.at[0].largePart.at[1].fold);
     put(sources.at[0].largePart.at[1].v2);
-    put(sources.at[0].largePart.at[1].segments);
+    put(sources.at[0].largePart.at[1].outline);
     put(sources.at[0].largePart.at[1].axis);
     put(sources.at[0].largePart.at[1].tipThreshold);
     put(sources.at[0].largePart.at[1].scale);
-    put(sources.at[0].largePart.at[1].shape);
+    put(sources.at[0].largePart.at[1].leftOut);
     put(sources.at[0].largePart.at[1].blade);
     put(sources.at[0].largePart.at[1].part);
 

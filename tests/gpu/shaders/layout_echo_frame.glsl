@@ -18,6 +18,7 @@ void putFrame()
     for (uint i = 0u; i < maxPyramidLevels; ++i)
         put(FRAME.pyramid.first[i]);
     put(FRAME.pyramid.levels);
+    put(uvec2(FRAME.depthsBefore));
     for (uint column = 0u; column < 4u; ++column)
         put(FRAME.viewProjection[column]);
     for (uint i = 0u; i < 6u; ++i)
@@ -61,6 +62,6 @@ void putFrame()
     put(FRAME.shadow);
     put(FRAME.fogFalloff);
     put(FRAME.fogBase);
-    for (int i = 0; i < 65; ++i)
+    for (int i = 0; i < 63; ++i)
         put(FRAME.reserved[i]);
 }

@@ -1,0 +1,42 @@
+// The coarse levels of a depth pyramid, each from the one below, by a single work-group: a dispatch for
+// each would wait longer than it works.
+#ifndef SWARD_COARSE_LEVELS_GLSL
+#define SWARD_COARSE_LEVELS_GLSL
+
+#extension GL_EXT_buffer_reference_uvec2 : require
+
+#include "shaders/shared/passes.h"
+
+/// A pyramid's depths, which threads have from each other.
+layout(buffer_reference, scalar, buffer_reference_align = 4) coherent buffer SharedDepths
+{
+    float at[];
+};
+
+/// All `threads` of a group come here together; the three finest levels are there.
+void putCoarseLevels(DepthPyramid pyramid, uint thread, uint threads)
+{
+    SharedDepths depths = SharedDepths(uvec2(pyramid.depths));
+    for (uint level = pyramidFirstOfRest; level < pyramid.levels; ++level) {
+        const uvec2 cells =
+            uvec2(pyramidCells(pyramid.size.x, level), pyramidCells(pyramid.size.y, level));
+        const uvec2 below = uvec2(pyramidCells(pyramid.size.x, level - 1u),
+                                  pyramidCells(pyramid.size.y, level - 1u));
+        for (uint i = thread; i < cells.x * cells.y; i += threads) {
+            const uvec2 low = uvec2(i % cells.x, i / cells.x) << pyramidFactorBits;
+            const uvec2 last = below - 1u;
+            float farthest = 1.0;
+            // All at once: waited for one by one they take ten times as long.
+            SHARED_UNROLL for (uint y = 0u; y < 1u << pyramidFactorBits; ++y)
+                SHARED_UNROLL for (uint x = 0u; x < 1u << pyramidFactorBits; ++x) {
+                    const uvec2 cell = min(low + uvec2(x, y), last);
+                    farthest = min(farthest, depths.at[pyramid.first[level - 1u] + cell.y * below.x + cell.x]);
+                }
+            depths.at[pyramid.first[level] + i] = farthest;
+        }
+        memoryBarrierBuffer();
+        barrier();
+    }
+}
+
+#endif

@@ -1,0 +1,25 @@
+// What becomes of the blades that others hide.
+#ifndef SWARD_RASTER_NOTE_HIDDEN_GLSL
+#define SWARD_RASTER_NOTE_HIDDEN_GLSL
+
+#include "shaders/shared/passes.h"
+#include "shaders/grass/pages.glsl"
+
+/// Notes that a blade is hidden, for those who ask; it is not counted with that.
+void noteHidden(uint blade)
+{
+    if (uvec2(FRAME.fates) != uvec2(0u))
+        FRAME.fates.at[placeOf(uvec2(FRAME.pages), blade)] = fateOcclusion;
+}
+
+/// Moves so many blades from those that are drawn to those that are hidden. All groups do so at the
+/// same address, so each does it once.
+void countHidden(uint blades)
+{
+    if (blades == 0u)
+        return;
+    atomicAdd(FRAME.draw.at[0].fates[fateDrawn], 0u - blades);
+    atomicAdd(FRAME.draw.at[0].fates[fateOcclusion], blades);
+}
+
+#endif
