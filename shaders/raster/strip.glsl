@@ -134,8 +134,8 @@ const uint pixelsTogether = samplesPerPixel == 1u ? 8u : 4u;
 
 #ifdef KEEPS_RUN
 /// Pixels of a row that have been looked at, and of which some samples, as bits pixel by pixel, are to be
-/// put. What is written holds up what is read after it: each run is put when the next one has been asked
-/// for, and the last one is left to putKept().
+/// put. What is written holds up what is read after it: of several samples each run is put when the next
+/// one has been asked for, and the last one is left to putKept().
 struct Run {
     uint first;  ///< sampleIndex() of the first
     float depth; ///< at its corner, reversed
@@ -146,11 +146,12 @@ struct Run {
     uint nearer;
 };
 
+const bool keepsRun = samplesPerPixel > 1u;
 Run kept = Run(0u, 0.0, vec2(0.0), 0.0, 0.0, 0u, 0u);
 
 void putKept()
 {
-    if (kept.nearer == 0u)
+    if (!keepsRun || kept.nearer == 0u)
         return;
     SHARED_UNROLL for (uint i = 0u; i < pixelsTogether; ++i)
         SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
@@ -221,13 +222,15 @@ void drawRow(Strip strip, uint blade, int row)
                 if ((samplesPerPixel == 1u || column >= spans[s].x && column <= spans[s].y) &&
                     floatBitsToUint(own) >= before[i * samplesPerPixel + s])
 #ifdef KEEPS_RUN
-                    nearer |= 1u << (i * samplesPerPixel + s);
-#else
-                    putOne(first + i * columnStride() + s, own, blade);
+                    if (keepsRun)
+                        nearer |= 1u << (i * samplesPerPixel + s);
+                    else
 #endif
+                        putOne(first + i * columnStride() + s, own, blade);
             }
 #ifdef KEEPS_RUN
-        kept = Run(first, here, strip.depth.yz, strip.deepest, strip.shallowest, blade, nearer);
+        if (keepsRun)
+            kept = Run(first, here, strip.depth.yz, strip.deepest, strip.shallowest, blade, nearer);
 #endif
     }
 }

@@ -25,7 +25,7 @@ SHARED_CONST uint patchesTogether = 8u;
 
 /// Work-groups of the update for so many live patches: fewer than a patch each only from here on,
 /// since with fewer groups a device has some idle at the end.
-SHARED_CONST uint updateGroupsFrom = 2048u;
+SHARED_CONST uint updateGroupsFrom = 3072u;
 
 /// `ofGroup`: patchesTogether, or fewer.
 SHARED_FN uint updateGroups(uint patches, uint ofGroup)
