@@ -6,6 +6,7 @@
 #include "render/pyramid_pass.h"
 #include "shaders/shared/frame.h"
 
+#include <glm/glm.hpp>
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
@@ -41,16 +42,18 @@ public:
         holdsBlades_ = false;
     }
 
-    /// Begins a frame. If blades have two turns in it and had them in the frame before, the finest
-    /// levels of that are kept, of several samples.
-    void begin(bool hasTurns)
+    /// Begins a frame. If blades have two turns in it and had them in the frame before, with a
+    /// camera that stood where it stands now, the finest levels of that are kept, of several
+    /// samples.
+    void begin(bool hasTurns, const glm::mat4& viewProjection)
     {
         if (!keepsBefore_)
             return;
         if (hasTurns)
             std::swap(cells_, before_);
-        knowsBefore_ = hasTurns && holdsBlades_;
+        knowsBefore_ = hasTurns && holdsBlades_ && showsAlike(viewProjection, viewProjection_);
         holdsBlades_ = hasTurns;
+        viewProjection_ = viewProjection;
     }
 
     /// Writes where it lies into a frame.
@@ -69,12 +72,23 @@ public:
     VkDeviceSize bytes() const { return cells_.bytes() + before_.bytes(); }
 
 private:
+    /// Whether what stands a metre away, or farther, is seen within a pixel or so of the same
+    /// place.
+    static bool showsAlike(const glm::mat4& a, const glm::mat4& b)
+    {
+        for (int column = 0; column < 4; ++column)
+            if (glm::any(glm::greaterThan(glm::abs(a[column] - b[column]), glm::vec4(5e-4f))))
+                return false;
+        return true;
+    }
+
     PyramidPass pass_;
     DepthCells cells_;
     bool keepsBefore_;
     DepthCells before_;        ///< of the frame before
     bool holdsBlades_ = false; ///< cells_
     bool knowsBefore_ = false;
+    glm::mat4 viewProjection_{0.0f}; ///< of the frame that has begun last
 };
 
 } // namespace sward::render

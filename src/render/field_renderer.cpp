@@ -210,7 +210,7 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
         blades.expectColliders();
     blades.buffers().describe(frame);
     cover.describe(frame);
-    pyramid.begin(findsHidden(wishes) || takesTurns(wishes));
+    pyramid.begin(findsHidden(wishes) || takesTurns(wishes), frame.viewProjection);
     if ((frame.view.cullMask & shared::cullOcclusion) != 0 || drawsInTurns)
         pyramid.describe(frame);
     slots[slot].tables.write(shape, wishes, time, blades.hasMoved() ? lastTime : time, frame);

@@ -140,22 +140,22 @@ Walked walkThroughThicket(const gpu::Device& device, std::uint32_t samples, bool
     wanted.drawsInTurns = false;
     wanted.asksSmallBlades = asksSmallBlades;
     wanted.recordFates = true;
-    // Another one draws what is expected, so that each camera follows the one before.
+    // Another one draws what is expected, so that each frame follows the one before.
     FieldRenderer whole(device, field::viewOf(field), wanted);
     FieldRenderer renderer(device, field::viewOf(field), wanted);
     FrameSettings settings = FrameSettings::of(field::viewOf(field));
     test::Picture picture(device.context(), {321, 179});
     Walked walked;
     for (int step = 0; step < 6; ++step) {
-        settings.cullMask = visible;
-        picture.draw(whole, test::onTheWay(step), settings, 1.0);
-        const auto all = picture.pixels();
-        walked.listed += whole.stats().drawn;
-        // The first of the two begins with what other cameras have seen, and leaves out at first
-        // what they have not.
-        settings.cullMask = visible | shared::cullOcclusion;
+        // The first frame begins with what other cameras have seen, the second one leaves out at
+        // first what the first has not, and the wind has moved blades.
         for (int frame = 0; frame < 2; ++frame) {
-            picture.draw(renderer, test::onTheWay(step), settings, 1.0);
+            const double time = 1.0 + 0.25 * step + 0.1 * frame;
+            settings.cullMask = visible;
+            picture.draw(whole, test::onTheWay(step), settings, time);
+            const auto all = picture.pixels();
+            settings.cullMask = visible | shared::cullOcclusion;
+            picture.draw(renderer, test::onTheWay(step), settings, time);
             EXPECT_EQ(test::differingPixels(all, picture.pixels()), 0u)
                 << "step " << step << ", frame " << frame;
             const FrameStats stats = renderer.stats();
@@ -163,6 +163,7 @@ Walked walkThroughThicket(const gpu::Device& device, std::uint32_t samples, bool
                           stats.culledOcclusion,
                       stats.resident);
         }
+        walked.listed += whole.stats().drawn;
         walked.drawn += renderer.stats().drawn;
         std::uint64_t told = 0;
         for (const auto& blade : renderer.dumpBlades(field::viewOf(field)))
@@ -220,8 +221,9 @@ TEST_F(OcclusionTest, TheFrameBeforeIsAskedOnlyIfItsBladesAreKnown)
     const gpu::ShaderLibrary shaders(embedded::shaders());
     DepthPyramid pyramid(context(), shaders, 4);
     pyramid.resize(VkExtent2D{320, 200});
-    const auto frameAfter = [&pyramid](bool hasTurns) {
-        pyramid.begin(hasTurns);
+    glm::mat4 view(1.0f);
+    const auto frameAfter = [&pyramid, &view](bool hasTurns) {
+        pyramid.begin(hasTurns, view);
         shared::Frame frame = {};
         pyramid.describe(frame);
         return frame;
@@ -235,6 +237,12 @@ TEST_F(OcclusionTest, TheFrameBeforeIsAskedOnlyIfItsBladesAreKnown)
     // One whose blades have a single turn neither asks nor says what it hid.
     EXPECT_EQ(frameAfter(false).depthsBefore, 0u);
     EXPECT_EQ(frameAfter(true).depthsBefore, 0u);
+    EXPECT_NE(frameAfter(true).depthsBefore, 0u);
+    // What another camera has seen says little; half a pixel to the side is none.
+    view[3].x = 0.01f;
+    EXPECT_EQ(frameAfter(true).depthsBefore, 0u);
+    EXPECT_NE(frameAfter(true).depthsBefore, 0u);
+    view[2].x = 3e-4f;
     EXPECT_NE(frameAfter(true).depthsBefore, 0u);
     // Nor does one of another size.
     pyramid.resize(VkExtent2D{640, 400});
