@@ -27,7 +27,8 @@ void main()
     outV1 = vec4(blade.v1, blade.tipThreshold);
     outV2 = vec4(blade.v2, blade.fold);
     outAxis = vec4(blade.axis, blade.scale);
-    outWhich = uvec3(shapeOfOutline(blade.outline), blade.part == 0u ? 0u : segmentsOfOutline(blade.outline), blade.blade);
+    outWhich = uvec3(shapeOfOutline(blade.outline),
+                     blade.part == 0u ? 0u : segmentsOfOutline(blade.outline), blade.blade);
     outSurface = uvec4(0u);
     outFrame = uvec4(0u);
     outBend = 0u;

@@ -62,7 +62,8 @@ Ribbon ribbonOf(LargePart part)
     ribbon.axis = part.axis;
     ribbon.width = part.width;
     ribbon.fold = part.fold;
-    ribbon.outline = Outline(knownShape(shapeOfOutline(part.outline)), part.tipThreshold, float(segmentsOfOutline(part.outline)), part.scale);
+    ribbon.outline = Outline(knownShape(shapeOfOutline(part.outline)), part.tipThreshold,
+                             float(segmentsOfOutline(part.outline)), part.scale);
     return ribbon;
 }
 

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Lists the blades of the late turn, which all cover many pixels, one thread each: those of which the
-// frame's pyramid does not hide everything, for raster_large.comp.
+// frame's pyramid does not hide everything, for raster_late.comp.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };

@@ -1,6 +1,6 @@
 // Between which segments of a blade the frame's pyramid does not hide it, asked of some stretches and
 // without ribs, which take longer than the question: of a late turn's segments a twentieth is seen. Never
-// less than is seen; those that are left are asked again, one by one (raster_large.comp).
+// less than is seen; those that are left are asked again, one by one (raster_late.comp).
 #ifndef SWARD_RASTER_SEEN_SEGMENTS_GLSL
 #define SWARD_RASTER_SEEN_SEGMENTS_GLSL
 
