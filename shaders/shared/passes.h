@@ -301,7 +301,7 @@ struct RasterPush {
                                ///< then the draw for them by the tessellator; then how many of
                                ///< them have been drawn in the first turn; then as at first of
                                ///< `cut`; then work-groups for the late turn, and how many of
-                               ///< the ground's pyramid are done
+                               ///< those that fill the ground's pyramid are done
     LargePartArray cut;        ///< those that are cut by the near plane
     UintArray owners;          ///< patches that own blades, in the order of their blades
     UintArray firstOwners; ///< per ownerStride blades: index into `owners` of the first one's patch
