@@ -19,8 +19,9 @@ bool rectangleHidden(vec2 low, vec2 high, float nearest)
     if (any(lessThan(high, vec2(0.0))) || any(greaterThan(low, last + 1.0)))
         return true;
     ScreenBox box;
-    box.low = ivec2(clamp(floor(low), vec2(0.0), last));
-    box.high = ivec2(clamp(floor(high), vec2(0.0), last));
+    // Nothing that is negative is left to be rounded.
+    box.low = ivec2(clamp(low, vec2(0.0), last));
+    box.high = ivec2(clamp(high, vec2(0.0), last));
     box.nearest = nearest;
     box.isKnown = true;
     return behindPyramid(box);

@@ -178,7 +178,7 @@ void drawTogether(Lens lens, uint item, uint parts)
         part = large.at[place].part;
         blade = large.at[place].blade;
         segments = segmentsOfOutline(large.at[place].outline);
-        if (isDrawn)
+        if (samplesPerPixel > 1u && isDrawn)
             leftOut = large.at[place].leftOut;
     }
     // Those that are left: of what had its first turn all but some in the middle, or else these.

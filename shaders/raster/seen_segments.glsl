@@ -30,29 +30,45 @@ Leverage leverageOf(Lens lens, vec3 axis)
     return leverage;
 }
 
+/// What seenPoint() says of a sum of points more, if this is added to one of them.
+vec4 seenWay(Lens lens, vec3 way)
+{
+    const vec4 clip = mat3x4(lens.viewProjection) * way;
+    return vec4((0.5 * clip.xy + 0.5 * clip.w) * lens.size, clip.zw);
+}
+
 /// A part of the screen, and the nearest reversed depth in it.
 struct SeenBox {
     vec2 low; ///< [pixels]
     vec2 high;
     float nearest;
+    vec2 perMetre; ///< by so much it reaches farther for each metre along the blade's axis
 };
 
 /// Where everything is seen that lies no farther from a point than `wide` [m] along the blade's axis and
-/// then `margin` [m] any way, all of it behind the near plane. If x is the point's place and δ the way
-/// there, it moves by (right·δ − x·(w·δ)) / w', with w' as w is there. Corners of ribs are rounded, by half
-/// of 1/256 pixel.
-SeenBox boxAround(Lens lens, Leverage leverage, vec3 position, float wide, float margin)
+/// then `margin` [m] any way, all of it behind the near plane; `seen`: seenPoint() of it. If x is the
+/// point's place and δ the way there, it moves by (right·δ − x·(w·δ)) / w', with w' as w is there. Corners
+/// of ribs are rounded, by half of 1/256 pixel.
+SeenBox boxAround(Leverage leverage, vec4 seen, float wide, float margin)
 {
-    const vec4 seen = seenPoint(lens, position);
     const vec2 place = seen.xy / seen.w;
     const vec2 square = leverage.squares + place * (place * (leverage.ofDepth.y * leverage.ofDepth.y) -
                                                     2.0 * leverage.products);
     const float perW =
         1.0 / max(seen.w - wide * abs(leverage.axis.w) - margin * leverage.ofDepth.y, 1e-12);
-    const vec2 reach = perW * (wide * abs(leverage.axis.xy - place * leverage.axis.w) +
-                               margin * sqrt(max(square, vec2(0.0)))) + 1.0 / 128.0;
+    const vec2 perMetre = perW * abs(leverage.axis.xy - place * leverage.axis.w);
+    const vec2 reach = wide * perMetre + (perW * margin) * sqrt(max(square, vec2(0.0))) + 1.0 / 128.0;
     const float nearest = seen.z + wide * abs(leverage.axis.z) + margin * leverage.ofDepth.x;
-    return SeenBox(place - reach, place + reach, perW * nearest);
+    return SeenBox(place - reach, place + reach, perW * nearest, perMetre);
+}
+
+/// So far [m] the edges of a blade lie from its curve at `t` or anywhere between there and its tip.
+float halfWidthFrom(Ribbon ribbon, float t)
+{
+    if (!isTapering(ribbon.outline.shape))
+        return 0.5 * outlineMost * ribbon.width;
+    const vec2 edges = edgesAt(ribbon.outline, t);
+    return ribbon.width * max(-edges.x, edges.y);
 }
 
 /// So many stretches of a blade are asked for, each of some segments.
@@ -64,24 +80,34 @@ uvec2 segmentsSeen(Lens lens, Ribbon ribbon, float margin)
 {
     const Leverage leverage = leverageOf(lens, ribbon.axis);
     const uint segments = uint(ribbon.outline.segments);
-    const uint count = min(segments, stretches);
+    const bool areFew = segments < stretches;
     const float perSegment = 1.0 / ribbon.outline.segments;
+    // The curve from its root on, as it is seen: root + t · (toMiddle + t · bend).
+    const vec3 bend = ribbon.v0 - 2.0 * ribbon.v1 + ribbon.v2;
+    const vec4 seenRoot = seenPoint(lens, ribbon.v0);
+    const vec4 seenMiddle = seenWay(lens, 2.0 * (ribbon.v1 - ribbon.v0));
+    const vec4 seenBend = seenWay(lens, bend);
     // A quadratic curve strays from a chord over the part h of it by |v0 - 2 v1 + v2| h²/4 at most.
-    const float longest = float((segments + count - 1u) / count) * perSegment;
-    const float stray = 0.25 * longest * longest * length(ribbon.v0 - 2.0 * ribbon.v1 + ribbon.v2);
-    const float widest = 0.5 * outlineMost * ribbon.width;
-    const float around = margin + stray + (isFolded(ribbon) ? widest * ribbon.fold : 0.0);
+    const float longest = areFew ? perSegment : float((segments + stretches - 1u) / stretches) * perSegment;
+    const float stray = 0.25 * longest * longest * length(bend);
+    float wide = halfWidthFrom(ribbon, 0.0);
+    const float around = margin + stray + (isFolded(ribbon) ? wide * ribbon.fold : 0.0);
     uvec2 seen = uvec2(0u);
     uint begin = 0u;
-    SeenBox before = boxAround(lens, leverage, ribbon.v0, widest, around);
-    for (uint i = 1u; i <= count; ++i) {
-        const uint end = i * segments / count;
-        const vec3 place = bezierPoint(ribbon.v0, ribbon.v1, ribbon.v2, float(end) * perSegment);
-        const SeenBox after = boxAround(lens, leverage, place, widest, around);
+    SeenBox before = boxAround(leverage, seenRoot, wide, around);
+    for (uint i = 1u; i <= min(segments, stretches); ++i) {
+        const uint end = areFew ? i : i * segments / stretches;
+        const float t = float(end) * perSegment;
+        // Nowhere in a stretch it is wider than where that begins.
+        const SeenBox after = boxAround(leverage, seenRoot + t * (seenMiddle + t * seenBend), wide, around);
         if (!rectangleHidden(min(before.low, after.low), max(before.high, after.high),
                              max(before.nearest, after.nearest)))
             seen = uvec2(seen.y == 0u ? begin : seen.x, end);
+        const float wideAfter = halfWidthFrom(ribbon, t);
         before = after;
+        before.low += (wide - wideAfter) * after.perMetre;
+        before.high -= (wide - wideAfter) * after.perMetre;
+        wide = wideAfter;
         begin = end;
     }
     return seen;

@@ -119,17 +119,17 @@ SHARED_FN ScreenBox screenBoxOfCurve(mat4 viewProjection, uvec2 size, vec3 v0, v
 /// Cells along an axis that are looked at for one box, at most.
 SHARED_CONST int pyramidReach = 4;
 
-/// The finest level at which a box touches at most pyramidReach cells along each axis.
+/// The finest level at which a box touches at most pyramidReach cells along each axis, or the
+/// coarsest of `levels`.
 SHARED_FN uint pyramidLevelFor(ScreenBox box, uint levels)
 {
-    uint level = 0u;
-    for (; level + 1u < levels; ++level) {
-        const uint bits = pyramidFactorBits * (level + 1u);
-        if ((box.high.x >> bits) - (box.low.x >> bits) < pyramidReach &&
-            (box.high.y >> bits) - (box.low.y >> bits) < pyramidReach)
-            break;
-    }
-    return level;
+    // Where its extent is less than so many cells it touches one more at most.
+    const int extent = max(box.high.x - box.low.x, box.high.y - box.low.y);
+    const uint level = uint(max(findMSB(extent) - 2, 0)) / pyramidFactorBits;
+    const uint bits = pyramidFactorBits * (level + 1u);
+    const bool fits = (box.high.x >> bits) - (box.low.x >> bits) < pyramidReach &&
+                      (box.high.y >> bits) - (box.low.y >> bits) < pyramidReach;
+    return min(fits ? level : level + 1u, levels - 1u);
 }
 
 SHARED_END

@@ -39,6 +39,18 @@ SHARED_FN vec2 outlineAt(uint shape, float tipThreshold, float t)
     return vec2(-half_, half_);
 }
 
+/// Whether both edges are always as far from the curve.
+SHARED_FN bool isEven(uint shape)
+{
+    return shape != shapeQuadratic;
+}
+
+/// Whether both edges come nearer to the curve towards the tip, or stay as far from it.
+SHARED_FN bool isTapering(uint shape)
+{
+    return shape != shapeDandelion;
+}
+
 /// Area below the outline, in widths times lengths.
 SHARED_FN float outlineArea(uint shape, float tipThreshold)
 {
