@@ -51,26 +51,42 @@ vec3 decodeSrgb(vec3 c)
     return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
 }
 
-/// Radiance of the sky towards unit `ray`, without sun and clouds: deep above, pale at the horizon,
-/// warm on the side of a low sun, and below the horizon the haze over far land.
+/// Radiance of the sky near the horizon in a direction with that cosine from the sun's.
+vec3 paleSky(float sunCosine)
+{
+    // Paler and warmer through more air.
+    const float towards = 0.5 + 0.5 * sunCosine;
+    return FRAME.skyColor * mix(vec3(1.12, 1.02, 0.90), vec3(2.30, 1.30, 0.60),
+                                FRAME.lowSun * towards * towards);
+}
+
+/// Light scattered forward around the sun.
+vec3 glowAround(float sunCosine)
+{
+    const float toSun = max(sunCosine, 0.0);
+    const float glow = 0.10 * pow(toSun, 4.0) + 0.22 * pow(toSun, 32.0) + 0.5 * pow(toSun, 400.0);
+    return glow * FRAME.sunColor * mix(vec3(0.36, 0.34, 0.31), vec3(0.45, 0.33, 0.22), FRAME.lowSun);
+}
+
+/// Radiance of the sky towards a unit ray, without sun and clouds: deep above, pale at the horizon,
+/// warm on the side of a low sun. `height`, not negative, and `sunCosine`: of the ray along the sky's
+/// up-vector and towards the sun.
+vec3 skyAbove(float height, float sunCosine)
+{
+    const vec3 zenith = FRAME.skyColor * vec3(0.15, 0.30, 0.56);
+    return mix(paleSky(sunCosine), zenith, 1.0 - exp(-4.0 * height)) + glowAround(sunCosine);
+}
+
+/// The same of any unit ray: below the horizon there is haze, as over water and far land.
 vec3 skyRadiance(vec3 ray)
 {
     const float height = dot(ray, FRAME.skyUp);
-    const float toSun = max(dot(ray, FRAME.sunDirection), 0.0);
-    const float low = 1.0 - smoothstep(0.0, 0.6, dot(FRAME.sunDirection, FRAME.skyUp));
-
-    // Paler and warmer through more air; below the horizon haze, as over water.
-    const float towards = 0.5 + 0.5 * dot(ray, FRAME.sunDirection);
-    const vec3 zenith = FRAME.skyColor * vec3(0.15, 0.30, 0.56);
-    const vec3 pale = FRAME.skyColor * mix(vec3(1.12, 1.02, 0.90), vec3(2.30, 1.30, 0.60),
-                                           low * towards * towards);
-    vec3 color = mix(pale, zenith, 1.0 - exp(-4.0 * max(height, 0.0)));
+    const float sunCosine = dot(ray, FRAME.sunDirection);
+    if (height >= 0.0)
+        return skyAbove(height, sunCosine);
+    const vec3 pale = paleSky(sunCosine);
     const vec3 haze = mix(0.85 * pale, FRAME.groundColor, 0.2);
-    color = mix(color, haze, 1.0 - exp(-2.2 * max(-height, 0.0)));
-
-    // Light scattered forward around the sun.
-    const float glow = 0.10 * pow(toSun, 4.0) + 0.22 * pow(toSun, 32.0) + 0.5 * pow(toSun, 400.0);
-    return color + glow * FRAME.sunColor * mix(vec3(0.36, 0.34, 0.31), vec3(0.45, 0.33, 0.22), low);
+    return mix(pale, haze, 1.0 - exp(2.2 * height)) + glowAround(sunCosine);
 }
 
 /// Diffuse light from sky and ground on a surface with unit normal `n`. The whole sky is a quarter
@@ -92,26 +108,26 @@ vec3 lightAmongLeaves(float leafArea, float cosine, float sunShare)
     return passedOn * caught * exp(-0.5 * leafExtinction * leafArea);
 }
 
-/// Share of the light that passes the air from the eye to `position`; the air thins with height.
-float clearBetween(vec3 position)
+/// Share of the light that passes so much air [m], which thins with height; `climb`: the cosine of the
+/// way from the eye with the sky's up-vector.
+float clearBetween(float climb, float distance)
 {
-    const vec3 ray = position - FRAME.view.eye;
-    const float eye = FRAME.fogFalloff * (dot(FRAME.view.eye, FRAME.skyUp) - FRAME.fogBase);
-    const float rise = FRAME.fogFalloff * dot(ray, FRAME.skyUp);
+    const float rise = FRAME.fogFalloff * distance * climb;
     // Mean of exp(−height) along the ray.
     const float mean = abs(rise) > 1e-3 ? (1.0 - exp(-rise)) / rise : 1.0 - 0.5 * rise;
-    return exp(-FRAME.fogDensity * length(ray) * exp(-eye) * mean);
+    return exp(-FRAME.fogDensity * distance * mean);
 }
 
-/// Puts air between the eye and something `position` (relative to the field's origin).
-vec3 throughAir(vec3 color, vec3 position)
+/// Puts air between the eye and something `distance` [m] away in a unit direction.
+vec3 throughAir(vec3 color, vec3 direction, float distance)
 {
-    const vec3 ray = position - FRAME.view.eye;
-    const float clear = clearBetween(position);
-    // The air is as bright as the sky just above the horizon behind it.
-    const vec3 direction = ray / max(length(ray), 1e-6);
-    const vec3 level = direction - FRAME.skyUp * (dot(direction, FRAME.skyUp) - 0.02);
-    return mix(skyRadiance(normalize(level)), color, clear);
+    const float climb = dot(direction, FRAME.skyUp);
+    // The air is as bright as the sky just above the horizon behind it: towards
+    // direction − (climb − 0.02) · skyUp, which is so long.
+    const float perLength = inversesqrt(max(1.0 - climb * climb, 0.0) + 0.02 * 0.02);
+    const float sunCosine = dot(direction, FRAME.sunDirection) -
+                            (climb - 0.02) * dot(FRAME.skyUp, FRAME.sunDirection);
+    return mix(skyAbove(0.02 * perLength, sunCosine * perLength), color, clearBetween(climb, distance));
 }
 
 /// From radiance to the picture: the filmic curve fitted to ACES by K. Narkowicz ("ACES Filmic Tone

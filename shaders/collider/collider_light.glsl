@@ -11,7 +11,9 @@ const vec3 paint = vec3(0.52, 0.075, 0.035);
 vec4 colliderPicture(vec3 position, vec3 normal)
 {
     const vec3 n = normalize(normal);
-    const vec3 toEye = normalize(FRAME.view.eye - position);
+    const vec3 ray = FRAME.view.eye - position;
+    const float distance = length(ray);
+    const vec3 toEye = ray / max(distance, 1e-6);
     const float facing = max(dot(n, FRAME.sunDirection), 0.0);
     const float sunlit = facing > 0.0 ? facing * sunSeen(FRAME.shadow, position, n) : 0.0;
     vec3 color = paint * (hemisphere(n) + FRAME.sunColor * sunlit);
@@ -27,7 +29,7 @@ vec4 colliderPicture(vec3 position, vec3 normal)
     if (debugMode() != debugNothing)
         color = showsBands() ? vec3(0.0) : vec3(0.5) * (0.5 + 0.5 * facing);
     else
-        color = throughAir(color, position);
+        color = throughAir(color, -toEye, distance);
     return vec4(develop(color), 1.0);
 }
 

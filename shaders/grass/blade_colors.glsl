@@ -50,8 +50,8 @@ BladeColors bladeColors(Blade blade, Species species, uint index)
 
 /// What the light of a blade asks for, once per blade.
 struct BladeSurface {
-    vec4 root;     ///< colour, and the share of the sun seen there
-    vec4 tip;      ///< colour, and the share of the sun seen there
+    vec4 root;     ///< colour, and the share of the sun that comes there
+    vec4 tip;      ///< colour, and the share of the sun that comes there
     vec4 material; ///< open sky, translucency, gloss, leaf area index
 };
 
@@ -83,9 +83,11 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, Layers layers)
     if (debugMode() != debugNothing)
         colors.root = 0.4 * colors.tip;
 
+    // Where the sun stands below the blade's own ground, that ground is in its way.
+    const float risen = smoothstep(-0.15, 0.25, dot(blade.up, FRAME.sunDirection));
     BladeSurface surface;
-    surface.root = vec4(colors.root, sunSeen(FRAME.shadow, drawn.ribbon.v0, blade.up));
-    surface.tip = vec4(colors.tip, sunSeen(FRAME.shadow, drawn.ribbon.v2, blade.up));
+    surface.root = vec4(colors.root, risen * sunSeen(FRAME.shadow, drawn.ribbon.v0, blade.up));
+    surface.tip = vec4(colors.tip, risen * sunSeen(FRAME.shadow, drawn.ribbon.v2, blade.up));
     surface.material = vec4(blade.exposure, species.translucency, species.gloss,
                             leafAreaAt(FRAME.cover, blade.root));
     return layers.light < 1.0 ? liftedSurface(surface, layers.light) : surface;

@@ -11,8 +11,8 @@ struct BladePoint {
     vec3 up;       ///< unit, of the blade
     float fold;    ///< [0, 1]: how far the middle stands out
     vec2 place;    ///< −1 … 1 across, 0 … 1 along
-    vec4 rootColor; ///< and the share of the sun seen there
-    vec4 tipColor;  ///< and the share of the sun seen there
+    vec4 rootColor; ///< and the share of the sun that comes there
+    vec4 tipColor;  ///< and the share of the sun that comes there
     vec4 material;  ///< open sky, translucency, gloss, leaf area index
 };
 
@@ -24,7 +24,8 @@ vec3 bladeNormal(BladePoint point, vec3 toEye, float distance)
     const float size = length(flat_);
     vec3 n = size > 1e-3 ? flat_ / size : point.up;
     // Of a folded blade each half has its own normal; a flat one is rounded.
-    n += (point.fold * sign(point.place.x)) * point.axis;
+    if (point.fold > 0.0)
+        n += (point.fold * sign(point.place.x)) * point.axis;
     n *= dot(n, toEye) < 0.0 ? -1.0 : 1.0;
     const float smallness = smoothstep(4.0, 60.0, distance * 1000.0 / FRAME.view.pixelsPerUnit);
     n = normalize(n + (0.55 * (1.0 - point.fold) * (1.0 - smallness) * point.place.x) * point.axis);
@@ -55,9 +56,8 @@ vec3 bladePicture(BladePoint point)
     // Neighbours take their share of the light before it comes down here: the more the denser they
     // stand, and only what of them is above.
     const float leafArea = point.material.w * leafShareAbove(along);
-    // Where the sun stands below the blade's own ground, that ground is in its way.
     const float upright = dot(point.up, sun);
-    const float risen = smoothstep(-0.15, 0.25, upright) * mix(point.rootColor.w, point.tipColor.w, along);
+    const float risen = mix(point.rootColor.w, point.tipColor.w, along);
     const float sunlit = openSky * risen * sunBelow(leafArea, upright);
 
     // Sky and ground.
@@ -86,7 +86,7 @@ vec3 bladePicture(BladePoint point)
     if (debugMode() != debugNothing)
         color = albedo * (0.25 + 0.75 * along) * (0.6 + 0.4 * max(facing, 0.0));
     else
-        color = throughAir(color, point.position);
+        color = throughAir(color, -toEye, distance);
     return develop(color);
 }
 

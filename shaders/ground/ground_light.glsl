@@ -36,14 +36,15 @@ const vec3 litterColor = vec3(0.135, 0.120, 0.048);
 /// What the film sees of it, and 1 − softness.
 vec4 groundPicture(GroundPoint point)
 {
-    const vec3 toEye = normalize(FRAME.view.eye - point.position);
+    const vec3 ray = FRAME.view.eye - point.position;
+    const float distance = length(ray);
+    const vec3 toEye = ray / max(distance, 1e-6);
     vec3 n = normalize(point.normal);
     if (point.isDoubleSided && dot(n, toEye) < 0.0)
         n = -n;
 
     const float facing = max(dot(n, FRAME.sunDirection), 0.0);
     // The grass around takes its share of the light, as far as it is drawn.
-    const float distance = length(FRAME.view.eye - point.position);
     const float farthest = FRAME.cover.farthest;
     const float grown = 1.0 - smoothstep(0.8 * farthest, farthest, distance);
     const float leafArea = leafAreaAt(FRAME.cover, point.position) * grown;
@@ -55,7 +56,7 @@ vec4 groundPicture(GroundPoint point)
     if (debugMode() != debugNothing)
         color = showsBands() ? vec3(0.0) : vec3(0.35) * (0.5 + 0.5 * facing);
     else
-        color = throughAir(color, point.position);
+        color = throughAir(color, -toEye, distance);
     if (paintsWind)
         color = colorOfWind(point.position, n);
     // Among grass the ground is as soft as what stands on it.

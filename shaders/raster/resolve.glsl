@@ -28,8 +28,8 @@ void noteSeen(SeenBlade blade, float along)
     if (!blade.isAsked)
         return;
     UintArray seen = push.seen;
-    const uint segments = uint(blade.ribbon.outline.segments);
-    const uint segment = min(uint(max(along, 0.0) * float(segments)), segments - 1u);
+    const float segments = blade.ribbon.outline.segments;
+    const float segment = min(floor(max(along, 0.0) * segments), segments - 1.0);
     const uint word = blade.blade / seenOfWord;
     const uint bit = 1u << (quarters * (blade.blade % seenOfWord) + quarterOf(segment, segments));
     if ((seen.at[word] & bit) == 0u)
@@ -47,10 +47,10 @@ vec4 shade(Lens lens, SeenBlade seen, vec2 pixel, uint samples, uint s, float de
     BladePoint point;
     point.position = found.point;
     point.place = found.place;
-    point.tangent = tangentAt(ribbon, point.place.y);
+    point.tangent = tangentOf(curveOf(ribbon), point.place.y);
     point.axis = ribbon.axis;
     point.up = normalize(ribbon.v1 - ribbon.v0);
-    point.fold = ribbon.fold;
+    point.fold = isFolded(ribbon) ? ribbon.fold : 0.0;
     point.rootColor = seen.surface.root;
     point.tipColor = seen.surface.tip;
     point.material = seen.surface.material;

@@ -91,23 +91,46 @@ void lookAtHalves(Lens lens, Ribbon ribbon, float low, float high, bool isUpper,
     }
 }
 
-/// Where along a ribbon a point of it lies, so near that it is found in which segment. Seen along the
-/// axis a ribbon is a curve, and its points lie on it: Gauss and Newton's way to the nearest, from where
-/// the chord has it.
-float placeAlong(Ribbon ribbon, vec3 point)
+/// A ribbon's curve from its root on: the point at `t` is t · (toMiddle + t · bend) away from that.
+struct Curve {
+    vec3 toMiddle; ///< twice the way to v1
+    vec3 bend;
+};
+
+Curve curveOf(Ribbon ribbon)
 {
-    const vec3 axis = ribbon.axis;
-    const vec3 toMiddle = ribbon.v1 - ribbon.v0;
-    const vec3 toTip = ribbon.v2 - ribbon.v0;
+    // Rounded alike whether the ribbon has been read or made here: else a compiler takes apart what it is
+    // made of.
+    precise const vec3 toMiddle = 2.0 * (ribbon.v1 - ribbon.v0);
+    precise const vec3 bend = ribbon.v2 - ribbon.v0 - toMiddle;
+    return Curve(toMiddle, bend);
+}
+
+/// Unit direction of a curve at `t`, towards the tip: tangentAt() of its ribbon.
+vec3 tangentOf(Curve curve, float t)
+{
+    const vec3 along = curve.toMiddle + (2.0 * t) * curve.bend;
+    return normalize(dot(along, along) > 1e-18 ? along : curve.toMiddle);
+}
+
+/// Where along a ribbon a point of it lies, so near that it is found in which segment. Seen along the
+/// axis, to which v1 stands at right angles over the root, a ribbon is a curve, and its points lie on it:
+/// Gauss and Newton's way to the nearest, from where the chord has it. Lengths are in those to v1.
+float placeAlong(Ribbon ribbon, Curve curve, vec3 point)
+{
+    const vec3 upwards = curve.toMiddle;
+    const vec3 forwards = cross(upwards, ribbon.axis);
     const vec3 toPoint = point - ribbon.v0;
-    const vec3 a = toMiddle - dot(toMiddle, axis) * axis;
-    const vec3 b = toTip - dot(toTip, axis) * axis;
-    const vec3 p = toPoint - dot(toPoint, axis) * axis;
-    float t = clamp(dot(p, b) / max(dot(b, b), 1e-12), 0.0, 1.0);
+    const float rise = dot(upwards, upwards);
+    const vec2 bend = vec2(dot(curve.bend, upwards), dot(curve.bend, forwards));
+    const vec2 tip = bend + vec2(rise, 0.0);
+    const vec2 p = vec2(dot(toPoint, upwards), dot(toPoint, forwards));
+    float t = clamp(dot(p, tip) / max(dot(tip, tip), 1e-30), 0.0, 1.0);
     [[dont_unroll]] for (uint i = 0u; i < 2u; ++i) {
-        const vec3 off = bezierPoint(vec3(0.0), a, b, t) - p;
-        const vec3 speed = bezierTangent(vec3(0.0), a, b, t);
-        t = clamp(t - dot(off, speed) / max(dot(speed, speed), 1e-12), 0.0, 1.0);
+        const vec2 half_ = vec2(rise, 0.0) + t * bend;
+        const vec2 off = t * half_ - p;
+        const vec2 speed = half_ + t * bend;
+        t = clamp(t - dot(off, speed) / max(dot(speed, speed), 1e-30), 0.0, 1.0);
     }
     return t;
 }
@@ -122,9 +145,8 @@ vec3 rayTo(Lens lens, vec2 pixel)
 vec3 pointSeen(Lens lens, vec3 ray, float depth)
 {
     // Clip w grows by 1 with the ray's length, from 0 at the eye.
-    const vec4 depthRow = vec4(lens.viewProjection[0].z, lens.viewProjection[1].z,
-                               lens.viewProjection[2].z, lens.viewProjection[3].z);
-    return lens.eye + (dot(depthRow, vec4(lens.eye, 1.0)) / (depth - dot(depthRow.xyz, ray))) * ray;
+    const vec3 depthRow = vec3(lens.viewProjection[0].z, lens.viewProjection[1].z, lens.viewProjection[2].z);
+    return lens.eye + (FRAME.depthOfEye / (depth - dot(depthRow, ray))) * ray;
 }
 
 /// Which point of a folded ribbon is seen: in the segment where it should be, or else in one near it,
@@ -135,7 +157,7 @@ Found findOnFold(Lens lens, Ribbon ribbon, Sighting sighting)
     guess.error = 1e30;
     const float segments = ribbon.outline.segments;
     const vec3 point = pointSeen(lens, rayTo(lens, sighting.pixel), sighting.depth);
-    const float place = segments > 1.5 ? placeAlong(ribbon, point) : 0.0;
+    const float place = segments > 1.5 ? placeAlong(ribbon, curveOf(ribbon), point) : 0.0;
     float segment = clamp(floor(place * segments) + 1.0, 1.0, segments);
     // By how much the next one is farther along: the neighbour that is nearer first, then by turns.
     float step_ = fract(place * segments) < 0.5 ? -1.0 : 1.0;
@@ -167,12 +189,14 @@ Found findOnPlane(Lens lens, Ribbon ribbon, Sighting sighting)
 {
     const float segments = ribbon.outline.segments;
     const vec3 point = pointSeen(lens, rayTo(lens, sighting.pixel), sighting.depth);
-    const float guess = placeAlong(ribbon, point) * segments;
+    const Curve curve = curveOf(ribbon);
+    const float guess = placeAlong(ribbon, curve, point) * segments;
     const float segment = min(floor(guess), segments - 1.0);
-    const float low = segment / segments;
-    const float high = (segment + 1.0) / segments;
-    const vec3 begin = bezierPoint(ribbon.v0, ribbon.v1, ribbon.v2, low);
-    const vec3 chord = bezierPoint(ribbon.v0, ribbon.v1, ribbon.v2, high) - begin;
+    const float each = 1.0 / segments;
+    const float low = segment * each;
+    const float high = low + each;
+    const vec3 begin = ribbon.v0 + low * (curve.toMiddle + low * curve.bend);
+    const vec3 chord = each * (curve.toMiddle + (low + high) * curve.bend);
     const vec3 ray = rayTo(lens, sighting.middle);
 
     // What is too narrow across the view is drawn wider, as ribAt() has it.
@@ -195,8 +219,12 @@ Found findOnPlane(Lens lens, Ribbon ribbon, Sighting sighting)
 
     // Where the ray meets the plane of the segment, from the middle of the first rib to that of the
     // second: how far the eye is does not matter.
-    const vec3 toEye = lens.eye - begin - (0.5 * (first.x + first.y)) * ribbon.axis;
-    const vec3 upwards = chord + (0.5 * (second.x + second.y - first.x - first.y)) * ribbon.axis;
+    vec3 toEye = lens.eye - begin;
+    vec3 upwards = chord;
+    if (!isEven(ribbon.outline.shape)) {
+        toEye -= (0.5 * (first.x + first.y)) * ribbon.axis;
+        upwards += (0.5 * (second.x + second.y - first.x - first.y)) * ribbon.axis;
+    }
     const vec3 turned = cross(ray, axis);
     const float steepness = dot(upwards, turned);
     const bool isLine = isAtEye || steepness == 0.0;
@@ -205,7 +233,7 @@ Found findOnPlane(Lens lens, Ribbon ribbon, Sighting sighting)
     const float off = dot(toEye - share * upwards, across);
     const float placeX = placeAcross(reach + off, reach - off, drawn, share,
                                       upperHalf(segment + 1.0, segments));
-    return Found(pointSeen(lens, ray, sighting.depth), vec2(placeX, (segment + share) / segments));
+    return Found(pointSeen(lens, ray, sighting.depth), vec2(placeX, (segment + share) * each));
 }
 
 /// What a sample shows. Across a flat blade it is what a tessellator's two triangles make of it, but for

@@ -61,10 +61,11 @@ SHARED_FN uint beginOfQuarter(uint i, uint segments)
     return i * segments / quarters;
 }
 
-/// The last quarter that begins at segment `i` or before: the one to which that belongs.
-SHARED_FN uint quarterOf(uint i, uint segments)
+/// The last quarter that begins at segment `i` or before: the one to which that belongs. Of the
+/// whole numbers (4 i + 3) / segments, which a quarter of a segment more keeps clear of rounding.
+SHARED_FN uint quarterOf(float i, float segments)
 {
-    return (quarters * i + quarters - 1u) / segments;
+    return uint((4.0f * i + 3.25f) / segments);
 }
 
 /// VkDrawIndirectCommand, and the counts by fate behind it.
@@ -102,6 +103,9 @@ struct Frame {
                              ///< three finest levels; address 0: nobody knows
 
     mat4 viewProjection; ///< reversed Z: 1 near, 0 far
+    vec3 rays[3];        ///< see rayThrough(): by how much the ray through a place of the picture
+                         ///< turns to its right and downwards, and the one through the middle
+    float depthOfEye;    ///< what viewProjection makes of the eye's depth
     Eyepoint view;
     Nature nature;
     uint patchCount;
@@ -113,7 +117,7 @@ struct Frame {
     vec3 sunColor;           ///< linear radiance
     uint debugMode;          ///< 0 none, 1 lod, 2 patches, 3 wind, 4 reason
     vec3 skyColor;           ///< linear radiance from above
-    float fogDensity;        ///< [1/m]
+    float fogDensity;        ///< [1/m] at the eye
     vec3 groundColor;        ///< linear radiance from below
     vec3 skyUp;              ///< unit; where the sky is
     float fixedTessellation; ///< > 0: this level for every blade
@@ -125,10 +129,10 @@ struct Frame {
     SunShadow shadow; ///< what of the ground stands in the sun's light
     float
         fogFalloff; ///< [1/m] the air thins upwards as exp(−falloff · height); 0: alike everywhere
-    float fogBase;  ///< [m] along skyUp, relative to the field's origin: where it has fogDensity
+    float lowSun;   ///< [0, 1]: 1 where the sun stands on the horizon or below
 
     float time;        ///< [s]
-    uint reserved[63]; ///< frames that lie on end begin where any device takes constants
+    uint reserved[53]; ///< frames that lie on end begin where any device takes constants
 };
 SHARED_LAYOUT(Frame, 1536)
 

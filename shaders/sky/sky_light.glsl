@@ -55,13 +55,10 @@ vec3 skyPicture(vec3 ray, vec2 place)
     return dithered(develop(color), place);
 }
 
-/// The ray, of any length, through a place of the picture in clip coordinates.
+/// The ray through a place of the picture in clip coordinates, (x, y, ·, 1); so long is it.
 vec3 rayThrough(vec2 place)
 {
-    // The ray whose clip coordinates are (x, y, ·, 1): solve the rows x, y, w of the matrix for it.
-    const mat3 rows = mat3(FRAME.viewProjection[0].xyw, FRAME.viewProjection[1].xyw,
-                           FRAME.viewProjection[2].xyw);
-    return inverse(rows) * vec3(place, 1.0);
+    return place.x * FRAME.rays[0] + (place.y * FRAME.rays[1] + FRAME.rays[2]);
 }
 
 #endif

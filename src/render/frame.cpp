@@ -2,6 +2,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -81,6 +82,20 @@ float lowestAlong(const Aabb& box, glm::vec3 axis)
     return glm::dot(box.centre(), axis) - 0.5f * glm::dot(glm::abs(axis), box.size());
 }
 
+/// How dense the air is at the eye [1/m]; what the settings say is so at the foot of what can be
+/// seen.
+float fogAtEye(const FieldShape& field, glm::vec3 eye, const FrameSettings& settings,
+               glm::vec3 skyUp)
+{
+    const float base =
+        settings.fogDensity >= 0.0f ? settings.fogDensity : chosenFog(field.content, eye);
+    const float foot = field.content.isEmpty() ? 0.0f : lowestAlong(field.content, skyUp);
+    if (settings.fogHeight <= 0.0f)
+        return base;
+    // Far below the ground there is as much as a float holds.
+    return base * std::exp(std::min((foot - glm::dot(eye, skyUp)) / settings.fogHeight, 80.0f));
+}
+
 /// The sky is where things do not fall to, seen from `eye`.
 glm::vec3 skyUpOf(const shared::Gravity& gravity, glm::vec3 eye)
 {
@@ -90,9 +105,23 @@ glm::vec3 skyUpOf(const shared::Gravity& gravity, glm::vec3 eye)
 
 } // namespace
 
+void project(shared::Frame& frame, const glm::mat4& viewProjection, glm::vec3 eye)
+{
+    frame.viewProjection = viewProjection;
+    // The ray whose clip coordinates are (x, y, ·, 1): the rows x, y, w of the matrix, solved for
+    // it. A parallel view has none.
+    const glm::dmat4 m(viewProjection);
+    const glm::dmat3 rows(glm::dvec3(m[0].x, m[0].y, m[0].w), glm::dvec3(m[1].x, m[1].y, m[1].w),
+                          glm::dvec3(m[2].x, m[2].y, m[2].w));
+    const glm::dmat3 rays = glm::determinant(rows) != 0.0 ? glm::inverse(rows) : glm::dmat3(0.0);
+    for (int i = 0; i < 3; ++i)
+        frame.rays[i] = glm::vec3(rays[i]);
+    frame.depthOfEye = static_cast<float>((m * glm::dvec4(eye, 1.0)).z);
+}
+
 void look(shared::Frame& frame, const ViewMatrices& view)
 {
-    frame.viewProjection = view.viewProjection;
+    project(frame, view.viewProjection, view.eye);
     std::copy(view.planes.begin(), view.planes.end(), frame.view.planes);
     frame.view.eye = view.eye;
     frame.view.pixelsPerUnit = view.pixelsPerUnit;
@@ -140,10 +169,9 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     if (settings.skyUp)
         frame.skyUp = unitOr(*settings.skyUp, frame.skyUp);
     frame.exposure = settings.exposure;
-    frame.fogDensity =
-        settings.fogDensity >= 0.0f ? settings.fogDensity : chosenFog(field.content, view.eye);
+    frame.lowSun = 1.0f - glm::smoothstep(0.0f, 0.6f, glm::dot(frame.sunDirection, frame.skyUp));
     frame.fogFalloff = settings.fogHeight > 0.0f ? 1.0f / settings.fogHeight : 0.0f;
-    frame.fogBase = field.content.isEmpty() ? 0.0f : lowestAlong(field.content, frame.skyUp);
+    frame.fogDensity = fogAtEye(field, view.eye, settings, frame.skyUp);
     frame.clouds = settings.clouds;
     frame.debugMode = static_cast<std::uint32_t>(settings.debug);
     frame.view.samples = samples;

@@ -18,6 +18,9 @@ struct FieldShape {
     field::BladeSize blade; ///< a typical one
 };
 
+/// Writes into a frame how its picture is seen, with an eye at `eye`.
+void project(shared::Frame& frame, const glm::mat4& viewProjection, glm::vec3 eye);
+
 /// Writes a camera into a frame.
 void look(shared::Frame& frame, const ViewMatrices& view);
 

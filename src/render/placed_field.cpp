@@ -130,7 +130,7 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
         updated.draw = moved_.address();
         updated.pyramid = {};
         updated.view.cullMask &= ~shared::cullOcclusion;
-        drawn.viewProjection = glm::mat4(toClip);
+        project(drawn, glm::mat4(toClip), drawn.view.eye);
         put(slot, forUpdate, i, updated);
         put(slot, forJudging, i, judged);
         put(slot, forDrawing, i, drawn);

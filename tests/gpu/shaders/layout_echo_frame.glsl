@@ -21,6 +21,9 @@ void putFrame()
     put(uvec2(FRAME.depthsBefore));
     for (uint column = 0u; column < 4u; ++column)
         put(FRAME.viewProjection[column]);
+    for (uint i = 0u; i < 3u; ++i)
+        put(FRAME.rays[i]);
+    put(FRAME.depthOfEye);
     for (uint i = 0u; i < 6u; ++i)
         put(FRAME.view.planes[i]);
     put(FRAME.view.eye);
@@ -61,7 +64,7 @@ void putFrame()
     put(FRAME.cover);
     put(FRAME.shadow);
     put(FRAME.fogFalloff);
-    put(FRAME.fogBase);
-    for (int i = 0; i < 63; ++i)
+    put(FRAME.lowSun);
+    for (int i = 0; i < 53; ++i)
         put(FRAME.reserved[i]);
 }

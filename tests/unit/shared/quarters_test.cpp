@@ -15,7 +15,7 @@ TEST(Quarters, EachSegmentLiesInOne)
         EXPECT_EQ(beginOfQuarter(0, segments), 0u);
         EXPECT_EQ(beginOfQuarter(quarters, segments), segments);
         for (uint i = 0; i < segments; ++i) {
-            const uint own = quarterOf(i, segments);
+            const uint own = quarterOf(float(i), float(segments));
             ASSERT_LT(own, quarters) << i << " of " << segments;
             EXPECT_LE(beginOfQuarter(own, segments), i) << i << " of " << segments;
             EXPECT_GT(beginOfQuarter(own + 1, segments), i) << i << " of " << segments;
@@ -31,14 +31,14 @@ TEST(Quarters, TheFirstTurnDrawsAllThatAreNotLate)
             ASSERT_LE(first.x, first.y);
             ASSERT_LE(first.y, segments);
             for (uint i = 0; i < segments; ++i)
-                if ((late & (1u << quarterOf(i, segments))) == 0u) {
+                if ((late & (1u << quarterOf(float(i), float(segments)))) == 0u) {
                     EXPECT_LE(first.x, i) << "late " << late << ", " << segments << " segments";
                     EXPECT_GT(first.y, i) << "late " << late << ", " << segments << " segments";
                 }
             // And none that is late at either end.
             if (first.x < first.y && segments >= quarters) {
-                EXPECT_EQ(late & (1u << quarterOf(first.x, segments)), 0u);
-                EXPECT_EQ(late & (1u << quarterOf(first.y - 1, segments)), 0u);
+                EXPECT_EQ(late & (1u << quarterOf(float(first.x), float(segments))), 0u);
+                EXPECT_EQ(late & (1u << quarterOf(float(first.y - 1), float(segments))), 0u);
             }
         }
     EXPECT_EQ(firstSegments(allQuarters, 8), uvec2(0u));
