@@ -158,7 +158,7 @@ SHARED_CONST uint largeThreads = 32u;
 
 /// A work-group draws so many large blades together, so that its threads have something to do, but
 /// fewer where there are not enough for so many work-groups.
-SHARED_CONST uint largeTogether = 4u;
+SHARED_CONST uint largeTogether = 3u;
 SHARED_CONST uint largeGroups = 4096u;
 
 /// The same of the late turn, where most segments are hidden, and of threads of such a work-group.
