@@ -11,13 +11,32 @@
 namespace sward::gpu {
 namespace {
 
+VkImageUsageFlags usageOf(const ImageSettings& settings)
+{
+    return settings.usage |
+           (settings.storedAs != VK_FORMAT_UNDEFINED ? VK_IMAGE_USAGE_STORAGE_BIT : 0);
+}
+
+VkImageCreateFlags flagsOf(const ImageSettings& settings)
+{
+    return settings.storedAs != VK_FORMAT_UNDEFINED
+               ? VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT | VK_IMAGE_CREATE_EXTENDED_USAGE_BIT
+               : 0;
+}
+
+VkResult boundsOf(const DeviceContext& context, const ImageSettings& settings,
+                  VkImageFormatProperties& bound)
+{
+    return vkGetPhysicalDeviceImageFormatProperties(context.physical, settings.format,
+                                                    VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_OPTIMAL,
+                                                    usageOf(settings), flagsOf(settings), &bound);
+}
+
 // Reject what the device cannot make, in words, before the driver is asked for it.
 void refuseUnsupported(const DeviceContext& context, const ImageSettings& settings)
 {
     VkImageFormatProperties bound{};
-    const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
-        context.physical, settings.format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_OPTIMAL,
-        settings.usage, 0, &bound);
+    const VkResult result = boundsOf(context, settings, bound);
     if (result == VK_ERROR_FORMAT_NOT_SUPPORTED)
         fail(ErrorKind::unsupported, "{} has no images of format {} for the usage of '{}'",
              context.name, static_cast<int>(settings.format), settings.name);
@@ -32,14 +51,24 @@ void refuseUnsupported(const DeviceContext& context, const ImageSettings& settin
              settings.name, settings.samples, context.name);
 }
 
-ImageView createView(const DeviceContext& context, const Image& image, std::uint32_t firstMip,
-                     std::uint32_t mips, const std::string& name)
+/// A view's format, and what it is for: an image may be for more than one of its formats can be.
+struct Seen {
+    VkFormat format;
+    VkImageUsageFlags usage;
+};
+
+ImageView createView(const DeviceContext& context, const Image& image, Seen seen,
+                     std::uint32_t firstMip, std::uint32_t mips, const std::string& name)
 {
+    VkImageViewUsageCreateInfo usage{};
+    usage.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_USAGE_CREATE_INFO;
+    usage.usage = seen.usage;
     VkImageViewCreateInfo create{};
     create.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
+    create.pNext = &usage;
     create.image = image.get();
     create.viewType = VK_IMAGE_VIEW_TYPE_2D;
-    create.format = image.format();
+    create.format = seen.format;
     create.subresourceRange = {image.aspect(), firstMip, mips, 0, 1};
     VkImageView view = VK_NULL_HANDLE;
     check(context.vk.CreateImageView(context.device, &create, context.allocation, &view),
@@ -49,6 +78,22 @@ ImageView createView(const DeviceContext& context, const Image& image, std::uint
 }
 
 } // namespace
+
+bool isSupported(const DeviceContext& context, const ImageSettings& settings)
+{
+    VkImageFormatProperties bound{};
+    if (boundsOf(context, settings, bound) != VK_SUCCESS)
+        return false;
+    if (settings.storedAs != VK_FORMAT_UNDEFINED) {
+        VkFormatProperties stored{};
+        vkGetPhysicalDeviceFormatProperties(context.physical, settings.storedAs, &stored);
+        if ((stored.optimalTilingFeatures & VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT) == 0)
+            return false;
+    }
+    return settings.extent.width <= bound.maxExtent.width &&
+           settings.extent.height <= bound.maxExtent.height &&
+           (bound.sampleCounts & settings.samples) != 0;
+}
 
 Image::Image(const DeviceContext& context, const ImageSettings& settings)
     : format_(settings.format)
@@ -71,7 +116,8 @@ Image::Image(const DeviceContext& context, const ImageSettings& settings)
     create.arrayLayers = 1;
     create.samples = static_cast<VkSampleCountFlagBits>(samples_);
     create.tiling = VK_IMAGE_TILING_OPTIMAL;
-    create.usage = settings.usage;
+    create.usage = usageOf(settings);
+    create.flags = flagsOf(settings);
     create.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
 
     VkImage image = VK_NULL_HANDLE;
@@ -89,11 +135,15 @@ Image::Image(const DeviceContext& context, const ImageSettings& settings)
         VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
     if ((settings.usage & ~onlyCopied) == 0)
         return;
-    view_ = createView(context, *this, 0, mips_, settings.name);
+    const Seen own{format_, settings.usage};
+    view_ = createView(context, *this, own, 0, mips_, settings.name);
     if (mips_ > 1)
         for (std::uint32_t level = 0; level < mips_; ++level)
-            mipViews_.push_back(createView(context, *this, level, 1,
+            mipViews_.push_back(createView(context, *this, own, level, 1,
                                            settings.name + "/mip " + std::to_string(level)));
+    if (settings.storedAs != VK_FORMAT_UNDEFINED)
+        storedView_ = createView(context, *this, {settings.storedAs, VK_IMAGE_USAGE_STORAGE_BIT}, 0,
+                                 1, settings.name + "/stored");
 }
 
 VkImageView Image::mipView(std::uint32_t level) const

@@ -20,7 +20,14 @@ struct ImageSettings {
     VkImageUsageFlags usage = 0;           ///< all that it will be for
     std::uint32_t mips = 1;                ///< levels
     std::uint32_t samples = 1;             ///< 1, 2, 4, …
+
+    /// Another format of as many bytes, as which shaders store into it: its own, of encoded colours
+    /// say, need not be one that they can store. Undefined: they do not.
+    VkFormat storedAs = VK_FORMAT_UNDEFINED;
 };
+
+/// Whether a device takes that combination of formats, usage, size and samples.
+bool isSupported(const DeviceContext& context, const ImageSettings& settings);
 
 /// A 2D image with memory of its own and a view of each mip level.
 class Image {
@@ -34,6 +41,9 @@ public:
     VkImage get() const { return image_.get(); }     ///< the handle
     VkImageView view() const { return view_.get(); } ///< all mip levels
     VkImageView mipView(std::uint32_t level) const;  ///< one of them
+
+    /// All pixels as ImageSettings::storedAs, for storage alone; null without that.
+    VkImageView storedView() const { return storedView_.get(); }
 
     VkFormat format() const { return format_; }               ///< of colours or depth
     VkExtent2D extent() const { return extent_; }             ///< [pixels] of the finest level
@@ -54,6 +64,7 @@ private:
     Owned<VkImage, &DeviceFunctions::DestroyImage> image_;
     ImageView view_;
     std::vector<ImageView> mipViews_;
+    ImageView storedView_;
 };
 
 /// Levels of a complete mip chain.

@@ -58,7 +58,8 @@ TargetSettings targetFor(const gpu::DeviceContext& context, const field::FieldVi
             .onlyShape = onlyShapeOf(field),
             .groupsDrawLarge = geometry != Geometry::hybrid && !isForCpu,
             .tessellatesLarge = geometry == Geometry::hybrid || isTriedOut,
-            .sortsTiles = isForCpu};
+            .sortsTiles = isForCpu,
+            .storesIntoTargets = wanted.storesIntoTargets};
 }
 
 /// Throws Error{unsupported} if the visibility has not numbers for all that may be seen.
@@ -114,7 +115,8 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
           madeIf<SolidRasterPass>(rasterises(geometry), context, shaders, ground, targetSettings))
     , raster(madeIf<RasterPass>(rasterises(geometry), context, shaders, targetSettings,
                                 static_cast<std::uint32_t>(field.blades.size())))
-    , resolve(madeIf<ResolvePass>(rasterises(geometry), context, shaders, targetSettings))
+    , resolve(madeIf<ResolvePass>(rasterises(geometry), context, shaders, targetSettings,
+                                  wanted.framesInFlight))
     , plan(planWithin(field))
     , blades(context, shaders, uploaded<FieldBuffers>(context, field, plan.records),
              wanted.asksSmallBlades.value_or(!context.isCpu()))
@@ -324,7 +326,7 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
     if (!findsReasons)
         parts.slots[slot].recordCounts(commands, parts.blades.buffers().draw());
     if (parts.raster) {
-        parts.makePicture(commands, target, raster, timestamps);
+        parts.makePicture(commands, target, slot, raster, timestamps);
     } else {
         parts.drawBlades(commands, target, slot, timestamps);
         parts.tessellated->finish(commands, target.view);

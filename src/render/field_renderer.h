@@ -44,6 +44,11 @@ public:
         VkImage image = VK_NULL_HANDLE;    ///< one sample, one layer
         VkImageView view = VK_NULL_HANDLE; ///< of the image
         glm::uvec2 size{0};                ///< [pixels]
+
+        /// With FieldRendererSettings::storesIntoTargets a view of the image for storage, as
+        /// R8G8B8A8_UNORM, into which bytes are stored as the image's own format has them; the
+        /// image then needs no TRANSFER_DST.
+        VkImageView stored = VK_NULL_HANDLE;
     };
 
     /// Records one frame: moves the blades of visible patches to `time` [s] (monotone; any step is

@@ -86,8 +86,8 @@ struct FieldRenderer::Parts {
                     gpu::Timestamps* timestamps);
     void rasterBlades(VkCommandBuffer commands, const RasterPass::Input& input,
                       gpu::Timestamps* timestamps);
-    void makePicture(VkCommandBuffer commands, const Target& target, const RasterPass::Input& input,
-                     gpu::Timestamps* timestamps);
+    void makePicture(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
+                     const RasterPass::Input& input, gpu::Timestamps* timestamps);
     gpu::ColorAttachment colorAttachment(const Target& target) const;
 };
 

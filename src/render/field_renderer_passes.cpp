@@ -1,3 +1,4 @@
+#include "core/expect.h"
 #include "gpu/barrier.h"
 #include "gpu/image_use.h"
 #include "render/field_renderer_parts.h"
@@ -116,8 +117,12 @@ void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, const RasterPa
 }
 
 void FieldRenderer::Parts::makePicture(VkCommandBuffer commands, const Target& target,
-                                       const RasterPass::Input& input, gpu::Timestamps* timestamps)
+                                       std::uint32_t slot, const RasterPass::Input& input,
+                                       gpu::Timestamps* timestamps)
 {
+    using gpu::ImageUse;
+    expect((target.stored != VK_NULL_HANDLE) == settings.storesIntoTargets,
+           "a target can be stored into where the renderer has been told so");
     shared::RasterPush push = raster->pushFor(input);
     resolve->describe(push);
     gpu::computeToCompute(commands);
@@ -127,12 +132,17 @@ void FieldRenderer::Parts::makePicture(VkCommandBuffer commands, const Target& t
         solidRaster->recordLight(commands, input.frame, raster->visibility(), resolve->sorted());
     }
     const PassScope scope(context, commands, timestamps, "resolve");
-    resolve->record(commands, push, input.frame);
-    gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, gpu::ImageUse::colorTarget,
-                    gpu::ImageUse::transferTarget);
-    resolve->copyTo(commands, target.image);
-    gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT,
-                    gpu::ImageUse::transferTarget, gpu::ImageUse::colorTarget);
+    const ImageUse filled =
+        settings.storesIntoTargets ? ImageUse::storage : ImageUse::transferTarget;
+    gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, ImageUse::colorTarget,
+                    filled);
+    if (settings.storesIntoTargets)
+        resolve->aim(slot, target.stored);
+    resolve->record(commands, push, input.frame, slot);
+    if (!settings.storesIntoTargets)
+        resolve->copyTo(commands, target.image);
+    gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, filled,
+                    ImageUse::colorTarget);
 }
 
 } // namespace sward::render

@@ -34,7 +34,7 @@ constexpr std::array byContent{Shown{shared::tilesOfBlades, true, false},
 } // namespace
 
 ResolvePass::ResolvePass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-                         const TargetSettings& target)
+                         const TargetSettings& target, std::uint32_t slots)
     : context_(&context)
     , target_(target)
     , imageLayout_(context, {.name = "raster/pictures",
@@ -45,6 +45,7 @@ ResolvePass::ResolvePass(const gpu::DeviceContext& context, const gpu::ShaderLib
     , sampler_(gpu::createSampler(context, {.name = "raster",
                                             .filter = VK_FILTER_NEAREST,
                                             .address = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE}))
+    , images_(slots)
 {
     if (target.samples > 1)
         soften_ = pipeline(shaders, "raster/soften", "soften.comp",
@@ -93,23 +94,33 @@ void ResolvePass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
 void ResolvePass::resize(VkExtent2D size, const gpu::Image& lit)
 {
     size_ = size;
-    picture_ = gpu::Image(*context_,
-                          {.name = "frame/picture",
-                           .format = pictureFormat,
-                           .extent = size_,
-                           .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
-    images_ = gpu::ImageSet(*context_, imageLayout_, "raster/pictures");
-    // In the layout in which it is stored into: without barriers of its own.
-    images_.setSampled(0, lit.view(), sampler_.get(), VK_IMAGE_LAYOUT_GENERAL);
-    images_.setStorage(0, picture_.view());
+    if (!target_.storesIntoTargets)
+        picture_ = gpu::Image(
+            *context_, {.name = "frame/picture",
+                        .format = pictureFormat,
+                        .extent = size_,
+                        .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
     if (tiles_)
         tiles_->resize(size);
-    if (target_.samples == 1)
-        return;
-    images_.setStorage(0, lit.view());
-    filmImages_ = gpu::ImageSet(*context_, imageLayout_, "raster/film");
-    filmImages_.setSampled(0, lit.view(), sampler_.get(), VK_IMAGE_LAYOUT_GENERAL);
-    filmImages_.setStorage(0, picture_.view());
+    for (std::uint32_t slot = 0; slot < images_.size(); ++slot) {
+        // What is lit in the layout in which it is stored into: without barriers of its own.
+        Images& images = images_[slot];
+        images.resolved = gpu::ImageSet(*context_, imageLayout_, "raster/pictures");
+        images.resolved.setSampled(0, lit.view(), sampler_.get(), VK_IMAGE_LAYOUT_GENERAL);
+        if (target_.samples > 1) {
+            images.resolved.setStorage(0, lit.view());
+            images.film = gpu::ImageSet(*context_, imageLayout_, "raster/film");
+            images.film.setSampled(0, lit.view(), sampler_.get(), VK_IMAGE_LAYOUT_GENERAL);
+        }
+        if (!target_.storesIntoTargets)
+            aim(slot, picture_.view());
+    }
+}
+
+void ResolvePass::aim(std::uint32_t slot, VkImageView stored)
+{
+    Images& images = images_[slot];
+    (target_.samples > 1 ? images.film : images.resolved).setStorage(0, stored);
 }
 
 VkDeviceSize ResolvePass::bytes() const
@@ -137,17 +148,20 @@ void ResolvePass::recordTiles(VkCommandBuffer commands, const shared::RasterPush
 }
 
 void ResolvePass::record(VkCommandBuffer commands, const shared::RasterPush& push,
-                         const FramePlace& frame) const
+                         const FramePlace& frame, std::uint32_t slot) const
 {
+    const Images& images = images_[slot];
     const auto found = parts_.find(shading_);
     expect(found != parts_.end(), "the resolve has been prepared");
     gpu::computeToCompute(commands);
-    gpu::transition(commands, picture_, gpu::ImageUse::undefined, gpu::ImageUse::storage);
+    if (!target_.storesIntoTargets)
+        gpu::transition(commands, picture_, gpu::ImageUse::undefined, gpu::ImageUse::storage);
     for (const Part& part : found->second) {
         part.pipeline.bind(commands);
-        images_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, part.pipeline.layout(), litSet);
+        images.resolved.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, part.pipeline.layout(),
+                             litSet);
         if (target_.samples > 1)
-            filmImages_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, part.pipeline.layout(),
+            images.film.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, part.pipeline.layout(),
                              filmSet);
         frame.bind(commands, part.pipeline.layout(), frameSet);
         part.pipeline.push(commands, push);
@@ -159,15 +173,17 @@ void ResolvePass::record(VkCommandBuffer commands, const shared::RasterPush& pus
         }
     }
     if (target_.samples > 1)
-        recordSoft(commands, push);
-    gpu::transition(commands, picture_, gpu::ImageUse::storage, gpu::ImageUse::transferSource);
+        recordSoft(commands, push, images.film);
+    if (!target_.storesIntoTargets)
+        gpu::transition(commands, picture_, gpu::ImageUse::storage, gpu::ImageUse::transferSource);
 }
 
-void ResolvePass::recordSoft(VkCommandBuffer commands, const shared::RasterPush& push) const
+void ResolvePass::recordSoft(VkCommandBuffer commands, const shared::RasterPush& push,
+                             const gpu::ImageSet& film) const
 {
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::dispatchAccess);
     soften_.bind(commands);
-    filmImages_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, soften_.layout(), litSet);
+    film.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, soften_.layout(), litSet);
     soften_.push(commands, push);
     tiles_->dispatch(commands, shared::tilesOfSoft);
 }

@@ -23,8 +23,9 @@ namespace sward::render {
 /// Makes the picture of what a visibility shows.
 class ResolvePass {
 public:
+    /// `slots`: frames in flight.
     ResolvePass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-                const TargetSettings& target);
+                const TargetSettings& target, std::uint32_t slots);
 
     /// Has pictures of this size; the device is done with the former ones. `lit`, which outlives
     /// them, is SolidRasterPass::lit(): with several samples the picture is shaded in it.
@@ -43,11 +44,16 @@ public:
     /// from compute shaders and to dispatches.
     void recordTiles(VkCommandBuffer commands, const shared::RasterPush& push) const;
 
-    /// Shades and filters the picture, then in ImageUse::transferSource; empties the visibility.
-    void record(VkCommandBuffer commands, const shared::RasterPush& push,
-                const FramePlace& frame) const;
+    /// Where targets are stored into: the picture of this slot goes to a target in
+    /// ImageUse::storage, of which `stored` is FieldRenderer::Target::stored. The device is done
+    /// with the slot's frame before.
+    void aim(std::uint32_t slot, VkImageView stored);
 
-    /// Copies the picture to a target in ImageUse::transferTarget.
+    /// Shades and filters the picture; empties the visibility.
+    void record(VkCommandBuffer commands, const shared::RasterPush& push, const FramePlace& frame,
+                std::uint32_t slot) const;
+
+    /// Where targets are not stored into: copies the picture to one in ImageUse::transferTarget.
     void copyTo(VkCommandBuffer commands, VkImage target) const;
 
     /// Null where tiles are shaded as they lie.
@@ -64,7 +70,8 @@ private:
     gpu::ComputePipeline pipeline(const gpu::ShaderLibrary& shaders, const char* name,
                                   const char* shader,
                                   std::vector<gpu::SpecializationConstant> constants) const;
-    void recordSoft(VkCommandBuffer commands, const shared::RasterPush& push) const;
+    void recordSoft(VkCommandBuffer commands, const shared::RasterPush& push,
+                    const gpu::ImageSet& film) const;
 
     const gpu::DeviceContext* context_;
     TargetSettings target_;
@@ -77,9 +84,13 @@ private:
     std::optional<ShownTiles> tiles_; ///< sorted ones, and with several samples soft ones
 
     VkExtent2D size_{};
-    gpu::Image picture_;
-    gpu::ImageSet images_;
-    gpu::ImageSet filmImages_;
+    /// What a slot's shaders see.
+    struct Images {
+        gpu::ImageSet resolved;
+        gpu::ImageSet film; ///< with several samples
+    };
+    gpu::Image picture_; ///< where targets are not stored into
+    std::vector<Images> images_;
 };
 
 } // namespace sward::render

@@ -25,6 +25,7 @@ struct TargetSettings {
     bool tessellatesLarge = false; ///< … leave them to the tessellator, or, without both, draw each
                                    ///< blade by one thread
     bool sortsTiles = false;       ///< tiles of the picture are shaded by what they show
+    bool storesIntoTargets = false; ///< see FieldRendererSettings
 };
 
 /// What pipelines know of a frame's debug mode: that there is none, that it is the wind's, which

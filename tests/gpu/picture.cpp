@@ -9,14 +9,15 @@
 
 namespace sward::test {
 
-Picture::Picture(const gpu::DeviceContext& context, glm::uvec2 size)
+Picture::Picture(const gpu::DeviceContext& context, glm::uvec2 size, bool isStored)
     : context_(context)
     , size_(size)
     , image_(context, {.name = "picture",
                        .format = VK_FORMAT_R8G8B8A8_SRGB,
                        .extent = {size.x, size.y},
                        .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
-                                VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT})
+                                VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                       .storedAs = isStored ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_UNDEFINED})
 {
 }
 
@@ -25,8 +26,8 @@ void Picture::draw(render::FieldRenderer& renderer, const render::Camera& camera
 {
     gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
         gpu::transition(commands, image_, gpu::ImageUse::undefined, gpu::ImageUse::colorTarget);
-        renderer.record(commands, {image_.get(), image_.view(), size_}, camera, settings, time, 0,
-                        nullptr, jitter);
+        renderer.record(commands, {image_.get(), image_.view(), size_, image_.storedView()}, camera,
+                        settings, time, 0, nullptr, jitter);
     });
 }
 

@@ -16,7 +16,8 @@ namespace sward::test {
 /// A picture in memory that a renderer draws into.
 class Picture {
 public:
-    Picture(const gpu::DeviceContext& context, glm::uvec2 size);
+    /// `isStored`: for renderers that store into their targets.
+    Picture(const gpu::DeviceContext& context, glm::uvec2 size, bool isStored = false);
 
     /// One frame, waited for. `jitter` [pixels].
     void draw(render::FieldRenderer& renderer, const render::Camera& camera,

@@ -16,14 +16,19 @@ namespace {
 constexpr VkFormat pictureFormat = VK_FORMAT_R8G8B8A8_SRGB;
 constexpr std::uint32_t slot = 0; ///< one frame at a time
 
-gpu::Image createTarget(const gpu::DeviceContext& context, glm::uvec2 size)
+/// One that shaders store into if the device can do that.
+gpu::ImageSettings targetFor(const gpu::DeviceContext& context, glm::uvec2 size)
 {
-    return {context,
-            {.name = "picture",
-             .format = pictureFormat,
-             .extent = {size.x, size.y},
-             .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
-                      VK_IMAGE_USAGE_TRANSFER_DST_BIT}};
+    gpu::ImageSettings settings{.name = "picture",
+                                .format = pictureFormat,
+                                .extent = {size.x, size.y},
+                                .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
+                                         VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                                         VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                                .storedAs = VK_FORMAT_R8G8B8A8_UNORM};
+    if (!gpu::isSupported(context, settings))
+        settings.storedAs = VK_FORMAT_UNDEFINED;
+    return settings;
 }
 
 // Frame by frame. Both series have the same frames.
@@ -70,6 +75,7 @@ Headless::Headless(const FrameOptions& options, bool recordFates)
     , instance_(createInstance(options.validation))
     , device_(instance_, {.selection = options.device})
     , samples_(options.samples.value_or(4))
+    , target_(device_.context(), targetFor(device_.context(), options.size))
     , renderer_(device_, fields_.view(),
                 {.colorFormat = pictureFormat,
                  .samples = samples_,
@@ -77,11 +83,11 @@ Headless::Headless(const FrameOptions& options, bool recordFates)
                  .geometry = options.geometry,
                  .rastersForCpu = options.rastersForCpu,
                  .drawsInTurns = options.drawsInTurns,
+                 .storesIntoTargets = target_.storedView() != VK_NULL_HANDLE,
                  .recordFates = recordFates || options.debug == render::DebugMode::reason,
                  .deviceBytes = options.gpuMemory,
                  .largestTarget = options.size,
                  .waitsForDisk = true})
-    , target_(createTarget(device_.context(), options.size))
     , timestamps_(device_.context(), {.slots = 1})
     , ring_(device_.context(), 1)
 {
@@ -132,7 +138,8 @@ void Headless::record(const render::FrameSettings& settings, double time, glm::v
     const auto begin = std::chrono::steady_clock::now();
     {
         const gpu::TimedScope total(timestamps_, device_.context(), frame.commands, "total");
-        renderer_.record(frame.commands, {target_.get(), target_.view(), options_.size},
+        renderer_.record(frame.commands,
+                         {target_.get(), target_.view(), options_.size, target_.storedView()},
                          camera_.at(time), settings, time, slot, &timestamps_, jitter);
     }
     const std::chrono::duration<double, std::milli> spent =

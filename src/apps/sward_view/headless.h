@@ -68,8 +68,8 @@ private:
     gpu::Instance instance_;
     gpu::Device device_;
     std::uint32_t samples_;
-    render::FieldRenderer renderer_;
     gpu::Image target_;
+    render::FieldRenderer renderer_;
     gpu::Timestamps timestamps_;
     gpu::FrameRing ring_;
     std::vector<double> recordTimes_; ///< [ms]

@@ -1,0 +1,78 @@
+// A target that shaders store into shows what is copied to another.
+
+#include "picture.h"
+#include "support/fields/fields.h"
+#include "support/gpu/gpu_fixture.h"
+#include "thicket.h"
+
+#include "core/error.h"
+
+#include <gtest/gtest.h>
+
+namespace sward::render {
+namespace {
+
+constexpr gpu::ImageSettings settingsOf(VkFormat format, VkFormat storedAs)
+{
+    return {.format = format,
+            .extent = {16, 16},
+            .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+            .storedAs = storedAs};
+}
+
+class StoredTarget : public test::GpuTest {
+protected:
+    static bool canBe()
+    {
+        return gpu::isSupported(
+            context(), settingsOf(VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_R8G8B8A8_UNORM));
+    }
+};
+
+/// In turn on two targets, whose sizes change, sorted by tiles or not, with soft grass or without.
+TEST_F(StoredTarget, HasTheBytesOfOneThatIsCopiedTo)
+{
+    if (!canBe())
+        GTEST_SKIP() << "this device stores into no encoded colours";
+    const field::Field field = test::makeField({.blades = 3000, .extent = 8.0f});
+    const FrameSettings settings = FrameSettings::of(field::viewOf(field));
+    for (const std::uint32_t samples : {1u, 4u})
+        for (const bool forCpu : {false, true}) {
+            FieldRendererSettings wanted{
+                .samples = samples, .geometry = Geometry::raster, .rastersForCpu = forCpu};
+            FieldRenderer copies(device(), field::viewOf(field), wanted);
+            wanted.storesIntoTargets = true;
+            FieldRenderer stores(device(), field::viewOf(field), wanted);
+            for (const glm::uvec2 size : {glm::uvec2(161, 90), glm::uvec2(16, 16)}) {
+                test::Picture copied(context(), size);
+                test::Picture stored[2] = {test::Picture(context(), size, true),
+                                           test::Picture(context(), size, true)};
+                for (int step = 0; step < 4; ++step) {
+                    SCOPED_TRACE(testing::Message() << samples << " samples, " << size.x << " × "
+                                                    << size.y << ", step " << step);
+                    // Far away each blade is finer than a pixel, and the film is soft.
+                    Camera camera;
+                    camera.eye = {0.0, 6.0, 18.0 + 20.0 * step};
+                    const double time = 1.0 + 0.1 * step;
+                    copied.draw(copies, camera, settings, time);
+                    stored[step % 2].draw(stores, camera, settings, time);
+                    EXPECT_EQ(test::differingPixels(copied.pixels(), stored[step % 2].pixels()), 0u);
+                    EXPECT_GT(stores.stats().drawn, 0u);
+                }
+            }
+        }
+}
+
+TEST_F(StoredTarget, IsNoFormatOfOtherBytes)
+{
+    EXPECT_FALSE(gpu::isSupported(context(),
+                                  settingsOf(VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_D32_SFLOAT)));
+    gpu::ImageSettings large = settingsOf(VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_UNDEFINED);
+    EXPECT_TRUE(gpu::isSupported(context(), large));
+    large.extent.width = 1u << 24;
+    EXPECT_FALSE(gpu::isSupported(context(), large));
+    EXPECT_THROW(gpu::Image(context(), large), Error);
+}
+
+} // namespace
+} // namespace sward::render
