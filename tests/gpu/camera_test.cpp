@@ -1,6 +1,7 @@
 #include "core/random.h"
 #include "render/camera.h"
 #include "render/camera_presets.h"
+#include "render/frame.h"
 #include "shaders/shared/culling.h"
 #include "support/fields/fields.h"
 
@@ -52,6 +53,64 @@ TEST(Camera, PlanesEncloseWhatTheProjectionShows)
         inside += shown ? 1 : 0;
     }
     EXPECT_GT(inside, 500);
+}
+
+/// What stands at a place of the picture lies on the ray through it, as far along as its w says,
+/// and so its depth tells where: as the shaders have it that shade what the rasteriser has found.
+TEST(Camera, RaysMeetWhatIsSeen)
+{
+    const ViewMatrices view = viewMatrices(slanted(), {}, size, box);
+    shared::Frame frame = {};
+    look(frame, view);
+    const glm::vec3 depthRow(view.viewProjection[0].z, view.viewProjection[1].z,
+                             view.viewProjection[2].z);
+    int seen = 0;
+    for (std::uint64_t i = 0; i < 20'000; ++i) {
+        const glm::vec3 point = randomPoint(i, 20.0);
+        const glm::vec4 clip = view.viewProjection * glm::vec4(point, 1.0f);
+        if (clip.w < 0.5f || std::abs(clip.x) > clip.w || std::abs(clip.y) > clip.w)
+            continue;
+        const glm::vec2 place = glm::vec2(clip) / clip.w;
+        const glm::vec3 ray = place.x * frame.rays[0] + place.y * frame.rays[1] + frame.rays[2];
+        EXPECT_LT(glm::length(view.eye + clip.w * ray - point), 1e-4f * clip.w) << "point " << i;
+        const float along = frame.depthOfEye / (clip.z / clip.w - glm::dot(depthRow, ray));
+        EXPECT_NEAR(along, clip.w, 1e-3f * clip.w) << "point " << i;
+        ++seen;
+    }
+    EXPECT_GT(seen, 500);
+}
+
+TEST(Camera, OfParallelRaysThereAreNone)
+{
+    glm::mat4 parallel(1.0f);
+    parallel[2].z = -0.01f;
+    shared::Frame frame = {};
+    project(frame, parallel, glm::vec3(0.0f, 0.0f, 5.0f));
+    for (const glm::vec3& ray : frame.rays)
+        EXPECT_EQ(ray, glm::vec3(0.0f));
+}
+
+/// The air thins upwards from the foot of what can be seen, and is never so thick that it is no
+/// number.
+TEST(Camera, StandsInAirThatThinsUpwards)
+{
+    const FieldShape field{.content = box, .blade = {}};
+    FrameSettings settings;
+    settings.fogDensity = 0.03f;
+    const auto densityAt = [&](float height) {
+        Camera camera = slanted();
+        camera.eye = {4.0, double(box.low.y) + double(height), 9.0};
+        return frameOf(field, viewMatrices(camera, {}, size, box), settings, 0.0, 1).fogDensity;
+    };
+    EXPECT_FLOAT_EQ(densityAt(0.0f), 0.03f);
+    EXPECT_FLOAT_EQ(densityAt(50.0f), 0.03f);
+    settings.fogHeight = 4.0f;
+    EXPECT_NEAR(densityAt(0.0f), 0.03f, 1e-6f);
+    EXPECT_NEAR(densityAt(4.0f), 0.03f / std::exp(1.0f), 1e-6f);
+    EXPECT_NEAR(densityAt(12.0f) / densityAt(8.0f), 1.0f / std::exp(1.0f), 1e-4f);
+    EXPECT_TRUE(std::isfinite(densityAt(-1e6f)));
+    settings.fogDensity = 0.0f;
+    EXPECT_EQ(densityAt(-1e6f), 0.0f);
 }
 
 TEST(Camera, DepthFallsFromOneAtNearToZeroAtFar)

@@ -1,11 +1,10 @@
 // A target that shaders store into shows what is copied to another.
 
+#include "core/error.h"
 #include "picture.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
 #include "thicket.h"
-
-#include "core/error.h"
 
 #include <gtest/gtest.h>
 
@@ -24,8 +23,8 @@ class StoredTarget : public test::GpuTest {
 protected:
     static bool canBe()
     {
-        return gpu::isSupported(
-            context(), settingsOf(VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_R8G8B8A8_UNORM));
+        return gpu::isSupported(context(),
+                                settingsOf(VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_R8G8B8A8_UNORM));
     }
 };
 
@@ -56,7 +55,8 @@ TEST_F(StoredTarget, HasTheBytesOfOneThatIsCopiedTo)
                     const double time = 1.0 + 0.1 * step;
                     copied.draw(copies, camera, settings, time);
                     stored[step % 2].draw(stores, camera, settings, time);
-                    EXPECT_EQ(test::differingPixels(copied.pixels(), stored[step % 2].pixels()), 0u);
+                    EXPECT_EQ(test::differingPixels(copied.pixels(), stored[step % 2].pixels()),
+                              0u);
                     EXPECT_GT(stores.stats().drawn, 0u);
                 }
             }
@@ -65,8 +65,8 @@ TEST_F(StoredTarget, HasTheBytesOfOneThatIsCopiedTo)
 
 TEST_F(StoredTarget, IsNoFormatOfOtherBytes)
 {
-    EXPECT_FALSE(gpu::isSupported(context(),
-                                  settingsOf(VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_D32_SFLOAT)));
+    EXPECT_FALSE(
+        gpu::isSupported(context(), settingsOf(VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_D32_SFLOAT)));
     gpu::ImageSettings large = settingsOf(VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_UNDEFINED);
     EXPECT_TRUE(gpu::isSupported(context(), large));
     large.extent.width = 1u << 24;

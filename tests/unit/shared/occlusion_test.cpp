@@ -5,6 +5,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sward::shared {
@@ -148,6 +149,8 @@ TEST(Occlusion, AFewCellsAreEnoughForAnyBox)
             EXPECT_TRUE((box.high.x >> finer) - (box.low.x >> finer) >= pyramidReach ||
                         (box.high.y >> finer) - (box.low.y >> finer) >= pyramidReach);
         }
+        // Where there are fewer levels the coarsest of them has to do.
+        EXPECT_EQ(pyramidLevelFor(box, 2), std::min(level, 1u));
     }
 }
 

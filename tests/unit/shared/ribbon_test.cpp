@@ -75,6 +75,29 @@ TEST(Outline, HasItsFirstMomentInASingleSegment)
         }
 }
 
+/// What the rasteriser takes for granted of an outline: where it is widest from a place on, and
+/// whether its middle lies on the curve.
+TEST(Outline, TapersAndIsEvenWhereItIsSaidToBe)
+{
+    for (uint shape = 0; shape < shapeCount; ++shape)
+        for (const float threshold : thresholds)
+            for (const float segments : {1.0f, 2.0f, 5.0f, 16.0f, 64.0f}) {
+                const Outline outline = outlineOf(shape, threshold, segments);
+                float widest = 1e9f;
+                bool tapers = true;
+                bool even = true;
+                for (float i = 0.0f; i <= 4.0f * segments; i += 1.0f) {
+                    const vec2 edges = edgesAt(outline, i / (4.0f * segments));
+                    const float own = std::max(-edges.x, edges.y);
+                    tapers = tapers && own <= widest;
+                    even = even && edges.x == -edges.y;
+                    widest = own;
+                }
+                EXPECT_TRUE(tapers || !isTapering(shape)) << shape << ", " << segments;
+                EXPECT_TRUE(even || !isEven(shape)) << shape << ", " << segments;
+            }
+}
+
 TEST(Outline, OfTheQuadraticHasOneStraightEdge)
 {
     for (float t = 0.0f; t <= 1.0f; t += 0.1f)
