@@ -32,6 +32,16 @@ VkResult boundsOf(const DeviceContext& context, const ImageSettings& settings,
                                                     usageOf(settings), flagsOf(settings), &bound);
 }
 
+// Whether shaders store into images of the format as which they are to store.
+bool isStoredAsSaid(const DeviceContext& context, const ImageSettings& settings)
+{
+    if (settings.storedAs == VK_FORMAT_UNDEFINED)
+        return true;
+    VkFormatProperties stored{};
+    vkGetPhysicalDeviceFormatProperties(context.physical, settings.storedAs, &stored);
+    return (stored.optimalTilingFeatures & VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT) != 0;
+}
+
 // Reject what the device cannot make, in words, before the driver is asked for it.
 void refuseUnsupported(const DeviceContext& context, const ImageSettings& settings)
 {
@@ -41,6 +51,10 @@ void refuseUnsupported(const DeviceContext& context, const ImageSettings& settin
         fail(ErrorKind::unsupported, "{} has no images of format {} for the usage of '{}'",
              context.name, static_cast<int>(settings.format), settings.name);
     check(result, "vkGetPhysicalDeviceImageFormatProperties");
+    if (!isStoredAsSaid(context, settings))
+        fail(ErrorKind::unsupported,
+             "shaders of {} do not store as format {}, as which '{}' is to be", context.name,
+             static_cast<int>(settings.storedAs), settings.name);
     if (settings.extent.width > bound.maxExtent.width ||
         settings.extent.height > bound.maxExtent.height)
         fail(ErrorKind::unsupported, "'{}' has {} x {} pixels; {} allows {} x {}", settings.name,
@@ -82,15 +96,8 @@ ImageView createView(const DeviceContext& context, const Image& image, Seen seen
 bool isSupported(const DeviceContext& context, const ImageSettings& settings)
 {
     VkImageFormatProperties bound{};
-    if (boundsOf(context, settings, bound) != VK_SUCCESS)
-        return false;
-    if (settings.storedAs != VK_FORMAT_UNDEFINED) {
-        VkFormatProperties stored{};
-        vkGetPhysicalDeviceFormatProperties(context.physical, settings.storedAs, &stored);
-        if ((stored.optimalTilingFeatures & VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT) == 0)
-            return false;
-    }
-    return settings.extent.width <= bound.maxExtent.width &&
+    return boundsOf(context, settings, bound) == VK_SUCCESS && isStoredAsSaid(context, settings) &&
+           settings.extent.width <= bound.maxExtent.width &&
            settings.extent.height <= bound.maxExtent.height &&
            (bound.sampleCounts & settings.samples) != 0;
 }

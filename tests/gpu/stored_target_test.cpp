@@ -63,10 +63,11 @@ TEST_F(StoredTarget, HasTheBytesOfOneThatIsCopiedTo)
         }
 }
 
-TEST_F(StoredTarget, IsNoFormatOfOtherBytes)
+TEST_F(StoredTarget, IsOfAFormatThatShadersStore)
 {
-    EXPECT_FALSE(
-        gpu::isSupported(context(), settingsOf(VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_D32_SFLOAT)));
+    const gpu::ImageSettings depths = settingsOf(VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_D32_SFLOAT);
+    EXPECT_FALSE(gpu::isSupported(context(), depths));
+    EXPECT_THROW(gpu::Image(context(), depths), Error);
     gpu::ImageSettings large = settingsOf(VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_UNDEFINED);
     EXPECT_TRUE(gpu::isSupported(context(), large));
     large.extent.width = 1u << 24;
