@@ -9,11 +9,11 @@
 
 namespace sward::test {
 
-Picture::Picture(const gpu::DeviceContext& context, glm::uvec2 size, bool isStored)
+Picture::Picture(const gpu::DeviceContext& context, glm::uvec2 size, bool isStored, VkFormat format)
     : context_(context)
     , size_(size)
     , image_(context, {.name = "picture",
-                       .format = VK_FORMAT_R8G8B8A8_SRGB,
+                       .format = format,
                        .extent = {size.x, size.y},
                        .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
                                 VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,

@@ -17,14 +17,15 @@ namespace sward::test {
 class Picture {
 public:
     /// `isStored`: for renderers that store into their targets.
-    Picture(const gpu::DeviceContext& context, glm::uvec2 size, bool isStored = false);
+    Picture(const gpu::DeviceContext& context, glm::uvec2 size, bool isStored = false,
+            VkFormat format = VK_FORMAT_R8G8B8A8_SRGB);
 
     /// One frame, waited for. `jitter` [pixels].
     void draw(render::FieldRenderer& renderer, const render::Camera& camera,
               const render::FrameSettings& settings, double time,
               glm::vec2 jitter = glm::vec2(0.0f));
 
-    std::vector<std::byte> pixels() const; ///< R G B A, rows from the top
+    std::vector<std::byte> pixels() const; ///< R G B A or as the format has it, rows from the top
     glm::uvec2 size() const { return size_; }
 
 private:

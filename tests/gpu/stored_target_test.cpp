@@ -8,6 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <utility>
+#include <vector>
+
 namespace sward::render {
 namespace {
 
@@ -61,6 +65,33 @@ TEST_F(StoredTarget, HasTheBytesOfOneThatIsCopiedTo)
                 }
             }
         }
+}
+
+/// What is stored into lies the other way round, too.
+TEST_F(StoredTarget, MayHaveBlueFirst)
+{
+    constexpr VkFormat format = VK_FORMAT_B8G8R8A8_SRGB;
+    if (!canBe() || !gpu::isSupported(context(), settingsOf(format, VK_FORMAT_R8G8B8A8_UNORM)))
+        GTEST_SKIP() << "this device stores into no encoded colours";
+    const field::Field field = test::makeField({.blades = 500, .extent = 4.0f});
+    const FrameSettings settings = FrameSettings::of(field::viewOf(field));
+    FieldRendererSettings wanted{.samples = 1, .geometry = Geometry::raster};
+    FieldRenderer redFirst(device(), field::viewOf(field), wanted);
+    wanted.storesIntoTargets = true;
+    wanted.colorFormat = format;
+    FieldRenderer blueFirst(device(), field::viewOf(field), wanted);
+    constexpr glm::uvec2 size(64, 36);
+    test::Picture expected(context(), size);
+    test::Picture stored(context(), size, true, format);
+    Camera camera;
+    camera.eye = {0.0, 4.0, 9.0};
+    expected.draw(redFirst, camera, settings, 1.0);
+    stored.draw(blueFirst, camera, settings, 1.0);
+    std::vector<std::byte> turned = stored.pixels();
+    for (std::size_t i = 0; i + 3 < turned.size(); i += 4)
+        std::swap(turned[i], turned[i + 2]);
+    EXPECT_EQ(test::differingPixels(expected.pixels(), turned), 0u);
+    EXPECT_GT(test::differingPixels(expected.pixels(), stored.pixels()), size.x * size.y / 2);
 }
 
 TEST_F(StoredTarget, IsOfAFormatThatShadersStore)
