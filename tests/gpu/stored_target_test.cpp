@@ -25,17 +25,20 @@ constexpr gpu::ImageSettings settingsOf(VkFormat format, VkFormat storedAs)
 
 class StoredTarget : public test::GpuTest {
 protected:
-    static bool canBe()
+    /// Some GPUs may have none; the software driver has.
+    static bool canBe(VkFormat format)
     {
-        return gpu::isSupported(context(),
-                                settingsOf(VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_R8G8B8A8_UNORM));
+        const bool isThere =
+            gpu::isSupported(context(), settingsOf(format, VK_FORMAT_R8G8B8A8_UNORM));
+        EXPECT_TRUE(isThere || !context().isCpu());
+        return isThere;
     }
 };
 
 /// In turn on two targets, whose sizes change, sorted by tiles or not, with soft grass or without.
 TEST_F(StoredTarget, HasTheBytesOfOneThatIsCopiedTo)
 {
-    if (!canBe())
+    if (!canBe(VK_FORMAT_R8G8B8A8_SRGB))
         GTEST_SKIP() << "this device stores into no encoded colours";
     const field::Field field = test::makeField({.blades = 3000, .extent = 8.0f});
     const FrameSettings settings = FrameSettings::of(field::viewOf(field));
@@ -71,7 +74,7 @@ TEST_F(StoredTarget, HasTheBytesOfOneThatIsCopiedTo)
 TEST_F(StoredTarget, MayHaveBlueFirst)
 {
     constexpr VkFormat format = VK_FORMAT_B8G8R8A8_SRGB;
-    if (!canBe() || !gpu::isSupported(context(), settingsOf(format, VK_FORMAT_R8G8B8A8_UNORM)))
+    if (!canBe(format))
         GTEST_SKIP() << "this device stores into no encoded colours";
     const field::Field field = test::makeField({.blades = 500, .extent = 4.0f});
     const FrameSettings settings = FrameSettings::of(field::viewOf(field));

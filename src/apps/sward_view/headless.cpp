@@ -16,8 +16,10 @@ namespace {
 constexpr VkFormat pictureFormat = VK_FORMAT_R8G8B8A8_SRGB;
 constexpr std::uint32_t slot = 0; ///< one frame at a time
 
-/// One that shaders store into if the device can do that.
-gpu::ImageSettings targetFor(const gpu::DeviceContext& context, glm::uvec2 size)
+/// One that shaders store into if they draw and the device can do that: for the tessellator it
+/// would only make the graphics unit's own writes slower.
+gpu::ImageSettings targetFor(const gpu::DeviceContext& context, glm::uvec2 size,
+                             render::Geometry geometry)
 {
     gpu::ImageSettings settings{.name = "picture",
                                 .format = pictureFormat,
@@ -26,7 +28,7 @@ gpu::ImageSettings targetFor(const gpu::DeviceContext& context, glm::uvec2 size)
                                          VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                                          VK_IMAGE_USAGE_TRANSFER_DST_BIT,
                                 .storedAs = VK_FORMAT_R8G8B8A8_UNORM};
-    if (!gpu::isSupported(context, settings))
+    if (geometry == render::Geometry::tessellation || !gpu::isSupported(context, settings))
         settings.storedAs = VK_FORMAT_UNDEFINED;
     return settings;
 }
@@ -75,7 +77,7 @@ Headless::Headless(const FrameOptions& options, bool recordFates)
     , instance_(createInstance(options.validation))
     , device_(instance_, {.selection = options.device})
     , samples_(options.samples.value_or(4))
-    , target_(device_.context(), targetFor(device_.context(), options.size))
+    , target_(device_.context(), targetFor(device_.context(), options.size, options.geometry))
     , renderer_(device_, fields_.view(),
                 {.colorFormat = pictureFormat,
                  .samples = samples_,
