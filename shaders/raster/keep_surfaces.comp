@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Keeps what shading asks of the large blades that had their first turn, one thread each: they are what most
+// Keeps what shading asks of the large blades that have a first turn, one thread each: they are what most
 // pixels show that show a large one.
 #include "shaders/shared/passes.h"
 
@@ -14,10 +14,11 @@ layout(local_size_x = rasterThreads) in;
 
 void main()
 {
-    const uint slot = gl_GlobalInvocationID.x;
-    if (slot >= mostSurfaces)
-        return;
-    const LargePart blade = partAt(slot);
-    if (isKept(slot, blade))
-        keepSurface(slot, freshBlade(blade.blade));
+    const uint end = min(endOfLarge(), mostSurfaces);
+    for (uint slot = beginOfHeavy() + gl_GlobalInvocationID.x; slot < end;
+         slot += gl_NumWorkGroups.x * rasterThreads) {
+        const LargePart blade = partAt(slot);
+        if (isKept(blade))
+            keepSurface(slot, freshBlade(blade.blade));
+    }
 }

@@ -27,11 +27,10 @@ void keepSurface(uint slot, SeenBlade seen)
         floatBitsToUint(seen.surface.material) | uvec4(0u, 0u, 0u, seen.isAsked ? isAskedSign : 0u);
 }
 
-/// Whether a surface is kept of the blade that is listed at a slot.
-bool isKept(uint slot, LargePart blade)
+/// Whether a surface is kept of what is listed for a first turn.
+bool isKept(LargePart blade)
 {
-    return slot < min(push.largeCount.at[2].count, mostSurfaces) && partsOf(blade.part) > 0u &&
-           numberOfPart(blade.part) == 0u;
+    return partsOf(blade.part) > 0u && numberOfPart(blade.part) == 0u;
 }
 
 /// Finds a blade whose surface has been kept; false if it has not, or if another one's has that might lie
@@ -41,14 +40,18 @@ bool findKept(uint index, out SeenBlade seen)
     const uint slot = push.surfacePlaces.at[index % surfacePlaceCount];
     if (slot >= mostSurfaces)
         return false;
+    // All at once, before it is known whether it is the right one: to wait takes longer.
     const LargePart blade = partAt(slot);
-    if (blade.blade != index || !isKept(slot, blade))
-        return false;
     SurfaceQuarters surfaces = SurfaceQuarters(uvec2(push.surfaces));
+    const uvec4 root = surfaces.at[3u * slot];
+    const uvec4 tip = surfaces.at[3u * slot + 1u];
     const uvec4 material = surfaces.at[3u * slot + 2u];
+    if (blade.blade != index || slot < push.largeCount.at[2].groups[0] || slot >= push.largeCount.at[2].count ||
+        !isKept(blade))
+        return false;
     seen.ribbon = ribbonOf(blade);
-    seen.surface.root = uintBitsToFloat(surfaces.at[3u * slot]);
-    seen.surface.tip = uintBitsToFloat(surfaces.at[3u * slot + 1u]);
+    seen.surface.root = uintBitsToFloat(root);
+    seen.surface.tip = uintBitsToFloat(tip);
     seen.surface.material = uintBitsToFloat(material & uvec4(uvec3(~0u), ~isAskedSign));
     seen.blade = index;
     seen.isAsked = (material.w & isAskedSign) != 0u;

@@ -22,7 +22,7 @@ void main()
     const uint place = gl_InstanceIndex * drawChunk + gl_VertexIndex;
     if (place >= min(push.largeCount.at[0].count, mostLargeParts))
         return;
-    const LargePart blade = push.large.at[place];
+    const LargePart blade = push.large.at[mostHeavyParts + place];
     outV0 = vec4(blade.v0, blade.width);
     outV1 = vec4(blade.v1, blade.tipThreshold);
     outV2 = vec4(blade.v2, blade.fold);

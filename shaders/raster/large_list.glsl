@@ -26,16 +26,25 @@ uint partsFor(float pixels)
 /// Lists a blade's parts from `slot` on, of which some segments are drawn; whether there was room.
 bool putParts(Ribbon ribbon, VisibleBlade visible, uint slot, uint parts, uvec2 segments)
 {
-    const bool hasRoom = slot + parts <= mostLargeParts;
-    for (uint part = 0u; part < parts && slot + part < mostLargeParts; ++part)
+    const uint end = mostHeavyParts + mostLargeParts;
+    const bool hasRoom = slot + parts <= end;
+    for (uint part = 0u; part < parts && slot + part < end; ++part)
         putPart(push.large, slot + part,
                 partOf(ribbon, visible.blade,
                        hasRoom ? packPart(part, parts, segments.x, segments.y) : 0u));
     return hasRoom;
 }
 
-/// The list has so many parts by now, or had room for fewer.
-void noteListed(uint parts)
+/// So many are by now, or there was room for fewer.
+void noteHeavy(uint parts)
+{
+    WalkLevelArray asked = push.largeCount;
+    atomicMax(asked.at[5].groups[0], groupsForHeavy(min(parts, mostHeavyParts)));
+}
+
+/// The list has so many parts by now, or had room for fewer. `first`: where those begin that a late turn
+/// goes through.
+void noteListed(uint parts, uint first)
 {
     WalkLevelArray asked = push.largeCount;
     const uint listed = min(parts, mostLargeParts);
@@ -44,7 +53,7 @@ void noteListed(uint parts)
     else
         atomicMax(asked.at[0].groups[0], groupsForLarge(listed));
     if (isLate || push.round > 0u)
-        atomicMax(asked.at[4].groups[0], groupsForLate(listed));
+        atomicMax(asked.at[4].groups[0], groupsForLate(mostHeavyParts + listed - first));
 }
 
 /// Gives a blade that may reach through the near plane to those who cut it there; whether there was room.

@@ -35,6 +35,18 @@ LargePart partAt(uint place)
                      uintBitsToFloat(d.xyz), uintBitsToFloat(d.w), uintBitsToFloat(e.x), e.y, e.z, e.w);
 }
 
+/// Where the first heavy part lies …
+uint beginOfHeavy()
+{
+    return mostHeavyParts - min(push.largeCount.at[5].count, mostHeavyParts);
+}
+
+/// … and before where the last other one does.
+uint endOfLarge()
+{
+    return mostHeavyParts + min(push.largeCount.at[0].count, mostLargeParts);
+}
+
 /// Of LargePart::part.
 uint numberOfPart(uint part)
 {

@@ -64,7 +64,7 @@ LateBlade lateBlade(Lens lens, VisibleBlade visible)
 /// Lists what may be seen of a group's blades. All threads come here together, each with one of them or
 /// none. They have their places by one atomic, and write side by side: left to the lanes that have
 /// something to list it takes an H200 three times as long.
-void listTogether(Lens lens, bool hasBlade, uint place)
+void listTogether(Lens lens, bool hasBlade, uint place, uint firstPart)
 {
     if (gl_LocalInvocationIndex == 0u)
         listedParts = 0u;
@@ -83,11 +83,11 @@ void listTogether(Lens lens, bool hasBlade, uint place)
     if (gl_LocalInvocationIndex == 0u && listedParts > 0u) {
         WalkLevelArray asked = push.largeCount;
         listBase = atomicAdd(asked.at[0].count, listedParts);
-        noteListed(listBase + listedParts);
+        noteListed(listBase + listedParts, firstPart);
     }
     barrier();
     if (parts > 0u &&
-        !putParts(own.ribbon, own.visible, listBase + before, parts, own.segments))
+        !putParts(own.ribbon, own.visible, mostHeavyParts + listBase + before, parts, own.segments))
         drawAlone(lens, own.ribbon, own.visible.blade);
     barrier();
 }
@@ -96,13 +96,14 @@ void main()
 {
     const uint capacity = FRAME.visibleCapacity;
     const uint count = min(push.rounds.at[push.round].count, capacity);
+    const uint firstPart = push.largeCount.at[2].groups[0];
     const Lens lens = lensOf();
     if (gl_LocalInvocationIndex == 0u)
         hiddenCount = 0u;
     for (uint first = gl_WorkGroupID.x * rasterThreads; first < count;
          first += gl_NumWorkGroups.x * rasterThreads) {
         const uint i = first + gl_LocalInvocationIndex;
-        listTogether(lens, i < count, capacity - 1u - i);
+        listTogether(lens, i < count, capacity - 1u - i, firstPart);
     }
     if (gl_LocalInvocationIndex == 0u)
         countHidden(hiddenCount);

@@ -17,28 +17,16 @@ layout(constant_id = 3) const bool isPaged = false;
 
 layout(local_size_x = rasterThreads) in;
 
+// Of large blades and of heavy ones that the group lists together: how many parts, and where they begin.
+shared uint listedParts[2];
+shared uint listBase[2];
+
 // Whose affair large blades are; known when the pipeline is made.
 layout(constant_id = 4) const uint largeTo = largeToGroups;
 const bool isTessellated = largeTo == largeToTessellator;
 const bool isLate = false;
 
 #include "shaders/raster/large_list.glsl"
-
-/// Gives a blade that covers so many pixels to work-groups or the tessellator; whether there was room.
-bool leftToOthers(Ribbon ribbon, VisibleBlade visible, float pixels)
-{
-    WalkLevelArray asked = push.largeCount;
-    const uint parts = partsFor(pixels);
-    const uint slot = atomicAdd(asked.at[0].count, parts);
-    // Those of other rounds than the first are all listed after the first turn.
-    const uint late = push.round > 0u          ? 0u
-                      : push.takesTurns != 0u ? lateQuartersUnseen(pixels, visible.blade)
-                                              : visible.factors >> lateShift;
-    const bool hasRoom = putParts(ribbon, visible, slot, parts,
-                                  firstSegments(late, uint(ribbon.outline.segments)));
-    noteListed(slot + parts);
-    return hasRoom;
-}
 
 /// No more pixels are covered by a ribbon behind the near plane, so high [m], than these: as if all of it
 /// were as near as its nearest control point, and seen from its broad side.
@@ -54,38 +42,126 @@ float pixelsAtMost(Lens lens, Ribbon ribbon, float height)
     return height * scale * max(wide * scale, lens.leastWidth * FRAME.view.pixelsPerUnit);
 }
 
-void rasterise(Lens lens, VisibleBlade visible)
+/// A blade of this turn.
+struct OwnBlade {
+    VisibleBlade visible;
+    Ribbon ribbon;
+    bool isDrawn;   ///< by this thread, unless it is listed
+    bool isHeavy;
+    uint parts;     ///< 0: it is not listed
+    uvec2 segments; ///< of which its first turn is; see firstSegments()
+};
+
+/// How a blade that covers so many pixels is listed for work-groups or the tessellator.
+void leaveToOthers(inout OwnBlade own, float pixels)
 {
+    own.parts = partsFor(pixels);
+    // Those of other rounds than the first are all listed after the first turn.
+    const uint late = push.round > 0u          ? 0u
+                      : push.takesTurns != 0u ? lateQuartersUnseen(pixels, own.visible.blade)
+                                              : own.visible.factors >> lateShift;
+    const float segments = own.ribbon.outline.segments;
+    own.segments = firstSegments(late, uint(segments));
+    const float drawn = pixels * float(own.segments.y - own.segments.x) / segments;
+    own.isHeavy = !isTessellated && push.round == 0u && drawn > heavyPixels * float(own.parts);
+}
+
+OwnBlade ownBlade(Lens lens, VisibleBlade visible)
+{
+    OwnBlade own;
+    own.visible = visible;
+    own.isDrawn = false;
+    own.isHeavy = false;
+    own.parts = 0u;
+    own.segments = uvec2(0u);
     const Blade blade = visibleBlade(visible);
     if (listsThoseBeside() && isFarBeside(lens, visible, blade))
-        return;
-    const DrawnBlade drawn = drawnBlade(visible, blade);
-    const Ribbon ribbon = drawn.ribbon;
-    const float margin =
-        marginBeside(ribbon.width, length(ribbon.v0 - lens.eye) + blade.height, lens.leastWidth);
-    if (listsThoseBeside() && isBeside(ribbon, margin))
-        return;
-    const float pixels = pixelsOf(lens, visible, ribbon, blade.height);
+        return own;
+    own.ribbon = drawnBlade(visible, blade).ribbon;
+    const float margin = marginBeside(own.ribbon.width, length(own.ribbon.v0 - lens.eye) + blade.height,
+                                      lens.leastWidth);
+    if (listsThoseBeside() && isBeside(own.ribbon, margin))
+        return own;
+    const float pixels = pixelsOf(lens, visible, own.ribbon, blade.height);
     const bool mayBeCut =
-        !curveInside(FRAME.view.planes[4], ribbon.v0, ribbon.v1, ribbon.v2, margin);
+        !curveInside(FRAME.view.planes[4], own.ribbon.v0, own.ribbon.v1, own.ribbon.v2, margin);
     if (mayBeCut && !isTessellated) {
-        leftToBeCut(ribbon, visible.blade);
-        return;
+        leftToBeCut(own.ribbon, visible.blade);
+        return own;
     }
     // A thread takes twice as long for a pixel of four samples as for one of one; a tessellator does not.
     const float most =
         isTessellated ? tessellatedPixels : largeBladePixels * inversesqrt(float(samplesPerPixel));
-    if (largeTo != largeToNobody && (mayBeCut || pixels > most) &&
-        leftToOthers(ribbon, visible, pixels))
-        return;
-    if (largeTo == largeToNobody && pixelsAtMost(lens, ribbon, blade.height) > mostPixelsOfThread &&
-        leftToBeCut(ribbon, visible.blade))
-        return;
-    // The tessellator had no room.
-    if (mayBeCut)
-        return;
+    if (largeTo != largeToNobody && (mayBeCut || pixels > most))
+        leaveToOthers(own, pixels);
+    if (largeTo == largeToNobody && pixelsAtMost(lens, own.ribbon, blade.height) > mostPixelsOfThread &&
+        leftToBeCut(own.ribbon, visible.blade))
+        return own;
+    // Cut ones are here if the tessellator has them, or had no room.
+    own.isDrawn = !mayBeCut;
+    return own;
+}
 
-    drawAlone(lens, ribbon, visible.blade);
+/// Lists a blade before which so many parts are listed in its list; whether there was room.
+bool listOwn(OwnBlade own, uint before)
+{
+    if (!own.isHeavy)
+        return putParts(own.ribbon, own.visible, mostHeavyParts + before, own.parts, own.segments);
+    if (before + own.parts <= mostHeavyParts)
+        return putParts(own.ribbon, own.visible, mostHeavyParts - before - own.parts, own.parts, own.segments);
+    // There is nothing at the last places, and the blade comes to the others.
+    for (uint slot = 0u; slot + before < mostHeavyParts; ++slot)
+        putPart(push.large, slot, partOf(own.ribbon, own.visible.blade, 0u));
+    WalkLevelArray asked = push.largeCount;
+    const uint slot = atomicAdd(asked.at[0].count, own.parts);
+    noteListed(slot + own.parts, 0u);
+    return putParts(own.ribbon, own.visible, mostHeavyParts + slot, own.parts, own.segments);
+}
+
+/// Finds room in the lists for what a group lists together: others, and heavy ones.
+void findRoom(uint thread)
+{
+    if (thread >= 2u || listedParts[thread] == 0u)
+        return;
+    WalkLevelArray asked = push.largeCount;
+    listBase[thread] = atomicAdd(asked.at[thread == 0u ? 0u : 5u].count, listedParts[thread]);
+    const uint listed = listBase[thread] + listedParts[thread];
+    if (thread == 1u)
+        noteHeavy(listed);
+    else
+        noteListed(listed, push.round > 0u ? asked.at[2].groups[0] : 0u);
+}
+
+/// All threads come here together, each with a blade or with none. They have their places in the lists by
+/// one atomic.
+void rasterise(Lens lens, bool hasBlade, uint place)
+{
+    const uint thread = gl_LocalInvocationIndex;
+    const bool areListed = largeTo != largeToNobody;
+    if (areListed) {
+        if (thread < 2u)
+            listedParts[thread] = 0u;
+        barrier();
+    }
+    OwnBlade own;
+    own.isDrawn = false;
+    own.isHeavy = false;
+    own.parts = 0u;
+    if (hasBlade)
+        own = ownBlade(lens, FRAME.visible.at[place]);
+    if (areListed) {
+        const uint list = own.isHeavy ? 1u : 0u;
+        uint before = 0u;
+        if (own.parts > 0u)
+            before = atomicAdd(listedParts[list], own.parts);
+        barrier();
+        findRoom(thread);
+        barrier();
+        if (own.parts > 0u && listOwn(own, listBase[list] + before))
+            own.isDrawn = false;
+    }
+    if (own.isDrawn)
+        drawAlone(lens, own.ribbon, own.visible.blade);
 }
 
 void main()
@@ -93,7 +169,7 @@ void main()
     const uint capacity = FRAME.visibleCapacity;
     const uint count = min(push.rounds.at[push.round].count, capacity);
     const Lens lens = lensOf();
-    for (uint place = gl_GlobalInvocationID.x; place < count;
-         place += gl_NumWorkGroups.x * rasterThreads)
-        rasterise(lens, FRAME.visible.at[place]);
+    for (uint first = gl_WorkGroupID.x * rasterThreads; first < count;
+         first += gl_NumWorkGroups.x * rasterThreads)
+        rasterise(lens, first + gl_LocalInvocationIndex < count, first + gl_LocalInvocationIndex);
 }

@@ -20,6 +20,9 @@ layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 layout(local_size_x = largeThreads) in;
 
+/// Whether heavy parts are drawn, or all others; known when the pipeline is made.
+layout(constant_id = 5) const bool takesHeavy = false;
+
 /// So many ribs of one or several blades are made at a time, one by each thread, or half as many of
 /// folded ones.
 const uint ribsTogether = largeThreads;
@@ -225,12 +228,13 @@ void drawBetween(Lens lens, uint first, uint end, uint item, uint blades, uint s
 void main()
 {
     LargePartArray large = push.large;
-    const uint count = min(push.largeCount.at[0].count, mostLargeParts);
-    const uint together = largeOfGroup(count);
+    const uint begin = takesHeavy ? beginOfHeavy() : mostHeavyParts;
+    const uint end = takesHeavy ? mostHeavyParts : endOfLarge();
+    const uint together = takesHeavy ? heavyTogether : largeOfGroup(end - begin);
     const uint thread = gl_LocalInvocationIndex;
     const Lens lens = lensOf();
-    for (uint item = gl_WorkGroupID.x * together; item < count; item += gl_NumWorkGroups.x * together) {
-        const uint blades = min(together, count - item);
+    for (uint item = begin + gl_WorkGroupID.x * together; item < end; item += gl_NumWorkGroups.x * together) {
+        const uint blades = min(together, end - item);
         if (thread == 0u) {
             items[0].firstRib = 0u;
             isAnyFolded = false;
@@ -254,11 +258,11 @@ void main()
             for (uint i = 0u; i < blades; ++i)
                 items[i + 1u].firstRib += items[i].firstRib;
         barrier();
-        const uint end = items[blades].firstRib;
+        const uint ribs = items[blades].firstRib;
         const uint stride = isAnyFolded ? ribsTogether / 2u : ribsTogether;
         // The next ones begin with the last rib, between which and theirs there is a segment, too.
-        for (uint first = 0u; first + 1u < end; first += stride - 1u)
-            drawBetween(lens, first, min(first + stride, end), item, blades, stride);
+        for (uint first = 0u; first + 1u < ribs; first += stride - 1u)
+            drawBetween(lens, first, min(first + stride, ribs), item, blades, stride);
         if (thread < blades && leftOut[thread] != 0u)
             large.at[item + thread].leftOut = leftOut[thread];
         barrier();

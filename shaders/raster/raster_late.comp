@@ -63,17 +63,24 @@ Quad quadAt(uint slot)
     return Quad(a0.xyz, a1.xyz, b0.xyz, b1.xyz, vec2(a0.w, a1.w), vec2(a0.w, a1.w), vec2(b0.w, b1.w));
 }
 
-/// The rows of a quad that are to be drawn, the first and how many, if something of it may be seen.
-ivec2 rowsSeen(Quad quad, LargePart part, uint number)
+/// Whether something may be seen of what lies between two ribs.
+bool isSeen(ScreenRib before, ScreenRib after, bool hasRidge)
 {
-    const vec3 low = min(min(quad.a0, quad.a1), min(quad.b0, quad.b1));
-    const vec3 high = max(max(quad.a0, quad.a1), max(quad.b0, quad.b1));
-    const vec2 edge = vec2(push.size);
-    if (high.x < 0.0 || high.y < 0.0 || low.x > edge.x || low.y > edge.y ||
-        rectangleHidden(low.xy, high.xy, high.z))
-        return ivec2(0);
-    atomicOr(seenBlades[number / 32u], 1u << (number % 32u));
-    return rowsOfPart(rowsBetween(low.y, high.y, edge.y), part.part);
+    vec3 low = min(min(before.left, before.right), min(after.left, after.right));
+    vec3 high = max(max(before.left, before.right), max(after.left, after.right));
+    if (hasRidge) {
+        low = min(low, min(before.ridge, after.ridge));
+        high = max(high, max(before.ridge, after.ridge));
+    }
+    return !rectangleHidden(low.xy, high.xy, high.z);
+}
+
+/// The rows of a quad that are to be drawn, the first and how many.
+ivec2 rowsOf(Quad quad, LargePart part)
+{
+    const float low = min(min(quad.a0.y, quad.a1.y), min(quad.b0.y, quad.b1.y));
+    const float high = max(max(quad.a0.y, quad.a1.y), max(quad.b0.y, quad.b1.y));
+    return rowsOfPart(rowsBetween(low, high, float(push.size.y)), part.part);
 }
 
 /// Lists what may be seen of a segment for drawRows(), from its quad `first` on. Returns the first for
@@ -88,6 +95,9 @@ uint putSegment(Lens lens, uint item, uint listed, uint first)
     const float segments = ribbon.outline.segments;
     const ScreenRib before = screenRib(seenRib(lens, ribbon, (i - 1.0) / segments), hasRidge);
     const ScreenRib after = screenRib(seenRib(lens, ribbon, i / segments), hasRidge);
+    if (!isSeen(before, after, hasRidge))
+        return ~0u;
+    atomicOr(seenBlades[number / 32u], 1u << (number % 32u));
     bool isTwisted = false;
     for (uint k = 0u; k < halvesOf(hasRidge); ++k)
         isTwisted = isTwisted || !isConvex(halfOf(k, before, after, hasRidge));
@@ -96,7 +106,7 @@ uint putSegment(Lens lens, uint item, uint listed, uint first)
         Quad quad = halfOf(k, before, after, hasRidge);
         if (isTwisted)
             quad = triangleBetween(k, before, after, hasRidge, upperHalf(i, segments));
-        const ivec2 rows = rowsSeen(quad, part, number);
+        const ivec2 rows = rowsOf(quad, part);
         if (rows.y <= 0)
             continue;
         const uint place = atomicAdd(ticket, (1u << 24u) | uint(rows.y));
@@ -215,18 +225,19 @@ void drawTogether(Lens lens, uint item, uint parts)
 
 void main()
 {
-    const uint count = min(push.largeCount.at[0].count, mostLargeParts);
-    const uint together = lateOfGroup(count);
+    const uint begin = push.largeCount.at[2].groups[0];
+    const uint end = endOfLarge();
+    const uint together = lateOfGroup(end - begin);
     const uint thread = gl_LocalInvocationIndex;
     const Lens lens = lensOf();
     if (thread == 0u)
         hiddenCount = 0u;
-    for (uint item = gl_WorkGroupID.x * together; item < count; item += gl_NumWorkGroups.x * together) {
+    for (uint item = begin + gl_WorkGroupID.x * together; item < end; item += gl_NumWorkGroups.x * together) {
         barrier();
         if (thread < seenBlades.length())
             seenBlades[thread] = 0u;
         barrier();
-        drawTogether(lens, item, min(together, count - item));
+        drawTogether(lens, item, min(together, end - item));
         barrier();
     }
     if (thread == 0u)

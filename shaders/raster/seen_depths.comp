@@ -7,6 +7,7 @@
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 #include "shaders/culling/finest_levels.glsl"
+#include "shaders/raster/large_part.glsl"
 #include "shaders/raster/put_sample.glsl"
 
 /// Whether the coarse levels are filled, too, by the work-group that is done last; known when the pipeline
@@ -79,12 +80,13 @@ float farthestTogether(uvec2 own)
 void beginLateTurn()
 {
     WalkLevelArray asked = push.largeCount;
-    const uint drawn = min(asked.at[0].count, mostLargeParts);
-    asked.at[2].count = drawn;
-    asked.at[2].groups[0] = (min(drawn, mostSurfaces) + rasterThreads - 1u) / rasterThreads;
+    const uint begin = beginOfHeavy();
+    const uint end = endOfLarge();
+    asked.at[2].groups[0] = begin;
+    asked.at[2].count = end;
     asked.at[3].count = 0u;
     asked.at[3].groups[0] = 0u;
-    asked.at[4].groups[0] = groupsForLate(drawn);
+    asked.at[4].groups[0] = groupsForLate(end - begin);
 }
 
 /// Whether all other work-groups have filled their cells. The first thread comes here behind the last one

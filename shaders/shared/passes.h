@@ -143,6 +143,13 @@ SHARED_CONST uint mostParts = 64u;
 /// million pixels. Blades beyond them are rasterised by one thread each.
 SHARED_CONST uint mostLargeParts = 1048576u;
 
+/// Before them lie at most so many more, from the last place to the first, each with more pixels
+/// than this to draw in its first turn. Work-groups that draw these, fewer together, begin before
+/// all others: at the end a device waits for whoever began last.
+SHARED_CONST uint mostHeavyParts = 32768u;
+SHARED_CONST float heavyPixels = 768.0f;
+SHARED_CONST uint heavyTogether = 2u;
+
 /// So many blades can be listed that reach through the near plane, or of which a single thread must
 /// not have so many pixels.
 SHARED_CONST uint mostCutBlades = 65536u;
@@ -158,7 +165,7 @@ SHARED_CONST uint largeThreads = 32u;
 
 /// A work-group draws so many large blades together, so that its threads have something to do, but
 /// fewer where there are not enough for so many work-groups.
-SHARED_CONST uint largeTogether = 3u;
+SHARED_CONST uint largeTogether = 6u;
 SHARED_CONST uint largeGroups = 4096u;
 
 /// The same of the late turn, where most segments are hidden, and of threads of such a work-group.
@@ -183,6 +190,12 @@ SHARED_FN uint groupsForLarge(uint listed)
 {
     const uint together = largeOfGroup(listed);
     return min((listed + together - 1u) / together, mostGroups);
+}
+
+/// The same of heavy parts.
+SHARED_FN uint groupsForHeavy(uint listed)
+{
+    return (listed + heavyTogether - 1u) / heavyTogether;
 }
 
 /// The same of the late turn, of all that are listed by then.
@@ -282,8 +295,9 @@ SHARED_FN uint rowsOfColumn(uint height)
     return (height + 3u) & ~3u;
 }
 
-/// Of so many large blades what shading asks of them is kept for all pixels that show them, …
-SHARED_CONST uint mostSurfaces = 262144u;
+/// Of the large blades at so many places what shading asks of them is kept for all pixels that show
+/// them, …
+SHARED_CONST uint mostSurfaces = mostHeavyParts + 229376u;
 
 /// … and where it may be by resident id modulo this: of two that meet there one is shaded without.
 SHARED_CONST uint surfacePlaceCount = 1048576u;
@@ -298,12 +312,13 @@ struct RasterPush {
     WalkLevelArray rounds; ///< as in UpdatePush
     LargePartArray large;
     WalkLevelArray largeCount; ///< how many of them were asked for, and work-groups for them;
-                               ///< then the draw for them by the tessellator; then how many of
-                               ///< them have been drawn in the first turn; then as at first of
-                               ///< `cut`; then work-groups for the late turn, and how many of
-                               ///< those that fill the ground's pyramid are done
-    LargePartArray cut;        ///< those that are cut by the near plane
-    UintArray owners;          ///< patches that own blades, in the order of their blades
+                               ///< then the draw for them by the tessellator; then from where to
+                               ///< before where those lie that have had a first turn; then as at
+                               ///< first of `cut`; then work-groups for the late turn, and how many
+                               ///< of those that fill the ground's pyramid are done; then as at
+                               ///< first of heavy ones
+    LargePartArray cut;    ///< those that are cut by the near plane
+    UintArray owners;      ///< patches that own blades, in the order of their blades
     UintArray firstOwners; ///< per ownerStride blades: index into `owners` of the first one's patch
 
     /// A bit for each quarter of each blade, by its resident id: whether a sample has shown

@@ -13,6 +13,7 @@ struct Counts {
     shared::WalkLevel drawn{.groups = {0, 1, 1}, .count = 0};
     shared::WalkLevel cut{.groups = {0, 1, 1}, .count = 0};
     shared::WalkLevel late{.groups = {0, 1, 1}, .count = 0};
+    shared::WalkLevel heavy{.groups = {0, 1, 1}, .count = 0};
 };
 
 } // namespace
@@ -29,7 +30,8 @@ LargeBladeList::LargeBladeList(const gpu::DeviceContext& context, Room room)
 {
     if (room.large)
         parts_ = gpu::Buffer(context, {.name = "raster/large blades",
-                                       .bytes = shared::mostLargeParts * sizeof(shared::LargePart),
+                                       .bytes = (shared::mostLargeParts + shared::mostHeavyParts) *
+                                                sizeof(shared::LargePart),
                                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
     if (room.shownBlades == 0)
         return;
@@ -64,6 +66,11 @@ void LargeBladeList::dispatch(VkCommandBuffer commands) const
     vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, parts));
 }
 
+void LargeBladeList::dispatchHeavy(VkCommandBuffer commands) const
+{
+    vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, heavy));
+}
+
 void LargeBladeList::dispatchLate(VkCommandBuffer commands) const
 {
     vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, late));
@@ -77,11 +84,6 @@ void LargeBladeList::dispatchCut(VkCommandBuffer commands) const
 VkDeviceSize LargeBladeList::drawOffset()
 {
     return offsetof(Counts, draw);
-}
-
-VkDeviceSize LargeBladeList::offsetOfSurfaces()
-{
-    return offsetof(Counts, drawn);
 }
 
 } // namespace sward::render

@@ -19,7 +19,7 @@ public:
 
     /// For what there is room beside shared::mostCutBlades.
     struct Room {
-        bool large = false; ///< shared::mostLargeParts
+        bool large = false; ///< shared::mostLargeParts and mostHeavyParts
         std::uint32_t shownBlades =
             0; ///< a bit for each quarter, if some are to be left out as hidden
     };
@@ -37,15 +37,16 @@ public:
     /// Begins a frame. Before the first one no blade has been shown; a transfer, once.
     void beginShown(VkCommandBuffer commands);
 
-    void dispatch(VkCommandBuffer commands) const;     ///< work-groups for all that are listed …
-    void dispatchLate(VkCommandBuffer commands) const; ///< … in a late turn …
-    void dispatchCut(VkCommandBuffer commands) const;  ///< … but the cut ones, and for these
+    // Work-groups for what is listed: in a first turn heavy parts, and all others but cut ones; all
+    // but cut ones in a late turn; cut ones.
+    void dispatchHeavy(VkCommandBuffer commands) const;
+    void dispatch(VkCommandBuffer commands) const;
+    void dispatchLate(VkCommandBuffer commands) const;
+    void dispatchCut(VkCommandBuffer commands) const;
 
-    /// Of VkDrawIndirectCommand, a vertex for each that is listed, and of what SurfacePass
-    /// dispatches.
+    /// Of VkDrawIndirectCommand, a vertex for each that is listed.
     VkBuffer counts() const { return counts_.get(); }
     static VkDeviceSize drawOffset();
-    static VkDeviceSize offsetOfSurfaces();
 
     VkDeviceSize bytes() const { return parts_.bytes() + cut_.bytes() + shown_.bytes(); }
 

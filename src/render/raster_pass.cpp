@@ -43,7 +43,7 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
 {
     expect(obstacleToRaster(context, target.colorFormat) == nullptr, "the device can rasterise");
     const auto pipeline = [&](const char* name, const char* shader, std::uint32_t largeTo,
-                              bool fillsAll = false) {
+                              bool fillsAll = false, bool takesHeavy = false) {
         return gpu::ComputePipeline(context, shaders,
                                     {.name = name,
                                      .shader = shader,
@@ -53,6 +53,7 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                                                    {.id = 2, .value = fillsAll},
                                                    {.id = 3, .value = target.mayBePaged},
                                                    {.id = 4, .value = largeTo},
+                                                   {.id = 5, .value = takesHeavy},
                                                    {.id = 11, .value = target.mayFold},
                                                    {.id = 14, .value = target.onlyShape}}});
     };
@@ -62,6 +63,7 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
     if (target.groupsDrawLarge) {
         const std::uint32_t toGroups = shared::largeToGroups;
         blades_ = pipeline("raster/blades", "raster_blades.comp", toGroups);
+        heavy_ = pipeline("raster/heavy blades", "raster_large.comp", untold, false, true);
         large_ = pipeline("raster/large blades", "raster_large.comp", untold);
         lateBlades_ = pipeline("raster/late blades", "list_late.comp", untold);
         surfaces_.emplace(context, target);
@@ -164,16 +166,18 @@ void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Turn 
         input.frame.bind(commands, pipeline.layout(), frameSet);
         pipeline.push(commands, push);
     };
-    // Those that frames have shown lately are as good as seen.
-    if (turn == Turn::late && input.findsHidden)
-        surfaces_->record(commands, push, input.frame, largeList_.counts(),
-                          LargeBladeList::offsetOfSurfaces());
-    if (target_.groupsDrawLarge) {
-        bind(turn == Turn::late ? lateLarge_ : large_);
-        if (turn == Turn::late)
-            largeList_.dispatchLate(commands);
-        else
-            largeList_.dispatch(commands);
+    if (target_.groupsDrawLarge && turn == Turn::late) {
+        bind(lateLarge_);
+        largeList_.dispatchLate(commands);
+    } else if (target_.groupsDrawLarge) {
+        bind(heavy_);
+        largeList_.dispatchHeavy(commands);
+        bind(large_);
+        largeList_.dispatch(commands);
+        // Those that frames have shown lately are as good as seen. As many work-groups as have
+        // listed them, which begin where the last ones that draw leave room.
+        if (input.findsHidden)
+            surfaces_->record(commands, push, input.frame, input.field->list().rounds().get(), 0);
     }
     bind(cut_);
     largeList_.dispatchCut(commands);

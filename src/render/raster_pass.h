@@ -87,7 +87,8 @@ private:
     gpu::ComputePipeline blades_;
     gpu::ComputePipeline smallBlades_; ///< leave large ones to the tessellator
     gpu::ComputePipeline large_;
-    gpu::ComputePipeline cut_; ///< those that reach through the near plane
+    gpu::ComputePipeline heavy_; ///< and those of them that are begun first
+    gpu::ComputePipeline cut_;   ///< those that reach through the near plane
     gpu::ComputePipeline lateBlades_;
     gpu::ComputePipeline lateLarge_; ///< leaves out what is hidden
     gpu::ComputePipeline depths_;

@@ -26,8 +26,8 @@ public:
 
     void describe(shared::RasterPush& push) const; ///< where shaders find it
 
-    /// Between a barrier from RasterPass::recordDepths() and one to the resolve; `groups` are the
-    /// VkDispatchIndirectCommand at `offset`.
+    /// Between a barrier from those who list large blades for their first turn and one to the
+    /// resolve; `groups` are the VkDispatchIndirectCommand at `offset`.
     void record(VkCommandBuffer commands, const shared::RasterPush& push, const FramePlace& frame,
                 VkBuffer groups, VkDeviceSize offset) const;
 
