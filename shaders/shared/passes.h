@@ -317,8 +317,8 @@ struct RasterPush {
                                ///< first of `cut`; then work-groups for the late turn, and how many
                                ///< of those that fill the ground's pyramid are done; then as at
                                ///< first of heavy ones
-    LargePartArray cut;    ///< those that are cut by the near plane
-    UintArray owners;      ///< patches that own blades, in the order of their blades
+    LargePartArray cut;        ///< those that are cut by the near plane
+    UintArray owners;          ///< patches that own blades, in the order of their blades
     UintArray firstOwners; ///< per ownerStride blades: index into `owners` of the first one's patch
 
     /// A bit for each quarter of each blade, by its resident id: whether a sample has shown

@@ -227,6 +227,28 @@ TEST_F(LargeBlades, OfManySegmentsLeaveNoneOut)
     }
 }
 
+/// More blades with much to draw than there is room for among heavy ones: the rest is listed with
+/// the others. With occlusion most of them are not drawn in a first turn, and are none.
+TEST_F(LargeBlades, ThatAreTooHeavyForTheirListAreDrawnAllTheSame)
+{
+    const field::Field field = test::makeField({.blades = 100'000,
+                                                .extent = 6.0f,
+                                                .heightLow = 1.3f,
+                                                .heightHigh = 2.5f,
+                                                .widthLow = 0.1f,
+                                                .widthHigh = 0.14f});
+    FieldRenderer renderer = askingRendererOf(field, 1);
+    FrameSettings settings = FrameSettings::of(field::viewOf(field));
+    settings.levelOfDetail = false;
+    Camera camera;
+    camera.eye = {0.0, 2.5, 6.0};
+    test::Picture picture(context(), 2u * size);
+    settings.cullMask &= ~shared::cullOcclusion;
+    picture.draw(renderer, camera, settings, 1.0);
+    EXPECT_GT(renderer.stats().drawn, 3u * shared::mostHeavyParts / 2u);
+    EXPECT_EQ(whatAskingChanges(renderer, camera, settings, 2u * size, 2), 0);
+}
+
 /// What some large blades hide of the others is not drawn, and is not seen: whatever is culled,
 /// with frames between them in which each blade is asked for, from above, and through the near
 /// plane.

@@ -1,9 +1,11 @@
 #include "apps/sward_view/bookmarks.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <fstream>
+#include <string>
 
 namespace sward::view {
 namespace {
@@ -13,7 +15,8 @@ protected:
     void TearDown() override { std::filesystem::remove_all(folder_); }
 
     const std::filesystem::path folder_ =
-        std::filesystem::path(testing::TempDir()) / "sward_bookmarks";
+        std::filesystem::path(testing::TempDir()) /
+        ("sward_bookmarks_" + std::to_string(::getpid())); // tests run beside one another
     const std::filesystem::path file_ = folder_ / "bookmarks.json";
 };
 
