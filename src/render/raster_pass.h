@@ -61,9 +61,9 @@ public:
                       Turn turn) const;
 
     /// Rasterises the large ones that have been listed, or has them tessellated. If blades hide
-    /// others, in the first turn those quarters that frames have shown lately, if they take
-    /// turns, those by shared::lateQuartersUnseen(), and in the late one what of all the rest the
-    /// frame's pyramid does not hide, while the surfaces of the first ones are kept. As above.
+    /// others, in the first turn those quarters that frames have shown lately, while their
+    /// surfaces are kept, if they take turns, those by shared::lateQuartersUnseen(), and in the
+    /// late one what of all the rest the frame's pyramid does not hide. As above.
     void recordLarge(VkCommandBuffer commands, const Input& input, Turn turn) const;
 
     /// Those of a pyramid; all of them once a frame.
