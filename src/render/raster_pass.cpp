@@ -177,7 +177,7 @@ void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Turn 
         // Those that frames have shown lately are as good as seen. As many work-groups as have
         // listed them, which begin where the last ones that draw leave room.
         if (input.findsHidden)
-            surfaces_->record(commands, push, input.frame, input.field->list().rounds().get(), 0);
+            surfaces_->record(commands, push, input.frame, input.field->list().rounds().get());
     }
     bind(cut_);
     largeList_.dispatchCut(commands);

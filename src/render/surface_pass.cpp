@@ -56,7 +56,7 @@ void SurfacePass::describe(shared::RasterPush& push) const
 }
 
 void SurfacePass::record(VkCommandBuffer commands, const shared::RasterPush& push,
-                         const FramePlace& frame, VkBuffer groups, VkDeviceSize offset) const
+                         const FramePlace& frame, VkBuffer groups) const
 {
     const auto found = pipelines_.find(shading_);
     expect(found != pipelines_.end(), "the pass has been prepared");
@@ -64,7 +64,7 @@ void SurfacePass::record(VkCommandBuffer commands, const shared::RasterPush& pus
     pipeline.bind(commands);
     frame.bind(commands, pipeline.layout(), frameSet);
     pipeline.push(commands, push);
-    vkCmdDispatchIndirect(commands, groups, offset);
+    vkCmdDispatchIndirect(commands, groups, 0);
 }
 
 } // namespace sward::render

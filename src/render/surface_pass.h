@@ -27,9 +27,9 @@ public:
     void describe(shared::RasterPush& push) const; ///< where shaders find it
 
     /// Between a barrier from those who list large blades for their first turn and one to the
-    /// resolve; `groups` are the VkDispatchIndirectCommand at `offset`.
+    /// resolve; `groups` begins with a VkDispatchIndirectCommand.
     void record(VkCommandBuffer commands, const shared::RasterPush& push, const FramePlace& frame,
-                VkBuffer groups, VkDeviceSize offset) const;
+                VkBuffer groups) const;
 
     VkDeviceSize bytes() const { return places_.bytes() + surfaces_.bytes(); }
 

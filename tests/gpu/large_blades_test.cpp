@@ -23,6 +23,17 @@ field::Field foldedThicket()
     return field;
 }
 
+/// Blades up to 2.5 m high, the tallest that are measured, on a square of side `extent` [m].
+field::Field tallGrass(std::uint32_t blades, float extent)
+{
+    return test::makeField({.blades = blades,
+                            .extent = extent,
+                            .heightLow = 1.3f,
+                            .heightHigh = 2.5f,
+                            .widthLow = 0.1f,
+                            .widthHigh = 0.14f});
+}
+
 class LargeBlades : public test::GpuTest {
 protected:
     static FieldRenderer rendererOf(const field::Field& field, Geometry geometry,
@@ -189,12 +200,7 @@ TEST_F(LargeBlades, WhicheverQuarterWasSeenBeforeThePictureIsTheSame)
 /// do one is found anew. Some hundreds of them stand here before the eye.
 TEST_F(LargeBlades, ThatShareAPlaceForTheirSurfacesHaveTheirOwn)
 {
-    const field::Field field = test::makeField({.blades = shared::surfacePlaceCount + 400'000,
-                                                .extent = 70.0f,
-                                                .heightLow = 1.3f,
-                                                .heightHigh = 2.5f,
-                                                .widthLow = 0.1f,
-                                                .widthHigh = 0.14f});
+    const field::Field field = tallGrass(shared::surfacePlaceCount + 400'000, 70.0f);
     FieldRenderer renderer = askingRendererOf(field, 1);
     Camera camera;
     camera.eye = {0.0, 3.9, 13.5};
@@ -210,12 +216,7 @@ TEST_F(LargeBlades, OfManySegmentsLeaveNoneOut)
 {
     for (const std::uint32_t samples : {1u, 4u}) {
         SCOPED_TRACE(testing::Message() << samples << " samples");
-        const field::Field field = test::makeField({.blades = 32'768,
-                                                    .extent = 12.0f,
-                                                    .heightLow = 1.3f,
-                                                    .heightHigh = 2.5f,
-                                                    .widthLow = 0.1f,
-                                                    .widthHigh = 0.14f});
+        const field::Field field = tallGrass(32'768, 12.0f);
         FieldRenderer renderer = askingRendererOf(field, samples);
         FrameSettings settings = FrameSettings::of(field::viewOf(field));
         settings.tessellationLevel = 64;
@@ -231,12 +232,7 @@ TEST_F(LargeBlades, OfManySegmentsLeaveNoneOut)
 /// the others. With occlusion most of them are not drawn in a first turn, and are none.
 TEST_F(LargeBlades, ThatAreTooHeavyForTheirListAreDrawnAllTheSame)
 {
-    const field::Field field = test::makeField({.blades = 100'000,
-                                                .extent = 6.0f,
-                                                .heightLow = 1.3f,
-                                                .heightHigh = 2.5f,
-                                                .widthLow = 0.1f,
-                                                .widthHigh = 0.14f});
+    const field::Field field = tallGrass(100'000, 6.0f);
     FieldRenderer renderer = askingRendererOf(field, 1);
     FrameSettings settings = FrameSettings::of(field::viewOf(field));
     settings.levelOfDetail = false;
