@@ -13,28 +13,46 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) coherent buffer Sha
     float at[];
 };
 
-/// All `threads` of a group come here together; the three finest levels are there.
+/// The level below, where a group has a thread for each of its cells: to have them from memory takes longer
+/// than all else.
+shared float cellsBelow[pyramidThreads * pyramidThreads];
+
+/// The farthest depth of the level below in cell `cell` of a level.
+float farthestBelow(SharedDepths depths, uint first, uvec2 below, uvec2 cell, bool isShared)
+{
+    const uvec2 low = cell << pyramidFactorBits;
+    float farthest = 1.0;
+    // All at once: waited for one by one they take ten times as long.
+    SHARED_UNROLL for (uint y = 0u; y < 1u << pyramidFactorBits; ++y)
+        SHARED_UNROLL for (uint x = 0u; x < 1u << pyramidFactorBits; ++x) {
+            const uvec2 part = min(low + uvec2(x, y), below - 1u);
+            const uint i = part.y * below.x + part.x;
+            farthest = min(farthest, isShared ? cellsBelow[i] : depths.at[first + i]);
+        }
+    return farthest;
+}
+
+/// All `threads` of a group, no more than cellsBelow has, come here together; the three finest levels are there.
 void putCoarseLevels(DepthPyramid pyramid, uint thread, uint threads)
 {
     SharedDepths depths = SharedDepths(uvec2(pyramid.depths));
+    bool isShared = false;
     for (uint level = pyramidFirstOfRest; level < pyramid.levels; ++level) {
         const uvec2 cells =
             uvec2(pyramidCells(pyramid.size.x, level), pyramidCells(pyramid.size.y, level));
         const uvec2 below = uvec2(pyramidCells(pyramid.size.x, level - 1u),
                                   pyramidCells(pyramid.size.y, level - 1u));
+        float farthest = 1.0;
         for (uint i = thread; i < cells.x * cells.y; i += threads) {
-            const uvec2 low = uvec2(i % cells.x, i / cells.x) << pyramidFactorBits;
-            const uvec2 last = below - 1u;
-            float farthest = 1.0;
-            // All at once: waited for one by one they take ten times as long.
-            SHARED_UNROLL for (uint y = 0u; y < 1u << pyramidFactorBits; ++y)
-                SHARED_UNROLL for (uint x = 0u; x < 1u << pyramidFactorBits; ++x) {
-                    const uvec2 cell = min(low + uvec2(x, y), last);
-                    farthest = min(farthest, depths.at[pyramid.first[level - 1u] + cell.y * below.x + cell.x]);
-                }
+            farthest = farthestBelow(depths, pyramid.first[level - 1u], below,
+                                     uvec2(i % cells.x, i / cells.x), isShared);
             depths.at[pyramid.first[level] + i] = farthest;
         }
         memoryBarrierBuffer();
+        barrier();
+        isShared = cells.x * cells.y <= threads;
+        if (isShared)
+            cellsBelow[thread] = farthest;
         barrier();
     }
 }

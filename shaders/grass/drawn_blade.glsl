@@ -54,10 +54,9 @@ DrawnBlade drawnBlade(VisibleBlade visible, Blade blade, BladeState state)
     return drawn;
 }
 
-DrawnBlade drawnBlade(VisibleBlade visible, Blade blade)
+BladeState stateOf(VisibleBlade visible)
 {
-    const uint turn = FRAME.states.at[placeOf(uvec2(FRAME.pages), visible.blade)];
-    return drawnBlade(visible, blade, BladeState(turn, 0.0));
+    return BladeState(FRAME.states.at[placeOf(uvec2(FRAME.pages), visible.blade)], 0.0);
 }
 
 /// As high as it is drawn.
@@ -70,7 +69,7 @@ Blade visibleBlade(VisibleBlade visible)
 
 DrawnBlade drawnBlade(VisibleBlade visible)
 {
-    return drawnBlade(visible, visibleBlade(visible));
+    return drawnBlade(visible, visibleBlade(visible), stateOf(visible));
 }
 
 #endif

@@ -39,6 +39,10 @@ layout(constant_id = 3) const uint role = moveAndJudge;
 layout(constant_id = 4) const bool keepsBefore = false;
 layout(constant_id = 5) const bool keepsEtas = false;
 layout(constant_id = 6) const bool asksSmall = false; // see askedSmallPixels
+layout(constant_id = 8) const uint patchesOfGroup = patchesTogether; // where there are many; or 1
+
+#include "shaders/grass/own_patches.glsl"
+#include "shaders/grass/seen_quarters.glsl"
 
 shared uint fateSums[fateCount]; // of all patches of the group
 shared uint simulatedSum;
@@ -163,26 +167,6 @@ void report(uint thread)
             atomicMax(JUDGED.draw.at[0].instanceCount,
                       (mostFilled[0] + drawChunk - 1u) / drawChunk);
     }
-}
-
-/// Whether it is asked for a blade of so many pixels if others hide it.
-bool isAsked(float pixels)
-{
-    return pixels > (asksSmall ? askedSmallPixels : askedPixels);
-}
-
-/// Which quarters of a blade that covers so many pixels have been seen, as RasterPush::seen has them. One
-/// of which nobody asks counts as seen.
-uint takeSeen(uint index, float pixels)
-{
-    if ((asks & cullOcclusion) == 0u || uvec2(push.seenBefore) == uvec2(0u) || !isAsked(pixels))
-        return allQuarters;
-    UintArray words = push.seenBefore;
-    const uint shift = quarters * (index % seenOfWord);
-    const uint seen = (words.at[index / seenOfWord] >> shift) & allQuarters;
-    if (seen != 0u && forgetsSeen(index, push.frame))
-        atomicAnd(words.at[index / seenOfWord], ~(allQuarters << shift));
-    return seen;
 }
 
 /// How many of a patch's blades any of the views asks for. What one of them asks for is moved in the
@@ -314,18 +298,21 @@ void updateBlade(Eyepoint view, Nature nature, uint slot, uint i, StoredBlade st
     if (role == onlyMove || push.onlyUpdate != 0u)
         return;
 
-    // Judge it, and keep it if it shall be drawn.
+    // Judge it, and keep it if it shall be drawn. Of one of which it is asked later whether something hides
+    // it nobody asks here whether the ground does. What has been seen is read now, to be there then.
+    const uint word = wordOfSeen(index);
     const Layers layers = layersOfSlot(slot);
     const Blade drawn = raised(blade, layers.rise);
     Verdict verdict = judgeBlade(view, layers, drawn, index, state, bladeRank(cell, i));
-    if (verdict.fate == fateDrawn && (view.cullMask & cullOcclusion) != 0u &&
+    const float pixels = pixelsCovered(drawn, verdict.pixels, verdict.widthFactor);
+    const bool isAskedLater = takesTurns() && isAsked(pixels);
+    if (verdict.fate == fateDrawn && (view.cullMask & cullOcclusion) != 0u && !isAskedLater &&
         isHidden(drawn.root, verdict.v1, verdict.v2, verdict.margin))
         verdict.fate = fateOcclusion;
     if (verdict.fate != fateDrawn) {
         atomicAdd(fateSums[verdict.fate], 1u);
     } else {
-        const float pixels = pixelsCovered(drawn, verdict.pixels, verdict.widthFactor);
-        const uint seen = takeSeen(index, pixels);
+        const uint seen = takeSeen(index, word, isAskedLater);
         const uint list = seen != 0u ? 0u : 1u;
         const uint place = atomicAdd(kept[list], 1u);
         survivors[list == 0u ? place : survivorRoom - 1u - place] =
@@ -403,22 +390,22 @@ void main()
     }
     const bool isAll = push.onlyUpdate != 0u;
     const uint begin = isAll ? 0u : push.firstLive;
+    // Those that a thread takes follow in steps; the first is read before it is known how many there are.
+    const uint step_ = areMany() ? 1u : gl_NumWorkGroups.x;
+    LivePatch live = liveAt(begin + firstOfTurn(0u) + step_ * thread);
     const uint end = isAll ? push.ownerCount
                            : min(push.levels.at[liveLevel].count, push.firstLive + push.mostLive);
-    const uint ofGroup = (max(end, begin) - begin + gl_NumWorkGroups.x - 1u) / gl_NumWorkGroups.x;
-    const uint last = min(begin + (gl_WorkGroupID.x + 1u) * ofGroup, end);
-    for (uint first = begin + gl_WorkGroupID.x * ofGroup; first < last; first += patchesTogether) {
-        const uint patches = min(last - first, patchesTogether);
+    for (uint turn = 0u; begin + firstOfTurn(turn) < end; ++turn) {
+        const uint first = begin + firstOfTurn(turn);
+        uint patches = 1u;
+        while (patches < patchesTogether && first + step_ * patches < end)
+            ++patches;
+        if (turn > 0u)
+            live = liveAt(first + step_ * thread);
         // Nobody looks at the patches before any more.
         barrier();
-        for (uint slot = thread; slot < patches; slot += gl_WorkGroupSize.x) {
-            LivePatch live = LivePatch(0u, 0u);
-            if (isAll)
-                live.patchIndex = push.owners.at[first + slot];
-            else
-                live = push.live.at[first + slot];
-            takePatch(view, live, slot);
-        }
+        if (thread < patches)
+            takePatch(view, live, thread);
         for (uint i = thread; hasColliders && i < patches * colliderWords; i += gl_WorkGroupSize.x)
             colliderBits[i] = 0u;
         barrier();

@@ -6,14 +6,24 @@
 #include "shaders/raster/large_part.glsl"
 #include "shaders/raster/seen_blade.glsl"
 
-/// RasterPush::surfaces, 16 bytes at a time: a BladeSurface has three, with SeenBlade::isAsked in the sign of
-/// the leaf area, which has none.
+/// RasterPush::surfaces, 16 bytes at a time: a BladeSurface has three, with SeenBlade::unnoted in the signs of
+/// its material's numbers, of which none is negative.
 layout(buffer_reference, scalar, buffer_reference_align = 16) buffer SurfaceQuarters
 {
     uvec4 at[];
 };
 
-const uint isAskedSign = 0x80000000u;
+const uint signBit = 0x80000000u;
+const uvec4 quarterPlaces = uvec4(0u, 1u, 2u, 3u);
+
+/// The quarters of a blade that have not been noted as seen, of those of which that is asked.
+uint unnotedOf(SeenBlade seen)
+{
+    if (seen.unnoted == 0u)
+        return 0u;
+    UintArray words = push.seen;
+    return seen.unnoted & ~(words.at[seen.blade / seenOfWord] >> (quarters * (seen.blade % seenOfWord)));
+}
 
 /// Keeps the surface of the blade that is listed at `slot`.
 void keepSurface(uint slot, SeenBlade seen)
@@ -24,7 +34,7 @@ void keepSurface(uint slot, SeenBlade seen)
     surfaces.at[3u * slot] = floatBitsToUint(seen.surface.root);
     surfaces.at[3u * slot + 1u] = floatBitsToUint(seen.surface.tip);
     surfaces.at[3u * slot + 2u] =
-        floatBitsToUint(seen.surface.material) | uvec4(0u, 0u, 0u, seen.isAsked ? isAskedSign : 0u);
+        floatBitsToUint(seen.surface.material) | ((uvec4(unnotedOf(seen)) << (31u - quarterPlaces)) & signBit);
 }
 
 /// Whether a surface is kept of what is listed for a first turn.
@@ -52,9 +62,10 @@ bool findKept(uint index, out SeenBlade seen)
     seen.ribbon = ribbonOf(blade);
     seen.surface.root = uintBitsToFloat(root);
     seen.surface.tip = uintBitsToFloat(tip);
-    seen.surface.material = uintBitsToFloat(material & uvec4(uvec3(~0u), ~isAskedSign));
+    seen.surface.material = uintBitsToFloat(material & ~signBit);
     seen.blade = index;
-    seen.isAsked = (material.w & isAskedSign) != 0u;
+    const uvec4 unnoted = (material >> 31u) << quarterPlaces;
+    seen.unnoted = unnoted.x | unnoted.y | unnoted.z | unnoted.w;
     return true;
 }
 

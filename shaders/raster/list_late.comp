@@ -40,10 +40,12 @@ LateBlade lateBlade(Lens lens, VisibleBlade visible)
     LateBlade own;
     own.visible = visible;
     own.segments = uvec2(0u);
+    // Read with the blade, which it would otherwise be waited for after.
+    const BladeState state = stateOf(visible);
     const Blade blade = visibleBlade(visible);
     if (listsThoseBeside() && isFarBeside(lens, visible, blade))
         return own;
-    own.ribbon = drawnBlade(visible, blade).ribbon;
+    own.ribbon = drawnBlade(visible, blade, state).ribbon;
     const float distance = length(own.ribbon.v0 - lens.eye) + blade.height;
     const float margin = marginBeside(own.ribbon.width, distance, lens.leastWidth);
     if (listsThoseBeside() && isBeside(own.ribbon, margin))

@@ -74,10 +74,12 @@ OwnBlade ownBlade(Lens lens, VisibleBlade visible)
     own.isHeavy = false;
     own.parts = 0u;
     own.segments = uvec2(0u);
+    // Read with the blade, which it would otherwise be waited for after.
+    const BladeState state = stateOf(visible);
     const Blade blade = visibleBlade(visible);
     if (listsThoseBeside() && isFarBeside(lens, visible, blade))
         return own;
-    own.ribbon = drawnBlade(visible, blade).ribbon;
+    own.ribbon = drawnBlade(visible, blade, state).ribbon;
     const float margin = marginBeside(own.ribbon.width, length(own.ribbon.v0 - lens.eye) + blade.height,
                                       lens.leastWidth);
     if (listsThoseBeside() && isBeside(own.ribbon, margin))

@@ -25,13 +25,16 @@ SeenBlade seenBlade(uint index)
 /// In the next frame one quarter of the blade counts as seen, if that is asked of it. `along`: 0 at its root.
 void noteSeen(SeenBlade blade, float along)
 {
-    if (!blade.isAsked)
+    if (blade.unnoted == 0u)
         return;
     UintArray seen = push.seen;
     const float segments = blade.ribbon.outline.segments;
     const float segment = min(floor(max(along, 0.0) * segments), segments - 1.0);
+    const uint quarter = quarterOf(segment, segments);
+    if ((blade.unnoted & (1u << quarter)) == 0u)
+        return;
     const uint word = blade.blade / seenOfWord;
-    const uint bit = 1u << (quarters * (blade.blade % seenOfWord) + quarterOf(segment, segments));
+    const uint bit = 1u << (quarters * (blade.blade % seenOfWord) + quarter);
     if ((seen.at[word] & bit) == 0u)
         atomicOr(seen.at[word], bit);
 }

@@ -34,7 +34,7 @@ struct SeenBlade {
     Ribbon ribbon;
     BladeSurface surface;
     uint blade;   ///< resident id
-    bool isAsked; ///< whether its quarters count as seen in the next frame
+    uint unnoted; ///< quarters that count as seen in the next frame if they are, and do not yet
 };
 
 /// Posed and coloured from what is stored of it.
@@ -56,8 +56,9 @@ SeenBlade freshBlade(uint index)
     seen.ribbon = drawn.ribbon;
     seen.surface = bladeSurface(drawn, visible, layers);
     seen.blade = index;
-    seen.isAsked = uvec2(push.seen) != uvec2(0u) &&
-                   pixelsCovered(blade, visible.pixels, widthFactorOf(visible)) > askedSmallPixels;
+    const bool isAsked = uvec2(push.seen) != uvec2(0u) &&
+                         pixelsCovered(blade, visible.pixels, widthFactorOf(visible)) > askedSmallPixels;
+    seen.unnoted = isAsked ? allQuarters : 0u;
     return seen;
 }
 

@@ -10,12 +10,13 @@ float cloudAt(vec3 place)
 {
     // Octaves of noise, the finer ones pulled out along the wind. Half of the places have more than 0.48.
     const float least = mix(0.72, 0.34, FRAME.clouds);
+    const float finest = 1.0 / 32.0;
     float sum = 0.0;
     float weight = 0.5;
     for (uint octave = 0u; octave < 5u; ++octave) {
         sum += weight * valueNoise(place);
-        // What is still to come is less than this octave could be.
-        if (sum + weight <= least)
+        // What is still to come is less than this octave could be, by the finest one's weight.
+        if (sum + weight - finest <= least)
             return 0.0;
         place = 2.13 * place.yzx + vec3(3.7, 11.1, 5.3);
         weight *= 0.5;

@@ -82,8 +82,10 @@ void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, std::uint32
 void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, const RasterPass::Input& input,
                                            gpu::Timestamps* timestamps)
 {
-    const PassScope scope(context, commands, timestamps, "pyramid");
-    raster->recordDepths(commands, input, RasterPass::Levels::all);
+    {
+        const PassScope scope(context, commands, timestamps, "pyramid");
+        raster->recordDepths(commands, input, RasterPass::Levels::all);
+    }
     gpu::computeToCompute(commands);
 }
 
@@ -131,16 +133,19 @@ void FieldRenderer::Parts::makePicture(VkCommandBuffer commands, const Target& t
         resolve->recordTiles(commands, push);
         solidRaster->recordLight(commands, input.frame, raster->visibility(), resolve->sorted());
     }
-    const PassScope scope(context, commands, timestamps, "resolve");
     const ImageUse filled =
         settings.storesIntoTargets ? ImageUse::storage : ImageUse::transferTarget;
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, ImageUse::colorTarget,
                     filled);
+    gpu::computeToCompute(commands);
     if (settings.storesIntoTargets)
         resolve->aim(slot, target.stored);
-    resolve->record(commands, push, input.frame, slot);
-    if (!settings.storesIntoTargets)
-        resolve->copyTo(commands, target.image);
+    {
+        const PassScope scope(context, commands, timestamps, "resolve");
+        resolve->record(commands, push, input.frame, slot);
+        if (!settings.storesIntoTargets)
+            resolve->copyTo(commands, target.image);
+    }
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, filled,
                     ImageUse::colorTarget);
 }

@@ -153,7 +153,6 @@ void ResolvePass::record(VkCommandBuffer commands, const shared::RasterPush& pus
     const Images& images = images_[slot];
     const auto found = parts_.find(shading_);
     expect(found != parts_.end(), "the resolve has been prepared");
-    gpu::computeToCompute(commands);
     if (!target_.storesIntoTargets)
         gpu::transition(commands, picture_, gpu::ImageUse::undefined, gpu::ImageUse::storage);
     for (const Part& part : found->second) {

@@ -58,7 +58,8 @@ void UpdateCullPass::prepare(const gpu::ShaderLibrary& shaders, Variant variant)
                                     {.id = 4, .value = variant.keepsBefore},
                                     {.id = 5, .value = variant.keepsEtas},
                                     {.id = 6, .value = variant.asksSmall},
-                                    {.id = 7, .value = variant.asks}}}));
+                                    {.id = 7, .value = variant.asks},
+                                    {.id = 8, .value = patchesOfGroup(*context_)}}}));
 }
 
 void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& blades,

@@ -1,0 +1,34 @@
+// Which of the live patches a work-group of the update has. The including stage has a push constant `push` of
+// type UpdatePush, and says by `patchesOfGroup` how many it takes together where there are many.
+#ifndef SWARD_OWN_PATCHES_GLSL
+#define SWARD_OWN_PATCHES_GLSL
+
+#include "shaders/shared/passes.h"
+
+/// Whether there are so many live patches that a work-group takes neighbours, and not some from everywhere.
+bool areMany()
+{
+    return patchesOfGroup > 1u && gl_NumWorkGroups.x > updateGroupsFrom;
+}
+
+/// Which of a work-group's live patches is the first of those that it takes together for the `turn`th time.
+uint firstOfTurn(uint turn)
+{
+    const uint before = turn * patchesTogether * gl_NumWorkGroups.x;
+    return before + (areMany() ? patchesOfGroup : 1u) * gl_WorkGroupID.x;
+}
+
+/// What is known of the live patch that stands there in the list; nothing beyond its room.
+LivePatch liveAt(uint place)
+{
+    LivePatch live = LivePatch(0u, 0u);
+    if (gl_LocalInvocationIndex < patchesTogether && place < push.ownerCount) {
+        if (push.onlyUpdate != 0u)
+            live.patchIndex = push.owners.at[place];
+        else
+            live = push.live.at[place];
+    }
+    return live;
+}
+
+#endif

@@ -1,0 +1,42 @@
+// What has been seen of a blade lately decides in which turn it is drawn. The including stage has a push
+// constant `push` of type UpdatePush, and says by `asks` and `asksSmall` what frames ask for.
+#ifndef SWARD_SEEN_QUARTERS_GLSL
+#define SWARD_SEEN_QUARTERS_GLSL
+
+#include "shaders/shared/passes.h"
+
+/// Whether it is asked for a blade of so many pixels if others hide it.
+bool isAsked(float pixels)
+{
+    return pixels > (asksSmall ? askedSmallPixels : askedPixels);
+}
+
+/// Whether blades are drawn in turns by what has been seen of them.
+bool takesTurns()
+{
+    return (asks & cullOcclusion) != 0u && uvec2(push.seenBefore) != uvec2(0u);
+}
+
+/// The word of RasterPush::seen that a blade has a part of.
+uint wordOfSeen(uint index)
+{
+    if (!takesTurns())
+        return 0u;
+    UintArray words = push.seenBefore;
+    return words.at[index / seenOfWord];
+}
+
+/// Which quarters of a blade have been seen, as its `word` says. One of which nobody asks counts as seen.
+uint takeSeen(uint index, uint word, bool isAskedLater)
+{
+    if (!isAskedLater)
+        return allQuarters;
+    UintArray words = push.seenBefore;
+    const uint shift = quarters * (index % seenOfWord);
+    const uint seen = (word >> shift) & allQuarters;
+    if (seen != 0u && forgetsSeen(index, push.frame))
+        atomicAnd(words.at[index / seenOfWord], ~(allQuarters << shift));
+    return seen;
+}
+
+#endif
