@@ -390,7 +390,7 @@ void main()
     }
     const bool isAll = push.onlyUpdate != 0u;
     const uint begin = isAll ? 0u : push.firstLive;
-    // Those that a thread takes follow in steps; the first is read before it is known how many there are.
+    // Those that a work-group takes follow in steps; the first are read before it is known how many there are.
     const uint step_ = areMany() ? 1u : gl_NumWorkGroups.x;
     LivePatch live = liveAt(begin + firstOfTurn(0u) + step_ * thread);
     const uint end = isAll ? push.ownerCount
