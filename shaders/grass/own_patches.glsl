@@ -1,5 +1,6 @@
 // Which of the live patches a work-group of the update has. The including stage has a push constant `push` of
-// type UpdatePush, and says by `patchesOfGroup` how many it takes together where there are many.
+// type UpdatePush, and says by `patchesOfGroup` whether it takes neighbours
+// together where there are many (patchesTogether), or never does (1).
 #ifndef SWARD_OWN_PATCHES_GLSL
 #define SWARD_OWN_PATCHES_GLSL
 
@@ -15,7 +16,7 @@ bool areMany()
 uint firstOfTurn(uint turn)
 {
     const uint before = turn * patchesTogether * gl_NumWorkGroups.x;
-    return before + (areMany() ? patchesOfGroup : 1u) * gl_WorkGroupID.x;
+    return before + (areMany() ? patchesTogether : 1u) * gl_WorkGroupID.x;
 }
 
 /// What is known of the live patch that stands there in the list; nothing beyond its room.

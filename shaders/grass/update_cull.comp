@@ -39,7 +39,7 @@ layout(constant_id = 3) const uint role = moveAndJudge;
 layout(constant_id = 4) const bool keepsBefore = false;
 layout(constant_id = 5) const bool keepsEtas = false;
 layout(constant_id = 6) const bool asksSmall = false; // see askedSmallPixels
-layout(constant_id = 8) const uint patchesOfGroup = patchesTogether; // where there are many; or 1
+layout(constant_id = 8) const uint patchesOfGroup = patchesTogether; // or 1; see own_patches.glsl
 
 #include "shaders/grass/own_patches.glsl"
 #include "shaders/grass/seen_quarters.glsl"
