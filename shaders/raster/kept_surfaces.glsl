@@ -13,8 +13,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 16) buffer SurfaceQuar
     uvec4 at[];
 };
 
-const uint signBit = 0x80000000u;
-const uvec4 quarterPlaces = uvec4(0u, 1u, 2u, 3u);
+const uint signBit = 0x80000000u; // see signOfQuarter()
 
 /// The quarters of a blade that have not been noted as seen, of those of which that is asked.
 uint unnotedOf(SeenBlade seen)
@@ -22,7 +21,7 @@ uint unnotedOf(SeenBlade seen)
     if (seen.unnoted == 0u)
         return 0u;
     UintArray words = push.seen;
-    return seen.unnoted & ~(words.at[seen.blade / seenOfWord] >> (quarters * (seen.blade % seenOfWord)));
+    return unnotedQuarters(seen.unnoted, words.at[seen.blade / seenOfWord], seen.blade);
 }
 
 /// Keeps the surface of the blade that is listed at `slot`.
@@ -33,8 +32,10 @@ void keepSurface(uint slot, SeenBlade seen)
     SurfaceQuarters surfaces = SurfaceQuarters(uvec2(push.surfaces));
     surfaces.at[3u * slot] = floatBitsToUint(seen.surface.root);
     surfaces.at[3u * slot + 1u] = floatBitsToUint(seen.surface.tip);
+    const uint unnoted = unnotedOf(seen);
     surfaces.at[3u * slot + 2u] =
-        floatBitsToUint(seen.surface.material) | ((uvec4(unnotedOf(seen)) << (31u - quarterPlaces)) & signBit);
+        floatBitsToUint(seen.surface.material) | uvec4(signOfQuarter(unnoted, 0u), signOfQuarter(unnoted, 1u),
+                                                       signOfQuarter(unnoted, 2u), signOfQuarter(unnoted, 3u));
 }
 
 /// Whether a surface is kept of what is listed for a first turn.
@@ -64,8 +65,8 @@ bool findKept(uint index, out SeenBlade seen)
     seen.surface.tip = uintBitsToFloat(tip);
     seen.surface.material = uintBitsToFloat(material & ~signBit);
     seen.blade = index;
-    const uvec4 unnoted = (material >> 31u) << quarterPlaces;
-    seen.unnoted = unnoted.x | unnoted.y | unnoted.z | unnoted.w;
+    seen.unnoted = quarterOfSign(material.x, 0u) | quarterOfSign(material.y, 1u) | quarterOfSign(material.z, 2u) |
+                   quarterOfSign(material.w, 3u);
     return true;
 }
 

@@ -34,7 +34,7 @@ void noteSeen(SeenBlade blade, float along)
     if ((blade.unnoted & (1u << quarter)) == 0u)
         return;
     const uint word = blade.blade / seenOfWord;
-    const uint bit = 1u << (quarters * (blade.blade % seenOfWord) + quarter);
+    const uint bit = seenBit(blade.blade, quarter);
     if ((seen.at[word] & bit) == 0u)
         atomicOr(seen.at[word], bit);
 }

@@ -305,6 +305,31 @@ SHARED_CONST uint surfacePlaceCount = 1048576u;
 /// Blades that share a word of RasterPush::seen.
 SHARED_CONST uint seenOfWord = 32u / quarters;
 
+/// The bit of a quarter of a blade in its word of RasterPush::seen.
+SHARED_FN uint seenBit(uint blade, uint quarter)
+{
+    return 1u << (quarters * (blade % seenOfWord) + quarter);
+}
+
+/// Those of some quarters of a blade that its `word` does not have as seen.
+SHARED_FN uint unnotedQuarters(uint some, uint word, uint blade)
+{
+    return some & ~(word >> (quarters * (blade % seenOfWord)));
+}
+
+/// Some quarters in the signs of four numbers of which none is negative: what is set in the `i`th
+/// of them, …
+SHARED_FN uint signOfQuarter(uint some, uint i)
+{
+    return ((some >> i) & 1u) << 31u;
+}
+
+/// … and what its bits say.
+SHARED_FN uint quarterOfSign(uint bits, uint i)
+{
+    return (bits >> 31u) << i;
+}
+
 struct RasterPush {
     FrameArray frame;
     FrameArray judged; ///< by whose camera the visible blades were listed
