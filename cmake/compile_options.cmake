@@ -7,6 +7,10 @@ target_compile_options(sward_options INTERFACE
   -Wnon-virtual-dtor -Woverloaded-virtual
   # The same roots on every CPU: no fused multiply-add that the source does not spell out.
   -ffp-contract=off)
+# Where several sources are compiled as one, what one of them names shadows nothing in another.
+if(CMAKE_UNITY_BUILD)
+  target_compile_options(sward_options INTERFACE -Wno-shadow)
+endif()
 if(SWARD_WERROR)
   target_compile_options(sward_options INTERFACE -Werror)
 endif()

@@ -1,5 +1,5 @@
-# Every find_package of the project, in one place. All of it is packaged by Debian 12
-# (scripts/install-dependencies holds the list).
+# Every find_package of the project, in one place. All of it is packaged by Debian 12 and
+# 13 (scripts/install-dependencies holds the lists).
 
 find_package(Threads REQUIRED)
 find_package(Vulkan REQUIRED)
@@ -11,7 +11,15 @@ find_package(CLI11 REQUIRED)
 find_package(glfw3 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(embree 3 REQUIRED)
-find_package(OpenMesh REQUIRED)
+# scripts/install-dependencies unpacks OpenMesh's headers; otherwise their package is installed.
+set(openmesh ${CMAKE_SOURCE_DIR}/build/packages/openmesh)
+if(EXISTS ${openmesh}/done)
+  add_library(OpenMeshCore SHARED IMPORTED)
+  set_target_properties(OpenMeshCore PROPERTIES IMPORTED_LOCATION ${openmesh}/libOpenMeshCore.so
+    INTERFACE_INCLUDE_DIRECTORIES ${openmesh}/usr/include)
+else()
+  find_package(OpenMesh REQUIRED)
+endif()
 find_package(TinyGLTF REQUIRED)
 find_package(PNG REQUIRED)
 find_package(meshoptimizer REQUIRED)

@@ -19,7 +19,7 @@ using nlohmann::json;
 constexpr const char* extensionName = "KHR_draco_mesh_compression";
 
 // Triangles of all primitives of a file together: what decoding them may cost in memory.
-constexpr std::uint64_t triangleLimit = 25'000'000;
+constexpr std::uint64_t dracoTriangleLimit = 25'000'000;
 
 // What comes out of all of them [bytes].
 constexpr std::uint64_t byteLimit = std::uint64_t(2) << 30;
@@ -120,9 +120,9 @@ private:
             return;
 
         const std::uint64_t corners = primitive.part(indices).requiredCount("count");
-        if (corners == 0 || corners % 3 != 0 || corners / 3 > triangleLimit - decoded_)
+        if (corners == 0 || corners % 3 != 0 || corners / 3 > dracoTriangleLimit - decoded_)
             primitive.failHere("{}: {} indices, which are no triangles or more than {} in all",
-                               extensionName, corners, triangleLimit);
+                               extensionName, corners, dracoTriangleLimit);
         decoded_ += corners / 3;
         const DracoGeometry geometry =
             decodeDraco(bytesOf(primitive, view), corners / 3, wanted,

@@ -75,18 +75,18 @@ std::string firstLine(const std::string& text)
     return text.substr(0, text.find('\n'));
 }
 
-tinygltf::Model parseStructure(const std::string& json, const std::string& place)
+tinygltf::Model parseStructure(const std::string& text, const std::string& place)
 {
-    if (json.size() > std::numeric_limits<std::uint32_t>::max())
-        fail(ErrorKind::unsupported, "{}: {} bytes of JSON", place, json.size());
+    if (text.size() > std::numeric_limits<std::uint32_t>::max())
+        fail(ErrorKind::unsupported, "{}: {} bytes of JSON", place, text.size());
     tinygltf::TinyGLTF reader;
     tinygltf::Model model;
     std::string error;
     std::string warning;
     bool read = false;
     try {
-        read = reader.LoadASCIIFromString(&model, &error, &warning, json.data(),
-                                          static_cast<unsigned>(json.size()), "");
+        read = reader.LoadASCIIFromString(&model, &error, &warning, text.data(),
+                                          static_cast<unsigned>(text.size()), "");
     } catch (const std::exception& caught) {
         fail(ErrorKind::input, "{}: {}", place, caught.what());
     }

@@ -9,11 +9,11 @@ namespace {
 
 float sampleAt(const unsigned char* bytes, bool isWide)
 {
-    std::uint16_t wide = 0;
+    std::uint16_t value = 0;
     if (!isWide)
         return static_cast<float>(*bytes);
-    std::memcpy(&wide, bytes, sizeof wide);
-    return static_cast<float>(wide);
+    std::memcpy(&value, bytes, sizeof value);
+    return static_cast<float>(value);
 }
 
 } // namespace

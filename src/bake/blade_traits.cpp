@@ -16,8 +16,6 @@
 namespace sward::bake {
 namespace {
 
-constexpr double twoPi = 6.28318530717958648;
-
 // The random numbers of one blade, its own and its clump's.
 class Dice {
 public:
@@ -98,7 +96,8 @@ glm::dvec3 chooseFront(const terrain::GroundMesh& ground, glm::dvec3 up, glm::dv
         middle = flattened(clump->direction(ground), up);
         freedom = sharedFreedom;
     }
-    const double spread = middle ? twoPi * (1.0 - (1.0 - freedom) * species.clumping) : twoPi;
+    const double spread =
+        middle ? exactTwoPi * (1.0 - (1.0 - freedom) * species.clumping) : exactTwoPi;
     const glm::dvec3 ahead = middle.value_or(tangent);
     const SinCos turn = exactSinCos((dice.own(Dimension::facing) - 0.5) * spread);
     return turn.cos * ahead + turn.sin * glm::cross(up, ahead);
@@ -110,7 +109,7 @@ float facingOf(glm::vec3 up, glm::dvec3 axis)
     const glm::vec3 decoded = shared::decodeOctahedral(shared::encodeOctahedral(up));
     const double angle = exactAtan2(glm::dot(axis, glm::dvec3(shared::bitangentOf(decoded))),
                                     glm::dot(axis, glm::dvec3(shared::tangentOf(decoded))));
-    return static_cast<float>(angle < 0.0 ? angle + twoPi : angle);
+    return static_cast<float>(angle < 0.0 ? angle + exactTwoPi : angle);
 }
 
 // Barycentric weights of the second and third corner at a point of a triangle's plane.

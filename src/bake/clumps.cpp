@@ -27,7 +27,6 @@ constexpr double mostClumps = 2e6;
 constexpr double reachShare = 1.5;
 
 constexpr std::size_t trianglesPerBlock = 8192;
-constexpr double twoPi = 6.28318530717958648;
 
 // Cells are twice as wide as the reach, so that what is in reach of a place lies in two of them
 // along each axis.
@@ -55,7 +54,7 @@ glm::dvec3 Clumps::Clump::direction(const terrain::GroundMesh& ground) const
     const glm::dvec3 tangent = surfaceTangent(normal, glm::dvec3(ground.positions[corners.x]),
                                               glm::dvec3(ground.positions[corners.y]),
                                               glm::dvec3(ground.positions[corners.z]));
-    const SinCos turn = exactSinCos(twoPi * uniform(key, 0, 3));
+    const SinCos turn = exactSinCos(exactTwoPi * uniform(key, 0, 3));
     return turn.cos * tangent + turn.sin * glm::cross(normal, tangent);
 }
 

@@ -14,7 +14,6 @@ namespace sward::bake {
 namespace {
 
 constexpr double goldenAngle = 2.39996322972865332;
-constexpr double twoPi = 6.28318530717958648;
 
 // Rays leave the surface by this share of their length, so that the root's neighbours do not catch
 // them.
@@ -47,7 +46,7 @@ double Exposure::at(const RootSample& root) const
     const auto random = [&](Dimension dimension) {
         return uniform(seed_, keyBits(keyOf(ground_, root)), static_cast<std::uint32_t>(dimension));
     };
-    const SinCos turn = exactSinCos(twoPi * random(Dimension::rayTurn));
+    const SinCos turn = exactSinCos(exactTwoPi * random(Dimension::rayTurn));
     const double shift = random(Dimension::raySlope);
     const glm::dvec3 tangent = turn.cos * along + turn.sin * glm::cross(normal, along);
     const glm::dvec3 bitangent = glm::cross(normal, tangent);

@@ -12,6 +12,9 @@ struct SinCos {
     double cos;
 };
 
+/// 2 π, rounded to double.
+inline constexpr double exactTwoPi = 6.28318530717958648;
+
 /// Sine and cosine of `radians`, |radians| ≤ 1e6; absolute error below 1e-10.
 SinCos exactSinCos(double radians);
 

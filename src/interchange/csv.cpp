@@ -11,12 +11,12 @@
 namespace sward::interchange {
 namespace {
 
-constexpr std::string_view header =
+constexpr std::string_view csvHeader =
     "id,x,y,z,ux,uy,uz,facing,height,width,stiffness,species,exposure,tint_r,tint_g,tint_b,clump,"
     "patch\n";
 
 // Rows are gathered until this many bytes, so that a million of them are few writes.
-constexpr std::size_t writeSize = std::size_t(1) << 20;
+constexpr std::size_t csvWriteSize = std::size_t(1) << 20;
 
 void appendRow(fmt::memory_buffer& text, std::uint64_t id, const glm::dvec3& origin,
                const shared::Blade& blade, std::uint32_t patch)
@@ -36,14 +36,14 @@ void writeCsv(const field::FieldView& field, const std::filesystem::path& path,
               const ExportSettings& settings, Progress& progress)
 {
     AtomicFile file(path, settings.overwrite);
-    file.write(header);
+    file.write(csvHeader);
     progress.begin("export", field.blades.size());
     fmt::memory_buffer text;
     for (std::uint32_t p = 0; p < field.patches.size(); ++p) {
         const shared::Patch& patch = field.patches[p];
         for (std::size_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i)
             appendRow(text, field.idOf(i), field.origin, bladeOf(field, p, i, settings.source), p);
-        if (text.size() >= writeSize) {
+        if (text.size() >= csvWriteSize) {
             file.write(std::string_view(text.data(), text.size()));
             text.clear();
         }

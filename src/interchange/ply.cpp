@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t longestComment = 200;
 
 // Points are gathered until this many bytes, so that a million of them are few writes.
-constexpr std::size_t writeSize = std::size_t(1) << 20;
+constexpr std::size_t plyWriteSize = std::size_t(1) << 20;
 
 // "comment …" lines of a text that may have lines of its own.
 std::string commentLines(std::string_view text)
@@ -105,7 +105,7 @@ void writePly(const field::FieldView& field, const std::filesystem::path& path,
         const shared::Patch& patch = field.patches[p];
         for (std::size_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i)
             points.addBlade(bladeOf(field, p, i, settings.source), field.origin, field.idOf(i));
-        if (points.size() >= writeSize)
+        if (points.size() >= plyWriteSize)
             points.writeTo(file);
         progress.advance(patch.bladeCount);
     }

@@ -14,7 +14,7 @@ namespace {
 /// Segments of a blade at most, unless they are fixed: what a blade of 0.3 m, bent to half its
 /// height, takes 1.1 m away at 1080 rows of pixels to stray by no more than a quarter of one. As
 /// many as in a reference picture, and as a work-group of the rasteriser's looks at together.
-constexpr std::uint32_t mostSegments = 16;
+constexpr std::uint32_t defaultMaxSegments = 16;
 
 glm::vec3 unitOr(glm::vec3 v, glm::vec3 otherwise)
 {
@@ -154,7 +154,7 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     frame.view.mostLayers = settings.levelOfDetail ? settings.mostLayers : 0.0f;
     frame.view.mostEdgeOn = settings.mostEdgeOn.value_or(
         frame.view.leastWidth > 0.0f ? 1.0f : shared::paperEdgeOnCosine);
-    frame.maxTessellation = mostSegments;
+    frame.maxTessellation = defaultMaxSegments;
     frame.fixedTessellation = static_cast<float>(settings.tessellationLevel);
 
     frame.levelSteps = levelStepsOf(settings.levelSteps);

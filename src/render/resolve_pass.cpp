@@ -16,7 +16,7 @@ constexpr VkFormat pictureFormat = VK_FORMAT_R8G8B8A8_UNORM;
 
 /// Sets of descriptors: what has been lit, the frame, and the picture where that is filtered.
 constexpr std::uint32_t litSet = 0;
-constexpr std::uint32_t frameSet = 1;
+constexpr std::uint32_t resolveFrameSet = 1;
 constexpr std::uint32_t filmSet = 2;
 
 /// What a list's tiles may show.
@@ -162,7 +162,7 @@ void ResolvePass::record(VkCommandBuffer commands, const shared::RasterPush& pus
         if (target_.samples > 1)
             images.film.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, part.pipeline.layout(),
                              filmSet);
-        frame.bind(commands, part.pipeline.layout(), frameSet);
+        frame.bind(commands, part.pipeline.layout(), resolveFrameSet);
         part.pipeline.push(commands, push);
         if (part.list == shared::tileLists) {
             vkCmdDispatch(commands, shared::tilesAlong(size_.width, shared::rasterTile),

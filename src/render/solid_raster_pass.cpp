@@ -12,7 +12,7 @@ namespace sward::render {
 namespace {
 
 /// The set of descriptors that holds the frame.
-constexpr std::uint32_t frameSet = 1;
+constexpr std::uint32_t solidFrameSet = 1;
 
 // A thread of a work-group for each triangle of a cluster.
 static_assert(shared::clusterTriangles <= shared::solidThreads);
@@ -147,13 +147,13 @@ void SolidRasterPass::recordTriangles(VkCommandBuffer commands, const FramePlace
     const shared::SolidPush push = pushFor(frame, visibility);
     if (ground_->clusterCount() > 0) {
         triangles_.bind(commands);
-        frame.bind(commands, triangles_.layout(), frameSet);
+        frame.bind(commands, triangles_.layout(), solidFrameSet);
         triangles_.push(commands, push);
         vkCmdDispatch(commands, std::min(ground_->clusterCount(), shared::mostSolidGroups), 1, 1);
     }
     if (colliderTriangles_ > 0) {
         colliders_.bind(commands);
-        frame.bind(commands, colliders_.layout(), frameSet);
+        frame.bind(commands, colliders_.layout(), solidFrameSet);
         colliders_.push(commands, push);
         vkCmdDispatch(
             commands,
@@ -162,11 +162,11 @@ void SolidRasterPass::recordTriangles(VkCommandBuffer commands, const FramePlace
     }
     gpu::computeToCompute(commands);
     middle_.bind(commands);
-    frame.bind(commands, middle_.layout(), frameSet);
+    frame.bind(commands, middle_.layout(), solidFrameSet);
     middle_.push(commands, push);
     vkCmdDispatchIndirect(commands, work_.get(), offsetof(shared::SolidWork, middle));
     large_.bind(commands);
-    frame.bind(commands, large_.layout(), frameSet);
+    frame.bind(commands, large_.layout(), solidFrameSet);
     large_.push(commands, push);
     vkCmdDispatchIndirect(commands, work_.get(), offsetof(shared::SolidWork, tiles));
 }
@@ -182,7 +182,7 @@ void SolidRasterPass::recordLight(VkCommandBuffer commands, const FramePlace& fr
     push.tiles = tiles != nullptr ? tiles->address() : 0;
     gpu::transition(commands, lit_, gpu::ImageUse::undefined, gpu::ImageUse::storage);
     light.bind(commands);
-    frame.bind(commands, light.layout(), frameSet);
+    frame.bind(commands, light.layout(), solidFrameSet);
     for (const gpu::ImageSet& set : images_) {
         // The next one adds to what this one has stored.
         if (push.firstImage > 0)

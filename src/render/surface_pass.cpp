@@ -8,7 +8,7 @@ namespace sward::render {
 namespace {
 
 /// The set of descriptors that holds the frame.
-constexpr std::uint32_t frameSet = 0;
+constexpr std::uint32_t surfaceFrameSet = 0;
 
 constexpr VkDeviceSize wordsOfSurface = 12;
 
@@ -62,7 +62,7 @@ void SurfacePass::record(VkCommandBuffer commands, const shared::RasterPush& pus
     expect(found != pipelines_.end(), "the pass has been prepared");
     const gpu::ComputePipeline& pipeline = found->second;
     pipeline.bind(commands);
-    frame.bind(commands, pipeline.layout(), frameSet);
+    frame.bind(commands, pipeline.layout(), surfaceFrameSet);
     pipeline.push(commands, push);
     vkCmdDispatchIndirect(commands, groups, 0);
 }

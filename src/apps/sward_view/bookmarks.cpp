@@ -15,11 +15,12 @@
 namespace sward::view {
 namespace {
 
-constexpr std::size_t largestFile = 1u << 20; ///< [bytes] ninety cameras take a fiftieth of it
+constexpr std::size_t largestBookmarksFile =
+    1u << 20; ///< [bytes] ninety cameras take a fiftieth of it
 
 std::map<std::string, Bookmarks::Numbered> readBookmarks(const std::filesystem::path& file)
 {
-    const std::vector<std::byte> bytes = readFile(file, largestFile);
+    const std::vector<std::byte> bytes = readFile(file, largestBookmarksFile);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     const nlohmann::json json = parseJson(text, file.string());
     std::map<std::string, Bookmarks::Numbered> all;

@@ -13,9 +13,9 @@
 namespace sward::view {
 namespace {
 
-constexpr double largestPlace = 1e12;         ///< [m], far beyond the Moon
-constexpr std::size_t largestFile = 1u << 20; ///< [bytes] a camera takes a hundred
-constexpr double alongUpCosine = 0.99999;     ///< within 0.25 degrees of the up-vector
+constexpr double largestPlace = 1e12;               ///< [m], far beyond the Moon
+constexpr std::size_t largestCameraFile = 1u << 20; ///< [bytes] a camera takes a hundred
+constexpr double alongUpCosine = 0.99999;           ///< within 0.25 degrees of the up-vector
 
 // A camera needs a direction, and another one for up.
 void checkDirections(const render::Camera& camera, const std::string& place)
@@ -50,7 +50,7 @@ render::Camera readCamera(SettingsReader& reader, const std::string& place, glm:
 
 render::Camera readCamera(const std::filesystem::path& path, glm::vec3 up)
 {
-    const std::vector<std::byte> bytes = readFile(path, largestFile);
+    const std::vector<std::byte> bytes = readFile(path, largestCameraFile);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     const nlohmann::json json = parseJson(text, path.string());
     SettingsReader reader(json, path.string());

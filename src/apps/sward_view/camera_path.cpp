@@ -16,7 +16,8 @@
 namespace sward::view {
 namespace {
 
-constexpr std::size_t largestFile = 1u << 24; ///< [bytes] an hour at 10 places a second takes 7 MB
+constexpr std::size_t largestPathFile = 1u
+                                        << 24; ///< [bytes] an hour at 10 places a second takes 7 MB
 constexpr std::size_t mostStops = 200'000;
 constexpr double longest = 1e9; ///< [s]
 
@@ -72,7 +73,7 @@ render::Camera CameraPath::at(double time) const
 
 CameraPath readCameraPath(const std::filesystem::path& path, glm::vec3 up)
 {
-    const std::vector<std::byte> bytes = readFile(path, largestFile);
+    const std::vector<std::byte> bytes = readFile(path, largestPathFile);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     return readCameraPath(text, path.string(), up);
 }

@@ -11,16 +11,16 @@
 namespace sward::view {
 namespace {
 
-constexpr double flySpeedShare = 0.15; ///< [1/s] of what is looked at
-constexpr double walkSpeed = 1.4;      ///< [1/s] eye heights, as people do
-constexpr double hurryFactor = 4.0;    ///< with shift
-constexpr double wheelFactor = 1.25;   ///< of the speed, per step of the wheel
-constexpr double tallest = 1.7;        ///< [m] eyes of somebody who walks
-constexpr double eyeShare = 0.08;      ///< of what is looked at, where that is small
-constexpr double poleMargin = 0.03;    ///< [rad] views stay away from straight up and down
-constexpr double stepUp = 3.0;         ///< [eye heights] that somebody climbs at once
+constexpr double flySpeedShare = 0.15;  ///< [1/s] of what is looked at
+constexpr double walkSpeed = 1.4;       ///< [1/s] eye heights, as people do
+constexpr double hurryFactor = 4.0;     ///< with shift
+constexpr double wheelFactor = 1.25;    ///< of the speed, per step of the wheel
+constexpr double tallest = 1.7;         ///< [m] eyes of somebody who walks
+constexpr double eyeShare = 0.08;       ///< of what is looked at, where that is small
+constexpr double viewPoleMargin = 0.03; ///< [rad] views stay away from straight up and down
+constexpr double stepUp = 3.0;          ///< [eye heights] that somebody climbs at once
 
-glm::dvec3 turned(const glm::dvec3& v, double angle, const glm::dvec3& axis)
+glm::dvec3 turnedView(const glm::dvec3& v, double angle, const glm::dvec3& axis)
 {
     return glm::angleAxis(angle, axis) * v;
 }
@@ -33,7 +33,7 @@ glm::dvec3 anyAcross(const glm::dvec3& up)
 }
 
 // To the right of a view, level.
-glm::dvec3 rightOf(const glm::dvec3& view, const glm::dvec3& up)
+glm::dvec3 rightOfView(const glm::dvec3& view, const glm::dvec3& up)
 {
     const glm::dvec3 side = glm::cross(view, up);
     const double length = glm::length(side);
@@ -83,7 +83,7 @@ void Navigation::fly(const glm::vec3& ways, double metres)
 {
     const glm::dvec3 up = upHere();
     glm::dvec3 ahead = glm::normalize(camera().target - camera().eye);
-    const glm::dvec3 right = rightOf(ahead, up);
+    const glm::dvec3 right = rightOfView(ahead, up);
     if (walks_)
         ahead = glm::cross(up, right);
     const glm::dvec3 way = right * static_cast<double>(ways.x) +
@@ -102,11 +102,11 @@ void Navigation::look(glm::vec2 pixels, float height)
     const glm::dvec3 up = upHere();
     render::Camera turnedCamera = camera();
     glm::dvec3 view = turnedCamera.target - turnedCamera.eye;
-    view = turned(view, -static_cast<double>(pixels.x) * scale, up);
+    view = turnedView(view, -static_cast<double>(pixels.x) * scale, up);
     const double rise = std::acos(std::clamp(glm::dot(glm::normalize(view), up), -1.0, 1.0));
-    const double wanted =
-        std::clamp(rise + static_cast<double>(pixels.y) * scale, poleMargin, pi - poleMargin);
-    view = turned(view, -(wanted - rise), rightOf(view, up));
+    const double wanted = std::clamp(rise + static_cast<double>(pixels.y) * scale, viewPoleMargin,
+                                     pi - viewPoleMargin);
+    view = turnedView(view, -(wanted - rise), rightOfView(view, up));
     turnedCamera.target = turnedCamera.eye + view;
     turnedCamera.up = glm::vec3(up);
     orbit_.show(turnedCamera);
@@ -131,7 +131,7 @@ void Navigation::standOnGround()
     const double angle = std::asin(std::min(glm::length(axis), 1.0));
     if (angle > 1e-9)
         standing.target =
-            standing.eye + turned(standing.target - standing.eye, angle, glm::normalize(axis));
+            standing.eye + turnedView(standing.target - standing.eye, angle, glm::normalize(axis));
     standing.up = glm::vec3(up);
     orbit_.show(standing);
 }
@@ -150,7 +150,7 @@ bool Navigation::walk(bool wanted)
     render::Camera standing = camera();
     const glm::dvec3 place = below ? below->place : ahead->place;
     const glm::dvec3 upThere = place_.upAt(place);
-    const glm::dvec3 right = rightOf(standing.target - standing.eye, upThere);
+    const glm::dvec3 right = rightOfView(standing.target - standing.eye, upThere);
     standing.eye = place + upThere * eyeHeight_;
     standing.target = standing.eye + glm::cross(upThere, right) * (10.0 * eyeHeight_);
     standing.up = glm::vec3(upThere);

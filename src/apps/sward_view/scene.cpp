@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t largestFile = 1u << 22; ///< [bytes]
+constexpr std::size_t largestSceneFile = 1u << 22; ///< [bytes]
 constexpr std::size_t mostOptions = 256;
 
 // A text with a slash is a path: from the scene's folder, or the first above it where there is one.
@@ -94,7 +94,7 @@ void passOver(SettingsReader& reader)
 
 Scene readScene(const fs::path& file, bool mayBorrow)
 {
-    const std::vector<std::byte> bytes = readFile(file, largestFile);
+    const std::vector<std::byte> bytes = readFile(file, largestSceneFile);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     const nlohmann::json json = parseJson(text, file.string());
     SettingsReader reader(json, file.string());

@@ -30,19 +30,6 @@ std::string lastReason()
          lastReason());
 }
 
-/// GLFW, running.
-class Library {
-public:
-    Library()
-    {
-        if (glfwInit() != GLFW_TRUE)
-            failWithoutDisplay();
-    }
-    Library(const Library&) = delete;
-    Library& operator=(const Library&) = delete;
-    ~Library() { glfwTerminate(); }
-};
-
 constexpr float clickSlack = 3.0f; ///< [pixels] a click may move without becoming a drag
 
 struct KeyMeaning {
@@ -62,13 +49,26 @@ constexpr std::array<KeyMeaning, 11> keyMeanings{{{GLFW_KEY_ESCAPE, Key::escape}
                                                   {GLFW_KEY_P, Key::picture},
                                                   {GLFW_KEY_R, Key::record}}};
 
-struct DestroyWindow {
-    void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
-};
-
 } // namespace
 
 struct Window::Parts {
+    /// GLFW, running.
+    class Library {
+    public:
+        Library()
+        {
+            if (glfwInit() != GLFW_TRUE)
+                failWithoutDisplay();
+        }
+        Library(const Library&) = delete;
+        Library& operator=(const Library&) = delete;
+        ~Library() { glfwTerminate(); }
+    };
+
+    struct DestroyWindow {
+        void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
+    };
+
     Library library;
     std::unique_ptr<GLFWwindow, DestroyWindow> window;
     Input input;

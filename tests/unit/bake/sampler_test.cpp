@@ -10,7 +10,7 @@
 namespace sward::bake {
 namespace {
 
-Sampling sampleOf(const terrain::GroundMesh& mesh, const BakeSettings& settings)
+Sampling sampleOfMesh(const terrain::GroundMesh& mesh, const BakeSettings& settings)
 {
     Progress progress;
     const RootFilter filter(mesh, settings, nullptr);
@@ -32,7 +32,7 @@ std::size_t partOf(float b, float c)
 
 TEST(SurfaceSampler, SpreadsRootsEvenlyOverATriangle)
 {
-    const Sampling sampling = sampleOf(meshes::triangle(), tests::plainSettings(200'000.0));
+    const Sampling sampling = sampleOfMesh(meshes::triangle(), tests::plainSettings(200'000.0));
     std::array<double, 16> counts{};
     for (const RootSample& root : sampling.roots)
         counts[partOf(root.barycentric.x, root.barycentric.y)] += 1.0;
@@ -47,7 +47,7 @@ TEST(SurfaceSampler, SpreadsRootsEvenlyOverATriangle)
 TEST(SurfaceSampler, GivesEachTriangleItsShareOfTheArea)
 {
     const terrain::GroundMesh mesh = meshes::areaRatioPair();
-    const Sampling sampling = sampleOf(mesh, tests::plainSettings(2000.0));
+    const Sampling sampling = sampleOfMesh(mesh, tests::plainSettings(2000.0));
     std::array<double, 2> counts{};
     for (const RootSample& root : sampling.roots)
         counts[root.triangle] += 1.0;
@@ -64,7 +64,7 @@ TEST(SurfaceSampler, IsRightInExpectationWhereATriangleBearsLessThanOneBlade)
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
         BakeSettings settings = tests::plainSettings(density);
         settings.seed = seed;
-        total += double(sampleOf(mesh, settings).roots.size());
+        total += double(sampleOfMesh(mesh, settings).roots.size());
     }
     const double expected = 50.0 * density * meshes::totalArea(mesh);
     EXPECT_NEAR(total, expected, 5.0 * std::sqrt(expected));
@@ -73,7 +73,7 @@ TEST(SurfaceSampler, IsRightInExpectationWhereATriangleBearsLessThanOneBlade)
 TEST(SurfaceSampler, PutsEveryRootOnItsTriangle)
 {
     const terrain::GroundMesh mesh = meshes::cube();
-    for (const RootSample& root : sampleOf(mesh, tests::plainSettings(2000.0)).roots) {
+    for (const RootSample& root : sampleOfMesh(mesh, tests::plainSettings(2000.0)).roots) {
         const glm::uvec3 corners = mesh.triangles[root.triangle];
         const glm::dvec3 offset = glm::dvec3(root.position) - glm::dvec3(mesh.positions[corners.x]);
         ASSERT_NEAR(glm::dot(offset, mesh.faceNormal(root.triangle)), 0.0, 1e-6);
@@ -86,8 +86,8 @@ TEST(SurfaceSampler, PutsEveryRootOnItsTriangle)
 TEST(SurfaceSampler, MoreDensityAddsRootsAndMovesNone)
 {
     const terrain::GroundMesh mesh = meshes::cube();
-    const Sampling few = sampleOf(mesh, tests::plainSettings(50.0));
-    const Sampling many = sampleOf(mesh, tests::plainSettings(200.0));
+    const Sampling few = sampleOfMesh(mesh, tests::plainSettings(50.0));
+    const Sampling many = sampleOfMesh(mesh, tests::plainSettings(200.0));
     ASSERT_GT(many.roots.size(), few.roots.size());
     std::size_t at = 0;
     for (const RootSample& root : few.roots) {
@@ -128,7 +128,7 @@ TEST(SurfaceSampler, CountsEveryCandidateOnce)
     BakeSettings settings = tests::plainSettings(5000.0);
     settings.slope = {20.0, 60.0, 10.0};
     settings.altitude = {-0.5, 0.9, 0.0};
-    const Sampling sampling = sampleOf(meshes::sphere(), settings);
+    const Sampling sampling = sampleOfMesh(meshes::sphere(), settings);
     std::uint64_t rejected = 0;
     for (const std::uint64_t n : sampling.rejected)
         rejected += n;
@@ -142,7 +142,7 @@ TEST(SlopeFilter, KeepsWhatItSaysAndFadesOverItsSoftEdge)
     BakeSettings settings = tests::plainSettings(40'000.0);
     settings.slope = {0.0, 40.0, 20.0};
     std::array<double, 3> inside{};
-    for (const RootSample& root : sampleOf(meshes::sphere(128, 1.0), settings).roots) {
+    for (const RootSample& root : sampleOfMesh(meshes::sphere(128, 1.0), settings).roots) {
         const double slope = std::acos(double(root.normal.y)) * 57.29577951308232;
         ASSERT_LE(slope, 60.001);
         inside[slope <= 40.0 ? 0 : slope <= 50.0 ? 1 : 2] += 1.0;
@@ -163,13 +163,13 @@ TEST(VertexColorMask, ThinsInProportion)
         mesh.colors[v] = glm::vec4(mesh.positions[v].x > 0.0f ? 1.0f : 0.0f, 0.25f, 1.0f, 1.0f);
     BakeSettings settings = tests::plainSettings(20'000.0);
     settings.masks = {{.channel = 1}};
-    EXPECT_NEAR(double(sampleOf(mesh, settings).roots.size()), 20'000.0, 700.0);
+    EXPECT_NEAR(double(sampleOfMesh(mesh, settings).roots.size()), 20'000.0, 700.0);
     settings.masks = {{.channel = 1, .invert = true}};
-    EXPECT_NEAR(double(sampleOf(mesh, settings).roots.size()), 60'000.0, 700.0);
+    EXPECT_NEAR(double(sampleOfMesh(mesh, settings).roots.size()), 60'000.0, 700.0);
     // The red channel rises with x: the mean place moves to two thirds of the way.
     settings.masks = {{.channel = 0}};
     double sum = 0.0;
-    const Sampling sampling = sampleOf(mesh, settings);
+    const Sampling sampling = sampleOfMesh(mesh, settings);
     for (const RootSample& root : sampling.roots)
         sum += double(root.position.x);
     EXPECT_NEAR(sum / double(sampling.roots.size()), 1.0 / 3.0, 0.02);
@@ -182,7 +182,7 @@ TEST(Sides, ChooseWhereTheRootsLook)
     const auto ups = [&](Sides sides) {
         settings.sides = sides;
         std::pair<std::size_t, std::size_t> result{0, 0};
-        for (const RootSample& root : sampleOf(mesh, settings).roots)
+        for (const RootSample& root : sampleOfMesh(mesh, settings).roots)
             ++(root.normal.y > 0.0f ? result.first : result.second);
         return result;
     };
@@ -197,7 +197,7 @@ TEST(Occluders, BearNothing)
 {
     terrain::GroundMesh mesh = meshes::square(2.0);
     mesh.bears[1] = 0;
-    for (const RootSample& root : sampleOf(mesh, tests::plainSettings(1000.0)).roots)
+    for (const RootSample& root : sampleOfMesh(mesh, tests::plainSettings(1000.0)).roots)
         ASSERT_EQ(root.triangle, 0U);
 }
 

@@ -25,7 +25,7 @@ std::ostream& operator<<(std::ostream& out, const Ways& ways)
 }
 
 template <typename T>
-bool sameBytes(const T& a, const T& b)
+bool sameTileBytes(const T& a, const T& b)
 {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
 }
@@ -72,9 +72,9 @@ TEST_P(Tiles, AreTogetherWhatOneBakeIs)
     field::Field many;
     joinCells(std::move(cells), many);
     EXPECT_EQ(proposed, whole.counts.proposed);
-    EXPECT_TRUE(sameBytes(one.blades, many.blades));
-    EXPECT_TRUE(sameBytes(one.keys, many.keys));
-    EXPECT_TRUE(sameBytes(one.patches, many.patches));
+    EXPECT_TRUE(sameTileBytes(one.blades, many.blades));
+    EXPECT_TRUE(sameTileBytes(one.keys, many.keys));
+    EXPECT_TRUE(sameTileBytes(one.patches, many.patches));
 }
 
 INSTANTIATE_TEST_SUITE_P(

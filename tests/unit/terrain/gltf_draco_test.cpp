@@ -16,7 +16,7 @@ using testing::HasSubstr;
 
 constexpr const char* name = "KHR_draco_mesh_compression";
 
-ErrorKind kindOf(const GlbBuilder& builder, std::string* message = nullptr)
+ErrorKind kindOfDraco(const GlbBuilder& builder, std::string* message = nullptr)
 {
     try {
         loadContent("a.glb", builder.glb());
@@ -100,7 +100,7 @@ TEST(GltfDraco, TakesThePlainCopyWhereTheExtensionIsNotRequired)
     EXPECT_EQ(contentHash(loadContent("a.glb", builder.glb())),
               contentHash(loadContent("a.glb", plainGrid(6).glb())));
     builder.document["extensionsRequired"] = {name};
-    EXPECT_EQ(kindOf(builder), ErrorKind::input) << "positions are no Draco mesh";
+    EXPECT_EQ(kindOfDraco(builder), ErrorKind::input) << "positions are no Draco mesh";
 }
 
 TEST(GltfDraco, RefusesCountsThatTheMeshDoesNotHave)
@@ -110,7 +110,8 @@ TEST(GltfDraco, RefusesCountsThatTheMeshDoesNotHave)
         for (const std::uint64_t count : {0ULL, 3ULL, 215ULL, 219ULL, 75'000'000ULL, 1ULL << 31}) {
             GlbBuilder builder = dracoGrid(6);
             builder.document["accessors"][accessor]["count"] = count;
-            EXPECT_EQ(kindOf(builder, &message), ErrorKind::input) << accessor << ": " << count;
+            EXPECT_EQ(kindOfDraco(builder, &message), ErrorKind::input)
+                << accessor << ": " << count;
             EXPECT_THAT(message, HasSubstr("mesh 0"));
         }
 }
@@ -128,15 +129,15 @@ TEST(GltfDraco, RefusesWhatDoesNotFit)
         GlbBuilder builder = dracoGrid(6);
         builder.document["meshes"][0]["primitives"][0]["extensions"][name][key] = value;
         std::string message;
-        EXPECT_EQ(kindOf(builder, &message), ErrorKind::input) << key << " = " << value;
+        EXPECT_EQ(kindOfDraco(builder, &message), ErrorKind::input) << key << " = " << value;
         EXPECT_THAT(message, HasSubstr("mesh 0")) << key << " = " << value;
     }
     GlbBuilder noIndices = dracoGrid(6);
     noIndices.document["meshes"][0]["primitives"][0].erase("indices");
-    EXPECT_EQ(kindOf(noIndices), ErrorKind::input);
+    EXPECT_EQ(kindOfDraco(noIndices), ErrorKind::input);
     GlbBuilder lines = dracoGrid(6);
     lines.document["meshes"][0]["primitives"][0]["mode"] = 1;
-    EXPECT_EQ(kindOf(lines), ErrorKind::input);
+    EXPECT_EQ(kindOfDraco(lines), ErrorKind::input);
 }
 
 TEST(GltfDraco, RefusesOtherBitStreams)

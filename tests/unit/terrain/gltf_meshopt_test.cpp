@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-ErrorKind kindOf(const GlbBuilder& builder, std::string* message = nullptr)
+ErrorKind kindOfMeshopt(const GlbBuilder& builder, std::string* message = nullptr)
 {
     try {
         loadContent("a.glb", builder.glb());
@@ -217,7 +217,7 @@ TEST(GltfMeshopt, RefusesCodecsAndFiltersOfTheFutureByName)
     }
     GlbBuilder color = meshoptGrid(4);
     extensionOf(color, 0)["filter"] = "COLOR";
-    EXPECT_EQ(kindOf(color), ErrorKind::unsupported);
+    EXPECT_EQ(kindOfMeshopt(color), ErrorKind::unsupported);
 }
 
 TEST(GltfMeshopt, RefusesWhatDoesNotFit)
@@ -233,7 +233,7 @@ TEST(GltfMeshopt, RefusesWhatDoesNotFit)
         GlbBuilder builder = meshoptGrid(4);
         extensionOf(builder, 0)[key] = value;
         std::string message;
-        EXPECT_EQ(kindOf(builder, &message), ErrorKind::input) << key << " = " << value;
+        EXPECT_EQ(kindOfMeshopt(builder, &message), ErrorKind::input) << key << " = " << value;
         EXPECT_THAT(message, HasSubstr("bufferView 0")) << key << " = " << value;
     }
 }
@@ -248,7 +248,7 @@ TEST(GltfMeshopt, MakesNoRoomForMoreThanTheBytesCanHold)
         builder.document["bufferViews"][view]["byteLength"] =
             count * extensionOf(builder, view)["byteStride"].get<std::uint64_t>();
         std::string message;
-        EXPECT_EQ(kindOf(builder, &message), ErrorKind::input);
+        EXPECT_EQ(kindOfMeshopt(builder, &message), ErrorKind::input);
         EXPECT_THAT(message, HasSubstr("cannot hold"));
     }
 }
@@ -258,7 +258,7 @@ TEST(GltfMeshopt, RefusesAPlaceholderThatNothingIsDecodedInto)
     GlbBuilder builder = meshoptGrid(4);
     builder.document["bufferViews"][2].erase("extensions");
     std::string message;
-    EXPECT_EQ(kindOf(builder, &message), ErrorKind::input);
+    EXPECT_EQ(kindOfMeshopt(builder, &message), ErrorKind::input);
     EXPECT_THAT(message, HasSubstr("buffer 1"));
 }
 
@@ -281,7 +281,7 @@ TEST(GltfMeshopt, SurvivesEveryFlippedByteAndEveryTruncation)
         const auto whole = extensionOf(cut, view)["byteLength"].get<std::size_t>();
         for (std::size_t length = 1; length < whole; ++length) {
             extensionOf(cut, view)["byteLength"] = length;
-            EXPECT_EQ(kindOf(cut), ErrorKind::input) << view << ": " << length;
+            EXPECT_EQ(kindOfMeshopt(cut), ErrorKind::input) << view << ": " << length;
         }
     }
 }
