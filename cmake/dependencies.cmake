@@ -10,7 +10,11 @@ find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(glfw3 REQUIRED)
 find_package(TBB REQUIRED)
-find_package(embree 3 REQUIRED)
+# Embree 4 where the distribution has it, else Embree 3.
+find_package(embree 4 QUIET)
+if(NOT embree_FOUND)
+  find_package(embree 3 REQUIRED)
+endif()
 # scripts/install-dependencies unpacks OpenMesh's headers; otherwise their package is installed.
 set(openmesh ${CMAKE_SOURCE_DIR}/build/packages/openmesh)
 if(EXISTS ${openmesh}/done)

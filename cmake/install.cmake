@@ -65,6 +65,6 @@ sward_install_pc(field "Field files of grass: reading, verifying, writing"
   "glm fmt spdlog libxxhash libzstd" "-lsward_field -lsward_core")
 sward_install_pc(bake "Grows grass on any ground"
   "sward-field tbb OpenEXR libpng tinygltf"
-  "-lsward_bake -lsward_terrain -lsward_assets -lembree3 -lOpenMeshCore -lmeshoptimizer -ldraco -lstb")
+  "-lsward_bake -lsward_terrain -lsward_assets -lembree${embree_VERSION_MAJOR} -lOpenMeshCore -lmeshoptimizer -ldraco -lstb")
 sward_install_pc(render "Draws fields of grass with Vulkan"
   "sward-field vulkan" "-lsward_render -lsward_gpu")

@@ -7,12 +7,15 @@
 #include "terrain/image_decode.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 
 namespace sward::terrain {
 namespace {
 
-double numberOf(const tinygltf::Value& object, const char* key, int index, double otherwise)
+// The index fits tinygltf's parameter, int or std::size_t by its version, without a change of sign.
+double numberOf(const tinygltf::Value& object, const char* key, std::uint8_t index,
+                double otherwise)
 {
     if (!object.Has(key))
         return otherwise;

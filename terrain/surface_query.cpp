@@ -3,7 +3,11 @@
 #include "core/error.h"
 #include "terrain/triangle_geometry.h"
 
+#if SWARD_EMBREE == 3
 #include <embree3/rtcore.h>
+#else
+#include <embree4/rtcore.h>
+#endif
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -26,6 +30,53 @@ constexpr double relativeSlack = 1e-5;
 
 // Of a clearance: what is nearer is the ground itself.
 constexpr double groundShare = 1e-5;
+
+// Embree 3 takes a ray's context as an argument, Embree 4 within the arguments.
+#if SWARD_EMBREE == 3
+using RayContext = RTCIntersectContext;
+
+RayContext makeRayContext()
+{
+    RayContext context;
+    rtcInitIntersectContext(&context);
+    return context;
+}
+
+void intersect(RTCScene scene, RayContext& context, RTCRayHit& ray)
+{
+    rtcIntersect1(scene, &context, &ray);
+}
+
+void occlude(RTCScene scene, RayContext& context, RTCRay& ray)
+{
+    rtcOccluded1(scene, &context, &ray);
+}
+#else
+using RayContext = RTCRayQueryContext;
+
+RayContext makeRayContext()
+{
+    RayContext context;
+    rtcInitRayQueryContext(&context);
+    return context;
+}
+
+void intersect(RTCScene scene, RayContext& context, RTCRayHit& ray)
+{
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &context;
+    rtcIntersect1(scene, &ray, &arguments);
+}
+
+void occlude(RTCScene scene, RayContext& context, RTCRay& ray)
+{
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.context = &context;
+    rtcOccluded1(scene, &ray, &arguments);
+}
+#endif
 
 // Called inside Embree, through which nothing may be thrown; whoever builds asks afterwards.
 void keepMessage(void* text, RTCError code, const char* message)
@@ -84,7 +135,7 @@ struct SurfaceQuery::Scene {
 
 // A ray that asks, in double precision, of every triangle that Embree meets on its way.
 struct SurfaceQuery::Scene::Question {
-    RTCIntersectContext context; // first: Embree gives the filter a pointer to it
+    RayContext context; // first: Embree gives the filter a pointer to it
     const Scene& ground;
     glm::dvec3 point;
     glm::dvec3 direction;
@@ -198,9 +249,8 @@ SurfaceQuery::Hit SurfaceQuery::Scene::firstBehind(const glm::dvec3& point,
                                                    double skin,
                                                    const IgnoredTriangles& ignored) const
 {
-    RTCIntersectContext plain;
-    rtcInitIntersectContext(&plain);
-    Question question{.context = {},
+    RayContext plain = makeRayContext();
+    Question question{.context = makeRayContext(),
                       .ground = *this,
                       .point = point,
                       .direction = direction,
@@ -209,7 +259,6 @@ SurfaceQuery::Hit SurfaceQuery::Scene::firstBehind(const glm::dvec3& point,
                       .ignored = ignored,
                       .endsAtFirst = false,
                       .best = {}};
-    rtcInitIntersectContext(&question.context);
 
     double near = std::max(0.0, skin - shift(limit));
     const double far = limit + shift(limit);
@@ -218,7 +267,7 @@ SurfaceQuery::Hit SurfaceQuery::Scene::firstBehind(const glm::dvec3& point,
         RTCRayHit found = {};
         found.ray = rayOf(point, direction, near, far);
         found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(scene, &plain, &found);
+        intersect(scene, plain, found);
         if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID)
             break;
 
@@ -226,7 +275,7 @@ SurfaceQuery::Hit SurfaceQuery::Scene::firstBehind(const glm::dvec3& point,
         const double distance = static_cast<double>(found.ray.tfar);
         const double slack = distance * relativeSlack + shift(limit);
         RTCRay window = rayOf(point, direction, std::max(near, distance - slack), distance + slack);
-        rtcOccluded1(scene, &question.context, &window);
+        occlude(scene, question.context, window);
         if (question.best.isHit())
             break;
 
@@ -247,7 +296,7 @@ SurfaceQuery::Hit SurfaceQuery::cast(glm::dvec3 point, glm::dvec3 direction, dou
 bool SurfaceQuery::occluded(glm::dvec3 point, glm::dvec3 direction, double limit, double skin,
                             const IgnoredTriangles& ignored) const
 {
-    Scene::Question question{.context = {},
+    Scene::Question question{.context = makeRayContext(),
                              .ground = *scene_,
                              .point = point,
                              .direction = direction,
@@ -256,10 +305,9 @@ bool SurfaceQuery::occluded(glm::dvec3 point, glm::dvec3 direction, double limit
                              .ignored = ignored,
                              .endsAtFirst = true,
                              .best = {}};
-    rtcInitIntersectContext(&question.context);
     const double shift = scene_->shift(limit);
     RTCRay ray = rayOf(point, direction, std::max(0.0, skin - shift), limit + shift);
-    rtcOccluded1(scene_->scene, &question.context, &ray);
+    occlude(scene_->scene, question.context, ray);
     return question.best.isHit();
 }
 

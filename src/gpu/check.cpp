@@ -2,8 +2,10 @@
 
 #include "core/error.h"
 
-#include <vulkan/vk_enum_string_helper.h>
+#include <fmt/format.h>
 
+#include <array>
+#include <string>
 #include <string_view>
 
 namespace sward::gpu {
@@ -23,6 +25,50 @@ ErrorKind kindOf(VkResult result)
     }
 }
 
+// The results of Vulkan 1.3 and of what shows pictures in a window. Vulkan's own header of names is
+// in another package on each distribution.
+struct NamedResult {
+    VkResult result;
+    const char* name;
+};
+constexpr std::array namedResults = {
+    NamedResult{VK_NOT_READY, "VK_NOT_READY"},
+    NamedResult{VK_TIMEOUT, "VK_TIMEOUT"},
+    NamedResult{VK_EVENT_SET, "VK_EVENT_SET"},
+    NamedResult{VK_EVENT_RESET, "VK_EVENT_RESET"},
+    NamedResult{VK_INCOMPLETE, "VK_INCOMPLETE"},
+    NamedResult{VK_ERROR_OUT_OF_HOST_MEMORY, "VK_ERROR_OUT_OF_HOST_MEMORY"},
+    NamedResult{VK_ERROR_OUT_OF_DEVICE_MEMORY, "VK_ERROR_OUT_OF_DEVICE_MEMORY"},
+    NamedResult{VK_ERROR_INITIALIZATION_FAILED, "VK_ERROR_INITIALIZATION_FAILED"},
+    NamedResult{VK_ERROR_DEVICE_LOST, "VK_ERROR_DEVICE_LOST"},
+    NamedResult{VK_ERROR_MEMORY_MAP_FAILED, "VK_ERROR_MEMORY_MAP_FAILED"},
+    NamedResult{VK_ERROR_LAYER_NOT_PRESENT, "VK_ERROR_LAYER_NOT_PRESENT"},
+    NamedResult{VK_ERROR_EXTENSION_NOT_PRESENT, "VK_ERROR_EXTENSION_NOT_PRESENT"},
+    NamedResult{VK_ERROR_FEATURE_NOT_PRESENT, "VK_ERROR_FEATURE_NOT_PRESENT"},
+    NamedResult{VK_ERROR_INCOMPATIBLE_DRIVER, "VK_ERROR_INCOMPATIBLE_DRIVER"},
+    NamedResult{VK_ERROR_TOO_MANY_OBJECTS, "VK_ERROR_TOO_MANY_OBJECTS"},
+    NamedResult{VK_ERROR_FORMAT_NOT_SUPPORTED, "VK_ERROR_FORMAT_NOT_SUPPORTED"},
+    NamedResult{VK_ERROR_FRAGMENTED_POOL, "VK_ERROR_FRAGMENTED_POOL"},
+    NamedResult{VK_ERROR_UNKNOWN, "VK_ERROR_UNKNOWN"},
+    NamedResult{VK_ERROR_OUT_OF_POOL_MEMORY, "VK_ERROR_OUT_OF_POOL_MEMORY"},
+    NamedResult{VK_ERROR_INVALID_EXTERNAL_HANDLE, "VK_ERROR_INVALID_EXTERNAL_HANDLE"},
+    NamedResult{VK_ERROR_FRAGMENTATION, "VK_ERROR_FRAGMENTATION"},
+    NamedResult{VK_ERROR_INVALID_OPAQUE_CAPTURE_ADDRESS, "VK_ERROR_INVALID_OPAQUE_CAPTURE_ADDRESS"},
+    NamedResult{VK_PIPELINE_COMPILE_REQUIRED, "VK_PIPELINE_COMPILE_REQUIRED"},
+    NamedResult{VK_ERROR_SURFACE_LOST_KHR, "VK_ERROR_SURFACE_LOST_KHR"},
+    NamedResult{VK_ERROR_NATIVE_WINDOW_IN_USE_KHR, "VK_ERROR_NATIVE_WINDOW_IN_USE_KHR"},
+    NamedResult{VK_SUBOPTIMAL_KHR, "VK_SUBOPTIMAL_KHR"},
+    NamedResult{VK_ERROR_OUT_OF_DATE_KHR, "VK_ERROR_OUT_OF_DATE_KHR"},
+};
+
+std::string nameOf(VkResult result)
+{
+    for (const NamedResult& named : namedResults)
+        if (named.result == result)
+            return named.name;
+    return fmt::format("VkResult {}", static_cast<int>(result));
+}
+
 } // namespace
 
 void check(VkResult result, const char* call, std::source_location where)
@@ -39,8 +85,7 @@ void check(VkResult result, const char* call, std::source_location where)
             "{} failed: VK_ERROR_DEVICE_LOST ({}:{}): the device was lost. Its driver has given up "
             "this program or the device; the system's log may say why",
             call, file, where.line());
-    fail(kindOf(result), "{} failed: {} ({}:{})", call, string_VkResult(result), file,
-         where.line());
+    fail(kindOf(result), "{} failed: {} ({}:{})", call, nameOf(result), file, where.line());
 }
 
 } // namespace sward::gpu

@@ -56,7 +56,7 @@ THIRD_PARTY = {
     "glfw": ["GLFW/*"],
     "imgui": ["imgui*", "imgui/*", "backends/imgui*"],
     "openmesh": ["OpenMesh/*"],
-    "embree": ["embree3/*"],
+    "embree": ["embree3/*", "embree4/*"],
     "tinygltf": ["tiny_gltf.h"],
     "tbb": ["tbb/*", "oneapi/tbb/*", "oneapi/tbb.h"],
     "stb": ["stb/*", "stb_*.h"],

@@ -6,13 +6,12 @@ import subprocess
 import unittest
 
 import numpy
-import open3d
 
 import node_readers
 import ply_points
 import usda_layer
 from export_tables import ExportTest, PLACE_ERROR, front, linear, turned
-from support import IO, PROGRAM, UNSUPPORTED, USAGE
+from support import IO, PROGRAM, UNSUPPORTED, USAGE, packaged_module
 
 
 class PlyExport(ExportTest):
@@ -34,6 +33,7 @@ class PlyExport(ExportTest):
         self.check(self.bake("torus", "--count", "20000"), 1e-9)
 
     def test_open3d_reads_places_normals_and_colours(self):
+        open3d = packaged_module("open3d", "python3-open3d")
         for field in (self.bake("hills", "--count", "5000"), self.far_field()):
             with self.subTest(field=field.name):
                 path, table = self.check(field, 2e-9)

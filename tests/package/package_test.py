@@ -223,8 +223,8 @@ class DebianPackages(GuestTest):
         programs, = self.folder.glob("sward_0.1.0_*.deb")
         development, = self.folder.glob("sward-dev_0.1.0_*.deb")
         needs = self.run_here("dpkg-deb", "--field", programs, "Depends")
-        for library in ("libc6", "libembree3-3", "libopenmesh1", "libvulkan1", "libglfw3"):
-            self.assertIn(library, needs)
+        for library in ("libc6", r"libembree\d-", r"libopenmesh\d", "libvulkan1", "libglfw3"):
+            self.assertRegex(needs, library)
         needs = self.run_here("dpkg-deb", "--field", development, "Depends", "Recommends")
         for package in ("libfmt-dev", "libzstd-dev", "libvulkan-dev", "libembree-dev"):
             self.assertIn(package, needs)
