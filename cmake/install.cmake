@@ -1,6 +1,7 @@
-# What `cmake --install` puts where: the programs (component runtime); and for other programs
-# (component development) static libraries, headers below sward/, a CMake package and pkg-config
-# files for the three link targets field, bake and render.
+# What `cmake --install` puts where: the programs with manual pages and completions (component
+# runtime); documentation and examples (component documentation); and for other programs (component
+# development) static libraries, headers below sward/, a CMake package and pkg-config files for the
+# three link targets field, bake and render.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -9,6 +10,24 @@ install(FILES LICENSE RENAME copyright
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/sward COMPONENT runtime)
 install(FILES LICENSE RENAME copyright
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/sward-dev COMPONENT development)
+install(FILES LICENSE RENAME copyright
+  DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/sward-doc COMPONENT documentation)
+# The target sward_pages has written them (src/apps/CMakeLists.txt).
+install(DIRECTORY ${CMAKE_BINARY_DIR}/share/man/man1
+  DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT runtime)
+install(DIRECTORY ${CMAKE_BINARY_DIR}/share/bash-completion
+  DESTINATION ${CMAKE_INSTALL_DATAROOTDIR} COMPONENT runtime)
+
+# Pages lie as in the source tree, so that links from one to another hold.
+set(SWARD_DOC_DIR ${CMAKE_INSTALL_DATAROOTDIR}/doc/sward)
+install(FILES README.md ARCHITECTURE.md CONTRIBUTING.md CHANGELOG.md
+  DESTINATION ${SWARD_DOC_DIR} COMPONENT documentation)
+install(DIRECTORY docs examples DESTINATION ${SWARD_DOC_DIR} USE_SOURCE_PERMISSIONS
+  COMPONENT documentation PATTERN Doxyfile.in EXCLUDE PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY assets/meadows assets/meshes assets/scenes assets/settings assets/terrains
+  DESTINATION ${SWARD_DOC_DIR}/assets COMPONENT documentation PATTERN __pycache__ EXCLUDE)
+install(FILES assets/LICENSES.md DESTINATION ${SWARD_DOC_DIR}/assets COMPONENT documentation)
+install(FILES terrain/README.md DESTINATION ${SWARD_DOC_DIR}/terrain COMPONENT documentation)
 
 # Libraries. Each export is one component of find_package(sward).
 set(SWARD_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/sward)

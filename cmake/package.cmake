@@ -1,9 +1,10 @@
-# `cpack -G DEB` in the build folder: sward (the programs) and sward-dev (for programs that draw,
-# bake or read fields). Debian's own tools find out which shared libraries the programs need.
+# `cpack -G DEB` in the build folder: sward (the programs), sward-doc (documentation and examples) and
+# sward-dev (for programs that draw, bake or read fields). Debian's own tools find out which shared
+# libraries the programs need, and what the packages are called that hold them.
 set(CPACK_PACKAGE_NAME sward)
 set(CPACK_PACKAGE_CONTACT "Sward's authors <sward@invalid>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_COMPONENTS_ALL runtime development)
+set(CPACK_COMPONENTS_ALL runtime development documentation)
 set(CPACK_STRIP_FILES ON)
 # Static libraries are left alone by the former.
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_SOURCE_DIR}/cmake/package/strip_libraries.cmake)
@@ -19,6 +20,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 # Any Vulkan driver will do; this one needs no GPU.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS mesa-vulkan-drivers)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS sward-doc)
 
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Libraries and headers for programs that read field files, bake them, or draw
 them on a Vulkan device of their own.")
@@ -30,4 +32,9 @@ nlohmann-json3-dev, libxxhash-dev, libzstd-dev, pkg-config")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "libvulkan-dev, libembree-dev, libopenmesh-dev, \
 libtinygltf-dev, libtbb-dev, libstb-dev, libpng-dev, libopenexr-dev, libdraco-dev, \
 libmeshoptimizer-dev")
+
+set(CPACK_COMPONENT_DOCUMENTATION_DESCRIPTION "Documentation of Sward, with examples, meadows, scenes and settings.")
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_NAME sward-doc)
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SECTION doc)
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)
 include(CPack)

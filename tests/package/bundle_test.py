@@ -10,8 +10,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.get("SWARD_TEST_BUILD", ROOT / "build/dev"))
 LARGEST = 50_000_000  # bytes
-# What a system has, or its graphics driver.
-SYSTEM = {"ld-linux-x86-64.so.2", "libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "librt.so.1", "libvulkan.so.1"}
+# What a system has.
+SYSTEM = {"ld-linux-x86-64.so.2", "libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "librt.so.1"}
 
 
 class Bundle(unittest.TestCase):
@@ -46,14 +46,16 @@ class Bundle(unittest.TestCase):
         self.addCleanup(work.cleanup)
         folder = self.run_bare(self.bundle / "run", "libraries", SWARD_WORK=work.name).strip()
         programs = [self.bundle / "bin" / name for name in ("sward", "sward-view")]
-        said = self.run_bare("ldd", *programs, LD_LIBRARY_PATH=folder)
+        folders = [f"{folder}/own", *map(str, Path(folder).glob("spare/*"))]
+        self.assertGreater(len(folders), 5)
+        said = self.run_bare("ldd", *programs, LD_LIBRARY_PATH=":".join(folders))
         self.assertNotIn("not found", said)
         self.assertNotIn(str(BUILD), said)
         for name, file in re.findall(r"^\s*(?:\S*/)?([^/\s]+\.so\S*) => (.+?) \(0x", said, re.M):
             if name not in SYSTEM:
                 self.assertTrue(file.startswith(folder), f"{name} is that of this machine: {file}")
 
-    def test_it_bakes_measures_and_prefers_the_libraries_of_the_machine(self):
+    def test_it_bakes_and_measures(self):
         with tempfile.TemporaryDirectory(prefix="sward-work-") as work:
             self.assertRegex(self.run_bare(self.bundle / "run", "sward", "--version", SWARD_WORK=work), r"^sward \d+\.\d+\.\d+\n$")
             self.run_bare(self.bundle / "run", "bench", "--count", "500", "--size", "64x36", "--frames", "1", "--warmup", "0",
@@ -62,9 +64,7 @@ class Bundle(unittest.TestCase):
             commit = (self.bundle / "COMMIT").read_text(encoding="ascii").strip()
             self.assertIn(f"commit {commit}", text)
             self.assertIn("| all |", text)
-            # Nothing of its own was needed where everything is installed, and nothing is left.
-            self.assertEqual([path.name for path in Path(work).glob("*lib*")], [])
-        self.assertFalse((self.bundle / "work").exists(), "fields and reports lie where they were wanted")
+        self.assertFalse((self.bundle / "work").exists(), "fields, reports and libraries lie where they were wanted")
 
 
 if __name__ == "__main__":

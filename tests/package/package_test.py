@@ -215,6 +215,25 @@ class InstalledTree(GuestTest):
         self.assertEqual(self.run_here(PREFIX / "bin/sward", "--version"), "sward 0.1.0\n")
         self.assertIn("llvmpipe", self.run_here(PREFIX / "bin/sward-view", "devices"))
 
+    def test_manual_pages_and_completions_are_installed_where_man_and_bash_look(self):
+        for program in ("sward", "sward-view"):
+            page = (PREFIX / f"share/man/man1/{program}.1").read_text(encoding="utf-8")
+            self.assertEqual(page, self.run_here(PREFIX / "bin" / program, "--man"))
+            script = PREFIX / "share/bash-completion/completions" / program
+            self.assertIn(f" {program}\n", self.run_here("bash", "-c", f". {script}; complete -p {program}"))
+
+    def test_links_of_installed_pages_lead_to_what_is_installed(self):
+        root = PREFIX / "share/doc/sward"
+        pages = list(root.rglob("*.md"))
+        self.assertGreater(len(pages), 40)
+        broken = []
+        for page in pages:
+            text = re.sub(r"```.*?```", "", page.read_text(encoding="utf-8"), flags=re.S)
+            for link in re.findall(r"\]\(([^)\s#]+)[^)]*\)", text):
+                if "://" not in link and not (page.parent / link).exists():
+                    broken.append(f"{page.relative_to(root)}: {link}")
+        self.assertEqual(broken, [])
+
 
 class DebianPackages(GuestTest):
     def test_debian_packages_name_what_they_need_and_run_unpacked(self):
@@ -222,14 +241,23 @@ class DebianPackages(GuestTest):
                       "-D", "CPACK_DEBIAN_COMPRESSION_TYPE=gzip")
         programs, = self.folder.glob("sward_0.1.0_*.deb")
         development, = self.folder.glob("sward-dev_0.1.0_*.deb")
+        documentation, = self.folder.glob("sward-doc_0.1.0_all.deb")
         needs = self.run_here("dpkg-deb", "--field", programs, "Depends")
         for library in ("libc6", r"libembree\d-", r"libopenmesh\d", "libvulkan1", "libglfw3"):
             self.assertRegex(needs, library)
         needs = self.run_here("dpkg-deb", "--field", development, "Depends", "Recommends")
         for package in ("libfmt-dev", "libzstd-dev", "libvulkan-dev", "libembree-dev"):
             self.assertIn(package, needs)
-        for package in (programs, development):
+        owner = {}
+        for package in (programs, development, documentation):
             self.run_here("dpkg-deb", "--extract", package, "root")
+            for line in self.run_here("dpkg-deb", "--contents", package).splitlines():
+                path = line.split(maxsplit=5)[5]
+                if not path.endswith("/"):
+                    self.assertNotIn(path, owner, "two packages with one file cannot be installed together")
+                    owner[path] = package
+        self.assertEqual(owner["./usr/share/man/man1/sward.1"], programs)
+        self.assertEqual(owner["./usr/share/doc/sward/README.md"], documentation)
         root = self.folder / "root/usr"
         self.assertEqual(self.run_here(root / "bin/sward", "--version"), "sward 0.1.0\n")
         self.assertEqual(self.run_here(root / "bin/sward-view", "--version"), "sward-view 0.1.0\n")
