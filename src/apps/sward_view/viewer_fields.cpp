@@ -185,7 +185,8 @@ void Viewer::watch()
             complain(source.input + ": the file is gone; what is shown stays");
         if (!options_.frame->watch || !(isOther || isSownAnew))
             continue;
-        log::info("{}: has changed", isOther ? source.input : source.wishes->meadowFile);
+        log::info("{}: changed; opening it again",
+                  isOther ? source.input : source.wishes->meadowFile);
         exchange(i, source.input,
                  i == stage_.chosen ? stage_.meadow : source.wishes.value_or(MeadowWishes()));
         break;
