@@ -73,18 +73,16 @@ std::string usageOf(const CLI::App& app, const std::string& name)
 {
     std::string usage = "Usage: " + name;
     std::string positionals;
-    for (const CLI::Option* option :
-         app.get_options([](const CLI::Option*) { return true; })) {
+    for (const CLI::Option* option : app.get_options([](const CLI::Option*) { return true; })) {
         if (isPositional(option))
-            positionals += option->get_required() ? " " + valueName(*option)
-                                                  : " [" + valueName(*option) + "]";
+            positionals +=
+                option->get_required() ? " " + valueName(*option) : " [" + valueName(*option) + "]";
         else if (option->get_required())
             usage += (option->get_snames().empty() ? " --" + option->get_lnames().front()
                                                    : " -" + option->get_snames().front()) +
                      " " + valueName(*option);
     }
-    const bool hasCommands =
-        !app.get_subcommands([](const CLI::App*) { return true; }).empty();
+    const bool hasCommands = !app.get_subcommands([](const CLI::App*) { return true; }).empty();
     return usage + " [OPTIONS]" + positionals + (hasCommands ? " [COMMAND]" : "") + "\n";
 }
 

@@ -22,13 +22,12 @@ constexpr std::size_t speciesColumns = 18;
 constexpr std::size_t speciesAbreast = 3; ///< species in one table
 
 // Settings of three numbers, low, high and the width of the fade, with their units.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 6> ranges{
-    {{"slope", "degrees"},
-     {"altitude", "m"},
-     {"curvature", "1/m"},
-     {"border", "m"},
-     {"above_water", "m"},
-     {"sky", ""}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> ranges{{{"slope", "degrees"},
+                                                                               {"altitude", "m"},
+                                                                               {"curvature", "1/m"},
+                                                                               {"border", "m"},
+                                                                               {"above_water", "m"},
+                                                                               {"sky", ""}}};
 
 // Units of single numbers whose keys do not end in them.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 5> units{
@@ -117,8 +116,8 @@ std::string valueText(std::string_view key, const json& value)
         return numberText(value) + unitOf(key);
     for (const auto& [name, unit] : ranges)
         if (key == name && isVector(value))
-            return rangeText(value[0].get<double>(), value[1].get<double>(),
-                             value[2].get<double>(), unit);
+            return rangeText(value[0].get<double>(), value[1].get<double>(), value[2].get<double>(),
+                             unit);
     // Two numbers are a range; others stay a list.
     if (value.size() == 2 && value[0].is_number() && value[1].is_number())
         return numberText(value[0]) + " to " + numberText(value[1]) + unitOf(key);
@@ -154,8 +153,7 @@ std::string speciesText(const json& species)
             std::string line = fmt::format("    {:<{}}", nameText(key), nameColumns);
             for (std::size_t i = first; i < beyond; ++i)
                 line += fmt::format(
-                    "{:<{}}  ",
-                    species[i].contains(key) ? valueText(key, species[i].at(key)) : "",
+                    "{:<{}}  ", species[i].contains(key) ? valueText(key, species[i].at(key)) : "",
                     speciesColumns);
             text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
         }

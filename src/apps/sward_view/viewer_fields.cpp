@@ -182,7 +182,7 @@ void Viewer::watch()
         const bool isOther = source.watched.hasChanged();
         const bool isSownAnew = source.watchedMeadow.hasChanged();
         if (source.watched.hasGone())
-            complain(source.input + ": the file is gone; what is shown stays");
+            complain(source.input + ": the file is gone; the field stays on the screen");
         if (!options_.frame->watch || !(isOther || isSownAnew))
             continue;
         log::info("{}: changed; opening it again",
@@ -215,7 +215,7 @@ void Viewer::reloadShaders()
     stage_.picked.reset();
     frames_ = framesAtTitle_ = 0;
     timestamps_.clearHistory();
-    notice("The shaders are compiled anew");
+    notice("The shaders have been compiled again");
 }
 
 } // namespace sward::view
