@@ -117,7 +117,7 @@ void decodeInto(draco::Mesh& mesh, std::span<const std::byte> bytes, std::uint64
     draco::DracoHeader header = {};
     if (!draco::PointCloudDecoder::DecodeHeader(&ahead, &header).ok() ||
         header.encoder_type != draco::TRIANGULAR_MESH)
-        fail(ErrorKind::input, "{}: its bytes are no Draco mesh", place);
+        fail(ErrorKind::input, "{}: not a Draco mesh", place);
     if (header.version_major != bitStreamMajor || header.version_minor != bitStreamMinor)
         fail(ErrorKind::unsupported, "{}: Draco bit stream {}.{}; only {}.{} is read", place,
              header.version_major, header.version_minor, bitStreamMajor, bitStreamMinor);

@@ -152,8 +152,9 @@ private:
     {
         if (!o.count("source", size("images")))
             if (const std::string format = imageFormatOf(o); !format.empty())
-                diagnostics_.warn("{}: texture {}: {} is not read; what shows it is drawn without",
-                                  file_, o.index, format);
+                diagnostics_.warn(
+                    "{}: texture {}: {} is not read; its materials are drawn without an image",
+                    file_, o.index, format);
         o.count("sampler", size("samplers"));
         return o.keep({"source", "sampler"});
     }

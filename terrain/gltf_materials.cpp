@@ -106,8 +106,8 @@ private:
             const MappedFile file(fileBeside(model_.path, image.uri));
             return decodeImage(file.bytes(), place, budget_, diagnostics_);
         } catch (const Error&) {
-            diagnostics_.warn("{}: {} cannot be read; its material is drawn without", place,
-                              image.uri);
+            diagnostics_.warn("{}: {} cannot be read; its material is drawn without an image",
+                              place, image.uri);
             return {};
         }
     }

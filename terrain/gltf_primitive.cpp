@@ -138,8 +138,7 @@ private:
         const auto accessor = attribute(primitive_, name);
         if (!accessor) {
             if (source.set != 0)
-                diagnostics.warn("{}: its material asks for {}, which it does not have", place_,
-                                 name);
+                diagnostics.warn("{}: its material needs {}, which it does not have", place_, name);
             return;
         }
         soup_.uvs.resize(first_ + vertices_, glm::vec2(0.0f));

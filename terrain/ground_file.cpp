@@ -26,7 +26,7 @@ struct ImageRecord {
 ImageWrap wrapOf(std::uint32_t number, const std::string& place)
 {
     if (number > static_cast<std::uint32_t>(ImageWrap::mirror))
-        fail(ErrorKind::input, "{}: {} is no way to wrap an image", place, number);
+        fail(ErrorKind::input, "{}: {} is not a wrap mode of an image", place, number);
     return static_cast<ImageWrap>(number);
 }
 

@@ -160,7 +160,7 @@ GroundImage decodeImage(std::span<const std::byte> file, const std::string& plac
     try {
         return decode(file, place, budget);
     } catch (const Error& error) {
-        diagnostics.warn("{}; its material is drawn without", error.what());
+        diagnostics.warn("{}; its material is drawn without an image", error.what());
         return {};
     }
 }

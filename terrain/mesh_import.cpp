@@ -62,8 +62,8 @@ void refine(Soup& soup, std::vector<glm::dvec3>&& positions, const std::string& 
         for (glm::length_t axis = 0; axis < 3; ++axis)
             if (std::fabs(soup.positions[i][axis] - own[axis]) >
                 1e-6 * std::fabs(own[axis]) + 1e-30)
-                fail(ErrorKind::input, "{}: vertex {} cannot be made out: {} or {}?", place, i,
-                     own[axis], soup.positions[i][axis]);
+                fail(ErrorKind::input, "{}: vertex {} is ambiguous: {} or {}", place, i, own[axis],
+                     soup.positions[i][axis]);
     }
     soup.positions = std::move(positions);
 }
@@ -114,7 +114,7 @@ Soup importMesh(const std::filesystem::path& path, double metresPerUnit, Diagnos
     {
         const QuietOpenMesh quiet;
         if (!format.read(stream, importer, options))
-            fail(ErrorKind::input, "{}: OpenMesh's reader cannot make sense of it", place);
+            fail(ErrorKind::input, "{}: OpenMesh cannot read it", place);
     }
     if (scan.vertices != 0 && importer.n_vertices() != scan.vertices)
         fail(ErrorKind::input, "{}: {} of {} vertices could be read", place, importer.n_vertices(),

@@ -87,8 +87,8 @@ public:
             if (isFile(file))
                 readLibrary(file);
             else
-                diagnostics_.warn("{}: its material library {} is missing; colours and images are "
-                                  "not known",
+                diagnostics_.warn("{}: its material library {} is missing, and with it colours and "
+                                  "images",
                                   place_, name);
             wasMissing_ = wasMissing_ || !isFile(file);
         }
@@ -148,7 +148,7 @@ private:
         for (glm::length_t channel = 0; channel < 3; ++channel) {
             const auto number = words.number();
             if (!number) {
-                diagnostics_.warn("{}: line {}: Kd is not three numbers; it is passed over",
+                diagnostics_.warn("{}: line {}: Kd is not three numbers; it is ignored",
                                   file.string(), line);
                 return;
             }
@@ -203,8 +203,9 @@ private:
             soup_.images.push_back(std::move(image));
             known->second = static_cast<std::uint32_t>(soup_.images.size() - 1);
         } catch (const Error&) {
-            diagnostics_.warn("{}: the image {} cannot be read; its material is drawn without",
-                              place_, file.string());
+            diagnostics_.warn(
+                "{}: the image {} cannot be read; its material is drawn without an image", place_,
+                file.string());
         }
         return known->second;
     }

@@ -69,7 +69,7 @@ void warnOfUpAxis(const Shape& shape, bool hasUnits, const std::string& place,
             continue;
         const char name = axis == 2 ? 'z' : 'x';
         const char* const sign = shape.net[axis] < -0.5 * shape.area ? "-" : "";
-        diagnostics.warn("{}: its ground stands upright and looks along {}{}; if that is up in the "
+        diagnostics.warn("{}: its ground is upright and faces along {}{}; if that is up in the "
                          "file, try --up-axis {}{}",
                          place, sign, name, sign, name);
     }

@@ -43,10 +43,10 @@ HeightSamples readPngHeights(std::span<const std::byte> file, const std::string&
         samples.values.push_back(value);
     }
     if (isHeight && !pixels.isWide)
-        diagnostics.warn("{}: {} bits a sample make terraces; export the heightmap with 16", place,
-                         pixels.depth);
+        diagnostics.warn("{}: {} bits per sample make terraces; export the heightmap with 16 bits",
+                         place, pixels.depth);
     if (isHeight && hasColors)
-        diagnostics.warn("{}: an image in colour; the brightest channel is taken for the height",
+        diagnostics.warn("{}: is a colour image; its brightest channel is taken as the height",
                          place);
     return samples;
 }

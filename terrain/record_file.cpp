@@ -68,13 +68,13 @@ RecordReader::RecordReader(const std::filesystem::path& path, std::string_view k
     const std::span<const std::byte> bytes = file_.bytes();
     std::uint64_t digest = 0;
     if (bytes.size() < kindBytes + sizeof digest)
-        fail(ErrorKind::input, "{}: {} bytes are too few to be whole", name_, bytes.size());
+        fail(ErrorKind::input, "{}: truncated: {} bytes", name_, bytes.size());
     if (std::memcmp(bytes.data(), kind.data(), kindBytes) != 0)
         fail(ErrorKind::input, "{}: does not begin with \"{}\"", name_, kind);
     end_ = bytes.size() - sizeof digest;
     std::memcpy(&digest, bytes.data() + end_, sizeof digest);
     if (XXH3_64bits(bytes.data(), end_) != digest)
-        fail(ErrorKind::input, "{}: its {} bytes do not have the hash that it ends with", name_,
+        fail(ErrorKind::input, "{}: damaged: its {} bytes do not match the hash at its end", name_,
              bytes.size());
     at_ = kindBytes;
 }

@@ -55,8 +55,8 @@ Plan planBake(double area, double extent, const BakeSettings& settings, Diagnost
         if (plan.expected > limit) {
             diagnostics.warn(
                 "{:.4g} m² at {:.4g} blades per m² would be {:.4g} blades and {:.3g} GB; "
-                "density lowered to {:.4g} per m² for {:.4g} blades (--density or --count "
-                "ask for more)",
+                "density lowered to {:.4g} per m² for {:.4g} blades (request more with "
+                "--density or --count)",
                 area, plan.density, plan.expected, plan.expected * bytesPerBlade * 1e-9,
                 limit / area, limit);
             plan.density = limit / area;

@@ -110,7 +110,7 @@ void validate(const BakeSettings& settings)
     requireRange("--ray-length", settings.rayLength, 0.0, 1e9);
     requireRange("--min-island", settings.leastIsland, 0.0, 1e300);
     if (!settings.sky.holds(0.0, 1.0) && settings.exposureRays == 0)
-        fail(ErrorKind::usage, "--sky asks for rays; --exposure is 0");
+        fail(ErrorKind::usage, "--sky needs rays, but --exposure is 0");
     if (settings.meadow.species.empty())
         fail(ErrorKind::usage, "the meadow has no species");
 }

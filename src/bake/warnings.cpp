@@ -9,7 +9,7 @@
 namespace sward::bake {
 namespace {
 
-// Shares of roots from which something is worth a word.
+// Shares of roots from which a warning is given.
 constexpr double someUndersides = 0.01;
 constexpr double mostUndersides = 0.75;
 constexpr double hardlyAny = 0.01;
@@ -30,7 +30,7 @@ std::uint64_t rejectedBy(const RootCounts& counts, Reject reason)
     return counts.rejected[static_cast<std::size_t>(reason)];
 }
 
-// "slope 120 (--slope), mask 30 (--mask)", most first; spacing is no one's fault.
+// "slope 120 (--slope), mask 30 (--mask)", most first; without spacing, which no filter decides.
 std::string reasonsOf(const RootCounts& counts)
 {
     std::vector<Reject> reasons;
@@ -44,7 +44,7 @@ std::string reasonsOf(const RootCounts& counts)
     for (const Reject reason : reasons)
         text += fmt::format("{}{} {} ({})", text.empty() ? "" : ", ", nameOf(reason),
                             rejectedBy(counts, reason), optionOf(reason));
-    return text.empty() ? "no filter (no area bears grass, or none was asked for)" : text;
+    return text.empty() ? "no filter (no ground bears grass, or zero blades were requested)" : text;
 }
 
 void warnAboutNone(const RootCounts& counts, const Report::Input& ground, Diagnostics& diagnostics)
@@ -61,22 +61,24 @@ void warnAboutUndersides(const RootCounts& counts, Diagnostics& diagnostics)
 {
     const double share = double(counts.undersides) / double(counts.kept);
     if (share > mostUndersides)
-        diagnostics.warn("{:.1f} % of the blades grow on undersides; --sides back is for a mesh "
-                         "that is inside out, --up-axis z or -y for one that lies on its side or "
-                         "its head",
-                         100.0 * share);
+        diagnostics.warn(
+            "{:.1f} % of the blades grow on undersides; use --sides back for a mesh that "
+            "is inside out, --up-axis z or -y for one that lies on its side or upside "
+            "down",
+            100.0 * share);
     else if (share > someUndersides)
-        diagnostics.warn("{:.1f} % of the blades grow on undersides; --slope 0:90 removes them, "
-                         "--ground-up radial is for planets",
-                         100.0 * share);
+        diagnostics.warn(
+            "{:.1f} % of the blades grow on undersides; --slope 0:90 removes them; for a "
+            "planet use --ground-up radial",
+            100.0 * share);
 }
 
-// What was asked for and does nothing lies elsewhere than its author thinks.
+// An option without effect: its mask, border or mesh is not where its author expects it.
 void warnAboutIdle(const RootCounts& counts, const Report::Input& ground,
                    const BakeSettings& settings, Diagnostics& diagnostics)
 {
     if (!settings.masks.empty() && rejectedBy(counts, Reject::mask) == 0)
-        diagnostics.warn("--mask rejects nothing: it is white wherever grass may grow");
+        diagnostics.warn("--mask rejects nothing: it is white on all ground that bears grass");
     if (settings.border.low > -unbounded && rejectedBy(counts, Reject::border) == 0)
         diagnostics.warn("--border rejects nothing: the ground that bears grass has no border "
                          "nearer than {} m",

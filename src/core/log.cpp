@@ -4,7 +4,9 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <cstdio>
 #include <memory>
+#include <mutex>
 
 namespace sward::log {
 namespace {
@@ -36,7 +38,40 @@ spdlog::logger& logger()
     return *instance;
 }
 
+// The line that stays last. Whoever writes to stderr holds the mutex.
+struct StatusLine {
+    std::mutex mutex;
+    std::string text;
+
+    void erase() const
+    {
+        if (!text.empty())
+            std::fputs("\r\033[K", stderr);
+    }
+
+    void show() const
+    {
+        std::fputs(text.c_str(), stderr);
+        std::fflush(stderr);
+    }
+};
+
+StatusLine& statusLine()
+{
+    static StatusLine line;
+    return line;
+}
+
 } // namespace
+
+void setStatusLine(const std::string& line)
+{
+    StatusLine& status = statusLine();
+    const std::lock_guard lock(status.mutex);
+    status.erase();
+    status.text = line;
+    status.show();
+}
 
 void setLevel(Level level)
 {
@@ -45,11 +80,17 @@ void setLevel(Level level)
 
 void write(Level level, const std::string& text)
 {
+    if (!logger().should_log(toSpdlog(level)))
+        return;
+    StatusLine& status = statusLine();
+    const std::lock_guard lock(status.mutex);
+    status.erase();
     // Warnings and errors say what they are; plain progress does not need a label.
     const char* label = level == Level::error     ? "error: "
                         : level == Level::warning ? "warning: "
                                                   : "";
     logger().log(toSpdlog(level), "{}{}", label, text);
+    status.show();
 }
 
 } // namespace sward::log

@@ -12,6 +12,11 @@ enum class Level { debug, info, warning, error };
 /// Sets the lowest level that reaches stderr; info at the start.
 void setLevel(Level level);
 
+/// Shows `line` as the last one on stderr in place of the one before, until the next call; an empty
+/// text takes it away. Lines of the log are written above it. From any thread. For a progress bar:
+/// it needs a terminal that understands control sequences.
+void setStatusLine(const std::string& line);
+
 /// Writes one line to stderr. Programs log; libraries return numbers and fill Diagnostics.
 void write(Level level, const std::string& text);
 

@@ -100,7 +100,7 @@ void decompress(std::span<const std::byte> stored, std::size_t elementBytes,
     // The frame ends with its checks, and the chunk with the frame.
     std::byte beyond = {};
     if (take(&beyond, 1) != 0 || in.pos != in.size)
-        fail(ErrorKind::input, "{}: decompresses to more than {} bytes, or something follows",
+        fail(ErrorKind::input, "{}: decompresses to more than {} bytes, or bytes follow its end",
              place, raw.size());
 }
 

@@ -151,7 +151,7 @@ void Reader::readHeader()
     if (header_.fileBytes != bytes_.size())
         fail(ErrorKind::input, "{}: {} bytes instead of {}: {}", place_, bytes_.size(),
              header_.fileBytes,
-             bytes_.size() < header_.fileBytes ? "truncated" : "something follows");
+             bytes_.size() < header_.fileBytes ? "truncated" : "bytes follow its end");
     if (header_.chunkCount > format::maxChunks)
         fail(ErrorKind::input, "{}: {} chunks, more than {}", place_, header_.chunkCount,
              format::maxChunks);

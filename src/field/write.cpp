@@ -235,7 +235,7 @@ void checkWritten(const std::filesystem::path& written, const std::filesystem::p
     isWhole =
         isWhole && file.matches(std::span(zeros).first(header.fileBytes - at)) && file.isAtEnd();
     if (!isWhole)
-        fail(ErrorKind::io, "{}: what was written does not read back; is the disk sound?",
+        fail(ErrorKind::io, "{}: the file differs from what was written; the disk may be damaged",
              path.string());
 }
 

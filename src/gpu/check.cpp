@@ -80,11 +80,10 @@ void check(VkResult result, const char* call, std::source_location where)
     std::string_view file = where.file_name();
     file.remove_prefix(file.find_last_of('/') + 1);
     if (result == VK_ERROR_DEVICE_LOST)
-        fail(
-            ErrorKind::runtime,
-            "{} failed: VK_ERROR_DEVICE_LOST ({}:{}): the device was lost. Its driver has given up "
-            "this program or the device; the system's log may say why",
-            call, file, where.line());
+        fail(ErrorKind::runtime,
+             "{} failed: VK_ERROR_DEVICE_LOST ({}:{}): the device was lost: the driver stopped "
+             "this program or the device; the system log may contain the reason",
+             call, file, where.line());
     fail(kindOf(result), "{} failed: {} ({}:{})", call, nameOf(result), file, where.line());
 }
 

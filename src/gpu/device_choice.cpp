@@ -133,15 +133,15 @@ std::size_t chooseDevice(std::span<const DeviceReport> devices, std::string_view
         return *best;
 
     if (!anyFits)
-        fail(ErrorKind::usage, "no Vulkan device fits '{}'; there are\n{}", selection,
+        fail(ErrorKind::usage, "no Vulkan device matches '{}'; these exist:\n{}", selection,
              describe(devices));
     if (selection.empty())
         fail(ErrorKind::unsupported,
-             "none of the Vulkan devices will do; Debian's mesa-vulkan-drivers has one that draws "
-             "on the CPU. There are\n{}",
+             "no Vulkan device can be used; Debian's mesa-vulkan-drivers has one that draws on the "
+             "CPU. These exist:\n{}",
              describe(devices));
-    fail(ErrorKind::unsupported, "the Vulkan device '{}' will not do; there are\n{}", selection,
-         describe(devices));
+    fail(ErrorKind::unsupported, "the Vulkan device '{}' cannot be used; these exist:\n{}",
+         selection, describe(devices));
 }
 
 } // namespace sward::gpu

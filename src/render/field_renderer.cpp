@@ -383,8 +383,8 @@ FieldRenderer::dumpBlades(const field::FieldView& field) const
            "the field is the one uploaded");
     if (parts_->streaming)
         fail(ErrorKind::unsupported,
-             "not all of the field's {} blades are in device memory, and "
-             "nobody can tell how they stand",
+             "not all of the field's {} blades are in device memory; "
+             "only those in memory have a state",
              field.blades.size());
     return readBlades(parts_->context, parts_->blades.buffers(), field);
 }

@@ -6,7 +6,7 @@ import unittest
 
 from support import CliTest, INPUT, IO, USAGE, ROOT
 
-COMMANDS = ("bake", "info", "validate", "compare", "export", "terrain")
+COMMANDS = ("bake", "info", "validate", "compare", "export", "terrain", "plan", "tile", "merge")
 
 
 class CommandLine(CliTest):
@@ -116,6 +116,30 @@ class CommandLine(CliTest):
         quiet = self.sward("bake", "plane", "-o", "g.sward", "--count", "1000", "-q")
         self.assertEqual(quiet.stderr, "")
         self.assertIn("1000 blades", quiet.stdout)
+
+    def test_whatever_is_printed_ends_with_a_whole_line(self):
+        self.bake("plane", "--count", "500", to="f.sward")
+        self.sward("plan", "plane", "--count", "500", "--tiles", "1", "-o", "p.json")
+        cases = [(0, "--version"), (0, "--help"), (0, "--man"), (0, "--completion"), (USAGE,),
+                 *((0, command, "--help") for command in COMMANDS),
+                 (0, "bake", "plane", "--print-config"), (0, "bake", "plane", "--dry-run", "-v"),
+                 (0, "bake", "plane", "-o", "g.sward", "--count", "9", "-v", "--force"),
+                 (0, "info", "f.sward"), (0, "info", "f.sward", "--json"),
+                 (0, "info", "f.sward", "--histogram"), (0, "validate", "f.sward"),
+                 (0, "compare", "f.sward", "f.sward"), (7, "compare", "f.sward", "g.sward"),
+                 (0, "export", "f.sward", "-o", "f.csv"), (0, "terrain", "plane", "-o", "t.glb"),
+                 (0, "tile", "p.json", "--index", "0", "-o", "tiles"),
+                 (0, "tile", "p.json", "--index", "0", "-o", "tiles"),
+                 (0, "merge", "p.json", "tiles", "-o", "m.sward"),
+                 (USAGE, "bake", "--slope"), (USAGE, "bake"), (IO, "info", "none.sward"),
+                 (INPUT, "validate", "t.glb"), (USAGE, "bake", "plane")]
+        for code, *words in cases:
+            with self.subTest(words=words):
+                done = self.sward(*words, code=code)
+                self.assertNotEqual(done.stdout + done.stderr, "")
+                for text in (done.stdout, done.stderr):
+                    self.assertEqual(text[-1:], "\n" if text else "")
+                    self.assertNotRegex(text, r"\n\n$")
 
     def test_no_progress_bar_without_a_terminal_unless_asked_for(self):
         done = self.sward("bake", "plane", "-o", "f.sward", "--count", "1000")

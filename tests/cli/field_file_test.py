@@ -75,8 +75,29 @@ class FieldFile(CliTest):
 
     def test_info_for_people_has_the_same_numbers(self):
         text = self.sward("info", "field.sward").stdout
-        for word in ("3000", "species", "ground", "provenance", str(self.field.stat().st_size)):
+        for word in ("3000", "species", "ground", "settings", str(self.field.stat().st_size)):
             self.assertIn(word, text)
+
+    def test_info_for_people_has_a_row_for_every_setting_of_the_bake(self):
+        field = self.bake("hills", "--count", "3000", "--altitude", "-50:~1.5", "--border", "2~1",
+                          "--ground-up", "radial:0,-900,0", "--exclude", "sphere:margin 2",
+                          "--set", "species.bent.slope=:30~5", "--meadow", "meadow", to="f.sward")
+        text = self.sward("info", field).stdout
+        provenance = self.info(field)["provenance"]
+        settings = provenance["settings"]
+        keys = [*settings, *(key for key in settings["meadow"] if key != "species"),
+                *settings["meadow"]["species"][0]]
+        for key in keys:
+            with self.subTest(key=key):
+                self.assertRegex(text, rf"(?m)^ +{key.removesuffix('_m').replace('_', ' ')}( |$)")
+        for row in (r"input hash +[0-9a-f]{16}", r"altitude +at least -50 m, fading over 1.5 m",
+                    r"border +at least 3 m, fading over 1 m", r"curvature +unlimited",
+                    r"density +none", r"slope +0 to 180 degrees", r"ground up +radial from 0, -900, 0"):
+            self.assertRegex(text, rf"(?m)^ +{row}$")
+        self.assertRegex(text, r"(?m)^ +slope +0:180 +0:180 +0:30~5$")
+        for letters in "{}[]\"":
+            self.assertNotIn(letters, text)
+        self.assertNotRegex(text, r"1e\+?300")
 
     def test_the_csv_has_the_contract_s_header_and_a_row_for_each_blade(self):
         self.sward("export", "field.sward", "-o", "f.csv")

@@ -17,6 +17,48 @@ def commands(document=ROOT / "README.md"):
     return [match.group(1) for match in found if match]
 
 
+def cells(text):
+    """Cells of all tables, but for the rules below their heads."""
+    rows = [line for line in text.splitlines() if line.startswith("|")]
+    parts = [re.split(r"(?<!\\)\|", row)[1:-1] for row in rows]
+    return [cell.strip() for row in parts for cell in row if not re.fullmatch(r"[ :-]*", cell)]
+
+
+class ReadmeText(unittest.TestCase):
+    def setUp(self):
+        self.text = (ROOT / "README.md").read_text(encoding="utf-8")
+
+    def test_it_is_short(self):
+        lines = self.text.splitlines()
+        self.assertLessEqual(len(lines), 110)
+        self.assertEqual([line for line in lines if len(line) > 160], [])
+
+    def test_cells_of_tables_are_short(self):
+        self.assertGreater(len(cells(self.text)), 20, "it has tables")
+        self.assertEqual([cell for cell in cells(self.text) if len(cell.split()) > 20], [])
+
+    def test_pictures_have_texts_and_links_lead_somewhere(self):
+        pictures = re.findall(r"!\[([^\]]*)\]\(([^)]+)\)", self.text)
+        self.assertGreater(len(pictures), 1)
+        for alternative, path in pictures:
+            self.assertGreater(len(alternative.split()), 4, path)
+        for link in re.findall(r"\]\(([^)#]+)[^)]*\)", self.text):
+            if "://" not in link:
+                self.assertTrue((ROOT / link).exists(), link)
+
+    def test_its_measurements_stand_in_the_tables_of_docs(self):
+        tables = "\n".join((ROOT / "docs" / name).read_text(encoding="utf-8")
+                           for name in ("BENCHMARKS.md", "bench/README.md"))
+        measured = [float(number) for number in re.findall(r"\d+\.\d+", tables)]
+        table = self.text[self.text.index("| device |"):self.text.index("[How it was measured]")]
+        rows = [line for line in table.splitlines() if re.search(r"\d \|$", line)]
+        self.assertGreater(len(rows), 5)
+        for number in re.findall(r"(?<=\| )\d+\.\d+(?= \|)", "\n".join(rows)):
+            # Written with as many digits as the reader needs.
+            digits = len(number.partition(".")[2])
+            self.assertIn(float(number), [round(value, digits) for value in measured], number)
+
+
 class Readme(CliTest):
     def test_its_commands_run_one_after_the_other(self):
         self.assertGreater(len(commands()), 0, "README shows how to run sward")

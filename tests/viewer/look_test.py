@@ -100,12 +100,12 @@ class LookTest(unittest.TestCase):
         self.assertEqual({path.stem.split("-")[0] for path in drawn}, names)
         for path in drawn:
             self.assertEqual(path.read_bytes()[:2], b"\xff\xd8")
-        # Each of them is in the repository, small enough to be loaded with its page, and README shows it.
-        readme = (ROOT / "README.md").read_text(encoding="utf-8")
+        # Each of them is in the repository, small enough to be loaded with its page, and a page shows it.
+        page = (ROOT / "docs" / "gallery.md").read_text(encoding="utf-8")
         for path in drawn:
             kept = ROOT / "docs" / "gallery" / path.name
             self.assertLessEqual(kept.stat().st_size, 400_000, path.name)
-            self.assertIn(f"docs/gallery/{path.name}", readme)
+            self.assertIn(f"gallery/{path.name}", page)
 
     def test_the_gallery_bakes_again_only_what_has_changed(self):
         self.assertEqual(self.gallery("--count", 200, "planet").returncode, 0)

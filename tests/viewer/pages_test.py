@@ -1,12 +1,19 @@
-"""Manual pages and completions say what --help says."""
+"""What the programs say of themselves: --help, manual pages, completions, docs/cli.md, and a terminal."""
 
+import json
 import os
 import pty
 import re
 import shlex
 import subprocess
+import sys
 import tempfile
 import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "scripts"))
+from help_pages import help_of, pages  # noqa: E402
 
 SWARD = os.environ["SWARD_PROGRAM"]
 SWARD_VIEW = os.environ["SWARD_VIEW_PROGRAM"]
@@ -26,11 +33,11 @@ def complete(program, name, *words):
     return said("bash", "-c", script).split()
 
 
-def said_on_a_terminal(*arguments, **environment):
-    """What a program says on stderr where that is a terminal."""
+def said_on_a_terminal(*arguments, stdout=False, **environment):
+    """What a program says on stderr where that is a terminal; with `stdout` on both streams."""
     ours, theirs = pty.openpty()
-    done = subprocess.Popen(arguments, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                            stderr=theirs, env={**os.environ, "TERM": "xterm", **environment})
+    done = subprocess.Popen(arguments, stdin=subprocess.DEVNULL,
+                            stdout=theirs if stdout else subprocess.DEVNULL, stderr=theirs, env={**os.environ, "TERM": "xterm", **environment})
     os.close(theirs)
     text = b""
     while True:
@@ -46,13 +53,102 @@ def said_on_a_terminal(*arguments, **environment):
     return text.decode()
 
 
+def screen(text):
+    """The finished lines that a terminal shows, and the line on which its cursor is left."""
+    lines, line, column = [], [], 0
+    for part in re.findall(r"\033\[[0-9;]*[A-Za-z]|.", text, re.S):
+        if part == "\n":
+            lines.append("".join(line).rstrip())
+            line, column = [], 0
+        elif part == "\r":
+            column = 0
+        elif part == "\033[K":
+            line = line[:column]
+        elif not part.startswith("\033"):
+            line[column:column + 1] = [part]
+            column += 1
+    return lines, "".join(line)
+
+
+def without_numbers(lines):
+    return [re.sub(r"\d+(\.\d+)?", "N", line) for line in lines]
+
+
+class HelpTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.pages = pages(PROGRAMS)
+
+    def test_pages_fit_a_terminal_of_80_columns(self):
+        for name, command in self.pages:
+            for line in help_of(PROGRAMS[name], command).splitlines():
+                self.assertLess(len(line), 81, f"{name} {command}: {line}")
+                self.assertEqual(line, line.rstrip())
+
+    def test_every_option_has_a_text_and_every_value_a_name(self):
+        for page in self.pages.values():
+            self.assertGreater(len(page.options), 0)
+            for option in page.options:
+                with self.subTest(page=page.name, option=option.usage):
+                    self.assertRegex(option.text, r"^[A-Z].*[^.,;]$")
+                    self.assertNotIn(":FLOAT", option.value)
+                    self.assertNotRegex(option.usage, r"\b(INT|UINT|FLOAT|TEXT)\b")
+
+    def test_stated_defaults_are_the_defaults(self):
+        # What is said in words has no spelling on the command line.
+        words = {"unlimited", "any", "all", "auto"}
+        plain = said(SWARD, "bake", "plane", "--print-config")
+        options = [option for option in self.pages["sward", "bake"].options
+                   if re.fullmatch(r"[\w:.-]+", option.default) and option.default not in words]
+        self.assertGreater(len(options), 10)
+        for option in options:
+            with self.subTest(option=option.usage):
+                stated = f"{option.names[-1]}={option.default}"
+                self.assertEqual(said(SWARD, "bake", "plane", "--print-config", stated), plain)
+
+    def test_stated_ranges_are_the_ranges(self):
+        number = r"(\d[\d.]*(?:e-?\d+)?)"
+        tried = 0
+        for (name, command), page in self.pages.items():
+            for option in page.options:
+                found = re.search(rf"{number} to {number}(?![\d.]*[x\w])", option.text)
+                if option.value not in ("N", "M", "F", "S", "X", "auto|F") or not found:
+                    continue
+                low, high = (float(text) for text in found.groups())
+                beyond = [high * 1.001 + 1, -1.0] + ([low / 2] if low > 0 else [])
+                for value, fits in [(low, True), (high, True), *((v, False) for v in beyond)]:
+                    text = f"{value:.0f}" if value == int(value) else repr(value)
+                    with self.subTest(page=page.name, option=option.usage, value=text):
+                        self.assertEqual(self.accepts(name, command, option.names[-1], text), fits)
+                        tried += 1
+        self.assertGreater(tried, 60)
+
+    @staticmethod
+    def accepts(name, command, option, value):
+        """Whether the command line is understood; no work is done."""
+        rest = {"bake": ["plane", "--print-config"], "plan": ["none.glb", "-o", "/proc/none/p.json"],
+                "compare": ["none.sward", "none.sward"], "tile": ["none.json", "-o", "none"],
+                "render": ["none.sward", "-o", "none.png"]}.get(command, ["none.sward"])
+        needed = {"plan": ["--tiles", "1"], "tile": ["--index", "0"]}.get(command, [])
+        if option in needed:
+            needed = []
+        words = [PROGRAMS[name], *([command] if command else []), *rest, *needed, f"{option}={value}"]
+        done = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+        return done.returncode != 1
+
+    def test_the_page_of_the_command_line_is_what_help_says(self):
+        done = subprocess.run([ROOT / "scripts" / "cli-tables", "--check", Path(SWARD).parent],
+                              capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+
 class PagesTest(unittest.TestCase):
     def test_the_manual_page_has_every_option_of_every_command(self):
         for name, program in PROGRAMS.items():
             page = said(program, "--man").replace("\\-", "-")
             for command in COMMANDS[name]:
-                options = set(re.findall(r"^  (?:-\w,)?(--[a-z-]+)", said(program, command,
-                                                                          "--help"), re.M))
+                options = set(re.findall(r"^  (?:-\w, )?(--[a-z-]+)", said(program, command,
+                                                                           "--help"), re.M))
                 self.assertGreater(len(options), 2)
                 missing = [option for option in options if option not in page]
                 self.assertEqual(missing, [], f"{name} {command}")
@@ -74,7 +170,7 @@ class PagesTest(unittest.TestCase):
     def test_help_is_free_of_colours_and_has_examples(self):
         for name, program in PROGRAMS.items():
             whole = said(program, "--help")
-            commands = re.findall(r"^  ([a-z]+) ", whole[whole.index("Subcommands:"):], re.M)
+            commands = re.findall(r"^  ([a-z]+) ", whole[whole.index("Commands:"):], re.M)
             self.assertLessEqual(set(COMMANDS[name]), set(commands))
             for command in commands:
                 text = said(program, command, "--help")
@@ -96,6 +192,25 @@ class PagesTest(unittest.TestCase):
                 dumb = said_on_a_terminal(*arguments, NO_COLOR="", TERM="dumb")
                 piped = subprocess.run(arguments, capture_output=True, text=True).stderr
                 self.assertNotIn("\033", dumb + piped)
+
+    def test_lines_on_a_terminal_are_those_without_a_bar(self):
+        folder = tempfile.TemporaryDirectory(prefix="sward-pages-")
+        self.addCleanup(folder.cleanup)
+        field, picture = f"{folder.name}/f.sward", f"{folder.name}/p.png"
+        scene = Path(folder.name, "s.json")
+        scene.write_text(json.dumps({"about": "A plane.", "ground": {"kind": "plane"},
+                                     "bake": ["--count", "20000"]}))
+        for arguments in ((SWARD, "bake", "hills", "--count", "200000", "-o", field, "--force", "-v"),
+                          (SWARD, "bake", "none.glb", "-o", field, "--force"),
+                          (SWARD, "export", field, "-o", f"{folder.name}/f.csv", "--force"),
+                          (SWARD_VIEW, "bench", scene, "--size", "64x64", "--frames", "3"),
+                          (SWARD_VIEW, "render", field, "-o", picture, "--size", "64x64", "--force")):
+            with self.subTest(arguments=arguments[:2]):
+                shown = said_on_a_terminal(*arguments, "--progress", "always", stdout=True)
+                plain = said_on_a_terminal(*arguments, "--progress", "never", stdout=True)
+                lines, rest = screen(shown)
+                self.assertEqual(rest, "", "the cursor stands on an empty line")
+                self.assertEqual(without_numbers(lines), without_numbers(screen(plain)[0]))
 
 
 if __name__ == "__main__":

@@ -1,9 +1,11 @@
 #include "apps/common/progress_bar.h"
+#include "core/log.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
+#include <thread>
 
 namespace sward::apps {
 namespace {
@@ -32,6 +34,34 @@ TEST(ProgressBar, ThatIsNotShownCostsNothing)
 {
     ProgressBar bar(false);
     EXPECT_FALSE(bar.callback());
+}
+
+TEST(ProgressBar, MessagesOfOtherThreadsStandOnLinesOfTheirOwn)
+{
+    constexpr int messages = 200;
+    testing::internal::CaptureStderr();
+    {
+        ProgressBar bar(true);
+        const Progress::Callback show = bar.callback();
+        std::thread other([] {
+            for (int i = 0; i < messages; ++i)
+                log::warn("message {}", i);
+        });
+        for (int i = 0; i <= 1000; ++i)
+            show("sample", i / 1000.0);
+        other.join();
+    }
+    const std::string text = testing::internal::GetCapturedStderr();
+
+    // Each message begins where a line begins: behind another one or behind the erased bar.
+    const std::string erased = "\r\033[K";
+    int found = 0;
+    for (std::size_t at = text.find("warning: "); at != std::string::npos;
+         at = text.find("warning: ", at + 1), ++found)
+        EXPECT_TRUE(at == 0 || text[at - 1] == '\n' || text.substr(0, at).ends_with(erased))
+            << text.substr(at > 20 ? at - 20 : 0, 60);
+    EXPECT_EQ(found, messages);
+    EXPECT_TRUE(text.ends_with(erased)) << "the bar is taken away";
 }
 
 } // namespace

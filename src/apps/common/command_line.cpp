@@ -1,6 +1,7 @@
 #include "apps/common/command_line.h"
 
 #include "apps/common/command_pages.h"
+#include "apps/common/help_text.h"
 #include "apps/common/output.h"
 #include "apps/common/version.h"
 #include "core/error.h"
@@ -60,7 +61,7 @@ void prepareApp(CLI::App& app, const std::string& program)
     app.name(program);
     app.set_version_flag("--version", versionText(program), "Print the version and exit");
     app.set_help_flag("-h,--help", "Print this help and exit");
-    app.get_formatter()->column_width(34);
+    useHelpText(app);
     // They travel as the version does. In no group, so that --help does not grow by them.
     app.add_flag_callback(
            "--man", [&app, program] { throw CLI::CallForVersion(manualPage(app, program), 0); },
@@ -89,7 +90,7 @@ std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* 
         const CLI::App& chosen = chosenApp(app);
         const bool unexpected =
             refused.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
-        fail(ErrorKind::usage, "{}{}\nRun '{} --help' to see what it takes.", refused.what(),
+        fail(ErrorKind::usage, "{}{}\n'{} --help' lists what is accepted.", refused.what(),
              unexpected ? proposal(chosen) : "", nameOf(chosen));
     }
 }

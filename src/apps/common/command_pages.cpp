@@ -1,5 +1,6 @@
 #include "apps/common/command_pages.h"
 
+#include "apps/common/help_text.h"
 #include "apps/common/version.h"
 
 #include <CLI/CLI.hpp>
@@ -15,9 +16,9 @@ namespace {
 constexpr const char* exitCodes =
     ".SH EXIT STATUS\n"
     "0 done, 1 wrong usage, 2 cannot read or write, 3 invalid input, 4 failure while running,\n"
-    "5 unsupported, 7 a difference was found, 130 interrupted.\n"
+    "5 unsupported, 7 difference found, 130 interrupted.\n"
     ".SH ENVIRONMENT\n"
-    ".TP\n.B NO_COLOR\nWithout colours, on a terminal too.\n";
+    ".TP\n.B NO_COLOR\nIf set, nothing is coloured, on a terminal neither.\n";
 
 // Text of roff: a backslash and a dot at the beginning mean something there.
 std::string roff(const std::string& text)
@@ -67,13 +68,13 @@ std::string optionText(const CLI::Option& option)
 {
     std::string names;
     if (option.get_positional())
-        names = "\\fI" + roff(option.get_name(true)) + "\\fR";
+        names = "\\fI" + roff(valueName(option)) + "\\fR";
     for (const std::string& name : namesOf(option))
         names += (names.empty() ? "\\fB" : ", \\fB") + roff(name) + "\\fR";
-    const std::string type = option.get_type_name();
-    if (takesValue(option) && !option.get_positional() && !type.empty())
-        names += " \\fI" + roff(type) + "\\fR";
-    return ".TP\n" + names + "\n" + roff(option.get_description()) + "\n";
+    const std::string value = valueName(option);
+    if (!option.get_positional() && !value.empty())
+        names += " \\fI" + roff(value) + "\\fR";
+    return ".TP\n" + names + "\n" + roff(describe(option)) + "\n";
 }
 
 std::string optionsText(const CLI::App& app)

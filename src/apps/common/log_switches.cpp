@@ -12,8 +12,8 @@ namespace sward::apps {
 void LogSwitches::add(CLI::App& app)
 {
     CLI::Option* quietOption =
-        app.add_flag("-q,--quiet", quiet, "Only warnings and errors")->group("Log");
-    app.add_flag("-v,--verbose", verbose, "More about what is done")
+        app.add_flag("-q,--quiet", quiet, "Print warnings and errors only")->group("Log");
+    app.add_flag("-v,--verbose", verbose, "Print more about each step")
         ->group("Log")
         ->excludes(quietOption);
 }
@@ -24,9 +24,10 @@ void LogSwitches::addBar(CLI::App& app)
         bar = word == "always" ? Bar::always : word == "never" ? Bar::never : Bar::automatic;
     };
     app.add_option_function<std::string>("--progress", choose,
-                                         "Progress bar; auto shows it on a terminal only")
-        ->check(CLI::IsMember({"auto", "always", "never"}))
-        ->type_name("")
+                                         "Progress bar on stderr; auto: on a terminal only")
+        ->check(CLI::IsMember({"auto", "always", "never"}).description(""))
+        ->type_name("auto|always|never")
+        ->default_str("auto")
         ->group("Log");
 }
 

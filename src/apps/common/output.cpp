@@ -1,6 +1,7 @@
 #include "apps/common/output.h"
 
 #include "core/error.h"
+#include "core/log.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -10,6 +11,8 @@ namespace sward::apps {
 
 void writeResult(std::string_view text)
 {
+    // Both streams may be one terminal.
+    log::setStatusLine("");
     const bool written =
         std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
     if (!written)

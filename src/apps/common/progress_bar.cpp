@@ -1,16 +1,15 @@
 #include "apps/common/progress_bar.h"
 
 #include "apps/common/terminal.h"
+#include "core/log.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace sward::apps {
 namespace {
 
-constexpr const char* eraseLine = "\r\033[K";
 constexpr int stageColumns = 12; ///< room for a stage's name
 constexpr int otherColumns = 11; ///< blanks, brackets and the percentage
 
@@ -48,22 +47,14 @@ Progress::Callback ProgressBar::callback()
 
 void ProgressBar::clear()
 {
-    const std::lock_guard lock(mutex_);
-    if (!onScreen_)
-        return;
-    std::fputs(eraseLine, stderr);
-    std::fflush(stderr);
-    onScreen_ = false;
+    if (shown_)
+        log::setStatusLine("");
 }
 
 void ProgressBar::show(const std::string& stage, double share)
 {
-    const std::lock_guard lock(mutex_);
     const std::string line = progressLine(stage, share, stderrColumns());
-    fmt::print(stderr, "{}{}{}{}", eraseLine, colored_ ? "\033[32m" : "", line,
-               colored_ ? "\033[0m" : "");
-    std::fflush(stderr);
-    onScreen_ = true;
+    log::setStatusLine(colored_ ? "\033[32m" + line + "\033[0m" : line);
 }
 
 } // namespace sward::apps

@@ -2,13 +2,12 @@
 
 #include "core/progress.h"
 
-#include <mutex>
 #include <string>
 
 namespace sward::apps {
 
-/// A line on stderr that shows how far a Progress has come. The line is taken away in the end, so
-/// that a log line never begins in its middle.
+/// A line on stderr that shows how far a Progress has come: the log's status line, above which log
+/// messages are written. It is taken away in the end. One at a time.
 class ProgressBar {
 public:
     explicit ProgressBar(bool shown);
@@ -28,8 +27,6 @@ private:
 
     const bool shown_;
     const bool colored_;
-    std::mutex mutex_;
-    bool onScreen_ = false;
 };
 
 /// The line itself: "sampling  [#####     ]  50 %", at most `columns` wide.

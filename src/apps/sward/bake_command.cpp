@@ -33,7 +33,7 @@ void checkOutputs(const BakeRequest& request)
     if (!request.report.empty())
         checkOutput(request.report, sources, request.overwrite);
     if (!request.dryRun && !request.report.empty() && isSameFile(request.report, request.output))
-        fail(ErrorKind::usage, "{}: cannot be both field and report", request.output);
+        fail(ErrorKind::usage, "{}: is named both as the field and as the report", request.output);
 }
 
 // Grows the field and writes it, or estimates; load time and the rest of the report are the
@@ -57,8 +57,11 @@ bake::Report grow(const BakeRequest& request, const terrain::GroundMesh& ground,
 class Bake : public Subcommand {
 public:
     explicit Bake(CLI::App& program)
-        : Subcommand(program, "bake", "Grow grass on ground and write a field file",
-                     "sward bake hills -o meadow.sward --density 200 --slope 0:45")
+        : Subcommand(
+              program, "bake", "Grow grass on ground and write a field file",
+              "sward bake hills -o meadow.sward --density 200 --slope 0:45\n\n"
+              "A range MIN:MAX~SOFT keeps roots inside of it and fades out over SOFT outside.\n"
+              "M~SOFT keeps no root up to M and every root from M + SOFT on.")
     {
         options_.add(app());
     }

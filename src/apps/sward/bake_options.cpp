@@ -34,9 +34,11 @@ std::vector<std::string> joinMargins(const std::vector<std::string>& words)
 
 void BakeOptions::add(CLI::App& app)
 {
-    app.add_option("INPUT", direct_.inputs,
-                   "Ground: .glb .gltf .obj .ply .stl .off, a heightmap .png .r16 .exr, a recipe "
-                   ".json, or one of plane sphere hills dunes torus arch; several are joined")
+    app.add_option(
+           "INPUT", direct_.inputs,
+           "Ground, one or several files: a mesh (.glb .gltf .obj .ply .stl .off), a "
+           "heightmap (.png .r16 .exr), a recipe (.json), or a built-in: plane sphere hills "
+           "dunes torus arch")
         ->type_name("");
     addGround(app);
     addAmount(app);
@@ -53,81 +55,101 @@ void BakeOptions::addGround(CLI::App& app)
     const auto option = [&](const char* name, auto& value, const char* type, const char* text) {
         return app.add_option(name, value, text)->type_name(type)->group("Ground");
     };
-    option("--up-axis", import.upAxis, "AXIS", "Axis of the file that points up: x y z -x -y -z")
+    option("--up-axis", import.upAxis, "AXIS",
+           "Axis of the file that points up: x, y, z, -x, -y or -z")
         ->capture_default_str();
-    option("--units", import.units, "UNIT", "What one unit of the file is: m cm mm ft")
+    option("--units", import.units, "m|cm|mm|ft", "Length of one unit of the file")
         ->capture_default_str();
-    option("--scale", import.scale, "F", "Multiplies after the units")->capture_default_str();
+    option("--scale", import.scale, "F",
+           "Factor on all lengths of the file, besides --units; above 0, up to 1e9")
+        ->capture_default_str();
     option("--ground-up", groundUp_, "UP",
-           "What slope is measured from and gravity pulls against: an axis like y or -z, or "
-           "radial[:x,y,z]")
+           "Direction against gravity, from which slope and altitude are measured: x, y, z, -x, "
+           "-y, -z, or radial[:x,y,z], away from a point in metres")
         ->capture_default_str();
-    option("--sides", sides_, "SIDES", "Sides that bear grass: front, back or both")
+    option("--sides", sides_, "front|back|both", "Sides of the triangles that bear grass")
         ->capture_default_str();
-    option("--scene", scene_, "N", "glTF scene; else the file's default");
-    option("--node", import.bearingNodes, "GLOB", "Only these nodes bear grass");
-    option("--material", import.bearingMaterials, "GLOB", "Only these materials bear grass");
-    option("--occluder", direct_.occluders, "FILE", "Blocks rays, is shown, bears nothing");
-    option("--occlude-node", import.occluderNodes, "GLOB", "The same for nodes of the input");
+    option("--scene", scene_, "N", "Scene of a glTF file, from 0")->default_str("the file's");
+    option("--node", import.bearingNodes, "GLOB",
+           "Only nodes of these names bear grass; * and ? are wildcards")
+        ->default_str("all");
+    option("--material", import.bearingMaterials, "GLOB",
+           "Only materials of these names bear grass; * and ? are wildcards")
+        ->default_str("all");
+    option("--occluder", direct_.occluders, "FILE",
+           "Meshes that block rays and are drawn but bear no grass");
+    option("--occlude-node", import.occluderNodes, "GLOB",
+           "Nodes of INPUT that block rays and are drawn but bear no grass");
 
     // What the file of a heightmap does not say.
     terrain::HeightmapSettings& map = import.heightmap;
     const auto parsed = [&](const char* name, const char* type, const char* text, auto&& take) {
-        app.add_option_function<std::string>(name, take, text)->type_name(type)->group("Ground");
+        return app.add_option_function<std::string>(name, take, text)
+            ->type_name(type)
+            ->group("Ground");
     };
-    parsed("--size", "WxH", "Samples of a heightmap; .r16 needs it, images know it",
-           [&map](const std::string& text) {
-               map.size = parseSize("--size", text, mostHeightSamples);
-           });
+    parsed(
+        "--size", "WxH",
+        "Samples of a heightmap along x and z, at most 17 million in all; required for .r16, other "
+        "formats state it",
+        [&map](const std::string& text) {
+            map.size = parseSize("--size", text, mostHeightSamples);
+        });
     app.add_option_function<std::vector<double>>(
            "--extent",
            [&map](const std::vector<double>& sides) { map.extent = {sides.at(0), sides.at(1)}; },
-           "Metres that a heightmap covers along x and z (default 1 m from sample to sample)")
+           "Size of a heightmap along x and z in metres")
+        ->default_str("1 m from sample to sample")
         ->expected(2)
         ->type_name("X Z")
         ->group("Ground");
     parsed("--height", "MIN:MAX",
-           "Metres of a heightmap's lowest and highest sample value (default 0 to a tenth of the "
-           "longer side; .exr: its samples are metres)",
+           "Heights of a heightmap's lowest and highest sample value in metres",
            [&map](const std::string& text) {
                const auto [low, high] = parseRange("--height", text);
                map.height = {low, high};
-           });
-    option("--hole-mask", map.holeMask, "FILE", "Image over a heightmap; no ground where black");
+           })
+        ->default_str("0 to a tenth of the longer side, of .exr as stored");
+    option("--hole-mask", map.holeMask, "FILE",
+           "Image over a heightmap; there is no ground where it is black");
 }
 
 void BakeOptions::addAmount(CLI::App& app)
 {
     const char* group = "How much";
     CLI::Option* density =
-        app.add_option("--density", density_, "Blades per square metre (default 300)")
+        app.add_option("--density", density_, "Blades per square metre, 0 to 1e15")
+            ->default_str("300, less if that makes more than 20 million blades")
             ->type_name("N")
             ->group(group)
             ->each([this](const std::string&) { hasDensity_ = true; });
-    CLI::Option* count = app.add_option("--count", count_, "Blades kept, exactly")
+    CLI::Option* count = app.add_option("--count", count_, "Exact number of blades, 0 to 4e9")
                              ->type_name("N")
                              ->group(group)
                              ->excludes(density)
                              ->each([this](const std::string&) { hasCount_ = true; });
     app.add_option("--spacing", spacing_,
-                   "Metres that roots keep from one another; implies --sampling poisson")
+                   "Least distance of roots in metres, 1e-9 to 1e9; implies --sampling poisson")
         ->type_name("M")
         ->group(group)
         ->excludes(density)
         ->excludes(count)
         ->each([this](const std::string&) { hasSpacing_ = true; });
     app.add_option("--sampling", sampling_,
-                   "How roots are spread: uniform, poisson, or poisson-dense (slower, tighter)")
-        ->type_name("KIND")
+                   "How roots are spread: uniform by area; poisson, none closer than a spacing; "
+                   "poisson-dense, the same packed tighter, which takes longer")
+        ->type_name("uniform|poisson|poisson-dense")
         ->each([this](const std::string&) { hasSampling_ = true; })
         ->group(group)
         ->capture_default_str();
-    app.add_option("--max-blades", direct_.settings.maxBlades, "More are refused before sampling")
+    app.add_option("--max-blades", direct_.settings.maxBlades,
+                   "A bake of more blades is refused before it begins, 0 to 4e9")
         ->type_name("N")
         ->group(group)
         ->capture_default_str();
     app.add_option("--blade-scale", bladeScale_,
-                   "Size of the blades; auto: smaller and denser on small ground")
+                   "Factor on the size of blades, 1e-6 to 1e6; auto: smaller and denser on small "
+                   "ground")
         ->type_name("auto|F")
         ->group(group)
         ->capture_default_str();
@@ -139,46 +161,58 @@ void BakeOptions::addPlaces(CLI::App& app)
     const auto option = [&](const char* name, auto& value, const char* type, const char* text) {
         return app.add_option(name, value, text)->type_name(type)->group("Where");
     };
-    option("--slope", slope_, "MIN:MAX[~SOFT]", "Degrees from ground-up (default 0:180)");
+    option("--slope", slope_, "MIN:MAX[~SOFT]", "Slope in degrees from --ground-up, 0 to 180")
+        ->default_str("0:180");
     option("--altitude", altitude_, "MIN:MAX[~SOFT]",
-           "Metres along ground-up; either end may be left out");
+           "Altitude in metres along --ground-up; either end may be left out")
+        ->default_str("unlimited");
     option("--curvature", curvature_, "MIN:MAX[~SOFT]",
-           "Mean curvature in 1/m: above 0 on ridges, below 0 in hollows");
-    option("--border", border_, "M[~SOFT]", "Metres from the ground's borders that stay bare");
+           "Mean curvature in 1/m, above 0 on ridges, below 0 in hollows; either end may be left "
+           "out")
+        ->default_str("unlimited");
+    option("--border", border_, "M[~SOFT]", "Distance from the ground's borders in metres")
+        ->default_str("any");
     option("--min-island", settings.leastIsland, "AREA",
-           "Square metres; smaller connected pieces of the ground bear nothing")
+           "Connected pieces of ground below this area in square metres bear no grass")
         ->capture_default_str();
-    option("--above-water", water_, "H[~SOFT]", "Metres along ground-up below which nothing grows");
-    option("--clearance", settings.clearance, "M", "Free height that a root needs")
+    option("--above-water", water_, "H[~SOFT]", "Altitude of water in metres along --ground-up")
+        ->default_str("no water");
+    option("--clearance", settings.clearance, "M",
+           "Free height above a root in metres, 0 to 1e9; 0: not tested")
         ->capture_default_str();
     option("--exposure", settings.exposureRays, "N",
-           "Rays to the sky from each root; 0: all roots see all of it")
+           "Rays from each root to the sky, 0 to 1024; 0: every root sees all of it")
         ->capture_default_str();
-    option("--ray-length", settings.rayLength, "M", "How far those rays look")
+    option("--ray-length", settings.rayLength, "M", "Length of these rays in metres, 0 to 1e9")
         ->capture_default_str();
-    option("--sky", sky_, "MIN:MAX[~SOFT]", "Share of the sky, 0 to 1, that a root must see");
+    option("--sky", sky_, "MIN:MAX[~SOFT]", "Share of these rays that meet nothing, 0 to 1")
+        ->default_str("0:1");
     option("--mask", masks_, "MASK",
-           "Multiplies density: vertex-color:C, texture:FILE:C or material-texture:C with C one of "
-           "R G B A, and perhaps :invert; may be repeated")
+           "Factor on the density, from vertex-color:C, texture:FILE[:C] or material-texture:C; C "
+           "is R, G, B or A; :invert may follow; may be repeated")
         ->allow_extra_args(false);
     option("--exclude", excluded_, "FILE[:margin M]",
-           "Nothing grows above, below or nearer than M metres to these meshes");
+           "No grass above, below or within M metres of these meshes; M is 0 to 1e9, 0 if left "
+           "out");
 }
 
 void BakeOptions::addBlades(CLI::App& app)
 {
-    app.add_option("--meadow", meadow_, "What is sown: a .json file or a built-in meadow")
+    app.add_option("--meadow", meadow_,
+                   "Species that are sown: a .json file, or meadow, lawn or steppe")
         ->type_name("FILE|NAME")
         ->group("Blades")
         ->capture_default_str();
     app.add_option("--set", assignments_,
-                   "Changes the meadow: clump_size_m=1 or species.NAME.share=0.2; may be repeated")
+                   "Changes a setting of the meadow, such as clump_size_m=1 or "
+                   "species.NAME.share=0.2; may be repeated")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false)
         ->group("Blades");
     app.add_option("--align", align_,
-                   "Where blades grow to: normal, vertical, or blend:F between them")
-        ->type_name("ALIGN")
+                   "Direction of growth: along the surface's normal, along --ground-up, or between "
+                   "them by F from 0 to 1")
+        ->type_name("normal|vertical|blend:F")
         ->group("Blades")
         ->capture_default_str();
 }
@@ -186,23 +220,27 @@ void BakeOptions::addBlades(CLI::App& app)
 void BakeOptions::addRun(CLI::App& app)
 {
     const char* group = "Run";
-    app.add_option("-o,--output", direct_.output, "Field file to write")
+    app.add_option("-o,--output", direct_.output,
+                   "Field file to write; required but for --dry-run and --print-config")
         ->type_name("OUT.sward")
         ->group(group);
-    app.add_option("--seed", direct_.settings.seed, "Another number, another meadow")
+    app.add_option(
+           "--seed", direct_.settings.seed,
+           "Start of the random numbers, 0 to 18446744073709551615; the same seed gives the "
+           "same field")
         ->type_name("S")
         ->group(group)
         ->capture_default_str();
     app.add_option("--threads", direct_.threads,
-                   "0: as many as the machine has; the result is the same for any number")
+                   "Threads, 0 to 1024; 0: one for each CPU; the field does not depend on it")
         ->type_name("N")
         ->check(CLI::Range(0, mostThreads).description(""))
         ->group(group)
         ->capture_default_str();
-    app.add_option("--report", direct_.report, "Write counts, reasons and times as JSON")
-        ->type_name("FILE")
+    app.add_option("--report", direct_.report, "JSON file for counts, rejections by filter, times")
+        ->type_name("FILE.json")
         ->group(group);
-    app.add_flag("--dry-run", direct_.dryRun, "Estimate counts and bytes, write no field")
+    app.add_flag("--dry-run", direct_.dryRun, "Estimate counts and bytes, and write no field")
         ->group(group);
     app.add_flag("--force", direct_.overwrite, "Overwrite existing files")->group(group);
     app.add_flag("--print-config", printConfig, "Print the effective settings as JSON and exit")
@@ -247,10 +285,11 @@ BakeRequest BakeOptions::request() const
 
     // A file is needed for what is kept.
     if (!printConfig && request.inputs.empty())
-        fail(ErrorKind::usage, "INPUT is missing: a mesh, a recipe or a built-in such as hills.\n"
-                               "Run 'sward bake --help' to see what it takes.");
+        fail(ErrorKind::usage,
+             "INPUT is missing: a mesh, a heightmap, a recipe, or a built-in such as hills.\n"
+             "'sward bake --help' lists them.");
     if (!printConfig && !request.dryRun && request.output.empty())
-        fail(ErrorKind::usage, "-o OUT.sward is missing (only --dry-run writes no field).");
+        fail(ErrorKind::usage, "-o OUT.sward is missing; --dry-run alone writes no field");
     return request;
 }
 

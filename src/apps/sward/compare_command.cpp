@@ -22,7 +22,7 @@ std::string tableOf(const field::FieldView& first, const field::FieldView& secon
 {
     std::string text;
     const auto row = [&](const char* name, const std::string& value) {
-        text += fmt::format("{:<28}{}\n", name, value);
+        text += fmt::format("{:<30}{}\n", name, value);
     };
     row("blades in A", fmt::format("{}", first.blades.size()));
     row("blades in B", fmt::format("{}", second.blades.size()));
@@ -31,12 +31,12 @@ std::string tableOf(const field::FieldView& first, const field::FieldView& secon
     row("only in A", fmt::format("{}", found.onlyFirst));
     row("only in B", fmt::format("{}", found.onlySecond));
     row("largest root distance", fmt::format("{:.6g} m", found.largestRootDistance));
-    row("largest angle of up", fmt::format("{:.6g} rad", found.largestUpAngle));
+    row("largest angle of up-vectors", fmt::format("{:.6g} rad", found.largestUpAngle));
     row("largest angle of facing", fmt::format("{:.6g} rad", found.largestFacingAngle));
     row("largest height difference",
         fmt::format("{:.4g} %", 100.0 * found.largestHeightDifference));
     row("largest width difference", fmt::format("{:.4g} %", 100.0 * found.largestWidthDifference));
-    row("blades with other traits", fmt::format("{}", found.traitsDiffer));
+    row("blades of different traits", fmt::format("{}", found.traitsDiffer));
     return text;
 }
 
@@ -46,24 +46,25 @@ public:
         : Subcommand(
               program, "compare", "Compare two fields blade by blade; exit code 7 if they differ",
               "sward compare a.sward b.sward --transform turn.json --match id\n\n"
-              "A transform is JSON: {\"matrix\": M} or M alone, where M is four rows of four "
-              "numbers,\nthree rows of three, or sixteen numbers column by column as in "
-              "glTF; or\n{\"rotation\": [x, y, z, w], \"translation\": [x, y, z], \"scale\": "
-              "s}.")
+              "A transform is JSON: {\"matrix\": M} or M alone, where M is four rows of four\n"
+              "numbers, three rows of three, or sixteen numbers column by column as in glTF; or\n"
+              "{\"rotation\": [x, y, z, w], \"translation\": [x, y, z], \"scale\": s}.")
     {
-        app().add_option("A", first_, "Field file")->type_name("")->required();
-        app().add_option("B", second_, "Field file")->type_name("")->required();
+        app().add_option("A", first_, "First field file")->type_name("")->required();
+        app().add_option("B", second_, "Second field file")->type_name("")->required();
         app()
             .add_option("--transform", transform_,
-                        "Move A first: a rotation with uniform scale and a translation")
+                        "Rotation, uniform scale and translation that are applied to A")
             ->type_name("FILE.json");
         app()
             .add_option("--match", match_,
-                        "Pair blades by their order in the files or by id (default: id)")
+                        "Pair blades by their order in the files or by their ids")
             ->type_name("order|id")
-            ->check(CLI::IsMember({"order", "id"}).description(""));
+            ->check(CLI::IsMember({"order", "id"}).description(""))
+            ->default_str("id if both files have ids, else order");
         app()
-            .add_option("--tolerance", tolerance_, "How far roots may be apart [m]")
+            .add_option("--tolerance", tolerance_,
+                        "Distance in metres that two paired roots may have, 0 or more")
             ->type_name("T")
             ->check(CLI::NonNegativeNumber.description(""))
             ->capture_default_str();

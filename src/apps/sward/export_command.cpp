@@ -50,17 +50,17 @@ const Format& formatOf(const std::filesystem::path& path)
 class Export : public Subcommand {
 public:
     explicit Export(CLI::App& program)
-        : Subcommand(program, "export", "Write a field for other programs",
+        : Subcommand(program, "export", "Convert a field file for other programs",
                      "sward export meadow.sward -o meadow.glb")
     {
         app().add_option("FILE", file_, "Field file")->type_name("")->required();
         app()
             .add_option("-o,--output", output_,
-                        "File to write; its extension says how: .glb .ply .usda .csv")
+                        "File to write; its extension chooses the format: .glb .ply .usda .csv")
             ->type_name("OUT")
             ->required();
         app().add_flag("--with-ground", settings_.withGround,
-                       "Also the drawn ground beneath the blades (.glb)");
+                       "Write the drawn ground too (.glb only)");
         app().add_flag("--force", settings_.overwrite, "Overwrite an existing file");
         log_.addBar(app());
     }
@@ -70,7 +70,7 @@ public:
         // Refuse before any work.
         const Format& format = formatOf(output_);
         if (settings_.withGround && !format.hasGround)
-            fail(ErrorKind::usage, "{}: --with-ground is for .glb only", output_);
+            fail(ErrorKind::usage, "{}: --with-ground needs a .glb output", output_);
         std::error_code ignored;
         if (std::filesystem::equivalent(file_, output_, ignored))
             fail(ErrorKind::usage, "{}: is read and would be overwritten", output_);

@@ -13,13 +13,13 @@ namespace {
 class Info : public Subcommand {
 public:
     explicit Info(CLI::App& program)
-        : Subcommand(program, "info", "Say what is in a field file",
+        : Subcommand(program, "info", "Print what a field file contains",
                      "sward info meadow.sward --json")
     {
         app().add_option("FILE", file_, "Field file")->type_name("")->required();
-        app().add_flag("--json", json_, "As JSON, for programs");
+        app().add_flag("--json", json_, "Print everything as JSON, with all settings of the bake");
         app().add_flag("--histogram", histogram_,
-                       "Also how heights, widths, slopes, distances … are distributed");
+                       "Print histograms of heights, widths, slopes, distances and densities too");
     }
 
     int run() const override

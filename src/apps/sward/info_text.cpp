@@ -2,6 +2,7 @@
 
 #include "apps/sward/bake_summary.h"
 #include "apps/sward/histogram_text.h"
+#include "apps/sward/provenance_text.h"
 #include "field/inspect.h"
 
 #include <fmt/format.h>
@@ -66,17 +67,17 @@ std::string infoText(const std::string& file, const field::FieldView& field,
     const field::Summary summary = field::summarise(field);
     std::string text = file + "\n";
     const auto row = [&](const char* name, const std::string& value) {
-        text += fmt::format("  {:<12}{}\n", name, value);
+        text += fmt::format("  {:<16}{}\n", name, value);
     };
     row("blades", fmt::format("{}", summary.blades));
     row("patches",
-        fmt::format("{} in {} levels; {} leaves with {:.1f} blades each", summary.patches,
+        fmt::format("{} in {} levels; {} leaves of {:.1f} blades on average", summary.patches,
                     summary.levels, summary.leaves, summary.bladesPerLeaf));
     if (!summary.bounds.isEmpty())
         row("bounds",
             fmt::format("{} to {} m", pointText(field.origin + glm::dvec3(summary.bounds.low)),
                         pointText(field.origin + glm::dvec3(summary.bounds.high))));
-    row("bytes", fmt::format("{} ({}), {:.2f} for each blade", fileBytes, sizeText(fileBytes),
+    row("bytes", fmt::format("{} ({}), {:.2f} per blade", fileBytes, sizeText(fileBytes),
                              bytesPerBlade(fileBytes, summary.blades)));
     row("height", fmt::format("{:.3f} to {:.3f} m, mean {:.3f} m", summary.heightLow,
                               summary.heightHigh, summary.heightMean));
@@ -89,7 +90,7 @@ std::string infoText(const std::string& file, const field::FieldView& field,
                                   pointText(camera.target)));
     if (!field.copyright->empty())
         row("copyright", *field.copyright);
-    row("provenance", *field.provenance);
+    text += provenanceText(*field.provenance);
     return distributions == nullptr ? text : text + histogramText(*distributions);
 }
 

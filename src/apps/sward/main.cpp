@@ -13,11 +13,12 @@
 namespace {
 
 constexpr const char* description =
-    "Grows grass on any ground: bakes blades onto a mesh and keeps them in a field file.";
+    "Grows grass on any ground: places blades on a mesh and writes them into a field file.";
 
 constexpr const char* exitCodes =
-    "Exit codes: 0 done, 1 wrong usage, 2 cannot read or write, 3 invalid input, 4 failure while\n"
-    "running, 5 unsupported, 7 difference found, 130 interrupted.";
+    "Exit codes: 0 done, 1 wrong usage, 2 cannot read or write, 3 invalid input,\n"
+    "4 failure while running, 5 unsupported, 7 difference found, 130 interrupted.\n"
+    "'sward COMMAND --help' explains a command.";
 
 int run(int argc, char** argv)
 {

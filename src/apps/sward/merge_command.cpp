@@ -61,18 +61,24 @@ field::Field bareField(const fs::path& plan)
 class MergeCommand : public Subcommand {
 public:
     explicit MergeCommand(CLI::App& program)
-        : Subcommand(program, "merge", "Join the tiles of a plan into a field file",
+        : Subcommand(program, "merge", "Join the tiles of a plan into one field file",
                      "sward merge county.json tiles -o county.sward")
     {
-        app().add_option("PLAN", plan_, "What sward plan wrote")->required()->type_name("");
-        app().add_option("DIR", folder_, "Folder of the tiles' results")->required()->type_name("");
+        app()
+            .add_option("PLAN", plan_, "Plan file that 'sward plan' wrote")
+            ->required()
+            ->type_name("");
+        app()
+            .add_option("DIR", folder_, "Folder of the tiles that 'sward tile' wrote")
+            ->required()
+            ->type_name("");
         app()
             .add_option("-o,--output", output_, "Field file to write")
             ->type_name("OUT.sward")
             ->required();
         app()
-            .add_option("--report", report_, "Write what became of the roots, as bake does")
-            ->type_name("R.json");
+            .add_option("--report", report_, "JSON file for counts, rejections by filter, times")
+            ->type_name("FILE.json");
         app().add_flag("--force", force_, "Overwrite existing files");
         log_.add(app());
     }
@@ -84,7 +90,7 @@ public:
         if (!report_.empty()) {
             checkOutput(report_, {plan_}, force_);
             if (isSameFile(report_, output_))
-                fail(ErrorKind::usage, "{}: cannot be both field and report", output_);
+                fail(ErrorKind::usage, "{}: is named both as the field and as the report", output_);
         }
         Stopwatch total;
         Stopwatch watch;

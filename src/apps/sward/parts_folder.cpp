@@ -23,7 +23,7 @@ void move(const fs::path& from, const fs::path& to)
     std::error_code trouble;
     fs::rename(from, to, trouble);
     if (trouble)
-        fail(ErrorKind::io, "{}: cannot become {}: {}", from.string(), to.string(),
+        fail(ErrorKind::io, "{}: cannot be renamed to {}: {}", from.string(), to.string(),
              trouble.message());
 }
 
@@ -37,7 +37,7 @@ PartsFolder::PartsFolder(fs::path place)
     std::error_code trouble;
     if (fs::exists(place_, trouble) && !fs::exists(bake::barePath(place_), trouble) &&
         (!fs::is_directory(place_) || !fs::is_empty(place_)))
-        fail(ErrorKind::io, "{}: is in the way and no folder of a plan", place_.string());
+        fail(ErrorKind::io, "{}: exists and is not the folder of a plan", place_.string());
     fs::create_directories(filling_, trouble);
     if (trouble)
         fail(ErrorKind::io, "{}: cannot be made: {}", filling_.string(), trouble.message());

@@ -38,14 +38,18 @@ std::uint64_t digestOf(const std::string& text)
 class PlanCommand : public Subcommand {
 public:
     explicit PlanCommand(CLI::App& program)
-        : Subcommand(program, "plan", "Deal a bake out to tiles for any number of machines",
+        : Subcommand(program, "plan", "Split a bake into tiles for any number of machines",
                      "sward plan county.glb --tiles 64 -o county.json --density 200")
     {
         options_.add(app());
         for (const char* name : {"--dry-run", "--report", "--print-config"})
             app().remove_option(app().get_option(name));
         app()
-            .add_option("--tiles", tiles_, "Tiles, of about the same area")
+            .get_option("--output")
+            ->description("Plan file to write; its parts lie in a folder beside it")
+            ->type_name("PLAN.json");
+        app()
+            .add_option("--tiles", tiles_, "Number of tiles of about equal area, 1 to 1000000")
             ->type_name("N")
             ->check(CLI::Range(1U, mostTiles).description(""))
             ->required()

@@ -18,15 +18,18 @@ namespace {
 class Terrain : public Subcommand {
 public:
     explicit Terrain(CLI::App& program)
-        : Subcommand(program, "terrain", "Write ground from a recipe or a built-in as .glb",
+        : Subcommand(program, "terrain", "Write a built-in ground, or that of a recipe, as .glb",
                      "sward terrain sphere -o sphere.glb")
     {
         app()
             .add_option("RECIPE", input_,
-                        "A recipe .json, or one of plane sphere hills dunes torus arch")
+                        "Recipe (.json), or a built-in: plane sphere hills dunes torus arch")
             ->type_name("")
             ->required();
-        app().add_option("-o,--output", output_, "Mesh to write")->type_name("OUT.glb")->required();
+        app()
+            .add_option("-o,--output", output_, "Mesh file to write")
+            ->type_name("OUT.glb")
+            ->required();
         app().add_flag("--force", overwrite_, "Overwrite an existing file");
     }
 

@@ -27,15 +27,24 @@ public:
         : Subcommand(program, "tile", "Bake one tile of a plan",
                      "sward tile county.json --index $SLURM_ARRAY_TASK_ID -o tiles")
     {
-        app().add_option("PLAN", plan_, "What sward plan wrote")->required()->type_name("");
-        app().add_option("--index", index_, "Tile, from 0")->type_name("I")->required();
-        app().add_option("-o,--output", folder_, "Folder of results")->type_name("DIR")->required();
         app()
-            .add_option("--threads", threads_, "0: as many as the machine has")
+            .add_option("PLAN", plan_, "Plan file that 'sward plan' wrote")
+            ->required()
+            ->type_name("");
+        app()
+            .add_option("--index", index_, "Number of the tile, from 0")
+            ->type_name("I")
+            ->required();
+        app()
+            .add_option("-o,--output", folder_, "Folder for the tiles; made if it is missing")
+            ->type_name("DIR")
+            ->required();
+        app()
+            .add_option("--threads", threads_, "Threads, 0 to 1024; 0: one for each CPU")
             ->type_name("N")
             ->check(CLI::Range(0, mostThreads).description(""))
             ->capture_default_str();
-        app().add_flag("--force", force_, "Bake again what is there already");
+        app().add_flag("--force", force_, "Bake the tile again if it is there");
         log_.add(app());
         log_.addBar(app());
     }
@@ -51,7 +60,7 @@ public:
         const fs::path parts = fs::absolute(bake::partsFolder(plan_));
         // Who asks twice gets the same file; a damaged one is replaced.
         if (!force_ && isDone(output, plan.id)) {
-            writeResult(fmt::format("{}: is there already\n", output.string()));
+            writeResult(fmt::format("{}: exists already, nothing to do\n", output.string()));
             return 0;
         }
         // Files of the settings are named from the folder in which the plan was made.

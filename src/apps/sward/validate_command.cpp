@@ -11,7 +11,7 @@ namespace {
 class Validate : public Subcommand {
 public:
     explicit Validate(CLI::App& program)
-        : Subcommand(program, "validate", "Check every byte of a field file",
+        : Subcommand(program, "validate", "Verify every byte of a field file",
                      "sward validate meadow.sward")
     {
         app().add_option("FILE", file_, "Field file")->type_name("")->required();

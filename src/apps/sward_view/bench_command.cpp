@@ -70,7 +70,7 @@ std::optional<SceneField> openScene(BenchOptions& options, const CLI::App& comma
     const auto found = std::find_if(files.begin(), files.end(), isScene);
     if (found == files.end()) {
         if (options.moving)
-            fail(ErrorKind::usage, "--moving: {} is no scene; it has no camera that moves",
+            fail(ErrorKind::usage, "--moving: {} is not a scene; only a scene has a path",
                  files.front());
         return std::nullopt;
     }
@@ -91,7 +91,7 @@ int bench(BenchOptions& options, const CLI::App& command)
     if (options.copyBandwidth)
         return benchCopies(options);
     if (options.frame.fields.empty())
-        fail(ErrorKind::usage, "FILE is required: a scene, or fields");
+        fail(ErrorKind::usage, "FILE is missing: a scene, or fields");
     const std::optional<SceneField> field = openScene(options, command);
     Headless headless(options.frame, false);
     headless.stream(0);
@@ -124,27 +124,28 @@ void addBenchCommand(CLI::App& app, apps::Command& chosen)
     const auto options = std::make_shared<BenchOptions>();
     command
         ->add_option("FILE", options->frame.fields,
-                     "A scene (docs/settings.md), or fields as 'sward bake' wrote them, drawn "
-                     "together")
+                     "Scene (.json, keys: docs/settings.md), or field files, drawn together")
         ->type_name("");
     options->frame.addShared(*command);
     options->frame.addMeasured(*command);
-    command->add_option("--frames", options->frames, "Frames that are measured [100]")
+    command->add_option("--frames", options->frames, "Measured frames, 1 to 1000000")
         ->type_name("N")
-        ->check(CLI::Range(std::uint32_t(1), mostFrames));
-    command->add_option("--warmup", options->warmup, "Frames before them that are not [16]")
+        ->check(CLI::Range(std::uint32_t(1), mostFrames).description(""))
+        ->capture_default_str();
+    command->add_option("--warmup", options->warmup, "Frames that are drawn before, 0 to 1000000")
         ->type_name("N")
-        ->check(CLI::Range(std::uint32_t(0), mostFrames));
+        ->check(CLI::Range(std::uint32_t(0), mostFrames).description(""))
+        ->capture_default_str();
     command
         ->add_option("--fields", options->fieldFolder,
-                     "Folder of a scene's field; one that is not there is baked by 'sward', and "
-                     "stays there [the scene's folder]")
-        ->type_name("DIR");
-    command->add_flag("--moving", options->moving, "Go along the scene's path instead of standing")
+                     "Folder of a scene's field; 'sward' bakes the field there if it is missing")
+        ->type_name("DIR")
+        ->default_str("the scene's folder");
+    command->add_flag("--moving", options->moving, "Move the camera along the scene's path")
         ->excludes("--camera");
     command->add_flag("--copy-bandwidth", options->copyBandwidth,
-                      "Measure copies within the device's memory instead of a FILE");
-    command->add_flag("--json", options->json, "Print what 'render --stats' writes");
+                      "Measure copies within the device's memory; takes no FILE");
+    command->add_flag("--json", options->json, "Print the JSON that 'render --stats' writes");
     options->frame.log.addBar(*command);
     command->footer("Example:\n  sward-view bench meadow.sward --camera eye --json\n"
                     "  sward-view bench assets/bench/1M.json --moving --fields /tmp");

@@ -13,8 +13,7 @@ void Capture::takeSequence(const std::string& names, std::uint64_t pictures, dou
 {
     FrameNames numbered(names);
     if (!numbered.numbered())
-        fail(ErrorKind::usage, "{}: has no number in it; write %d or %04d where it shall stand",
-             names);
+        fail(ErrorKind::usage, "{}: the name has no frame number; write %d or %04d in it", names);
     sequence_.emplace(Sequence{std::move(numbered), {}, pictures, step, 0, nullptr});
 }
 

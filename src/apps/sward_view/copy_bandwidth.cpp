@@ -42,8 +42,9 @@ void checkCopied(const gpu::DeviceContext& context, const gpu::Buffer& copy)
     const auto end = gpu::readBuffer(context, copy, copy.bytes() - grain, grain);
     const auto expected = static_cast<std::byte>(filling & 0xffu);
     if (std::ranges::any_of(end, [&](std::byte found) { return found != expected; }))
-        fail(ErrorKind::runtime, "{}: {} bytes copied by a compute shader do not arrive",
-             context.name, copy.bytes());
+        fail(ErrorKind::runtime,
+             "{}: {} bytes that a compute shader copied differ from the original", context.name,
+             copy.bytes());
 }
 
 } // namespace

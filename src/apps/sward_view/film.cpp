@@ -120,7 +120,7 @@ void Film::failAsFfmpegDid()
     std::string said(words.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
     said.erase(said.find_last_not_of(" \n") + 1);
     fail(ErrorKind::io, "{}: ffmpeg has not written it: {}", path_.string(),
-         said.empty() ? "it ended without a word" : said);
+         said.empty() ? "it ended without a message" : said);
 }
 
 void Film::add(const Picture& picture)

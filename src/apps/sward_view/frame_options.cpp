@@ -67,16 +67,23 @@ render::DebugMode parseDebug(const std::string& word)
 
 void FrameOptions::addShared(CLI::App& app)
 {
-    const auto option = [&app](const char* name, auto read, const char* type, const char* about) {
-        return app.add_option_function<std::string>(name, read, about)->type_name(type);
+    const char* group = "Picture";
+    const auto option = [&app, &group](const char* name, auto read, const char* type,
+                                       const char* about) {
+        return app.add_option_function<std::string>(name, read, about)
+            ->type_name(type)
+            ->group(group);
     };
     option(
         "--size",
         [this](const std::string& text) { size = apps::parseSize("--size", text, largestSize); },
-        "WxH", "Size of the picture in pixels [1280x720]");
+        "WxH", "Width and height in pixels, 1x1 to 16384x16384")
+        ->default_str("1280x720");
     app.add_option("--camera", camera,
-                   "fit, eye, top, edge, or a file with a camera or a path [fit]")
-        ->type_name("NAME|FILE");
+                   "Camera: fit, eye, top, edge, or a JSON file with a camera or a path")
+        ->type_name("NAME|FILE")
+        ->group(group)
+        ->capture_default_str();
     option(
         "--samples",
         [this](const std::string& text) {
@@ -84,32 +91,45 @@ void FrameOptions::addShared(CLI::App& app)
                 fail(ErrorKind::usage, "--samples: '{}' is not 1 or 4", text);
             samples = text == "1" ? 1u : 4u;
         },
-        "1|4", "Samples per pixel [4; in a window on a CPU device 1]");
+        "1|4", "Samples per pixel")
+        ->default_str("4, in a window on a CPU device 1");
     option(
         "--draw-distance",
         [this](const std::string& text) {
             drawDistance =
                 static_cast<float>(apps::parseNumber("--draw-distance", text, 1e-3, 1e9));
         },
-        "M", "Blades farther away are not drawn [the field's]");
+        "M", "Distance in metres beyond which no blade is drawn, 0.001 to 1e9")
+        ->default_str("the field's");
+    group = "Nature";
     option(
         "--wind-strength",
         [this](const std::string& text) {
             windStrength = static_cast<float>(apps::parseNumber("--wind-strength", text, 0, 1000));
         },
-        "X", "Blade heights per second, of all winds together; 0 is calm [the field's]");
-    app.add_option("--settings", settingsFile, "Wind, gravity, colliders: docs/settings.md")
-        ->type_name("JSON");
+        "X", "Speed of all winds together in blade heights per second, 0 to 1000; 0: calm")
+        ->default_str("the field's");
+    app.add_option("--settings", settingsFile,
+                   "Settings file: wind, gravity, colliders and more (keys: docs/settings.md)")
+        ->type_name("FILE.json")
+        ->group(group);
     app.add_option_function<std::vector<std::string>>(
            "--collider",
            [this](const std::vector<std::string>& texts) {
                for (const std::string& text : texts)
                    colliders.push_back(parseCollider(text));
            },
-           "sphere:x,y,z,r or capsule:x,y,z,x,y,z,r that presses blades down; may be repeated")
-        ->type_name("TEXT");
-    app.add_option("--device", device, "Vulkan device, see 'sward-view devices' [best]")
+           "Shapes in metres that press blades down, 256 at most: sphere:x,y,z,r or "
+           "capsule:x,y,z,x,y,z,r")
+        ->type_name("SHAPE")
+        ->group(group);
+    group = "Device";
+    app.add_option("--device", device,
+                   "Vulkan device, by the number or a part of the name that 'sward-view devices' "
+                   "lists")
         ->type_name("N|NAME")
+        ->group(group)
+        ->default_str("the best")
         ->envname("SWARD_DEVICE");
     option(
         "--gpu-memory",
@@ -117,10 +137,12 @@ void FrameOptions::addShared(CLI::App& app)
             gpuMemory = apps::parseBytes("--gpu-memory", text, leastMemory, mostMemory);
         },
         "SIZE",
-        "Device memory that may be taken, as 512M or 2G; a field that needs more is streamed "
-        "[all]");
+        "Most device memory to take, 1M to 16T, such as 512M or 2G; a field that needs more is "
+        "streamed")
+        ->default_str("all");
     app.add_flag("--validation", validation,
-                 "Run under the validation layer; any message is a failure");
+                 "Run under the Vulkan validation layer; any message is a failure")
+        ->group(group);
     log.add(app);
 }
 
@@ -136,32 +158,40 @@ void FrameOptions::addMeasured(CLI::App& app)
         [this](const std::string& text) {
             fixedStep = apps::parseNumber("--fixed-dt", text, 0, 1e6);
         },
-        "S", "Seconds from frame to frame, a fraction if you like [1/60]");
+        "S", "Time between frames in seconds, 0 to 1e6; fractions are allowed")
+        ->default_str("1/60");
     option(
-        "--geometry", [this](const std::string& text) { geometry = parseGeometry(text); }, "WORD",
-        "auto, tessellation, raster, hybrid [auto]");
+        "--geometry", [this](const std::string& text) { geometry = parseGeometry(text); },
+        "auto|tessellation|raster",
+        "How blades are drawn: by the tessellator or by the compute rasteriser; auto: what is "
+        "faster on the device")
+        ->default_str("auto");
     option(
         "--raster-for",
         [this](const std::string& text) {
             rastersForCpu = parseChoice("--raster-for", text, "gpu", "cpu");
         },
-        "WORD", "How the rasteriser goes about it: auto, as the device is; gpu, cpu [auto]");
+        "auto|gpu|cpu", "Variant of the compute rasteriser; auto: that of the device")
+        ->default_str("auto");
     option(
         "--large-turns",
         [this](const std::string& text) {
             drawsInTurns = parseChoice("--large-turns", text, "one", "two");
         },
-        "WORD",
-        "Draw large blades in one turn or, where none is culled by others, in two: auto, one, two "
-        "[auto]");
+        "auto|one|two",
+        "Passes over large blades when occlusion is not culled; the second skips what the first "
+        "hides")
+        ->default_str("auto");
     app.add_option("--tess-level", tessellationLevel,
-                   "Segments along every blade, 1 to 64; 0: by size on the screen [0]")
+                   "Segments along every blade, 0 to 64; 0: by its size on the screen")
         ->type_name("N")
-        ->check(CLI::Range(0, 64))
+        ->check(CLI::Range(0, 64).description(""))
+        ->default_str("0")
         ->group("Drawing");
     option(
         "--cull", [this](const std::string& text) { cullMask = parseCullList(text); }, "LIST",
-        "all, none, or some of patch,orientation,frustum,distance,occlusion [all]");
+        "Culling tests: all, none, or a list of patch,orientation,frustum,distance,occlusion")
+        ->default_str("all");
     option(
         "--lod",
         [this](const std::string& text) {
@@ -169,10 +199,14 @@ void FrameOptions::addMeasured(CLI::App& app)
                 fail(ErrorKind::usage, "--lod: '{}' is not on or off", text);
             levelOfDetail = text == "on";
         },
-        "on|off", "Leave out and widen blades too thin for a pixel [on]");
+        "on|off", "Level of detail: of blades thinner than a pixel some are drawn, wider")
+        ->default_str("on");
     option(
         "--debug", [this](const std::string& text) { debug = parseDebug(text); }, "WORD",
-        "Colour by none, wind, lod, patches, reason; near, middle, far: what grass covers [none]");
+        "Colour blades by wind, lod, patches or reason (of culling); near, middle, far: by bands "
+        "of "
+        "distance")
+        ->default_str("none");
 }
 
 render::FrameSettings FrameOptions::settingsFor(const field::FieldView& view) const

@@ -7,7 +7,7 @@
 namespace {
 
 constexpr const char* about =
-    "Shows grass that 'sward bake' has grown. Without a command it opens a window.";
+    "Shows fields of grass that 'sward bake' has written. Without a command it opens a window.";
 
 } // namespace
 

@@ -31,7 +31,7 @@ void Opening::goOn()
         sources_.push_back({input, input, {}, WatchedFile(input), {}, {}});
         if (!wantsBaking(input))
             continue;
-        log::info("{}: is not a field; growing grass on it first", input);
+        log::info("{}: is a mesh; growing grass on it first", input);
         wishes_.ground = input;
         try {
             bakings_.push_back(std::make_unique<Baking>(bakeArguments(wishes_)));

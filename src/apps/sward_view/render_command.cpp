@@ -23,7 +23,7 @@ namespace {
 constexpr std::uint64_t largestFrame = 10'000'000;
 
 constexpr const char* footer =
-    "Draws without a window, on a GPU or on the CPU (Debian's mesa-vulkan-drivers).\n"
+    "Draws without a window, on a GPU, or on the CPU (package mesa-vulkan-drivers).\n"
     "Example:\n"
     "  sward-view render meadow.sward -o meadow.png --camera eye --size 1920x1080\n"
     "  sward-view render meadow.sward -o wind_%04d.png --frames 0:119\n"
@@ -56,7 +56,7 @@ void checkOutputs(const RenderOptions& options, const FrameNames& names)
     std::sort(paths.begin(), paths.end());
     const auto twin = std::adjacent_find(paths.begin(), paths.end());
     if (twin != paths.end())
-        fail(ErrorKind::usage, "{}: two outputs have this name", twin->string());
+        fail(ErrorKind::usage, "{}: two outputs have the same name", twin->string());
 }
 
 // Simulates up to the first frame, then draws; writes what is wanted of it.
@@ -90,12 +90,13 @@ int render(const RenderOptions& options)
     checkOutputs(options, names);
     // A blade's id is that of its own field; two fields of one mesh have the same.
     if (!options.dump.empty() && options.frame.fields.size() > 1)
-        fail(ErrorKind::usage, "--dump-blades: {} fields; it tells of one",
+        fail(ErrorKind::usage, "--dump-blades: {} fields are drawn; it writes the blades of one",
              options.frame.fields.size());
 
     Headless headless(options.frame, !options.dump.empty());
     if (headless.isStreamed() && (options.reference || !options.dump.empty()))
-        fail(ErrorKind::usage, "{}: it asks for every blade; --gpu-memory has not room for all",
+        fail(ErrorKind::usage,
+             "{}: needs all blades in device memory; --gpu-memory is too small for them",
              options.reference ? "--reference" : "--dump-blades");
     drawFrames(options, names, headless);
     const RunStats stats = headless.stats();
@@ -114,16 +115,14 @@ int render(const RenderOptions& options)
 
 void addRenderCommand(CLI::App& app, apps::Command& chosen)
 {
-    CLI::App* command = app.add_subcommand("render", "Draw a field into a picture, or several");
+    CLI::App* command = app.add_subcommand("render", "Draw pictures of fields without a window");
     const auto options = std::make_shared<RenderOptions>();
-    command
-        ->add_option("FILE", options->frame.fields,
-                     "Fields as 'sward bake' wrote them, drawn together")
+    command->add_option("FILE", options->frame.fields, "Field files, drawn together")
         ->type_name("")
         ->required();
     command
         ->add_option("-o,--output", options->output,
-                     "Picture to write; with %d or %04d in it one for each frame")
+                     "Picture to write; with %d or %04d in its name one for each frame")
         ->type_name("PNG")
         ->required();
     options->frame.addShared(*command);
@@ -135,13 +134,17 @@ void addRenderCommand(CLI::App& app, apps::Command& chosen)
                 std::tie(options->firstFrame, options->lastFrame) =
                     apps::parseWholeRange("--frames", text, largestFrame);
             },
-            "Frames to draw; those before A are only simulated [0:0]")
-        ->type_name("A:B");
+            "Frames to draw, 0 to 10000000; those before A are simulated only")
+        ->type_name("A:B")
+        ->default_str("0:0");
     command->add_flag("--reference", options->reference,
-                      "No culling, no level of detail, mean of 256 pictures of one state");
-    command->add_option("--stats", options->stats, "Write counts and times")->type_name("JSON");
-    command->add_option("--dump-blades", options->dump, "Write every blade's state")
-        ->type_name("CSV");
+                      "Mean of 256 pictures of one state, without culling and level of detail");
+    command->add_option("--stats", options->stats, "JSON file for counts and times")
+        ->type_name("FILE.json");
+    command
+        ->add_option("--dump-blades", options->dump,
+                     "CSV file for the state of every blade of one field")
+        ->type_name("FILE.csv");
     command->add_flag("--force", options->force, "Overwrite existing files");
     options->frame.log.addBar(*command);
     command->footer(footer);

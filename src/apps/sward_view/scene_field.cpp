@@ -73,7 +73,7 @@ SceneField::SceneField(const Scene& scene, const fs::path& folder, bool showBar)
     file_ = (folder.empty() ? scene.file.parent_path() : folder) / name;
     if (fs::exists(file_))
         return;
-    log::info("{}: {} is not there; growing it first", scene.file.string(), file_.string());
+    log::info("{}: {} is missing; baking it first", scene.file.string(), file_.string());
 
     const TemporaryFolder inputs;
     InputFiles files(inputs.path());
@@ -86,7 +86,7 @@ SceneField::SceneField(const Scene& scene, const fs::path& folder, bool showBar)
     baking_ = std::make_unique<Baking>(std::move(arguments));
     finish(*baking_, showBar);
     if (!baking_->succeeded())
-        fail(baking_->errorKind(), "{}: no grass has grown: {}", scene.file.string(),
+        fail(baking_->errorKind(), "{}: the bake failed: {}", scene.file.string(),
              files.translated(baking_->complaint()));
     if (folder.empty()) {
         file_ = baking_->field();

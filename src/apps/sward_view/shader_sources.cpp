@@ -81,8 +81,7 @@ std::string programOf(const char* name)
 {
     const fs::path program = programNamed(name);
     if (program.empty())
-        fail(ErrorKind::unsupported, "{}: is not installed; it is what shaders are built with",
-             name);
+        fail(ErrorKind::unsupported, "{}: is not installed; it compiles shaders", name);
     return program.string();
 }
 

@@ -182,10 +182,11 @@ void Viewer::watch()
         const bool isOther = source.watched.hasChanged();
         const bool isSownAnew = source.watchedMeadow.hasChanged();
         if (source.watched.hasGone())
-            complain(source.input + ": the file is gone; what is shown stays");
+            complain(source.input + ": the file is gone; the field stays on the screen");
         if (!options_.frame->watch || !(isOther || isSownAnew))
             continue;
-        log::info("{}: has changed", isOther ? source.input : source.wishes->meadowFile);
+        log::info("{}: changed; opening it again",
+                  isOther ? source.input : source.wishes->meadowFile);
         exchange(i, source.input,
                  i == stage_.chosen ? stage_.meadow : source.wishes.value_or(MeadowWishes()));
         break;
@@ -214,7 +215,7 @@ void Viewer::reloadShaders()
     stage_.picked.reset();
     frames_ = framesAtTitle_ = 0;
     timestamps_.clearHistory();
-    notice("The shaders are compiled anew");
+    notice("The shaders have been compiled again");
 }
 
 } // namespace sward::view

@@ -20,11 +20,10 @@ namespace sward::view {
 namespace {
 
 constexpr const char* footer =
-    "In the window: left drag turns, middle or shift+left drag moves, the wheel comes nearer, "
-    "right\n"
-    "drag with W A S D Q E flies; F frames the field, Home returns, Space pauses the time, H "
-    "shows\n"
-    "all keys, Escape closes. Drop a field, a mesh or a recipe on it to open it.\n"
+    "In the window: left drag turns, middle or Shift + left drag moves, the wheel comes\n"
+    "nearer, right drag with W A S D Q E flies. F frames the field, Home returns, Space\n"
+    "pauses the time, H shows all keys, Escape closes. A field, a mesh or a recipe that is\n"
+    "dropped on the window is opened.\n"
     "Example:\n"
     "  sward-view meadow.sward\n"
     "  sward-view landscape.glb --meadow steppe --watch\n"
@@ -68,7 +67,7 @@ void refuseLostOptions(const CLI::App& app)
     const std::string command = app.get_subcommands().front()->get_name();
     for (const CLI::Option* option : app.get_options())
         if (option->count() > 0 && option->get_envname().empty())
-            fail(ErrorKind::usage, "{}: belongs behind '{}'", option->get_name(), command);
+            fail(ErrorKind::usage, "{}: must stand after '{}'", option->get_name(), command);
 }
 
 } // namespace
@@ -78,19 +77,24 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
     const auto options = std::make_shared<WindowOptions>();
     app.require_subcommand(0, 1);
     app.add_option("FILE", options->frame.fields,
-                   "Fields, shown together; or meshes, on which grass is grown first by 'sward'")
+                   "Field files, shown together; or meshes, on which 'sward' grows grass first")
         ->type_name("");
     options->viewer.seconds = std::numeric_limits<double>::infinity();
     options->frame.addShared(app);
+    const char* group = "Window";
     app.add_flag("--watch", options->frame.watch,
-                 "Open the files, and read the settings, again whenever they change");
+                 "Open files and settings again whenever they change")
+        ->group(group);
     app.add_option("--meadow", options->viewer.meadow,
-                   "What is sown on a mesh: meadow, lawn, steppe, or a file of your own [meadow]")
-        ->type_name("NAME|FILE");
+                   "Species that are sown on a mesh: meadow, lawn, steppe, or a .json file")
+        ->type_name("NAME|FILE")
+        ->group(group)
+        ->default_str("meadow");
     app.add_option("--panel", options->viewer.panel,
-                   "Panel that is open at first: field, meadow, physics, wind, culling, colliders, "
-                   "look, camera, profile, capture; off shows the picture alone")
-        ->type_name("NAME");
+                   "Panel that is open at the start: field, meadow, physics, wind, culling, "
+                   "colliders, look, camera, profile, capture; off: no panels, only the picture")
+        ->type_name("NAME")
+        ->group(group);
     app.add_option_function<std::string>(
            "--resolution",
            [options](const std::string& text) {
@@ -98,20 +102,26 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
                    options->viewer.resolution = static_cast<float>(
                        apps::parseNumber("--resolution", text, InternalResolution::lowest, 1.0));
            },
-           "Share of the window's width and height that is drawn, 0.16 to 1; auto: fewer pixels "
-           "when frames take long [auto]")
-        ->type_name("auto|F");
+           "Drawn pixels as a share of the window's width and height, 0.16 to 1; auto: fewer "
+           "pixels while frames take long")
+        ->type_name("auto|F")
+        ->group(group)
+        ->default_str("auto");
+    group = "Tests";
     app.add_option("--controls", options->viewer.controlsFile,
-                   "Tell where each control is and what it shows, a few times a second, for tests")
-        ->type_name("JSON");
+                   "Write place and value of each control into this file, a few times a second")
+        ->type_name("FILE.json")
+        ->group(group);
 #ifdef SWARD_SHADER_FOLDER
     // The program may have gone elsewhere without its sources.
     if (std::filesystem::is_directory(SWARD_SHADER_FOLDER))
         options->viewer.shaderFolder = SWARD_SHADER_FOLDER;
-    app.add_option("--shaders", options->viewer.shaderFolder,
-                   "In this build: folder of shaders that are compiled and shown whenever they "
-                   "change; none: watch none [the source tree's]")
+    app.add_option(
+           "--shaders", options->viewer.shaderFolder,
+           "Folder of shaders that are compiled again whenever they change (dev build only)")
         ->type_name("DIR|none")
+        ->group(group)
+        ->default_str("the source tree's")
         ->envname("SWARD_SHADERS");
 #endif
     app.add_option_function<std::string>(
@@ -119,8 +129,9 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
            [options](const std::string& text) {
                options->viewer.seconds = apps::parseNumber("--exit-after", text, 0, 1e9);
            },
-           "Close the window by itself, for tests")
-        ->type_name("SECONDS");
+           "Close the window after this time in seconds, 0 to 1e9")
+        ->type_name("S")
+        ->group(group);
     app.footer(footer);
     app.final_callback([options, &app, &chosen] {
         if (app.get_subcommands().empty())
