@@ -38,13 +38,13 @@ LargePart partAt(uint place)
 /// Where the first heavy part lies …
 uint beginOfHeavy()
 {
-    return mostHeavyParts - min(push.largeCount.at[5].count, mostHeavyParts);
+    return mostHeavyParts - min(push.largeCount.at[largeHeavy].count, mostHeavyParts);
 }
 
 /// … and before where the last other one does.
 uint endOfLarge()
 {
-    return mostHeavyParts + min(push.largeCount.at[0].count, mostLargeParts);
+    return mostHeavyParts + min(push.largeCount.at[largeParts].count, mostLargeParts);
 }
 
 /// Of LargePart::part.

@@ -13,7 +13,6 @@ layout(constant_id = 3) const bool isPaged = false;
 #define FRAME_SET 0
 #include "shaders/frame_constants.glsl"
 
-const bool isTessellated = false;
 const bool isLate = true;
 
 #include "shaders/raster/draw_alone.glsl"
@@ -84,7 +83,7 @@ void listTogether(Lens lens, bool hasBlade, uint place, uint firstPart)
     barrier();
     if (gl_LocalInvocationIndex == 0u && listedParts > 0u) {
         WalkLevelArray asked = push.largeCount;
-        listBase = atomicAdd(asked.at[0].count, listedParts);
+        listBase = atomicAdd(asked.at[largeParts].count, listedParts);
         noteListed(listBase + listedParts, firstPart);
     }
     barrier();
@@ -98,7 +97,7 @@ void main()
 {
     const uint capacity = FRAME.visibleCapacity;
     const uint count = min(push.rounds.at[push.round].count, capacity);
-    const uint firstPart = push.largeCount.at[2].groups[0];
+    const uint firstPart = push.largeCount.at[largeEarly].groups[0];
     const Lens lens = lensOf();
     if (gl_LocalInvocationIndex == 0u)
         hiddenCount = 0u;

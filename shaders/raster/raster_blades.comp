@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Rasterises the visible blades, one thread each, but for those of the late turn. Those that cover many pixels are left to
-// raster_large.comp, to the tessellator, or, on a CPU, if they are very many, to raster_cut.comp, as are
-// those that reach through the near plane.
+// Rasterises the visible blades, one thread each, but for those of the late pass. Blades that cover many
+// pixels are listed for raster_large.comp; on a CPU those that cover too many for a thread are listed for
+// raster_cut.comp. Blades that reach through the near plane are listed for raster_cut.comp, too.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
@@ -21,9 +21,8 @@ layout(local_size_x = rasterThreads) in;
 shared uint listedParts[2];
 shared uint listBase[2];
 
-// Whose affair large blades are; known when the pipeline is made.
+// What draws large blades; known when the pipeline is made.
 layout(constant_id = 4) const uint largeTo = largeToGroups;
-const bool isTessellated = largeTo == largeToTessellator;
 const bool isLate = false;
 
 #include "shaders/raster/large_list.glsl"
@@ -52,7 +51,7 @@ struct OwnBlade {
     uvec2 segments; ///< of which its first turn is; see firstSegments()
 };
 
-/// How a blade that covers so many pixels is listed for work-groups or the tessellator.
+/// How a blade that covers so many pixels is listed for work-groups.
 void leaveToOthers(inout OwnBlade own, float pixels)
 {
     own.parts = partsFor(pixels);
@@ -63,7 +62,7 @@ void leaveToOthers(inout OwnBlade own, float pixels)
     const float segments = own.ribbon.outline.segments;
     own.segments = firstSegments(late, uint(segments));
     const float drawn = pixels * float(own.segments.y - own.segments.x) / segments;
-    own.isHeavy = !isTessellated && push.round == 0u && drawn > heavyPixels * float(own.parts);
+    own.isHeavy = push.round == 0u && drawn > heavyPixels * float(own.parts);
 }
 
 OwnBlade ownBlade(Lens lens, VisibleBlade visible)
@@ -87,20 +86,17 @@ OwnBlade ownBlade(Lens lens, VisibleBlade visible)
     const float pixels = pixelsOf(lens, visible, own.ribbon, blade.height);
     const bool mayBeCut =
         !curveInside(FRAME.view.planes[4], own.ribbon.v0, own.ribbon.v1, own.ribbon.v2, margin);
-    if (mayBeCut && !isTessellated) {
+    if (mayBeCut) {
         leftToBeCut(own.ribbon, visible.blade);
         return own;
     }
-    // A thread takes twice as long for a pixel of four samples as for one of one; a tessellator does not.
-    const float most =
-        isTessellated ? tessellatedPixels : largeBladePixels * inversesqrt(float(samplesPerPixel));
-    if (largeTo != largeToNobody && (mayBeCut || pixels > most))
+    // A thread takes twice as long for a pixel of four samples as for one of one.
+    if (largeTo != largeToNobody && pixels > largeBladePixels * inversesqrt(float(samplesPerPixel)))
         leaveToOthers(own, pixels);
     if (largeTo == largeToNobody && pixelsAtMost(lens, own.ribbon, blade.height) > mostPixelsOfThread &&
         leftToBeCut(own.ribbon, visible.blade))
         return own;
-    // Cut ones are here if the tessellator has them, or had no room.
-    own.isDrawn = !mayBeCut;
+    own.isDrawn = true;
     return own;
 }
 
@@ -115,7 +111,7 @@ bool listOwn(OwnBlade own, uint before)
     for (uint slot = 0u; slot + before < mostHeavyParts; ++slot)
         putPart(push.large, slot, partOf(own.ribbon, own.visible.blade, 0u));
     WalkLevelArray asked = push.largeCount;
-    const uint slot = atomicAdd(asked.at[0].count, own.parts);
+    const uint slot = atomicAdd(asked.at[largeParts].count, own.parts);
     noteListed(slot + own.parts, 0u);
     return putParts(own.ribbon, own.visible, mostHeavyParts + slot, own.parts, own.segments);
 }
@@ -131,7 +127,7 @@ void findRoom(uint thread)
     if (thread == 1u)
         noteHeavy(listed);
     else
-        noteListed(listed, push.round > 0u ? asked.at[2].groups[0] : 0u);
+        noteListed(listed, push.round > 0u ? asked.at[largeEarly].groups[0] : 0u);
 }
 
 /// All threads come here together, each with a blade or with none. They have their places in the lists by

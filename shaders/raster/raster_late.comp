@@ -178,7 +178,7 @@ void drawTogether(Lens lens, uint item, uint parts)
 {
     const uint thread = gl_LocalInvocationIndex;
     const uint place = item + thread;
-    const bool isDrawn = place < push.largeCount.at[2].count;
+    const bool isDrawn = place < push.largeCount.at[largeEarly].count;
     uint part = 0u;
     uint blade = 0u;
     uint segments = 0u;
@@ -225,7 +225,7 @@ void drawTogether(Lens lens, uint item, uint parts)
 
 void main()
 {
-    const uint begin = push.largeCount.at[2].groups[0];
+    const uint begin = push.largeCount.at[largeEarly].groups[0];
     const uint end = endOfLarge();
     const uint together = lateOfGroup(end - begin);
     const uint thread = gl_LocalInvocationIndex;

@@ -124,9 +124,6 @@ SHARED_CONST uint mostGroups = 65535u;
 /// with several samples a pixel already one of so many pixels over the root of their number.
 SHARED_CONST float largeBladePixels = 64.0f;
 
-/// Where the tessellator draws large blades they are larger than this.
-SHARED_CONST float tessellatedPixels = 256.0f;
-
 /// A blade that covers more pixels than this is asked for whether other grass hides it, …
 SHARED_CONST float askedPixels = 256.0f;
 
@@ -173,11 +170,9 @@ SHARED_CONST uint lateTogether = 32u;
 SHARED_CONST uint lateGroups = 2048u;
 SHARED_CONST uint lateThreads = 128u;
 
-/// Whose affair the blades are that cover many pixels: of work-groups, of the tessellator, or of
-/// nobody but the thread that has one.
+/// What draws the blades that cover many pixels: work-groups, or the thread that has the blade.
 SHARED_CONST uint largeToGroups = 0u;
-SHARED_CONST uint largeToTessellator = 1u;
-SHARED_CONST uint largeToNobody = 2u;
+SHARED_CONST uint largeToNobody = 1u;
 
 /// Of `listed` large blades a work-group takes so many at a time.
 SHARED_FN uint largeOfGroup(uint listed)
@@ -279,6 +274,15 @@ SHARED_FN uvec2 firstSegments(uint late, uint segments)
 
 SHARED_BUFFER(LargePartArray, LargePart, )
 
+// Places in RasterPush::largeCount.
+SHARED_CONST uint largeParts = 0u; ///< parts that were listed, and work-groups for them
+SHARED_CONST uint largeEarly = 1u; ///< parts drawn in the early pass: groups[0] is the first place,
+                                   ///< count the place behind the last one
+SHARED_CONST uint largeCut = 2u;   ///< blades in RasterPush::cut, and work-groups for them
+SHARED_CONST uint largeLate = 3u;  ///< work-groups for the late pass; count: work-groups that have
+                                   ///< filled their cells of the ground's pyramid
+SHARED_CONST uint largeHeavy = 4u; ///< heavy parts, and work-groups for them
+
 /// Blades that share an entry of the table from resident ids to patches.
 SHARED_CONST uint ownerStride = 64u;
 
@@ -336,12 +340,7 @@ struct RasterPush {
     VisibilityArray visibility;
     WalkLevelArray rounds; ///< as in UpdatePush
     LargePartArray large;
-    WalkLevelArray largeCount; ///< how many of them were asked for, and work-groups for them;
-                               ///< then the draw for them by the tessellator; then from where to
-                               ///< before where those lie that have had a first turn; then as at
-                               ///< first of `cut`; then work-groups for the late turn, and how many
-                               ///< of those that fill the ground's pyramid are done; then as at
-                               ///< first of heavy ones
+    WalkLevelArray largeCount; ///< how many are listed, and work-groups for them: see largeParts …
     LargePartArray cut;        ///< those that are cut by the near plane
     UintArray owners;          ///< patches that own blades, in the order of their blades
     UintArray firstOwners; ///< per ownerStride blades: index into `owners` of the first one's patch

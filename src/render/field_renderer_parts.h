@@ -9,7 +9,6 @@
 #include "render/field_renderer.h"
 #include "render/frame.h"
 #include "render/frame_slot.h"
-#include "render/geometry_trial.h"
 #include "render/grass_cover.h"
 #include "render/memory_plan.h"
 #include "render/moving_blades.h"
@@ -34,9 +33,8 @@ struct FieldRenderer::Parts {
 
     const gpu::DeviceContext& context;
     Settings settings;
-    Geometry geometry; ///< of the frame last recorded
+    Geometry geometry; ///< never automatic
     gpu::ShaderLibrary shaders;
-    std::optional<GeometryTrial> trial; ///< where the choice is measured
     TargetSettings targetSettings;
     GroundBuffers ground;
     GrassCover cover;

@@ -8,7 +8,7 @@ namespace sward::render {
 
 bool FieldRenderer::Parts::groupsDrawLarge() const
 {
-    return geometry == Geometry::raster && targetSettings.groupsDrawLarge;
+    return raster && targetSettings.groupsDrawLarge;
 }
 
 bool FieldRenderer::Parts::findsHidden(const FrameSettings& wishes) const
@@ -111,11 +111,7 @@ void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& ta
 void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, const RasterPass::Input& input,
                                         gpu::Timestamps* timestamps)
 {
-    if (trial)
-        trial->beginBlades(commands);
     RasterRounds{context, blades, *raster, rounds}.record(commands, input, timestamps);
-    if (trial)
-        trial->endBlades(commands);
 }
 
 void FieldRenderer::Parts::makePicture(VkCommandBuffer commands, const Target& target,

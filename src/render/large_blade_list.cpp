@@ -9,12 +9,15 @@ namespace {
 /// As shared::RasterPush::largeCount says.
 struct Counts {
     shared::WalkLevel parts{.groups = {0, 1, 1}, .count = 0};
-    VkDrawIndirectCommand draw{shared::drawChunk, 0, 0, 0};
-    shared::WalkLevel drawn{.groups = {0, 1, 1}, .count = 0};
+    shared::WalkLevel early{.groups = {0, 1, 1}, .count = 0};
     shared::WalkLevel cut{.groups = {0, 1, 1}, .count = 0};
     shared::WalkLevel late{.groups = {0, 1, 1}, .count = 0};
     shared::WalkLevel heavy{.groups = {0, 1, 1}, .count = 0};
 };
+static_assert(offsetof(Counts, early) == shared::largeEarly * sizeof(shared::WalkLevel) &&
+              offsetof(Counts, cut) == shared::largeCut * sizeof(shared::WalkLevel) &&
+              offsetof(Counts, late) == shared::largeLate * sizeof(shared::WalkLevel) &&
+              offsetof(Counts, heavy) == shared::largeHeavy * sizeof(shared::WalkLevel));
 
 } // namespace
 
@@ -79,11 +82,6 @@ void LargeBladeList::dispatchLate(VkCommandBuffer commands) const
 void LargeBladeList::dispatchCut(VkCommandBuffer commands) const
 {
     vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, cut));
-}
-
-VkDeviceSize LargeBladeList::drawOffset()
-{
-    return offsetof(Counts, draw);
 }
 
 } // namespace sward::render

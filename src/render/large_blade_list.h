@@ -12,7 +12,7 @@
 namespace sward::render {
 
 /// The blades that cover many pixels, as the rasteriser lists them: shared::LargePart, how many
-/// have been asked for, and what dispatches or draws those that are listed.
+/// have been asked for, and what dispatches those that are listed.
 class LargeBladeList {
 public:
     LargeBladeList() = default;
@@ -43,10 +43,6 @@ public:
     void dispatch(VkCommandBuffer commands) const;
     void dispatchLate(VkCommandBuffer commands) const;
     void dispatchCut(VkCommandBuffer commands) const;
-
-    /// Of VkDrawIndirectCommand, a vertex for each that is listed.
-    VkBuffer counts() const { return counts_.get(); }
-    static VkDeviceSize drawOffset();
 
     VkDeviceSize bytes() const { return parts_.bytes() + cut_.bytes() + shown_.bytes(); }
 

@@ -38,7 +38,7 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
     : context_(&context)
     , target_(target)
     , frameLayout_(context, "raster/frame")
-    , largeList_(context, {.large = target.groupsDrawLarge || target.tessellatesLarge,
+    , largeList_(context, {.large = target.groupsDrawLarge,
                            .shownBlades = target.groupsDrawLarge ? bladeCount : 0})
 {
     expect(obstacleToRaster(context, target.colorFormat) == nullptr, "the device can rasterise");
@@ -58,27 +58,19 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                                                    {.id = 14, .value = target.onlyShape}}});
     };
     const std::uint32_t untold = shared::largeToNobody;
+    const std::uint32_t largeTo =
+        target.groupsDrawLarge ? shared::largeToGroups : shared::largeToNobody;
+    blades_ = pipeline("raster/blades", "raster_blades.comp", largeTo);
+    cut_ = pipeline("raster/cut blades", "raster_cut.comp", untold);
     depths_ = pipeline("raster/depths", "seen_depths.comp", untold);
     allDepths_ = pipeline("raster/all depths", "seen_depths.comp", untold, true);
     if (target.groupsDrawLarge) {
-        const std::uint32_t toGroups = shared::largeToGroups;
-        blades_ = pipeline("raster/blades", "raster_blades.comp", toGroups);
         heavy_ = pipeline("raster/heavy blades", "raster_large.comp", untold, false, true);
         large_ = pipeline("raster/large blades", "raster_large.comp", untold);
         lateBlades_ = pipeline("raster/late blades", "list_late.comp", untold);
         surfaces_.emplace(context, target);
         lateLarge_ = pipeline("raster/late large blades", "raster_late.comp", untold);
     }
-    if (target.tessellatesLarge) {
-        smallBlades_ =
-            pipeline("raster/small blades", "raster_blades.comp", shared::largeToTessellator);
-        tessellated_.emplace(context, shaders, target.samples);
-    }
-    const bool drawsAlone = !target.groupsDrawLarge && !target.tessellatesLarge;
-    if (drawsAlone)
-        blades_ = pipeline("raster/blades", "raster_blades.comp", shared::largeToNobody);
-    if (drawsAlone || target.groupsDrawLarge)
-        cut_ = pipeline("raster/cut blades", "raster_cut.comp", untold);
 }
 
 void RasterPass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
@@ -143,11 +135,7 @@ void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input, std:
 {
     shared::RasterPush push = pushFor(input);
     push.round = turn == Turn::late ? input.field->list().roundCount() + round : round;
-    expect(!input.tessellatesLarge || (tessellated_ && turn == Turn::first),
-           "the tessellator asks for no turns");
-    const gpu::ComputePipeline& pipeline = turn == Turn::late       ? lateBlades_
-                                           : input.tessellatesLarge ? smallBlades_
-                                                                    : blades_;
+    const gpu::ComputePipeline& pipeline = turn == Turn::late ? lateBlades_ : blades_;
     pipeline.bind(commands);
     input.frame.bind(commands, pipeline.layout(), frameSet);
     pipeline.push(commands, push);
@@ -157,9 +145,6 @@ void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input, std:
 
 void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Turn turn) const
 {
-    if (input.tessellatesLarge)
-        return tessellated_->record(commands, pushFor(input), largeList_.counts(),
-                                    LargeBladeList::drawOffset());
     const shared::RasterPush push = pushFor(input);
     const auto bind = [&](const gpu::ComputePipeline& pipeline) {
         pipeline.bind(commands);

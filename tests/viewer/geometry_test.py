@@ -52,7 +52,7 @@ class GeometryTest(unittest.TestCase):
     def compare(self, field, *arguments, least=LEAST_PSNR):
         bare = self.draw(field, *arguments, "--draw-distance", "0.001")
         by_pipeline = self.draw(field, *arguments, "--geometry", "tessellation")
-        for way in ("--geometry raster --raster-for gpu", "--geometry raster --raster-for cpu", "--geometry hybrid"):
+        for way in ("--geometry raster --raster-for gpu", "--geometry raster --raster-for cpu"):
             with self.subTest(way=way):
                 picture = self.draw(field, *arguments, *way.split())
                 grass = np.any(by_pipeline != bare, axis=-1) | np.any(picture != bare, axis=-1)

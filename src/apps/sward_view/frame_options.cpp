@@ -23,12 +23,10 @@ constexpr std::uint64_t mostMemory = std::uint64_t(1) << 44;
 render::Geometry parseGeometry(const std::string& word)
 {
     using render::Geometry;
-    for (const Geometry geometry :
-         {Geometry::automatic, Geometry::tessellation, Geometry::raster, Geometry::hybrid})
+    for (const Geometry geometry : {Geometry::automatic, Geometry::tessellation, Geometry::raster})
         if (word == render::nameOf(geometry))
             return geometry;
-    fail(ErrorKind::usage, "--geometry: '{}' is not one of auto, tessellation, raster, hybrid",
-         word);
+    fail(ErrorKind::usage, "--geometry: '{}' is not one of auto, tessellation, raster", word);
 }
 
 /// Of an option that says no, yes, or leaves it to what suits best.
@@ -139,7 +137,7 @@ void FrameOptions::addMeasured(CLI::App& app)
         "S", "Seconds from frame to frame, a fraction if you like [1/60]");
     option(
         "--geometry", [this](const std::string& text) { geometry = parseGeometry(text); }, "WORD",
-        "auto, tessellation, raster, hybrid [auto]");
+        "auto, tessellation, raster [auto]");
     option(
         "--raster-for",
         [this](const std::string& text) {
