@@ -56,9 +56,7 @@ void leaveToOthers(inout OwnBlade own, float pixels)
 {
     own.parts = partsFor(pixels);
     // Those of other rounds than the first are all listed after the first turn.
-    const uint late = push.round > 0u          ? 0u
-                      : push.takesTurns != 0u ? lateQuartersUnseen(pixels, own.visible.blade)
-                                              : own.visible.factors >> lateShift;
+    const uint late = push.round > 0u ? 0u : own.visible.factors >> lateShift;
     const float segments = own.ribbon.outline.segments;
     own.segments = firstSegments(late, uint(segments));
     const float drawn = pixels * float(own.segments.y - own.segments.x) / segments;

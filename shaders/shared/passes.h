@@ -247,20 +247,6 @@ SHARED_FN uint packPart(uint number, uint parts, uint begin, uint end)
     return number | (parts << 8u) | (begin << 16u) | (end << 23u);
 }
 
-/// Where nobody knows what the frame before has shown, and blades are drawn in two turns all the
-/// same, the first one takes the upper halves of those that cover so many pixels …
-SHARED_CONST float foremostPixels = 4096.0f;
-
-/// … and of so many others one: enough of them to hide most of what stands behind.
-SHARED_CONST uint foremostOf = 4u;
-
-/// Which quarters of a large blade are then drawn in the late turn.
-SHARED_FN uint lateQuartersUnseen(float pixels, uint blade)
-{
-    const bool isForemost = pixels >= foremostPixels || blade % foremostOf == 0u;
-    return isForemost ? 3u : allQuarters;
-}
-
 /// Between which segments a blade is drawn in the first turn, the first and one past the last:
 /// those of its quarters that are not late, and what lies between them.
 SHARED_FN uvec2 firstSegments(uint late, uint segments)
@@ -348,7 +334,7 @@ struct RasterPush {
     /// A bit for each quarter of each blade, by its resident id: whether a sample has shown
     /// it, see forgetsSeen(). Of large blades those quarters are drawn first, then all others as
     /// far as they are not hidden; so the bits decide when something is looked at, and never
-    /// whether it is seen. Address 0: nobody asks; see `takesTurns`.
+    /// whether it is seen. Address 0: nobody asks.
     UintArray seen;
     UintArray surfacePlaces; ///< per resident id modulo surfacePlaceCount: the place in `large`
                              ///< where a blade with such an id was listed last
@@ -358,7 +344,7 @@ struct RasterPush {
     uint isBgr;              ///< 1: the picture's first channel is blue
     uint round;              ///< whose list is rasterised: its first blades, or its last ones
     uint firstBlade; ///< what the visibility has for the blade with the id 0: see VisibilityArray
-    uint takesTurns; ///< 1: large blades have two turns without `seen`, by lateQuartersUnseen()
+    uint reserved;
 };
 SHARED_LAYOUT(RasterPush, 128)
 

@@ -101,8 +101,6 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , targetSettings(targetFor(context, field, wanted))
     , ground(uploaded<GroundBuffers>(context, *field.ground))
     , cover(uploaded<GrassCover>(context, field))
-    , drawsInTurns(targetSettings.groupsDrawLarge &&
-                   wanted.drawsInTurns.value_or(cover.leafArea() >= leastAreaForTurns))
     , sunShadow(context, shaders, ground.box())
     , pyramid(context, shaders, wanted.samples)
     , attachments(madeIf<Attachments>(geometry == Geometry::tessellation, context, targetSettings))
@@ -211,8 +209,8 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
         blades.expectColliders();
     blades.buffers().describe(frame);
     cover.describe(frame);
-    pyramid.begin(findsHidden(wishes) || takesTurns(wishes), frame.viewProjection);
-    if ((frame.view.cullMask & shared::cullOcclusion) != 0 || drawsInTurns)
+    pyramid.begin(findsHidden(wishes), frame.viewProjection);
+    if ((frame.view.cullMask & shared::cullOcclusion) != 0)
         pyramid.describe(frame);
     slots[slot].tables.write(shape, wishes, time, blades.hasMoved() ? lastTime : time, frame);
     lastTime = time;
@@ -286,9 +284,7 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
                                    .judged =
                                        findsReasons ? parts.slots[slot].listing.place() : judged,
                                    .firstBlade = parts.raster ? parts.solidRaster->firstBlade() : 1,
-                                   .findsHidden = findsHidden,
-                                   // Another camera goes on asking the pyramid that it has made.
-                                   .takesTurns = parts.takesTurns(settings)};
+                                   .findsHidden = findsHidden};
 
     parts.blades.begin(commands, time);
     // What the ground hides needs neither be moved nor drawn.

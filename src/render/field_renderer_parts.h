@@ -38,7 +38,6 @@ struct FieldRenderer::Parts {
     TargetSettings targetSettings;
     GroundBuffers ground;
     GrassCover cover;
-    bool drawsInTurns; ///< see FieldRendererSettings
     SunShadowPass sunShadow;
     DepthPyramid pyramid;
     glm::uvec2 pictureSize{0}; ///< [pixels] of the pictures that are there
@@ -73,7 +72,6 @@ struct FieldRenderer::Parts {
                      std::uint32_t slot);
     bool groupsDrawLarge() const;
     bool findsHidden(const FrameSettings& wishes) const; ///< of blades what others hide
-    bool takesTurns(const FrameSettings& wishes) const;  ///< without asking
     void drawSolid(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
                    gpu::Timestamps* timestamps);
     void rasterSolid(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);

@@ -18,11 +18,6 @@ bool FieldRenderer::Parts::findsHidden(const FrameSettings& wishes) const
            !wishes.cullingCamera && wishes.debug != DebugMode::reason;
 }
 
-bool FieldRenderer::Parts::takesTurns(const FrameSettings& wishes) const
-{
-    return groupsDrawLarge() && drawsInTurns && !findsHidden(wishes) && !wishes.cullingCamera;
-}
-
 gpu::ColorAttachment FieldRenderer::Parts::colorAttachment(const Target& target) const
 {
     gpu::ColorAttachment color{

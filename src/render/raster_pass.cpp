@@ -109,7 +109,7 @@ shared::RasterPush RasterPass::pushFor(const Input& input) const
                             .isBgr = isBgr(target_.colorFormat) ? 1u : 0u,
                             .round = 0,
                             .firstBlade = input.firstBlade,
-                            .takesTurns = input.takesTurns ? 1u : 0u};
+                            .reserved = 0};
     largeList_.describe(push);
     if (surfaces_)
         surfaces_->describe(push);

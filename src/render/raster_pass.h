@@ -43,7 +43,6 @@ public:
         FramePlace judged{};          ///< by whose camera the visible blades were listed
         std::uint32_t firstBlade = 1; ///< see SolidRasterPass
         bool findsHidden = false;     ///< whether blades hide others: see shared::RasterPush::seen
-        bool takesTurns = false;      ///< see shared::RasterPush; not beside `findsHidden`
     };
 
     /// Empties lists of blades, and the visibility unless the frame before has left it empty;

@@ -129,8 +129,7 @@ protected:
                 {.samples = samples,
                  .geometry = Geometry::raster,
                  .rastersForCpu = false,
-                 .asksSmallBlades = true,
-                 .drawsInTurns = false}};
+                 .asksSmallBlades = true}};
     }
 
     /// By how much a byte of the picture of some frames differs from one in which nobody asks, at
@@ -236,7 +235,6 @@ TEST_F(LargeBlades, WhicheverQuarterWasSeenBeforeThePictureIsTheSame)
                                 .geometry = Geometry::raster,
                                 .rastersForCpu = false,
                                 .asksSmallBlades = true,
-                                .drawsInTurns = false,
                                 .roundPatches = roundPatches});
         FrameSettings settings = FrameSettings::of(field::viewOf(field));
         const std::uint32_t everything = settings.cullMask;
@@ -309,51 +307,6 @@ TEST_F(LargeBlades, ThatAreTooHeavyForTheirListAreDrawnAllTheSame)
     picture.draw(renderer, camera, settings, 1.0);
     EXPECT_GT(renderer.stats().drawn, 3u * shared::mostHeavyParts / 2u);
     EXPECT_EQ(whatAskingChanges(renderer, camera, settings, 2u * size, 2), 0);
-}
-
-/// What some large blades hide of the others is not drawn, and is not seen: whatever is culled,
-/// with frames between them in which each blade is asked for, from above, and through the near
-/// plane.
-TEST_F(LargeBlades, InTwoTurnsThePictureIsTheSame)
-{
-    for (const std::uint32_t samples : {1u, 4u}) {
-        const field::Field field = samples > 1 ? foldedThicket() : test::thicket();
-        const auto rendererIn = [&](bool turns) {
-            return FieldRenderer(device(), field::viewOf(field),
-                                 {.samples = samples,
-                                  .geometry = Geometry::raster,
-                                  .rastersForCpu = false,
-                                  .drawsInTurns = turns});
-        };
-        FieldRenderer one = rendererIn(false);
-        FieldRenderer two = rendererIn(true);
-        test::Picture expected(context(), size);
-        test::Picture picture(context(), size);
-        for (int step = 0; step < 8; ++step) {
-            SCOPED_TRACE(testing::Message() << samples << " samples, step " << step);
-            Camera camera = test::onTheWay(step);
-            if (step % 3 == 1)
-                camera.eye.y += 4.0;
-            if (step % 3 == 2)
-                camera.near = 1.3f;
-            FrameSettings settings = FrameSettings::of(field::viewOf(field));
-            const std::uint32_t everything = settings.cullMask;
-            // The camera that judges stays where it was, and the pyramid that it asks what it was.
-            if (step == 5 || step == 6)
-                settings.cullingCamera = test::onTheWay(4);
-            else if (step != 3 && step != 4)
-                settings.cullMask = step % 2 == 0 ? 0 : everything & ~shared::cullOcclusion;
-            expected.draw(one, camera, settings, 1.0);
-            picture.draw(two, camera, settings, 1.0);
-            EXPECT_EQ(test::differingPixels(expected.pixels(), picture.pixels()), 0u);
-            // Where hidden ones are left out, what the frame before has hidden decides what is
-            // asked.
-            if (step != 3 && step != 4) {
-                EXPECT_EQ(one.stats().drawn, two.stats().drawn);
-            }
-            EXPECT_GT(two.stats().drawn, 100u);
-        }
-    }
 }
 
 } // namespace

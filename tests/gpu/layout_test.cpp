@@ -172,7 +172,7 @@ std::size_t fillValues(Values& v)
     shared::RasterPush& r = v.rasterPush;
     n.fillAll(r.frame, r.judged, r.visibility, r.rounds, r.large, r.largeCount, r.cut, r.owners,
               r.firstOwners, r.seen, r.surfacePlaces, r.surfaces, r.tiles, r.size, r.isBgr, r.round,
-              r.firstBlade, r.takesTurns);
+              r.firstBlade, r.reserved);
     n.fillAll(v.subtree.blades, v.subtree.widest, v.subtree.rankBelow);
     n.fillAll(v.live.patchIndex, v.live.count);
     n.fillAll(v.walkLevel.groups, v.walkLevel.count);

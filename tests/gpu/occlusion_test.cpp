@@ -53,7 +53,6 @@ protected:
         // tessellator the one that comes first in the list, whose order changes from run to run.
         wanted.geometry = Geometry::raster;
         wanted.rastersForCpu = false;
-        wanted.drawsInTurns = false;
         FieldRenderer renderer(device(), field::viewOf(field), wanted);
         FrameSettings settings = FrameSettings::of(field::viewOf(field));
         settings.levelOfDetail = levelOfDetail;
@@ -137,7 +136,6 @@ Walked walkThroughThicket(const gpu::Device& device, std::uint32_t samples, bool
     wanted.samples = samples;
     wanted.geometry = Geometry::raster;
     wanted.rastersForCpu = false;
-    wanted.drawsInTurns = false;
     wanted.asksSmallBlades = asksSmallBlades;
     wanted.recordFates = true;
     // Another one draws what is expected, so that each frame follows the one before.

@@ -144,14 +144,6 @@ void FrameOptions::addMeasured(CLI::App& app)
             rastersForCpu = parseChoice("--raster-for", text, "gpu", "cpu");
         },
         "WORD", "How the rasteriser goes about it: auto, as the device is; gpu, cpu [auto]");
-    option(
-        "--large-turns",
-        [this](const std::string& text) {
-            drawsInTurns = parseChoice("--large-turns", text, "one", "two");
-        },
-        "WORD",
-        "Draw large blades in one turn or, where none is culled by others, in two: auto, one, two "
-        "[auto]");
     app.add_option("--tess-level", tessellationLevel,
                    "Segments along every blade, 1 to 64; 0: by size on the screen [0]")
         ->type_name("N")

@@ -304,7 +304,7 @@ void main()
     put(sources.at[0].rasterPush.at[1].isBgr);
     put(sources.at[0].rasterPush.at[1].round);
     put(sources.at[0].rasterPush.at[1].firstBlade);
-    put(sources.at[0].rasterPush.at[1].takesTurns);
+    put(sources.at[0].rasterPush.at[1].reserved);
 
     const Subtree subtree = sources.at[0].subtree.at[1];
     put(subtree.blades);
