@@ -10,9 +10,6 @@ layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 #define FRAME_SET 0
 #include "shaders/frame_constants.glsl"
-
-#define PYRAMID_DEPTHS FRAME.depthsBefore
-#include "shaders/raster/hidden_rectangle.glsl"
 #include "shaders/raster/large_part.glsl"
 #include "shaders/raster/part_rows.glsl"
 #define KEEPS_RUN
@@ -50,7 +47,6 @@ shared vec4 points[2u * ribsTogether]; // of ribs, on the screen, w: to the left
 shared Piece pieces[piecesTogether];
 shared uint ticket; // 0–23 rows so far, 24–31 pieces
 shared bool isAnyFolded;
-shared uint leftOut[largeTogether]; // LargePart::leftOut
 
 // Where the points of a rib lie: first those of all ribs to the left, then to the right, then ridges.
 const uint leftSide = 0u;
@@ -120,34 +116,9 @@ ivec2 rowsSeen(Quad quad, uint part)
     return rowsOfPart(rowsBetween(low.y, high.y, edge.y), part);
 }
 
-/// So far [pixels] around a segment nothing may have been seen of what stands as far away: what wind moves
-/// aside until the next frame would else leave holes in what hides the rest.
-const float sinceBefore = 3.0;
-
-/// Whether the frame before hid what lies between a rib and the one before.
-bool wasHidden(uint rib, bool isFolded, uint stride)
+/// The pieces between rib `rib` and the one before.
+void makePieces(uint rib, bool isFolded, bool isUpper, uint part, uint number, uint stride)
 {
-    if (uvec2(FRAME.depthsBefore) == uvec2(0u))
-        return false;
-    vec3 low = vec3(1e30);
-    vec3 high = vec3(-1e30);
-    for (uint i = 0u; i < (isFolded ? 3u : 2u); ++i) {
-        const vec3 before = points[i * stride + rib - 1u].xyz;
-        const vec3 after = points[i * stride + rib].xyz;
-        low = min(low, min(before, after));
-        high = max(high, max(before, after));
-    }
-    return rectangleHidden(low.xy - sinceBefore, high.xy + sinceBefore, high.z);
-}
-
-/// The pieces between rib `rib` and the one before, the `own`th of a blade that is drawn. Where pixels have
-/// several samples, each of which is looked at, those that the frame before hid are left to the late turn.
-void makePieces(uint rib, uint own, bool isFolded, bool isUpper, uint part, uint number, uint stride)
-{
-    if (samplesPerPixel > 1u && own <= 32u && wasHidden(rib, isFolded, stride)) {
-        atomicOr(leftOut[number], 1u << (own - 1u));
-        return;
-    }
     bool isTwisted = false;
     for (uint i = 0u; i < halvesOf(isFolded); ++i)
         isTwisted = isTwisted ||
@@ -219,7 +190,7 @@ void drawBetween(Lens lens, uint first, uint end, uint item, uint blades, uint s
         ticket = 0u;
     barrier();
     if (isSegment)
-        makePieces(thread, own, hasRidge, isUpper, part, number, stride);
+        makePieces(thread, hasRidge, isUpper, part, number, stride);
     barrier();
     drawPieces(stride);
     barrier();
@@ -249,7 +220,6 @@ Header guessedHeader()
 
 void main()
 {
-    LargePartArray large = push.large;
     const Header guessed = guessedHeader();
     const uint begin = takesHeavy ? beginOfHeavy() : mostHeavyParts;
     const uint end = takesHeavy ? mostHeavyParts : endOfLarge();
@@ -275,7 +245,6 @@ void main()
             const uvec2 own = partsOf(part) > 0u ? segmentsOfPart(part) : uvec2(0u);
             items[thread + 1u].firstRib = own.x < own.y ? own.y - own.x + 1u : 0u;
             items[thread].beginsAt = own.x;
-            leftOut[thread] = 0u;
             items[thread].cycle = 8u * partsOf(part);
             items[thread].blade = header.blade;
             if (mayFold && header.fold > 0.0)
@@ -291,8 +260,5 @@ void main()
         // The next ones begin with the last rib, between which and theirs there is a segment, too.
         for (uint first = 0u; first + 1u < ribs; first += stride - 1u)
             drawBetween(lens, first, min(first + stride, ribs), item, blades, stride);
-        if (thread < blades && leftOut[thread] != 0u)
-            large.at[item + thread].leftOut = leftOut[thread];
-        barrier();
     }
 }

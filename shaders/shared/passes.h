@@ -216,12 +216,11 @@ struct LargePart {
     vec3 axis;
     float tipThreshold;
     float scale;
-    uint leftOut; ///< of the segments that the first turn was to draw those that it has left to the
-                  ///< late one, as the frame before hid them: bits, the lowest of the first
-    uint blade;   ///< resident id
-    uint part; ///< 0–7 which of so many parts, 8–15; 0: nothing, there was no room for all parts;
-               ///< 16–22 the first segment that is drawn, 23–29 one past the last; of a blade that
-               ///< had its first turn all others are left to the late one
+    uint reserved;
+    uint blade; ///< resident id
+    uint part;  ///< 0–7 which of so many parts, 8–15; 0: nothing, there was no room for all parts;
+                ///< 16–22 the first segment that is drawn, 23–29 one past the last; of a blade that
+                ///< had its first turn all others are left to the late one
 };
 SHARED_LAYOUT(LargePart, 80)
 

@@ -209,7 +209,6 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
         blades.expectColliders();
     blades.buffers().describe(frame);
     cover.describe(frame);
-    pyramid.begin(findsHidden(wishes), frame.viewProjection);
     if ((frame.view.cullMask & shared::cullOcclusion) != 0)
         pyramid.describe(frame);
     slots[slot].tables.write(shape, wishes, time, blades.hasMoved() ? lastTime : time, frame);

@@ -324,7 +324,7 @@ void main()
     put(sources.at[0].largePart.at[1].axis);
     put(sources.at[0].largePart.at[1].tipThreshold);
     put(sources.at[0].largePart.at[1].scale);
-    put(sources.at[0].largePart.at[1].leftOut);
+    put(sources.at[0].largePart.at[1].reserved);
     put(sources.at[0].largePart.at[1].blade);
     put(sources.at[0].largePart.at[1].part);
 
