@@ -300,25 +300,6 @@ SHARED_FN uint seenBit(uint blade, uint quarter)
     return 1u << (quarters * (blade % seenOfWord) + quarter);
 }
 
-/// Those of some quarters of a blade that its `word` does not have as seen.
-SHARED_FN uint unnotedQuarters(uint some, uint word, uint blade)
-{
-    return some & ~(word >> (quarters * (blade % seenOfWord)));
-}
-
-/// Some quarters in the signs of four numbers of which none is negative: what is set in the `i`th
-/// of them, …
-SHARED_FN uint signOfQuarter(uint some, uint i)
-{
-    return ((some >> i) & 1u) << 31u;
-}
-
-/// … and what its bits say.
-SHARED_FN uint quarterOfSign(uint bits, uint i)
-{
-    return (bits >> 31u) << i;
-}
-
 struct RasterPush {
     FrameArray frame;
     FrameArray judged; ///< by whose camera the visible blades were listed
@@ -330,10 +311,11 @@ struct RasterPush {
     UintArray owners;          ///< patches that own blades, in the order of their blades
     UintArray firstOwners; ///< per ownerStride blades: index into `owners` of the first one's patch
 
-    /// A bit for each quarter of each blade, by its resident id: whether a sample has shown
-    /// it, see forgetsSeen(). Of large blades those quarters are drawn first, then all others as
-    /// far as they are not hidden; so the bits decide when something is looked at, and never
-    /// whether it is seen. Address 0: nobody asks.
+    /// The visibility history: a bit for each quarter of each blade, by its resident id, whether a
+    /// sample has shown it lately, see forgetsSeen(). The early pass draws those quarters of large
+    /// blades, the late pass all others that are not hidden: the bits decide when something is
+    /// drawn, and never whether it is seen. Address 0: blades are not asked whether others hide
+    /// them.
     UintArray seen;
     UintArray surfacePlaces; ///< per resident id modulo surfacePlaceCount: the place in `large`
                              ///< where a blade with such an id was listed last
