@@ -196,31 +196,9 @@ void drawBetween(Lens lens, uint first, uint end, uint item, uint blades, uint s
     barrier();
 }
 
-/// What decides how many ribs a part has.
-struct Header {
-    uint part;
-    uint blade;
-    float fold;
-};
-
-Header headerAt(uint place)
-{
-    return Header(push.large.at[place].part, push.large.at[place].blade, push.large.at[place].fold);
-}
-
-/// The header of a thread's part of those that a work-group takes first where there are many, read before it is
-/// known how many there are.
-Header guessedHeader()
-{
-    const uint thread = gl_LocalInvocationIndex;
-    if (takesHeavy || thread >= largeTogether)
-        return Header(0u, 0u, 0.0);
-    return headerAt(mostHeavyParts + min(gl_WorkGroupID.x * largeTogether + thread, mostLargeParts - 1u));
-}
-
 void main()
 {
-    const Header guessed = guessedHeader();
+    LargePartArray large = push.large;
     const uint begin = takesHeavy ? beginOfHeavy() : mostHeavyParts;
     const uint end = takesHeavy ? mostHeavyParts : endOfLarge();
     const uint together = takesHeavy ? heavyTogether : largeOfGroup(end - begin);
@@ -236,18 +214,13 @@ void main()
         // How many ribs each has, and then how many those before it have.
         if (thread < blades) {
             const uint place = item + thread;
-            const bool isGuessed =
-                !takesHeavy && together == largeTogether && item == begin + gl_WorkGroupID.x * together;
-            Header header = guessed;
-            if (!isGuessed)
-                header = headerAt(place);
-            const uint part = header.part;
+            const uint part = large.at[place].part;
             const uvec2 own = partsOf(part) > 0u ? segmentsOfPart(part) : uvec2(0u);
             items[thread + 1u].firstRib = own.x < own.y ? own.y - own.x + 1u : 0u;
             items[thread].beginsAt = own.x;
             items[thread].cycle = 8u * partsOf(part);
-            items[thread].blade = header.blade;
-            if (mayFold && header.fold > 0.0)
+            items[thread].blade = large.at[place].blade;
+            if (mayFold && large.at[place].fold > 0.0)
                 isAnyFolded = true;
         }
         barrier();
