@@ -42,8 +42,7 @@ bool findKept(uint index, out SeenBlade seen)
     const uvec4 root = surfaces.at[3u * slot];
     const uvec4 tip = surfaces.at[3u * slot + 1u];
     const uvec4 material = surfaces.at[3u * slot + 2u];
-    if (blade.blade != index || slot < push.largeCount.at[largeEarly].groups[0] || slot >= push.largeCount.at[largeEarly].count ||
-        !isKept(blade))
+    if (blade.blade != index || slot >= push.largeCount.at[largeEarly].count || !isKept(blade))
         return false;
     seen.ribbon = ribbonOf(blade);
     seen.surface.root = uintBitsToFloat(root);

@@ -25,31 +25,22 @@ uint partsFor(float pixels)
 /// Lists a blade's parts from `slot` on, of which some segments are drawn; whether there was room.
 bool putParts(Ribbon ribbon, VisibleBlade visible, uint slot, uint parts, uvec2 segments)
 {
-    const uint end = mostHeavyParts + mostLargeParts;
-    const bool hasRoom = slot + parts <= end;
-    for (uint part = 0u; part < parts && slot + part < end; ++part)
+    const bool hasRoom = slot + parts <= mostLargeParts;
+    for (uint part = 0u; part < parts && slot + part < mostLargeParts; ++part)
         putPart(push.large, slot + part,
                 partOf(ribbon, visible.blade,
                        hasRoom ? packPart(part, parts, segments.x, segments.y) : 0u));
     return hasRoom;
 }
 
-/// So many are by now, or there was room for fewer.
-void noteHeavy(uint parts)
-{
-    WalkLevelArray asked = push.largeCount;
-    atomicMax(asked.at[largeHeavy].groups[0], groupsForHeavy(min(parts, mostHeavyParts)));
-}
-
-/// The list has so many parts by now, or had room for fewer. `first`: where those begin that a late turn
-/// goes through.
-void noteListed(uint parts, uint first)
+/// The list has so many parts by now, or had room for fewer.
+void noteListed(uint parts)
 {
     WalkLevelArray asked = push.largeCount;
     const uint listed = min(parts, mostLargeParts);
     atomicMax(asked.at[largeParts].groups[0], groupsForLarge(listed));
     if (isLate || push.round > 0u)
-        atomicMax(asked.at[largeLate].groups[0], groupsForLate(mostHeavyParts + listed - first));
+        atomicMax(asked.at[largeLate].groups[0], groupsForLate(listed));
 }
 
 /// Gives a blade that may reach through the near plane to those who cut it there; whether there was room.

@@ -35,16 +35,10 @@ LargePart partAt(uint place)
                      uintBitsToFloat(d.xyz), uintBitsToFloat(d.w), uintBitsToFloat(e.x), e.y, e.z, e.w);
 }
 
-/// Where the first heavy part lies …
-uint beginOfHeavy()
+/// So many parts are listed.
+uint listedLarge()
 {
-    return mostHeavyParts - min(push.largeCount.at[largeHeavy].count, mostHeavyParts);
-}
-
-/// … and before where the last other one does.
-uint endOfLarge()
-{
-    return mostHeavyParts + min(push.largeCount.at[largeParts].count, mostLargeParts);
+    return min(push.largeCount.at[largeParts].count, mostLargeParts);
 }
 
 /// Of LargePart::part.

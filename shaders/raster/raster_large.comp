@@ -17,9 +17,6 @@ layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 layout(local_size_x = largeThreads) in;
 
-/// Whether heavy parts are drawn, or all others; known when the pipeline is made.
-layout(constant_id = 5) const bool takesHeavy = false;
-
 /// So many ribs of one or several blades are made at a time, one by each thread, or half as many of
 /// folded ones.
 const uint ribsTogether = largeThreads;
@@ -199,12 +196,11 @@ void drawBetween(Lens lens, uint first, uint end, uint item, uint blades, uint s
 void main()
 {
     LargePartArray large = push.large;
-    const uint begin = takesHeavy ? beginOfHeavy() : mostHeavyParts;
-    const uint end = takesHeavy ? mostHeavyParts : endOfLarge();
-    const uint together = takesHeavy ? heavyTogether : largeOfGroup(end - begin);
+    const uint end = listedLarge();
+    const uint together = largeOfGroup(end);
     const uint thread = gl_LocalInvocationIndex;
     const Lens lens = lensOf();
-    for (uint item = begin + gl_WorkGroupID.x * together; item < end; item += gl_NumWorkGroups.x * together) {
+    for (uint item = gl_WorkGroupID.x * together; item < end; item += gl_NumWorkGroups.x * together) {
         const uint blades = min(together, end - item);
         if (thread == 0u) {
             items[0].firstRib = 0u;

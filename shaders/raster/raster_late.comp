@@ -213,14 +213,13 @@ void drawTogether(Lens lens, uint item, uint parts)
 
 void main()
 {
-    const uint begin = push.largeCount.at[largeEarly].groups[0];
-    const uint end = endOfLarge();
-    const uint together = lateOfGroup(end - begin);
+    const uint end = listedLarge();
+    const uint together = lateOfGroup(end);
     const uint thread = gl_LocalInvocationIndex;
     const Lens lens = lensOf();
     if (thread == 0u)
         hiddenCount = 0u;
-    for (uint item = begin + gl_WorkGroupID.x * together; item < end; item += gl_NumWorkGroups.x * together) {
+    for (uint item = gl_WorkGroupID.x * together; item < end; item += gl_NumWorkGroups.x * together) {
         barrier();
         if (thread < seenBlades.length())
             seenBlades[thread] = 0u;

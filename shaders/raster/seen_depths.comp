@@ -80,13 +80,11 @@ float farthestTogether(uvec2 own)
 void beginLateTurn()
 {
     WalkLevelArray asked = push.largeCount;
-    const uint begin = beginOfHeavy();
-    const uint end = endOfLarge();
-    asked.at[largeEarly].groups[0] = begin;
-    asked.at[largeEarly].count = end;
+    const uint listed = listedLarge();
+    asked.at[largeEarly].count = listed;
     asked.at[largeCut].count = 0u;
     asked.at[largeCut].groups[0] = 0u;
-    asked.at[largeLate].groups[0] = groupsForLate(end - begin);
+    asked.at[largeLate].groups[0] = groupsForLate(listed);
 }
 
 /// Whether all other work-groups have filled their cells. The first thread comes here behind the last one

@@ -140,13 +140,6 @@ SHARED_CONST uint mostParts = 64u;
 /// million pixels. Blades beyond them are rasterised by one thread each.
 SHARED_CONST uint mostLargeParts = 1048576u;
 
-/// Before them lie at most so many more, from the last place to the first, each with more pixels
-/// than this to draw in its first turn. Work-groups that draw these, fewer together, begin before
-/// all others: at the end a device waits for whoever began last.
-SHARED_CONST uint mostHeavyParts = 32768u;
-SHARED_CONST float heavyPixels = 768.0f;
-SHARED_CONST uint heavyTogether = 2u;
-
 /// So many blades can be listed that reach through the near plane, or of which a single thread must
 /// not have so many pixels.
 SHARED_CONST uint mostCutBlades = 65536u;
@@ -185,12 +178,6 @@ SHARED_FN uint groupsForLarge(uint listed)
 {
     const uint together = largeOfGroup(listed);
     return min((listed + together - 1u) / together, mostGroups);
-}
-
-/// The same of heavy parts.
-SHARED_FN uint groupsForHeavy(uint listed)
-{
-    return (listed + heavyTogether - 1u) / heavyTogether;
 }
 
 /// The same of the late turn, of all that are listed by then.
@@ -261,12 +248,10 @@ SHARED_BUFFER(LargePartArray, LargePart, )
 
 // Places in RasterPush::largeCount.
 SHARED_CONST uint largeParts = 0u; ///< parts that were listed, and work-groups for them
-SHARED_CONST uint largeEarly = 1u; ///< parts drawn in the early pass: groups[0] is the first place,
-                                   ///< count the place behind the last one
+SHARED_CONST uint largeEarly = 1u; ///< count: so many of them, the first, the early pass has drawn
 SHARED_CONST uint largeCut = 2u;   ///< blades in RasterPush::cut, and work-groups for them
 SHARED_CONST uint largeLate = 3u;  ///< work-groups for the late pass; count: work-groups that have
                                    ///< filled their cells of the ground's pyramid
-SHARED_CONST uint largeHeavy = 4u; ///< heavy parts, and work-groups for them
 
 /// Blades that share an entry of the table from resident ids to patches.
 SHARED_CONST uint ownerStride = 64u;
@@ -286,7 +271,7 @@ SHARED_FN uint rowsOfColumn(uint height)
 
 /// Of the large blades at so many places what shading asks of them is kept for all pixels that show
 /// them, …
-SHARED_CONST uint mostSurfaces = mostHeavyParts + 229376u;
+SHARED_CONST uint mostSurfaces = 262144u;
 
 /// … and where it may be by resident id modulo this: of two that meet there one is shaded without.
 SHARED_CONST uint surfacePlaceCount = 1048576u;

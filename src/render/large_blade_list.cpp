@@ -12,12 +12,10 @@ struct Counts {
     shared::WalkLevel early{.groups = {0, 1, 1}, .count = 0};
     shared::WalkLevel cut{.groups = {0, 1, 1}, .count = 0};
     shared::WalkLevel late{.groups = {0, 1, 1}, .count = 0};
-    shared::WalkLevel heavy{.groups = {0, 1, 1}, .count = 0};
 };
 static_assert(offsetof(Counts, early) == shared::largeEarly * sizeof(shared::WalkLevel) &&
               offsetof(Counts, cut) == shared::largeCut * sizeof(shared::WalkLevel) &&
-              offsetof(Counts, late) == shared::largeLate * sizeof(shared::WalkLevel) &&
-              offsetof(Counts, heavy) == shared::largeHeavy * sizeof(shared::WalkLevel));
+              offsetof(Counts, late) == shared::largeLate * sizeof(shared::WalkLevel));
 
 } // namespace
 
@@ -33,8 +31,7 @@ LargeBladeList::LargeBladeList(const gpu::DeviceContext& context, Room room)
 {
     if (room.large)
         parts_ = gpu::Buffer(context, {.name = "raster/large blades",
-                                       .bytes = (shared::mostLargeParts + shared::mostHeavyParts) *
-                                                sizeof(shared::LargePart),
+                                       .bytes = shared::mostLargeParts * sizeof(shared::LargePart),
                                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
     if (room.shownBlades == 0)
         return;
@@ -67,11 +64,6 @@ void LargeBladeList::beginShown(VkCommandBuffer commands)
 void LargeBladeList::dispatch(VkCommandBuffer commands) const
 {
     vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, parts));
-}
-
-void LargeBladeList::dispatchHeavy(VkCommandBuffer commands) const
-{
-    vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, heavy));
 }
 
 void LargeBladeList::dispatchLate(VkCommandBuffer commands) const

@@ -19,7 +19,7 @@ public:
 
     /// For what there is room beside shared::mostCutBlades.
     struct Room {
-        bool large = false; ///< shared::mostLargeParts and mostHeavyParts
+        bool large = false; ///< shared::mostLargeParts
         std::uint32_t shownBlades =
             0; ///< a bit for each quarter, if some are to be left out as hidden
     };
@@ -37,9 +37,8 @@ public:
     /// Begins a frame. Before the first one no blade has been shown; a transfer, once.
     void beginShown(VkCommandBuffer commands);
 
-    // Work-groups for what is listed: in a first turn heavy parts, and all others but cut ones; all
-    // but cut ones in a late turn; cut ones.
-    void dispatchHeavy(VkCommandBuffer commands) const;
+    // Work-groups for what is listed: large parts in the early pass, the same in the late pass, and
+    // blades that the near plane cuts.
     void dispatch(VkCommandBuffer commands) const;
     void dispatchLate(VkCommandBuffer commands) const;
     void dispatchCut(VkCommandBuffer commands) const;

@@ -43,7 +43,7 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
 {
     expect(obstacleToRaster(context, target.colorFormat) == nullptr, "the device can rasterise");
     const auto pipeline = [&](const char* name, const char* shader, std::uint32_t largeTo,
-                              bool fillsAll = false, bool takesHeavy = false) {
+                              bool fillsAll = false) {
         return gpu::ComputePipeline(context, shaders,
                                     {.name = name,
                                      .shader = shader,
@@ -53,7 +53,6 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                                                    {.id = 2, .value = fillsAll},
                                                    {.id = 3, .value = target.mayBePaged},
                                                    {.id = 4, .value = largeTo},
-                                                   {.id = 5, .value = takesHeavy},
                                                    {.id = 11, .value = target.mayFold},
                                                    {.id = 14, .value = target.onlyShape}}});
     };
@@ -65,7 +64,6 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
     depths_ = pipeline("raster/depths", "seen_depths.comp", untold);
     allDepths_ = pipeline("raster/all depths", "seen_depths.comp", untold, true);
     if (target.groupsDrawLarge) {
-        heavy_ = pipeline("raster/heavy blades", "raster_large.comp", untold, false, true);
         large_ = pipeline("raster/large blades", "raster_large.comp", untold);
         lateBlades_ = pipeline("raster/late blades", "list_late.comp", untold);
         surfaces_.emplace(context, target);
@@ -155,8 +153,6 @@ void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Turn 
         bind(lateLarge_);
         largeList_.dispatchLate(commands);
     } else if (target_.groupsDrawLarge) {
-        bind(heavy_);
-        largeList_.dispatchHeavy(commands);
         bind(large_);
         largeList_.dispatch(commands);
         // Those that frames have shown lately are as good as seen. As many work-groups as have

@@ -83,8 +83,7 @@ private:
     gpu::UniformSetLayout frameLayout_;
     gpu::ComputePipeline blades_;
     gpu::ComputePipeline large_;
-    gpu::ComputePipeline heavy_; ///< and those of them that are begun first
-    gpu::ComputePipeline cut_;   ///< those that reach through the near plane
+    gpu::ComputePipeline cut_; ///< those that reach through the near plane
     gpu::ComputePipeline lateBlades_;
     gpu::ComputePipeline lateLarge_; ///< leaves out what is hidden
     gpu::ComputePipeline depths_;

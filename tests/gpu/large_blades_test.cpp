@@ -292,22 +292,5 @@ TEST_F(LargeBlades, OfManySegmentsLeaveNoneOut)
     }
 }
 
-/// More blades with much to draw than there is room for among heavy ones: the rest is listed with
-/// the others. With occlusion most of them are not drawn in a first turn, and are none.
-TEST_F(LargeBlades, ThatAreTooHeavyForTheirListAreDrawnAllTheSame)
-{
-    const field::Field field = tallGrass(100'000, 6.0f);
-    FieldRenderer renderer = askingRendererOf(field, 1);
-    FrameSettings settings = FrameSettings::of(field::viewOf(field));
-    settings.levelOfDetail = false;
-    Camera camera;
-    camera.eye = {0.0, 2.5, 6.0};
-    test::Picture picture(context(), 2u * size);
-    settings.cullMask &= ~shared::cullOcclusion;
-    picture.draw(renderer, camera, settings, 1.0);
-    EXPECT_GT(renderer.stats().drawn, 3u * shared::mostHeavyParts / 2u);
-    EXPECT_EQ(whatAskingChanges(renderer, camera, settings, 2u * size, 2), 0);
-}
-
 } // namespace
 } // namespace sward::render
