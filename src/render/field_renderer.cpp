@@ -57,8 +57,7 @@ TargetSettings targetFor(const gpu::DeviceContext& context, const field::FieldVi
                 field.species, [](const field::Species& kind) { return kind.look.fold > 0.0f; }),
             .onlyShape = onlyShapeOf(field),
             .groupsDrawLarge = !isForCpu,
-            .sortsTiles = isForCpu,
-            .storesIntoTargets = wanted.storesIntoTargets};
+            .sortsTiles = isForCpu};
 }
 
 /// Throws Error{unsupported} if the visibility has not numbers for all that may be seen.
@@ -154,7 +153,7 @@ MemoryPlan FieldRenderer::Parts::planWithin(const field::FieldView& field)
     fit(settings.largestTarget);
     return planFor(field, records,
                    {.bytes = settings.deviceBytes,
-                    .others = bytesBesideBlades(),
+                    .others = bytesBesideBlades() + (resolve ? resolve->bytesToCopy() : 0),
                     .framesInFlight = settings.framesInFlight,
                     .waitsForDisk = settings.waitsForDisk});
 }

@@ -114,8 +114,7 @@ void FieldRenderer::Parts::makePicture(VkCommandBuffer commands, const Target& t
                                        gpu::Timestamps* timestamps)
 {
     using gpu::ImageUse;
-    expect((target.stored != VK_NULL_HANDLE) == settings.storesIntoTargets,
-           "a target can be stored into where the renderer has been told so");
+    const bool isStored = target.stored != VK_NULL_HANDLE;
     shared::RasterPush push = raster->pushFor(input);
     resolve->describe(push);
     gpu::computeToCompute(commands);
@@ -124,17 +123,15 @@ void FieldRenderer::Parts::makePicture(VkCommandBuffer commands, const Target& t
         resolve->recordTiles(commands, push);
         solidRaster->recordLight(commands, input.frame, raster->visibility(), resolve->sorted());
     }
-    const ImageUse filled =
-        settings.storesIntoTargets ? ImageUse::storage : ImageUse::transferTarget;
+    const ImageUse filled = isStored ? ImageUse::storage : ImageUse::transferTarget;
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, ImageUse::colorTarget,
                     filled);
     gpu::computeToCompute(commands);
-    if (settings.storesIntoTargets)
-        resolve->aim(slot, target.stored);
+    resolve->aim(slot, target.stored);
     {
         const PassScope scope(context, commands, timestamps, "resolve");
         resolve->record(commands, push, input.frame, slot);
-        if (!settings.storesIntoTargets)
+        if (!isStored)
             resolve->copyTo(commands, target.image);
     }
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, filled,

@@ -29,10 +29,6 @@ struct FieldRendererSettings {
     /// nothing is said, not on a CPU device. Never changes a picture.
     std::optional<bool> asksSmallBlades{};
 
-    /// Whether shaders can store into every target: the picture that they make is then not copied
-    /// to it. See FieldRenderer::Target::stored.
-    bool storesIntoTargets = false;
-
     bool recordFates = false; ///< keep each blade's fate for dumpBlades(); 20 bytes a blade
 
     /// The rasteriser updates and draws so many patches at a time, with 16 bytes for each of their
