@@ -4,7 +4,6 @@ from dataclasses import dataclass, field
 
 NOTHING_LEFT_OUT = ("--cull", "none", "--lod", "off")
 RASTER = ("--geometry", "raster")
-HYBRID = ("--geometry", "hybrid")
 TESSELLATION = ("--geometry", "tessellation")
 ONE, FOUR = ("--samples", "1"), ("--samples", "4")
 WHOLE = "raster, nothing left out"
@@ -21,8 +20,6 @@ WAYS = ((f"{WHOLE}, 1 sample", (*RASTER, *NOTHING_LEFT_OUT, *ONE), False),
         ("default, 1 sample", ONE, False),
         ("default, 4 samples", FOUR, False),
         ("raster, default, 4 samples", (*RASTER, *FOUR), True),
-        ("hybrid, default, 1 sample", (*HYBRID, *ONE), True),
-        ("hybrid, default, 4 samples", (*HYBRID, *FOUR), True),
         ("tessellation, default, 4 samples", (*TESSELLATION, *FOUR), True),
         ("tessellation, level 7, nothing left out, 1 sample", (*TESSELLATION, "--tess-level", "7", *NOTHING_LEFT_OUT, *ONE), True))
 

@@ -5,10 +5,6 @@
 
 #include "shaders/shared/occlusion.h"
 
-#ifndef PYRAMID_DEPTHS
-#define PYRAMID_DEPTHS PYRAMID.depths
-#endif
-
 #ifndef PYRAMID_LEVELS
 #define PYRAMID_LEVELS PYRAMID.levels
 #endif
@@ -34,8 +30,8 @@ bool behindPyramid(ScreenBox box)
         float farthest = 1.0;
         SHARED_UNROLL for (int y = 0; y < pyramidReach; ++y) {
             const uint cells = first + uint(min(low.y + y, high.y)) * row;
-            farthest = min(farthest, min(PYRAMID_DEPTHS.at[cells + uint(x)],
-                                         PYRAMID_DEPTHS.at[cells + uint(min(x + 1, high.x))]));
+            farthest = min(farthest, min(PYRAMID.depths.at[cells + uint(x)],
+                                         PYRAMID.depths.at[cells + uint(min(x + 1, high.x))]));
         }
         if (farthest <= nearest)
             return false;
@@ -43,7 +39,7 @@ bool behindPyramid(ScreenBox box)
 #else
     for (int y = low.y; y <= high.y; ++y)
         for (int x = low.x; x <= high.x; ++x)
-            if (PYRAMID_DEPTHS.at[first + uint(y) * row + uint(x)] <= nearest)
+            if (PYRAMID.depths.at[first + uint(y) * row + uint(x)] <= nearest)
                 return false;
 #endif
     return true;

@@ -19,17 +19,12 @@ uint firstOfTurn(uint turn)
     return before + (areMany() ? patchesTogether : 1u) * gl_WorkGroupID.x;
 }
 
-/// What is known of the live patch that stands there in the list; nothing beyond its room.
+/// The live patch at a place of the list; where all patches are moved, the patch that owns blades.
 LivePatch liveAt(uint place)
 {
-    LivePatch live = LivePatch(0u, 0u);
-    if (gl_LocalInvocationIndex < patchesTogether && place < push.ownerCount) {
-        if (push.onlyUpdate != 0u)
-            live.patchIndex = push.owners.at[place];
-        else
-            live = push.live.at[place];
-    }
-    return live;
+    if (push.onlyUpdate != 0u)
+        return LivePatch(push.owners.at[place], 0u);
+    return push.live.at[place];
 }
 
 #endif

@@ -17,23 +17,15 @@ bool takesTurns()
     return (asks & cullOcclusion) != 0u && uvec2(push.seenBefore) != uvec2(0u);
 }
 
-/// The word of RasterPush::seen that a blade has a part of.
-uint wordOfSeen(uint index)
-{
-    if (!takesTurns())
-        return 0u;
-    UintArray words = push.seenBefore;
-    return words.at[index / seenOfWord];
-}
-
-/// Which quarters of a blade have been seen, as its `word` says. One of which nobody asks counts as seen.
-uint takeSeen(uint index, uint word, bool isAskedLater)
+/// Which quarters of a blade have been seen lately, by the visibility history. A blade that is not asked later
+/// counts as seen.
+uint takeSeen(uint index, bool isAskedLater)
 {
     if (!isAskedLater)
         return allQuarters;
     UintArray words = push.seenBefore;
     const uint shift = quarters * (index % seenOfWord);
-    const uint seen = (word >> shift) & allQuarters;
+    const uint seen = (words.at[index / seenOfWord] >> shift) & allQuarters;
     if (seen != 0u && forgetsSeen(index, push.frame))
         atomicAnd(words.at[index / seenOfWord], ~(allQuarters << shift));
     return seen;

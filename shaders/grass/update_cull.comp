@@ -298,9 +298,8 @@ void updateBlade(Eyepoint view, Nature nature, uint slot, uint i, StoredBlade st
     if (role == onlyMove || push.onlyUpdate != 0u)
         return;
 
-    // Judge it, and keep it if it shall be drawn. Of one of which it is asked later whether something hides
-    // it nobody asks here whether the ground does. What has been seen is read now, to be there then.
-    const uint word = wordOfSeen(index);
+    // Judge it, and keep it if it shall be drawn. The late pass finds out of large blades whether anything
+    // hides them; of others it is found here whether the ground does.
     const Layers layers = layersOfSlot(slot);
     const Blade drawn = raised(blade, layers.rise);
     Verdict verdict = judgeBlade(view, layers, drawn, index, state, bladeRank(cell, i));
@@ -312,7 +311,7 @@ void updateBlade(Eyepoint view, Nature nature, uint slot, uint i, StoredBlade st
     if (verdict.fate != fateDrawn) {
         atomicAdd(fateSums[verdict.fate], 1u);
     } else {
-        const uint seen = takeSeen(index, word, isAskedLater);
+        const uint seen = takeSeen(index, isAskedLater);
         const uint list = seen != 0u ? 0u : 1u;
         const uint place = atomicAdd(kept[list], 1u);
         survivors[list == 0u ? place : survivorRoom - 1u - place] =
@@ -390,9 +389,8 @@ void main()
     }
     const bool isAll = push.onlyUpdate != 0u;
     const uint begin = isAll ? 0u : push.firstLive;
-    // Those that a work-group takes follow in steps; the first are read before it is known how many there are.
+    // Those that a work-group takes follow in steps.
     const uint step_ = areMany() ? 1u : gl_NumWorkGroups.x;
-    LivePatch live = liveAt(begin + firstOfTurn(0u) + step_ * thread);
     const uint end = isAll ? push.ownerCount
                            : min(push.levels.at[liveLevel].count, push.firstLive + push.mostLive);
     for (uint turn = 0u; begin + firstOfTurn(turn) < end; ++turn) {
@@ -400,12 +398,10 @@ void main()
         uint patches = 1u;
         while (patches < patchesTogether && first + step_ * patches < end)
             ++patches;
-        if (turn > 0u)
-            live = liveAt(first + step_ * thread);
         // Nobody looks at the patches before any more.
         barrier();
         if (thread < patches)
-            takePatch(view, live, thread);
+            takePatch(view, liveAt(first + step_ * thread), thread);
         for (uint i = thread; hasColliders && i < patches * colliderWords; i += gl_WorkGroupSize.x)
             colliderBits[i] = 0u;
         barrier();

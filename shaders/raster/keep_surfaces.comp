@@ -14,9 +14,8 @@ layout(local_size_x = rasterThreads) in;
 
 void main()
 {
-    const uint end = min(endOfLarge(), mostSurfaces);
-    for (uint slot = beginOfHeavy() + gl_GlobalInvocationID.x; slot < end;
-         slot += gl_NumWorkGroups.x * rasterThreads) {
+    const uint end = min(listedLarge(), mostSurfaces);
+    for (uint slot = gl_GlobalInvocationID.x; slot < end; slot += gl_NumWorkGroups.x * rasterThreads) {
         const LargePart blade = partAt(slot);
         if (isKept(blade))
             keepSurface(slot, freshBlade(blade.blade));

@@ -6,23 +6,11 @@
 #include "shaders/raster/large_part.glsl"
 #include "shaders/raster/seen_blade.glsl"
 
-/// RasterPush::surfaces, 16 bytes at a time: a BladeSurface has three, with SeenBlade::unnoted in the signs of
-/// its material's numbers, of which none is negative.
+/// RasterPush::surfaces, 16 bytes at a time, three of which are a BladeSurface.
 layout(buffer_reference, scalar, buffer_reference_align = 16) buffer SurfaceQuarters
 {
     uvec4 at[];
 };
-
-const uint signBit = 0x80000000u; // see signOfQuarter()
-
-/// The quarters of a blade that have not been noted as seen, of those of which that is asked.
-uint unnotedOf(SeenBlade seen)
-{
-    if (seen.unnoted == 0u)
-        return 0u;
-    UintArray words = push.seen;
-    return unnotedQuarters(seen.unnoted, words.at[seen.blade / seenOfWord], seen.blade);
-}
 
 /// Keeps the surface of the blade that is listed at `slot`.
 void keepSurface(uint slot, SeenBlade seen)
@@ -32,10 +20,7 @@ void keepSurface(uint slot, SeenBlade seen)
     SurfaceQuarters surfaces = SurfaceQuarters(uvec2(push.surfaces));
     surfaces.at[3u * slot] = floatBitsToUint(seen.surface.root);
     surfaces.at[3u * slot + 1u] = floatBitsToUint(seen.surface.tip);
-    const uint unnoted = unnotedOf(seen);
-    surfaces.at[3u * slot + 2u] =
-        floatBitsToUint(seen.surface.material) | uvec4(signOfQuarter(unnoted, 0u), signOfQuarter(unnoted, 1u),
-                                                       signOfQuarter(unnoted, 2u), signOfQuarter(unnoted, 3u));
+    surfaces.at[3u * slot + 2u] = floatBitsToUint(seen.surface.material);
 }
 
 /// Whether a surface is kept of what is listed for a first turn.
@@ -57,16 +42,14 @@ bool findKept(uint index, out SeenBlade seen)
     const uvec4 root = surfaces.at[3u * slot];
     const uvec4 tip = surfaces.at[3u * slot + 1u];
     const uvec4 material = surfaces.at[3u * slot + 2u];
-    if (blade.blade != index || slot < push.largeCount.at[2].groups[0] || slot >= push.largeCount.at[2].count ||
-        !isKept(blade))
+    if (blade.blade != index || slot >= push.largeCount.at[largeEarly].count || !isKept(blade))
         return false;
     seen.ribbon = ribbonOf(blade);
     seen.surface.root = uintBitsToFloat(root);
     seen.surface.tip = uintBitsToFloat(tip);
-    seen.surface.material = uintBitsToFloat(material & ~signBit);
+    seen.surface.material = uintBitsToFloat(material);
     seen.blade = index;
-    seen.unnoted = quarterOfSign(material.x, 0u) | quarterOfSign(material.y, 1u) | quarterOfSign(material.z, 2u) |
-                   quarterOfSign(material.w, 3u);
+    seen.hasHistory = true;
     return true;
 }
 

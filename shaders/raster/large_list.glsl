@@ -1,6 +1,5 @@
 // How blades come into the lists of those that are not drawn by one thread: large ones, and those that
-// reach through the near plane. The including stage has `push`, and says by `isTessellated` who draws
-// large ones, and by `isLate` in which turn.
+// reach through the near plane. The including stage has `push`, and says by `isLate` in which pass it lists.
 #ifndef SWARD_RASTER_LARGE_LIST_GLSL
 #define SWARD_RASTER_LARGE_LIST_GLSL
 
@@ -20,51 +19,39 @@ LargePart partOf(Ribbon ribbon, uint blade, uint part)
 /// So many parts has a blade that covers so many pixels.
 uint partsFor(float pixels)
 {
-    return isTessellated ? 1u : clamp(uint(pixels / partPixels), 1u, mostParts);
+    return clamp(uint(pixels / partPixels), 1u, mostParts);
 }
 
 /// Lists a blade's parts from `slot` on, of which some segments are drawn; whether there was room.
 bool putParts(Ribbon ribbon, VisibleBlade visible, uint slot, uint parts, uvec2 segments)
 {
-    const uint end = mostHeavyParts + mostLargeParts;
-    const bool hasRoom = slot + parts <= end;
-    for (uint part = 0u; part < parts && slot + part < end; ++part)
+    const bool hasRoom = slot + parts <= mostLargeParts;
+    for (uint part = 0u; part < parts && slot + part < mostLargeParts; ++part)
         putPart(push.large, slot + part,
                 partOf(ribbon, visible.blade,
                        hasRoom ? packPart(part, parts, segments.x, segments.y) : 0u));
     return hasRoom;
 }
 
-/// So many are by now, or there was room for fewer.
-void noteHeavy(uint parts)
-{
-    WalkLevelArray asked = push.largeCount;
-    atomicMax(asked.at[5].groups[0], groupsForHeavy(min(parts, mostHeavyParts)));
-}
-
-/// The list has so many parts by now, or had room for fewer. `first`: where those begin that a late turn
-/// goes through.
-void noteListed(uint parts, uint first)
+/// The list has so many parts by now, or had room for fewer.
+void noteListed(uint parts)
 {
     WalkLevelArray asked = push.largeCount;
     const uint listed = min(parts, mostLargeParts);
-    if (isTessellated)
-        atomicMax(asked.at[1].groups[1], (listed + drawChunk - 1u) / drawChunk);
-    else
-        atomicMax(asked.at[0].groups[0], groupsForLarge(listed));
+    atomicMax(asked.at[largeParts].groups[0], groupsForLarge(listed));
     if (isLate || push.round > 0u)
-        atomicMax(asked.at[4].groups[0], groupsForLate(mostHeavyParts + listed - first));
+        atomicMax(asked.at[largeLate].groups[0], groupsForLate(listed));
 }
 
 /// Gives a blade that may reach through the near plane to those who cut it there; whether there was room.
 bool leftToBeCut(Ribbon ribbon, uint blade)
 {
     WalkLevelArray asked = push.largeCount;
-    const uint slot = atomicAdd(asked.at[3].count, 1u);
+    const uint slot = atomicAdd(asked.at[largeCut].count, 1u);
     if (slot >= mostCutBlades)
         return false;
     putPart(push.cut, slot, partOf(ribbon, blade, packPart(0u, 1u, 0u, uint(ribbon.outline.segments))));
-    atomicMax(asked.at[3].groups[0], min(slot + 1u, mostGroups));
+    atomicMax(asked.at[largeCut].groups[0], min(slot + 1u, mostGroups));
     return true;
 }
 

@@ -19,7 +19,7 @@ void putPart(LargePartArray list, uint place, LargePart part)
     quarters.at[5u * place + 1u] = uvec4(floatBitsToUint(part.v1), floatBitsToUint(part.fold));
     quarters.at[5u * place + 2u] = uvec4(floatBitsToUint(part.v2), part.outline);
     quarters.at[5u * place + 3u] = uvec4(floatBitsToUint(part.axis), floatBitsToUint(part.tipThreshold));
-    quarters.at[5u * place + 4u] = uvec4(floatBitsToUint(part.scale), part.leftOut, part.blade, part.part);
+    quarters.at[5u * place + 4u] = uvec4(floatBitsToUint(part.scale), part.reserved, part.blade, part.part);
 }
 
 LargePart partAt(uint place)
@@ -35,16 +35,10 @@ LargePart partAt(uint place)
                      uintBitsToFloat(d.xyz), uintBitsToFloat(d.w), uintBitsToFloat(e.x), e.y, e.z, e.w);
 }
 
-/// Where the first heavy part lies …
-uint beginOfHeavy()
+/// So many parts are listed.
+uint listedLarge()
 {
-    return mostHeavyParts - min(push.largeCount.at[5].count, mostHeavyParts);
-}
-
-/// … and before where the last other one does.
-uint endOfLarge()
-{
-    return mostHeavyParts + min(push.largeCount.at[0].count, mostLargeParts);
+    return min(push.largeCount.at[largeParts].count, mostLargeParts);
 }
 
 /// Of LargePart::part.

@@ -13,7 +13,6 @@ layout(constant_id = 3) const bool isPaged = false;
 #define FRAME_SET 0
 #include "shaders/frame_constants.glsl"
 
-const bool isTessellated = false;
 const bool isLate = true;
 
 #include "shaders/raster/draw_alone.glsl"
@@ -66,7 +65,7 @@ LateBlade lateBlade(Lens lens, VisibleBlade visible)
 /// Lists what may be seen of a group's blades. All threads come here together, each with one of them or
 /// none. They have their places by one atomic, and write side by side: left to the lanes that have
 /// something to list it takes an H200 three times as long.
-void listTogether(Lens lens, bool hasBlade, uint place, uint firstPart)
+void listTogether(Lens lens, bool hasBlade, uint place)
 {
     if (gl_LocalInvocationIndex == 0u)
         listedParts = 0u;
@@ -84,12 +83,12 @@ void listTogether(Lens lens, bool hasBlade, uint place, uint firstPart)
     barrier();
     if (gl_LocalInvocationIndex == 0u && listedParts > 0u) {
         WalkLevelArray asked = push.largeCount;
-        listBase = atomicAdd(asked.at[0].count, listedParts);
-        noteListed(listBase + listedParts, firstPart);
+        listBase = atomicAdd(asked.at[largeParts].count, listedParts);
+        noteListed(listBase + listedParts);
     }
     barrier();
     if (parts > 0u &&
-        !putParts(own.ribbon, own.visible, mostHeavyParts + listBase + before, parts, own.segments))
+        !putParts(own.ribbon, own.visible, listBase + before, parts, own.segments))
         drawAlone(lens, own.ribbon, own.visible.blade);
     barrier();
 }
@@ -98,14 +97,13 @@ void main()
 {
     const uint capacity = FRAME.visibleCapacity;
     const uint count = min(push.rounds.at[push.round].count, capacity);
-    const uint firstPart = push.largeCount.at[2].groups[0];
     const Lens lens = lensOf();
     if (gl_LocalInvocationIndex == 0u)
         hiddenCount = 0u;
     for (uint first = gl_WorkGroupID.x * rasterThreads; first < count;
          first += gl_NumWorkGroups.x * rasterThreads) {
         const uint i = first + gl_LocalInvocationIndex;
-        listTogether(lens, i < count, capacity - 1u - i, firstPart);
+        listTogether(lens, i < count, capacity - 1u - i);
     }
     if (gl_LocalInvocationIndex == 0u)
         countHidden(hiddenCount);

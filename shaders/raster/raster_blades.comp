@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Rasterises the visible blades, one thread each, but for those of the late turn. Those that cover many pixels are left to
-// raster_large.comp, to the tessellator, or, on a CPU, if they are very many, to raster_cut.comp, as are
-// those that reach through the near plane.
+// Rasterises the visible blades, one thread each, but for those of the late pass. Blades that cover many
+// pixels are listed for raster_large.comp; on a CPU those that cover too many for a thread are listed for
+// raster_cut.comp. Blades that reach through the near plane are listed for raster_cut.comp, too.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
@@ -17,13 +17,12 @@ layout(constant_id = 3) const bool isPaged = false;
 
 layout(local_size_x = rasterThreads) in;
 
-// Of large blades and of heavy ones that the group lists together: how many parts, and where they begin.
-shared uint listedParts[2];
-shared uint listBase[2];
+// Of the large blades that the group lists together: how many parts, and where they begin.
+shared uint listedParts;
+shared uint listBase;
 
-// Whose affair large blades are; known when the pipeline is made.
+// What draws large blades; known when the pipeline is made.
 layout(constant_id = 4) const uint largeTo = largeToGroups;
-const bool isTessellated = largeTo == largeToTessellator;
 const bool isLate = false;
 
 #include "shaders/raster/large_list.glsl"
@@ -47,23 +46,17 @@ struct OwnBlade {
     VisibleBlade visible;
     Ribbon ribbon;
     bool isDrawn;   ///< by this thread, unless it is listed
-    bool isHeavy;
     uint parts;     ///< 0: it is not listed
     uvec2 segments; ///< of which its first turn is; see firstSegments()
 };
 
-/// How a blade that covers so many pixels is listed for work-groups or the tessellator.
+/// How a blade that covers so many pixels is listed for work-groups.
 void leaveToOthers(inout OwnBlade own, float pixels)
 {
     own.parts = partsFor(pixels);
     // Those of other rounds than the first are all listed after the first turn.
-    const uint late = push.round > 0u          ? 0u
-                      : push.takesTurns != 0u ? lateQuartersUnseen(pixels, own.visible.blade)
-                                              : own.visible.factors >> lateShift;
-    const float segments = own.ribbon.outline.segments;
-    own.segments = firstSegments(late, uint(segments));
-    const float drawn = pixels * float(own.segments.y - own.segments.x) / segments;
-    own.isHeavy = !isTessellated && push.round == 0u && drawn > heavyPixels * float(own.parts);
+    const uint late = push.round > 0u ? 0u : own.visible.factors >> lateShift;
+    own.segments = firstSegments(late, uint(own.ribbon.outline.segments));
 }
 
 OwnBlade ownBlade(Lens lens, VisibleBlade visible)
@@ -71,7 +64,6 @@ OwnBlade ownBlade(Lens lens, VisibleBlade visible)
     OwnBlade own;
     own.visible = visible;
     own.isDrawn = false;
-    own.isHeavy = false;
     own.parts = 0u;
     own.segments = uvec2(0u);
     // Read with the blade, which it would otherwise be waited for after.
@@ -87,79 +79,48 @@ OwnBlade ownBlade(Lens lens, VisibleBlade visible)
     const float pixels = pixelsOf(lens, visible, own.ribbon, blade.height);
     const bool mayBeCut =
         !curveInside(FRAME.view.planes[4], own.ribbon.v0, own.ribbon.v1, own.ribbon.v2, margin);
-    if (mayBeCut && !isTessellated) {
+    if (mayBeCut) {
         leftToBeCut(own.ribbon, visible.blade);
         return own;
     }
-    // A thread takes twice as long for a pixel of four samples as for one of one; a tessellator does not.
-    const float most =
-        isTessellated ? tessellatedPixels : largeBladePixels * inversesqrt(float(samplesPerPixel));
-    if (largeTo != largeToNobody && (mayBeCut || pixels > most))
+    // A thread takes twice as long for a pixel of four samples as for one of one.
+    if (largeTo != largeToNobody && pixels > largeBladePixels * inversesqrt(float(samplesPerPixel)))
         leaveToOthers(own, pixels);
     if (largeTo == largeToNobody && pixelsAtMost(lens, own.ribbon, blade.height) > mostPixelsOfThread &&
         leftToBeCut(own.ribbon, visible.blade))
         return own;
-    // Cut ones are here if the tessellator has them, or had no room.
-    own.isDrawn = !mayBeCut;
+    own.isDrawn = true;
     return own;
 }
 
-/// Lists a blade before which so many parts are listed in its list; whether there was room.
-bool listOwn(OwnBlade own, uint before)
-{
-    if (!own.isHeavy)
-        return putParts(own.ribbon, own.visible, mostHeavyParts + before, own.parts, own.segments);
-    if (before + own.parts <= mostHeavyParts)
-        return putParts(own.ribbon, own.visible, mostHeavyParts - before - own.parts, own.parts, own.segments);
-    // There is nothing at the last places, and the blade comes to the others.
-    for (uint slot = 0u; slot + before < mostHeavyParts; ++slot)
-        putPart(push.large, slot, partOf(own.ribbon, own.visible.blade, 0u));
-    WalkLevelArray asked = push.largeCount;
-    const uint slot = atomicAdd(asked.at[0].count, own.parts);
-    noteListed(slot + own.parts, 0u);
-    return putParts(own.ribbon, own.visible, mostHeavyParts + slot, own.parts, own.segments);
-}
-
-/// Finds room in the lists for what a group lists together: others, and heavy ones.
-void findRoom(uint thread)
-{
-    if (thread >= 2u || listedParts[thread] == 0u)
-        return;
-    WalkLevelArray asked = push.largeCount;
-    listBase[thread] = atomicAdd(asked.at[thread == 0u ? 0u : 5u].count, listedParts[thread]);
-    const uint listed = listBase[thread] + listedParts[thread];
-    if (thread == 1u)
-        noteHeavy(listed);
-    else
-        noteListed(listed, push.round > 0u ? asked.at[2].groups[0] : 0u);
-}
-
-/// All threads come here together, each with a blade or with none. They have their places in the lists by
-/// one atomic.
+/// All threads come here together, each with a blade or with none. They have their places in the list by one
+/// atomic.
 void rasterise(Lens lens, bool hasBlade, uint place)
 {
     const uint thread = gl_LocalInvocationIndex;
     const bool areListed = largeTo != largeToNobody;
     if (areListed) {
-        if (thread < 2u)
-            listedParts[thread] = 0u;
+        if (thread == 0u)
+            listedParts = 0u;
         barrier();
     }
     OwnBlade own;
     own.isDrawn = false;
-    own.isHeavy = false;
     own.parts = 0u;
     if (hasBlade)
         own = ownBlade(lens, FRAME.visible.at[place]);
     if (areListed) {
-        const uint list = own.isHeavy ? 1u : 0u;
         uint before = 0u;
         if (own.parts > 0u)
-            before = atomicAdd(listedParts[list], own.parts);
+            before = atomicAdd(listedParts, own.parts);
         barrier();
-        findRoom(thread);
+        if (thread == 0u && listedParts > 0u) {
+            WalkLevelArray asked = push.largeCount;
+            listBase = atomicAdd(asked.at[largeParts].count, listedParts);
+            noteListed(listBase + listedParts);
+        }
         barrier();
-        if (own.parts > 0u && listOwn(own, listBase[list] + before))
+        if (own.parts > 0u && putParts(own.ribbon, own.visible, listBase + before, own.parts, own.segments))
             own.isDrawn = false;
     }
     if (own.isDrawn)

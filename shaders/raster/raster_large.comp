@@ -10,18 +10,12 @@ layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 #define FRAME_SET 0
 #include "shaders/frame_constants.glsl"
-
-#define PYRAMID_DEPTHS FRAME.depthsBefore
-#include "shaders/raster/hidden_rectangle.glsl"
 #include "shaders/raster/large_part.glsl"
 #include "shaders/raster/part_rows.glsl"
 #define KEEPS_RUN
 #include "shaders/raster/strip.glsl"
 
 layout(local_size_x = largeThreads) in;
-
-/// Whether heavy parts are drawn, or all others; known when the pipeline is made.
-layout(constant_id = 5) const bool takesHeavy = false;
 
 /// So many ribs of one or several blades are made at a time, one by each thread, or half as many of
 /// folded ones.
@@ -50,7 +44,6 @@ shared vec4 points[2u * ribsTogether]; // of ribs, on the screen, w: to the left
 shared Piece pieces[piecesTogether];
 shared uint ticket; // 0–23 rows so far, 24–31 pieces
 shared bool isAnyFolded;
-shared uint leftOut[largeTogether]; // LargePart::leftOut
 
 // Where the points of a rib lie: first those of all ribs to the left, then to the right, then ridges.
 const uint leftSide = 0u;
@@ -120,34 +113,9 @@ ivec2 rowsSeen(Quad quad, uint part)
     return rowsOfPart(rowsBetween(low.y, high.y, edge.y), part);
 }
 
-/// So far [pixels] around a segment nothing may have been seen of what stands as far away: what wind moves
-/// aside until the next frame would else leave holes in what hides the rest.
-const float sinceBefore = 3.0;
-
-/// Whether the frame before hid what lies between a rib and the one before.
-bool wasHidden(uint rib, bool isFolded, uint stride)
+/// The pieces between rib `rib` and the one before.
+void makePieces(uint rib, bool isFolded, bool isUpper, uint part, uint number, uint stride)
 {
-    if (uvec2(FRAME.depthsBefore) == uvec2(0u))
-        return false;
-    vec3 low = vec3(1e30);
-    vec3 high = vec3(-1e30);
-    for (uint i = 0u; i < (isFolded ? 3u : 2u); ++i) {
-        const vec3 before = points[i * stride + rib - 1u].xyz;
-        const vec3 after = points[i * stride + rib].xyz;
-        low = min(low, min(before, after));
-        high = max(high, max(before, after));
-    }
-    return rectangleHidden(low.xy - sinceBefore, high.xy + sinceBefore, high.z);
-}
-
-/// The pieces between rib `rib` and the one before, the `own`th of a blade that is drawn. Where pixels have
-/// several samples, each of which is looked at, those that the frame before hid are left to the late turn.
-void makePieces(uint rib, uint own, bool isFolded, bool isUpper, uint part, uint number, uint stride)
-{
-    if (samplesPerPixel > 1u && own <= 32u && wasHidden(rib, isFolded, stride)) {
-        atomicOr(leftOut[number], 1u << (own - 1u));
-        return;
-    }
     bool isTwisted = false;
     for (uint i = 0u; i < halvesOf(isFolded); ++i)
         isTwisted = isTwisted ||
@@ -219,44 +187,20 @@ void drawBetween(Lens lens, uint first, uint end, uint item, uint blades, uint s
         ticket = 0u;
     barrier();
     if (isSegment)
-        makePieces(thread, own, hasRidge, isUpper, part, number, stride);
+        makePieces(thread, hasRidge, isUpper, part, number, stride);
     barrier();
     drawPieces(stride);
     barrier();
 }
 
-/// What decides how many ribs a part has.
-struct Header {
-    uint part;
-    uint blade;
-    float fold;
-};
-
-Header headerAt(uint place)
-{
-    return Header(push.large.at[place].part, push.large.at[place].blade, push.large.at[place].fold);
-}
-
-/// The header of a thread's part of those that a work-group takes first where there are many, read before it is
-/// known how many there are.
-Header guessedHeader()
-{
-    const uint thread = gl_LocalInvocationIndex;
-    if (takesHeavy || thread >= largeTogether)
-        return Header(0u, 0u, 0.0);
-    return headerAt(mostHeavyParts + min(gl_WorkGroupID.x * largeTogether + thread, mostLargeParts - 1u));
-}
-
 void main()
 {
     LargePartArray large = push.large;
-    const Header guessed = guessedHeader();
-    const uint begin = takesHeavy ? beginOfHeavy() : mostHeavyParts;
-    const uint end = takesHeavy ? mostHeavyParts : endOfLarge();
-    const uint together = takesHeavy ? heavyTogether : largeOfGroup(end - begin);
+    const uint end = listedLarge();
+    const uint together = largeOfGroup(end);
     const uint thread = gl_LocalInvocationIndex;
     const Lens lens = lensOf();
-    for (uint item = begin + gl_WorkGroupID.x * together; item < end; item += gl_NumWorkGroups.x * together) {
+    for (uint item = gl_WorkGroupID.x * together; item < end; item += gl_NumWorkGroups.x * together) {
         const uint blades = min(together, end - item);
         if (thread == 0u) {
             items[0].firstRib = 0u;
@@ -266,19 +210,13 @@ void main()
         // How many ribs each has, and then how many those before it have.
         if (thread < blades) {
             const uint place = item + thread;
-            const bool isGuessed =
-                !takesHeavy && together == largeTogether && item == begin + gl_WorkGroupID.x * together;
-            Header header = guessed;
-            if (!isGuessed)
-                header = headerAt(place);
-            const uint part = header.part;
+            const uint part = large.at[place].part;
             const uvec2 own = partsOf(part) > 0u ? segmentsOfPart(part) : uvec2(0u);
             items[thread + 1u].firstRib = own.x < own.y ? own.y - own.x + 1u : 0u;
             items[thread].beginsAt = own.x;
-            leftOut[thread] = 0u;
             items[thread].cycle = 8u * partsOf(part);
-            items[thread].blade = header.blade;
-            if (mayFold && header.fold > 0.0)
+            items[thread].blade = large.at[place].blade;
+            if (mayFold && large.at[place].fold > 0.0)
                 isAnyFolded = true;
         }
         barrier();
@@ -291,8 +229,5 @@ void main()
         // The next ones begin with the last rib, between which and theirs there is a segment, too.
         for (uint first = 0u; first + 1u < ribs; first += stride - 1u)
             drawBetween(lens, first, min(first + stride, ribs), item, blades, stride);
-        if (thread < blades && leftOut[thread] != 0u)
-            large.at[item + thread].leftOut = leftOut[thread];
-        barrier();
     }
 }

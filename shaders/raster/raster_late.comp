@@ -164,39 +164,27 @@ void drawSegments(Lens lens, uint item, uint count)
     }
 }
 
-/// The first segment that is not before `next`, of those from `listed.x` to before `listed.y`, that the
-/// first turn has left out, or the one after them.
-uint firstLeft(uvec2 listed, uint next, uint leftOut)
-{
-    const uint ahead = next - listed.x;
-    const uint later = ahead < 32u ? leftOut >> ahead : 0u;
-    return later == 0u ? listed.y : next + uint(findLSB(later));
-}
-
 /// Goes through the parts from `item` on, each thread with one of them, or with none.
 void drawTogether(Lens lens, uint item, uint parts)
 {
     const uint thread = gl_LocalInvocationIndex;
     const uint place = item + thread;
-    const bool isDrawn = place < push.largeCount.at[2].count;
+    const bool isDrawn = place < push.largeCount.at[largeEarly].count;
     uint part = 0u;
     uint blade = 0u;
     uint segments = 0u;
-    uint leftOut = 0u;
     if (thread < parts) {
         LargePartArray large = push.large;
         part = large.at[place].part;
         blade = large.at[place].blade;
         segments = segmentsOfOutline(large.at[place].outline);
-        if (samplesPerPixel > 1u && isDrawn)
-            leftOut = large.at[place].leftOut;
     }
-    // Those that are left: of what had its first turn all but some in the middle, or else these.
+    // Segments that are left: of a blade of the early pass all but those drawn there, of others these.
     const uvec2 listed = segmentsOfPart(part);
     uint left = 0u;
     if (partsOf(part) > 0u)
-        left = isDrawn ? segments - (listed.y - listed.x) + bitCount(leftOut) : listed.y - listed.x;
-    uint next = isDrawn && listed.x > 0u ? 0u : isDrawn ? firstLeft(listed, listed.x, leftOut) : listed.x;
+        left = isDrawn ? segments - (listed.y - listed.x) : listed.y - listed.x;
+    uint next = !isDrawn ? listed.x : listed.x > 0u ? 0u : listed.y;
     bool isMore = true;
     while (isMore) {
         if (thread == 0u)
@@ -206,8 +194,8 @@ void drawTogether(Lens lens, uint item, uint parts)
             for (uint slot = atomicAdd(segmentCount, left); left > 0u && slot < segmentsTogether; ++slot, --left) {
                 segmentsLeft[slot] = (thread << 7u) | next;
                 ++next;
-                if (isDrawn && next >= listed.x && next < listed.y)
-                    next = firstLeft(listed, next, leftOut);
+                if (isDrawn && next == listed.x)
+                    next = listed.y;
             }
         }
         barrier();
@@ -225,14 +213,13 @@ void drawTogether(Lens lens, uint item, uint parts)
 
 void main()
 {
-    const uint begin = push.largeCount.at[2].groups[0];
-    const uint end = endOfLarge();
-    const uint together = lateOfGroup(end - begin);
+    const uint end = listedLarge();
+    const uint together = lateOfGroup(end);
     const uint thread = gl_LocalInvocationIndex;
     const Lens lens = lensOf();
     if (thread == 0u)
         hiddenCount = 0u;
-    for (uint item = begin + gl_WorkGroupID.x * together; item < end; item += gl_NumWorkGroups.x * together) {
+    for (uint item = gl_WorkGroupID.x * together; item < end; item += gl_NumWorkGroups.x * together) {
         barrier();
         if (thread < seenBlades.length())
             seenBlades[thread] = 0u;

@@ -22,19 +22,17 @@ SeenBlade seenBlade(uint index)
     return freshBlade(index);
 }
 
-/// In the next frame one quarter of the blade counts as seen, if that is asked of it. `along`: 0 at its root.
+/// Notes in the visibility history that one quarter of the blade is seen. `along`: 0 at its root.
 void noteSeen(SeenBlade blade, float along)
 {
-    if (blade.unnoted == 0u)
+    if (!blade.hasHistory)
         return;
     UintArray seen = push.seen;
     const float segments = blade.ribbon.outline.segments;
     const float segment = min(floor(max(along, 0.0) * segments), segments - 1.0);
-    const uint quarter = quarterOf(segment, segments);
-    if ((blade.unnoted & (1u << quarter)) == 0u)
-        return;
     const uint word = blade.blade / seenOfWord;
-    const uint bit = seenBit(blade.blade, quarter);
+    const uint bit = seenBit(blade.blade, quarterOf(segment, segments));
+    // Many pixels show the same quarter: a read is cheaper than an atomic.
     if ((seen.at[word] & bit) == 0u)
         atomicOr(seen.at[word], bit);
 }

@@ -33,8 +33,8 @@ VisibleBlade visibleBlade(uint index, uint patchIndex, Patch cell, Blade blade, 
 struct SeenBlade {
     Ribbon ribbon;
     BladeSurface surface;
-    uint blade;   ///< resident id
-    uint unnoted; ///< quarters that count as seen in the next frame if they are, and do not yet
+    uint blade;      ///< resident id
+    bool hasHistory; ///< whether its quarters are noted in the visibility history, see RasterPush::seen
 };
 
 /// Posed and coloured from what is stored of it.
@@ -56,9 +56,8 @@ SeenBlade freshBlade(uint index)
     seen.ribbon = drawn.ribbon;
     seen.surface = bladeSurface(drawn, visible, layers);
     seen.blade = index;
-    const bool isAsked = uvec2(push.seen) != uvec2(0u) &&
-                         pixelsCovered(blade, visible.pixels, widthFactorOf(visible)) > askedSmallPixels;
-    seen.unnoted = isAsked ? allQuarters : 0u;
+    seen.hasHistory = uvec2(push.seen) != uvec2(0u) &&
+                      pixelsCovered(blade, visible.pixels, widthFactorOf(visible)) > askedSmallPixels;
     return seen;
 }
 

@@ -80,13 +80,11 @@ float farthestTogether(uvec2 own)
 void beginLateTurn()
 {
     WalkLevelArray asked = push.largeCount;
-    const uint begin = beginOfHeavy();
-    const uint end = endOfLarge();
-    asked.at[2].groups[0] = begin;
-    asked.at[2].count = end;
-    asked.at[3].count = 0u;
-    asked.at[3].groups[0] = 0u;
-    asked.at[4].groups[0] = groupsForLate(end - begin);
+    const uint listed = listedLarge();
+    asked.at[largeEarly].count = listed;
+    asked.at[largeCut].count = 0u;
+    asked.at[largeCut].groups[0] = 0u;
+    asked.at[largeLate].groups[0] = groupsForLate(listed);
 }
 
 /// Whether all other work-groups have filled their cells. The first thread comes here behind the last one
@@ -95,7 +93,7 @@ bool areOthersDone()
 {
     memoryBarrierBuffer();
     WalkLevelArray asked = push.largeCount;
-    return atomicAdd(asked.at[4].count, 1u) + 1u == gl_NumWorkGroups.x * gl_NumWorkGroups.y;
+    return atomicAdd(asked.at[largeLate].count, 1u) + 1u == gl_NumWorkGroups.x * gl_NumWorkGroups.y;
 }
 
 void main()

@@ -93,14 +93,12 @@ struct Frame {
     SpeciesArray species;
     VisibleArray visible;
     DrawArray draw;
-    FloatArray patchTimes;   ///< per patch: the time its blades were last moved to [s] …
-    UintArray patchCounts;   ///< … and how many of them, the first so many
-    UintArray fates;         ///< per blade in memory: its fate, or address 0 when nobody asks
-    UintArray pages;         ///< where each page of blades lies in memory (pages.h); address 0: all
-                             ///< blades are there, in their order
-    DepthPyramid pyramid;    ///< what the ground hides; without depths nothing
-    DepthArray depthsBefore; ///< the same of the frame before, when its late turn began, in the
-                             ///< three finest levels; address 0: nobody knows
+    FloatArray patchTimes; ///< per patch: the time its blades were last moved to [s] …
+    UintArray patchCounts; ///< … and how many of them, the first so many
+    UintArray fates;       ///< per blade in memory: its fate, or address 0 when nobody asks
+    UintArray pages;       ///< where each page of blades lies in memory (pages.h); address 0: all
+                           ///< blades are there, in their order
+    DepthPyramid pyramid;  ///< what the ground hides; without depths nothing
 
     mat4 viewProjection; ///< reversed Z: 1 near, 0 far
     vec3 rays[3];        ///< see rayThrough(): by how much the ray through a place of the picture
@@ -132,7 +130,7 @@ struct Frame {
     float lowSun;   ///< [0, 1]: 1 where the sun stands on the horizon or below
 
     float time;        ///< [s]
-    uint reserved[53]; ///< frames that lie on end begin where any device takes constants
+    uint reserved[55]; ///< frames that lie on end begin where any device takes constants
 };
 SHARED_LAYOUT(Frame, 1536)
 

@@ -124,9 +124,6 @@ SHARED_CONST uint mostGroups = 65535u;
 /// with several samples a pixel already one of so many pixels over the root of their number.
 SHARED_CONST float largeBladePixels = 64.0f;
 
-/// Where the tessellator draws large blades they are larger than this.
-SHARED_CONST float tessellatedPixels = 256.0f;
-
 /// A blade that covers more pixels than this is asked for whether other grass hides it, …
 SHARED_CONST float askedPixels = 256.0f;
 
@@ -142,13 +139,6 @@ SHARED_CONST uint mostParts = 64u;
 /// So many parts of large blades can be listed: some hundred layers of them over a picture of 2
 /// million pixels. Blades beyond them are rasterised by one thread each.
 SHARED_CONST uint mostLargeParts = 1048576u;
-
-/// Before them lie at most so many more, from the last place to the first, each with more pixels
-/// than this to draw in its first turn. Work-groups that draw these, fewer together, begin before
-/// all others: at the end a device waits for whoever began last.
-SHARED_CONST uint mostHeavyParts = 32768u;
-SHARED_CONST float heavyPixels = 768.0f;
-SHARED_CONST uint heavyTogether = 2u;
 
 /// So many blades can be listed that reach through the near plane, or of which a single thread must
 /// not have so many pixels.
@@ -173,11 +163,9 @@ SHARED_CONST uint lateTogether = 32u;
 SHARED_CONST uint lateGroups = 2048u;
 SHARED_CONST uint lateThreads = 128u;
 
-/// Whose affair the blades are that cover many pixels: of work-groups, of the tessellator, or of
-/// nobody but the thread that has one.
+/// What draws the blades that cover many pixels: work-groups, or the thread that has the blade.
 SHARED_CONST uint largeToGroups = 0u;
-SHARED_CONST uint largeToTessellator = 1u;
-SHARED_CONST uint largeToNobody = 2u;
+SHARED_CONST uint largeToNobody = 1u;
 
 /// Of `listed` large blades a work-group takes so many at a time.
 SHARED_FN uint largeOfGroup(uint listed)
@@ -190,12 +178,6 @@ SHARED_FN uint groupsForLarge(uint listed)
 {
     const uint together = largeOfGroup(listed);
     return min((listed + together - 1u) / together, mostGroups);
-}
-
-/// The same of heavy parts.
-SHARED_FN uint groupsForHeavy(uint listed)
-{
-    return (listed + heavyTogether - 1u) / heavyTogether;
 }
 
 /// The same of the late turn, of all that are listed by then.
@@ -221,12 +203,11 @@ struct LargePart {
     vec3 axis;
     float tipThreshold;
     float scale;
-    uint leftOut; ///< of the segments that the first turn was to draw those that it has left to the
-                  ///< late one, as the frame before hid them: bits, the lowest of the first
-    uint blade;   ///< resident id
-    uint part; ///< 0–7 which of so many parts, 8–15; 0: nothing, there was no room for all parts;
-               ///< 16–22 the first segment that is drawn, 23–29 one past the last; of a blade that
-               ///< had its first turn all others are left to the late one
+    uint reserved;
+    uint blade; ///< resident id
+    uint part;  ///< 0–7 which of so many parts, 8–15; 0: nothing, there was no room for all parts;
+                ///< 16–22 the first segment that is drawn, 23–29 one past the last; of a blade that
+                ///< had its first turn all others are left to the late one
 };
 SHARED_LAYOUT(LargePart, 80)
 
@@ -252,20 +233,6 @@ SHARED_FN uint packPart(uint number, uint parts, uint begin, uint end)
     return number | (parts << 8u) | (begin << 16u) | (end << 23u);
 }
 
-/// Where nobody knows what the frame before has shown, and blades are drawn in two turns all the
-/// same, the first one takes the upper halves of those that cover so many pixels …
-SHARED_CONST float foremostPixels = 4096.0f;
-
-/// … and of so many others one: enough of them to hide most of what stands behind.
-SHARED_CONST uint foremostOf = 4u;
-
-/// Which quarters of a large blade are then drawn in the late turn.
-SHARED_FN uint lateQuartersUnseen(float pixels, uint blade)
-{
-    const bool isForemost = pixels >= foremostPixels || blade % foremostOf == 0u;
-    return isForemost ? 3u : allQuarters;
-}
-
 /// Between which segments a blade is drawn in the first turn, the first and one past the last:
 /// those of its quarters that are not late, and what lies between them.
 SHARED_FN uvec2 firstSegments(uint late, uint segments)
@@ -278,6 +245,13 @@ SHARED_FN uvec2 firstSegments(uint late, uint segments)
 }
 
 SHARED_BUFFER(LargePartArray, LargePart, )
+
+// Places in RasterPush::largeCount.
+SHARED_CONST uint largeParts = 0u; ///< parts that were listed, and work-groups for them
+SHARED_CONST uint largeEarly = 1u; ///< count: so many of them, the first, the early pass has drawn
+SHARED_CONST uint largeCut = 2u;   ///< blades in RasterPush::cut, and work-groups for them
+SHARED_CONST uint largeLate = 3u;  ///< work-groups for the late pass; count: work-groups that have
+                                   ///< filled their cells of the ground's pyramid
 
 /// Blades that share an entry of the table from resident ids to patches.
 SHARED_CONST uint ownerStride = 64u;
@@ -297,7 +271,7 @@ SHARED_FN uint rowsOfColumn(uint height)
 
 /// Of the large blades at so many places what shading asks of them is kept for all pixels that show
 /// them, …
-SHARED_CONST uint mostSurfaces = mostHeavyParts + 229376u;
+SHARED_CONST uint mostSurfaces = 262144u;
 
 /// … and where it may be by resident id modulo this: of two that meet there one is shaded without.
 SHARED_CONST uint surfacePlaceCount = 1048576u;
@@ -311,45 +285,22 @@ SHARED_FN uint seenBit(uint blade, uint quarter)
     return 1u << (quarters * (blade % seenOfWord) + quarter);
 }
 
-/// Those of some quarters of a blade that its `word` does not have as seen.
-SHARED_FN uint unnotedQuarters(uint some, uint word, uint blade)
-{
-    return some & ~(word >> (quarters * (blade % seenOfWord)));
-}
-
-/// Some quarters in the signs of four numbers of which none is negative: what is set in the `i`th
-/// of them, …
-SHARED_FN uint signOfQuarter(uint some, uint i)
-{
-    return ((some >> i) & 1u) << 31u;
-}
-
-/// … and what its bits say.
-SHARED_FN uint quarterOfSign(uint bits, uint i)
-{
-    return (bits >> 31u) << i;
-}
-
 struct RasterPush {
     FrameArray frame;
     FrameArray judged; ///< by whose camera the visible blades were listed
     VisibilityArray visibility;
     WalkLevelArray rounds; ///< as in UpdatePush
     LargePartArray large;
-    WalkLevelArray largeCount; ///< how many of them were asked for, and work-groups for them;
-                               ///< then the draw for them by the tessellator; then from where to
-                               ///< before where those lie that have had a first turn; then as at
-                               ///< first of `cut`; then work-groups for the late turn, and how many
-                               ///< of those that fill the ground's pyramid are done; then as at
-                               ///< first of heavy ones
+    WalkLevelArray largeCount; ///< how many are listed, and work-groups for them: see largeParts …
     LargePartArray cut;        ///< those that are cut by the near plane
     UintArray owners;          ///< patches that own blades, in the order of their blades
     UintArray firstOwners; ///< per ownerStride blades: index into `owners` of the first one's patch
 
-    /// A bit for each quarter of each blade, by its resident id: whether a sample has shown
-    /// it, see forgetsSeen(). Of large blades those quarters are drawn first, then all others as
-    /// far as they are not hidden; so the bits decide when something is looked at, and never
-    /// whether it is seen. Address 0: nobody asks; see `takesTurns`.
+    /// The visibility history: a bit for each quarter of each blade, by its resident id, whether a
+    /// sample has shown it lately, see forgetsSeen(). The early pass draws those quarters of large
+    /// blades, the late pass all others that are not hidden: the bits decide when something is
+    /// drawn, and never whether it is seen. Address 0: blades are not asked whether others hide
+    /// them.
     UintArray seen;
     UintArray surfacePlaces; ///< per resident id modulo surfacePlaceCount: the place in `large`
                              ///< where a blade with such an id was listed last
@@ -359,7 +310,7 @@ struct RasterPush {
     uint isBgr;              ///< 1: the picture's first channel is blue
     uint round;              ///< whose list is rasterised: its first blades, or its last ones
     uint firstBlade; ///< what the visibility has for the blade with the id 0: see VisibilityArray
-    uint takesTurns; ///< 1: large blades have two turns without `seen`, by lateQuartersUnseen()
+    uint reserved;
 };
 SHARED_LAYOUT(RasterPush, 128)
 

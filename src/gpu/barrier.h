@@ -77,12 +77,6 @@ inline void computeToDraw(const Recording& commands)
     memoryBarrier(commands, computeAccess, drawAccess);
 }
 
-/// Draw → compute shaders that overwrite what the draw has read, or read what it has stored.
-inline void drawToCompute(const Recording& commands)
-{
-    memoryBarrier(commands, drawAccess, computeAccess);
-}
-
 /// Compute → copy.
 inline void computeToTransfer(const Recording& commands)
 {

@@ -20,8 +20,6 @@ struct OptionalFeatures {
     bool drawIndirectCount = false;         ///< of the same name
     bool drawParameters = false;            ///< shaderDrawParameters
     bool vertexStores = false;              ///< vertexPipelineStoresAndAtomics
-    bool fragmentStores = false;            ///< fragmentStoresAndAtomics
-    bool sampleShading = false;             ///< sampleRateShading
 };
 
 /// Debug functions of the device; null where VK_EXT_debug_utils is not there.

@@ -51,10 +51,6 @@ constexpr Optional optional[] = {
      [](FeatureChain& chain) -> VkBool32& {
          return chain.core.features.vertexPipelineStoresAndAtomics;
      }},
-    {&OptionalFeatures::fragmentStores,
-     [](FeatureChain& chain) -> VkBool32& { return chain.core.features.fragmentStoresAndAtomics; }},
-    {&OptionalFeatures::sampleShading,
-     [](FeatureChain& chain) -> VkBool32& { return chain.core.features.sampleRateShading; }},
 };
 
 } // namespace

@@ -103,9 +103,6 @@ GraphicsPipeline::GraphicsPipeline(const DeviceContext& context, const ShaderLib
     VkPipelineMultisampleStateCreateInfo samples{};
     samples.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO;
     samples.rasterizationSamples = static_cast<VkSampleCountFlagBits>(settings.samples);
-    samples.sampleShadingEnable =
-        settings.sampleShading && context.features.sampleShading ? VK_TRUE : VK_FALSE;
-    samples.minSampleShading = 1.0f;
 
     VkPipelineDepthStencilStateCreateInfo depth{};
     depth.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;

@@ -41,7 +41,6 @@ struct GraphicsPipelineSettings {
     VkRenderPass renderPass = VK_NULL_HANDLE;     ///< null: dynamic rendering
     std::uint32_t subpass = 0;                    ///< of the render pass
     std::uint32_t samples = 1;                    ///< a pixel
-    bool sampleShading = false; ///< runs the fragment shader once per sample, where the device can
 
     bool depthTest = true;                            ///< with a depth attachment
     bool depthWrite = true;                           ///< where the test passes

@@ -47,7 +47,7 @@ std::uint32_t onlyShapeOf(const field::FieldView& field)
 }
 
 TargetSettings targetFor(const gpu::DeviceContext& context, const field::FieldView& field,
-                         Geometry geometry, bool isTriedOut, const FieldRenderer::Settings& wanted)
+                         const FieldRenderer::Settings& wanted)
 {
     const bool isForCpu = wanted.rastersForCpu.value_or(context.isCpu());
     return {.colorFormat = wanted.colorFormat,
@@ -56,10 +56,8 @@ TargetSettings targetFor(const gpu::DeviceContext& context, const field::FieldVi
             .mayFold = std::ranges::any_of(
                 field.species, [](const field::Species& kind) { return kind.look.fold > 0.0f; }),
             .onlyShape = onlyShapeOf(field),
-            .groupsDrawLarge = geometry != Geometry::hybrid && !isForCpu,
-            .tessellatesLarge = geometry == Geometry::hybrid || isTriedOut,
-            .sortsTiles = isForCpu,
-            .storesIntoTargets = wanted.storesIntoTargets};
+            .groupsDrawLarge = !isForCpu,
+            .sortsTiles = isForCpu};
 }
 
 /// Throws Error{unsupported} if the visibility has not numbers for all that may be seen.
@@ -99,23 +97,21 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , settings(wanted)
     , geometry(chooseGeometry(context, wanted))
     , shaders(wanted.shaders.empty() ? embedded::shaders() : wanted.shaders)
-    , trial(madeIf<GeometryTrial>(isTriedOut(context, wanted), context, wanted.framesInFlight))
-    , targetSettings(targetFor(context, field, geometry, trial.has_value(), wanted))
+    , targetSettings(targetFor(context, field, wanted))
     , ground(uploaded<GroundBuffers>(context, *field.ground))
     , cover(uploaded<GrassCover>(context, field))
-    , drawsInTurns(targetSettings.groupsDrawLarge &&
-                   wanted.drawsInTurns.value_or(cover.leafArea() >= leastAreaForTurns))
     , sunShadow(context, shaders, ground.box())
     , pyramid(context, shaders, wanted.samples)
-    , attachments(madeIf<Attachments>(!rasterises(geometry), context, targetSettings))
-    , solid(madeIf<SolidPass>(!rasterises(geometry), context, shaders, targetSettings, ground))
+    , attachments(madeIf<Attachments>(geometry == Geometry::tessellation, context, targetSettings))
+    , solid(madeIf<SolidPass>(geometry == Geometry::tessellation, context, shaders, targetSettings,
+                              ground))
     , tessellated(madeIf<TessellatedPass>(geometry == Geometry::tessellation, context, shaders,
                                           targetSettings))
-    , solidRaster(
-          madeIf<SolidRasterPass>(rasterises(geometry), context, shaders, ground, targetSettings))
-    , raster(madeIf<RasterPass>(rasterises(geometry), context, shaders, targetSettings,
+    , solidRaster(madeIf<SolidRasterPass>(geometry == Geometry::raster, context, shaders, ground,
+                                          targetSettings))
+    , raster(madeIf<RasterPass>(geometry == Geometry::raster, context, shaders, targetSettings,
                                 static_cast<std::uint32_t>(field.blades.size())))
-    , resolve(madeIf<ResolvePass>(rasterises(geometry), context, shaders, targetSettings,
+    , resolve(madeIf<ResolvePass>(geometry == Geometry::raster, context, shaders, targetSettings,
                                   wanted.framesInFlight))
     , plan(planWithin(field))
     , blades(context, shaders, uploaded<FieldBuffers>(context, field, plan.records),
@@ -157,7 +153,7 @@ MemoryPlan FieldRenderer::Parts::planWithin(const field::FieldView& field)
     fit(settings.largestTarget);
     return planFor(field, records,
                    {.bytes = settings.deviceBytes,
-                    .others = bytesBesideBlades(),
+                    .others = bytesBesideBlades() + (resolve ? resolve->bytesToCopy() : 0),
                     .framesInFlight = settings.framesInFlight,
                     .waitsForDisk = settings.waitsForDisk});
 }
@@ -212,8 +208,7 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
         blades.expectColliders();
     blades.buffers().describe(frame);
     cover.describe(frame);
-    pyramid.begin(findsHidden(wishes) || takesTurns(wishes), frame.viewProjection);
-    if ((frame.view.cullMask & shared::cullOcclusion) != 0 || drawsInTurns)
+    if ((frame.view.cullMask & shared::cullOcclusion) != 0)
         pyramid.describe(frame);
     slots[slot].tables.write(shape, wishes, time, blades.hasMoved() ? lastTime : time, frame);
     lastTime = time;
@@ -271,8 +266,6 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
 
     const ViewMatrices view =
         viewMatrices(camera, parts.shape.origin, target.size, parts.shape.content, jitter);
-    if (parts.trial)
-        parts.geometry = parts.trial->begin(commands, slot);
     parts.fit(target.size);
     shared::Frame wanted = frameOf(parts.shape, view, settings, time, parts.settings.samples);
     if (parts.streaming)
@@ -289,10 +282,7 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
                                    .judged =
                                        findsReasons ? parts.slots[slot].listing.place() : judged,
                                    .firstBlade = parts.raster ? parts.solidRaster->firstBlade() : 1,
-                                   .findsHidden = findsHidden,
-                                   // Another camera goes on asking the pyramid that it has made.
-                                   .takesTurns = parts.takesTurns(settings),
-                                   .tessellatesLarge = parts.geometry == Geometry::hybrid};
+                                   .findsHidden = findsHidden};
 
     parts.blades.begin(commands, time);
     // What the ground hides needs neither be moved nor drawn.
@@ -407,8 +397,7 @@ Geometry FieldRenderer::geometry() const
 
 const char* FieldRenderer::geometryReason() const
 {
-    return parts_->trial ? parts_->trial->reason().c_str()
-                         : reasonForGeometry(parts_->context, parts_->settings);
+    return reasonForGeometry(parts_->context, parts_->settings);
 }
 
 std::size_t FieldRenderer::Parts::bytesBesideBlades() const

@@ -39,15 +39,14 @@ public:
     ~FieldRenderer();
 
     /// A picture to draw into: in layout COLOR_ATTACHMENT_OPTIMAL when the commands run, and left
-    /// in it. Its usage includes TRANSFER_DST where the geometry is raster.
+    /// in it. Where the geometry is raster its usage includes TRANSFER_DST, unless it is `stored`.
     struct Target {
         VkImage image = VK_NULL_HANDLE;    ///< one sample, one layer
         VkImageView view = VK_NULL_HANDLE; ///< of the image
         glm::uvec2 size{0};                ///< [pixels]
 
-        /// With FieldRendererSettings::storesIntoTargets a view of the image for storage, as
-        /// R8G8B8A8_UNORM, into which bytes are stored as the image's own format has them; the
-        /// image then needs no TRANSFER_DST.
+        /// A view of the image for storage, as R8G8B8A8_UNORM, into which the bytes of the image's
+        /// own format are stored. Null if there is none: the picture is then copied to the image.
         VkImageView stored = VK_NULL_HANDLE;
     };
 
@@ -56,8 +55,8 @@ public:
     /// have completed. `jitter` [pixels]. `timestamps` may be null; else the caller has begun their
     /// frame, and the scopes update (which culls as well), ground, sky, pyramid, blades and resolve
     /// are measured. Nothing is allocated unless the target's size has changed; then the device is
-    /// waited for. A mixture of winds, colliders and --debug wind have their pipelines made at
-    /// their first frame.
+    /// waited for. The first target that cannot be stored into has a picture made to copy from. A
+    /// mixture of winds, colliders and --debug wind have their pipelines made at their first frame.
     void record(VkCommandBuffer commands, const Target& target, const Camera& camera,
                 const FrameSettings& settings, double time, std::uint32_t slot = 0,
                 gpu::Timestamps* timestamps = nullptr, glm::vec2 jitter = glm::vec2(0.0f));

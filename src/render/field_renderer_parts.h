@@ -9,7 +9,6 @@
 #include "render/field_renderer.h"
 #include "render/frame.h"
 #include "render/frame_slot.h"
-#include "render/geometry_trial.h"
 #include "render/grass_cover.h"
 #include "render/memory_plan.h"
 #include "render/moving_blades.h"
@@ -34,13 +33,11 @@ struct FieldRenderer::Parts {
 
     const gpu::DeviceContext& context;
     Settings settings;
-    Geometry geometry; ///< of the frame last recorded
+    Geometry geometry; ///< never automatic
     gpu::ShaderLibrary shaders;
-    std::optional<GeometryTrial> trial; ///< where the choice is measured
     TargetSettings targetSettings;
     GroundBuffers ground;
     GrassCover cover;
-    bool drawsInTurns; ///< see FieldRendererSettings
     SunShadowPass sunShadow;
     DepthPyramid pyramid;
     glm::uvec2 pictureSize{0}; ///< [pixels] of the pictures that are there
@@ -75,7 +72,6 @@ struct FieldRenderer::Parts {
                      std::uint32_t slot);
     bool groupsDrawLarge() const;
     bool findsHidden(const FrameSettings& wishes) const; ///< of blades what others hide
-    bool takesTurns(const FrameSettings& wishes) const;  ///< without asking
     void drawSolid(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
                    gpu::Timestamps* timestamps);
     void rasterSolid(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);

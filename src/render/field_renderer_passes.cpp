@@ -8,7 +8,7 @@ namespace sward::render {
 
 bool FieldRenderer::Parts::groupsDrawLarge() const
 {
-    return geometry == Geometry::raster && targetSettings.groupsDrawLarge;
+    return raster && targetSettings.groupsDrawLarge;
 }
 
 bool FieldRenderer::Parts::findsHidden(const FrameSettings& wishes) const
@@ -16,11 +16,6 @@ bool FieldRenderer::Parts::findsHidden(const FrameSettings& wishes) const
     // What blades hide is known of the camera that draws, and of no other.
     return groupsDrawLarge() && (wishes.cullMask & shared::cullOcclusion) != 0 &&
            !wishes.cullingCamera && wishes.debug != DebugMode::reason;
-}
-
-bool FieldRenderer::Parts::takesTurns(const FrameSettings& wishes) const
-{
-    return groupsDrawLarge() && drawsInTurns && !findsHidden(wishes) && !wishes.cullingCamera;
 }
 
 gpu::ColorAttachment FieldRenderer::Parts::colorAttachment(const Target& target) const
@@ -111,11 +106,7 @@ void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& ta
 void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, const RasterPass::Input& input,
                                         gpu::Timestamps* timestamps)
 {
-    if (trial)
-        trial->beginBlades(commands);
     RasterRounds{context, blades, *raster, rounds}.record(commands, input, timestamps);
-    if (trial)
-        trial->endBlades(commands);
 }
 
 void FieldRenderer::Parts::makePicture(VkCommandBuffer commands, const Target& target,
@@ -123,8 +114,7 @@ void FieldRenderer::Parts::makePicture(VkCommandBuffer commands, const Target& t
                                        gpu::Timestamps* timestamps)
 {
     using gpu::ImageUse;
-    expect((target.stored != VK_NULL_HANDLE) == settings.storesIntoTargets,
-           "a target can be stored into where the renderer has been told so");
+    const bool isStored = target.stored != VK_NULL_HANDLE;
     shared::RasterPush push = raster->pushFor(input);
     resolve->describe(push);
     gpu::computeToCompute(commands);
@@ -133,17 +123,15 @@ void FieldRenderer::Parts::makePicture(VkCommandBuffer commands, const Target& t
         resolve->recordTiles(commands, push);
         solidRaster->recordLight(commands, input.frame, raster->visibility(), resolve->sorted());
     }
-    const ImageUse filled =
-        settings.storesIntoTargets ? ImageUse::storage : ImageUse::transferTarget;
+    const ImageUse filled = isStored ? ImageUse::storage : ImageUse::transferTarget;
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, ImageUse::colorTarget,
                     filled);
     gpu::computeToCompute(commands);
-    if (settings.storesIntoTargets)
-        resolve->aim(slot, target.stored);
+    resolve->aim(slot, target.stored);
     {
         const PassScope scope(context, commands, timestamps, "resolve");
         resolve->record(commands, push, input.frame, slot);
-        if (!settings.storesIntoTargets)
+        if (!isStored)
             resolve->copyTo(commands, target.image);
     }
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, filled,

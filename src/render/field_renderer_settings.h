@@ -12,10 +12,6 @@
 
 namespace sward::render {
 
-/// Square metres of blades on one of ground, where they stand, from which on an H200 draws them
-/// quicker in two turns: see FieldRendererSettings::drawsInTurns.
-constexpr float leastAreaForTurns = 15.0f;
-
 /// What stays the same from frame to frame of a FieldRenderer.
 struct FieldRendererSettings {
     VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB; ///< of every target
@@ -32,16 +28,6 @@ struct FieldRendererSettings {
     /// Whether the rasteriser finds out of blades of some dozen pixels that others hide them; where
     /// nothing is said, not on a CPU device. Never changes a picture.
     std::optional<bool> asksSmallBlades{};
-
-    /// Whether the rasteriser, in frames in which it is not asked which blades others hide, draws
-    /// large ones in two turns: some, and then of the others what these do not hide, as a graphics
-    /// unit does by its depths. Where nothing is said, if the field stands so dense that it is
-    /// quicker: see leastAreaForTurns. Never changes a picture.
-    std::optional<bool> drawsInTurns{};
-
-    /// Whether shaders can store into every target: the picture that they make is then not copied
-    /// to it. See FieldRenderer::Target::stored.
-    bool storesIntoTargets = false;
 
     bool recordFates = false; ///< keep each blade's fate for dumpBlades(); 20 bytes a blade
 

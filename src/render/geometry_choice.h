@@ -5,14 +5,12 @@
 
 namespace sward::render {
 
-/// How blades are drawn on a device, never automatic. Throws Error{unsupported} where a geometry is
-/// asked for that it cannot draw.
+/// The geometry that a device draws, never automatic: what the settings ask for, else raster where
+/// `obstacleToRaster()` has none, else tessellation. Throws Error{unsupported} if the settings ask
+/// for raster and the device cannot draw it.
 Geometry chooseGeometry(const gpu::DeviceContext& context, const FieldRenderer::Settings& wanted);
 
-/// Whether what is chosen is raster for a start, and may turn out to be hybrid.
-bool isTriedOut(const gpu::DeviceContext& context, const FieldRenderer::Settings& wanted);
-
-/// Why, in words.
+/// The reason for that choice, in words.
 const char* reasonForGeometry(const gpu::DeviceContext& context,
                               const FieldRenderer::Settings& wanted);
 

@@ -178,15 +178,8 @@ LeafAreaGrid leafAreaOf(const field::FieldView& field)
     dealGround(*field.ground, pieceSize * edge, ground);
 
     grid.values = std::move(leaves.amounts());
-    double area = 0.0;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < grid.values.size(); ++i) {
-        const double own = grid.values[i];
+    for (std::size_t i = 0; i < grid.values.size(); ++i)
         grid.values[i] /= std::max(ground.amounts()[i], leastGround * edge * edge);
-        area += own;
-        sum += own * grid.values[i];
-    }
-    grid.amongLeaves = area > 0.0 ? static_cast<float>(sum / area) : 0.0f;
     return grid;
 }
 
@@ -195,7 +188,6 @@ GrassCover::GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upl
 {
     const LeafAreaGrid grid = leafAreaOf(field);
     shape_ = grid.shape;
-    leafArea_ = grid.amongLeaves;
     values_ = gpu::Buffer(
         context, {.name = "grass cover",
                   .bytes = grid.values.size() * sizeof(float),

@@ -21,7 +21,6 @@ constexpr std::size_t maxCoverBlades = std::size_t(1) << 20;
 struct LeafAreaGrid {
     shared::Cover shape = {};
     std::vector<float> values;
-    float amongLeaves = 0.0f; ///< its mean over the area of the blades: where they stand
 
     /// For shared functions on the CPU; lives as long as the grid.
     shared::Cover view() const;
@@ -43,12 +42,10 @@ public:
     /// After the frame's draw distance is known.
     void describe(shared::Frame& frame) const;
 
-    float leafArea() const { return leafArea_; } ///< LeafAreaGrid::amongLeaves
     VkDeviceSize bytes() const { return values_.bytes(); }
 
 private:
     shared::Cover shape_ = {};
-    float leafArea_;
     gpu::Buffer values_;
 };
 

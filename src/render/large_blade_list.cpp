@@ -9,12 +9,13 @@ namespace {
 /// As shared::RasterPush::largeCount says.
 struct Counts {
     shared::WalkLevel parts{.groups = {0, 1, 1}, .count = 0};
-    VkDrawIndirectCommand draw{shared::drawChunk, 0, 0, 0};
-    shared::WalkLevel drawn{.groups = {0, 1, 1}, .count = 0};
+    shared::WalkLevel early{.groups = {0, 1, 1}, .count = 0};
     shared::WalkLevel cut{.groups = {0, 1, 1}, .count = 0};
     shared::WalkLevel late{.groups = {0, 1, 1}, .count = 0};
-    shared::WalkLevel heavy{.groups = {0, 1, 1}, .count = 0};
 };
+static_assert(offsetof(Counts, early) == shared::largeEarly * sizeof(shared::WalkLevel) &&
+              offsetof(Counts, cut) == shared::largeCut * sizeof(shared::WalkLevel) &&
+              offsetof(Counts, late) == shared::largeLate * sizeof(shared::WalkLevel));
 
 } // namespace
 
@@ -30,8 +31,7 @@ LargeBladeList::LargeBladeList(const gpu::DeviceContext& context, Room room)
 {
     if (room.large)
         parts_ = gpu::Buffer(context, {.name = "raster/large blades",
-                                       .bytes = (shared::mostLargeParts + shared::mostHeavyParts) *
-                                                sizeof(shared::LargePart),
+                                       .bytes = shared::mostLargeParts * sizeof(shared::LargePart),
                                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
     if (room.shownBlades == 0)
         return;
@@ -66,11 +66,6 @@ void LargeBladeList::dispatch(VkCommandBuffer commands) const
     vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, parts));
 }
 
-void LargeBladeList::dispatchHeavy(VkCommandBuffer commands) const
-{
-    vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, heavy));
-}
-
 void LargeBladeList::dispatchLate(VkCommandBuffer commands) const
 {
     vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, late));
@@ -79,11 +74,6 @@ void LargeBladeList::dispatchLate(VkCommandBuffer commands) const
 void LargeBladeList::dispatchCut(VkCommandBuffer commands) const
 {
     vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, cut));
-}
-
-VkDeviceSize LargeBladeList::drawOffset()
-{
-    return offsetof(Counts, draw);
 }
 
 } // namespace sward::render

@@ -12,14 +12,14 @@
 namespace sward::render {
 
 /// The blades that cover many pixels, as the rasteriser lists them: shared::LargePart, how many
-/// have been asked for, and what dispatches or draws those that are listed.
+/// have been asked for, and what dispatches those that are listed.
 class LargeBladeList {
 public:
     LargeBladeList() = default;
 
     /// For what there is room beside shared::mostCutBlades.
     struct Room {
-        bool large = false; ///< shared::mostLargeParts and mostHeavyParts
+        bool large = false; ///< shared::mostLargeParts
         std::uint32_t shownBlades =
             0; ///< a bit for each quarter, if some are to be left out as hidden
     };
@@ -37,16 +37,11 @@ public:
     /// Begins a frame. Before the first one no blade has been shown; a transfer, once.
     void beginShown(VkCommandBuffer commands);
 
-    // Work-groups for what is listed: in a first turn heavy parts, and all others but cut ones; all
-    // but cut ones in a late turn; cut ones.
-    void dispatchHeavy(VkCommandBuffer commands) const;
+    // Work-groups for what is listed: large parts in the early pass, the same in the late pass, and
+    // blades that the near plane cuts.
     void dispatch(VkCommandBuffer commands) const;
     void dispatchLate(VkCommandBuffer commands) const;
     void dispatchCut(VkCommandBuffer commands) const;
-
-    /// Of VkDrawIndirectCommand, a vertex for each that is listed.
-    VkBuffer counts() const { return counts_.get(); }
-    static VkDeviceSize drawOffset();
 
     VkDeviceSize bytes() const { return parts_.bytes() + cut_.bytes() + shown_.bytes(); }
 

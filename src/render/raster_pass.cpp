@@ -38,12 +38,12 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
     : context_(&context)
     , target_(target)
     , frameLayout_(context, "raster/frame")
-    , largeList_(context, {.large = target.groupsDrawLarge || target.tessellatesLarge,
+    , largeList_(context, {.large = target.groupsDrawLarge,
                            .shownBlades = target.groupsDrawLarge ? bladeCount : 0})
 {
     expect(obstacleToRaster(context, target.colorFormat) == nullptr, "the device can rasterise");
     const auto pipeline = [&](const char* name, const char* shader, std::uint32_t largeTo,
-                              bool fillsAll = false, bool takesHeavy = false) {
+                              bool fillsAll = false) {
         return gpu::ComputePipeline(context, shaders,
                                     {.name = name,
                                      .shader = shader,
@@ -53,32 +53,22 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                                                    {.id = 2, .value = fillsAll},
                                                    {.id = 3, .value = target.mayBePaged},
                                                    {.id = 4, .value = largeTo},
-                                                   {.id = 5, .value = takesHeavy},
                                                    {.id = 11, .value = target.mayFold},
                                                    {.id = 14, .value = target.onlyShape}}});
     };
     const std::uint32_t untold = shared::largeToNobody;
+    const std::uint32_t largeTo =
+        target.groupsDrawLarge ? shared::largeToGroups : shared::largeToNobody;
+    blades_ = pipeline("raster/blades", "raster_blades.comp", largeTo);
+    cut_ = pipeline("raster/cut blades", "raster_cut.comp", untold);
     depths_ = pipeline("raster/depths", "seen_depths.comp", untold);
     allDepths_ = pipeline("raster/all depths", "seen_depths.comp", untold, true);
     if (target.groupsDrawLarge) {
-        const std::uint32_t toGroups = shared::largeToGroups;
-        blades_ = pipeline("raster/blades", "raster_blades.comp", toGroups);
-        heavy_ = pipeline("raster/heavy blades", "raster_large.comp", untold, false, true);
         large_ = pipeline("raster/large blades", "raster_large.comp", untold);
         lateBlades_ = pipeline("raster/late blades", "list_late.comp", untold);
         surfaces_.emplace(context, target);
         lateLarge_ = pipeline("raster/late large blades", "raster_late.comp", untold);
     }
-    if (target.tessellatesLarge) {
-        smallBlades_ =
-            pipeline("raster/small blades", "raster_blades.comp", shared::largeToTessellator);
-        tessellated_.emplace(context, shaders, target.samples);
-    }
-    const bool drawsAlone = !target.groupsDrawLarge && !target.tessellatesLarge;
-    if (drawsAlone)
-        blades_ = pipeline("raster/blades", "raster_blades.comp", shared::largeToNobody);
-    if (drawsAlone || target.groupsDrawLarge)
-        cut_ = pipeline("raster/cut blades", "raster_cut.comp", untold);
 }
 
 void RasterPass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
@@ -117,7 +107,7 @@ shared::RasterPush RasterPass::pushFor(const Input& input) const
                             .isBgr = isBgr(target_.colorFormat) ? 1u : 0u,
                             .round = 0,
                             .firstBlade = input.firstBlade,
-                            .takesTurns = input.takesTurns ? 1u : 0u};
+                            .reserved = 0};
     largeList_.describe(push);
     if (surfaces_)
         surfaces_->describe(push);
@@ -143,11 +133,7 @@ void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input, std:
 {
     shared::RasterPush push = pushFor(input);
     push.round = turn == Turn::late ? input.field->list().roundCount() + round : round;
-    expect(!input.tessellatesLarge || (tessellated_ && turn == Turn::first),
-           "the tessellator asks for no turns");
-    const gpu::ComputePipeline& pipeline = turn == Turn::late       ? lateBlades_
-                                           : input.tessellatesLarge ? smallBlades_
-                                                                    : blades_;
+    const gpu::ComputePipeline& pipeline = turn == Turn::late ? lateBlades_ : blades_;
     pipeline.bind(commands);
     input.frame.bind(commands, pipeline.layout(), frameSet);
     pipeline.push(commands, push);
@@ -157,9 +143,6 @@ void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input, std:
 
 void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Turn turn) const
 {
-    if (input.tessellatesLarge)
-        return tessellated_->record(commands, pushFor(input), largeList_.counts(),
-                                    LargeBladeList::drawOffset());
     const shared::RasterPush push = pushFor(input);
     const auto bind = [&](const gpu::ComputePipeline& pipeline) {
         pipeline.bind(commands);
@@ -170,8 +153,6 @@ void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Turn 
         bind(lateLarge_);
         largeList_.dispatchLate(commands);
     } else if (target_.groupsDrawLarge) {
-        bind(heavy_);
-        largeList_.dispatchHeavy(commands);
         bind(large_);
         largeList_.dispatch(commands);
         // Those that frames have shown lately are as good as seen. As many work-groups as have

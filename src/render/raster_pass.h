@@ -8,7 +8,6 @@
 #include "render/field_buffers.h"
 #include "render/frame_place.h"
 #include "render/large_blade_list.h"
-#include "render/large_blade_pass.h"
 #include "render/surface_pass.h"
 #include "render/target_settings.h"
 #include "shaders/shared/passes.h"
@@ -40,12 +39,10 @@ public:
     /// What each of the following reads.
     struct Input {
         const FieldBuffers* field = nullptr;
-        FramePlace frame{};            ///< of the picture
-        FramePlace judged{};           ///< by whose camera the visible blades were listed
-        std::uint32_t firstBlade = 1;  ///< see SolidRasterPass
-        bool findsHidden = false;      ///< whether blades hide others: see shared::RasterPush::seen
-        bool takesTurns = false;       ///< see shared::RasterPush; not beside `findsHidden`
-        bool tessellatesLarge = false; ///< whether large ones are left to the tessellator
+        FramePlace frame{};           ///< of the picture
+        FramePlace judged{};          ///< by whose camera the visible blades were listed
+        std::uint32_t firstBlade = 1; ///< see SolidRasterPass
+        bool findsHidden = false;     ///< whether blades hide others: see shared::RasterPush::seen
     };
 
     /// Empties lists of blades, and the visibility unless the frame before has left it empty;
@@ -60,10 +57,10 @@ public:
     void recordBlades(VkCommandBuffer commands, const Input& input, std::uint32_t round,
                       Turn turn) const;
 
-    /// Rasterises the large ones that have been listed, or has them tessellated. If blades hide
-    /// others, in the first turn those quarters that frames have shown lately, while their
-    /// surfaces are kept, if they take turns, those by shared::lateQuartersUnseen(), and in the
-    /// late one what of all the rest the frame's pyramid does not hide. As above.
+    /// Rasterises the large ones that have been listed. If blades hide others, in the first turn
+    /// those quarters that frames have shown lately, while their surfaces are kept, if they take
+    /// turns, those by shared::lateQuartersUnseen(), and in the late one what of all the rest the
+    /// frame's pyramid does not hide. As above.
     void recordLarge(VkCommandBuffer commands, const Input& input, Turn turn) const;
 
     /// Those of a pyramid; all of them once a frame.
@@ -85,16 +82,13 @@ private:
     TargetSettings target_;
     gpu::UniformSetLayout frameLayout_;
     gpu::ComputePipeline blades_;
-    gpu::ComputePipeline smallBlades_; ///< leave large ones to the tessellator
     gpu::ComputePipeline large_;
-    gpu::ComputePipeline heavy_; ///< and those of them that are begun first
-    gpu::ComputePipeline cut_;   ///< those that reach through the near plane
+    gpu::ComputePipeline cut_; ///< those that reach through the near plane
     gpu::ComputePipeline lateBlades_;
     gpu::ComputePipeline lateLarge_; ///< leaves out what is hidden
     gpu::ComputePipeline depths_;
     gpu::ComputePipeline allDepths_;
-    std::optional<LargeBladePass> tessellated_; ///< of large blades
-    std::optional<SurfacePass> surfaces_;       ///< of those that work-groups draw
+    std::optional<SurfacePass> surfaces_; ///< of the large blades that work-groups draw
 
     VkExtent2D size_{};
     bool isEmpty_ = false; ///< nothing is in the visibility when a frame begins

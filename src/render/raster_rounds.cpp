@@ -20,12 +20,9 @@ void RasterRounds::record(VkCommandBuffer commands, const RasterPass::Input& inp
         const PassScope scope(context, commands, timestamps, "blades");
         raster.recordBlades(commands, input, round, Turn::late);
     }
-    if (input.takesTurns)
-        recordPyramid(commands, input, timestamps);
     gpu::computeToCompute(commands);
     const PassScope scope(context, commands, timestamps, "blades");
-    const bool isLate = input.findsHidden || input.takesTurns;
-    raster.recordLarge(commands, input, isLate ? Turn::late : Turn::first);
+    raster.recordLarge(commands, input, input.findsHidden ? Turn::late : Turn::first);
 }
 
 void RasterRounds::recordFirst(VkCommandBuffer commands, const RasterPass::Input& input,

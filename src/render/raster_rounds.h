@@ -13,8 +13,7 @@ namespace sward::render {
 
 /// Moves, judges and rasterises the live blades of a frame, as many at a time as the list holds.
 /// Where blades hide others, those that frames have shown lately come first; what they hide is
-/// left out of the rest. Where large ones take turns, all small ones and some large ones come
-/// first, and what these hide of the other large ones is not drawn.
+/// left out of the rest.
 struct RasterRounds {
     const gpu::DeviceContext& context;
     const MovingBlades& blades;
@@ -23,7 +22,7 @@ struct RasterRounds {
 
     /// After MovingBlades::findLive(), with all that is solid in the visibility. `input` says
     /// whether blades hide others; then the frame describes the pyramid and judges by its own
-    /// camera. Where they take turns it describes the pyramid, too.
+    /// camera.
     void record(VkCommandBuffer commands, const RasterPass::Input& input,
                 gpu::Timestamps* timestamps) const;
 

@@ -94,12 +94,7 @@ void ResolvePass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
 void ResolvePass::resize(VkExtent2D size, const gpu::Image& lit)
 {
     size_ = size;
-    if (!target_.storesIntoTargets)
-        picture_ = gpu::Image(
-            *context_, {.name = "frame/picture",
-                        .format = pictureFormat,
-                        .extent = size_,
-                        .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+    picture_ = {};
     if (tiles_)
         tiles_->resize(size);
     for (std::uint32_t slot = 0; slot < images_.size(); ++slot) {
@@ -112,20 +107,32 @@ void ResolvePass::resize(VkExtent2D size, const gpu::Image& lit)
             images.film = gpu::ImageSet(*context_, imageLayout_, "raster/film");
             images.film.setSampled(0, lit.view(), sampler_.get(), VK_IMAGE_LAYOUT_GENERAL);
         }
-        if (!target_.storesIntoTargets)
-            aim(slot, picture_.view());
     }
 }
 
 void ResolvePass::aim(std::uint32_t slot, VkImageView stored)
 {
+    isCopied_ = stored == VK_NULL_HANDLE;
+    if (isCopied_ && picture_.get() == VK_NULL_HANDLE)
+        picture_ = gpu::Image(
+            *context_, {.name = "frame/picture",
+                        .format = pictureFormat,
+                        .extent = size_,
+                        .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
     Images& images = images_[slot];
-    (target_.samples > 1 ? images.film : images.resolved).setStorage(0, stored);
+    (target_.samples > 1 ? images.film : images.resolved)
+        .setStorage(0, isCopied_ ? picture_.view() : stored);
 }
 
 VkDeviceSize ResolvePass::bytes() const
 {
     return picture_.memoryBytes() + (tiles_ ? tiles_->bytes() : 0);
+}
+
+VkDeviceSize ResolvePass::bytesToCopy() const
+{
+    constexpr VkDeviceSize bytesOfPixel = 4;
+    return bytesOfPixel * size_.width * size_.height;
 }
 
 void ResolvePass::describe(shared::RasterPush& push) const
@@ -153,7 +160,7 @@ void ResolvePass::record(VkCommandBuffer commands, const shared::RasterPush& pus
     const Images& images = images_[slot];
     const auto found = parts_.find(shading_);
     expect(found != parts_.end(), "the resolve has been prepared");
-    if (!target_.storesIntoTargets)
+    if (isCopied_)
         gpu::transition(commands, picture_, gpu::ImageUse::undefined, gpu::ImageUse::storage);
     for (const Part& part : found->second) {
         part.pipeline.bind(commands);
@@ -173,7 +180,7 @@ void ResolvePass::record(VkCommandBuffer commands, const shared::RasterPush& pus
     }
     if (target_.samples > 1)
         recordSoft(commands, push, images.film);
-    if (!target_.storesIntoTargets)
+    if (isCopied_)
         gpu::transition(commands, picture_, gpu::ImageUse::storage, gpu::ImageUse::transferSource);
 }
 

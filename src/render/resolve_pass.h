@@ -44,21 +44,22 @@ public:
     /// from compute shaders and to dispatches.
     void recordTiles(VkCommandBuffer commands, const shared::RasterPush& push) const;
 
-    /// Where targets are stored into: the picture of this slot goes to a target in
-    /// ImageUse::storage, of which `stored` is FieldRenderer::Target::stored. The device is done
-    /// with the slot's frame before.
+    /// Chooses where the picture of this slot goes: to a target in ImageUse::storage, of which
+    /// `stored` is FieldRenderer::Target::stored, or, if that is null, to a picture of the pass's
+    /// own, which copyTo() copies. The device is done with the slot's frame before.
     void aim(std::uint32_t slot, VkImageView stored);
 
-    /// Shades and filters the picture; empties the visibility.
+    /// Shades and filters the picture of the slot aimed last; empties the visibility.
     void record(VkCommandBuffer commands, const shared::RasterPush& push, const FramePlace& frame,
                 std::uint32_t slot) const;
 
-    /// Where targets are not stored into: copies the picture to one in ImageUse::transferTarget.
+    /// Copies the pass's own picture to a target in ImageUse::transferTarget.
     void copyTo(VkCommandBuffer commands, VkImage target) const;
 
     /// Null where tiles are shaded as they lie.
     const ShownTiles* sorted() const { return target_.sortsTiles ? &*tiles_ : nullptr; }
     VkDeviceSize bytes() const;
+    VkDeviceSize bytesToCopy() const; ///< that targets take which are not stored into
 
 private:
     /// For the tiles of one list, or for all of them if it is shared::tileLists.
@@ -89,7 +90,8 @@ private:
         gpu::ImageSet resolved;
         gpu::ImageSet film; ///< with several samples
     };
-    gpu::Image picture_; ///< where targets are not stored into
+    gpu::Image picture_;    ///< made for the first target that is not stored into
+    bool isCopied_ = false; ///< whether the picture of the slot aimed last is
     std::vector<Images> images_;
 };
 

@@ -21,11 +21,8 @@ struct TargetSettings {
     bool mayBePaged = false;                       ///< blades may be in memory in part
     bool mayFold = true;                           ///< there are folded blades
     std::uint32_t onlyShape = shared::shapeCount;  ///< of all blades, if they have the same
-    bool groupsDrawLarge = true;   ///< the rasteriser may draw large blades by work-groups, …
-    bool tessellatesLarge = false; ///< … leave them to the tessellator, or, without both, draw each
-                                   ///< blade by one thread
-    bool sortsTiles = false;       ///< tiles of the picture are shaded by what they show
-    bool storesIntoTargets = false; ///< see FieldRendererSettings
+    bool groupsDrawLarge = true; ///< work-groups draw large blades; else a thread each blade
+    bool sortsTiles = false;     ///< tiles of the picture are shaded by what they show
 };
 
 /// What pipelines know of a frame's debug mode: that there is none, that it is the wind's, which

@@ -146,11 +146,11 @@ std::size_t fillValues(Values& v)
     shared::Frame& f = v.frame;
     n.fillAll(f.blades, f.states, f.etas, f.patches, f.species, f.visible, f.draw, f.patchTimes,
               f.patchCounts, f.fates, f.pages, f.pyramid.depths, f.pyramid.size, f.pyramid.first,
-              f.pyramid.levels, f.depthsBefore, f.viewProjection, f.rays, f.depthOfEye, f.view,
-              f.time, f.nature, f.patchCount, f.bladeCount, f.visibleCapacity, f.maxTessellation,
-              f.sunDirection, f.exposure, f.sunColor, f.debugMode, f.skyColor, f.fogDensity,
-              f.groundColor, f.skyUp, f.fixedTessellation, f.clouds, f.levelSteps, f.pace, f.cover,
-              f.shadow, f.fogFalloff, f.lowSun, f.reserved);
+              f.pyramid.levels, f.viewProjection, f.rays, f.depthOfEye, f.view, f.time, f.nature,
+              f.patchCount, f.bladeCount, f.visibleCapacity, f.maxTessellation, f.sunDirection,
+              f.exposure, f.sunColor, f.debugMode, f.skyColor, f.fogDensity, f.groundColor, f.skyUp,
+              f.fixedTessellation, f.clouds, f.levelSteps, f.pace, f.cover, f.shadow, f.fogFalloff,
+              f.lowSun, f.reserved);
     n.fillAll(v.visible.blade, v.visible.patchIndex, v.visible.factors, v.visible.pixels);
     n.fillAll(v.draw.vertexCount, v.draw.instanceCount, v.draw.firstVertex, v.draw.firstInstance,
               v.draw.simulated, v.draw.fates);
@@ -172,13 +172,13 @@ std::size_t fillValues(Values& v)
     shared::RasterPush& r = v.rasterPush;
     n.fillAll(r.frame, r.judged, r.visibility, r.rounds, r.large, r.largeCount, r.cut, r.owners,
               r.firstOwners, r.seen, r.surfacePlaces, r.surfaces, r.tiles, r.size, r.isBgr, r.round,
-              r.firstBlade, r.takesTurns);
+              r.firstBlade, r.reserved);
     n.fillAll(v.subtree.blades, v.subtree.widest, v.subtree.rankBelow);
     n.fillAll(v.live.patchIndex, v.live.count);
     n.fillAll(v.walkLevel.groups, v.walkLevel.count);
     shared::LargePart& l = v.largePart;
     n.fillAll(l.v0, l.width, l.v1, l.fold, l.v2, l.outline, l.axis, l.tipThreshold, l.scale,
-              l.leftOut, l.blade, l.part);
+              l.reserved, l.blade, l.part);
     n.fillAll(v.pyramidPush.frame, v.pyramidPush.slack, v.pyramidPush.reserved);
     n.fillAll(v.viewPush.frame);
     n.fillAll(v.copyPush.from, v.copyPush.to, v.copyPush.count, v.copyPush.reserved);

@@ -2,7 +2,6 @@
 
 #include "core/random.h"
 #include "picture.h"
-#include "render/depth_pyramid.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
 #include "thicket.h"
@@ -11,10 +10,6 @@
 
 #include <cmath>
 #include <cstdlib>
-
-namespace sward::embedded {
-std::span<const EmbeddedFile> shaders();
-} // namespace sward::embedded
 
 namespace sward::render {
 namespace {
@@ -53,7 +48,6 @@ protected:
         // tessellator the one that comes first in the list, whose order changes from run to run.
         wanted.geometry = Geometry::raster;
         wanted.rastersForCpu = false;
-        wanted.drawsInTurns = false;
         FieldRenderer renderer(device(), field::viewOf(field), wanted);
         FrameSettings settings = FrameSettings::of(field::viewOf(field));
         settings.levelOfDetail = levelOfDetail;
@@ -137,7 +131,6 @@ Walked walkThroughThicket(const gpu::Device& device, std::uint32_t samples, bool
     wanted.samples = samples;
     wanted.geometry = Geometry::raster;
     wanted.rastersForCpu = false;
-    wanted.drawsInTurns = false;
     wanted.asksSmallBlades = asksSmallBlades;
     wanted.recordFates = true;
     // Another one draws what is expected, so that each frame follows the one before.
@@ -214,39 +207,6 @@ TEST_F(OcclusionTest, GroundThatFillsThePictureHidesWholePatches)
                 }
             }
         }
-}
-
-TEST_F(OcclusionTest, TheFrameBeforeIsAskedOnlyIfItsBladesAreKnown)
-{
-    const gpu::ShaderLibrary shaders(embedded::shaders());
-    DepthPyramid pyramid(context(), shaders, 4);
-    pyramid.resize(VkExtent2D{320, 200});
-    glm::mat4 view(1.0f);
-    const auto frameAfter = [&pyramid, &view](bool hasTurns) {
-        pyramid.begin(hasTurns, view);
-        shared::Frame frame = {};
-        pyramid.describe(frame);
-        return frame;
-    };
-    const shared::Frame first = frameAfter(true);
-    EXPECT_EQ(first.depthsBefore, 0u);
-    const shared::Frame second = frameAfter(true);
-    EXPECT_EQ(second.depthsBefore, first.pyramid.depths);
-    EXPECT_NE(second.pyramid.depths, first.pyramid.depths);
-    EXPECT_EQ(frameAfter(true).depthsBefore, second.pyramid.depths);
-    // One whose blades have a single turn neither asks nor says what it hid.
-    EXPECT_EQ(frameAfter(false).depthsBefore, 0u);
-    EXPECT_EQ(frameAfter(true).depthsBefore, 0u);
-    EXPECT_NE(frameAfter(true).depthsBefore, 0u);
-    // What another camera has seen says little; half a pixel to the side is none.
-    view[3].x = 0.01f;
-    EXPECT_EQ(frameAfter(true).depthsBefore, 0u);
-    EXPECT_NE(frameAfter(true).depthsBefore, 0u);
-    view[2].x = 3e-4f;
-    EXPECT_NE(frameAfter(true).depthsBefore, 0u);
-    // Nor does one of another size.
-    pyramid.resize(VkExtent2D{640, 400});
-    EXPECT_EQ(frameAfter(true).depthsBefore, 0u);
 }
 
 } // namespace

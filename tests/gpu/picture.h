@@ -16,7 +16,7 @@ namespace sward::test {
 /// A picture in memory that a renderer draws into.
 class Picture {
 public:
-    /// `isStored`: for renderers that store into their targets.
+    /// `isStored`: renderers store into it, instead of copying to it.
     Picture(const gpu::DeviceContext& context, glm::uvec2 size, bool isStored = false,
             VkFormat format = VK_FORMAT_R8G8B8A8_SRGB);
 

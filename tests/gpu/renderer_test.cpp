@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace sward::render {
 namespace {
@@ -140,9 +141,8 @@ TEST_F(RendererTest, DrawsAFieldOfOnePatch)
 {
     const field::Field field = test::makeField({.blades = 60, .extent = 1.0f});
     ASSERT_EQ(field.patches.size(), 1u);
-    const std::array<FieldRenderer::Settings, 4> ways{
+    const std::array<FieldRenderer::Settings, 3> ways{
         {{.samples = 1, .geometry = Geometry::tessellation},
-         {.samples = 1, .geometry = Geometry::hybrid},
          {.samples = 1, .geometry = Geometry::raster, .rastersForCpu = false},
          {.samples = 1, .geometry = Geometry::raster, .rastersForCpu = true}}};
     for (std::size_t way = 0; way < ways.size(); ++way) {
@@ -155,6 +155,27 @@ TEST_F(RendererTest, DrawsAFieldOfOnePatch)
         camera.eye = {0.0, 1.0, 2.0};
         picture.draw(renderer, camera, settings, 1.0);
         EXPECT_EQ(renderer.stats().drawn, 60u) << way;
+    }
+}
+
+TEST_F(RendererTest, DrawsByComputeShadersWhereTheDeviceCan)
+{
+    const field::Field field = test::makeField({.blades = 10, .extent = 2.0f});
+    const field::FieldView view = field::viewOf(field);
+    EXPECT_EQ(FieldRenderer(device(), view, {.samples = 1}).geometry(), Geometry::raster);
+
+    gpu::DeviceContext lacking = context();
+    lacking.features.bufferInt64Atomics = false;
+    const FieldRenderer fallen(lacking, view, {.samples = 1});
+    EXPECT_EQ(fallen.geometry(), Geometry::tessellation);
+    EXPECT_NE(std::string(fallen.geometryReason()).find("shaderBufferInt64Atomics"),
+              std::string::npos);
+    try {
+        FieldRenderer(lacking, view, {.samples = 1, .geometry = Geometry::raster});
+        FAIL() << "the device cannot draw it";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::unsupported);
+        EXPECT_NE(std::string(error.what()).find("shaderBufferInt64Atomics"), std::string::npos);
     }
 }
 

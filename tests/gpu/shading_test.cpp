@@ -100,17 +100,6 @@ TEST(GrassCover, OfTheFirstBladesStandsForAll)
     EXPECT_NEAR(integrated(field.ground, grid.view()), area, 0.01 * area);
 }
 
-TEST(GrassCover, KnowsHowDenseBladesStandWhereTheyDo)
-{
-    const std::size_t blades = 4000;
-    const field::Field field = island(blades);
-    const float grown = 3.0f * 3.0f;
-    const double expected = bladeArea(field) / grown;
-    // The cells of the border are grown in part, and there it ends by and by.
-    EXPECT_NEAR(leafAreaOf(field::viewOf(field)).amongLeaves, expected, 0.25 * expected);
-    EXPECT_EQ(leafAreaOf(field::viewOf(field::Field{})).amongLeaves, 0.0f);
-}
-
 class ShadingTest : public test::GpuTest {
 protected:
     struct Scene : test::FieldScene {

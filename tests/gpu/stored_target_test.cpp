@@ -35,7 +35,8 @@ protected:
     }
 };
 
-/// In turn on two targets, whose sizes change, sorted by tiles or not, with soft grass or without.
+/// In turn on two targets, and then on one that is copied to, whose sizes change, sorted by tiles
+/// or not, with soft grass or without.
 TEST_F(StoredTarget, HasTheBytesOfOneThatIsCopiedTo)
 {
     if (!canBe(VK_FORMAT_R8G8B8A8_SRGB))
@@ -44,10 +45,9 @@ TEST_F(StoredTarget, HasTheBytesOfOneThatIsCopiedTo)
     const FrameSettings settings = FrameSettings::of(field::viewOf(field));
     for (const std::uint32_t samples : {1u, 4u})
         for (const bool forCpu : {false, true}) {
-            FieldRendererSettings wanted{
+            const FieldRendererSettings wanted{
                 .samples = samples, .geometry = Geometry::raster, .rastersForCpu = forCpu};
             FieldRenderer copies(device(), field::viewOf(field), wanted);
-            wanted.storesIntoTargets = true;
             FieldRenderer stores(device(), field::viewOf(field), wanted);
             for (const glm::uvec2 size : {glm::uvec2(161, 90), glm::uvec2(16, 16)}) {
                 test::Picture copied(context(), size);
@@ -65,6 +65,10 @@ TEST_F(StoredTarget, HasTheBytesOfOneThatIsCopiedTo)
                     EXPECT_EQ(test::differingPixels(copied.pixels(), stored[step % 2].pixels()),
                               0u);
                     EXPECT_GT(stores.stats().drawn, 0u);
+                    // A renderer takes each target as it is.
+                    test::Picture later(context(), size);
+                    later.draw(stores, camera, settings, time);
+                    EXPECT_EQ(test::differingPixels(copied.pixels(), later.pixels()), 0u);
                 }
             }
         }
@@ -80,7 +84,6 @@ TEST_F(StoredTarget, MayHaveBlueFirst)
     const FrameSettings settings = FrameSettings::of(field::viewOf(field));
     FieldRendererSettings wanted{.samples = 1, .geometry = Geometry::raster};
     FieldRenderer redFirst(device(), field::viewOf(field), wanted);
-    wanted.storesIntoTargets = true;
     wanted.colorFormat = format;
     FieldRenderer blueFirst(device(), field::viewOf(field), wanted);
     constexpr glm::uvec2 size(64, 36);

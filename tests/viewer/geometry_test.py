@@ -52,7 +52,7 @@ class GeometryTest(unittest.TestCase):
     def compare(self, field, *arguments, least=LEAST_PSNR):
         bare = self.draw(field, *arguments, "--draw-distance", "0.001")
         by_pipeline = self.draw(field, *arguments, "--geometry", "tessellation")
-        for way in ("--geometry raster --raster-for gpu", "--geometry raster --raster-for cpu", "--geometry hybrid"):
+        for way in ("--geometry raster --raster-for gpu", "--geometry raster --raster-for cpu"):
             with self.subTest(way=way):
                 picture = self.draw(field, *arguments, *way.split())
                 grass = np.any(by_pipeline != bare, axis=-1) | np.any(picture != bare, axis=-1)
@@ -100,31 +100,8 @@ class GeometryTest(unittest.TestCase):
         self.compare(field, "--camera", "edge", "--lod", "off", "--samples", "4")
         self.compare(field, "--camera", "edge", "--tess-level", "7", "--samples", "1")
 
-    def test_large_blades_take_turns_where_grass_stands_dense(self):
-        meadow = self.folder / "meadow.json"
-        meadow.write_text(json.dumps({"species": [{"name": "reed", "width_m": [0.2, 0.2], "height_m": [1.5, 1.5]}]}))
-
-        def pyramid(field, *arguments, device="gpu"):
-            done = subprocess.run(
-                [VIEWER, "bench", field, "--json", "-q", "--geometry", "raster", "--raster-for", device, "--cull", "none",
-                 "--lod", "off", "--camera", "edge", "--size", "160x96", "--frames", "2", "--warmup", "1", *arguments],
-                capture_output=True, text=True, timeout=300)
-            self.assertEqual(done.returncode, 0, done.stderr)
-            measured = json.loads(done.stdout)
-            self.assertEqual(measured["blades"]["drawn"], measured["blades"]["total"], "none is culled")
-            return measured["gpu_ms"]["pyramid"]["median"]
-
-        # What the first turn hides is known by a pyramid, which nothing else asks for here.
-        sparse = self.bake("plane", "--count", "2000", "--meadow", meadow)
-        self.assertEqual(pyramid(sparse), 0.0)
-        self.assertGreater(pyramid(sparse, "--large-turns", "two"), 0.0)
-        dense = self.bake("plane", "--count", "40000", "--meadow", meadow)
-        self.assertGreater(pyramid(dense), 0.0)
-        self.assertEqual(pyramid(dense, "--large-turns", "one"), 0.0)
-        self.assertEqual(pyramid(dense, device="cpu"), 0.0)
-
     def test_ways_that_there_are_not_are_wrong_usage(self):
-        for option in ("--geometry", "--raster-for", "--large-turns"):
+        for option in ("--geometry", "--raster-for"):
             with self.subTest(option=option):
                 done = subprocess.run([VIEWER, "render", "none.sward", "-o", "none.png", option, "maybe"],
                                       capture_output=True, text=True, timeout=60)

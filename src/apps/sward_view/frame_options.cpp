@@ -23,12 +23,10 @@ constexpr std::uint64_t mostMemory = std::uint64_t(1) << 44;
 render::Geometry parseGeometry(const std::string& word)
 {
     using render::Geometry;
-    for (const Geometry geometry :
-         {Geometry::automatic, Geometry::tessellation, Geometry::raster, Geometry::hybrid})
+    for (const Geometry geometry : {Geometry::automatic, Geometry::tessellation, Geometry::raster})
         if (word == render::nameOf(geometry))
             return geometry;
-    fail(ErrorKind::usage, "--geometry: '{}' is not one of auto, tessellation, raster, hybrid",
-         word);
+    fail(ErrorKind::usage, "--geometry: '{}' is not one of auto, tessellation, raster", word);
 }
 
 /// Of an option that says no, yes, or leaves it to what suits best.
@@ -163,8 +161,8 @@ void FrameOptions::addMeasured(CLI::App& app)
     option(
         "--geometry", [this](const std::string& text) { geometry = parseGeometry(text); },
         "auto|tessellation|raster",
-        "How blades are drawn: by the tessellator or by the compute rasteriser; auto: what is "
-        "faster on the device")
+        "How blades are drawn: by the tessellator or by the compute rasteriser; auto: by the "
+        "rasteriser where the device can")
         ->default_str("auto");
     option(
         "--raster-for",
@@ -172,15 +170,6 @@ void FrameOptions::addMeasured(CLI::App& app)
             rastersForCpu = parseChoice("--raster-for", text, "gpu", "cpu");
         },
         "auto|gpu|cpu", "Variant of the compute rasteriser; auto: that of the device")
-        ->default_str("auto");
-    option(
-        "--large-turns",
-        [this](const std::string& text) {
-            drawsInTurns = parseChoice("--large-turns", text, "one", "two");
-        },
-        "auto|one|two",
-        "Passes over large blades when occlusion is not culled; the second skips what the first "
-        "hides")
         ->default_str("auto");
     app.add_option("--tess-level", tessellationLevel,
                    "Segments along every blade, 0 to 64; 0: by its size on the screen")

@@ -30,7 +30,6 @@ struct FrameOptions {
     std::optional<int> tessellationLevel;  ///< unset: the settings'; 0: by size on the screen
     render::Geometry geometry = render::Geometry::automatic;
     std::optional<bool> rastersForCpu; ///< unset: as suits the device
-    std::optional<bool> drawsInTurns;  ///< unset: as suits the field
     render::DebugMode debug = render::DebugMode::none;
     std::optional<float> drawDistance;       ///< [m]; unset: the field's
     std::optional<float> windStrength;       ///< [1/s]; unset: the field's or the settings'

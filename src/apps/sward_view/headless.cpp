@@ -84,8 +84,6 @@ Headless::Headless(const FrameOptions& options, bool recordFates)
                  .framesInFlight = 1,
                  .geometry = options.geometry,
                  .rastersForCpu = options.rastersForCpu,
-                 .drawsInTurns = options.drawsInTurns,
-                 .storesIntoTargets = target_.storedView() != VK_NULL_HANDLE,
                  .recordFates = recordFates || options.debug == render::DebugMode::reason,
                  .deviceBytes = options.gpuMemory,
                  .largestTarget = options.size,

@@ -304,7 +304,7 @@ void main()
     put(sources.at[0].rasterPush.at[1].isBgr);
     put(sources.at[0].rasterPush.at[1].round);
     put(sources.at[0].rasterPush.at[1].firstBlade);
-    put(sources.at[0].rasterPush.at[1].takesTurns);
+    put(sources.at[0].rasterPush.at[1].reserved);
 
     const Subtree subtree = sources.at[0].subtree.at[1];
     put(subtree.blades);
@@ -324,7 +324,7 @@ void main()
     put(sources.at[0].largePart.at[1].axis);
     put(sources.at[0].largePart.at[1].tipThreshold);
     put(sources.at[0].largePart.at[1].scale);
-    put(sources.at[0].largePart.at[1].leftOut);
+    put(sources.at[0].largePart.at[1].reserved);
     put(sources.at[0].largePart.at[1].blade);
     put(sources.at[0].largePart.at[1].part);
 

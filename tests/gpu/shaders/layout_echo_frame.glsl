@@ -18,7 +18,6 @@ void putFrame()
     for (uint i = 0u; i < maxPyramidLevels; ++i)
         put(FRAME.pyramid.first[i]);
     put(FRAME.pyramid.levels);
-    put(uvec2(FRAME.depthsBefore));
     for (uint column = 0u; column < 4u; ++column)
         put(FRAME.viewProjection[column]);
     for (uint i = 0u; i < 3u; ++i)
