@@ -12,7 +12,7 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PROGRAM = Path(os.environ.get("SWARD_PROGRAM", ROOT / "build/dev/bin/sward")).resolve()
+PROGRAM = Path(os.environ.get("SWARD_PROGRAM", ROOT / "build/release/bin/sward")).resolve()
 
 # The contract's exit codes.
 DONE, USAGE, IO, INPUT, RUNTIME, UNSUPPORTED, DIFFERENCE, INTERRUPTED = 0, 1, 2, 3, 4, 5, 7, 130

@@ -12,7 +12,7 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-BUILD = Path(os.environ.get("SWARD_TEST_BUILD", ROOT / "build/dev"))
+BUILD = Path(os.environ.get("SWARD_TEST_BUILD", ROOT / "build/release"))
 LARGEST = 60_000_000  # bytes
 START = 0.3  # [s] until a program has begun
 # What archives promise; on a distribution with a newer C library only archives for the like of it can be made.

@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-BUILD = Path(os.environ.get("SWARD_TEST_BUILD", ROOT / "build/dev"))
+BUILD = Path(os.environ.get("SWARD_TEST_BUILD", ROOT / "build/release"))
 LARGEST = 50_000_000  # bytes
 # What a system has.
 SYSTEM = {"ld-linux-x86-64.so.2", "libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "librt.so.1"}

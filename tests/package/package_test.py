@@ -9,8 +9,8 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PREFIX = Path(os.environ.get("SWARD_TEST_PREFIX", ROOT / "build/dev/tests/package/prefix"))
-BUILD = Path(os.environ.get("SWARD_TEST_BUILD", ROOT / "build/dev"))
+PREFIX = Path(os.environ.get("SWARD_TEST_PREFIX", ROOT / "build/release/tests/package/prefix"))
+BUILD = Path(os.environ.get("SWARD_TEST_BUILD", ROOT / "build/release"))
 COMPILER = os.environ.get("SWARD_TEST_CXX", "c++")
 
 MESH_PACKAGES = "OpenMesh embree TinyGLTF TBB draco meshoptimizer OpenEXR PNG".split()

@@ -1,5 +1,5 @@
 """A shader that changes while the window is open: the picture follows, and outlives one that does not
-compile. In builds with SWARD_SHADER_RELOAD."""
+compile."""
 
 import os
 import shutil

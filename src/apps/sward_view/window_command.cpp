@@ -112,18 +112,13 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
                    "Write place and value of each control into this file, a few times a second")
         ->type_name("FILE.json")
         ->group(group);
-#ifdef SWARD_SHADER_FOLDER
-    // The program may have gone elsewhere without its sources.
-    if (std::filesystem::is_directory(SWARD_SHADER_FOLDER))
-        options->viewer.shaderFolder = SWARD_SHADER_FOLDER;
-    app.add_option(
-           "--shaders", options->viewer.shaderFolder,
-           "Folder of shaders that are compiled again whenever they change (dev build only)")
+    app.add_option("--shaders", options->viewer.shaderFolder,
+                   "For developers: the source tree's folder shaders, or a copy of it; compile what "
+                   "changes there and show it; none: watch none")
         ->type_name("DIR|none")
         ->group(group)
-        ->default_str("the source tree's")
+        ->default_str("none")
         ->envname("SWARD_SHADERS");
-#endif
     app.add_option_function<std::string>(
            "--exit-after",
            [options](const std::string& text) {
