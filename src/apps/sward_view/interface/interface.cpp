@@ -20,7 +20,7 @@ bool isLinear(VkFormat format)
     return format == VK_FORMAT_B8G8R8A8_SRGB || format == VK_FORMAT_R8G8B8A8_SRGB;
 }
 
-// This version of ImGui knows no dynamic rendering.
+// Dear ImGui 1.86 knows no dynamic rendering.
 VkRenderPass createRenderPass(const gpu::DeviceContext& context, VkFormat format)
 {
     VkAttachmentDescription color{};
