@@ -124,7 +124,7 @@ private:
         if (!std::isfinite(value))
             fail(ErrorKind::input, "{}: coordinate {} of vertex {} is not a finite number", place_,
                  property.name, index);
-        at[static_cast<std::size_t>(property.name[0] - 'x')] = value;
+        at[property.name[0] - 'x'] = value;
         keepPositions_ =
             keepPositions_ || property.type.size == 8 || header_.format == PlyHeader::Format::text;
     }

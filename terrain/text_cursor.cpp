@@ -1,5 +1,6 @@
 #include "terrain/text_cursor.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 

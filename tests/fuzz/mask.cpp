@@ -8,6 +8,7 @@
 #include "terrain/channel_image.h"
 
 #include <iterator>
+#include <optional>
 
 namespace sward::fuzz {
 

@@ -7,6 +7,7 @@
 #include <sward/render/grass.h>
 
 #include <cstdio>
+#include <memory>
 
 using namespace sward;
 

@@ -68,7 +68,7 @@ public:
     int run() const override
     {
         // Refuse before any work.
-        const Format& format = formatOf(output_);
+        const Format format = formatOf(output_);
         if (settings_.withGround && !format.hasGround)
             fail(ErrorKind::usage, "{}: --with-ground needs a .glb output", output_);
         std::error_code ignored;

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <memory>
+
 namespace sward::bake {
 namespace {
 

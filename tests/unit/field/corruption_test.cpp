@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <xxhash.h>
 
+#include <cstring>
 #include <fstream>
 
 namespace sward::field {

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sward::shared {

@@ -147,7 +147,12 @@ GlbBuilder meshoptGrid(unsigned cells, const MeshoptLook& look)
     auto& accessors = writer.builder.document["accessors"];
     if (look.filters) {
         std::vector<float> exponential(grid.positions.size());
+#if MESHOPTIMIZER_VERSION >= 190
+        meshopt_encodeFilterExp(exponential.data(), count, 12, 20, grid.positions.data(),
+                                meshopt_EncodeExpSharedVector);
+#else // shared by the vector, without a choice
         meshopt_encodeFilterExp(exponential.data(), count, 12, 20, grid.positions.data());
+#endif
         writer.attributes(exponential.data(), count, 12, "EXPONENTIAL");
         std::vector<float> four;
         for (std::size_t i = 0; i < count; ++i) {

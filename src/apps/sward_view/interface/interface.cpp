@@ -20,7 +20,7 @@ bool isLinear(VkFormat format)
     return format == VK_FORMAT_B8G8R8A8_SRGB || format == VK_FORMAT_R8G8B8A8_SRGB;
 }
 
-// This version of ImGui knows no dynamic rendering.
+// Dear ImGui 1.86 knows no dynamic rendering.
 VkRenderPass createRenderPass(const gpu::DeviceContext& context, VkFormat format)
 {
     VkAttachmentDescription color{};
@@ -112,11 +112,20 @@ Interface::Interface(const gpu::Instance& instance, const gpu::Device& device,
     info.ImageCount = bufferedFrames;
     info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
     info.CheckVkResultFn = checkResult;
+#if IMGUI_VERSION_NUM >= 19040
+    info.RenderPass = renderPass_.get();
+    ImGui_ImplVulkan_Init(&info);
+#else
     ImGui_ImplVulkan_Init(&info, renderPass_.get());
+#endif
     backends_ = std::make_unique<Backends>();
+#if IMGUI_VERSION_NUM >= 19000
+    ImGui_ImplVulkan_CreateFontsTexture();
+#else
     gpu::submitAndWait(
         device_, [](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
     ImGui_ImplVulkan_DestroyFontUploadObjects();
+#endif
 }
 
 Interface::~Interface() = default;

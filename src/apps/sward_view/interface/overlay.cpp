@@ -6,6 +6,7 @@
 #include <glm/vec4.hpp>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
