@@ -6,6 +6,9 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS sward sward_view RUNTIME COMPONENT runtime)
+# All libraries lie where the dynamic linker looks, even if the build names another folder for one.
+# scripts/bundle packs the programs of the build, and they must not look there either.
+set_target_properties(sward sward_view PROPERTIES SKIP_BUILD_RPATH ON)
 install(FILES LICENSE RENAME copyright
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/sward COMPONENT runtime)
 install(FILES LICENSE RENAME copyright

@@ -11,7 +11,9 @@ import node_readers
 import ply_points
 import usda_layer
 from export_tables import ExportTest, PLACE_ERROR, front, linear, turned
-from support import IO, PROGRAM, UNSUPPORTED, USAGE, packaged_module
+from support import IO, PROGRAM, UNSUPPORTED, USAGE
+
+from needs import needs
 
 
 class PlyExport(ExportTest):
@@ -33,7 +35,8 @@ class PlyExport(ExportTest):
         self.check(self.bake("torus", "--count", "20000"), 1e-9)
 
     def test_open3d_reads_places_normals_and_colours(self):
-        open3d = packaged_module("open3d", "python3-open3d")
+        needs("open3d")
+        import open3d
         for field in (self.bake("hills", "--count", "5000"), self.far_field()):
             with self.subTest(field=field.name):
                 path, table = self.check(field, 2e-9)

@@ -10,9 +10,6 @@ import tempfile
 import time
 from pathlib import Path
 
-# The daemons that make it, with the Debian packages that hold them.
-DAEMONS = {"munged": "munge", "slurmctld": "slurmctld", "slurmd": "slurmd", "sbatch": "slurm-client"}
-
 # No accounting, control groups or nodes health: only what a job array and a dependency need. The
 # pauses are those of a scheduler with nothing else to do.
 CONFIGURATION = """\
@@ -60,11 +57,6 @@ class LoopbackSlurm:
     """Runs from the constructor, which throws with the daemons' logs, until close()."""
 
     def __init__(self):
-        missing = [f"{name} (Debian package {package})" for name, package in DAEMONS.items()
-                   if shutil.which(name, path=search_path()) is None]
-        if missing:
-            raise RuntimeError(f"Slurm is not installed here: no {', '.join(missing)}; "
-                               "scripts/install-dependencies installs it")
         # Its own short path: the name of a socket has at most 107 bytes.
         self.folder = Path(tempfile.mkdtemp(prefix="sward-slurm-", dir="/tmp"))
         self.daemons = []

@@ -2,33 +2,21 @@
 
 import csv
 import hashlib
-import importlib
 import json
 import os
-import re
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+# Where needs.py lies.
+sys.path.append(str(ROOT / "tests/support"))
 PROGRAM = Path(os.environ.get("SWARD_PROGRAM", ROOT / "build/release/bin/sward")).resolve()
 
 # The contract's exit codes.
 DONE, USAGE, IO, INPUT, RUNTIME, UNSUPPORTED, DIFFERENCE, INTERRUPTED = 0, 1, 2, 3, 4, 5, 7, 130
-
-
-def packaged_module(name, package):
-    """The module of a package that not every distribution has. The test is left out where apt does not
-    know the package; where apt knows it, a missing module is an error like any other."""
-    try:
-        return importlib.import_module(name)
-    except ModuleNotFoundError:
-        known = subprocess.run(["apt-cache", "policy", package], capture_output=True, text=True,
-                               env={**os.environ, "LC_ALL": "C"}).stdout
-        if re.search(r"^ +Candidate: (?!\(none\))", known, re.MULTILINE):
-            raise
-    raise unittest.SkipTest(f"left out, because {package} is not in this distribution")
 
 
 class Blade:

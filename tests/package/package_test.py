@@ -4,11 +4,15 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tests/support"))
+from needs import needs  # noqa: E402
+
 PREFIX = Path(os.environ.get("SWARD_TEST_PREFIX", ROOT / "build/release/tests/package/prefix"))
 BUILD = Path(os.environ.get("SWARD_TEST_BUILD", ROOT / "build/release"))
 COMPILER = os.environ.get("SWARD_TEST_CXX", "c++")
@@ -305,6 +309,7 @@ class Embed(GuestTest):
         self.assertLess(sum(difference[8:]), 0.005 * 640 * 360)
 
     def test_embed_draws_on_its_own_device_without_a_validation_message(self):
+        needs("pillow")
         shutil.copytree(ROOT / "examples/embed", self.folder / "embed")
         sources = [path for path in (self.folder / "embed").iterdir() if path.suffix in (".cpp", ".h")]
         self.assertLessEqual(sum(len(path.read_bytes().splitlines()) for path in sources), 200)

@@ -11,6 +11,9 @@ import xml.etree.ElementTree
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tests/support"))
+from needs import needs  # noqa: E402
+
 VIEWER = Path(os.environ["SWARD_VIEW_PROGRAM"])
 SVG = "{http://www.w3.org/2000/svg}"
 SIZE = (64, 36)
@@ -225,6 +228,7 @@ class BenchTest(unittest.TestCase):
             self.assertIn(f"{100 * sum(reference):.3f}", text)
 
     def test_every_place_of_a_picture_counts_for_one_band_of_distance(self):
+        needs("skimage")
         import numpy as np
         from skimage.io import imread
         sys.path.insert(0, str(ROOT / "scripts"))

@@ -3,12 +3,15 @@ import json
 import math
 import os
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 import numpy as np
-from skimage.io import imread
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "support"))
+from needs import needs  # noqa: E402
 
 SWARD = os.environ["SWARD_PROGRAM"]
 VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
@@ -21,6 +24,7 @@ SIZE = (160, 96)
 
 class DetailTest(unittest.TestCase):
     def setUp(self):
+        needs("skimage")
         folder = tempfile.TemporaryDirectory(prefix="sward-detail-")
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
@@ -49,6 +53,7 @@ class DetailTest(unittest.TestCase):
     def render(self, *arguments, size=SIZE):
         self.run_program(VIEWER, "render", "f.sward", "-o", "p.png", "--size", f"{size[0]}x{size[1]}", "--force", "-q",
                          "--stats", "s.json", *arguments)
+        from skimage.io import imread
         return imread(self.folder / "p.png")
 
     def counts(self):

@@ -6,9 +6,13 @@ import random
 import shutil
 import struct
 import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "support"))
+from needs import needs  # noqa: E402
 
 PATIENCE = 180.0  # seconds; lavapipe on a busy machine is slow
 
@@ -30,6 +34,7 @@ class Display:
     WIDTH, HEIGHT = 1280, 800
 
     def __init__(self):
+        needs("display")
         self.folder = Path(tempfile.mkdtemp(prefix="sward-display-"))
         self.name = wait_until(self.start, "an X server starts")
 

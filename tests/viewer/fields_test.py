@@ -13,6 +13,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from display import Display  # noqa: E402
 from viewer import Viewer  # noqa: E402
 
+sys.path.append(str(Path(__file__).resolve().parents[1] / "support"))
+from needs import needs  # noqa: E402
+
 SWARD = os.environ["SWARD_PROGRAM"]
 VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
 
@@ -193,6 +196,7 @@ class TogetherTest(unittest.TestCase):
         self.render("hills.sward", name="hills.png")
         self.render("plane.sward", name="plane.png")
 
+        needs("skimage")
         from skimage.io import imread
         pictures = {name: imread(self.folder / f"{name}.png")[..., :3].astype(int)
                     for name in ("both", "turned", "hills", "plane")}

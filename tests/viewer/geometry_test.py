@@ -2,12 +2,15 @@
 import json
 import os
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 import numpy as np
-from skimage.io import imread
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "support"))
+from needs import needs  # noqa: E402
 
 SWARD = os.environ["SWARD_PROGRAM"]
 VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
@@ -30,6 +33,7 @@ def psnr(a, b, where):
 
 class GeometryTest(unittest.TestCase):
     def setUp(self):
+        needs("skimage")
         folder = tempfile.TemporaryDirectory(prefix="sward-geometry-")
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
@@ -47,6 +51,7 @@ class GeometryTest(unittest.TestCase):
         picture = self.folder / "picture.png"
         self.run_program(VIEWER, "render", field, "-o", picture, "--size", "320x192", "--force",
                          "-q", "--validation", *arguments)
+        from skimage.io import imread
         return imread(picture)[..., :3].astype(float)
 
     def compare(self, field, *arguments, least=LEAST_PSNR):

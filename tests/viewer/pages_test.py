@@ -13,7 +13,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
+sys.path.append(str(ROOT / "tests/support"))
 from help_pages import help_of, pages  # noqa: E402
+from needs import needs  # noqa: E402
 
 SWARD = os.environ["SWARD_PROGRAM"]
 SWARD_VIEW = os.environ["SWARD_VIEW_PROGRAM"]
@@ -154,6 +156,7 @@ class PagesTest(unittest.TestCase):
                 self.assertEqual(missing, [], f"{name} {command}")
 
     def test_the_manual_page_is_roff_without_a_warning(self):
+        needs("groff")
         for program in PROGRAMS.values():
             page = said(program, "--man")
             done = subprocess.run(["groff", "-Kutf8", "-man", "-Tutf8", "-ww", "-z"], input=page, text=True,

@@ -1,0 +1,116 @@
+#!/usr/bin/python3
+"""What some tests need beside the programs, a compiler and Python with NumPy. A test begins with, for example,
+
+    needs("open3d", "parallel")
+
+and is left out, with the reason, on a machine that lacks one of them. Where CI is true in the environment such a
+test fails instead, unless the distribution has no such package: CI installs what there is.
+
+  tests/support/needs.py              what this machine lacks: a line "Left out: …" for each need that leaves tests out
+  tests/support/needs.py LastTest.log the tests that a run of ctest has left out, by reason
+"""
+
+import importlib.util
+import os
+import platform
+import re
+import shutil
+import sys
+import unittest
+from pathlib import Path
+from typing import Callable, NamedTuple
+
+# Packages that a distribution does not have at all, by ID and VERSION_ID of /etc/os-release.
+ABSENT = {("ubuntu", "24.04"): {"python3-open3d"}}
+
+# What ctest prints as skipped: Python's closing line where every test has passed or was left out.
+SKIPPED = r"OK \(skipped="
+
+
+class Need(NamedTuple):
+    what: str
+    packages: tuple  # that bring it
+    here: Callable[[], bool]
+
+
+def module(name):
+    return lambda: importlib.util.find_spec(name) is not None
+
+
+def programs(*names):
+    # Daemons lie where a user's PATH does not look.
+    path = os.environ.get("PATH", os.defpath) + ":/usr/sbin:/usr/local/sbin"
+    return lambda: all(shutil.which(name, path=path) for name in names)
+
+
+NEEDS = {
+    "open3d": Need("Open3D", ("python3-open3d",), module("open3d")),
+    "skimage": Need("scikit-image", ("python3-skimage",), module("skimage")),
+    "pillow": Need("Pillow", ("python3-skimage",), module("PIL")),  # scikit-image depends on it
+    "parallel": Need("GNU parallel", ("parallel",), programs("parallel")),
+    "slurm": Need("Slurm", ("munge", "slurmctld", "slurmd", "slurm-client"), programs("munged", "slurmctld", "slurmd", "sbatch")),
+    # The packages themselves are fetched by the first test that uses one (tests/cli/node_readers.py).
+    "npm packages": Need("gltf-validator, three.js and TinyUSDZ from npm", ("nodejs", "npm"), programs("node")),
+    "display": Need("Xvfb and xdotool", ("xvfb", "xdotool"), programs("Xvfb", "xdotool")),
+    "groff": Need("groff", ("groff-base",), programs("groff")),
+}
+
+
+def absent_packages():
+    try:
+        system = platform.freedesktop_os_release()
+    except OSError:
+        return set()
+    return ABSENT.get((system.get("ID"), system.get("VERSION_ID")), set())
+
+
+def reason_without(name):
+    """Why tests with a need are left out here; None if they are not."""
+    need = NEEDS[name]
+    if need.here():
+        return None
+    if absent := sorted(absent_packages().intersection(need.packages)):
+        return f"this distribution has no package {', '.join(absent)}"
+    return f"install {' '.join(need.packages)} (scripts/install-dependencies --test)"
+
+
+def needs(*names):
+    """Leaves the test out, or fails it, if the machine lacks something."""
+    for name in names:
+        if reason := reason_without(name):
+            leave_out(name, reason)
+
+
+def leave_out(name, reason):
+    """The same for what shows only when it is used: a server that cannot be reached, a daemon that does not start."""
+    text = f"needs {NEEDS[name].what}: {reason}"
+    demanded = os.environ.get("CI", "").lower() not in ("", "0", "false")
+    if demanded and not absent_packages().intersection(NEEDS[name].packages):
+        raise AssertionError(f"{text}\nCI is set: there no test is left out")
+    print(f"\nleft out: {text.splitlines()[0]}", file=sys.stderr)
+    raise unittest.SkipTest(text)
+
+
+def left_out_in(log):
+    """Names of tests by reason, from ctest's LastTest.log."""
+    found, test = {}, ""
+    for line in log.splitlines():
+        if begin := re.match(r"\d+/\d+ Test: (.+)", line):
+            test = begin[1]
+        elif reason := re.match(r"left out: (.+)", line):
+            found.setdefault(reason[1], []).append(test)
+    return found
+
+
+def main(arguments):
+    if arguments:
+        for reason, tests in left_out_in(Path(arguments[0]).read_text(encoding="utf-8", errors="replace")).items():
+            print(f"Left out: {', '.join(dict.fromkeys(tests))}: {reason}")
+    else:
+        for name, need in NEEDS.items():
+            if reason := reason_without(name):
+                print(f"Left out: tests that need {need.what}: {reason}")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
