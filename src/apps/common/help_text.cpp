@@ -135,7 +135,7 @@ void useHelpText(CLI::App& app)
 
 std::string valueName(const CLI::Option& option)
 {
-    if (!isPositional(&option) && option.get_type_size_max() == 0)
+    if (!isPositional(&option) && option.get_items_expected_max() == 0)
         return {};
     const std::string name = isPositional(&option) ? option.get_name(true) : option.get_type_name();
     const bool takesMany = option.get_expected_max() >= CLI::detail::expected_max_vector_size &&
