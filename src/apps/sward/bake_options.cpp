@@ -4,6 +4,10 @@
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <charconv>
+#include <cstdint>
 
 namespace sward::apps {
 namespace {
@@ -16,6 +20,17 @@ constexpr std::uint32_t mostHeightSamples = 32768; // on a side
 bake::SoftRange softRange(const char* option, const std::string& text, bake::SoftRange full)
 {
     return text.empty() ? full : bake::parseSoftRange(option, text, full);
+}
+
+// What is wrong with a seed: strtoull, which CLI11 takes, reads -1 and numbers that are too large.
+std::string seedTrouble(const std::string& text)
+{
+    std::uint64_t seed = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, seed);
+    return error == std::errc() && stop == end
+               ? ""
+               : fmt::format("'{}' is not a whole number from 0 to {}", text, UINT64_MAX);
 }
 
 // "FILE:margin" and "M" are one area, though they stand apart on the command line.
@@ -232,6 +247,7 @@ void BakeOptions::addRun(CLI::App& app)
            "Start of the random numbers, 0 to 18446744073709551615; the same seed gives the "
            "same field")
         ->type_name("S")
+        ->check(seedTrouble)
         ->group(group)
         ->capture_default_str();
     app.add_option("--threads", direct_.threads,

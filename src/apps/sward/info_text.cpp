@@ -77,9 +77,9 @@ std::string infoText(const std::string& file, const field::FieldView& field,
         text += fmt::format("  {:<16}{}\n", name, value);
     };
     row("blades", fmt::format("{}", summary.blades));
-    row("patches",
-        fmt::format("{} in {}; {} leaves of {:.1f} blades on average", summary.patches,
-                    counted(summary.levels, "level"), summary.leaves, summary.bladesPerLeaf));
+    row("patches", fmt::format("{} in {}; {} leaves of {:.1f} blades on average", summary.patches,
+                               counted(std::uint64_t(summary.levels), "level"), summary.leaves,
+                               summary.bladesPerLeaf));
     if (!summary.bounds.isEmpty())
         row("bounds",
             fmt::format("{} to {} m", pointText(field.origin + glm::dvec3(summary.bounds.low)),
