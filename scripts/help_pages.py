@@ -105,6 +105,11 @@ def pages(programs):
             for program, path in programs.items() for command in COMMANDS[program]}
 
 
+def prose(text):
+    """Names of options, and what Markdown would read as its own signs, as code."""
+    return re.sub(r"\{.*?\}|(?<![\w-])--[a-z][a-z-]*|[^\s,.]*~[^\s,.]*", r"`\g<0>`", text)
+
+
 def cell(text):
     return text.replace("|", "\\|")
 
@@ -114,7 +119,7 @@ def table(options):
     for option in options:
         others = [fact for fact in option.facts if not fact.startswith("default: ")]
         meaning = option.text + "".join(f"; {fact}" for fact in others)
-        rows.append(f"| `{cell(option.usage)}` | {cell(meaning)} | {cell(option.default)} |")
+        rows.append(f"| `{cell(option.usage)}` | {cell(prose(meaning))} | {cell(option.default)} |")
     return "\n".join(rows)
 
 
@@ -124,21 +129,23 @@ def markdown(every):
     for (program, command), page in every.items():
         text += [f"## {page.name}", f"{page.about.rstrip('.')}: `{page.usage}`"]
         same = {}
-        for title, group in page.groups.items():
+        groups = dict(page.groups)
+        groups[""] = groups.pop("Arguments", []) + groups.pop("Options", [])
+        for title, group in sorted(groups.items(), key=lambda item: item[0] != ""):
             options = [option for option in group if "--help" not in option.names and
                        "--version" not in option.names and not option.is_only_in_dev_builds]
             if not options:
                 continue
             rows = table(options)
             if rows in printed:
-                same.setdefault(printed[rows], []).append(title)
+                same.setdefault(printed[rows], []).append(title or "arguments")
                 continue
             if len(options) > 1:
                 printed[rows] = page.name
-            text += [f"**{title}**", rows]
+            text += [f"**{title}**", rows] if title else [rows]
         for other, titles in same.items():
             text.append(f"As of `{other}`: {', '.join(titles)}.")
-        text += page.notes
+        text += [prose(note) for note in page.notes]
         if page.examples:
             text.append("```sh\n" + "\n".join(page.examples) + "\n```")
     return "\n\n".join(text) + "\n"

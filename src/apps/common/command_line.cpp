@@ -54,6 +54,15 @@ std::string proposal(const CLI::App& app)
     return {};
 }
 
+// Ends the parsing with a page, which CLI11 prints as it prints a version: with a newline behind
+// it.
+[[noreturn]] void answer(std::string page)
+{
+    if (page.ends_with('\n'))
+        page.pop_back();
+    throw CLI::CallForVersion(page, 0);
+}
+
 } // namespace
 
 void prepareApp(CLI::App& app, const std::string& program)
@@ -64,12 +73,11 @@ void prepareApp(CLI::App& app, const std::string& program)
     useHelpText(app);
     // They travel as the version does. In no group, so that --help does not grow by them.
     app.add_flag_callback(
-           "--man", [&app, program] { throw CLI::CallForVersion(manualPage(app, program), 0); },
+           "--man", [&app, program] { answer(manualPage(app, program)); },
            "Print the manual page and exit")
         ->group("");
     app.add_flag_callback(
-           "--completion",
-           [&app, program] { throw CLI::CallForVersion(bashCompletion(app, program), 0); },
+           "--completion", [&app, program] { answer(bashCompletion(app, program)); },
            "Print a completion script for bash and exit")
         ->group("");
 }

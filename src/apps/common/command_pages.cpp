@@ -61,7 +61,7 @@ std::vector<std::string> namesOf(const CLI::Option& option)
 
 bool takesValue(const CLI::Option& option)
 {
-    return option.get_type_size_max() != 0;
+    return option.get_items_expected_max() != 0;
 }
 
 std::string optionText(const CLI::Option& option)

@@ -107,10 +107,11 @@ public:
         if (!positionals.empty())
             text += "\nArguments:\n" + positionals;
 
-        // The group of --help comes last where the command has groups of its own.
+        // The group of --help comes last where nothing else is in it.
         const std::string general = app->get_help_ptr()->get_group();
         std::vector<std::string> groups = app->get_groups();
-        if (optionsIn(*app, general).size() == 1)
+        const std::size_t always = app->get_version_ptr() == nullptr ? 1 : 2;
+        if (optionsIn(*app, general).size() == always)
             std::stable_partition(groups.begin(), groups.end(),
                                   [&](const std::string& group) { return group != general; });
         for (const std::string& group : groups)
@@ -135,7 +136,7 @@ void useHelpText(CLI::App& app)
 
 std::string valueName(const CLI::Option& option)
 {
-    if (!isPositional(&option) && option.get_type_size_max() == 0)
+    if (!isPositional(&option) && option.get_items_expected_max() == 0)
         return {};
     const std::string name = isPositional(&option) ? option.get_name(true) : option.get_type_name();
     const bool takesMany = option.get_expected_max() >= CLI::detail::expected_max_vector_size &&

@@ -4,6 +4,10 @@
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <charconv>
+#include <cstdint>
 
 namespace sward::apps {
 namespace {
@@ -16,6 +20,17 @@ constexpr std::uint32_t mostHeightSamples = 32768; // on a side
 bake::SoftRange softRange(const char* option, const std::string& text, bake::SoftRange full)
 {
     return text.empty() ? full : bake::parseSoftRange(option, text, full);
+}
+
+// What is wrong with a seed: strtoull, which CLI11 takes, reads -1 and numbers that are too large.
+std::string seedTrouble(const std::string& text)
+{
+    std::uint64_t seed = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, seed);
+    return error == std::errc() && stop == end
+               ? ""
+               : fmt::format("'{}' is not a whole number from 0 to {}", text, UINT64_MAX);
 }
 
 // "FILE:margin" and "M" are one area, though they stand apart on the command line.
@@ -123,11 +138,12 @@ void BakeOptions::addAmount(CLI::App& app)
             ->type_name("N")
             ->group(group)
             ->each([this](const std::string&) { hasDensity_ = true; });
-    CLI::Option* count = app.add_option("--count", count_, "Exact number of blades, 0 to 4e9")
-                             ->type_name("N")
-                             ->group(group)
-                             ->excludes(density)
-                             ->each([this](const std::string&) { hasCount_ = true; });
+    CLI::Option* count =
+        app.add_option("--count", count_, "Exact number of blades, 0 to 4000000000")
+            ->type_name("N")
+            ->group(group)
+            ->excludes(density)
+            ->each([this](const std::string&) { hasCount_ = true; });
     app.add_option("--spacing", spacing_,
                    "Least distance of roots in metres, 1e-9 to 1e9; implies --sampling poisson")
         ->type_name("M")
@@ -143,7 +159,8 @@ void BakeOptions::addAmount(CLI::App& app)
         ->group(group)
         ->capture_default_str();
     app.add_option("--max-blades", direct_.settings.maxBlades,
-                   "A bake of more blades is refused before it begins, 0 to 4e9")
+                   "Limit on the number of blades, 0 to 4000000000; a larger bake is refused "
+                   "before it begins")
         ->type_name("N")
         ->group(group)
         ->capture_default_str();
@@ -170,12 +187,13 @@ void BakeOptions::addPlaces(CLI::App& app)
            "Mean curvature in 1/m, above 0 on ridges, below 0 in hollows; either end may be left "
            "out")
         ->default_str("unlimited");
-    option("--border", border_, "M[~SOFT]", "Distance from the ground's borders in metres")
+    option("--border", border_, "M[~SOFT]", "Least distance from the ground's borders in metres")
         ->default_str("any");
     option("--min-island", settings.leastIsland, "AREA",
            "Connected pieces of ground below this area in square metres bear no grass")
         ->capture_default_str();
-    option("--above-water", water_, "H[~SOFT]", "Altitude of water in metres along --ground-up")
+    option("--above-water", water_, "H[~SOFT]",
+           "Altitude in metres along --ground-up below which nothing grows")
         ->default_str("no water");
     option("--clearance", settings.clearance, "M",
            "Free height above a root in metres, 0 to 1e9; 0: not tested")
@@ -229,6 +247,7 @@ void BakeOptions::addRun(CLI::App& app)
            "Start of the random numbers, 0 to 18446744073709551615; the same seed gives the "
            "same field")
         ->type_name("S")
+        ->check(seedTrouble)
         ->group(group)
         ->capture_default_str();
     app.add_option("--threads", direct_.threads,

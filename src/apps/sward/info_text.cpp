@@ -39,10 +39,17 @@ std::uint32_t groundLevels(const field::DisplayGround& ground)
     return levels;
 }
 
+// "1 level", "2 levels".
+std::string counted(std::uint64_t count, const char* noun)
+{
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
 std::string groundText(const field::DisplayGround& ground, std::uint64_t triangles)
 {
-    std::string text = fmt::format("{} triangles, {} levels, {} materials", triangles,
-                                   groundLevels(ground), ground.materials.size());
+    std::string text = counted(triangles, "triangle") + ", " +
+                       counted(groundLevels(ground), "level") + ", " +
+                       counted(ground.materials.size(), "material");
     for (const field::Image& image : ground.images)
         text += fmt::format(", image {}x{}", image.width, image.height);
     return text;
@@ -70,9 +77,9 @@ std::string infoText(const std::string& file, const field::FieldView& field,
         text += fmt::format("  {:<16}{}\n", name, value);
     };
     row("blades", fmt::format("{}", summary.blades));
-    row("patches",
-        fmt::format("{} in {} levels; {} leaves of {:.1f} blades on average", summary.patches,
-                    summary.levels, summary.leaves, summary.bladesPerLeaf));
+    row("patches", fmt::format("{} in {}; {} leaves of {:.1f} blades on average", summary.patches,
+                               counted(std::uint64_t(summary.levels), "level"), summary.leaves,
+                               summary.bladesPerLeaf));
     if (!summary.bounds.isEmpty())
         row("bounds",
             fmt::format("{} to {} m", pointText(field.origin + glm::dvec3(summary.bounds.low)),

@@ -47,7 +47,8 @@ public:
         app()
             .get_option("--output")
             ->description("Plan file to write; its parts lie in a folder beside it")
-            ->type_name("PLAN.json");
+            ->type_name("PLAN.json")
+            ->required();
         app()
             .add_option("--tiles", tiles_, "Number of tiles of about equal area, 1 to 1000000")
             ->type_name("N")

@@ -18,7 +18,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t nameColumns = 18;
-constexpr std::size_t speciesColumns = 18;
+constexpr std::size_t speciesColumns = 20;
 constexpr std::size_t speciesAbreast = 3; ///< species in one table
 
 // Settings of three numbers, low, high and the width of the fade, with their units.
@@ -190,9 +190,11 @@ std::string provenanceText(const std::string& provenance)
     if (!all.is_object())
         return row(2, "provenance", provenance.empty() ? "none" : provenance);
     std::string text;
+    if (all.contains("tool"))
+        text += row(2, "baked by", valueText("tool", all.at("tool")));
     for (const auto& [key, value] : all.items())
-        if (key != "settings")
-            text += row(2, key == "tool" ? "baked by" : key, valueText(key, value));
+        if (key != "settings" && key != "tool")
+            text += row(2, key, valueText(key, value));
     if (all.contains("settings") && all.at("settings").is_object())
         text += "  settings\n" + settingsText(all.at("settings"));
     return text;

@@ -60,7 +60,8 @@ public:
         const fs::path parts = fs::absolute(bake::partsFolder(plan_));
         // Who asks twice gets the same file; a damaged one is replaced.
         if (!force_ && isDone(output, plan.id)) {
-            writeResult(fmt::format("{}: exists already, nothing to do\n", output.string()));
+            writeResult(
+                fmt::format("{}: is there already; --force bakes it again\n", output.string()));
             return 0;
         }
         // Files of the settings are named from the folder in which the plan was made.

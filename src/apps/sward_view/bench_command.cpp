@@ -145,7 +145,7 @@ void addBenchCommand(CLI::App& app, apps::Command& chosen)
         ->excludes("--camera");
     command->add_flag("--copy-bandwidth", options->copyBandwidth,
                       "Measure copies within the device's memory; takes no FILE");
-    command->add_flag("--json", options->json, "Print the JSON that 'render --stats' writes");
+    command->add_flag("--json", options->json, "Print counts and times as JSON");
     options->frame.log.addBar(*command);
     command->footer("Example:\n  sward-view bench meadow.sward --camera eye --json\n"
                     "  sward-view bench assets/bench/1M.json --moving --fields /tmp");

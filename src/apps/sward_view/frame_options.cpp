@@ -90,7 +90,7 @@ void FrameOptions::addShared(CLI::App& app)
             samples = text == "1" ? 1u : 4u;
         },
         "1|4", "Samples per pixel")
-        ->default_str("4, in a window on a CPU device 1");
+        ->default_str("4, but 1 in a window on a CPU device");
     option(
         "--draw-distance",
         [this](const std::string& text) {
@@ -135,7 +135,7 @@ void FrameOptions::addShared(CLI::App& app)
             gpuMemory = apps::parseBytes("--gpu-memory", text, leastMemory, mostMemory);
         },
         "SIZE",
-        "Most device memory to take, 1M to 16T, such as 512M or 2G; a field that needs more is "
+        "Limit of device memory, 1M to 16T, such as 512M or 2G; a field that needs more is "
         "streamed")
         ->default_str("all");
     app.add_flag("--validation", validation,

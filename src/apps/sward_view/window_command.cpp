@@ -20,10 +20,10 @@ namespace sward::view {
 namespace {
 
 constexpr const char* footer =
-    "In the window: left drag turns, middle or Shift + left drag moves, the wheel comes\n"
-    "nearer, right drag with W A S D Q E flies. F frames the field, Home returns, Space\n"
-    "pauses the time, H shows all keys, Escape closes. A field, a mesh or a recipe that is\n"
-    "dropped on the window is opened.\n"
+    "In the window: left drag turns, middle or Shift + left drag moves, the wheel\n"
+    "comes nearer, right drag with W A S D Q E flies. F frames the field, Home\n"
+    "returns, Space pauses the time, H shows all keys, Escape closes. A field, a mesh\n"
+    "or a recipe that is dropped on the window is opened.\n"
     "Example:\n"
     "  sward-view meadow.sward\n"
     "  sward-view landscape.glb --meadow steppe --watch\n"
