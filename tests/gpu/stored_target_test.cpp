@@ -35,8 +35,8 @@ protected:
     }
 };
 
-/// In turn on two targets, and then on one that is copied to, whose sizes change, sorted by tiles
-/// or not, with soft grass or without.
+/// In turn on two targets and on one that is copied to, whose sizes change, sorted by tiles or not,
+/// with soft grass or without.
 TEST_F(StoredTarget, HasTheBytesOfOneThatIsCopiedTo)
 {
     if (!canBe(VK_FORMAT_R8G8B8A8_SRGB))
@@ -51,8 +51,10 @@ TEST_F(StoredTarget, HasTheBytesOfOneThatIsCopiedTo)
             FieldRenderer stores(device(), field::viewOf(field), wanted);
             for (const glm::uvec2 size : {glm::uvec2(161, 90), glm::uvec2(16, 16)}) {
                 test::Picture copied(context(), size);
-                test::Picture stored[2] = {test::Picture(context(), size, true),
-                                           test::Picture(context(), size, true)};
+                // A renderer takes each target as it is: the third is copied to.
+                test::Picture targets[3] = {test::Picture(context(), size, true),
+                                            test::Picture(context(), size, true),
+                                            test::Picture(context(), size)};
                 for (int step = 0; step < 4; ++step) {
                     SCOPED_TRACE(testing::Message() << samples << " samples, " << size.x << " × "
                                                     << size.y << ", step " << step);
@@ -61,14 +63,10 @@ TEST_F(StoredTarget, HasTheBytesOfOneThatIsCopiedTo)
                     camera.eye = {0.0, 6.0, 18.0 + 20.0 * step};
                     const double time = 1.0 + 0.1 * step;
                     copied.draw(copies, camera, settings, time);
-                    stored[step % 2].draw(stores, camera, settings, time);
-                    EXPECT_EQ(test::differingPixels(copied.pixels(), stored[step % 2].pixels()),
+                    targets[step % 3].draw(stores, camera, settings, time);
+                    EXPECT_EQ(test::differingPixels(copied.pixels(), targets[step % 3].pixels()),
                               0u);
                     EXPECT_GT(stores.stats().drawn, 0u);
-                    // A renderer takes each target as it is.
-                    test::Picture later(context(), size);
-                    later.draw(stores, camera, settings, time);
-                    EXPECT_EQ(test::differingPixels(copied.pixels(), later.pixels()), 0u);
                 }
             }
         }
