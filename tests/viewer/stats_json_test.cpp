@@ -31,7 +31,7 @@ TEST(StatsText, SurvivesADeviceNameThatIsNotUtf8)
 {
     RunStats stats;
     stats.device = "GPU \xff";
-    EXPECT_NO_THROW(nlohmann::json::parse(statsText(stats)));
+    EXPECT_TRUE(nlohmann::json::accept(statsText(stats)));
 }
 
 } // namespace
