@@ -11,10 +11,10 @@ bool isAsked(float pixels)
     return pixels > (asksSmall ? askedSmallPixels : askedPixels);
 }
 
-/// Whether blades are drawn in turns by what has been seen of them.
+/// Whether blades are drawn in the early and the late pass, by the visibility history.
 bool takesTurns()
 {
-    return (asks & cullOcclusion) != 0u && uvec2(push.seenBefore) != uvec2(0u);
+    return uvec2(push.seenBefore) != uvec2(0u);
 }
 
 /// Which quarters of a blade have been seen lately, by the visibility history. A blade that is not asked later

@@ -5,10 +5,16 @@
 #include "shaders/shared/passes.h"
 #include "shaders/grass/pages.glsl"
 
-/// Notes that a blade is hidden, for those who ask; it is not counted with that.
+/// Whether a hidden blade is culled. Without the occlusion test it counts as drawn.
+bool cullsHidden()
+{
+    return (FRAME.view.cullMask & cullOcclusion) != 0u;
+}
+
+/// Notes that a blade is hidden, where cull results are recorded; does not count the blade.
 void noteHidden(uint blade)
 {
-    if (uvec2(FRAME.fates) != uvec2(0u))
+    if (cullsHidden() && uvec2(FRAME.fates) != uvec2(0u))
         FRAME.fates.at[placeOf(uvec2(FRAME.pages), blade)] = fateOcclusion;
 }
 
@@ -16,7 +22,7 @@ void noteHidden(uint blade)
 /// same address, so each does it once.
 void countHidden(uint blades)
 {
-    if (blades == 0u)
+    if (blades == 0u || !cullsHidden())
         return;
     atomicAdd(FRAME.draw.at[0].fates[fateDrawn], 0u - blades);
     atomicAdd(FRAME.draw.at[0].fates[fateOcclusion], blades);

@@ -208,7 +208,7 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
         blades.expectColliders();
     blades.buffers().describe(frame);
     cover.describe(frame);
-    if ((frame.view.cullMask & shared::cullOcclusion) != 0)
+    if ((frame.view.cullMask & shared::cullOcclusion) != 0 || findsHidden(wishes))
         pyramid.describe(frame);
     slots[slot].tables.write(shape, wishes, time, blades.hasMoved() ? lastTime : time, frame);
     lastTime = time;

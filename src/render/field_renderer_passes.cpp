@@ -13,9 +13,10 @@ bool FieldRenderer::Parts::groupsDrawLarge() const
 
 bool FieldRenderer::Parts::findsHidden(const FrameSettings& wishes) const
 {
-    // What blades hide is known of the camera that draws, and of no other.
-    return groupsDrawLarge() && (wishes.cullMask & shared::cullOcclusion) != 0 &&
-           !wishes.cullingCamera && wishes.debug != DebugMode::reason;
+    // What blades hide is known of the camera that draws, and of no other. Without the occlusion
+    // test hidden blades count as drawn: the late pass leaves them out all the same, since no
+    // picture shows them.
+    return groupsDrawLarge() && !wishes.cullingCamera && wishes.debug != DebugMode::reason;
 }
 
 gpu::ColorAttachment FieldRenderer::Parts::colorAttachment(const Target& target) const

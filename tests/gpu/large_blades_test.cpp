@@ -158,7 +158,7 @@ TEST_F(LargeBlades, AmidAThicketLookAsTheGraphicsPipelineDrawsThem)
 {
     const field::Field field = test::thicket();
     for (const std::uint32_t samples : {1u, 4u})
-        for (const int step : {0, 2, 5})
+        for (const int step : {0, 5})
             expectPipelinesPicture(field, samples, test::onTheWay(step),
                                    FrameSettings::of(field::viewOf(field)), size, 100,
                                    leastPsnrOfThickets);

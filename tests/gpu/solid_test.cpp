@@ -162,7 +162,7 @@ TEST_F(SolidTest, LooksAsByTheGraphicsPipeline)
             test::Picture byPipeline(context(), {211, 131});
             std::size_t far = 0;
             std::size_t seen = 0;
-            for (int i = 0; i < 12; ++i) {
+            for (const int i : {1, 4, 7, 10}) {
                 settings.debug = i == 7 ? DebugMode::wind : DebugMode::none;
                 byCompute.draw(raster, around(i), settings, 1.0);
                 byPipeline.draw(pipeline, around(i), settings, 1.0);

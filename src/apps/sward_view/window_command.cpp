@@ -112,9 +112,10 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
                    "Write place and value of each control into this file, a few times a second")
         ->type_name("FILE.json")
         ->group(group);
-    app.add_option("--shaders", options->viewer.shaderFolder,
-                   "For developers: the source tree's folder shaders, or a copy of it; compile what "
-                   "changes there and show it; none: watch none")
+    app.add_option(
+           "--shaders", options->viewer.shaderFolder,
+           "For developers: the source tree's folder shaders, or a copy of it; compile what "
+           "changes there and show it; none: watch none")
         ->type_name("DIR|none")
         ->group(group)
         ->default_str("none")
