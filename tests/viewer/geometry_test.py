@@ -89,8 +89,8 @@ class GeometryTest(unittest.TestCase):
 
     def test_each_shape_flat_and_folded(self):
         # So wide that a fold shows.
-        for shape in SHAPES:
-            for fold, samples in ((0.0, "4"), (1.0, "1"), (1.0, "4")):
+        for index, shape in enumerate(SHAPES):
+            for fold, samples in ((0.0, "4"), (1.0, "14"[index % 2])):
                 with self.subTest(shape=shape, fold=fold):
                     meadow = self.folder / "meadow.json"
                     meadow.write_text(json.dumps({"species": [
