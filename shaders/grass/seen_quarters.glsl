@@ -1,5 +1,5 @@
-// What has been seen of a blade lately decides in which turn it is drawn. The including stage has a push
-// constant `push` of type UpdatePush, and says by `asks` and `asksSmall` what frames ask for.
+// The visibility history decides which parts of a blade are drawn in the early pass and which in the late one. The
+// including stage has a push constant `push` of type UpdatePush and the feature flags `asks` and `asksSmall`.
 #ifndef SWARD_SEEN_QUARTERS_GLSL
 #define SWARD_SEEN_QUARTERS_GLSL
 
@@ -17,8 +17,8 @@ bool takesTurns()
     return uvec2(push.seenBefore) != uvec2(0u);
 }
 
-/// Which quarters of a blade have been seen lately, by the visibility history. A blade that is not asked later
-/// counts as seen.
+/// Quarters of a blade that the visibility history holds: these belong to the early pass. All quarters of a blade
+/// that the late pass does not test.
 uint takeSeen(uint index, bool isAskedLater)
 {
     if (!isAskedLater)
