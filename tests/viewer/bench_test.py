@@ -43,7 +43,7 @@ class BenchTest(unittest.TestCase):
         return done
 
     def stats(self, *arguments):
-        return json.loads(self.bench(*arguments, "--size", "64x36", "--frames", 3, "--warmup", 1, "--json", "-q").stdout)
+        return json.loads(self.bench(*arguments, "--size", "64x36", "--frames", 3, "--warmup", 0, "--json", "-q").stdout)
 
     # The program.
 
@@ -82,6 +82,16 @@ class BenchTest(unittest.TestCase):
         self.assertEqual(self.stats(scene, "--fields", ".", "--camera", "away.json")["blades"]["drawn"], 0)
         # Both scenes may be looked at from where they stand, and from where they go.
         self.assertNotEqual(self.stats(scene, "--fields", ".", "--moving", "--fixed-dt", "1/3")["blades"]["drawn"], drawn)
+
+    def test_it_warms_up_for_half_a_second_and_moves_nothing_by_that(self):
+        scene, shown = self.scene(), ("--size", "64x36", "--frames", 2, "--moving", "--fixed-dt", "1/3", "--fields", ".", "--json", "-q")
+        stats = {frames: json.loads(self.bench(scene, *shown, "--warmup", frames).stdout) for frames in (0, 2)}
+        self.assertEqual(stats[0]["warmup"]["frames"], 0)
+        self.assertGreater(stats[2]["warmup"]["frames"], 2)
+        self.assertGreaterEqual(stats[2]["warmup"]["seconds"], 0.5)
+        # The last frame is 3 with the warm-up, however often the first was repeated.
+        last = json.loads(self.bench(scene, *shown[:3], 4, *shown[4:], "--warmup", 0).stdout)
+        self.assertEqual(stats[2]["blades"]["drawn"], last["blades"]["drawn"])
 
     def test_a_wrong_scene_is_refused_by_file_key_value_and_bound(self):
         for changes, code, says in (
@@ -126,7 +136,7 @@ class BenchTest(unittest.TestCase):
         """Runs of a group on scenes that are thin, each with where it is from; its tables and plots."""
         out = self.folder / "out"
         self.run_script("--groups", group, "--programs", VIEWER.parent, "--fields", self.folder, "--size", "%dx%d" % size, "--frames", 2,
-                        "--warmup", 1, "--count", blades, "--out", out, *scenes)
+                        "--warmup", 0, "--count", blades, "--out", out, *scenes)
         result = json.loads((out / "measured.json").read_text(encoding="utf-8"))
         self.assertGreater(len(result["runs"]), 0)
         for run in result["runs"]:

@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -19,7 +20,10 @@
 namespace sward::view {
 namespace {
 
-constexpr std::uint32_t mostFrames = 1'000'000;
+constexpr std::uint32_t maxFrames = 1'000'000;
+
+// Within this time a device reaches the clock that it keeps under load.
+constexpr std::chrono::milliseconds minWarmUp(500);
 
 struct BenchOptions {
     FrameOptions frame;
@@ -85,6 +89,37 @@ std::optional<SceneField> openScene(BenchOptions& options, const CLI::App& comma
     return field;
 }
 
+// Warms up, forgets the times, draws the measured frames.
+WarmUp measureFrames(Headless& headless, const BenchOptions& options)
+{
+    apps::ProgressBar bar(options.frame.log.showBar());
+    Progress progress(bar.callback());
+    progress.begin("frames", std::uint64_t(options.warmup) + options.frames);
+
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point begin = Clock::now();
+    WarmUp warmUp;
+    // Repeats the first frame: the number of repetitions depends on the device, and must not decide
+    // where the camera and the blades are in the measured frames.
+    while (options.warmup > 0 && Clock::now() - begin < minWarmUp) {
+        headless.draw(0);
+        ++warmUp.frames;
+    }
+    for (std::uint64_t frame = 0; frame < options.warmup; ++frame) {
+        headless.draw(frame);
+        ++warmUp.frames;
+        progress.advance(1);
+    }
+    warmUp.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+
+    headless.forgetTimes();
+    for (std::uint64_t frame = 0; frame < options.frames; ++frame) {
+        headless.draw(options.warmup + frame);
+        progress.advance(1);
+    }
+    return warmUp;
+}
+
 int bench(BenchOptions& options, const CLI::App& command)
 {
     options.frame.log.apply();
@@ -96,20 +131,9 @@ int bench(BenchOptions& options, const CLI::App& command)
     Headless headless(options.frame, false);
     headless.stream(0);
 
-    // Warm up, forget, measure.
-    {
-        apps::ProgressBar bar(options.frame.log.showBar());
-        Progress progress(bar.callback());
-        progress.begin("frames", std::uint64_t(options.warmup) + options.frames);
-        for (std::uint64_t frame = 0; frame < std::uint64_t(options.warmup) + options.frames;
-             ++frame) {
-            if (frame == options.warmup)
-                headless.forgetTimes();
-            headless.draw(frame);
-            progress.advance(1);
-        }
-    }
-    const RunStats stats = headless.stats();
+    const WarmUp warmUp = measureFrames(headless, options);
+    RunStats stats = headless.stats();
+    stats.warmUp = warmUp;
     apps::writeResult(options.json ? statsText(stats) : tableText(stats));
     failOnValidationMessages(headless.instance());
     return 0;
@@ -130,11 +154,15 @@ void addBenchCommand(CLI::App& app, apps::Command& chosen)
     options->frame.addMeasured(*command);
     command->add_option("--frames", options->frames, "Measured frames, 1 to 1000000")
         ->type_name("N")
-        ->check(CLI::Range(std::uint32_t(1), mostFrames).description(""))
+        ->check(CLI::Range(std::uint32_t(1), maxFrames).description(""))
         ->capture_default_str();
-    command->add_option("--warmup", options->warmup, "Frames that are drawn before, 0 to 1000000")
+    command
+        ->add_option(
+            "--warmup", options->warmup,
+            "Frames before the measured ones, 0 to 1000000; above 0, the first is repeated "
+            "until 0.5 s have passed")
         ->type_name("N")
-        ->check(CLI::Range(std::uint32_t(0), mostFrames).description(""))
+        ->check(CLI::Range(std::uint32_t(0), maxFrames).description(""))
         ->capture_default_str();
     command
         ->add_option("--fields", options->fieldFolder,

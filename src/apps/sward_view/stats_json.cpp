@@ -67,6 +67,8 @@ std::string statsText(const RunStats& stats)
     json["gpu_ms"] = gpu;
     json["cpu_ms"] = {{"record", summary(stats.recordTime)}};
     json["memory_bytes"] = {{"device", stats.deviceBytes}, {"per_blade", perBlade}};
+    if (stats.warmUp)
+        json["warmup"] = {{"frames", stats.warmUp->frames}, {"seconds", stats.warmUp->seconds}};
     json["validation_messages"] = stats.validationMessages;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

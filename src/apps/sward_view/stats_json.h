@@ -8,9 +8,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace sward::view {
+
+/// What `bench` draws before the measured frames.
+struct WarmUp {
+    std::uint64_t frames = 0;
+    double seconds = 0;
+};
 
 /// Everything that --stats and bench --json say.
 struct RunStats {
@@ -25,6 +32,7 @@ struct RunStats {
     gpu::Statistics recordTime;                      ///< [ms]
     std::size_t deviceBytes = 0;
     std::size_t validationMessages = 0;
+    std::optional<WarmUp> warmUp; ///< none but for `bench`
 };
 
 /// The JSON text, indented, with a newline at the end. A pass that did not run has times of 0.
