@@ -146,7 +146,7 @@ vec3 develop(vec3 radiance)
 /// or are drawn as narrow as they are. It stands in the alpha channel, as 1 − softness.
 float softness(float distance, float share)
 {
-    if (FRAME.view.leastWidth <= 0.0 || debugMode() != debugNothing)
+    if (FRAME.view.minWidth <= 0.0 || debugMode() != debugNothing)
         return 0.0;
     const float widthPixels = FRAME.view.lodWidth * FRAME.view.pixelsPerUnit / max(distance, 1e-6);
     return share * (1.0 - smoothstep(0.6, 1.5, widthPixels));

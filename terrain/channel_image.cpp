@@ -13,8 +13,8 @@ namespace sward::terrain {
 namespace {
 
 // A mask of 11 585 × 11 585 pixels: a gigabyte while it is decoded.
-constexpr std::uint64_t mostPixels = std::uint64_t(1) << 27;
-constexpr std::size_t mostBytes = std::size_t(1) << 30;
+constexpr std::uint64_t maxPixels = std::uint64_t(1) << 27;
+constexpr std::size_t maxBytes = std::size_t(1) << 30;
 
 struct FreePixels {
     void operator()(unsigned short* pixels) const { stbi_image_free(pixels); }
@@ -24,7 +24,7 @@ struct FreePixels {
 
 ChannelImage readChannel(const std::string& file, int channel)
 {
-    const std::vector<std::byte> bytes = readFile(file, mostBytes);
+    const std::vector<std::byte> bytes = readFile(file, maxBytes);
     const auto* const data = reinterpret_cast<const unsigned char*>(bytes.data());
     const int length = static_cast<int>(bytes.size());
 
@@ -35,9 +35,8 @@ ChannelImage readChannel(const std::string& file, int channel)
     if (stbi_info_from_memory(data, length, &width, &height, &channels) == 0 || width < 1 ||
         height < 1)
         fail(ErrorKind::input, "{}: not an image that can be read (PNG, JPEG, TGA, BMP)", file);
-    if (std::uint64_t(width) * std::uint64_t(height) > mostPixels)
-        fail(ErrorKind::input, "{}: {}x{} pixels are more than {}", file, width, height,
-             mostPixels);
+    if (std::uint64_t(width) * std::uint64_t(height) > maxPixels)
+        fail(ErrorKind::input, "{}: {}x{} pixels are more than {}", file, width, height, maxPixels);
     const bool grey = channels <= 2;
     if (channel == 3 && channels != 2 && channels != 4)
         fail(ErrorKind::input, "{}: has no alpha channel", file);

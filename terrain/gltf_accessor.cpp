@@ -10,11 +10,11 @@
 namespace sward::terrain {
 namespace {
 
-constexpr std::size_t mostComponents = 4;  // of what ground is made of
+constexpr std::size_t maxComponents = 4;   // of what ground is made of
 constexpr std::size_t blockSize = 3 * 512; // elements that a thread reads at a time
 
 template <typename Value>
-using Block = std::array<Value, blockSize * mostComponents>;
+using Block = std::array<Value, blockSize * maxComponents>;
 
 template <typename Value>
 Value load(const unsigned char* bytes)
@@ -138,7 +138,7 @@ void GltfAccessor::gather(const Read& read, const Take& take) const
         if (element >= accessor_.count)
             fail(ErrorKind::input, "{}: sparse index {} of {} elements", place_, element,
                  accessor_.count);
-        std::array<Value, mostComponents> values{};
+        std::array<Value, maxComponents> values{};
         for (std::size_t c = 0; c < components_; ++c)
             values[c] = read(value + i * elementSize + c * componentSize_);
         take(std::size_t(element), std::size_t(1), values.data());
@@ -147,7 +147,7 @@ void GltfAccessor::gather(const Read& read, const Take& take) const
 
 void GltfAccessor::eachNumbers(const TakeNumbers& take) const
 {
-    requireComponents(1, mostComponents);
+    requireComponents(1, maxComponents);
     const int type = accessor_.componentType;
     const bool normalized = accessor_.normalized;
     if (isFloat())

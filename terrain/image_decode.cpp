@@ -16,7 +16,7 @@ namespace {
 // What no sensible texture exceeds; a file may claim anything.
 constexpr std::uint32_t decodeLimit = 16384;                 // [pixels] on a side
 constexpr std::uint64_t pixelLimit = std::uint64_t(1) << 27; // in all: 0.5 GB, and thrice as a JPEG
-constexpr std::uint64_t leastCost = std::uint64_t(1) << 18;  // of an image [pixels]
+constexpr std::uint64_t minCost = std::uint64_t(1) << 18;    // of an image [pixels]
 constexpr std::uint64_t scanLimit = std::uint64_t(1) << 32;  // pixels times scans of a JPEG
 
 struct FreePixels {
@@ -104,7 +104,7 @@ void requireSize(const glm::uvec2& size, std::uint64_t scans, ImageBudget& budge
     if (pixels * scans > scanLimit)
         fail(ErrorKind::input, "{}: {}x{} pixels in {} scans, more than {} steps", place, size.x,
              size.y, scans, scanLimit);
-    const std::uint64_t cost = std::max(leastCost, pixels * std::max<std::uint64_t>(scans / 8, 1));
+    const std::uint64_t cost = std::max(minCost, pixels * std::max<std::uint64_t>(scans / 8, 1));
     if (cost > budget.pixels)
         fail(ErrorKind::input, "{}: {}x{} pixels, beyond what the images of a file may have", place,
              size.x, size.y);

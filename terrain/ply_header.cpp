@@ -8,8 +8,8 @@
 namespace sward::terrain {
 namespace {
 
-constexpr std::size_t mostElements = 64;
-constexpr std::size_t mostProperties = 1024; // of one element
+constexpr std::size_t maxElements = 64;
+constexpr std::size_t maxProperties = 1024; // of one element
 
 // Both generations of names.
 constexpr PlyType types[] = {
@@ -92,9 +92,9 @@ PlyHeader readPlyHeader(std::string_view file, const std::string& place)
             hasFormat = true;
         } else if (keyword == "element") {
             PlyElement element = readElement(words, cursor.lineNumber(), place);
-            if (header.elements.size() == mostElements)
+            if (header.elements.size() == maxElements)
                 fail(ErrorKind::input, "{}: line {}: more than {} elements", place,
-                     cursor.lineNumber(), mostElements);
+                     cursor.lineNumber(), maxElements);
             for (const PlyElement& other : header.elements)
                 if (other.name == element.name)
                     fail(ErrorKind::input, "{}: line {}: a second element \"{}\"", place,
@@ -106,9 +106,9 @@ PlyHeader readPlyHeader(std::string_view file, const std::string& place)
                      cursor.lineNumber());
             header.elements.back().properties.push_back(
                 readProperty(words, cursor.lineNumber(), place));
-            if (header.elements.back().properties.size() > mostProperties)
+            if (header.elements.back().properties.size() > maxProperties)
                 fail(ErrorKind::input, "{}: line {}: more than {} properties", place,
-                     cursor.lineNumber(), mostProperties);
+                     cursor.lineNumber(), maxProperties);
         }
     }
     if (!hasFormat)

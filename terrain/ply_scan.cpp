@@ -28,7 +28,7 @@ public:
         for (const PlyElement& element : header_.elements)
             for (const PlyProperty& property : element.properties)
                 needed +=
-                    static_cast<double>(element.count) * static_cast<double>(leastSize(property));
+                    static_cast<double>(element.count) * static_cast<double>(minSize(property));
         if (needed > static_cast<double>(rest_.size() + 1))
             fail(ErrorKind::input, "{}: truncated: its header needs {:.0f} bytes, {} follow it",
                  place_, needed, rest_.size());
@@ -46,7 +46,7 @@ public:
     }
 
 private:
-    std::size_t leastSize(const PlyProperty& property) const
+    std::size_t minSize(const PlyProperty& property) const
     {
         if (header_.format == PlyHeader::Format::text)
             return 2; // a digit and a space

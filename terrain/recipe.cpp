@@ -24,7 +24,7 @@ namespace {
 
 constexpr double longest = 1e6;   // [m]
 constexpr double smallest = 1e-3; // [m]
-constexpr int mostCells = 8192;   // along one side
+constexpr int maxCells = 8192;    // along one side
 
 // Cells of a sphere or torus: what fits into the 4 GB that no input may cost. A grid is built with
 // less (heightPointLimit).
@@ -43,7 +43,7 @@ public:
     void count(const char* key, std::uint32_t& value, int low)
     {
         int number = static_cast<int>(value);
-        reader.read(key, number, low, mostCells);
+        reader.read(key, number, low, maxCells);
         value = static_cast<std::uint32_t>(number);
     }
 
@@ -61,7 +61,7 @@ public:
         reader.read(sizeKey, extent, smallest, longest);
         size = glm::dvec2(extent);
         glm::vec2 numbers(cells);
-        reader.read("cells", numbers, 1, mostCells);
+        reader.read("cells", numbers, 1, maxCells);
         cells = glm::uvec2(numbers);
         requireCells("cells", cells.x, cells.y, heightPointLimit);
     }

@@ -70,7 +70,7 @@ Step stepOf(Eyepoint view, Patch cell, Subtree below, bool isLeaf)
 void startGroups(uint level, uint groups)
 {
     WalkLevelArray levels = push.levels;
-    atomicMax(levels.at[level].groups[0], min(groups, mostGroups));
+    atomicMax(levels.at[level].groups[0], min(groups, maxGroups));
     levels.at[level].groups[1] = 1u;
     levels.at[level].groups[2] = 1u;
 }

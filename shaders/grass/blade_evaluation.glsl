@@ -54,7 +54,7 @@ void main()
     // A quad of several rows always has a column of vertices in its middle. Where no fold needs it
     // they fall on the right edge, and what is right of them vanishes: two triangles a row.
     const float u = ribbon.fold > 0.0 || gl_TessCoord.x == 0.0 ? gl_TessCoord.x : 1.0;
-    const Rib rib = ribAt(ribbon, gl_TessCoord.y, FRAME.view.eye, FRAME.view.leastWidth);
+    const Rib rib = ribAt(ribbon, gl_TessCoord.y, FRAME.view.eye, FRAME.view.minWidth);
     outPosition = onRib(rib, u);
     outPlace = vec4(2.0 * u - 1.0, gl_TessCoord.y, rib.wide, rib.drawn);
     outSurface = inSurface;
@@ -67,7 +67,7 @@ void main()
     Ribbon before = ribbon;
     before.v1 = inV1Before.xyz;
     before.v2 = inV2Before.xyz;
-    const Rib ribBefore = ribAt(before, gl_TessCoord.y, FRAME.view.eye, FRAME.view.leastWidth);
+    const Rib ribBefore = ribAt(before, gl_TessCoord.y, FRAME.view.eye, FRAME.view.minWidth);
     outClip = gl_Position;
     outClipBefore = push.motion.at[0].clipBefore * vec4(onRib(ribBefore, u), 1.0);
 #endif

@@ -46,7 +46,7 @@ layout(constant_id = 8) const uint patchesOfGroup = patchesTogether; // or 1; se
 
 shared uint fateSums[fateCount]; // of all patches of the group
 shared uint simulatedSum;
-shared uint mostFilled[2];
+shared uint maxFilled[2];
 shared uint listBase[2];
 shared uint kept[2];
 // Those that frames have shown lately in front, the others from behind; see keptOf().
@@ -139,7 +139,7 @@ Eyepoint judgingView()
     Eyepoint view = JUDGED.view;
     view.cullMask &= asks;
     view.lodThreshold = (asks & asksThinning) != 0u ? view.lodThreshold : 0.0f;
-    view.mostLayers = (asks & asksLayers) != 0u ? view.mostLayers : 0.0f;
+    view.maxLayers = (asks & asksLayers) != 0u ? view.maxLayers : 0.0f;
     return view;
 }
 
@@ -154,18 +154,18 @@ void report(uint thread)
     if (simulatedSum > 0u)
         atomicAdd(JUDGED.draw.at[0].simulated, simulatedSum);
     for (uint list = 0u; list < 2u; ++list) {
-        if (mostFilled[list] == 0u)
+        if (maxFilled[list] == 0u)
             continue;
         WalkLevelArray rounds = push.rounds;
         const uint round_ = list == 0u ? push.round : push.lateRound;
         atomicMax(rounds.at[round_].groups[0],
-                  min((mostFilled[list] + rasterThreads - 1u) / rasterThreads, mostGroups));
+                  min((maxFilled[list] + rasterThreads - 1u) / rasterThreads, maxGroups));
         rounds.at[round_].groups[1] = 1u;
         rounds.at[round_].groups[2] = 1u;
         // Tessellated blades are all in front.
         if (list == 0u)
             atomicMax(JUDGED.draw.at[0].instanceCount,
-                      (mostFilled[0] + drawChunk - 1u) / drawChunk);
+                      (maxFilled[0] + drawChunk - 1u) / drawChunk);
     }
 }
 
@@ -200,7 +200,7 @@ void listSurvivors(uint thread)
         WalkLevelArray rounds = push.rounds;
         listBase[thread] =
             atomicAdd(rounds.at[thread == 0u ? push.round : push.lateRound].count, kept[thread]);
-        mostFilled[thread] = max(mostFilled[thread], listBase[thread] + kept[thread]);
+        maxFilled[thread] = max(maxFilled[thread], listBase[thread] + kept[thread]);
     }
     barrier();
     // The list has room for every blade of a round; the guard is for a frame that was filled wrongly.
@@ -382,8 +382,8 @@ void main()
         fateSums[thread] = 0u;
     if (thread == 0u) {
         simulatedSum = 0u;
-        mostFilled[0] = 0u;
-        mostFilled[1] = 0u;
+        maxFilled[0] = 0u;
+        maxFilled[1] = 0u;
         kept[0] = 0u;
         kept[1] = 0u;
     }
@@ -392,7 +392,7 @@ void main()
     // Those that a work-group takes follow in steps.
     const uint step_ = areMany() ? 1u : gl_NumWorkGroups.x;
     const uint end = isAll ? push.ownerCount
-                           : min(push.levels.at[liveLevel].count, push.firstLive + push.mostLive);
+                           : min(push.levels.at[liveLevel].count, push.firstLive + push.maxLive);
     for (uint turn = 0u; begin + firstOfTurn(turn) < end; ++turn) {
         const uint first = begin + firstOfTurn(turn);
         uint patches = 1u;

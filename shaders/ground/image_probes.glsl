@@ -4,7 +4,7 @@
 #ifndef SWARD_GROUND_IMAGE_PROBES_GLSL
 #define SWARD_GROUND_IMAGE_PROBES_GLSL
 
-const float mostProbes = 8.0;
+const float maxProbes = 8.0;
 
 struct ImageProbes {
     vec2 first;
@@ -20,7 +20,7 @@ ImageProbes imageProbes(vec2 uv, vec2 right, vec2 down, vec2 size)
     const float along = length(down * size);
     const float longest = max(across, along);
     const float ratio = longest > 1.0 ? longest / max(min(across, along), 1e-6) : 1.0;
-    const float count = clamp(ceil(ratio), 1.0, mostProbes);
+    const float count = clamp(ceil(ratio), 1.0, maxProbes);
     ImageProbes probes;
     probes.step = (across > along ? right : down) / (count + 1.0);
     probes.first = uv - 0.5 * (count - 1.0) * probes.step;

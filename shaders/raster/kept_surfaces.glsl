@@ -34,7 +34,7 @@ bool isKept(LargePart blade)
 bool findKept(uint index, out SeenBlade seen)
 {
     const uint slot = push.surfacePlaces.at[index % surfacePlaceCount];
-    if (slot >= mostSurfaces)
+    if (slot >= maxSurfaces)
         return false;
     // All at once, before it is known whether it is the right one: to wait takes longer.
     const LargePart blade = partAt(slot);

@@ -19,14 +19,14 @@ LargePart partOf(Ribbon ribbon, uint blade, uint part)
 /// So many parts has a blade that covers so many pixels.
 uint partsFor(float pixels)
 {
-    return clamp(uint(pixels / partPixels), 1u, mostParts);
+    return clamp(uint(pixels / partPixels), 1u, maxParts);
 }
 
 /// Lists a blade's parts from `slot` on, of which some segments are drawn; whether there was room.
 bool putParts(Ribbon ribbon, VisibleBlade visible, uint slot, uint parts, uvec2 segments)
 {
-    const bool hasRoom = slot + parts <= mostLargeParts;
-    for (uint part = 0u; part < parts && slot + part < mostLargeParts; ++part)
+    const bool hasRoom = slot + parts <= maxLargeParts;
+    for (uint part = 0u; part < parts && slot + part < maxLargeParts; ++part)
         putPart(push.large, slot + part,
                 partOf(ribbon, visible.blade,
                        hasRoom ? packPart(part, parts, segments.x, segments.y) : 0u));
@@ -37,7 +37,7 @@ bool putParts(Ribbon ribbon, VisibleBlade visible, uint slot, uint parts, uvec2 
 void noteListed(uint parts)
 {
     WalkLevelArray asked = push.largeCount;
-    const uint listed = min(parts, mostLargeParts);
+    const uint listed = min(parts, maxLargeParts);
     atomicMax(asked.at[largeParts].groups[0], groupsForLarge(listed));
     if (isLate || push.round > 0u)
         atomicMax(asked.at[largeLate].groups[0], groupsForLate(listed));
@@ -48,10 +48,10 @@ bool leftToBeCut(Ribbon ribbon, uint blade)
 {
     WalkLevelArray asked = push.largeCount;
     const uint slot = atomicAdd(asked.at[largeCut].count, 1u);
-    if (slot >= mostCutBlades)
+    if (slot >= maxCutBlades)
         return false;
     putPart(push.cut, slot, partOf(ribbon, blade, packPart(0u, 1u, 0u, uint(ribbon.outline.segments))));
-    atomicMax(asked.at[largeCut].groups[0], min(slot + 1u, mostGroups));
+    atomicMax(asked.at[largeCut].groups[0], min(slot + 1u, maxGroups));
     return true;
 }
 
@@ -67,7 +67,7 @@ bool isFarBeside(Lens lens, VisibleBlade visible, Blade blade)
 {
     const float reach =
         blade.height + marginBeside(blade.width * widthFactorOf(visible),
-                                    length(blade.root - lens.eye) + blade.height, lens.leastWidth);
+                                    length(blade.root - lens.eye) + blade.height, lens.minWidth);
     bool beside = false;
     SHARED_UNROLL for (uint i = 0u; i < 4u; ++i) beside =
         beside || planeDistance(FRAME.view.planes[i], blade.root) < -reach;
@@ -87,7 +87,7 @@ bool isBeside(Ribbon ribbon, float margin)
 float pixelsOf(Lens lens, VisibleBlade visible, Ribbon ribbon, float height)
 {
     return visible.pixels *
-           max(visible.pixels * ribbon.width / height, lens.leastWidth * FRAME.view.pixelsPerUnit);
+           max(visible.pixels * ribbon.width / height, lens.minWidth * FRAME.view.pixelsPerUnit);
 }
 
 #endif

@@ -38,7 +38,7 @@ LargePart partAt(uint place)
 /// So many parts are listed.
 uint listedLarge()
 {
-    return min(push.largeCount.at[largeParts].count, mostLargeParts);
+    return min(push.largeCount.at[largeParts].count, maxLargeParts);
 }
 
 /// Of LargePart::part.

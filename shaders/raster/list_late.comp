@@ -46,7 +46,7 @@ LateBlade lateBlade(Lens lens, VisibleBlade visible)
         return own;
     own.ribbon = drawnBlade(visible, blade, state).ribbon;
     const float distance = length(own.ribbon.v0 - lens.eye) + blade.height;
-    const float margin = marginBeside(own.ribbon.width, distance, lens.leastWidth);
+    const float margin = marginBeside(own.ribbon.width, distance, lens.minWidth);
     if (listsThoseBeside() && isBeside(own.ribbon, margin))
         return own;
     own.pixels = pixelsOf(lens, visible, own.ribbon, blade.height);
@@ -54,7 +54,7 @@ LateBlade lateBlade(Lens lens, VisibleBlade visible)
         leftToBeCut(own.ribbon, visible.blade);
         return own;
     }
-    own.segments = segmentsSeen(lens, own.ribbon, ribMargin(distance, lens.leastWidth));
+    own.segments = segmentsSeen(lens, own.ribbon, ribMargin(distance, lens.minWidth));
     if (own.segments.y == 0u) {
         noteHidden(visible.blade);
         atomicAdd(hiddenCount, 1u);

@@ -38,7 +38,7 @@ float pixelsAtMost(Lens lens, Ribbon ribbon, float height)
     const float wide = outlineMost * ribbon.width;
     const float nearest = min(min(depths.x, depths.y), depths.z) - 0.5 * wide;
     const float scale = FRAME.view.pixelsPerUnit / max(nearest, 1e-6);
-    return height * scale * max(wide * scale, lens.leastWidth * FRAME.view.pixelsPerUnit);
+    return height * scale * max(wide * scale, lens.minWidth * FRAME.view.pixelsPerUnit);
 }
 
 /// A blade of this turn.
@@ -73,7 +73,7 @@ OwnBlade ownBlade(Lens lens, VisibleBlade visible)
         return own;
     own.ribbon = drawnBlade(visible, blade, state).ribbon;
     const float margin = marginBeside(own.ribbon.width, length(own.ribbon.v0 - lens.eye) + blade.height,
-                                      lens.leastWidth);
+                                      lens.minWidth);
     if (listsThoseBeside() && isBeside(own.ribbon, margin))
         return own;
     const float pixels = pixelsOf(lens, visible, own.ribbon, blade.height);
@@ -86,7 +86,7 @@ OwnBlade ownBlade(Lens lens, VisibleBlade visible)
     // A thread takes twice as long for a pixel of four samples as for one of one.
     if (largeTo != largeToNobody && pixels > largeBladePixels * inversesqrt(float(samplesPerPixel)))
         leaveToOthers(own, pixels);
-    if (largeTo == largeToNobody && pixelsAtMost(lens, own.ribbon, blade.height) > mostPixelsOfThread &&
+    if (largeTo == largeToNobody && pixelsAtMost(lens, own.ribbon, blade.height) > maxPixelsOfThread &&
         leftToBeCut(own.ribbon, visible.blade))
         return own;
     own.isDrawn = true;

@@ -83,7 +83,7 @@ bool triangleBehindNear(uint i, SeenRib before, SeenRib after, bool isFolded, bo
 void main()
 {
     LargePartArray cut = push.cut;
-    const uint count = min(push.largeCount.at[largeCut].count, mostCutBlades);
+    const uint count = min(push.largeCount.at[largeCut].count, maxCutBlades);
     const Lens lens = lensOf();
     for (uint item = gl_WorkGroupID.x; item < count; item += gl_NumWorkGroups.x) {
         const LargePart blade = cut.at[item];

@@ -210,7 +210,7 @@ Found findOnPlane(Lens lens, Ribbon ribbon, Sighting sighting)
     const vec2 second = ribbon.width * edgesAt(ribbon.outline, high);
     const vec2 ends = vec2(first.y - first.x, second.y - second.x);
     const vec2 wide = abs(seen) * ends;
-    const vec2 drawn = max(wide, vec2(lens.leastWidth * length(begin - lens.eye)));
+    const vec2 drawn = max(wide, vec2(lens.minWidth * length(begin - lens.eye)));
     const vec2 grown = drawn - wide;
     vec3 axis = ribbon.axis;
     if (grown.x + grown.y > 0.0)

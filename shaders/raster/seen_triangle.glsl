@@ -34,7 +34,7 @@ struct SeenRib {
 SeenRib seenRib(Lens lens, Ribbon ribbon, float t)
 {
     SeenRib seen;
-    seen.rib = ribAt(ribbon, t, lens.eye, lens.leastWidth);
+    seen.rib = ribAt(ribbon, t, lens.eye, lens.minWidth);
     seen.left = seenPoint(lens, seen.rib.left);
     seen.right = seenPoint(lens, seen.rib.right);
     // Without a fold the middle is half way, here too.

@@ -62,13 +62,13 @@ bool upperHalf(float i, float segments)
 struct Lens {
     mat4 viewProjection;
     vec3 eye;
-    float leastWidth;
+    float minWidth;
     vec2 size; ///< [pixels]
 };
 
 Lens lensOf()
 {
-    return Lens(FRAME.viewProjection, FRAME.view.eye, FRAME.view.leastWidth, vec2(push.size));
+    return Lens(FRAME.viewProjection, FRAME.view.eye, FRAME.view.minWidth, vec2(push.size));
 }
 
 /// So many samples lie between a pixel and the one to its right: see VisibilityArray.

@@ -114,7 +114,7 @@ SHARED_FN float lodWidthFactor(float rank, float share)
 SHARED_CONST float flattestRay = 1.0f / 96.0f;
 
 /// m² of blade per m² of ground: no grass is taken to be denser.
-SHARED_CONST float mostLeafArea = 64.0f;
+SHARED_CONST float maxLeafArea = 64.0f;
 
 /// Share of the local blades that is drawn where those behind are hidden: a ray at `cosine` from
 /// the ground's normal crosses leafExtinction · leafArea / cosine of leaf area (Monsi & Saeki
@@ -138,7 +138,7 @@ SHARED_FN float layerWeight(float rank, float share)
 }
 
 /// None stands higher than that for those that are left out.
-SHARED_CONST float mostRise = 1.3f;
+SHARED_CONST float maxRise = 1.3f;
 
 /// How many times as high the blades stand that are left where `share` of them is drawn and a ray
 /// has grass before it at the share `one`, see layerShare(): it sees as deep into it as its leaf
@@ -152,7 +152,7 @@ SHARED_FN float layerRise(float share, float one, float spread)
         return 1.0f;
     const float full = min(one, 1.0f);
     const float sunk = pow(full / share, 1.0f / 3.0f) - pow(full, 1.0f / 3.0f);
-    const float rise = clamp(1.0f + (0.4f + 0.2f * spread) * sunk, 1.0f, mostRise);
+    const float rise = clamp(1.0f + (0.4f + 0.2f * spread) * sunk, 1.0f, maxRise);
     return floor(rise * 1024.0f + 0.5f) / 1024.0f;
 }
 

@@ -89,13 +89,13 @@ SHARED_FN ScreenBox screenBoxOfCurve(mat4 viewProjection, uvec2 size, vec3 v0, v
     const vec4 b = viewProjection * vec4(v1, 1.0f);
     const vec4 c = viewProjection * vec4(v2, 1.0f);
     const float ofW = length(rowOf(viewProjection, 3));
-    const float leastW = min(min(a.w, b.w), c.w) - margin * ofW;
-    const float mostZ = max(max(a.z, b.z), c.z) + margin * length(rowOf(viewProjection, 2));
+    const float minW = min(min(a.w, b.w), c.w) - margin * ofW;
+    const float maxZ = max(max(a.z, b.z), c.z) + margin * length(rowOf(viewProjection, 2));
     ScreenBox box;
     box.low = ivec2(0);
     box.high = ivec2(0);
     box.nearest = 0.0f;
-    box.isKnown = leastW > 0.0f && mostZ <= leastW;
+    box.isKnown = minW > 0.0f && maxZ <= minW;
     if (!box.isKnown)
         return box;
     const vec2 placeA = vec2(a.x, a.y) * (1.0f / a.w);
@@ -104,7 +104,7 @@ SHARED_FN ScreenBox screenBoxOfCurve(mat4 viewProjection, uvec2 size, vec3 v0, v
     vec2 lowest = min(min(placeA, placeB), placeC);
     vec2 highest = max(max(placeA, placeB), placeC);
     const vec2 ofPlace = vec2(length(rowOf(viewProjection, 0)), length(rowOf(viewProjection, 1)));
-    const float perW = 1.0f / leastW;
+    const float perW = 1.0f / minW;
     const vec2 reach = (ofPlace + max(abs(lowest), abs(highest)) * ofW) * (margin * perW);
     const vec2 pixels = vec2(float(size.x), float(size.y));
     const vec2 last = pixels - vec2(1.0f);
@@ -112,7 +112,7 @@ SHARED_FN ScreenBox screenBoxOfCurve(mat4 viewProjection, uvec2 size, vec3 v0, v
     highest = floor(((highest + reach) * 0.5f + vec2(0.5f)) * pixels) + vec2(1.0f);
     box.low = ivec2(clamp(lowest, vec2(0.0f), last));
     box.high = ivec2(clamp(highest, vec2(0.0f), last));
-    box.nearest = mostZ * perW;
+    box.nearest = maxZ * perW;
     return box;
 }
 

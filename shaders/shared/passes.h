@@ -47,7 +47,7 @@ struct UpdatePush {
     uint ownerCount;
     uint onlyUpdate; ///< 1: move every blade of every owner, judge and count none
     uint firstLive;  ///< the round's first live patch …
-    uint mostLive;   ///< … and how many it takes at most
+    uint maxLive;   ///< … and how many it takes at most
     uint round;
     uint lateRound; ///< the same of those blades that are listed from behind
     uint viewCount; ///< frames at `views`
@@ -68,7 +68,7 @@ SHARED_FN bool forgetsSeen(uint blade, uint frame)
 // What a pipeline of the update has code for, and a frame may ask for: the tests of its cullMask,
 // and more.
 SHARED_CONST uint asksThinning = 1u << 8u; ///< a lodThreshold above 0
-SHARED_CONST uint asksLayers = 1u << 9u;   ///< mostLayers above 0
+SHARED_CONST uint asksLayers = 1u << 9u;   ///< maxLayers above 0
 SHARED_CONST uint asksPages = 1u << 10u;   ///< blades may be in memory in part
 SHARED_CONST uint asksFates = 1u << 11u;   ///< the fate of each blade is kept
 SHARED_CONST uint asksAll = 0xffffffffu;
@@ -77,7 +77,7 @@ SHARED_CONST uint asksAll = 0xffffffffu;
 SHARED_FN uint asksOf(Eyepoint view, bool isPaged, bool hasFates)
 {
     return view.cullMask | (view.lodThreshold > 0.0f ? asksThinning : 0u) |
-           (view.mostLayers > 0.0f ? asksLayers : 0u) | (isPaged ? asksPages : 0u) |
+           (view.maxLayers > 0.0f ? asksLayers : 0u) | (isPaged ? asksPages : 0u) |
            (hasFates ? asksFates : 0u);
 }
 
@@ -118,7 +118,7 @@ SHARED_LAYOUT(PyramidPush, 16)
 SHARED_CONST uint rasterThreads = 64u;
 
 /// Work-groups in one dimension that every device takes; beyond them threads loop.
-SHARED_CONST uint mostGroups = 65535u;
+SHARED_CONST uint maxGroups = 65535u;
 
 /// A blade that covers more pixels than this is not rasterised by one thread, but by a work-group;
 /// with several samples a pixel already one of so many pixels over the root of their number.
@@ -134,20 +134,20 @@ SHARED_CONST float askedSmallPixels = 64.0f;
 SHARED_CONST float partPixels = 4096.0f;
 
 /// … but no more of them than these.
-SHARED_CONST uint mostParts = 64u;
+SHARED_CONST uint maxParts = 64u;
 
 /// So many parts of large blades can be listed: some hundred layers of them over a picture of 2
 /// million pixels. Blades beyond them are rasterised by one thread each.
-SHARED_CONST uint mostLargeParts = 1048576u;
+SHARED_CONST uint maxLargeParts = 1048576u;
 
 /// So many blades can be listed that reach through the near plane, or of which a single thread must
 /// not have so many pixels.
-SHARED_CONST uint mostCutBlades = 65536u;
+SHARED_CONST uint maxCutBlades = 65536u;
 
 /// Where threads draw large blades, too, none draws one that may cover more pixels than this.
 /// llvmpipe ends all loops of an invocation after 65 535 turns, which eight blades share there, and
 /// each takes some more turns than pixels.
-SHARED_CONST float mostPixelsOfThread = 4096.0f;
+SHARED_CONST float maxPixelsOfThread = 4096.0f;
 
 /// Threads of a work-group that draws large blades, which numbers their ribs in 5 bits. With 64 an
 /// H200 takes a twelfth longer.
@@ -177,7 +177,7 @@ SHARED_FN uint largeOfGroup(uint listed)
 SHARED_FN uint groupsForLarge(uint listed)
 {
     const uint together = largeOfGroup(listed);
-    return min((listed + together - 1u) / together, mostGroups);
+    return min((listed + together - 1u) / together, maxGroups);
 }
 
 /// The same of the late turn, of all that are listed by then.
@@ -189,7 +189,7 @@ SHARED_FN uint lateOfGroup(uint listed)
 SHARED_FN uint groupsForLate(uint listed)
 {
     const uint together = lateOfGroup(listed);
-    return min((listed + together - 1u) / together, mostGroups);
+    return min((listed + together - 1u) / together, maxGroups);
 }
 
 /// What a work-group draws: a large blade, or every `parts`-th bundle of its rows.
@@ -271,7 +271,7 @@ SHARED_FN uint rowsOfColumn(uint height)
 
 /// Of the large blades at so many places what shading asks of them is kept for all pixels that show
 /// them, …
-SHARED_CONST uint mostSurfaces = 262144u;
+SHARED_CONST uint maxSurfaces = 262144u;
 
 /// … and where it may be by resident id modulo this: of two that meet there one is shaded without.
 SHARED_CONST uint surfacePlaceCount = 1048576u;

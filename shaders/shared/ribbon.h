@@ -60,10 +60,10 @@ SHARED_FN vec3 outwardsOf(vec3 across, vec3 level)
     return across + (upright / max(upright * upright, 0.25f)) * (unit - upright * across);
 }
 
-/// The cross-section at `t`. Where the view sees less than `leastWidth` [m at 1 m distance], be it
+/// The cross-section at `t`. Where the view sees less than `minWidth` [m at 1 m distance], be it
 /// that the blade is far, that it ends, or that it is seen edge-on, it is drawn that wide, across
 /// the view, so that few rows of samples miss it, and weighs the less.
-SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float leastWidth)
+SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float minWidth)
 {
     const vec3 centre = bezierPoint(ribbon.v0, ribbon.v1, ribbon.v2, t);
     const vec3 direction = directionAt(ribbon, t);
@@ -74,7 +74,7 @@ SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float leastWidth)
     rib.right = centre + edges.y * ribbon.axis;
     rib.wide = edges.y - edges.x;
     rib.drawn = rib.wide;
-    if (leastWidth > 0.0f) {
+    if (minWidth > 0.0f) {
         // Across the chords that meet here, not the curve: the last ones would be cut askew and
         // lose area. A chord from t to t + h runs like the curve at t + h/2.
         const float half_ = 0.5f / max(ribbon.outline.segments, 1.0f);
@@ -89,7 +89,7 @@ SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float leastWidth)
                                 : ribbon.axis;
         const float seen = dot(ribbon.axis, across);
         rib.wide *= abs(seen);
-        rib.drawn = max(rib.wide, leastWidth * distance);
+        rib.drawn = max(rib.wide, minWidth * distance);
         const vec3 outwards = outwardsOf(across, cross(ray, ribbon.v1 - ribbon.v0));
         const vec3 grown =
             (0.5f * (rib.drawn - rib.wide) * (seen < 0.0f ? -1.0f : 1.0f)) * outwards;
@@ -104,16 +104,16 @@ SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float leastWidth)
 }
 
 /// By how much a blade `distance` [m] away may be drawn wider than it is on either side [m].
-SHARED_FN float ribMargin(float distance, float leastWidth)
+SHARED_FN float ribMargin(float distance, float minWidth)
 {
-    return leastWidth * distance;
+    return minWidth * distance;
 }
 
 /// By how much at most a point of a ribbon lies beside its curve [m]: one so wide, of which no
 /// point is farther than `distance` [m].
-SHARED_FN float marginBeside(float width, float distance, float leastWidth)
+SHARED_FN float marginBeside(float width, float distance, float minWidth)
 {
-    return 0.5f * outlineMost * width + ribMargin(distance, leastWidth);
+    return 0.5f * outlineMost * width + ribMargin(distance, minWidth);
 }
 
 /// What of a blade decides which samples it keeps where it weighs less than 1: each blade others,

@@ -13,7 +13,7 @@ SHARED_CONST uint solidThreads = 256u;
 
 /// So many work-groups, or as many as there are clusters of the ground, share these: each asks
 /// which of its own may be seen, and draws them.
-SHARED_CONST uint mostSolidGroups = 2048u;
+SHARED_CONST uint maxSolidGroups = 2048u;
 
 /// A triangle whose box holds so many pixels at most is drawn by one thread.
 SHARED_CONST uint smallSolidPixels = 64u;
@@ -30,8 +30,8 @@ SHARED_CONST uint solidTile = 32u;
 SHARED_CONST uint solidTileThreads = 64u;
 
 /// So many have room in the lists of a frame; more are drawn by whoever is next.
-SHARED_CONST uint mostMiddleTriangles = 262144u;
-SHARED_CONST uint mostLargeTriangles = 65536u;
+SHARED_CONST uint maxMiddleTriangles = 262144u;
+SHARED_CONST uint maxLargeTriangles = 65536u;
 
 /// A triangle that reaches over many pixels, and the tiles that it may touch.
 struct LargeTriangle {

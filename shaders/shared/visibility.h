@@ -39,7 +39,7 @@ SHARED_FN float middleWidth(Patch cell)
 }
 
 /// m² of blade (one side) per m² of ground around a patch's blades; no more than there is where
-/// they stand apart, at most mostLeafArea, and 0 where too few of them are its own to tell.
+/// they stand apart, at most maxLeafArea, and 0 where too few of them are its own to tell.
 SHARED_FN float leafAreaAround(Patch cell)
 {
     const uint fewest = 4u;
@@ -51,7 +51,7 @@ SHARED_FN float leafAreaAround(Patch cell)
     const float around = count / max(cell.rankHigh - cell.rankLow, 1e-6f);
     const float height = cell.heightLow + 127.5f * cell.heightStep;
     // Outlines fill from a half to all of their rectangle.
-    return min(0.7f * around * middleWidth(cell) * height / max(side * side, 1e-12f), mostLeafArea);
+    return min(0.7f * around * middleWidth(cell) * height / max(side * side, 1e-12f), maxLeafArea);
 }
 
 /// Largest cosine between the ground's normal around a patch and a ray from `eye` to it.
@@ -89,16 +89,16 @@ SHARED_FN Layers allLayers()
 SHARED_FN Layers layersOf(Eyepoint view, Patch cell)
 {
     Layers layers = allLayers();
-    if (view.mostLayers <= 0.0f)
+    if (view.maxLayers <= 0.0f)
         return layers;
     const float nearest = max(boxDistance(view.eye, cell.boundsLow, cell.boundsHigh), 1e-6f);
     const float pixels = middleWidth(cell) * view.pixelsPerUnit / nearest;
     // Most of what one sees is so near that neither density nor steepness could leave any out.
-    if (layerShare(view.mostLayers, mostLeafArea, 0.0f, pixels) >= lodFullShare)
+    if (layerShare(view.maxLayers, maxLeafArea, 0.0f, pixels) >= lodFullShare)
         return layers;
     const float leafArea = leafAreaAround(cell);
     const float cosine = steepestRay(view.eye, cell);
-    layers.share = layerShare(view.mostLayers, leafArea, cosine, pixels);
+    layers.share = layerShare(view.maxLayers, leafArea, cosine, pixels);
     const float range = 255.0f * cell.heightStep;
     const float spread = min(2.0f * range / max(cell.heightLow + range, 1e-6f), 1.0f);
     layers.rise = layerRise(layers.share, layerShare(1.0f, leafArea, cosine, 1.0f), spread);
@@ -155,8 +155,8 @@ SHARED_FN float patchMargin(Eyepoint view, Patch cell, float widest)
     const float highest = 0.5f * min(size.x, min(size.y, size.z));
     // lodWidthFactor() is at most 1/(0.95 share).
     return 0.5f * outlineMost * widest / (0.95f * share) +
-           ribMargin(length(farthest), view.leastWidth) +
-           (view.mostLayers > 0.0f ? (mostRise - 1.0f) * highest : 0.0f);
+           ribMargin(length(farthest), view.minWidth) +
+           (view.maxLayers > 0.0f ? (maxRise - 1.0f) * highest : 0.0f);
 }
 
 /// How many of the patch's blades, the first so many, level of detail may draw from this eyepoint:
@@ -213,16 +213,16 @@ SHARED_FN bool seenTooNarrow(Eyepoint view, Blade blade, uint index, vec3 axis, 
                              float widthFactor)
 {
     const float cosine = edgeOnCosine(view.eye, blade.root, axis);
-    if (cosine > view.mostEdgeOn)
+    if (cosine > view.maxEdgeOn)
         return true;
     const float nearest = distance - blade.height;
-    if (nearest <= 0.0f || view.leastWidth <= 0.0f)
+    if (nearest <= 0.0f || view.minWidth <= 0.0f)
         return false;
     // All of the blade is within its height of its root, so rays to it turn by no more than
     // asin(height/distance) ≤ π/2 · height/distance.
     const float sine = min(sqrt(1.0f - cosine * cosine) + 1.58f * blade.height / distance, 1.0f);
     const float widest = outlineMost * blade.width * widthFactor * sine;
-    return keptSamples(widest / (view.leastWidth * nearest), index, view.samples) == 0u;
+    return keptSamples(widest / (view.minWidth * nearest), index, view.samples) == 0u;
 }
 
 /// The fate of one blade of a patch that was not culled, in the order orientation, frustum,
@@ -250,7 +250,7 @@ SHARED_FN Verdict judgeBlade(Eyepoint view, Layers layers, Blade blade, uint ind
         const vec3 v1 = blade.root + blade.height * pose.v1;
         const vec3 v2 = blade.root + blade.height * pose.v2;
         const float margin = 0.5f * outlineMost * blade.width * max(factor, 1.0f) +
-                             ribMargin(distance + blade.height, view.leastWidth);
+                             ribMargin(distance + blade.height, view.minWidth);
         verdict.v1 = v1;
         verdict.v2 = v2;
         verdict.margin = margin;

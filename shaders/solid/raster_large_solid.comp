@@ -55,7 +55,7 @@ void main()
 {
     const SolidWork work = push.work.at[0];
     const uint thread = gl_LocalInvocationIndex;
-    const uint triangles = min(work.trianglesAsked, mostLargeTriangles);
+    const uint triangles = min(work.trianglesAsked, maxLargeTriangles);
     for (uint task = gl_WorkGroupID.x; task < work.tiles.count; task += gl_NumWorkGroups.x) {
         const LargeTriangle large = ownerOf(task, triangles, thread);
         const uint own = task - large.firstTile;

@@ -17,7 +17,7 @@ layout(local_size_x = solidTeam * teamsOfGroup) in;
 void main()
 {
     const uint thread = gl_LocalInvocationIndex % solidTeam;
-    const uint count = min(push.work.at[0].middle.count, mostMiddleTriangles);
+    const uint count = min(push.work.at[0].middle.count, maxMiddleTriangles);
     for (uint place = gl_GlobalInvocationID.x / solidTeam; place < count;
          place += gl_NumWorkGroups.x * teamsOfGroup) {
         const uint number = push.middle.at[place];

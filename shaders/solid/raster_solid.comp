@@ -36,11 +36,11 @@ bool leftToTeam(uint number)
 {
     SolidWorkArray work = push.work;
     const uint slot = atomicAdd(work.at[0].middle.count, 1u);
-    if (slot >= mostMiddleTriangles)
+    if (slot >= maxMiddleTriangles)
         return false;
     UintArray middle = push.middle;
     middle.at[slot] = number;
-    atomicMax(work.at[0].middle.groups[0], min(slot / teamsOfGroup + 1u, mostGroups));
+    atomicMax(work.at[0].middle.groups[0], min(slot / teamsOfGroup + 1u, maxGroups));
     return true;
 }
 
@@ -55,14 +55,14 @@ bool leftToGroups(uint number, uvec4 pixels)
     const uint64_t ticket =
         atomicAdd(tickets.at[ticketPlace], (uint64_t(1u) << 32u) | uint64_t(tiles.x * tiles.y));
     const uint slot = uint(ticket >> 32u);
-    if (slot >= mostLargeTriangles)
+    if (slot >= maxLargeTriangles)
         return false;
     LargeTriangleArray large = push.large;
     SolidWorkArray work = push.work;
     large.at[slot] = LargeTriangle(number, uint(ticket), first.x | (first.y << 16u), tiles.x);
     const uint listed = uint(ticket) + tiles.x * tiles.y;
     atomicMax(work.at[0].tiles.count, listed);
-    atomicMax(work.at[0].tiles.groups[0], min(listed, mostGroups));
+    atomicMax(work.at[0].tiles.groups[0], min(listed, maxGroups));
     return true;
 }
 

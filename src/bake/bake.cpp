@@ -22,7 +22,7 @@ namespace {
 // Blades that are baked at once, at about 130 bytes each: what bounds the memory of a large bake.
 // Tiles sample their surroundings again, so a little more than that goes into one.
 constexpr double bladesPerTile = 8e6;
-constexpr double mostBladesInOne = 12e6;
+constexpr double maxBladesInOne = 12e6;
 
 // Bakes all tiles one after another.
 std::vector<CellTree> bakeTiles(const GroundPart& whole, const BakeSettings& settings,
@@ -30,7 +30,7 @@ std::vector<CellTree> bakeTiles(const GroundPart& whole, const BakeSettings& set
 {
     const terrain::GroundMesh& ground = whole.ground;
     std::vector<CellTree> cells;
-    if (plan.plan.expected <= mostBladesInOne) {
+    if (plan.plan.expected <= maxBladesInOne) {
         TileResult tile = bakeTile(whole, settings, plan, nullptr, progress);
         totals.add(tile);
         return std::move(tile.cells);
@@ -86,7 +86,7 @@ BakeResult bakeField(const terrain::GroundMesh& ground, const BakeSettings& sett
         const BakePlan plan = planWhole(whole, settings, diagnostics, progress);
         report.timing.sample = watch.lap();
         Totals totals;
-        if (plan.plan.expected > mostBladesInOne) {
+        if (plan.plan.expected > maxBladesInOne) {
             // Each tile has a tree of its own, and the memory.
             whole.rays = nullptr;
             rays.reset();

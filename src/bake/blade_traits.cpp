@@ -187,14 +187,13 @@ double BladeGrower::roomOver(const RootSample& root, glm::dvec3 up, double heigh
 {
     // A little stays between a tip and what it grows under; something stays of any blade.
     constexpr double used = 0.95;
-    constexpr double leastShare = 0.05;
+    constexpr double minShare = 0.05;
     const glm::dvec3 place(root.position);
     const double wanted = height / used;
     if (query_ == nullptr || !fitsOverhangs_ || wanted <= settings_.clearance ||
         query_->isClear(place, up, wanted, root.triangle))
         return height;
-    return std::max(used * query_->clearance(place, up, wanted, root.triangle),
-                    leastShare * height);
+    return std::max(used * query_->clearance(place, up, wanted, root.triangle), minShare * height);
 }
 
 shared::Blade BladeGrower::grow(const RootSample& root, float exposure) const

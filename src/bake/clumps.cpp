@@ -21,7 +21,7 @@ namespace {
 constexpr std::uint64_t clumpSalt = 0x636c756d70ULL;
 
 // More centres than this are not worth their memory: clumps grow instead.
-constexpr double mostClumps = 2e6;
+constexpr double maxClumps = 2e6;
 
 // A blade's clump is at most so many spacings away: around e^−7 of all places have none so near.
 constexpr double reachShare = 1.5;
@@ -60,7 +60,7 @@ glm::dvec3 Clumps::Clump::direction(const terrain::GroundMesh& ground) const
 
 double clumpSpacing(double size, double area)
 {
-    return size <= 0.0 ? 0.0 : std::max(size, std::sqrt(area / mostClumps));
+    return size <= 0.0 ? 0.0 : std::max(size, std::sqrt(area / maxClumps));
 }
 
 Clumps::Clumps(const terrain::GroundMesh& ground, double spacing, std::uint64_t seed)

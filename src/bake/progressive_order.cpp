@@ -32,7 +32,7 @@ constexpr double radiusStep = 0.8408964152537145; // 2^(−1/4)
 // A region with more roots leaves those that have not been chosen when the radius has fallen to an
 // eighth to the finer lattice, whose regions are many and fit a cache. Others are chosen from to
 // the end, or until the radius is a 30 000th: what is closer together than that follows at random.
-constexpr std::size_t mostRootsToTheEnd = 262'144;
+constexpr std::size_t maxRootsToTheEnd = 262'144;
 constexpr int levelsPerLattice = 12;
 constexpr int levelsToTheEnd = 60;
 
@@ -117,7 +117,7 @@ struct Chooser {
             candidate.place -= low;
 
         const std::size_t around = chosen.size();
-        const bool toTheEnd = all.size() <= mostRootsToTheEnd;
+        const bool toTheEnd = all.size() <= maxRootsToTheEnd;
         const auto satisfied = [&] {
             return double(chosen.size() - around) >= enough * double(all.size());
         };

@@ -54,7 +54,7 @@ RootFilter::RootFilter(const terrain::GroundMesh& ground, const BakeSettings& se
     asksSite_ = everywhere.asksSlope() || everywhere.asksAltitude() || everywhere.asksCurvature() ||
                 mix_.asksPlace() || asks(settings.water);
     weighs_ =
-        asksSite_ || everywhere.asksAnything() || settings.leastIsland > 0.0 || border_.has_value();
+        asksSite_ || everywhere.asksAnything() || settings.minIsland > 0.0 || border_.has_value();
     asksObstacles_ = settings.clearance > 0.0 || !excluded_.empty() || occluders_.has_value() ||
                      sky_.has_value();
 }
@@ -87,8 +87,8 @@ double RootFilter::weighEverybody(const RootSample& root, const Site& site, doub
                                   Reject& reason) const
 {
     // An island that is too small is nothing but border.
-    if (settings_.leastIsland > 0.0 &&
-        double(features_->islandArea[root.triangle]) < settings_.leastIsland) {
+    if (settings_.minIsland > 0.0 &&
+        double(features_->islandArea[root.triangle]) < settings_.minIsland) {
         reason = Reject::border;
         return 0.0;
     }
@@ -183,7 +183,7 @@ terrain::FeatureChoice featuresFor(const BakeSettings& settings)
     return {.curvature = asks(settings.curvature) ||
                          std::any_of(settings.meadow.species.begin(), settings.meadow.species.end(),
                                      asksCurvature),
-            .islands = settings.leastIsland > 0.0,
+            .islands = settings.minIsland > 0.0,
             .borders = asks(settings.border)};
 }
 

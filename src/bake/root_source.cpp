@@ -12,8 +12,8 @@ namespace {
 
 // A Poisson count is met from above: at first by so much, then as near as chance lets it.
 constexpr double surplus = 1.012;
-constexpr double mostSurplus = 1.03;
-constexpr int mostTries = 8;
+constexpr double maxSurplus = 1.03;
+constexpr int maxTries = 8;
 
 using Priority = std::pair<double, std::uint64_t>;
 
@@ -37,14 +37,14 @@ RootPlan planPoissonCount(const terrain::GroundMesh& ground, const BakeSettings&
     const double wanted = double(count) * surplus + 2.0 * std::sqrt(double(count));
     plan.spacing = std::sqrt(tuning.yield * area / wanted);
     std::uint64_t most = 0;
-    for (int i = 0; i < mostTries; ++i) {
+    for (int i = 0; i < maxTries; ++i) {
         const Sampling sampling =
             PoissonDisk(ground, settings, filter, plan.spacing, plan.filtered, tuning)
                 .sample(progress);
         const std::size_t found = sampling.roots.size();
         most = std::max<std::uint64_t>(most, found);
-        const bool isClose = double(found) <= double(count) * mostSurplus + 100.0 || i >= 3;
-        if (found >= count && (isClose || i + 1 == mostTries)) {
+        const bool isClose = double(found) <= double(count) * maxSurplus + 100.0 || i >= 3;
+        if (found >= count && (isClose || i + 1 == maxTries)) {
             if (found == count)
                 return plan;
             std::vector<Priority> order;

@@ -108,7 +108,7 @@ void validate(const BakeSettings& settings)
     requireRange("--clearance", settings.clearance, 0.0, 1e9);
     requireRange("--exposure", settings.exposureRays, 0, 1024);
     requireRange("--ray-length", settings.rayLength, 0.0, 1e9);
-    requireRange("--min-island", settings.leastIsland, 0.0, 1e300);
+    requireRange("--min-island", settings.minIsland, 0.0, 1e300);
     if (!settings.sky.holds(0.0, 1.0) && settings.exposureRays == 0)
         fail(ErrorKind::usage, "--sky needs rays, but --exposure is 0");
     if (settings.meadow.species.empty())
@@ -147,7 +147,7 @@ std::string toJson(const BakeSettings& settings)
         {"border", range(settings.border)},
         {"above_water", range(settings.water)},
         {"sky", range(settings.sky)},
-        {"min_island", settings.leastIsland},
+        {"min_island", settings.minIsland},
         {"clearance", settings.clearance},
         {"exposure_rays", settings.exposureRays},
         {"ray_length", settings.rayLength},

@@ -61,7 +61,7 @@ struct BakeSettings {
     SoftRange border;                   ///< [m] from the nearest border of the ground
     SoftRange water;                    ///< [m] as altitude: above the level of water
     SoftRange sky{0.0, 1.0, 0.0};       ///< share of the sky that a root sees
-    double leastIsland = 0.0;           ///< [m²] smaller connected pieces bear nothing
+    double minIsland = 0.0;             ///< [m²] smaller connected pieces bear nothing
     double clearance = 0.0;             ///< [m] free height that a root needs; 0: not asked
     int exposureRays = 8;               ///< rays to the sky; 0: all roots are fully exposed
     double rayLength = 8.0;             ///< [m] how far those rays look, at blade scale 1

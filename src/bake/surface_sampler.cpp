@@ -24,14 +24,14 @@ constexpr std::uint64_t candidatesPerBlock = 16384;
 // keeps fewer than one in a million of its candidates is not worth more.
 constexpr double fewTrials = 1e5;
 constexpr double manyTrials = 4e6;
-constexpr double mostTrials = 1e8;
+constexpr double maxTrials = 1e8;
 
 // For a count a few more candidates are tried than needed; the threshold of their priorities is
 // looked for above this one.
 constexpr double windowStart = 0.9;
 
 // A candidate's number has 31 bits on each side.
-constexpr double mostCandidates = 2147483647.0;
+constexpr double maxCandidates = 2147483647.0;
 
 double random(std::uint64_t seed, field::BladeKey key, Dimension dimension)
 {
@@ -97,9 +97,9 @@ std::uint32_t SurfaceSampler::candidates(std::size_t triangle, double density, b
     const double share = density * ground_.area(triangle);
     const double count =
         std::floor(share + roundingShare(settings_.seed, ground_.source(triangle), back));
-    if (count > mostCandidates)
+    if (count > maxCandidates)
         fail(ErrorKind::input, "triangle {} of {} m² would bear {} blades, more than {}",
-             ground_.source(triangle), ground_.area(triangle), count, mostCandidates);
+             ground_.source(triangle), ground_.area(triangle), count, maxCandidates);
     return static_cast<std::uint32_t>(count);
 }
 
@@ -246,10 +246,10 @@ Amount SurfaceSampler::amountFor(std::uint64_t count, Progress& progress) const
     // Ask for a little more than needed, and for more again should chance be against it.
     amount.density =
         (double(count) * 1.02 + 6.0 * std::sqrt(double(count)) + 16.0) / (area * share);
-    const double mostDensity = std::max(mostTrials, 4.0 * double(count)) / area;
+    const double maxDensity = std::max(maxTrials, 4.0 * double(count)) / area;
     double from = count < 100'000 ? 0.0 : windowStart;
     for (;;) {
-        amount.density = std::min(amount.density, mostDensity);
+        amount.density = std::min(amount.density, maxDensity);
         const Tries tries{{amount.density}, firstCandidates(amount.density)};
         // Count what is kept below the window, and gather what is kept in it.
         std::vector<std::pair<double, std::uint64_t>> window;
@@ -273,7 +273,7 @@ Amount SurfaceSampler::amountFor(std::uint64_t count, Progress& progress) const
             window.insert(window.end(), own.begin(), own.end());
         });
         const std::uint64_t kept = below + window.size();
-        if (kept <= count && (kept == count || amount.density >= mostDensity))
+        if (kept <= count && (kept == count || amount.density >= maxDensity))
             return amount;
         if (kept < count) {
             amount.density *= 1.5;

@@ -14,7 +14,7 @@
 namespace sward::bake {
 namespace {
 
-constexpr std::size_t mostCells = 50'000'000;
+constexpr std::size_t maxCells = 50'000'000;
 
 // Place of a cell along a Z-order curve that begins at the lowest cell: from zero on, ground that
 // crosses height 0 would be dealt as two sheets over one another.
@@ -121,8 +121,8 @@ std::vector<std::vector<CellNumber>> dealTiles(const terrain::GroundMesh& ground
             continue;
         const Range range = cellsOf(ground, t, 0.01);
         const double touched = sizeOf(range);
-        if (touched + double(cells.size()) > double(mostCells))
-            fail(ErrorKind::input, "the ground touches more than {} cells of 32 m", mostCells);
+        if (touched + double(cells.size()) > double(maxCells))
+            fail(ErrorKind::input, "the ground touches more than {} cells of 32 m", maxCells);
         const double area = ground.area(t) / touched;
         forEachCell(range, [&](const CellNumber& cell) {
             const auto [entry, isNew] = cells.try_emplace(packCell(cell), Cell{cell, 0.0});

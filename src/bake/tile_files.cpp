@@ -21,7 +21,7 @@ constexpr const char* tileKind = "SWTILE01";
 constexpr const char* planFormat = "sward plan 2";
 
 constexpr std::size_t planLimit = std::size_t(16) << 20;
-constexpr std::uint32_t mostTiles = 1'000'000;
+constexpr std::uint32_t maxTiles = 1'000'000;
 
 // How long it took is left out: a tile has the same bytes whenever and wherever it is baked.
 struct TileNumbers {
@@ -179,8 +179,8 @@ TilePlan readPlan(const fs::path& path)
         plan.plan.roots.amount.lastKey = resolved.at("root_last_key").get<std::uint64_t>();
         plan.plan.roots.spacing = number("root_spacing");
         plan.plan.roots.filtered = resolved.at("root_filtered").get<bool>();
-        if (plan.tiles == 0 || plan.tiles > mostTiles)
-            fail(ErrorKind::input, "{}: {} tiles, outside [1, {}]", name, plan.tiles, mostTiles);
+        if (plan.tiles == 0 || plan.tiles > maxTiles)
+            fail(ErrorKind::input, "{}: {} tiles, outside [1, {}]", name, plan.tiles, maxTiles);
         return plan;
     } catch (const json::exception& error) {
         fail(ErrorKind::input, "{}: {}", name, error.what());

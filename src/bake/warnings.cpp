@@ -11,7 +11,7 @@ namespace {
 
 // Shares of roots from which a warning is given.
 constexpr double someUndersides = 0.01;
-constexpr double mostUndersides = 0.75;
+constexpr double maxUndersides = 0.75;
 constexpr double hardlyAny = 0.01;
 
 // The option that rejects for a reason.
@@ -60,7 +60,7 @@ void warnAboutNone(const RootCounts& counts, const Report::Input& ground, Diagno
 void warnAboutUndersides(const RootCounts& counts, Diagnostics& diagnostics)
 {
     const double share = double(counts.undersides) / double(counts.kept);
-    if (share > mostUndersides)
+    if (share > maxUndersides)
         diagnostics.warn(
             "{:.1f} % of the blades grow on undersides; use --sides back for a mesh that "
             "is inside out, --up-axis z or -y for one that lies on its side or upside "

@@ -26,7 +26,7 @@ constexpr std::size_t slopeBars = 18;
 constexpr double cellDistances = 16.0;
 
 // Patches that all searches together look into; usually it is some forty for each.
-constexpr std::uint64_t mostVisits = 4'000'000;
+constexpr std::uint64_t maxVisits = 4'000'000;
 
 // A cube that holds roots whose up-vectors are nearest to one direction.
 struct Cube {
@@ -81,7 +81,7 @@ std::vector<double> sampledDistances(const FieldView& field)
     const std::size_t samples = std::min(blades, neighbourSamples);
     std::vector<double> distances;
     RootSearch search(field);
-    for (std::size_t k = 0; k < samples && search.visited() < mostVisits; ++k) {
+    for (std::size_t k = 0; k < samples && search.visited() < maxVisits; ++k) {
         // One from each of equal stretches of the file.
         const double within = samples == blades ? 0.5 : uniform(0, k, 0);
         const double at = (double(k) + within) * double(blades) / double(samples);

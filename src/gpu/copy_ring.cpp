@@ -8,7 +8,7 @@ namespace sward::gpu {
 namespace {
 
 /// Copies of one batch, at most: their list is made once.
-constexpr std::size_t mostCopies = 4096;
+constexpr std::size_t maxCopies = 4096;
 
 Semaphore createCounter(const DeviceContext& context, const char* name)
 {
@@ -52,7 +52,7 @@ CopyRing::CopyRing(const DeviceContext& context, const Buffer& target, VkDeviceS
                                          .bytes = batchBytes,
                                          .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
                                          .memory = MemoryUse::upload});
-        batch.copies.reserve(mostCopies);
+        batch.copies.reserve(maxCopies);
         if (hasQueue())
             batch.commands = pool_.allocate("copies");
     }
@@ -92,7 +92,7 @@ void CopyRing::begin(std::uint32_t batch)
 std::span<std::byte> CopyRing::add(std::uint32_t index, VkDeviceSize offset, VkDeviceSize bytes)
 {
     Batch& batch = batches_[index];
-    if (bytes > batchBytes_ - batch.used || batch.copies.size() == mostCopies)
+    if (bytes > batchBytes_ - batch.used || batch.copies.size() == maxCopies)
         return {};
     expect(offset + bytes <= target_.bytes(), "the bytes fit into the buffer");
     batch.copies.push_back({batch.used, offset, bytes});

@@ -20,12 +20,12 @@ ImageSetLayout::ImageSetLayout(const DeviceContext& context, const ImageSetSetti
     , storageCount_(settings.storageCount)
 {
     const VkPhysicalDeviceLimits& limits = context.limits;
-    const std::uint32_t mostSampled =
+    const std::uint32_t maxSampled =
         std::min(limits.maxPerStageDescriptorSamplers, limits.maxPerStageDescriptorSampledImages);
-    if (sampledCount_ > mostSampled || storageCount_ > limits.maxPerStageDescriptorStorageImages)
+    if (sampledCount_ > maxSampled || storageCount_ > limits.maxPerStageDescriptorStorageImages)
         fail(ErrorKind::unsupported,
              "'{}' has {} sampled and {} storage images; {} allows {} and {} in a shader",
-             settings.name, sampledCount_, storageCount_, context.name, mostSampled,
+             settings.name, sampledCount_, storageCount_, context.name, maxSampled,
              limits.maxPerStageDescriptorStorageImages);
 
     std::vector<VkDescriptorSetLayoutBinding> bindings;

@@ -28,17 +28,17 @@ void StagedUpload::toBuffer(const Buffer& target, std::span<const std::byte> byt
     copies_.push_back({std::move(staging), target.get(), offset});
 }
 
-void StagedUpload::record(const Recording& commands, VkDeviceSize mostBytes) noexcept
+void StagedUpload::record(const Recording& commands, VkDeviceSize maxBytes) noexcept
 {
-    if (isRecorded() || mostBytes == 0)
+    if (isRecorded() || maxBytes == 0)
         return;
-    while (!isRecorded() && mostBytes > 0) {
+    while (!isRecorded() && maxBytes > 0) {
         const Copy& copy = copies_[next_];
-        const VkDeviceSize size = std::min(copy.staging.bytes() - recorded_, mostBytes);
+        const VkDeviceSize size = std::min(copy.staging.bytes() - recorded_, maxBytes);
         const VkBufferCopy region{recorded_, copy.offset + recorded_, size};
         commands.vk->CmdCopyBuffer(commands, copy.staging.get(), copy.target, 1, &region);
         recorded_ += size;
-        mostBytes -= size;
+        maxBytes -= size;
         if (recorded_ == copy.staging.bytes()) {
             ++next_;
             recorded_ = 0;

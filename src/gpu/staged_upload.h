@@ -25,9 +25,9 @@ public:
     void toBuffer(const Buffer& target, std::span<const std::byte> bytes,
                   VkDeviceSize offset = 0) override;
 
-    /// Records copies of at most `mostBytes` more, and a barrier to whatever comes after them.
+    /// Records copies of at most `maxBytes` more, and a barrier to whatever comes after them.
     /// Nobody uses the targets on the device before.
-    void record(const Recording& commands, VkDeviceSize mostBytes) noexcept;
+    void record(const Recording& commands, VkDeviceSize maxBytes) noexcept;
 
     bool isRecorded() const { return next_ == copies_.size(); } ///< all of it
 

@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t noGroup = std::numeric_limits<std::uint32_t>::max();
 
 // A subtree of less than this part of the largest group is not worth a draw of its own.
-constexpr std::uint64_t leastShare = 32;
+constexpr std::uint64_t minShare = 32;
 
 // Blades of each patch and everything below it.
 std::vector<std::uint64_t> subtreeCounts(std::span<const shared::Patch> patches)
@@ -69,7 +69,7 @@ private:
         // Representatives, and what is too little for a group, join the representatives of the
         // cell around them while there is room.
         const std::uint64_t joining = isWhole ? counts_[p] : patches_[p].bladeCount;
-        const bool mayJoin = !isWhole || counts_[p] < largest_ / leastShare;
+        const bool mayJoin = !isWhole || counts_[p] < largest_ / minShare;
         if (mayJoin && above != noGroup && reserved_[above] + joining <= largest_) {
             reserved_[above] += joining;
             return above;

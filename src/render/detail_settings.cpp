@@ -9,9 +9,9 @@ namespace sward::render {
 namespace {
 
 constexpr double farthest = 1e12; ///< [m]
-constexpr std::size_t mostSteps = 4;
-constexpr int mostSegments = 64;
-constexpr int mostBuckets = 1'000'000;
+constexpr std::size_t maxSteps = 4;
+constexpr int maxSegments = 64;
+constexpr int maxBuckets = 1'000'000;
 
 void readOptional(SettingsReader& reader, const char* key, double most, std::optional<float>& value)
 {
@@ -26,7 +26,7 @@ LevelStep readStep(SettingsReader& reader, const std::vector<LevelStep>& before)
 {
     LevelStep step;
     reader.read("distance", step.distance, 0.0, farthest);
-    reader.read("segments", step.segments, 1, mostSegments);
+    reader.read("segments", step.segments, 1, maxSegments);
     reader.finish();
     if (!before.empty() && step.distance <= before.back().distance)
         fail(ErrorKind::input, "{}: {} m is not farther than the step before",
@@ -46,13 +46,13 @@ void readCulling(SettingsReader reader, FrameSettings& settings)
     test("frustum", shared::cullFrustum);
     test("distance", shared::cullDistance);
     test("occlusion", shared::cullOcclusion);
-    readOptional(reader, "edge_on_cosine", 1.0, settings.mostEdgeOn);
+    readOptional(reader, "edge_on_cosine", 1.0, settings.maxEdgeOn);
     reader.read("draw_distance", settings.nature.drawDistance, 1e-6, farthest);
     if (reader.has("buckets")) {
         SettingsReader buckets(reader.child("buckets"), reader.placeOf("buckets"));
         int count = static_cast<int>(settings.buckets.count);
         settings.buckets.distance = settings.nature.drawDistance;
-        buckets.read("count", count, 0, mostBuckets);
+        buckets.read("count", count, 0, maxBuckets);
         buckets.read("distance", settings.buckets.distance, 1e-6, farthest);
         buckets.finish();
         settings.buckets.count = static_cast<std::uint32_t>(count);
@@ -64,10 +64,10 @@ void readLevels(SettingsReader reader, FrameSettings& settings)
 {
     reader.read("thin_and_widen", settings.levelOfDetail);
     reader.read("thin_below_px", settings.lodThreshold, 0.01, 100.0);
-    reader.read("least_width", settings.leastPixels, 0.0, 16.0);
-    reader.read("most_layers", settings.mostLayers, 0.0, 1e6);
-    reader.read("segments", settings.tessellationLevel, 0, mostSegments);
-    readList(reader, "steps", mostSteps, settings.levelSteps,
+    reader.read("least_width", settings.minPixels, 0.0, 16.0);
+    reader.read("most_layers", settings.maxLayers, 0.0, 1e6);
+    reader.read("segments", settings.tessellationLevel, 0, maxSegments);
+    readList(reader, "steps", maxSteps, settings.levelSteps,
              [&](SettingsReader& one) { return readStep(one, settings.levelSteps); });
     readOptional(reader, "move_every_frame", farthest, settings.pace.everyFrame);
     readOptional(reader, "move_every_third", farthest, settings.pace.everyThird);

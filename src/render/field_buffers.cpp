@@ -63,9 +63,9 @@ std::uint32_t FieldBuffers::roundPatchesOf(const PatchSizes& sizes, const Record
     if (records.roundPatches > 0)
         return records.roundPatches;
     constexpr std::uint64_t wholeLists = std::uint64_t(1) << 24;
-    constexpr std::uint64_t leastPatches = 64;
+    constexpr std::uint64_t minPatches = 64;
     const std::uint64_t least =
-        isPaged ? leastPatches * shared::maxPatchBlades : std::min(places, wholeLists);
+        isPaged ? minPatches * shared::maxPatchBlades : std::min(places, wholeLists);
     return std::max(sizes.patchesWithin(std::max(places / 8, least)), 1u);
 }
 

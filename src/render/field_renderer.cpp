@@ -224,7 +224,7 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
     if (raster) {
         solidRaster->prepare(shaders, frame.nature.colliderCount, debugMode);
         const Shading shading{.debugMode = debugMode,
-                              .leavesLayers = frame.view.mostLayers > 0.0f,
+                              .leavesLayers = frame.view.maxLayers > 0.0f,
                               .keepsSurfaces = findsHidden(wishes)};
         raster->prepare(shaders, shading);
         resolve->prepare(shaders, shading);

@@ -147,13 +147,13 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     frame.view.lodWidth = field.blade.width;
     frame.view.buckets = static_cast<float>(settings.buckets.count);
     frame.view.bucketDistance = settings.buckets.distance;
-    frame.view.leastWidth =
+    frame.view.minWidth =
         settings.levelOfDetail && view.pixelsPerUnit > 0.0f
-            ? settings.leastPixels / (view.pixelsPerUnit * std::sqrt(static_cast<float>(samples)))
+            ? settings.minPixels / (view.pixelsPerUnit * std::sqrt(static_cast<float>(samples)))
             : 0.0f;
-    frame.view.mostLayers = settings.levelOfDetail ? settings.mostLayers : 0.0f;
-    frame.view.mostEdgeOn = settings.mostEdgeOn.value_or(
-        frame.view.leastWidth > 0.0f ? 1.0f : shared::paperEdgeOnCosine);
+    frame.view.maxLayers = settings.levelOfDetail ? settings.maxLayers : 0.0f;
+    frame.view.maxEdgeOn =
+        settings.maxEdgeOn.value_or(frame.view.minWidth > 0.0f ? 1.0f : shared::paperEdgeOnCosine);
     frame.maxTessellation = defaultMaxSegments;
     frame.fixedTessellation = static_cast<float>(settings.tessellationLevel);
 

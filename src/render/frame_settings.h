@@ -54,15 +54,15 @@ struct FrameSettings {
     bool leavesThinned = true;
     bool levelOfDetail = true; ///< leave out and widen blades narrower than lodThreshold
     float lodThreshold = 0.3f; ///< [pixels], (0, 100]
-    float leastPixels = 0.8f;  ///< [samples' distances] blades are drawn no narrower while
+    float minPixels = 0.8f;    ///< [samples' distances] blades are drawn no narrower while
                                ///< levelOfDetail is on; 0: as narrow as they are
     /// [times a ray's cross section] So much leaf area is drawn in the way of a ray while
     /// levelOfDetail is on, of blades wider than a pixel as many times more as the fourth
     /// power of their pixels; what is behind is hidden. [0, 1e6]; 0: as much as there is.
-    float mostLayers = 10.0f;
+    float maxLayers = 10.0f;
     /// Cosine beyond which blades are cut as edge-on, 1: never. Not given: never while they are
-    /// drawn no narrower than leastPixels, which leaves nothing to cut; else the paper's.
-    std::optional<float> mostEdgeOn;
+    /// drawn no narrower than minPixels, which leaves nothing to cut; else the paper's.
+    std::optional<float> maxEdgeOn;
     int tessellationLevel =
         0; ///< segments along a blade, 1 to 64; 0: by size on the screen, at most 16
     std::vector<LevelStep> levelSteps; ///< at most 4, rising; empty: by size on the screen

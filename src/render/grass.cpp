@@ -35,7 +35,7 @@ struct Grass::Parts {
         , walk(context, shaders)
         , update(context)
         , frameOfSlot(wanted.framesInFlight, 0)
-        , depths(wanted.framesInFlight * wanted.mostViews)
+        , depths(wanted.framesInFlight * wanted.maxViews)
     {
         update.prepare(shaders, judging);
     }
@@ -71,7 +71,7 @@ struct Grass::Parts {
     std::vector<ViewDepth> depths; ///< view after view of slot after slot
     std::map<std::tuple<std::uint32_t, bool, float>, PyramidPass> pyramids; ///< by their settings
 
-    ViewDepth& depthOf(std::uint32_t view) { return depths[slot * settings.mostViews + view]; }
+    ViewDepth& depthOf(std::uint32_t view) { return depths[slot * settings.maxViews + view]; }
     shared::DepthPyramid lookAtDepth(const HostView& view, ViewDepth& depth);
 
     /// Calls `use` for each instance that is in the frame.
@@ -91,7 +91,7 @@ Grass::Grass(const gpu::DeviceContext& context, const Settings& settings)
     : parts_(std::make_unique<Parts>(context, settings))
 {
     expect(settings.framesInFlight >= 1, "at least one frame is in flight");
-    expect(settings.mostViews >= 1, "a frame has at least one view");
+    expect(settings.maxViews >= 1, "a frame has at least one view");
 }
 
 Grass::~Grass() = default;
@@ -127,7 +127,7 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
 {
     Parts& parts = *parts_;
     expect(slot < parts.settings.framesInFlight, "the slot is one of the frames in flight");
-    expect(frame.views.size() <= parts.settings.mostViews, "a frame has at most mostViews");
+    expect(frame.views.size() <= parts.settings.maxViews, "a frame has at most maxViews");
 
     // The slot's former frame has completed, and every one before it.
     std::erase_if(parts.removed, [&](const Parts::Removed& removed) {
@@ -296,7 +296,7 @@ void Grass::recordDepth(VkCommandBuffer commands, std::uint32_t view,
 FrameStats Grass::stats(std::uint32_t view, std::uint32_t slot) const
 {
     expect(slot < parts_->settings.framesInFlight, "the slot is one of the frames in flight");
-    expect(view < parts_->settings.mostViews, "the view is one of a frame's");
+    expect(view < parts_->settings.maxViews, "the view is one of a frame's");
     FrameStats sum;
     for (const auto& [id, field] : parts_->placed)
         field->addCounts(slot, view, sum);

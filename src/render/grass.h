@@ -49,10 +49,10 @@ class Grass {
 public:
     /// What stays the same from frame to frame.
     struct Settings {
-        std::uint32_t framesInFlight = 2;       ///< slots: frames recorded before one is waited for
-        std::uint32_t mostViews = 4;            ///< of a frame
-        bool keepsMotion = false;               ///< for motion vectors; 4 bytes a blade
-        std::uint32_t mostListed = 0xffffffffu; ///< blades of an instance drawn in a view, 16 bytes
+        std::uint32_t framesInFlight = 2;      ///< slots: frames recorded before one is waited for
+        std::uint32_t maxViews = 4;            ///< of a frame
+        bool keepsMotion = false;              ///< for motion vectors; 4 bytes a blade
+        std::uint32_t maxListed = 0xffffffffu; ///< blades of an instance drawn in a view, 16 bytes
     };
 
     Grass(const gpu::DeviceContext& context, const Settings& settings); ///< context outlives it

@@ -15,7 +15,7 @@ namespace {
 
 /// A corner with less ground than this share of a cube's face is taken to have that much: what is
 /// read there weighs as little, and division stays tame.
-constexpr float leastGround = 0.02f;
+constexpr float minGround = 0.02f;
 
 /// Pieces of ground are no longer than this share of a cell.
 constexpr float pieceSize = 0.5f;
@@ -179,7 +179,7 @@ LeafAreaGrid leafAreaOf(const field::FieldView& field)
 
     grid.values = std::move(leaves.amounts());
     for (std::size_t i = 0; i < grid.values.size(); ++i)
-        grid.values[i] /= std::max(ground.amounts()[i], leastGround * edge * edge);
+        grid.values[i] /= std::max(ground.amounts()[i], minGround * edge * edge);
     return grid;
 }
 

@@ -16,7 +16,7 @@ shared::Frame listingAll(const shared::Frame& frame)
     shared::Frame all = frame;
     all.view.cullMask = 0;
     all.view.lodThreshold = 0.0f;
-    all.view.mostLayers = 0.0f;
+    all.view.maxLayers = 0.0f;
     all.fates = 0;
     all.pyramid = {};
     return all;

@@ -21,7 +21,7 @@ static_assert(offsetof(Counts, early) == shared::largeEarly * sizeof(shared::Wal
 
 LargeBladeList::LargeBladeList(const gpu::DeviceContext& context, Room room)
     : cut_(context, {.name = "raster/cut blades",
-                     .bytes = shared::mostCutBlades * sizeof(shared::LargePart),
+                     .bytes = shared::maxCutBlades * sizeof(shared::LargePart),
                      .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT})
     , counts_(context,
               {.name = "raster/large blades' count",
@@ -31,7 +31,7 @@ LargeBladeList::LargeBladeList(const gpu::DeviceContext& context, Room room)
 {
     if (room.large)
         parts_ = gpu::Buffer(context, {.name = "raster/large blades",
-                                       .bytes = shared::mostLargeParts * sizeof(shared::LargePart),
+                                       .bytes = shared::maxLargeParts * sizeof(shared::LargePart),
                                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
     if (room.shownBlades == 0)
         return;

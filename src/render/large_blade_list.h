@@ -17,9 +17,9 @@ class LargeBladeList {
 public:
     LargeBladeList() = default;
 
-    /// For what there is room beside shared::mostCutBlades.
+    /// For what there is room beside shared::maxCutBlades.
     struct Room {
-        bool large = false; ///< shared::mostLargeParts
+        bool large = false; ///< shared::maxLargeParts
         std::uint32_t shownBlades =
             0; ///< a bit for each quarter, if some are to be left out as hidden
     };

@@ -12,11 +12,11 @@ namespace {
 using shared::pageBlades;
 
 /// Fewer pages than these draw no meadow: a page of each is coming, seen, or leaving.
-constexpr std::uint64_t leastPages = 16;
+constexpr std::uint64_t minPages = 16;
 
 /// What one frame brings at most [bytes]: copied in half a millisecond or so, and 240 MiB in a
 /// second of 60 frames.
-constexpr std::uint64_t mostFrameBytes = std::uint64_t(4) << 20;
+constexpr std::uint64_t maxFrameBytes = std::uint64_t(4) << 20;
 
 /// Levels of the walk, counts, and species: a few of each.
 constexpr std::uint64_t smallBytes = std::uint64_t(64) << 10;
@@ -38,7 +38,7 @@ std::uint64_t roundBytes(const PatchSizes& sizes, const field::FieldView& field,
     if (records.list)
         return 0;
     const std::uint64_t patches = FieldBuffers::roundPatchesOf(sizes, records, places, isPaged);
-    return std::min(sizes.mostBladesOf(patches), places) * sizeof(shared::VisibleBlade) +
+    return std::min(sizes.maxBladesOf(patches), places) * sizeof(shared::VisibleBlade) +
            2 * (field.patches.size() / patches + 1) * sizeof(shared::WalkLevel);
 }
 
@@ -53,7 +53,7 @@ Streaming::Settings streamingOf(std::uint64_t pages, const MemoryBudget& budget)
     const std::uint64_t pageBytes = pageBlades * sizeof(shared::PackedBlade);
     return {.framesInFlight = budget.framesInFlight,
             .frameBytes =
-                std::min(mostFrameBytes, std::max<std::uint64_t>(pages / 8, 1) * pageBytes),
+                std::min(maxFrameBytes, std::max<std::uint64_t>(pages / 8, 1) * pageBytes),
             .waitsForDisk = budget.waitsForDisk};
 }
 
@@ -96,7 +96,7 @@ MemoryPlan planFor(const field::FieldView& field, const FieldBuffers::Records& w
             budget.others + pagedBytes(sizes, field, wanted, budget, pages) <= budget.bytes;
         (fits ? fit : tooMany) = pages;
     }
-    const std::uint64_t least = std::min(leastPages, field.blades.size() / pageBlades);
+    const std::uint64_t least = std::min(minPages, field.blades.size() / pageBlades);
     if (fit < std::max<std::uint64_t>(least, 1))
         fail(ErrorKind::runtime,
              "a budget of {} MiB of device memory is too small for the field's {} blades in {} "

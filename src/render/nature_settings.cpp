@@ -20,7 +20,7 @@ constexpr double largestSize = 1e9;  ///< [m]
 constexpr double quickest = 1e6;     ///< [m/s], [rad/s]
 constexpr double strongest = 1000.0; ///< [1/s]
 constexpr double longest = 1e9;      ///< [s]
-constexpr std::size_t mostWaypoints = 1u << 16;
+constexpr std::size_t maxWaypoints = 1u << 16;
 
 // In the order of shared::windNoise ….
 constexpr std::array<std::string_view, shared::windKinds> kindNames{"noise",  "turning", "wave",
@@ -73,7 +73,7 @@ Collider readCollider(SettingsReader& reader)
         reader.read("to", collider.to, -farthest, farthest);
     }
     reader.read("radius", collider.radius, 1e-6, largestSize);
-    readList(reader, "path", mostWaypoints, collider.path, [&collider](SettingsReader& one) {
+    readList(reader, "path", maxWaypoints, collider.path, [&collider](SettingsReader& one) {
         Collider::Waypoint point;
         one.read("time", point.time, -longest, longest);
         one.read("move", point.move, -farthest, farthest);

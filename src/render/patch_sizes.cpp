@@ -14,7 +14,7 @@ PatchSizes::PatchSizes(std::span<const shared::Patch> patches)
     }
 }
 
-std::uint64_t PatchSizes::mostBladesOf(std::uint64_t patches) const
+std::uint64_t PatchSizes::maxBladesOf(std::uint64_t patches) const
 {
     std::uint64_t blades = 0;
     for (std::size_t size = patches_.size() - 1; size > 0 && patches > 0; --size) {

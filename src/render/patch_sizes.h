@@ -16,7 +16,7 @@ public:
     explicit PatchSizes(std::span<const shared::Patch> patches);
 
     /// Blades of any so many patches together at most: those of the largest ones.
-    std::uint64_t mostBladesOf(std::uint64_t patches) const;
+    std::uint64_t maxBladesOf(std::uint64_t patches) const;
 
     /// So many patches, whichever, have no more than `blades` blades; no more than own any.
     std::uint32_t patchesWithin(std::uint64_t blades) const;

@@ -60,7 +60,7 @@ PlacedField::PlacedField(const gpu::DeviceContext& context, const FieldInstance&
     const gpu::UniformSetLayout layout(context, "instance/frame");
     const VkDeviceSize bytes =
         framesOffset() +
-        settings.mostViews * (frameKinds * sizeof(shared::Frame) + sizeof(shared::Motion));
+        settings.maxViews * (frameKinds * sizeof(shared::Frame) + sizeof(shared::Motion));
     for (std::uint32_t i = 0; i < settings.framesInFlight; ++i) {
         Slot& slot = slots_.emplace_back();
         slot.constants = gpu::Buffer(context, {.name = "instance/constants",
@@ -73,8 +73,8 @@ PlacedField::PlacedField(const gpu::DeviceContext& context, const FieldInstance&
                                         .buffer = slot.constants.get(),
                                         .offset = framesOffset(),
                                         .bytes = sizeof(shared::Frame),
-                                        .count = frameKinds * settings.mostViews});
-        slot.counts = countsBuffer(context, "instance/counts", 1 + settings.mostViews,
+                                        .count = frameKinds * settings.maxViews});
+        slot.counts = countsBuffer(context, "instance/counts", 1 + settings.maxViews,
                                    gpu::MemoryUse::readback);
         std::ranges::fill(slots_.back().counts.mapped(), std::byte{0});
     }
@@ -87,7 +87,7 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
     const Placement& placement = instance_.placement;
     while (lists_.size() < frame.views.size())
         lists_.emplace_back(*context_, field.blades, field.blades.ownerCount(),
-                            settings_.mostListed);
+                            settings_.maxListed);
     std::ranges::fill(slots_[slot].counts.mapped(), std::byte{0});
 
     // What is the same in all views.
@@ -166,7 +166,7 @@ VkDeviceAddress PlacedField::motion(std::uint32_t slot, std::uint32_t view) cons
 std::uint32_t PlacedField::frameIndex(std::uint32_t kind, std::uint32_t view) const
 {
     expect(view < lists_.size(), "the view is one of the frame's");
-    return kind * settings_.mostViews + view;
+    return kind * settings_.maxViews + view;
 }
 
 VkDeviceSize PlacedField::frameOffset(std::uint32_t kind, std::uint32_t view) const

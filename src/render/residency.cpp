@@ -27,16 +27,16 @@ constexpr std::uint8_t coarseGrade = 72;
 constexpr std::uint32_t gradeCount = coarseGrade + 1;
 
 /// What is not drawn, but would be if it were half as far away, is worth being there.
-constexpr float leastWorth = 0.5f;
+constexpr float minWorth = 0.5f;
 
 /// Blades are drawn as if level of detail began at a width so many times larger, at most: they
 /// would be taken for others. What is still missing then is missing in the picture, too.
-constexpr float mostThinning = 8.0f;
+constexpr float maxThinning = 8.0f;
 
 constexpr std::uint32_t outsideBit = 0x80000000u;
 
 /// So many places are looked at for a page that may leave.
-constexpr std::uint32_t mostLooks = 4096;
+constexpr std::uint32_t maxLooks = 4096;
 
 /// `worth` is how many times wider blades are seen at a patch than where level of detail draws its
 /// first one.
@@ -122,9 +122,9 @@ void Residency::visit(std::uint32_t entry)
     const float share = width / std::max(threshold_, 1e-6f);
     const auto worthOf = [share](float rank) { return share / std::max(rank, 1e-6f); };
 
-    if (cell.bladeCount > 0 && worthOf(cell.rankLow) > leastWorth)
+    if (cell.bladeCount > 0 && worthOf(cell.rankLow) > minWorth)
         want(cell, gradeOf(worthOf(cell.rankLow), cell.rankLow, outside));
-    if (cell.childCount == 0 || worthOf(below.rankBelow) <= leastWorth)
+    if (cell.childCount == 0 || worthOf(below.rankBelow) <= minWorth)
         return;
     for (std::uint32_t child = 0; child < cell.childCount; ++child)
         queue_.push_back((cell.firstChild + child) | (outside ? outsideBit : 0u));
@@ -157,7 +157,7 @@ void Residency::finish()
     std::uint32_t grade = gradeCount;
     while (grade > 0 && total + wanted_[grade - 1] <= pageAt_.size())
         total += wanted_[--grade];
-    leastGrade_ = static_cast<std::uint8_t>(grade == 0 ? 0 : grade - 1);
+    minGrade_ = static_cast<std::uint8_t>(grade == 0 ? 0 : grade - 1);
 
     // The best first; alike, in level order.
     std::vector<std::uint32_t>& ends = wanted_; // it has told what it had to
@@ -186,7 +186,7 @@ std::optional<std::uint32_t> Residency::next()
 {
     while (asked_ < order_.size() && pages_[order_[asked_]].state != State::absent)
         ++asked_;
-    if (asked_ == order_.size() || pages_[order_[asked_]].grade < leastGrade_)
+    if (asked_ == order_.size() || pages_[order_[asked_]].grade < minGrade_)
         return std::nullopt;
     return order_[asked_++];
 }
@@ -217,9 +217,9 @@ std::optional<Residency::Gone> Residency::leave(std::uint32_t waiting)
     if (asked_ + waiting >= order_.size())
         return std::nullopt;
     const std::uint8_t better = pages_[order_[asked_ + waiting]].grade;
-    if (better < leastGrade_)
+    if (better < minGrade_)
         return std::nullopt;
-    for (std::uint32_t looks = 0; looks < mostLooks && fruitless_ < pageAt_.size();
+    for (std::uint32_t looks = 0; looks < maxLooks && fruitless_ < pageAt_.size();
          ++looks, ++fruitless_) {
         const std::uint32_t index = pageAt_[hand_];
         hand_ = (hand_ + 1) % static_cast<std::uint32_t>(pageAt_.size());
@@ -227,7 +227,7 @@ std::optional<Residency::Gone> Residency::leave(std::uint32_t waiting)
             continue;
         Page& page = pages_[index];
         const bool isWanted = page.survey >= lastNumber_;
-        if (isWanted && (page.grade > leastGrade_ || page.grade >= better))
+        if (isWanted && (page.grade > minGrade_ || page.grade >= better))
             continue;
         pageAt_[page.place] = noPlace;
         page.state = State::leaving;
@@ -273,7 +273,7 @@ shared::PageChange Residency::change(std::uint32_t index, bool comes)
 // Pages that would fit, some or all of them.
 bool Residency::lacks() const
 {
-    return firstMissing_ < order_.size() && pages_[order_[firstMissing_]].grade >= leastGrade_;
+    return firstMissing_ < order_.size() && pages_[order_[firstMissing_]].grade >= minGrade_;
 }
 
 float Residency::thinning() const
@@ -282,7 +282,7 @@ float Residency::thinning() const
         return 1.0f;
     const int grade = pages_[order_[firstMissing_]].grade;
     return std::clamp(std::exp2(static_cast<float>(grade - seenGrade) / gradesPerOctave), 1.0f,
-                      mostThinning);
+                      maxThinning);
 }
 
 std::uint32_t Residency::placeOf(std::uint32_t page) const

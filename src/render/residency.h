@@ -98,7 +98,7 @@ private:
 
     // What the last one has found.
     std::uint32_t lastNumber_ = 0;
-    std::uint8_t leastGrade_ = 0;      ///< pages of it fit in part, those above as a whole
+    std::uint8_t minGrade_ = 0;        ///< pages of it fit in part, those above as a whole
     std::vector<std::uint32_t> order_; ///< pages that were missing, the best first
     std::size_t asked_ = 0;            ///< so many of them have been handed out
     std::size_t firstMissing_ = 0;     ///< those before it are there

@@ -21,9 +21,9 @@ ResidentField::ResidentField(const gpu::DeviceContext& context, const field::Fie
 
 ResidentField::~ResidentField() = default;
 
-void ResidentField::recordUpload(VkCommandBuffer commands, VkDeviceSize mostBytes) noexcept
+void ResidentField::recordUpload(VkCommandBuffer commands, VkDeviceSize maxBytes) noexcept
 {
-    parts_->upload.record({parts_->context, commands}, mostBytes);
+    parts_->upload.record({parts_->context, commands}, maxBytes);
 }
 
 bool ResidentField::isUploaded() const

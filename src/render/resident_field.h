@@ -25,10 +25,10 @@ public:
     ResidentField& operator=(const ResidentField&) = delete;
     ~ResidentField(); ///< after the commands of the last frame that draws it
 
-    /// Records the copy of at most `mostBytes` more, outside of a rendering; nothing when all is
+    /// Records the copy of at most `maxBytes` more, outside of a rendering; nothing when all is
     /// recorded. Instances are drawn from the frame on that begins after the last piece: its
     /// commands are submitted later than these.
-    void recordUpload(VkCommandBuffer commands, VkDeviceSize mostBytes = VK_WHOLE_SIZE) noexcept;
+    void recordUpload(VkCommandBuffer commands, VkDeviceSize maxBytes = VK_WHOLE_SIZE) noexcept;
     bool isUploaded() const; ///< all of it is recorded
 
     /// Frees the mapped memory, after the commands of the whole upload have completed.

@@ -77,8 +77,8 @@ Json detailJson(const FrameSettings& settings)
 {
     Json json{{"thin_and_widen", settings.levelOfDetail},
               {"thin_below_px", number(settings.lodThreshold)},
-              {"least_width", number(settings.leastPixels)},
-              {"most_layers", number(settings.mostLayers)},
+              {"least_width", number(settings.minPixels)},
+              {"most_layers", number(settings.maxLayers)},
               {"segments", settings.tessellationLevel}};
     if (!settings.levelSteps.empty())
         json["steps"] = Json::array();
@@ -114,8 +114,8 @@ std::string settingsText(const FrameSettings& settings)
     for (const CullTest& test : cullTests)
         culling[std::string(test.name)] = (settings.cullMask & test.bit) != 0;
     culling["draw_distance"] = number(nature.drawDistance);
-    if (settings.mostEdgeOn)
-        culling["edge_on_cosine"] = number(*settings.mostEdgeOn);
+    if (settings.maxEdgeOn)
+        culling["edge_on_cosine"] = number(*settings.maxEdgeOn);
     if (settings.buckets.count > 0)
         culling["buckets"] = {{"count", settings.buckets.count},
                               {"distance", number(settings.buckets.distance)}};

@@ -43,10 +43,10 @@ SolidRasterPass::SolidRasterPass(const gpu::DeviceContext& context,
              .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
                       VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT})
     , middleTriangles_(context, {.name = "solid/middle triangles",
-                                 .bytes = shared::mostMiddleTriangles * sizeof(std::uint32_t),
+                                 .bytes = shared::maxMiddleTriangles * sizeof(std::uint32_t),
                                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT})
     , largeTriangles_(context, {.name = "solid/large triangles",
-                                .bytes = shared::mostLargeTriangles * sizeof(shared::LargeTriangle),
+                                .bytes = shared::maxLargeTriangles * sizeof(shared::LargeTriangle),
                                 .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT})
 {
     triangles_ = pipeline(shaders, "solid/triangles", "raster_solid.comp");
@@ -149,7 +149,7 @@ void SolidRasterPass::recordTriangles(VkCommandBuffer commands, const FramePlace
         triangles_.bind(commands);
         frame.bind(commands, triangles_.layout(), solidFrameSet);
         triangles_.push(commands, push);
-        vkCmdDispatch(commands, std::min(ground_->clusterCount(), shared::mostSolidGroups), 1, 1);
+        vkCmdDispatch(commands, std::min(ground_->clusterCount(), shared::maxSolidGroups), 1, 1);
     }
     if (colliderTriangles_ > 0) {
         colliders_.bind(commands);
@@ -157,8 +157,7 @@ void SolidRasterPass::recordTriangles(VkCommandBuffer commands, const FramePlace
         colliders_.push(commands, push);
         vkCmdDispatch(
             commands,
-            std::min(groupsFor(colliderTriangles_, shared::solidThreads), shared::mostGroups), 1,
-            1);
+            std::min(groupsFor(colliderTriangles_, shared::solidThreads), shared::maxGroups), 1, 1);
     }
     gpu::computeToCompute(commands);
     middle_.bind(commands);

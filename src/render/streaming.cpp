@@ -39,7 +39,7 @@ std::uint32_t batchesOf(const Streaming::Settings& settings)
 }
 
 /// As many pages leave as come, at most; with a queue all batches may come together.
-VkDeviceSize mostChanges(const Streaming::Settings& settings)
+VkDeviceSize maxChanges(const Streaming::Settings& settings)
 {
     return VkDeviceSize(pagesPerFrame(settings)) * (batchesOf(settings) + 1);
 }
@@ -65,7 +65,7 @@ Streaming::Streaming(const gpu::DeviceContext& context, const gpu::ShaderLibrary
     for (InFlight& frame : frames_)
         frame.changes =
             gpu::Buffer(context, {.name = "frame/page changes",
-                                  .bytes = mostChanges(settings) * sizeof(shared::PageChange),
+                                  .bytes = maxChanges(settings) * sizeof(shared::PageChange),
                                   .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                   .memory = gpu::MemoryUse::upload});
     for (auto& pages : coming_)
@@ -231,7 +231,7 @@ std::optional<VkSemaphoreSubmitInfo> Streaming::copied() const
 VkDeviceSize Streaming::bytesFor(const Settings& settings)
 {
     return batchesOf(settings) * pagesPerFrame(settings) * pageBytes +
-           settings.framesInFlight * mostChanges(settings) * sizeof(shared::PageChange);
+           settings.framesInFlight * maxChanges(settings) * sizeof(shared::PageChange);
 }
 
 } // namespace sward::render

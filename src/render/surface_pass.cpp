@@ -27,7 +27,7 @@ SurfacePass::SurfacePass(const gpu::DeviceContext& context, const TargetSettings
     , target_(target)
     , frameLayout_(context, "raster/frame")
     , places_(bufferOf(context, "raster/places of surfaces", shared::surfacePlaceCount))
-    , surfaces_(bufferOf(context, "raster/surfaces", wordsOfSurface * shared::mostSurfaces))
+    , surfaces_(bufferOf(context, "raster/surfaces", wordsOfSurface * shared::maxSurfaces))
 {
 }
 

@@ -84,7 +84,7 @@ void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& b
                                                .ownerCount = blades.ownerCount(),
                                                .onlyUpdate = scope == Scope::all ? 1u : 0u,
                                                .firstLive = input.round * found.roundPatches(),
-                                               .mostLive = found.roundPatches(),
+                                               .maxLive = found.roundPatches(),
                                                .round = input.round,
                                                .lateRound = found.roundCount() + input.round,
                                                .viewCount = input.viewCount,
@@ -92,7 +92,7 @@ void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& b
     if (scope == Scope::all) {
         const std::uint32_t groups =
             shared::updateGroups(blades.ownerCount(), patchesOfGroup(*context_));
-        commands.vk->CmdDispatch(commands, std::min(groups, input.mostGroups), 1, 1);
+        commands.vk->CmdDispatch(commands, std::min(groups, input.maxGroups), 1, 1);
     } else {
         commands.vk->CmdDispatchIndirect(commands, found.levels().get(),
                                          shared::liveLevel * sizeof(shared::WalkLevel));

@@ -68,7 +68,7 @@ public:
         std::uint32_t viewCount = 0; ///< … and how many
         VkDeviceAddress before = 0;  ///< where it keeps states, if the variant does
         Shown shown{};
-        std::uint32_t mostGroups = shared::mostGroups; ///< work-groups that share all patches
+        std::uint32_t maxGroups = shared::maxGroups; ///< work-groups that share all patches
     };
 
     /// Between a barrier from the clearing of the counts, or from the walk, and one to the draw.

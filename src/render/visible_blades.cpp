@@ -8,13 +8,13 @@
 namespace sward::render {
 
 VisibleBlades::VisibleBlades(const gpu::DeviceContext& context, const BakedBlades& blades,
-                             std::uint32_t roundPatches, std::uint32_t mostBlades)
+                             std::uint32_t roundPatches, std::uint32_t maxBlades)
     : roundPatches_(std::max(std::min(roundPatches, blades.ownerCount()), 1u))
     , roundCount_(std::max(
           1u, static_cast<std::uint32_t>(gpu::groupsFor(blades.ownerCount(), roundPatches_))))
     , listLength_(static_cast<std::uint32_t>(
-          std::min<std::uint64_t>(std::min(blades.placeCount(), mostBlades),
-                                  blades.patchSizes().mostBladesOf(roundPatches_))))
+          std::min<std::uint64_t>(std::min(blades.placeCount(), maxBlades),
+                                  blades.patchSizes().maxBladesOf(roundPatches_))))
 {
     const PatchTree& tree = blades.tree();
     queue_ = allocate(context, "view/queue",

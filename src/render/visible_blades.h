@@ -16,10 +16,10 @@ namespace sward::render {
 /// of those blades that are to be drawn.
 class VisibleBlades {
 public:
-    /// Room for `roundPatches` live patches in the list, and for no more than `mostBlades`; live
+    /// Room for `roundPatches` live patches in the list, and for no more than `maxBlades`; live
     /// patches beyond take their turns in rounds.
     VisibleBlades(const gpu::DeviceContext& context, const BakedBlades& blades,
-                  std::uint32_t roundPatches, std::uint32_t mostBlades);
+                  std::uint32_t roundPatches, std::uint32_t maxBlades);
 
     /// Writes addresses and the list's length into a frame.
     void describe(shared::Frame& frame) const;

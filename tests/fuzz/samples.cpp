@@ -127,7 +127,7 @@ void addSettings(std::vector<Sample>& all)
     settings.colliders = {
         {{1.0, 2.0, 3.0}, {1.0, 2.0, 3.0}, 0.3, {}},
         {{1.0, 2.0, 3.0}, {4.0, 2.0, 3.0}, 0.2, {{0.0, {}}, {1.5, {1.0, 0.0, 0.0}}}}};
-    settings.mostEdgeOn = 0.9f;
+    settings.maxEdgeOn = 0.9f;
     settings.buckets = {7, 40.0f};
     settings.levelSteps = {{5.0f, 16}, {10.0f, 12}};
     settings.pace = {10.0f, 20.0f};

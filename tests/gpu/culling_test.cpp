@@ -102,8 +102,8 @@ bool isClose(const shared::Frame& frame, const shared::Blade& blade, std::uint32
     const float distance = glm::length(ray);
     shared::Eyepoint narrower = frame.view;
     shared::Eyepoint wider = narrower;
-    narrower.leastWidth *= 1.0f - 10.0f * margin;
-    wider.leastWidth *= 1.0f + 10.0f * margin;
+    narrower.minWidth *= 1.0f - 10.0f * margin;
+    wider.minWidth *= 1.0f + 10.0f * margin;
     const float factor = verdict.widthFactor > 0.0f ? verdict.widthFactor : 1.0f;
     if (shared::seenTooNarrow(narrower, blade, index, axis, distance, factor) !=
         shared::seenTooNarrow(wider, blade, index, axis, distance, factor))
@@ -118,7 +118,7 @@ bool isClose(const shared::Frame& frame, const shared::Blade& blade, std::uint32
                       shared::planeDistance(plane, blade.root + blade.height * pose.v2)});
         const float reserve =
             0.5f * shared::outlineMost * blade.width * std::max(verdict.widthFactor, 1.0f) +
-            shared::ribMargin(distance + blade.height, frame.view.leastWidth);
+            shared::ribMargin(distance + blade.height, frame.view.minWidth);
         if (std::abs(reach + reserve) < margin)
             return true;
     }
@@ -204,7 +204,7 @@ TEST_F(CullingTest, JudgesTheSameByAShaderThatKnowsWhatIsAsked)
             shared::Frame frame =
                 this->frame(randomCamera(i), std::array{1u, 2u, 4u, 8u, 0u, 15u}[i]);
             frame.view.lodThreshold *= i % 2 == 0 ? 0.0f : 1.0f;
-            frame.view.mostLayers = i % 3 == 0 ? 0.0f : 1e-3f;
+            frame.view.maxLayers = i % 3 == 0 ? 0.0f : 1e-3f;
             const auto run = [&](test::UpdateBench& bench) {
                 return bench.run(frame, FrameSettings(), states_, 0.03f,
                                  UpdateCullPass::Scope::visible);

@@ -24,7 +24,7 @@ class DetailTest : public test::GpuTest {
 protected:
     void driveAndCompare(std::uint32_t samples);
     void measureCoverage(Geometry geometry, bool forCpu = false);
-    void measureLayers(glm::vec2 heights, double mostShift);
+    void measureLayers(glm::vec2 heights, double maxShift);
 };
 
 /// Means over each tile of `of` the difference of a channel's 8-bit values, the three of a tile
@@ -207,8 +207,8 @@ TEST_F(DetailTest, GrassRasterisedForACpuHidesAsMuchOfTheGroundAtEveryDistance)
 
 /// Of dense grass that is so high [m], and so flat before the eye that a ray to the far end has
 /// eighty times its cross section of blades in its way, what others hide is left out, and no
-/// channel of a tile shifts by more than `mostShift`.
-void DetailTest::measureLayers(glm::vec2 heights, double mostShift)
+/// channel of a tile shifts by more than `maxShift`.
+void DetailTest::measureLayers(glm::vec2 heights, double maxShift)
 {
     const field::Field field = test::makeField({.blades = 800'000,
                                                 .extent = 80.0f,
@@ -229,14 +229,14 @@ void DetailTest::measureLayers(glm::vec2 heights, double mostShift)
         std::array<std::uint64_t, 2> drawn{};
         std::array<std::vector<std::byte>, 2> pixels;
         for (const bool leavesOut : {false, true}) {
-            settings.mostLayers = leavesOut ? FrameSettings().mostLayers : 0.0f;
+            settings.maxLayers = leavesOut ? FrameSettings().maxLayers : 0.0f;
             picture.draw(renderer, camera, settings, 1.0);
             drawn.at(leavesOut ? 1 : 0) = renderer.stats(0).drawn;
             pixels.at(leavesOut ? 1 : 0) = picture.pixels();
         }
         EXPECT_LT(double(drawn[1]), 0.35 * double(drawn[0])) << nameOf(geometry);
         EXPECT_GT(drawn[1], 0u);
-        EXPECT_LE(largestShift(pixels[0], pixels[1]), mostShift) << nameOf(geometry);
+        EXPECT_LE(largestShift(pixels[0], pixels[1]), maxShift) << nameOf(geometry);
     }
 }
 

@@ -171,7 +171,7 @@ TEST_F(GrassTest, ComesAndGoesWhileFramesAreInFlight)
 
 TEST_F(GrassTest, ListsNoMoreThanItHasRoomFor)
 {
-    Grass grass(context(), {.framesInFlight = 1, .mostListed = 200});
+    Grass grass(context(), {.framesInFlight = 1, .maxListed = 200});
     grass.add({upload(field_), {}});
     drawnAlone(grass, 1.0, lookingFrom({2.0, 2.5, 4.0}));
     EXPECT_GT(grass.stats(0, 0).drawn, 1000u);

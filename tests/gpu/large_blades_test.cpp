@@ -19,10 +19,10 @@ constexpr std::uint32_t tile = 32;
 
 // As tests/viewer/geometry_test.py has them: PSNR [dB] over the grass, lower where a pixel of four
 // samples shows both halves of a fold; mean signed difference of any tile, of 255.
-constexpr double leastPsnr = 40.0;
-constexpr double leastPsnrOfThickets = 39.0; ///< at 320 × 180 many pixels show several blades
-constexpr double leastPsnrOfFolds = 37.0;
-constexpr double mostTile = 2.0;
+constexpr double minPsnr = 40.0;
+constexpr double minPsnrOfThickets = 39.0; ///< at 320 × 180 many pixels show several blades
+constexpr double minPsnrOfFolds = 37.0;
+constexpr double maxTile = 2.0;
 
 using Pixels = std::vector<std::byte>;
 
@@ -100,7 +100,7 @@ protected:
     static void expectPipelinesPicture(const field::Field& field, std::uint32_t samples,
                                        const Camera& camera, FrameSettings settings,
                                        glm::uvec2 pixels, std::uint64_t least,
-                                       double psnrOfFlat = leastPsnr)
+                                       double psnrOfFlat = minPsnr)
     {
         test::Picture picture(context(), pixels);
         FieldRenderer pipeline = rendererOf(field, Geometry::tessellation, samples);
@@ -118,8 +118,8 @@ protected:
             picture.draw(raster, camera, settings, 1.0);
             EXPECT_GE(raster.stats().drawn, least);
             EXPECT_GE(psnr(picture.pixels(), expected, bare),
-                      isFolded && samples > 1 ? leastPsnrOfFolds : psnrOfFlat);
-            EXPECT_LE(worstTile(picture.pixels(), expected, pixels), mostTile);
+                      isFolded && samples > 1 ? minPsnrOfFolds : psnrOfFlat);
+            EXPECT_LE(worstTile(picture.pixels(), expected, pixels), maxTile);
         }
     }
 
@@ -161,7 +161,7 @@ TEST_F(LargeBlades, AmidAThicketLookAsTheGraphicsPipelineDrawsThem)
         for (const int step : {0, 5})
             expectPipelinesPicture(field, samples, test::onTheWay(step),
                                    FrameSettings::of(field::viewOf(field)), size, 100,
-                                   leastPsnrOfThickets);
+                                   minPsnrOfThickets);
 }
 
 /// The graphics pipeline clips by itself; the rasteriser finds what may be cut, and cuts it.

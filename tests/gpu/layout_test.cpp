@@ -63,7 +63,7 @@ public:
     void fill(shared::Eyepoint& e)
     {
         fillAll(e.planes, e.eye, e.drawDistance, e.pixelsPerUnit, e.lodThreshold, e.lodWidth,
-                e.leastWidth, e.mostLayers, e.mostEdgeOn, e.samples, e.buckets, e.bucketDistance,
+                e.minWidth, e.maxLayers, e.maxEdgeOn, e.samples, e.buckets, e.bucketDistance,
                 e.cullMask);
     }
     void fill(shared::LevelSteps& s) { fillAll(s.distance, s.segments, s.count); }
@@ -164,8 +164,8 @@ std::size_t fillValues(Values& v)
     n.fillAll(v.collider);
     shared::UpdatePush& u = v.updatePush;
     n.fillAll(u.judged, u.live, u.levels, u.rounds, u.owners, u.views, u.before, u.seenBefore,
-              u.ownerCount, u.onlyUpdate, u.firstLive, u.mostLive, u.round, u.lateRound,
-              u.viewCount, u.frame);
+              u.ownerCount, u.onlyUpdate, u.firstLive, u.maxLive, u.round, u.lateRound, u.viewCount,
+              u.frame);
     shared::WalkPush& w = v.walkPush;
     n.fillAll(w.judged, w.subtrees, w.queue, w.live, w.levels, w.startCount, w.startLevel, w.level,
               w.reserved);

@@ -31,7 +31,7 @@ TEST(PatchSizes, NoChoiceOfPatchesHasMoreBladesThanTheLargest)
         std::sort(sizes.begin(), sizes.end(), std::greater<>());
         std::uint64_t blades = 0;
         for (std::size_t n = 0; n <= sizes.size(); ++n) {
-            ASSERT_EQ(known.mostBladesOf(n), blades);
+            ASSERT_EQ(known.maxBladesOf(n), blades);
             // So many fit whichever they are, and with one blade less they do not.
             if (n > 0 && sizes[n - 1] > 0) {
                 ASSERT_GE(known.patchesWithin(blades), n);
@@ -40,7 +40,7 @@ TEST(PatchSizes, NoChoiceOfPatchesHasMoreBladesThanTheLargest)
             if (n < sizes.size())
                 blades += sizes[n];
         }
-        ASSERT_EQ(known.mostBladesOf(1000), blades);
+        ASSERT_EQ(known.maxBladesOf(1000), blades);
         const auto owners = std::count_if(sizes.begin(), sizes.end(), [](auto s) { return s > 0; });
         ASSERT_EQ(known.patchesWithin(blades), std::uint32_t(owners));
     }
@@ -49,7 +49,7 @@ TEST(PatchSizes, NoChoiceOfPatchesHasMoreBladesThanTheLargest)
 TEST(PatchSizes, OfAFieldWithoutBladesAreNone)
 {
     const PatchSizes none(patchesOf({0, 0}));
-    EXPECT_EQ(none.mostBladesOf(2), 0u);
+    EXPECT_EQ(none.maxBladesOf(2), 0u);
     EXPECT_EQ(none.patchesWithin(1000), 0u);
 }
 

@@ -205,12 +205,12 @@ TEST_F(SolidTest, DrawsWhatHasNoRoomInItsLists)
     // A metre is 24 pixels: boxes of 41 × 41 pixels, and of 10 × 10, all of them in the picture.
     // Those that come last, and find the lists full, are the nearest.
     field::Field field = bareField();
-    putCrowd(field.ground, shared::mostLargeTriangles + 4000, 1.4f);
-    putCrowd(field.ground, 2 * shared::mostMiddleTriangles + 4000, 0.3f);
+    putCrowd(field.ground, shared::maxLargeTriangles + 4000, 1.4f);
+    putCrowd(field.ground, 2 * shared::maxMiddleTriangles + 4000, 0.3f);
     endGround(field.ground);
     // Some work-groups have more clusters than one.
     ASSERT_GT(field.ground.indices.size() / 3,
-              std::size_t(shared::mostSolidGroups + 100) * shared::clusterTriangles);
+              std::size_t(shared::maxSolidGroups + 100) * shared::clusterTriangles);
     for (std::size_t i = 0; i < field.ground.vertices.size(); ++i)
         field.ground.vertices[i].color =
             0xff000000u | (0x9e3779b9u * static_cast<std::uint32_t>(i / 3) >> 8u);

@@ -82,7 +82,7 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
         gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
         render::UpdateCullPass::Input input{.frame = constants.place()};
         if (groups_ > 0) {
-            input.mostGroups = groups_;
+            input.maxGroups = groups_;
             vkCmdFillBuffer(commands, buffers_.list().levels().get(),
                             shared::liveLevel * sizeof(shared::WalkLevel) +
                                 offsetof(shared::WalkLevel, groups),

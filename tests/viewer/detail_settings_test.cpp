@@ -25,10 +25,10 @@ TEST(DetailSettings, LeaveAloneWhatTheyDoNotName)
     const FrameSettings read = settingsFrom(R"({"culling": {}, "detail": {}})");
     EXPECT_EQ(read.cullMask, usual.cullMask);
     EXPECT_EQ(read.levelOfDetail, usual.levelOfDetail);
-    EXPECT_EQ(read.leastPixels, usual.leastPixels);
+    EXPECT_EQ(read.minPixels, usual.minPixels);
     EXPECT_EQ(read.buckets.count, 0u);
     EXPECT_TRUE(read.levelSteps.empty());
-    EXPECT_FALSE(read.mostEdgeOn || read.pace.everyFrame || read.pace.everyThird);
+    EXPECT_FALSE(read.maxEdgeOn || read.pace.everyFrame || read.pace.everyThird);
 }
 
 TEST(DetailSettings, SetWhatTheyName)
@@ -40,13 +40,13 @@ TEST(DetailSettings, SetWhatTheyName)
                    "steps": [{"distance": 5, "segments": 16}, {"distance": 10, "segments": 12}],
                    "move_every_frame": 8, "move_every_third": 16}})");
     EXPECT_EQ(read.cullMask, shared::cullOrientation | shared::cullFrustum | shared::cullDistance);
-    EXPECT_EQ(read.mostEdgeOn, 0.9f);
+    EXPECT_EQ(read.maxEdgeOn, 0.9f);
     EXPECT_EQ(read.nature.drawDistance, 40.0f);
     EXPECT_EQ(read.buckets.count, 7u);
     EXPECT_EQ(read.buckets.distance, 40.0f) << "the draw distance, unless it is given";
     EXPECT_FALSE(read.levelOfDetail);
     EXPECT_EQ(read.lodThreshold, 0.5f);
-    EXPECT_EQ(read.leastPixels, 2.0f);
+    EXPECT_EQ(read.minPixels, 2.0f);
     EXPECT_EQ(read.tessellationLevel, 7);
     ASSERT_EQ(read.levelSteps.size(), 2u);
     EXPECT_EQ(read.levelSteps[1].distance, 10.0f);

@@ -6,14 +6,14 @@
 namespace sward::shared {
 namespace {
 
-Eyepoint eyeAt(vec3 place, float pixelsPerUnit, float mostLayers = 0.0f)
+Eyepoint eyeAt(vec3 place, float pixelsPerUnit, float maxLayers = 0.0f)
 {
     Eyepoint view = {};
     view.eye = place;
     view.pixelsPerUnit = pixelsPerUnit;
     view.lodThreshold = 0.5f;
     view.lodWidth = 0.017f;
-    view.mostLayers = mostLayers;
+    view.maxLayers = maxLayers;
     view.cullMask = leaveThinned;
     return view;
 }
@@ -68,8 +68,7 @@ TEST(PatchMargin, HoldsBladesThatStandAsHighAsAnyMay)
     for (uint p = 0; p < field.patches.size(); ++p) {
         const Patch& own = field.patches[p];
         for (uint i = 0; i < own.bladeCount; ++i) {
-            const Blade blade =
-                raised(unpackBlade(field.blades[own.firstBlade + i], own), mostRise);
+            const Blade blade = raised(unpackBlade(field.blades[own.firstBlade + i], own), maxRise);
             // Its node, and all above.
             for (uint node = p;; node = field.patches[node].parent) {
                 const Patch& cell = field.patches[node];

@@ -12,9 +12,9 @@
 namespace sward::apps {
 namespace {
 
-constexpr int mostThreads = 1024;
+constexpr int maxThreads = 1024;
 constexpr double largestBladeScale = 1e6;
-constexpr std::uint32_t mostHeightSamples = 32768; // on a side
+constexpr std::uint32_t maxHeightSamples = 32768; // on a side
 
 // The text of an option, or its default; the parsers of the bake say what is wrong with it.
 bake::SoftRange softRange(const char* option, const std::string& text, bake::SoftRange full)
@@ -108,11 +108,13 @@ void BakeOptions::addGround(CLI::App& app)
         "Samples of a heightmap along x and z, at most 17 million in all; required for .r16, other "
         "formats state it",
         [&map](const std::string& text) {
-            map.size = parseSize("--size", text, mostHeightSamples);
+            map.size = parseSize("--size", text, maxHeightSamples);
         });
     app.add_option_function<std::vector<double>>(
            "--extent",
-           [&map](const std::vector<double>& sides) { map.extent = {sides.at(0), sides.at(1)}; },
+           [&map](const std::vector<double>& sides) {
+               map.extent = {sides.at(0), sides.at(1)};
+           },
            "Size of a heightmap along x and z in metres")
         ->default_str("1 m from sample to sample")
         ->expected(2)
@@ -189,7 +191,7 @@ void BakeOptions::addPlaces(CLI::App& app)
         ->default_str("unlimited");
     option("--border", border_, "M[~SOFT]", "Least distance from the ground's borders in metres")
         ->default_str("any");
-    option("--min-island", settings.leastIsland, "AREA",
+    option("--min-island", settings.minIsland, "AREA",
            "Connected pieces of ground below this area in square metres bear no grass")
         ->capture_default_str();
     option("--above-water", water_, "H[~SOFT]",
@@ -253,7 +255,7 @@ void BakeOptions::addRun(CLI::App& app)
     app.add_option("--threads", direct_.threads,
                    "Threads, 0 to 1024; 0: one for each CPU; the field does not depend on it")
         ->type_name("N")
-        ->check(CLI::Range(0, mostThreads).description(""))
+        ->check(CLI::Range(0, maxThreads).description(""))
         ->group(group)
         ->capture_default_str();
     app.add_option("--report", direct_.report, "JSON file for counts, rejections by filter, times")

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint32_t mostTiles = 1'000'000;
+constexpr std::uint32_t maxTiles = 1'000'000;
 
 std::uint64_t digestOf(const std::string& text)
 {
@@ -52,7 +52,7 @@ public:
         app()
             .add_option("--tiles", tiles_, "Number of tiles of about equal area, 1 to 1000000")
             ->type_name("N")
-            ->check(CLI::Range(1U, mostTiles).description(""))
+            ->check(CLI::Range(1U, maxTiles).description(""))
             ->required()
             ->group("Run");
     }

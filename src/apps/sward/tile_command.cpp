@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int mostThreads = 1024;
+constexpr int maxThreads = 1024;
 
 class TileCommand : public Subcommand {
 public:
@@ -42,7 +42,7 @@ public:
         app()
             .add_option("--threads", threads_, "Threads, 0 to 1024; 0: one for each CPU")
             ->type_name("N")
-            ->check(CLI::Range(0, mostThreads).description(""))
+            ->check(CLI::Range(0, maxThreads).description(""))
             ->capture_default_str();
         app().add_flag("--force", force_, "Bake the tile again if it is there");
         log_.add(app());

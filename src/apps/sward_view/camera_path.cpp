@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t largestPathFile = 1u
                                         << 24; ///< [bytes] an hour at 10 places a second takes 7 MB
-constexpr std::size_t mostStops = 200'000;
+constexpr std::size_t maxStops = 200'000;
 constexpr double longest = 1e9; ///< [s]
 
 // Cubic of Hermite through `a` and `b` at share `s`, its slopes from the neighbours of both
@@ -85,8 +85,8 @@ CameraPath readCameraPath(std::string_view text, const std::string& name, glm::v
         SettingsReader reader(json, name);
         return CameraPath(readCamera(reader, name, up));
     }
-    if (json.empty() || json.size() > mostStops)
-        fail(ErrorKind::input, "{}: {} places; a path has 1 to {}", name, json.size(), mostStops);
+    if (json.empty() || json.size() > maxStops)
+        fail(ErrorKind::input, "{}: {} places; a path has 1 to {}", name, json.size(), maxStops);
     CameraPath result;
     for (std::size_t i = 0; i < json.size(); ++i) {
         const std::string place = fmt::format("{}[{}]", name, i);

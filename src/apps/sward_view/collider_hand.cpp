@@ -9,12 +9,12 @@
 namespace sward::view {
 namespace {
 
-constexpr double leastReach = 12.0; ///< [pixels] around a collider that is small on the screen
-constexpr double slowest = 0.05;    ///< [m/s] below this it lies still
-constexpr double friction = 0.7;    ///< [1/s] at which a rolling ball loses its speed
-constexpr double smoothing = 0.08;  ///< [s] over which the hand's speed is taken
-constexpr double probe = 4.0;       ///< [radii] above a ball from where its ground is looked for
-constexpr double resting = 0.9;     ///< [radii] of a ball's middle above the ground
+constexpr double minReach = 12.0;  ///< [pixels] around a collider that is small on the screen
+constexpr double slowest = 0.05;   ///< [m/s] below this it lies still
+constexpr double friction = 0.7;   ///< [1/s] at which a rolling ball loses its speed
+constexpr double smoothing = 0.08; ///< [s] over which the hand's speed is taken
+constexpr double probe = 4.0;      ///< [radii] above a ball from where its ground is looked for
+constexpr double resting = 0.9;    ///< [radii] of a ball's middle above the ground
 
 // Moves a collider by `way`; between two times the shaders see its velocity.
 void move(render::Collider& collider, const glm::dvec3& way, double before, double now)
@@ -57,7 +57,7 @@ bool ColliderHand::grab(const std::vector<render::Collider>& colliders, const Si
         const double along = glm::dot(arm, sight.direction);
         const double half = 0.5 * glm::length(colliders[i].to - colliders[i].from);
         const double reach =
-            std::max(colliders[i].radius + half, leastReach * along * sight.pixelSize);
+            std::max(colliders[i].radius + half, minReach * along * sight.pixelSize);
         const double aside = glm::length(arm - along * sight.direction);
         // A ball that lies half in the ground can be taken too.
         if (along <= 0.0 || aside > reach || along >= nearest ||

@@ -25,8 +25,8 @@ std::span<const EmbeddedFile> shaders();
 namespace sward::view {
 namespace {
 
-constexpr std::uint64_t mostBytes = std::uint64_t(1) << 30;
-constexpr std::uint64_t mostBytesOfCpu = std::uint64_t(64) << 20;
+constexpr std::uint64_t maxBytes = std::uint64_t(1) << 30;
+constexpr std::uint64_t maxBytesOfCpu = std::uint64_t(64) << 20;
 constexpr std::uint64_t grain = 1u << 16; ///< [bytes]
 constexpr std::uint32_t warmUp = 3;       ///< copies
 constexpr std::uint32_t filling = 0x5a5a5a5au;
@@ -60,7 +60,7 @@ CopyBandwidth measureCopies(const gpu::DeviceContext& context, std::uint32_t cop
     CopyBandwidth result;
     result.device = context.name;
     result.driver = context.driver;
-    const std::uint64_t most = context.isCpu() ? mostBytesOfCpu : mostBytes;
+    const std::uint64_t most = context.isCpu() ? maxBytesOfCpu : maxBytes;
     result.bytes =
         std::min({most, context.deviceLocalBytes() / 8, context.maxBufferBytes}) / grain * grain;
     const auto make = [&](const char* name) {
@@ -89,7 +89,7 @@ CopyBandwidth measureCopies(const gpu::DeviceContext& context, std::uint32_t cop
         const std::uint64_t groups = gpu::groupsFor(count, shared::copyThreads);
         vkCmdDispatch(
             commands,
-            static_cast<std::uint32_t>(std::min<std::uint64_t>(groups, shared::mostGroups)), 1, 1);
+            static_cast<std::uint32_t>(std::min<std::uint64_t>(groups, shared::maxGroups)), 1, 1);
     };
 
     gpu::FrameRing ring(context, 1);

@@ -7,7 +7,7 @@
 namespace sward::view {
 namespace {
 
-constexpr std::size_t mostDigits = 2; ///< of the width in %04d
+constexpr std::size_t maxDigits = 2; ///< of the width in %04d
 
 bool isDigit(char c)
 {
@@ -37,7 +37,7 @@ FrameNames::FrameNames(const std::string& pattern)
         while (end < pattern.size() && isDigit(pattern[end]))
             ++end;
         const std::string width = pattern.substr(i + 1, end - i - 1);
-        if (end == pattern.size() || pattern[end] != 'd' || width.size() > mostDigits || numbered_)
+        if (end == pattern.size() || pattern[end] != 'd' || width.size() > maxDigits || numbered_)
             fail(ErrorKind::usage,
                  "-o: '{}' is not a pattern; one number like %d or %04d may be in it", pattern);
         digits_ = width.empty() ? 0 : std::stoi(width);

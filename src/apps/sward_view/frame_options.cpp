@@ -17,8 +17,8 @@ namespace sward::view {
 namespace {
 
 // What --gpu-memory takes [bytes].
-constexpr std::uint64_t leastMemory = std::uint64_t(1) << 20;
-constexpr std::uint64_t mostMemory = std::uint64_t(1) << 44;
+constexpr std::uint64_t minMemory = std::uint64_t(1) << 20;
+constexpr std::uint64_t maxMemory = std::uint64_t(1) << 44;
 
 render::Geometry parseGeometry(const std::string& word)
 {
@@ -132,7 +132,7 @@ void FrameOptions::addShared(CLI::App& app)
     option(
         "--gpu-memory",
         [this](const std::string& text) {
-            gpuMemory = apps::parseBytes("--gpu-memory", text, leastMemory, mostMemory);
+            gpuMemory = apps::parseBytes("--gpu-memory", text, minMemory, maxMemory);
         },
         "SIZE",
         "Limit of device memory, 1M to 16T, such as 512M or 2G; a field that needs more is "

@@ -11,7 +11,7 @@ constexpr double tolerance = 1.15; ///< a frame may take so much longer than wan
 constexpr double room = 0.6;       ///< share of the wanted time below which more pixels fit
 
 // Blades are thinned by so much more at most: wider ones would look like leaves.
-constexpr double mostThinning = 4.0;
+constexpr double maxThinning = 4.0;
 
 // The nearest of the scales that there are, not above `scale`.
 double stepBelow(double scale)
@@ -41,7 +41,7 @@ void InternalResolution::add(double seconds)
 
 render::FrameSettings thinnedForScale(render::FrameSettings settings, double scale)
 {
-    settings.lodThreshold *= static_cast<float>(std::min(1.0 / scale, mostThinning));
+    settings.lodThreshold *= static_cast<float>(std::min(1.0 / scale, maxThinning));
     return settings;
 }
 

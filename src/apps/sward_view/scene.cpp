@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t largestSceneFile = 1u << 22; ///< [bytes]
-constexpr std::size_t mostOptions = 256;
+constexpr std::size_t maxOptions = 256;
 
 // A text with a slash is a path: from the scene's folder, or the first above it where there is one.
 std::string fileNamed(const fs::path& scene, const std::string& text, const std::string& place)
@@ -58,9 +58,9 @@ std::vector<std::string> readOptions(SettingsReader& reader, const char* key)
     if (!reader.has(key))
         return options;
     const nlohmann::json& array = reader.child(key);
-    if (!array.is_array() || array.size() > mostOptions)
+    if (!array.is_array() || array.size() > maxOptions)
         fail(ErrorKind::input, "{}: expected an array of at most {} texts", reader.placeOf(key),
-             mostOptions);
+             maxOptions);
     for (const nlohmann::json& option : array) {
         if (!option.is_string())
             fail(ErrorKind::input, "{}: expected texts, found {}", reader.placeOf(key),

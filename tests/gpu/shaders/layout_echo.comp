@@ -271,7 +271,7 @@ void main()
     put(sources.at[0].updatePush.at[1].ownerCount);
     put(sources.at[0].updatePush.at[1].onlyUpdate);
     put(sources.at[0].updatePush.at[1].firstLive);
-    put(sources.at[0].updatePush.at[1].mostLive);
+    put(sources.at[0].updatePush.at[1].maxLive);
     put(sources.at[0].updatePush.at[1].round);
     put(sources.at[0].updatePush.at[1].lateRound);
     put(sources.at[0].updatePush.at[1].viewCount);

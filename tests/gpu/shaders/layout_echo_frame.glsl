@@ -30,9 +30,9 @@ void putFrame()
     put(FRAME.view.pixelsPerUnit);
     put(FRAME.view.lodThreshold);
     put(FRAME.view.lodWidth);
-    put(FRAME.view.leastWidth);
-    put(FRAME.view.mostLayers);
-    put(FRAME.view.mostEdgeOn);
+    put(FRAME.view.minWidth);
+    put(FRAME.view.maxLayers);
+    put(FRAME.view.maxEdgeOn);
     put(FRAME.view.samples);
     put(FRAME.view.buckets);
     put(FRAME.view.bucketDistance);

@@ -16,7 +16,7 @@ namespace sward::test {
 namespace {
 
 // Half of what a patch may own: small fields have patches enough so.
-constexpr std::uint32_t mostOwned = shared::maxPatchBlades / 2;
+constexpr std::uint32_t maxOwned = shared::maxPatchBlades / 2;
 
 /// Random numbers of one blade.
 struct Dice {
@@ -213,7 +213,7 @@ field::Field makeField(const FieldSettings& settings)
         waiting.pop_front();
         const auto index = static_cast<std::uint32_t>(field.patches.size());
         const auto here = static_cast<std::uint32_t>(node.blades.size());
-        const std::uint32_t owned = node.size > 32.0f ? 0 : std::min(here, mostOwned);
+        const std::uint32_t owned = node.size > 32.0f ? 0 : std::min(here, maxOwned);
         shared::Patch cell = patchOf(node, blades, owned);
         cell.firstBlade = static_cast<std::uint32_t>(field.blades.size());
         for (std::uint32_t k = 0; k < owned; ++k) {

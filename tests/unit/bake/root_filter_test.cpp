@@ -84,7 +84,7 @@ TEST(IslandFilter, RejectsPiecesBelowTheArea)
         append(mesh, meshes::moved(meshes::square(1.0 + i / 1000.0),
                                    {3.0 * (i % 32), 0, 3.0 * (i / 32)}));
     BakeSettings settings = plainSettings(1.0);
-    settings.leastIsland = 2.25; // of side 1.5: islands 500 to 999
+    settings.minIsland = 2.25; // of side 1.5: islands 500 to 999
     const Trial trial = tryRoots(mesh, settings, 4.0);
     for (const RootSample& root : trial.kept)
         ASSERT_GE(root.triangle / 2, 500U);
@@ -339,7 +339,7 @@ TEST(RootFilter, AnswersOnAPartAsOnTheWhole)
     settings.slope = {0.0, 25.0, 10.0};
     settings.curvature = {-0.5, 0.5, 0.2};
     settings.border = parseSoftMinimum("--border", "13~6");
-    settings.leastIsland = 100.0;
+    settings.minIsland = 100.0;
     settings.clearance = 1.0;
     settings.exposureRays = 8;
     settings.rayLength = 2.0;

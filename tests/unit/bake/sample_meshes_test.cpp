@@ -162,7 +162,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Ground{"islands", [] { return islands(1000); }},
                     Ground{"triangle", [] { return meshes::triangle(); }},
                     Ground{"far",
-                           [] { return meshes::moved(meshes::sphere(96, 2.0), {1e6, 0, -1e6}); }}),
+                           [] {
+                               return meshes::moved(meshes::sphere(96, 2.0), {1e6, 0, -1e6});
+                           }}),
     [](const testing::TestParamInfo<Ground>& tested) { return std::string(tested.param.name); });
 
 TEST(PoissonField, OfATurnedMeshIsAsEvenAndAsDense)
@@ -220,7 +222,7 @@ TEST(Islands, BearTheirShareEachAndNothingIfTheyAreTooSmall)
     // Two triangles of five candidates each.
     EXPECT_GE(*std::min_element(counts.begin(), counts.end()), 8U);
     EXPECT_LE(*std::max_element(counts.begin(), counts.end()), 12U);
-    settings.leastIsland = 0.3;
+    settings.minIsland = 0.3;
     const BakeResult none = bakeOf(ground, settings);
     EXPECT_EQ(none.field.blades.size(), 0U);
     EXPECT_EQ(none.report.rejected[static_cast<std::size_t>(Reject::border)], none.report.proposed);

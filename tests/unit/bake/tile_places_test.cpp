@@ -35,7 +35,7 @@ BakeSettings choosy()
     settings.slope = {0.0, 30.0, 20.0};
     settings.curvature = {-0.2, 0.05, 0.1};
     settings.border = parseSoftMinimum("--border", "5~9");
-    settings.leastIsland = 20.0;
+    settings.minIsland = 20.0;
     settings.masks = {Mask()};
     settings.excluded = {{"cube", 3.0,
                           std::make_shared<terrain::GroundMesh>(

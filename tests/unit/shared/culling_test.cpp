@@ -183,7 +183,7 @@ TEST(Layers, RiseBySoMuchAsMoreIsLeftOutAndNeverJump)
         // Lengths of 1/1024th, rounded, are all that it may jump.
         constexpr float step = 1.001f / 1024.0f;
         EXPECT_GE(rise, 1.0f);
-        EXPECT_LE(rise, mostRise);
+        EXPECT_LE(rise, maxRise);
         EXPECT_LE(layerRise(1.01f * share, one, spread), rise)
             << "share " << share << ", one " << one;
         EXPECT_NEAR(layerRise(1.001f * share, one, spread), rise, step);
@@ -201,7 +201,7 @@ TEST(Layers, RiseBySoMuchAsMoreIsLeftOutAndNeverJump)
         EXPECT_EQ(widthFactorOf(visible), 1.5f);
         highest = std::max(highest, rise);
     }
-    EXPECT_NEAR(highest, mostRise, 0.5f / 1024.0f);
+    EXPECT_NEAR(highest, maxRise, 0.5f / 1024.0f);
     EXPECT_EQ(layerRise(lodFullShare, 0.1f, 0.5f), 1.0f);
     EXPECT_EQ(layerLight(lodFullShare, 0.5f), 1.0f);
 }

@@ -7,11 +7,11 @@
 namespace sward::shared {
 namespace {
 
-constexpr uint mostSegments = 64;
+constexpr uint maxSegments = 64;
 
 TEST(Quarters, EachSegmentLiesInOne)
 {
-    for (uint segments = 1; segments <= mostSegments; ++segments) {
+    for (uint segments = 1; segments <= maxSegments; ++segments) {
         EXPECT_EQ(beginOfQuarter(0, segments), 0u);
         EXPECT_EQ(beginOfQuarter(quarters, segments), segments);
         for (uint i = 0; i < segments; ++i) {
@@ -37,7 +37,7 @@ TEST(Quarters, OfTheBladesOfAWordHaveABitEach)
 
 TEST(Quarters, TheFirstTurnDrawsAllThatAreNotLate)
 {
-    for (uint segments = 1; segments <= mostSegments; ++segments)
+    for (uint segments = 1; segments <= maxSegments; ++segments)
         for (uint late = 0; late <= allQuarters; ++late) {
             const uvec2 first = firstSegments(late, segments);
             ASSERT_LE(first.x, first.y);
@@ -70,11 +70,11 @@ TEST(Quarters, LieBesideTheFactorsOfABlade)
 
 TEST(Quarters, OfALargePartAreReadAsTheyWerePacked)
 {
-    const uint part = packPart(mostParts - 1, mostParts, mostSegments - 1, mostSegments);
-    EXPECT_EQ(part & 0xffu, mostParts - 1);
-    EXPECT_EQ((part >> 8u) & 0xffu, mostParts);
-    EXPECT_EQ((part >> 16u) & 0x7fu, mostSegments - 1);
-    EXPECT_EQ((part >> 23u) & 0x7fu, mostSegments);
+    const uint part = packPart(maxParts - 1, maxParts, maxSegments - 1, maxSegments);
+    EXPECT_EQ(part & 0xffu, maxParts - 1);
+    EXPECT_EQ((part >> 8u) & 0xffu, maxParts);
+    EXPECT_EQ((part >> 16u) & 0x7fu, maxSegments - 1);
+    EXPECT_EQ((part >> 23u) & 0x7fu, maxSegments);
 }
 
 TEST(Quarters, AreForgottenOnceInSoManyFrames)

@@ -169,8 +169,8 @@ TEST(Rib, OfACurveInsideAPlaneLiesInside)
         ribbon.fold = run % 2 == 0 ? 0.0f : dice.number(0.0f, 1.0f);
         ribbon.outline = outlineOf(uint(run) % shapeCount, dice.number(0.0f, 1.0f), 8.0f);
         const vec3 eye = 3.0f * dice.direction();
-        const float leastWidth = run % 3 == 0 ? 0.0f : dice.number(0.0f, 0.02f);
-        const float margin = marginBeside(ribbon.width, length(ribbon.v0 - eye) + 1.0f, leastWidth);
+        const float minWidth = run % 3 == 0 ? 0.0f : dice.number(0.0f, 0.02f);
+        const float margin = marginBeside(ribbon.width, length(ribbon.v0 - eye) + 1.0f, minWidth);
         // As close as it may come.
         const vec3 normal = dice.direction();
         const float lowest =
@@ -178,7 +178,7 @@ TEST(Rib, OfACurveInsideAPlaneLiesInside)
         const vec4 plane(normal, 1.001f * margin - lowest);
         ASSERT_TRUE(curveInside(plane, ribbon.v0, ribbon.v1, ribbon.v2, margin));
         for (float t = 0.0f; t <= 1.0f; t += 1.0f / 32.0f) {
-            const Rib rib = ribAt(ribbon, t, eye, leastWidth);
+            const Rib rib = ribAt(ribbon, t, eye, minWidth);
             for (const vec3& point : {rib.left, rib.right, rib.ridge})
                 nearest = std::min(nearest, planeDistance(plane, point) / margin);
         }
@@ -234,8 +234,8 @@ TEST(OrientationCulling, LeavesOutOnlyBladesWithoutASample)
         blade.width = dice.number(0.001f, 0.03f);
         blade.root = dice.number(1.0f, 80.0f) * dice.direction();
         Eyepoint view = {};
-        view.leastWidth = dice.number(1e-4f, 2e-3f);
-        view.mostEdgeOn = 1.0f;
+        view.minWidth = dice.number(1e-4f, 2e-3f);
+        view.maxEdgeOn = 1.0f;
         view.samples = i % 2 == 0 ? 1u : 4u;
         const vec3 axis = widthAxis(blade.up, blade.facing);
         if (!seenTooNarrow(view, blade, i, axis, length(blade.root), 1.0f))
@@ -250,7 +250,7 @@ TEST(OrientationCulling, LeavesOutOnlyBladesWithoutASample)
         ribbon.width = blade.width;
         ribbon.outline = outlineOf(i % shapeCount, 0.4f, float(1 + i % 5));
         for (float t = 0.0f; t <= 1.0f; t += 0.05f) {
-            const Rib rib = ribAt(ribbon, t, view.eye, view.leastWidth);
+            const Rib rib = ribAt(ribbon, t, view.eye, view.minWidth);
             ASSERT_EQ(keptSamples(rib.wide / rib.drawn, i, view.samples), 0u) << "blade " << i;
         }
     }

@@ -38,10 +38,10 @@ TEST(ShownTiles, HaveRoomInEachListForAllOfThem)
 
 TEST(ShownTiles, OfTheLargestPictureHaveAWorkGroupEach)
 {
-    constexpr std::uint64_t largest = 16384;    // width and height that a command line takes
-    constexpr std::uint64_t mostGroups = 65535; // one below the other, on every device
+    constexpr std::uint64_t largest = 16384;   // width and height that a command line takes
+    constexpr std::uint64_t maxGroups = 65535; // one below the other, on every device
     const std::uint64_t tiles = tilesAlong(largest, rasterTile);
-    EXPECT_LE(tiles * tiles, tileGroups * mostGroups);
+    EXPECT_LE(tiles * tiles, tileGroups * maxGroups);
 }
 
 } // namespace

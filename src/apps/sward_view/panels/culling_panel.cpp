@@ -19,7 +19,7 @@ struct Row {
     const char* name;
     const char* about;
     std::uint32_t fate;
-    std::uint64_t render::FrameStats::* count;
+    std::uint64_t render::FrameStats::*count;
 };
 constexpr std::array<Row, 5> rows{
     {{"Patch", "Whole patches beyond the picture or the draw distance, before their blades",
@@ -91,7 +91,7 @@ void drawCullingPanel(Controls& controls, Stage& stage)
     controls.number("Thin below", settings.lodThreshold, {0.01f, 8.0f, "px", "%.2f", true},
                     "Width of a blade below which some are left out and the others widened");
 
-    controls.number("Layers", settings.mostLayers, {0.0f, 256.0f, "", "%.0f", true},
+    controls.number("Layers", settings.maxLayers, {0.0f, 256.0f, "", "%.0f", true},
                     "Of far dense grass so much leaf area is drawn in the way of a ray; 0: all");
 
     controls.section("Colours");
