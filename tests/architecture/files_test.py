@@ -57,6 +57,12 @@ class Sizes(unittest.TestCase):
                 and lines_of(path) > LONGEST_HEADER]
         self.assertEqual(long, [], f"no header has more than {LONGEST_HEADER} lines")
 
+    def test_bounds_are_named_max_and_min(self):
+        # Keys of settings files (snake_case) are older, and are kept for those who wrote them.
+        named = [f"{path}: {name}" for path in self.sources
+                 for name in re.findall(r"\b(?:most|least)[A-Z]\w*", (ROOT / path).read_text(encoding="utf-8"))]
+        self.assertEqual(named, [], "names of bounds begin with max and min")
+
     def test_the_median_source_is_short(self):
         for suffixes in (SOURCES, (".cpp",), SHADERS):
             lengths = [lines_of(path) for path in self.sources if Path(path).suffix in suffixes]

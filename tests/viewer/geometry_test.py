@@ -17,10 +17,10 @@ VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
 MESHES = Path(__file__).resolve().parents[2] / "assets" / "meshes"
 
 # PSNR [dB] over the pixels with grass, and mean signed difference of any 32 × 32 tile.
-LEAST_PSNR = 40.0
+MIN_PSNR = 40.0
 # Where a pixel shows both halves of a folded blade, four samples of it have one light.
-LEAST_PSNR_OF_FOLDS = 37.0
-MOST_TILE = 2.0
+MIN_PSNR_OF_FOLDS = 37.0
+MAX_TILE = 2.0
 TILE = 32
 
 SHAPES = ("triangle-tip", "quad", "triangle", "quadratic", "dandelion")
@@ -54,7 +54,7 @@ class GeometryTest(unittest.TestCase):
         from skimage.io import imread
         return imread(picture)[..., :3].astype(float)
 
-    def compare(self, field, *arguments, least=LEAST_PSNR):
+    def compare(self, field, *arguments, least=MIN_PSNR):
         bare = self.draw(field, *arguments, "--draw-distance", "0.001")
         by_pipeline = self.draw(field, *arguments, "--geometry", "tessellation")
         for way in ("--geometry raster --raster-for gpu", "--geometry raster --raster-for cpu"):
@@ -66,7 +66,7 @@ class GeometryTest(unittest.TestCase):
                 signed = (picture - by_pipeline).mean(axis=-1)
                 rows, columns = (n // TILE * TILE for n in signed.shape)
                 tiles = signed[:rows, :columns].reshape(rows // TILE, TILE, columns // TILE, TILE).mean((1, 3))
-                self.assertLessEqual(np.abs(tiles).max(), MOST_TILE)
+                self.assertLessEqual(np.abs(tiles).max(), MAX_TILE)
 
     def each_number_of_samples(self, field, *arguments):
         for samples in ("1", "4"):
@@ -97,7 +97,7 @@ class GeometryTest(unittest.TestCase):
                         {"name": "one", "shape": shape, "fold": fold, "width_m": [0.08, 0.16],
                          "height_m": [0.6, 1.2]}]}))
                     field = self.bake("plane", "--count", "4000", "--meadow", meadow)
-                    least = LEAST_PSNR_OF_FOLDS if fold > 0.0 and samples == "4" else LEAST_PSNR
+                    least = MIN_PSNR_OF_FOLDS if fold > 0.0 and samples == "4" else MIN_PSNR
                     self.compare(field, "--camera", "eye", "--samples", samples, least=least)
 
     def test_without_level_of_detail_and_at_a_fixed_level(self):
