@@ -1,4 +1,5 @@
 // A point of the blade: across its width axis (x) and along its curve (y).
+#include "shaders/grass/rib_point.glsl"
 #include "shaders/shared/passes.h"
 #include "shaders/shared/ribbon.h"
 
@@ -33,12 +34,6 @@ layout(location = 8) flat out uint outBlade;
 layout(location = 9) centroid out vec4 outClip;
 layout(location = 10) centroid out vec4 outClipBefore;
 #endif
-
-/// A point of a rib, from its left (0) to its right (1).
-vec3 onRib(Rib rib, float u)
-{
-    return u < 0.5 ? mix(rib.left, rib.ridge, 2.0 * u) : mix(rib.ridge, rib.right, 2.0 * u - 1.0);
-}
 
 void main()
 {

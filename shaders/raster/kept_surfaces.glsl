@@ -49,6 +49,7 @@ bool findKept(uint index, out SeenBlade seen)
     seen.surface.tip = uintBitsToFloat(tip);
     seen.surface.material = uintBitsToFloat(material);
     seen.blade = index;
+    seen.patchIndex = 0u;
     seen.hasHistory = true;
     return true;
 }

@@ -13,7 +13,7 @@ LargePart partOf(Ribbon ribbon, uint blade, uint part)
     return LargePart(ribbon.v0, ribbon.width, ribbon.v1, ribbon.fold, ribbon.v2,
                      packOutline(ribbon.outline.shape, uint(ribbon.outline.segments)),
                      ribbon.axis, ribbon.outline.tipThreshold, ribbon.outline.scale,
-                     0u, blade, part);
+                     push.instance, blade, part);
 }
 
 /// So many parts has a blade that covers so many pixels.

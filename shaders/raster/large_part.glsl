@@ -19,7 +19,7 @@ void putPart(LargePartArray list, uint place, LargePart part)
     quarters.at[5u * place + 1u] = uvec4(floatBitsToUint(part.v1), floatBitsToUint(part.fold));
     quarters.at[5u * place + 2u] = uvec4(floatBitsToUint(part.v2), part.outline);
     quarters.at[5u * place + 3u] = uvec4(floatBitsToUint(part.axis), floatBitsToUint(part.tipThreshold));
-    quarters.at[5u * place + 4u] = uvec4(floatBitsToUint(part.scale), part.reserved, part.blade, part.part);
+    quarters.at[5u * place + 4u] = uvec4(floatBitsToUint(part.scale), part.instance, part.blade, part.part);
 }
 
 LargePart partAt(uint place)

@@ -1,7 +1,6 @@
 // Shades what a visibility holds.
-#include "shaders/grass/blade_light.glsl"
 #include "shaders/raster/kept_surfaces.glsl"
-#include "shaders/raster/seen_place.glsl"
+#include "shaders/raster/shade_found.glsl"
 #include "shaders/shared/visibility.h"
 #include "shaders/sky/sky_light.glsl"
 
@@ -41,21 +40,10 @@ void noteSeen(SeenBlade blade, float along)
 /// seen, and 1 − softness. It lies at `depth` at one of them, `s`.
 vec4 shade(Lens lens, SeenBlade seen, vec2 pixel, uint samples, uint s, float depth)
 {
-    const Ribbon ribbon = seen.ribbon;
     const Sighting sighting = Sighting(pixel + samplePlace(s), depth, pixel + middleOf(samples));
-    const Found found = find(lens, ribbon, sighting);
+    const Found found = find(lens, seen.ribbon, sighting);
     noteSeen(seen, found.place.y);
-    BladePoint point;
-    point.position = found.point;
-    point.place = found.place;
-    point.tangent = tangentOf(curveOf(ribbon), point.place.y);
-    point.axis = ribbon.axis;
-    point.up = normalize(ribbon.v1 - ribbon.v0);
-    point.fold = isFolded(ribbon) ? ribbon.fold : 0.0;
-    point.rootColor = seen.surface.root;
-    point.tipColor = seen.surface.tip;
-    point.material = seen.surface.material;
-    return vec4(bladePicture(point), 1.0 - softness(length(FRAME.view.eye - point.position), 1.0));
+    return shadeFound(seen, found);
 }
 
 /// What the film sees of the sky at a pixel.

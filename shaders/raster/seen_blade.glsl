@@ -34,6 +34,7 @@ struct SeenBlade {
     Ribbon ribbon;
     BladeSurface surface;
     uint blade;      ///< resident id
+    uint patchIndex; ///< of the patch that owns it, if freshBlade() has found it
     bool hasHistory; ///< whether its quarters are noted in the visibility history, see RasterPush::seen
 };
 
@@ -56,6 +57,7 @@ SeenBlade freshBlade(uint index)
     seen.ribbon = drawn.ribbon;
     seen.surface = bladeSurface(drawn, visible, layers);
     seen.blade = index;
+    seen.patchIndex = patchIndex;
     seen.hasHistory = uvec2(push.seen) != uvec2(0u) &&
                       pixelsCovered(blade, visible.pixels, widthFactorOf(visible)) > askedSmallPixels;
     return seen;

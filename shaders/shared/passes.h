@@ -203,8 +203,8 @@ struct LargePart {
     vec3 axis;
     float tipThreshold;
     float scale;
-    uint reserved;
-    uint blade; ///< resident id
+    uint instance; ///< RasterPush::instance
+    uint blade;    ///< resident id
     uint part;  ///< 0–7 which of so many parts, 8–15; 0: nothing, there was no room for all parts;
                 ///< 16–22 the first segment that is drawn, 23–29 one past the last; of a blade that
                 ///< had its first turn all others are left to the late one
@@ -310,7 +310,7 @@ struct RasterPush {
     uint isBgr;              ///< 1: the picture's first channel is blue
     uint round;              ///< whose list is rasterised: its first blades, or its last ones
     uint firstBlade; ///< what the visibility has for the blade with the id 0: see VisibilityArray
-    uint reserved;
+    uint instance;   ///< of a view that shows several: which one this is
 };
 SHARED_LAYOUT(RasterPush, 128)
 
@@ -342,6 +342,28 @@ struct MotionPush {
     MotionArray motion;
 };
 SHARED_LAYOUT(MotionPush, 16)
+
+/// One instance of a field in a view of a host.
+struct HostInstance {
+    RasterPush raster;
+    MotionArray motion;
+};
+SHARED_LAYOUT(HostInstance, 136)
+
+SHARED_BUFFER(HostInstanceArray, HostInstance, readonly)
+
+/// What the stages know that look at all instances of a host's view together.
+struct HostViewPush {
+    HostInstanceArray instances; ///< in the order of their RasterPush::firstBlade
+    VisibilityArray visibility;
+    uvec2 size; ///< [pixels]
+    uint instanceCount;
+    float slack; ///< by which the host's depth is taken to be farther than it says
+};
+SHARED_LAYOUT(HostViewPush, 32)
+
+/// Threads of a work-group along each axis that begins a visibility with the host's depth.
+SHARED_CONST uint seedThreads = 8u;
 
 /// Threads of a work-group that copies.
 SHARED_CONST uint copyThreads = 256u;

@@ -24,7 +24,7 @@ namespace sward::gpu {
     each(CreateFence) each(DestroyFence) each(CreateSemaphore) each(DestroySemaphore)              \
     each(CreateQueryPool) each(DestroyQueryPool)                                                   \
     each(CmdBindPipeline) each(CmdBindDescriptorSets) each(CmdPushConstants)                       \
-    each(CmdDispatch) each(CmdDispatchIndirect) each(CmdDrawIndirect)                              \
+    each(CmdDispatch) each(CmdDispatchIndirect) each(CmdDraw) each(CmdDrawIndirect)                \
     each(CmdCopyBuffer) each(CmdFillBuffer) each(CmdUpdateBuffer) each(CmdPipelineBarrier2)
 // clang-format on
 

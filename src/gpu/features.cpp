@@ -11,7 +11,7 @@ struct Required {
 };
 
 struct Optional {
-    bool OptionalFeatures::* flag;
+    bool OptionalFeatures::*flag;
     Member member;
 };
 
@@ -51,6 +51,8 @@ constexpr Optional optional[] = {
      [](FeatureChain& chain) -> VkBool32& {
          return chain.core.features.vertexPipelineStoresAndAtomics;
      }},
+    {&OptionalFeatures::sampleRateShading,
+     [](FeatureChain& chain) -> VkBool32& { return chain.core.features.sampleRateShading; }},
 };
 
 } // namespace

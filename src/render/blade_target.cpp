@@ -18,9 +18,9 @@ constexpr std::uint32_t toHost = 1;
 constexpr std::uint32_t toHostFilm = 2;
 constexpr std::uint32_t toNobody = 3;
 
-gpu::GraphicsPipelineSettings pipelineFor(const HostTarget& target)
+/// What the pipelines of a target have in common.
+void setTarget(gpu::GraphicsPipelineSettings& settings, const HostTarget& target)
 {
-    gpu::GraphicsPipelineSettings settings = tessellatedBlades();
     settings.colorFormats = target.colorFormats;
     settings.writtenColors = target.writesMotion ? 3 : 1;
     settings.depthFormat = target.depthFormat;
@@ -29,9 +29,43 @@ gpu::GraphicsPipelineSettings pipelineFor(const HostTarget& target)
     settings.subpass = target.subpass;
     settings.samples = target.samples;
     settings.depthCompare = target.hasReversedZ ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_LESS;
-    settings.constants = {{.id = 9, .value = target.keepsRadiance ? toHostFilm : toHost}};
-    if (target.writesMotion) {
+    const std::uint32_t handedTo = target.colorFormats.empty() ? toNobody
+                                   : target.keepsRadiance      ? toHostFilm
+                                                               : toHost;
+    settings.constants = {{.id = 9, .value = handedTo}};
+    if (target.writesMotion)
         expect(target.colorFormats.size() >= 2, "motion has an attachment");
+}
+
+bool mayShowVisibility(const gpu::DeviceContext& context, const HostTarget& target)
+{
+    return context.features.bufferInt64Atomics &&
+           (target.samples == 1 || (target.samples == 4 && context.features.sampleRateShading));
+}
+
+gpu::GraphicsPipelineSettings visibilityPipelineFor(const HostTarget& target)
+{
+    gpu::GraphicsPipelineSettings settings;
+    settings.name = "blades/visibility";
+    settings.vertexShader = "draw_visibility.vert";
+    if (target.writesMotion)
+        settings.fragmentShader = target.samples > 1 ? "draw_visibility_motion_of_four.frag"
+                                                     : "draw_visibility_motion.frag";
+    else
+        settings.fragmentShader =
+            target.samples > 1 ? "draw_visibility_of_four.frag" : "draw_visibility.frag";
+    settings.pushConstantBytes = sizeof(shared::HostViewPush);
+    setTarget(settings, target);
+    settings.constants.push_back({.id = 1, .value = target.samples});
+    settings.constants.push_back({.id = 16, .value = target.hasReversedZ ? 0u : 1u});
+    return settings;
+}
+
+gpu::GraphicsPipelineSettings pipelineFor(const HostTarget& target)
+{
+    gpu::GraphicsPipelineSettings settings = tessellatedBlades();
+    setTarget(settings, target);
+    if (target.writesMotion) {
         settings.name = "blades/motion";
         settings.vertexShader = "blade_motion.vert";
         settings.tessellationControlShader = "blade_motion.tesc";
@@ -42,7 +76,6 @@ gpu::GraphicsPipelineSettings pipelineFor(const HostTarget& target)
     if (target.colorFormats.empty()) {
         settings.name = "blades/depth";
         settings.fragmentShader = "blade_depth.frag";
-        settings.constants = {{.id = 9, .value = toNobody}};
     }
     return settings;
 }
@@ -53,6 +86,9 @@ BladeTarget::BladeTarget(const gpu::DeviceContext& context, const HostTarget& ta
     : settings_(target)
     , pipeline_(context, gpu::ShaderLibrary(embedded::shaders()), pipelineFor(target))
 {
+    if (mayShowVisibility(context, target))
+        visibility_.emplace(context, gpu::ShaderLibrary(embedded::shaders()),
+                            visibilityPipelineFor(target));
 }
 
 } // namespace sward::render

@@ -6,6 +6,7 @@
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace sward::render {
@@ -30,19 +31,29 @@ struct HostTarget {
     std::uint32_t subpass = 0;                ///< of the render pass
 };
 
-/// The pipeline that draws blades into such targets.
+/// The pipelines that draw blades into such targets.
 class BladeTarget {
 public:
     /// Makes it; throws Error{runtime} or Error{unsupported} where the device cannot. Destroyed
     /// after the commands that draw with it.
     BladeTarget(const gpu::DeviceContext& context, const HostTarget& target);
 
+    /// Of the tessellator.
     const gpu::GraphicsPipeline& pipeline() const { return pipeline_; }
+
+    /// Of what the compute rasteriser has made visible; null where the device or the number of
+    /// samples does not allow it.
+    const gpu::GraphicsPipeline* visibilityPipeline() const
+    {
+        return visibility_ ? &*visibility_ : nullptr;
+    }
+
     const HostTarget& settings() const { return settings_; } ///< that it was made for
 
 private:
     HostTarget settings_;
     gpu::GraphicsPipeline pipeline_;
+    std::optional<gpu::GraphicsPipeline> visibility_;
 };
 
 } // namespace sward::render

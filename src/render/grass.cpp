@@ -5,6 +5,7 @@
 #include "gpu/barrier.h"
 #include "gpu/debug.h"
 #include "gpu/shader_library.h"
+#include "render/host_raster.h"
 #include "render/placed_field.h"
 #include "render/pyramid_pass.h"
 #include "render/update_cull_pass.h"
@@ -34,6 +35,7 @@ struct Grass::Parts {
         , settings(wanted)
         , walk(context, shaders)
         , update(context)
+        , raster(context, wanted.framesInFlight, wanted.maxViews)
         , frameOfSlot(wanted.framesInFlight, 0)
         , depths(wanted.framesInFlight * wanted.maxViews)
     {
@@ -51,6 +53,7 @@ struct Grass::Parts {
     gpu::ShaderLibrary shaders{embedded::shaders()};
     WalkPass walk;
     UpdateCullPass update;
+    HostRaster raster;
     std::map<std::uint64_t, std::unique_ptr<PlacedField>> placed;
     std::vector<Removed> removed;
     std::uint64_t lastId = 0;
@@ -62,6 +65,15 @@ struct Grass::Parts {
     std::uint32_t viewCount = 0;
     double time = 0.0;
     UpdateCullPass::Variant moving;
+    std::vector<const PlacedField*> instances; ///< that have blades; null: removed since
+
+    /// How each view is drawn.
+    struct ViewDrawing {
+        const char* obstacle = nullptr; ///< to rasterising it
+        std::uint32_t samples = 1;
+        bool isRastered = false; ///< in this frame
+    };
+    std::vector<ViewDrawing> drawings;
 
     /// What hides the blades of a view, in each slot.
     struct ViewDepth {
@@ -119,6 +131,8 @@ void Grass::remove(InstanceId id)
 {
     const auto found = parts_->placed.find(static_cast<std::uint64_t>(id));
     expect(found != parts_->placed.end(), "there is such an instance");
+    std::ranges::replace(parts_->instances, static_cast<const PlacedField*>(found->second.get()),
+                         static_cast<const PlacedField*>(nullptr));
     parts_->removed.push_back({std::move(found->second), parts_->frame});
     parts_->placed.erase(found);
 }
@@ -146,15 +160,22 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
         depth.pyramid = nullptr;
         pyramids.push_back(hides ? parts.lookAtDepth(view, depth) : shared::DepthPyramid{});
     }
+    parts.instances.clear();
     for (const auto& [id, field] : parts.placed) {
         if (!field->isUploaded())
             continue;
+        if (field->blades().bladeCount() > 0)
+            parts.instances.push_back(field.get());
         field->write(slot, frame, parts.frame, pyramids);
         const shared::Nature& nature = field->nature();
         parts.moving = {nature.wind.counts, nature.colliderCount > 0, UpdateCullPass::Role::move,
                         parts.settings.keepsMotion, true};
         parts.update.prepare(parts.shaders, parts.moving);
     }
+    parts.drawings.clear();
+    for (const HostView& view : frame.views)
+        parts.drawings.push_back({parts.raster.obstacle(view), view.samples, false});
+    parts.raster.begin(parts.shaders, slot, frame.views, parts.instances);
 }
 
 shared::DepthPyramid Grass::Parts::lookAtDepth(const HostView& view, ViewDepth& depth)
@@ -262,6 +283,25 @@ void Grass::recordCull(VkCommandBuffer buffer, std::uint32_t view) noexcept
     gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostAccess);
 }
 
+void Grass::recordRaster(VkCommandBuffer buffer, std::uint32_t view) noexcept
+{
+    Parts& parts = *parts_;
+    if (whyTessellated(view) != nullptr)
+        return;
+    const gpu::Recording commands(parts.context, buffer);
+    const gpu::LabelScope label(parts.context, commands, "grass/raster");
+    const Parts::ViewDepth& depth = parts.depthOf(view);
+    parts.raster.record(commands, parts.slot, view, parts.instances,
+                        depth.pyramid != nullptr ? &depth.cells.picture : nullptr);
+    parts.drawings[view].isRastered = true;
+}
+
+const char* Grass::whyTessellated(std::uint32_t view) const noexcept
+{
+    expect(view < parts_->viewCount, "the view is one of the frame's");
+    return parts_->drawings[view].obstacle;
+}
+
 void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view,
                        const BladeTarget& target) const noexcept
 {
@@ -271,6 +311,18 @@ void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view,
     const gpu::LabelScope label(parts.context, commands, "grass/draw");
     expect(!target.settings().writesMotion || parts.settings.keepsMotion,
            "who asks for motion has it kept");
+    const gpu::GraphicsPipeline* const visibility = target.visibilityPipeline();
+    const Parts::ViewDrawing& drawing = parts.drawings[view];
+    if (drawing.isRastered && visibility != nullptr &&
+        target.settings().samples == drawing.samples) {
+        const shared::HostViewPush push = parts.raster.pushFor(parts.slot, view);
+        if (push.instanceCount == 0)
+            return;
+        visibility->bind(commands);
+        visibility->push(commands, push);
+        commands.vk->CmdDraw(commands, 3, 1, 0, 0);
+        return;
+    }
     target.pipeline().bind(commands);
     parts.forEach([&](const PlacedField& field) {
         if (field.blades().bladeCount() == 0)
@@ -312,6 +364,7 @@ VkDeviceSize Grass::deviceBytes() const
         sum += removed.field->bytes();
     for (const Parts::ViewDepth& depth : parts_->depths)
         sum += depth.cells.bytes();
+    sum += parts_->raster.bytes();
     return sum;
 }
 

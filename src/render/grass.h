@@ -77,8 +77,18 @@ public:
     /// drawing of the view's depth, if any, has been made visible to compute shaders.
     void recordCull(VkCommandBuffer commands, std::uint32_t view) noexcept;
 
-    /// Draws them, inside the host's rendering, whose viewport and scissor are set. Any number of
-    /// times after recordCull() of the view.
+    /// Rasterises them by compute shaders, after recordCull() of the view, outside of a rendering
+    /// and as soon as the view's depth, if any, is complete: what it hides is not lit. Much faster
+    /// than the tessellator. Records nothing where whyTessellated() has a reason.
+    void recordRaster(VkCommandBuffer commands, std::uint32_t view) noexcept;
+
+    /// Why recordDraw() tessellates the blades of one of the frame's views; null if it draws what
+    /// recordRaster() has rasterised.
+    const char* whyTessellated(std::uint32_t view) const noexcept;
+
+    /// Draws them, inside the host's rendering, whose viewport, as large as the view and with
+    /// depths from 0 to 1, and scissor are set: what recordRaster() has found if the target has as
+    /// many samples as the view, else by the tessellator. Any number of times after recordCull().
     void recordDraw(VkCommandBuffer commands, std::uint32_t view,
                     const BladeTarget& target) const noexcept;
 

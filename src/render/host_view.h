@@ -2,6 +2,7 @@
 
 #include "core/bounds.h"
 #include "render/camera.h"
+#include "render/geometry.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -31,6 +32,10 @@ struct HostView {
     glm::uvec2 size{1};        ///< [pixels] of the picture
     std::uint32_t samples = 1; ///< per pixel of it
     bool hasReversedZ = true;  ///< 1 near and 0 far; else 0 near and 1 far
+
+    /// How blades are drawn: by the compute rasteriser where it can, see Grass::recordRaster(), or
+    /// by the tessellator, which is the right one for shadow maps.
+    Geometry geometry = Geometry::automatic;
 
     /// Blades are judged from here instead: a frozen camera.
     std::optional<glm::dmat4> judgedFrom{};

@@ -48,32 +48,32 @@ void LargeBladeList::describe(shared::RasterPush& push) const
     push.cut = cut_.address();
 }
 
-void LargeBladeList::clear(VkCommandBuffer commands) const
+void LargeBladeList::clear(const gpu::Recording& commands) const
 {
     const Counts none{};
-    vkCmdUpdateBuffer(commands, counts_.get(), 0, sizeof none, &none);
+    commands.vk->CmdUpdateBuffer(commands, counts_.get(), 0, sizeof none, &none);
 }
 
-void LargeBladeList::beginShown(VkCommandBuffer commands)
+void LargeBladeList::beginShown(const gpu::Recording& commands)
 {
     if (frame_ == 0 && shown_.bytes() > 0)
-        vkCmdFillBuffer(commands, shown_.get(), 0, VK_WHOLE_SIZE, 0);
+        commands.vk->CmdFillBuffer(commands, shown_.get(), 0, VK_WHOLE_SIZE, 0);
     ++frame_;
 }
 
-void LargeBladeList::dispatch(VkCommandBuffer commands) const
+void LargeBladeList::dispatch(const gpu::Recording& commands) const
 {
-    vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, parts));
+    commands.vk->CmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, parts));
 }
 
-void LargeBladeList::dispatchLate(VkCommandBuffer commands) const
+void LargeBladeList::dispatchLate(const gpu::Recording& commands) const
 {
-    vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, late));
+    commands.vk->CmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, late));
 }
 
-void LargeBladeList::dispatchCut(VkCommandBuffer commands) const
+void LargeBladeList::dispatchCut(const gpu::Recording& commands) const
 {
-    vkCmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, cut));
+    commands.vk->CmdDispatchIndirect(commands, counts_.get(), offsetof(Counts, cut));
 }
 
 } // namespace sward::render

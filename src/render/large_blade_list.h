@@ -2,6 +2,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/context.h"
+#include "gpu/recording.h"
 #include "render/update_cull_pass.h"
 #include "shaders/shared/passes.h"
 
@@ -32,16 +33,16 @@ public:
     UpdateCullPass::Shown shown() const { return {shown_.address(), frame_}; }
 
     /// Empties it; a transfer.
-    void clear(VkCommandBuffer commands) const;
+    void clear(const gpu::Recording& commands) const;
 
     /// Begins a frame. Before the first one no blade has been shown; a transfer, once.
-    void beginShown(VkCommandBuffer commands);
+    void beginShown(const gpu::Recording& commands);
 
     // Work-groups for what is listed: large parts in the early pass, the same in the late pass, and
     // blades that the near plane cuts.
-    void dispatch(VkCommandBuffer commands) const;
-    void dispatchLate(VkCommandBuffer commands) const;
-    void dispatchCut(VkCommandBuffer commands) const;
+    void dispatch(const gpu::Recording& commands) const;
+    void dispatchLate(const gpu::Recording& commands) const;
+    void dispatchCut(const gpu::Recording& commands) const;
 
     VkDeviceSize bytes() const { return parts_.bytes() + cut_.bytes() + shown_.bytes(); }
 

@@ -15,7 +15,7 @@
 namespace sward::render {
 namespace {
 
-constexpr double farthest = 1e12;    ///< [m] far beyond the Moon
+constexpr double farthestDraw = 1e12;    ///< [m] far beyond the Moon
 constexpr double largestSize = 1e9;  ///< [m]
 constexpr double quickest = 1e6;     ///< [m/s], [rad/s]
 constexpr double strongest = 1000.0; ///< [1/s]
@@ -44,7 +44,7 @@ WindSource readWind(SettingsReader& reader)
     reader.read("lift", s.lift, 0.0, 1.0);
     const bool isRound = kind == shared::windRadial || kind == shared::windSwirl;
     if (isRound) {
-        reader.read("centre", wind.centre, -farthest, farthest);
+        reader.read("centre", wind.centre, -farthestDraw, farthestDraw);
     } else {
         reader.read("direction", s.direction, -1e6, 1e6);
         requireDirection(s.direction, reader.placeOf("direction"));
@@ -63,20 +63,20 @@ Collider readCollider(SettingsReader& reader)
 {
     Collider collider;
     const bool isSphere = reader.has("centre");
-    reader.read(isSphere ? "centre" : "from", collider.from, -farthest, farthest);
+    reader.read(isSphere ? "centre" : "from", collider.from, -farthestDraw, farthestDraw);
     collider.to = collider.from;
     if (!isSphere) {
         for (const char* key : {"from", "to"})
             if (!reader.has(key))
                 fail(ErrorKind::input, "{}: missing; a sphere has a centre, a capsule from and to",
                      reader.placeOf(key));
-        reader.read("to", collider.to, -farthest, farthest);
+        reader.read("to", collider.to, -farthestDraw, farthestDraw);
     }
     reader.read("radius", collider.radius, 1e-6, largestSize);
     readList(reader, "path", maxWaypoints, collider.path, [&collider](SettingsReader& one) {
         Collider::Waypoint point;
         one.read("time", point.time, -longest, longest);
-        one.read("move", point.move, -farthest, farthest);
+        one.read("move", point.move, -farthestDraw, farthestDraw);
         if (!collider.path.empty() && point.time <= collider.path.back().time)
             fail(ErrorKind::input, "{}: {} is not later than the waypoint before",
                  one.placeOf("time"), point.time);
@@ -104,7 +104,7 @@ void readNature(SettingsReader& reader, FrameSettings& settings)
         gravity.read("direction", nature.gravityDirection, -1e6, 1e6);
         requireDirection(nature.gravityDirection, gravity.placeOf("direction"));
         gravity.read("strength", nature.gravityStrength, 0.0, strongest);
-        gravity.read("attractor", nature.attractor, -farthest, farthest);
+        gravity.read("attractor", nature.attractor, -farthestDraw, farthestDraw);
         gravity.read("blend", nature.attractorBlend, 0.0, 1.0);
         gravity.read("forward", settings.forward, 0.0, 1.0);
         gravity.finish();

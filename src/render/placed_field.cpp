@@ -15,7 +15,8 @@ namespace {
 constexpr std::uint32_t forUpdate = 0;
 constexpr std::uint32_t forJudging = 1;
 constexpr std::uint32_t forDrawing = 2;
-constexpr std::uint32_t frameKinds = 3;
+constexpr std::uint32_t forRaster = 3;
+constexpr std::uint32_t frameKinds = 4;
 
 /// Where they lie among a slot's constants: behind the tables.
 VkDeviceSize framesOffset()
@@ -130,6 +131,7 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
         updated.draw = moved_.address();
         updated.pyramid = {};
         updated.view.cullMask &= ~shared::cullOcclusion;
+        put(slot, forRaster, i, drawn);
         project(drawn, glm::mat4(toClip), drawn.view.eye);
         put(slot, forUpdate, i, updated);
         put(slot, forJudging, i, judged);
@@ -200,6 +202,11 @@ FramePlace PlacedField::judgedFrame(std::uint32_t slot, std::uint32_t view) cons
 FramePlace PlacedField::drawnFrame(std::uint32_t slot, std::uint32_t view) const
 {
     return framePlace(slot, forDrawing, view);
+}
+
+FramePlace PlacedField::rasterFrame(std::uint32_t slot, std::uint32_t view) const
+{
+    return framePlace(slot, forRaster, view);
 }
 
 bool PlacedField::beginsToMove()

@@ -39,11 +39,12 @@ public:
     const VisibleBlades& list(std::uint32_t view) const { return lists_[view]; }
     const gpu::Buffer& moved() const { return moved_; } ///< shared::DrawArguments of the update
 
-    /// Frames of one view: by which its blades are moved, judged, and drawn. Those of the update
-    /// lie on end.
+    /// Frames of one view: by which its blades are moved, judged, and drawn by either back-end.
+    /// Those of the update lie on end.
     FramePlace updateFrame(std::uint32_t slot, std::uint32_t view) const;
     FramePlace judgedFrame(std::uint32_t slot, std::uint32_t view) const;
     FramePlace drawnFrame(std::uint32_t slot, std::uint32_t view) const;
+    FramePlace rasterFrame(std::uint32_t slot, std::uint32_t view) const; ///< always reversed Z
 
     /// shared::Motion of one view.
     VkDeviceAddress motion(std::uint32_t slot, std::uint32_t view) const;
@@ -63,7 +64,7 @@ public:
 
 private:
     struct Slot {
-        gpu::Buffer constants;   ///< tables, three frames for each view, shared::Motion of each
+        gpu::Buffer constants;   ///< tables, four frames for each view, shared::Motion of each
         gpu::UniformSets frames; ///< of those frames
         gpu::Buffer counts;      ///< shared::DrawArguments of the update, then of each view
     };

@@ -107,7 +107,7 @@ shared::RasterPush RasterPass::pushFor(const Input& input) const
                             .isBgr = isBgr(target_.colorFormat) ? 1u : 0u,
                             .round = 0,
                             .firstBlade = input.firstBlade,
-                            .reserved = 0};
+                            .instance = 0};
     largeList_.describe(push);
     if (surfaces_)
         surfaces_->describe(push);

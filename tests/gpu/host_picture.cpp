@@ -204,6 +204,8 @@ void GrassTest::drawFrame(render::Grass& grass, double time,
             if (hasWall)
                 pictures[view]->recordWall(commands, *wall);
             grass.recordCull(commands, view);
+            if (rasters_)
+                grass.recordRaster(commands, view);
             pictures[view]->record(commands, grass, view, hasWall);
         }
     });

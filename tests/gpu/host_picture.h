@@ -87,6 +87,7 @@ protected:
     field::Field field_ = makeField({.blades = 3000, .extent = 4.0f, .seed = 11});
     render::FrameSettings settings_ = render::FrameSettings::of(field::viewOf(field_));
     const render::Grass::Settings oneSlot_{.framesInFlight = 1};
+    bool rasters_ = false; ///< drawFrame() calls recordRaster()
 };
 
 } // namespace sward::test

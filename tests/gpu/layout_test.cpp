@@ -60,6 +60,12 @@ public:
     {
         fillAll(n.gravity, n.recovery, n.colliderCount, n.reserved, n.wind, n.colliders.address);
     }
+    void fill(shared::RasterPush& r)
+    {
+        fillAll(r.frame, r.judged, r.visibility, r.rounds, r.large, r.largeCount, r.cut, r.owners,
+                r.firstOwners, r.seen, r.surfacePlaces, r.surfaces, r.tiles, r.size, r.isBgr,
+                r.round, r.firstBlade, r.instance);
+    }
     void fill(shared::Eyepoint& e)
     {
         fillAll(e.planes, e.eye, e.drawDistance, e.pixelsPerUnit, e.lodThreshold, e.lodWidth,
@@ -122,6 +128,8 @@ struct Values {
     shared::GroundPush groundPush;
     shared::Motion motion;
     shared::MotionPush motionPush;
+    shared::HostInstance hostInstance;
+    shared::HostViewPush hostViewPush;
     shared::PageChange pageChange;
     shared::PagePush pagePush;
     shared::GroundCluster groundCluster;
@@ -169,16 +177,13 @@ std::size_t fillValues(Values& v)
     shared::WalkPush& w = v.walkPush;
     n.fillAll(w.judged, w.subtrees, w.queue, w.live, w.levels, w.startCount, w.startLevel, w.level,
               w.reserved);
-    shared::RasterPush& r = v.rasterPush;
-    n.fillAll(r.frame, r.judged, r.visibility, r.rounds, r.large, r.largeCount, r.cut, r.owners,
-              r.firstOwners, r.seen, r.surfacePlaces, r.surfaces, r.tiles, r.size, r.isBgr, r.round,
-              r.firstBlade, r.reserved);
+    n.fill(v.rasterPush);
     n.fillAll(v.subtree.blades, v.subtree.widest, v.subtree.rankBelow);
     n.fillAll(v.live.patchIndex, v.live.count);
     n.fillAll(v.walkLevel.groups, v.walkLevel.count);
     shared::LargePart& l = v.largePart;
     n.fillAll(l.v0, l.width, l.v1, l.fold, l.v2, l.outline, l.axis, l.tipThreshold, l.scale,
-              l.reserved, l.blade, l.part);
+              l.instance, l.blade, l.part);
     n.fillAll(v.pyramidPush.frame, v.pyramidPush.slack, v.pyramidPush.reserved);
     n.fillAll(v.viewPush.frame);
     n.fillAll(v.copyPush.from, v.copyPush.to, v.copyPush.count, v.copyPush.reserved);
@@ -186,6 +191,9 @@ std::size_t fillValues(Values& v)
               v.groundPush.material, v.groundPush.reserved);
     n.fillAll(v.motion.clipBefore, v.motion.statesBefore, v.motion.moves, v.motion.reserved);
     n.fillAll(v.motionPush.frame, v.motionPush.motion);
+    n.fillAll(v.hostInstance.raster, v.hostInstance.motion);
+    shared::HostViewPush& h = v.hostViewPush;
+    n.fillAll(h.instances, h.visibility, h.size, h.instanceCount, h.slack);
     n.fillAll(v.pageChange.page, v.pageChange.place, v.pageChange.edges);
     shared::PagePush& p = v.pagePush;
     n.fillAll(p.changes, p.pages, p.states, p.etas, p.patches, p.subtrees, p.patchTimes,
@@ -229,7 +237,7 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
     const std::size_t words = fillValues(values);
 
     // The frame is reached as element 0 everywhere, so here, too.
-    std::array<gpu::Buffer, 32> buffers = {secondElement(context(), values.blade),
+    std::array<gpu::Buffer, 34> buffers = {secondElement(context(), values.blade),
                                            secondElement(context(), values.packedBlade),
                                            secondElement(context(), values.cell),
                                            secondElement(context(), values.frame),
@@ -252,6 +260,8 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
                                            secondElement(context(), values.groundPush),
                                            secondElement(context(), values.motion),
                                            secondElement(context(), values.motionPush),
+                                           secondElement(context(), values.hostInstance),
+                                           secondElement(context(), values.hostViewPush),
                                            secondElement(context(), values.pageChange),
                                            secondElement(context(), values.pagePush),
                                            secondElement(context(), values.groundCluster),

@@ -16,6 +16,7 @@ SHARED_BUFFER(PyramidPushArray, PyramidPush, readonly)
 SHARED_BUFFER(ViewPushArray, ViewPush, readonly)
 SHARED_BUFFER(CopyPushArray, CopyPush, readonly)
 SHARED_BUFFER(MotionPushArray, MotionPush, readonly)
+SHARED_BUFFER(HostViewPushArray, HostViewPush, readonly)
 SHARED_BUFFER(GroundPushArray, GroundPush, readonly)
 SHARED_BUFFER(PagePushArray, PagePush, readonly)
 SHARED_BUFFER(GroundCullPushArray, GroundCullPush, readonly)
@@ -45,6 +46,8 @@ struct Sources {
     GroundPushArray groundPush;
     MotionArray motion;
     MotionPushArray motionPush;
+    HostInstanceArray hostInstance;
+    HostViewPushArray hostViewPush;
     PageChangeArray pageChange;
     PagePushArray pagePush;
     GroundClusterArray groundCluster;
@@ -304,7 +307,7 @@ void main()
     put(sources.at[0].rasterPush.at[1].isBgr);
     put(sources.at[0].rasterPush.at[1].round);
     put(sources.at[0].rasterPush.at[1].firstBlade);
-    put(sources.at[0].rasterPush.at[1].reserved);
+    put(sources.at[0].rasterPush.at[1].instance);
 
     const Subtree subtree = sources.at[0].subtree.at[1];
     put(subtree.blades);
@@ -324,7 +327,7 @@ void main()
     put(sources.at[0].largePart.at[1].axis);
     put(sources.at[0].largePart.at[1].tipThreshold);
     put(sources.at[0].largePart.at[1].scale);
-    put(sources.at[0].largePart.at[1].reserved);
+    put(sources.at[0].largePart.at[1].instance);
     put(sources.at[0].largePart.at[1].blade);
     put(sources.at[0].largePart.at[1].part);
 
@@ -349,6 +352,30 @@ void main()
     put(sources.at[0].motion.at[1].reserved);
     put(uvec2(sources.at[0].motionPush.at[1].frame));
     put(uvec2(sources.at[0].motionPush.at[1].motion));
+    put(uvec2(sources.at[0].hostInstance.at[1].raster.frame));
+    put(uvec2(sources.at[0].hostInstance.at[1].raster.judged));
+    put(uvec2(sources.at[0].hostInstance.at[1].raster.visibility));
+    put(uvec2(sources.at[0].hostInstance.at[1].raster.rounds));
+    put(uvec2(sources.at[0].hostInstance.at[1].raster.large));
+    put(uvec2(sources.at[0].hostInstance.at[1].raster.largeCount));
+    put(uvec2(sources.at[0].hostInstance.at[1].raster.cut));
+    put(uvec2(sources.at[0].hostInstance.at[1].raster.owners));
+    put(uvec2(sources.at[0].hostInstance.at[1].raster.firstOwners));
+    put(uvec2(sources.at[0].hostInstance.at[1].raster.seen));
+    put(uvec2(sources.at[0].hostInstance.at[1].raster.surfacePlaces));
+    put(uvec2(sources.at[0].hostInstance.at[1].raster.surfaces));
+    put(uvec2(sources.at[0].hostInstance.at[1].raster.tiles));
+    put(sources.at[0].hostInstance.at[1].raster.size);
+    put(sources.at[0].hostInstance.at[1].raster.isBgr);
+    put(sources.at[0].hostInstance.at[1].raster.round);
+    put(sources.at[0].hostInstance.at[1].raster.firstBlade);
+    put(sources.at[0].hostInstance.at[1].raster.instance);
+    put(uvec2(sources.at[0].hostInstance.at[1].motion));
+    put(uvec2(sources.at[0].hostViewPush.at[1].instances));
+    put(uvec2(sources.at[0].hostViewPush.at[1].visibility));
+    put(sources.at[0].hostViewPush.at[1].size);
+    put(sources.at[0].hostViewPush.at[1].instanceCount);
+    put(sources.at[0].hostViewPush.at[1].slack);
 
     put(sources.at[0].pageChange.at[1].page);
     put(sources.at[0].pageChange.at[1].place);

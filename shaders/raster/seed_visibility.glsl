@@ -1,0 +1,25 @@
+// Begins a visibility with what a host has drawn: with nothing that is as deep as the host's own things. The
+// including stage declares `depths`, and defines depthOfHost(), the depth of a sample.
+#include "shaders/raster/instances.glsl"
+#include "shaders/raster/visibility.glsl"
+
+layout(local_size_x = seedThreads, local_size_y = seedThreads) in;
+
+/// Whether depths are 0 near and 1 far; known when the pipeline is made.
+layout(constant_id = 16) const bool hasForwardZ = false;
+
+float depthOfHost(ivec2 pixel, uint s);
+
+void main()
+{
+    const uvec2 pixel = gl_GlobalInvocationID.xy;
+    if (any(greaterThanEqual(pixel, host.size)))
+        return;
+    push.size = host.size;
+    Visibility visibility = Visibility(uvec2(host.visibility));
+    for (uint s = 0u; s < samplesPerPixel; ++s) {
+        const float depth = depthOfHost(ivec2(pixel), s);
+        const float reversed = max((hasForwardZ ? 1.0 - depth : depth) - host.slack, 0.0);
+        visibility.at[sampleIndex(pixel, s)] = uint64_t(floatBitsToUint(reversed)) << 32u;
+    }
+}

@@ -1,0 +1,269 @@
+#include "render/host_raster.h"
+
+#include "core/expect.h"
+#include "gpu/barrier.h"
+#include "render/placed_field.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace sward::render {
+namespace {
+
+constexpr std::uint32_t frameSet = 0;
+
+/// The visibility shows 0 where no blade is.
+constexpr std::uint32_t firstId = 1;
+
+VkDeviceSize visibilityBytes(const HostView& view)
+{
+    return VkDeviceSize(view.size.x) * shared::rowsOfColumn(view.size.y) * view.samples *
+           sizeof(std::uint64_t);
+}
+
+std::uint32_t seedGroups(std::uint32_t pixels)
+{
+    return static_cast<std::uint32_t>(gpu::groupsFor(pixels, shared::seedThreads));
+}
+
+} // namespace
+
+HostRaster::HostRaster(const gpu::DeviceContext& context, std::uint32_t slots,
+                       std::uint32_t maxViews)
+    : context_(&context)
+    , frameLayout_(context, "host raster/frame")
+    , imageLayout_(
+          context,
+          {.name = "host raster/depth", .sampledCount = 1, .stages = VK_SHADER_STAGE_COMPUTE_BIT})
+    , visibilities_(maxViews)
+    , slots_(slots)
+{
+    for (Slot& slot : slots_)
+        slot.views.resize(maxViews);
+}
+
+const char* HostRaster::obstacle(const HostView& view) const
+{
+    if (view.geometry == Geometry::tessellation)
+        return "the view asks for the tessellator";
+    if (!context_->features.bufferInt64Atomics)
+        return "the device has no 64-bit atomics on buffers (shaderBufferInt64Atomics)";
+    if (view.samples != 1 && view.samples != 4)
+        return "the view has neither 1 nor 4 samples a pixel";
+    if (view.samples > 1 && !context_->features.sampleRateShading)
+        return "the device shades no single samples (sampleRateShading)";
+    if (isParallel(view.worldToClip))
+        return "the rays of the view are parallel";
+    return nullptr;
+}
+
+HostRaster::Pipelines HostRaster::pipelinesFor(const gpu::ShaderLibrary& shaders,
+                                               std::uint32_t samples) const
+{
+    const std::uint32_t largeTo = context_->isCpu() ? shared::largeToNobody : shared::largeToGroups;
+    const std::vector<gpu::SpecializationConstant> constants{{.id = 1, .value = samples},
+                                                             {.id = 4, .value = largeTo}};
+    const auto ofInstances = [&](const char* name, const char* shader) {
+        return gpu::ComputePipeline(*context_, shaders,
+                                    {.name = name,
+                                     .shader = shader,
+                                     .pushConstantBytes = sizeof(shared::HostViewPush),
+                                     .constants = constants});
+    };
+    Pipelines made;
+    made.blades = gpu::ComputePipeline(*context_, shaders,
+                                       {.name = "host raster/blades",
+                                        .shader = "raster_blades.comp",
+                                        .pushConstantBytes = sizeof(shared::RasterPush),
+                                        .setLayouts = {frameLayout_.get()},
+                                        .constants = constants});
+    if (!context_->isCpu())
+        made.large = ofInstances("host raster/large blades", "raster_large_of_instances.comp");
+    made.cut = ofInstances("host raster/cut blades", "raster_cut_of_instances.comp");
+    return made;
+}
+
+gpu::ComputePipeline HostRaster::seedFor(const gpu::ShaderLibrary& shaders,
+                                         SeedSettings settings) const
+{
+    return {*context_,
+            shaders,
+            {.name = "host raster/seed",
+             .shader =
+                 settings.samples > 1 ? "seed_visibility_of_several.comp" : "seed_visibility.comp",
+             .pushConstantBytes = sizeof(shared::HostViewPush),
+             .setLayouts = {imageLayout_.get()},
+             .constants = {{.id = 1, .value = settings.samples},
+                           {.id = 16, .value = settings.hasReversedZ ? 0u : 1u}}}};
+}
+
+void HostRaster::prepare(const gpu::ShaderLibrary& shaders, const HostView& view,
+                         std::uint32_t index, View& out)
+{
+    if (!pipelines_.contains(view.samples))
+        pipelines_.emplace(view.samples, pipelinesFor(shaders, view.samples));
+    out.pipelines = &pipelines_.at(view.samples);
+    // A depth of another number of samples says too little, or too much, of each of the view's.
+    if (view.depth && view.depth->samples == view.samples) {
+        const SeedSettings wanted{view.samples, view.hasReversedZ};
+        if (!seeds_.contains(wanted))
+            seeds_.emplace(wanted, seedFor(shaders, wanted));
+        out.seed = &seeds_.at(wanted);
+    }
+    if (!largeList_)
+        largeList_ = std::make_shared<LargeBladeList>(
+            *context_, LargeBladeList::Room{.large = !context_->isCpu()});
+    out.large = largeList_;
+
+    // Frames in flight go on with the one that they began with.
+    std::shared_ptr<gpu::Buffer>& visibility = visibilities_[index];
+    if (!visibility || visibility->bytes() != visibilityBytes(view))
+        visibility = std::make_shared<gpu::Buffer>(
+            *context_, gpu::BufferSettings{.name = "view/visibility",
+                                           .bytes = visibilityBytes(view),
+                                           .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                                    VK_BUFFER_USAGE_TRANSFER_DST_BIT});
+    out.visibility = visibility;
+    out.push = {.instances = 0,
+                .visibility = visibility->address(),
+                .size = view.size,
+                .instanceCount = 0,
+                .slack = view.depth ? view.depth->slack : 0.0f};
+}
+
+void HostRaster::begin(const gpu::ShaderLibrary& shaders, std::uint32_t slotIndex,
+                       std::span<const HostView> views,
+                       std::span<const PlacedField* const> instances)
+{
+    Slot& slot = slots_[slotIndex];
+    std::ranges::fill(slot.views, View{});
+    bool rasters = false;
+    for (std::uint32_t i = 0; i < slot.views.size(); ++i) {
+        if (i < views.size() && obstacle(views[i]) == nullptr) {
+            prepare(shaders, views[i], i, slot.views[i]);
+            rasters = true;
+        } else {
+            visibilities_[i].reset();
+        }
+    }
+    if (!rasters)
+        largeList_.reset();
+    if (rasters && !instances.empty())
+        writeTable(slot, slotIndex, views, instances);
+    else
+        slot.table = {};
+}
+
+void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const HostView> views,
+                            std::span<const PlacedField* const> instances) const
+{
+    const VkDeviceSize bytes = views.size() * instances.size() * sizeof(shared::HostInstance);
+    if (slot.table.bytes() < bytes)
+        slot.table = gpu::Buffer(*context_, {.name = "views/instances",
+                                             .bytes = bytes,
+                                             .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                                             .memory = gpu::MemoryUse::constants});
+    const auto table = slot.table.mappedAs<shared::HostInstance>();
+    for (std::uint32_t v = 0; v < views.size(); ++v) {
+        View& view = slot.views[v];
+        if (view.pipelines == nullptr)
+            continue;
+        const std::size_t first = v * instances.size();
+        view.push.instances = slot.table.address() + first * sizeof(shared::HostInstance);
+        view.push.instanceCount = static_cast<std::uint32_t>(instances.size());
+        std::uint64_t id = firstId;
+        for (std::uint32_t i = 0; i < instances.size(); ++i) {
+            const PlacedField& field = *instances[i];
+            const VkDeviceAddress frame = field.rasterFrame(slotIndex, v).address;
+            shared::HostInstance entry = {};
+            entry.raster.frame = frame;
+            entry.raster.judged =
+                views[v].judgedFrom ? field.judgedFrame(slotIndex, v).address : frame;
+            entry.raster.visibility = view.push.visibility;
+            entry.raster.rounds = field.list(v).rounds().address();
+            view.large->describe(entry.raster);
+            entry.raster.owners = field.blades().owners();
+            entry.raster.firstOwners = field.blades().firstOwners();
+            entry.raster.size = views[v].size;
+            entry.raster.firstBlade = static_cast<std::uint32_t>(id);
+            entry.raster.instance = i;
+            entry.motion = field.motion(slotIndex, v);
+            table[first + i] = entry;
+            id += field.blades().bladeCount();
+            expect(id <= 0xffffffffu, "a view has less than 2^32 blades");
+        }
+    }
+}
+
+void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
+                        std::uint32_t viewIndex, std::span<const PlacedField* const> instances,
+                        const gpu::ImageSet* depth) const
+{
+    const Slot& slot = slots_[slotIndex];
+    const View& view = slot.views[viewIndex];
+    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::fillAccess);
+    view.large->clear(commands);
+    if (view.seed != nullptr && depth != nullptr) {
+        view.seed->bind(commands);
+        depth->bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, view.seed->layout());
+        view.seed->push(commands, view.push);
+        commands.vk->CmdDispatch(commands, seedGroups(view.push.size.x),
+                                 seedGroups(view.push.size.y), 1);
+    } else {
+        commands.vk->CmdFillBuffer(commands, view.visibility->get(), 0, VK_WHOLE_SIZE, 0);
+    }
+    gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
+    if (view.push.instanceCount == 0) {
+        gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
+        return;
+    }
+
+    const Pipelines& pipelines = *view.pipelines;
+    const auto table = slot.table.mappedAs<const shared::HostInstance>();
+    pipelines.blades.bind(commands);
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        if (instances[i] == nullptr)
+            continue;
+        instances[i]
+            ->rasterFrame(slotIndex, viewIndex)
+            .bind(commands, pipelines.blades.layout(), frameSet);
+        pipelines.blades.push(commands, table[viewIndex * instances.size() + i].raster);
+        commands.vk->CmdDispatchIndirect(commands, instances[i]->list(viewIndex).rounds().get(), 0);
+    }
+    gpu::computeToCompute(commands);
+    if (pipelines.large.get() != VK_NULL_HANDLE) {
+        pipelines.large.bind(commands);
+        pipelines.large.push(commands, view.push);
+        view.large->dispatch(commands);
+    }
+    pipelines.cut.bind(commands);
+    pipelines.cut.push(commands, view.push);
+    view.large->dispatchCut(commands);
+    gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
+}
+
+shared::HostViewPush HostRaster::pushFor(std::uint32_t slot, std::uint32_t view) const
+{
+    return slots_[slot].views[view].push;
+}
+
+VkDeviceSize HostRaster::bytes() const
+{
+    // By what holds them: slots and views share.
+    std::map<const void*, VkDeviceSize> held;
+    for (const Slot& slot : slots_) {
+        held[&slot] = slot.table.bytes();
+        for (const View& view : slot.views) {
+            if (view.visibility)
+                held[view.visibility.get()] = view.visibility->bytes();
+            if (view.large)
+                held[view.large.get()] = view.large->bytes();
+        }
+    }
+    VkDeviceSize sum = 0;
+    for (const auto& [holder, bytes] : held)
+        sum += bytes;
+    return sum;
+}
+
+} // namespace sward::render

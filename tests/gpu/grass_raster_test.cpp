@@ -1,0 +1,203 @@
+// A host's views by the compute rasteriser show what they show by the tessellator.
+
+#include "host_picture.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <vector>
+
+namespace sward::render {
+namespace {
+
+using test::HostPicture;
+using test::lookingFrom;
+
+constexpr glm::uvec2 size = test::hostSize;
+constexpr std::size_t pixelCount = std::size_t(size.x) * size.y;
+
+class GrassRasterTest : public test::GrassTest {
+protected:
+    void SetUp() override
+    {
+        test::GrassTest::SetUp();
+        if (!context().features.bufferInt64Atomics)
+            GTEST_SKIP() << "the device has no 64-bit atomics";
+        // Frozen, so that both ways have the same blades to draw.
+        settings_.winds.clear();
+    }
+
+    /// Draws a view at one time by either way; the pictures are the caller's.
+    void drawBoth(const FieldInstance& instance, const HostView& view,
+                  const HostPicture& tessellated, const HostPicture& rasterised,
+                  std::optional<double> wall = std::nullopt)
+    {
+        for (const bool rasters : {false, true}) {
+            Grass grass(context(), {.framesInFlight = 1, .keepsMotion = true});
+            grass.add(instance);
+            rasters_ = rasters;
+            const HostPicture* const pictures[]{rasters ? &rasterised : &tessellated};
+            HostView own = view;
+            if (wall)
+                own.depth = pictures[0]->depth();
+            drawFrame(grass, 1.0, {&own, 1}, pictures, {}, wall);
+            EXPECT_EQ(grass.whyTessellated(0), nullptr);
+            EXPECT_GT(grass.stats(0, 0).drawn, 1000u);
+        }
+    }
+};
+
+/// Mean of the differences of all channels, of 255.
+double meanApart(const std::vector<std::byte>& a, const std::vector<std::byte>& b)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        sum += std::abs(std::to_integer<int>(a[i]) - std::to_integer<int>(b[i]));
+    return sum / double(a.size());
+}
+
+TEST_F(GrassRasterTest, ShowsWhatTheTessellatorShows)
+{
+    const auto resident = upload(field_);
+    const FieldInstance turned{
+        resident,
+        {.position = {0.3, -0.1, 0.2},
+         .rotation = glm::angleAxis(0.4, glm::normalize(glm::dvec3(1, 2, -1))),
+         .scale = 1.5}};
+    for (const std::uint32_t samples : {1u, 4u})
+        for (const bool isReversed : {true, false}) {
+            SCOPED_TRACE(samples);
+            SCOPED_TRACE(isReversed);
+            const HostPicture::Settings target{.isReversed = isReversed, .samples = samples};
+            const HostPicture tessellated(context(), target);
+            const HostPicture rasterised(context(), target);
+            HostView view = lookingFrom({2.0, 2.5, 4.0}, isReversed);
+            view.samples = samples;
+            drawBoth(turned, view, tessellated, rasterised);
+            EXPECT_GT(tessellated.covered(), pixelCount / 10);
+            // Edges lie within a 256th of a pixel of one another, so that few samples change hands.
+            EXPECT_LT(meanApart(tessellated.pixels(), rasterised.pixels()), 1.5);
+            EXPECT_NEAR(double(rasterised.covered()), double(tessellated.covered()),
+                        0.01 * double(pixelCount));
+        }
+}
+
+TEST_F(GrassRasterTest, HasTheDepthThatTheTessellatorHas)
+{
+    const auto resident = upload(field_);
+    for (const bool isReversed : {true, false}) {
+        const HostPicture::Settings target{.isReversed = isReversed};
+        const HostPicture tessellated(context(), target);
+        const HostPicture rasterised(context(), target);
+        drawBoth({resident, {}}, lookingFrom({2.0, 2.5, 4.0}, isReversed), tessellated, rasterised);
+        const std::vector<float> a = tessellated.depths();
+        const std::vector<float> b = rasterised.depths();
+        std::size_t apart = 0;
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            // Reversed depth is 0.1 m over the distance, about.
+            const float near = isReversed ? a[i] : 1.0f - a[i];
+            apart += std::abs(a[i] - b[i]) > 0.01f * near + 1e-6f ? 1u : 0u;
+        }
+        EXPECT_LT(apart, pixelCount / 50);
+    }
+}
+
+TEST_F(GrassRasterTest, StandsBehindWhatTheHostHasDrawn)
+{
+    const auto resident = upload(field_);
+    for (const std::uint32_t samples : {1u, 4u})
+        for (const bool isReversed : {true, false}) {
+            SCOPED_TRACE(samples);
+            SCOPED_TRACE(isReversed);
+            const HostPicture::Settings target{.isReversed = isReversed, .samples = samples};
+            const HostPicture tessellated(context(), target);
+            const HostPicture rasterised(context(), target);
+            HostView view = lookingFrom({2.0, 2.5, 4.0}, isReversed);
+            view.samples = samples;
+            // In the middle of the grass: it hides some of it, and some of it stands before it.
+            drawBoth({resident, {}}, view, tessellated, rasterised, 5.2);
+            EXPECT_LT(meanApart(tessellated.pixels(), rasterised.pixels()), 1.5);
+            EXPECT_NEAR(double(rasterised.covered()), double(tessellated.covered()),
+                        0.01 * double(pixelCount));
+        }
+}
+
+TEST_F(GrassRasterTest, DrawsManyInstancesByOneList)
+{
+    const auto resident = upload(field_);
+    const HostPicture tessellated(context(), {});
+    const HostPicture rasterised(context(), {});
+    const HostView view = lookingFrom({1.0, 3.0, 6.0});
+    for (const bool rasters : {false, true}) {
+        Grass grass(context(), oneSlot_);
+        std::vector<InstanceId> ids;
+        for (int i = 0; i < 64; ++i)
+            ids.push_back(
+                grass.add({resident,
+                           {.position = {(i % 8 - 3.5) * 0.6, 0.0, (i / 8 - 3.5) * 0.6},
+                            .rotation = glm::angleAxis(0.1 * i, glm::dvec3(0.0, 1.0, 0.0)),
+                            .scale = 0.1 + 0.002 * i}}));
+        // What goes between two frames is not drawn by what is left of it.
+        grass.remove(ids[20]);
+        rasters_ = rasters;
+        const HostPicture* const pictures[]{rasters ? &rasterised : &tessellated};
+        drawFrame(grass, 1.0, {&view, 1}, pictures);
+    }
+    EXPECT_GT(tessellated.covered(), pixelCount / 20);
+    EXPECT_LT(meanApart(tessellated.pixels(), rasterised.pixels()), 1.5);
+}
+
+TEST_F(GrassRasterTest, TellsOfMotionAsTheTessellatorDoes)
+{
+    settings_ = FrameSettings::of(field::viewOf(field_)); // with wind
+    const auto resident = upload(field_);
+    std::vector<glm::vec2> motions[2];
+    for (const bool rasters : {false, true}) {
+        Grass grass(context(), {.framesInFlight = 1, .keepsMotion = true});
+        grass.add({resident, {}});
+        rasters_ = rasters;
+        const HostPicture picture(context(), {.hasMotion = true});
+        const HostPicture* const pictures[]{&picture};
+        HostView view = lookingFrom({2.0, 2.5, 4.0});
+        for (const double time : {1.0, 1.05}) {
+            drawFrame(grass, time, {&view, 1}, pictures);
+            view.clipBefore = view.worldToClip;
+            view.worldToClip = lookingFrom({2.1, 2.5, 4.0}).worldToClip;
+        }
+        motions[rasters ? 1 : 0] = picture.motion();
+    }
+    std::size_t moved = 0;
+    std::size_t apart = 0;
+    for (std::size_t i = 0; i < motions[0].size(); ++i) {
+        moved += glm::length(motions[0][i]) > 1e-3f ? 1u : 0u;
+        apart += glm::length(motions[0][i] - motions[1][i]) > 2e-3f ? 1u : 0u;
+    }
+    EXPECT_GT(moved, pixelCount / 10);
+    EXPECT_LT(apart, moved / 20);
+}
+
+TEST_F(GrassRasterTest, SaysWhyItDoesNot)
+{
+    Grass grass(context(), oneSlot_);
+    grass.add({upload(field_), {}});
+    HostView views[]{lookingFrom({2.0, 2.5, 4.0}), lookingFrom({2.0, 2.5, 4.0}),
+                     lookingFrom({2.0, 2.5, 4.0}), lookingFrom({2.0, 2.5, 4.0})};
+    views[1].geometry = Geometry::tessellation;
+    views[2].samples = 2;
+    views[3].worldToClip = glm::dmat4(1.0);
+    grass.begin(0, {.time = 1.0, .views = views, .settings = settings_});
+    EXPECT_EQ(grass.whyTessellated(0), nullptr);
+    for (const std::uint32_t view : {1u, 2u, 3u})
+        EXPECT_NE(grass.whyTessellated(view), nullptr) << view;
+    // Memory for what is not rasterised is given back.
+    const VkDeviceSize with = grass.deviceBytes();
+    views[0].geometry = Geometry::tessellation;
+    grass.begin(0, {.time = 1.0, .views = views, .settings = settings_});
+    EXPECT_LT(grass.deviceBytes(), with);
+}
+
+} // namespace
+} // namespace sward::render
