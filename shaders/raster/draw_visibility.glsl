@@ -57,6 +57,22 @@ uint sampleAt(vec2 pixel)
     return samplesPerPixel == 1u ? 0u : min(uint(fract(pixel.y) * 4.0), 3u);
 }
 
+/// Lights what the visibility shows of a blade at a sample, `what` and how deep.
+void drawBlade(vec2 place, uint what, float depth)
+{
+    const uint instance = instanceOf(what);
+    chooseInstance(instance);
+    const Lens lens = lensOf();
+    const SeenBlade seen = freshBlade(what - push.firstBlade);
+    const Found found = find(lens, seen.ribbon, Sighting(place, depth, place));
+    outColor = shadeFound(seen, found);
+    if (handedTo != handedToHostFilm)
+        outColor.a = 1.0;
+#ifdef HAS_MOTION
+    outMotion = motionOf(host.instances.at[instance].motion.at[0], lens, seen, found);
+#endif
+}
+
 void drawPlace(vec2 place)
 {
     push.size = host.size;
@@ -66,23 +82,15 @@ void drawPlace(vec2 place)
     Visibility visibility = Visibility(uvec2(host.visibility));
     const uint64_t word = visibility.at[sampleIndex(pixel, s)];
     const uint what = uint(word);
-    if (what == 0u)
-        discard;
     const float depth = uintBitsToFloat(uint(word >> 32u));
     gl_FragDepth = hasForwardZ ? 1.0 - depth : depth;
     outColor = vec4(0.0);
-    if (handedTo == handedToNobody)
-        return;
-    const uint instance = instanceOf(what);
-    chooseInstance(instance);
-    const Lens lens = lensOf();
-    const SeenBlade seen = freshBlade(what - push.firstBlade);
-    const vec2 middle = vec2(pixel) + samplePlace(s);
-    const Found found = find(lens, seen.ribbon, Sighting(middle, depth, middle));
-    outColor = shadeFound(seen, found);
-    if (handedTo != handedToHostFilm)
-        outColor.a = 1.0;
 #ifdef HAS_MOTION
-    outMotion = motionOf(host.instances.at[instance].motion.at[0], lens, seen, found);
+    outMotion = vec2(0.0);
 #endif
+    // Within a condition, since llvmpipe goes on with what has been discarded: nothing has no patch.
+    if (what == 0u)
+        discard;
+    else if (handedTo != handedToNobody)
+        drawBlade(vec2(pixel) + samplePlace(s), what, depth);
 }

@@ -15,11 +15,11 @@
 namespace sward::render {
 namespace {
 
-constexpr double farthestDraw = 1e12;    ///< [m] far beyond the Moon
-constexpr double largestSize = 1e9;  ///< [m]
-constexpr double quickest = 1e6;     ///< [m/s], [rad/s]
-constexpr double strongest = 1000.0; ///< [1/s]
-constexpr double longest = 1e9;      ///< [s]
+constexpr double farthestDraw = 1e12; ///< [m] far beyond the Moon
+constexpr double largestSize = 1e9;   ///< [m]
+constexpr double quickest = 1e6;      ///< [m/s], [rad/s]
+constexpr double strongest = 1000.0;  ///< [1/s]
+constexpr double longest = 1e9;       ///< [s]
 constexpr std::size_t maxWaypoints = 1u << 16;
 
 // In the order of shared::windNoise ….

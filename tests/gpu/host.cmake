@@ -3,3 +3,8 @@ sward_add_tests(sward_host_tests LABEL gpu
   SOURCES grass_motion_test.cpp grass_raster_test.cpp host_device_test.cpp host_picture.cpp
   USES sward::render sward_gpu_test_support sward_field_test_support
   ENVIRONMENT ${SWARD_GPU_ENVIRONMENT})
+
+# What a host's frames take; measured by hand (docs/BENCHMARKS.md).
+add_executable(sward_host_bench host_bench.cpp)
+target_link_libraries(sward_host_bench
+  PRIVATE sward_options sward::render nlohmann_json::nlohmann_json)

@@ -1,0 +1,202 @@
+// Measures what the grass of a host's frames takes, by either way of drawing it:
+//   sward_host_bench FIELD.sward SCENE.json [raster|tessellation] [samples=N] [instances=N]
+//   [frames=N]
+// The host has drawn nothing but a depth that is as far as it can be, of which Sward makes all that
+// it makes of any. Prints one line of JSON, medians in milliseconds by timestamps of the device,
+// and by the clock for the CPU.
+#include "field/read.h"
+#include "gpu/commands.h"
+#include "gpu/device.h"
+#include "gpu/frame_ring.h"
+#include "gpu/image.h"
+#include "gpu/image_use.h"
+#include "gpu/rendering.h"
+#include "gpu/timestamps.h"
+#include "render/grass.h"
+
+#include <glm/ext/matrix_transform.hpp>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <string>
+
+namespace sward {
+namespace {
+
+constexpr VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB;
+constexpr VkExtent2D extent{1920, 1080};
+constexpr std::uint32_t slots = 2;
+
+struct Options {
+    std::string field;
+    std::string scene;
+    render::Geometry geometry = render::Geometry::raster;
+    std::map<std::string, int> numbers{{"samples", 1}, {"instances", 1}, {"frames", 300}};
+};
+
+Options optionsOf(int argc, char** argv)
+{
+    Options options{argv[1], argv[2]};
+    for (int i = 3; i < argc; ++i) {
+        const std::string word = argv[i];
+        const std::size_t equals = word.find('=');
+        if (equals != std::string::npos)
+            options.numbers.at(word.substr(0, equals)) = std::stoi(word.substr(equals + 1));
+        else
+            options.geometry =
+                word == "tessellation" ? render::Geometry::tessellation : render::Geometry::raster;
+    }
+    return options;
+}
+
+glm::dvec3 vectorOf(const nlohmann::json& values)
+{
+    return {values.at(0).get<double>(), values.at(1).get<double>(), values.at(2).get<double>()};
+}
+
+/// Reversed Z, the far plane at infinity.
+glm::dmat4 worldToClip(const nlohmann::json& camera)
+{
+    const double focal = 1.0 / std::tan(0.5 * glm::radians(camera.at("fov_y_deg").get<double>()));
+    glm::dmat4 projection(0.0);
+    projection[0][0] = focal * extent.height / extent.width;
+    projection[1][1] = -focal;
+    projection[3][2] = 0.1;
+    projection[2][3] = -1.0;
+    return projection * glm::lookAt(vectorOf(camera.at("eye")), vectorOf(camera.at("target")),
+                                    glm::dvec3(0.0, 1.0, 0.0));
+}
+
+/// A square of instances that together are as wide as the field, turned by turns.
+void addInstances(render::Grass& grass, const std::shared_ptr<render::ResidentField>& field,
+                  int count)
+{
+    const int side = static_cast<int>(std::lround(std::ceil(std::sqrt(double(count)))));
+    const double step = double(field->content().size().x) / side;
+    for (int i = 0; i < count; ++i) {
+        const glm::dvec3 place((i % side - 0.5 * (side - 1)) * step, 0.0,
+                               (i / side - 0.5 * (side - 1)) * step);
+        const glm::dquat turned =
+            glm::angleAxis(glm::radians(90.0) * (i % 4), glm::dvec3(0.0, 1.0, 0.0));
+        grass.add({field, {.position = place, .rotation = turned, .scale = 1.0 / side}});
+    }
+}
+
+void run(const Options& options)
+{
+    const gpu::Instance instance;
+    const gpu::Device device(instance);
+    const gpu::DeviceContext& context = device.context();
+    const field::MappedField mapped = field::readField(options.field);
+    const auto lawn = std::make_shared<render::ResidentField>(context, mapped.view());
+    gpu::submitAndWait(context, [&](VkCommandBuffer commands) { lawn->recordUpload(commands); });
+    lawn->releaseStaging();
+    const auto samples = static_cast<std::uint32_t>(options.numbers.at("samples"));
+    const auto image = [&](const char* name, VkFormat format, VkImageUsageFlags usage) {
+        return gpu::Image(
+            context,
+            {.name = name, .format = format, .extent = extent, .usage = usage, .samples = samples});
+    };
+    const gpu::Image color = image("color", colorFormat, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
+    const gpu::Image depth =
+        image("depth", VK_FORMAT_D32_SFLOAT,
+              VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
+    render::Grass grass(context, {.framesInFlight = slots});
+    addInstances(grass, lawn, options.numbers.at("instances"));
+    const render::BladeTarget target(context, {.colorFormats = {colorFormat}, .samples = samples});
+
+    std::ifstream file(options.scene);
+    const nlohmann::json scene = nlohmann::json::parse(file);
+    render::FrameSettings settings = render::FrameSettings::of(mapped.view());
+    if (scene.contains("draw") && scene.at("draw").at(0) == "--draw-distance")
+        settings.nature.drawDistance = std::stof(scene.at("draw").at(1).get<std::string>());
+    const render::HostView view{.worldToClip = worldToClip(scene.at("camera")),
+                                .size = {extent.width, extent.height},
+                                .samples = samples,
+                                .geometry = options.geometry,
+                                .depth =
+                                    render::HostDepth{.view = depth.view(), .samples = samples}};
+
+    gpu::FrameRing ring(context, slots);
+    gpu::Timestamps times(context, {.slots = slots});
+    std::vector<double> recorded;
+    const auto begun = std::chrono::steady_clock::now();
+    const auto seconds = [&] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    };
+    // Half a second, so that the device has its clock up, then the frames that count.
+    int counted = 0;
+    for (int frame = 0; counted < options.numbers.at("frames"); ++frame) {
+        if (counted == 0 && seconds() < 0.5)
+            times.clearHistory();
+        else
+            ++counted;
+        const gpu::FrameRing::Frame recording = ring.begin();
+        VkCommandBuffer commands = recording.commands;
+        times.beginFrame(commands, recording.slot);
+        gpu::transition(commands, depth, gpu::ImageUse::undefined, gpu::ImageUse::depthTarget);
+        {
+            const gpu::RenderingScope scope(
+                commands, extent, {}, gpu::DepthAttachment{.view = depth.view(), .clear = 0.0f});
+        }
+        gpu::transition(commands, depth, gpu::ImageUse::depthTarget, gpu::ImageUse::sampled);
+        const double before = seconds();
+        grass.begin(recording.slot,
+                    {.time = frame / 60.0, .views = {&view, 1}, .settings = settings});
+        const std::uint32_t all = times.begin(commands, "grass");
+        const auto timed = [&](const char* name, const auto& record) {
+            const gpu::TimedScope scope(times, context, commands, name);
+            record();
+        };
+        timed("update", [&] { grass.recordUpdate(commands); });
+        timed("cull", [&] { grass.recordCull(commands, 0); });
+        timed("raster", [&] { grass.recordRaster(commands, 0); });
+        gpu::transition(commands, depth, gpu::ImageUse::sampled, gpu::ImageUse::depthTarget);
+        gpu::transition(commands, color, gpu::ImageUse::undefined, gpu::ImageUse::colorTarget);
+        timed("draw", [&] {
+            const gpu::ColorAttachment attachment{.view = color.view(),
+                                                  .clear = std::array{0.3f, 0.5f, 0.8f, 1.0f}};
+            const gpu::RenderingScope scope(
+                commands, extent, {&attachment, 1},
+                gpu::DepthAttachment{.view = depth.view(), .clear = std::nullopt});
+            grass.recordDraw(commands, 0, target);
+        });
+        times.end(commands, all);
+        recorded.push_back(1e3 * (seconds() - before));
+        ring.submit(recording);
+    }
+    ring.finish();
+    times.collect();
+    nlohmann::json out{{"device", context.name},
+                       {"samples", samples},
+                       {"instances", options.numbers.at("instances")},
+                       {"geometry", grass.whyTessellated(0) == nullptr ? "raster" : "tessellation"},
+                       {"drawn", grass.stats(0, 0).drawn},
+                       {"device_bytes", grass.deviceBytes()},
+                       {"cpu_ms", gpu::statisticsOf(recorded).median}};
+    for (const std::string& name : times.names())
+        out["gpu_ms"][name] = times.statistics(name).median;
+    std::puts(out.dump().c_str());
+}
+
+} // namespace
+} // namespace sward
+
+int main(int argc, char** argv)
+try {
+    if (argc < 3) {
+        std::fputs(
+            "usage: sward_host_bench FIELD.sward SCENE.json [raster|tessellation] [samples=N] "
+            "[instances=N] [frames=N]\n",
+            stderr);
+        return 1;
+    }
+    sward::run(sward::optionsOf(argc, argv));
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "sward_host_bench: %s\n", error.what());
+    return 4;
+}
