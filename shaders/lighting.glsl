@@ -3,6 +3,7 @@
 #ifndef SWARD_LIGHTING_GLSL
 #define SWARD_LIGHTING_GLSL
 
+#include "shaders/film_curve.glsl"
 #include "shaders/shared/debug_mode.h"
 #include "shaders/shared/distance_band.h"
 #include "shaders/shared/passes.h"
@@ -130,15 +131,12 @@ vec3 throughAir(vec3 color, vec3 direction, float distance)
     return mix(skyAbove(0.02 * perLength, sunCosine * perLength), color, clearBetween(climb, distance));
 }
 
-/// From radiance to the picture: the filmic curve fitted to ACES by K. Narkowicz ("ACES Filmic Tone
-/// Mapping Curve", 2015), a little desaturated where it is bright.
+/// From radiance to the picture, if that is not left to a host.
 vec3 develop(vec3 radiance)
 {
     if (handedTo == handedToHostFilm)
         return radiance * FRAME.exposure;
-    const vec3 x = radiance * FRAME.exposure * 0.80;
-    const vec3 film = (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14);
-    return clamp(film, 0.0, 1.0);
+    return filmOf(radiance * FRAME.exposure);
 }
 
 /// How soft a picture with several samples is where grass stands so far away [m] and covers this

@@ -9,7 +9,13 @@ layout(push_constant, scalar) uniform Block { HostViewPush host; };
 
 RasterPush push; // of the instance that was chosen last
 
+// The frame of a view's only instance comes as constants, which is quicker.
+#ifdef ONE_INSTANCE
+#define FRAME_SET 0
+#include "shaders/frame_constants.glsl"
+#else
 #define FRAME push.frame.at[0]
+#endif
 
 /// Chooses all of an instance.
 void chooseInstance(uint instance)

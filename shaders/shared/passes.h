@@ -355,12 +355,34 @@ SHARED_BUFFER(HostInstanceArray, HostInstance, readonly)
 /// What the stages know that look at all instances of a host's view together.
 struct HostViewPush {
     HostInstanceArray instances; ///< in the order of their RasterPush::firstBlade
-    VisibilityArray visibility;
+    VisibilityArray visibility;  ///< when it is lit: packLight() instead of what is seen
+    UintArray motions;           ///< of each sample, two halves; address 0: not wanted
     uvec2 size; ///< [pixels]
     uint instanceCount;
     float slack; ///< by which the host's depth is taken to be farther than it says
 };
-SHARED_LAYOUT(HostViewPush, 32)
+SHARED_LAYOUT(HostViewPush, 40)
+
+/// Light in 32 bits, of three mantissas of 9 bits and an exponent of 5: within 1/512 of the largest
+/// channel. Never 0, which the visibility has where nothing is seen. Above 65 408 it is cut off.
+/// (EXT_texture_shared_exponent)
+SHARED_FN uint packLight(vec3 light)
+{
+    const vec3 bounded = clamp(light, vec3(0.0f), vec3(65408.0f));
+    const float largest = max(max(bounded.x, bounded.y), max(bounded.z, 1.0f / 65536.0f));
+    // 2^exponent is above the largest, also after rounding.
+    const float exponent = floor(log2(largest * 1.0015f)) + 1.0f;
+    const vec3 mantissas = round(bounded * exp2(9.0f - exponent));
+    const uint packed = uint(min(mantissas.x, 511.0f)) | (uint(min(mantissas.y, 511.0f)) << 9u) |
+                        (uint(min(mantissas.z, 511.0f)) << 18u) | (uint(exponent + 15.0f) << 27u);
+    return max(packed, 1u);
+}
+
+SHARED_FN vec3 unpackLight(uint packed)
+{
+    const float scale = exp2(float(packed >> 27u) - 24.0f);
+    return scale * vec3(float(packed & 511u), float((packed >> 9u) & 511u), float((packed >> 18u) & 511u));
+}
 
 /// Threads of a work-group along each axis that begins a visibility with the host's depth.
 SHARED_CONST uint seedThreads = 8u;

@@ -35,7 +35,7 @@ struct Grass::Parts {
         , settings(wanted)
         , walk(context, shaders)
         , update(context)
-        , raster(context, wanted.framesInFlight, wanted.maxViews)
+        , raster(context, {wanted.framesInFlight, wanted.maxViews, wanted.keepsMotion})
         , frameOfSlot(wanted.framesInFlight, 0)
         , depths(wanted.framesInFlight * wanted.maxViews)
     {

@@ -3,6 +3,7 @@
 #include "core/expect.h"
 #include "gpu/barrier.h"
 #include "render/placed_field.h"
+#include "shaders/shared/debug_mode.h"
 
 #include <algorithm>
 #include <cstring>
@@ -11,35 +12,52 @@ namespace sward::render {
 namespace {
 
 constexpr std::uint32_t frameSet = 0;
+constexpr std::uint32_t asRadiance = 2; ///< see lighting.glsl
 
 /// The visibility shows 0 where no blade is.
 constexpr std::uint32_t firstId = 1;
 
-VkDeviceSize visibilityBytes(const HostView& view)
+/// As a shared::VisibilityArray has them.
+VkDeviceSize samplesOf(const HostView& view)
 {
-    return VkDeviceSize(view.size.x) * shared::rowsOfColumn(view.size.y) * view.samples *
-           sizeof(std::uint64_t);
+    return VkDeviceSize(view.size.x) * shared::rowsOfColumn(view.size.y) * view.samples;
 }
 
-std::uint32_t seedGroups(std::uint32_t pixels)
+/// Has a buffer of so many bytes. Frames in flight go on with the one that they began with.
+void fit(const gpu::DeviceContext& context, std::shared_ptr<gpu::Buffer>& buffer, const char* name,
+         VkDeviceSize bytes)
 {
-    return static_cast<std::uint32_t>(gpu::groupsFor(pixels, shared::seedThreads));
+    if (!buffer || buffer->bytes() != bytes)
+        buffer = std::make_shared<gpu::Buffer>(
+            context, gpu::BufferSettings{.name = name,
+                                         .bytes = bytes,
+                                         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                                  VK_BUFFER_USAGE_TRANSFER_DST_BIT});
+}
+
+/// A thread for each pixel.
+void dispatchPixels(const gpu::Recording& commands, glm::uvec2 size)
+{
+    static_assert(shared::seedThreads == shared::rasterTile);
+    commands.vk->CmdDispatch(
+        commands, static_cast<std::uint32_t>(gpu::groupsFor(size.x, shared::seedThreads)),
+        static_cast<std::uint32_t>(gpu::groupsFor(size.y, shared::seedThreads)), 1);
 }
 
 } // namespace
 
-HostRaster::HostRaster(const gpu::DeviceContext& context, std::uint32_t slots,
-                       std::uint32_t maxViews)
+HostRaster::HostRaster(const gpu::DeviceContext& context, const Settings& settings)
     : context_(&context)
+    , settings_(settings)
     , frameLayout_(context, "host raster/frame")
     , imageLayout_(
           context,
           {.name = "host raster/depth", .sampledCount = 1, .stages = VK_SHADER_STAGE_COMPUTE_BIT})
-    , visibilities_(maxViews)
-    , slots_(slots)
+    , pictures_(settings.maxViews)
+    , slots_(settings.slots)
 {
     for (Slot& slot : slots_)
-        slot.views.resize(maxViews);
+        slot.views.resize(settings.maxViews);
 }
 
 const char* HostRaster::obstacle(const HostView& view) const
@@ -80,6 +98,20 @@ HostRaster::Pipelines HostRaster::pipelinesFor(const gpu::ShaderLibrary& shaders
     if (!context_->isCpu())
         made.large = ofInstances("host raster/large blades", "raster_large_of_instances.comp");
     made.cut = ofInstances("host raster/cut blades", "raster_cut_of_instances.comp");
+    const std::vector<gpu::SpecializationConstant> light{{.id = 0, .value = shared::debugNothing},
+                                                         {.id = 1, .value = samples},
+                                                         {.id = 9, .value = asRadiance}};
+    made.lightOne = gpu::ComputePipeline(*context_, shaders,
+                                         {.name = "host raster/light",
+                                          .shader = "shade_visibility.comp",
+                                          .pushConstantBytes = sizeof(shared::HostViewPush),
+                                          .setLayouts = {frameLayout_.get()},
+                                          .constants = light});
+    made.lightAll = gpu::ComputePipeline(*context_, shaders,
+                                         {.name = "host raster/light instances",
+                                          .shader = "shade_visibility_of_instances.comp",
+                                          .pushConstantBytes = sizeof(shared::HostViewPush),
+                                          .constants = light});
     return made;
 }
 
@@ -115,17 +147,15 @@ void HostRaster::prepare(const gpu::ShaderLibrary& shaders, const HostView& view
             *context_, LargeBladeList::Room{.large = !context_->isCpu()});
     out.large = largeList_;
 
-    // Frames in flight go on with the one that they began with.
-    std::shared_ptr<gpu::Buffer>& visibility = visibilities_[index];
-    if (!visibility || visibility->bytes() != visibilityBytes(view))
-        visibility = std::make_shared<gpu::Buffer>(
-            *context_, gpu::BufferSettings{.name = "view/visibility",
-                                           .bytes = visibilityBytes(view),
-                                           .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                                    VK_BUFFER_USAGE_TRANSFER_DST_BIT});
-    out.visibility = visibility;
+    Pictures& pictures = pictures_[index];
+    fit(*context_, pictures.visibility, "view/visibility", samplesOf(view) * sizeof(std::uint64_t));
+    if (settings_.keepsMotion)
+        fit(*context_, pictures.motions, "view/motions", samplesOf(view) * sizeof(std::uint32_t));
+    out.visibility = pictures.visibility;
+    out.motions = pictures.motions;
     out.push = {.instances = 0,
-                .visibility = visibility->address(),
+                .visibility = out.visibility->address(),
+                .motions = out.motions ? out.motions->address() : 0,
                 .size = view.size,
                 .instanceCount = 0,
                 .slack = view.depth ? view.depth->slack : 0.0f};
@@ -143,7 +173,7 @@ void HostRaster::begin(const gpu::ShaderLibrary& shaders, std::uint32_t slotInde
             prepare(shaders, views[i], i, slot.views[i]);
             rasters = true;
         } else {
-            visibilities_[i].reset();
+            pictures_[i] = {};
         }
     }
     if (!rasters)
@@ -207,8 +237,7 @@ void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
         view.seed->bind(commands);
         depth->bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, view.seed->layout());
         view.seed->push(commands, view.push);
-        commands.vk->CmdDispatch(commands, seedGroups(view.push.size.x),
-                                 seedGroups(view.push.size.y), 1);
+        dispatchPixels(commands, view.push.size);
     } else {
         commands.vk->CmdFillBuffer(commands, view.visibility->get(), 0, VK_WHOLE_SIZE, 0);
     }
@@ -239,6 +268,16 @@ void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
     pipelines.cut.bind(commands);
     pipelines.cut.push(commands, view.push);
     view.large->dispatchCut(commands);
+    gpu::computeToCompute(commands);
+
+    const bool isOne = view.push.instanceCount == 1;
+    const gpu::ComputePipeline& light = isOne ? pipelines.lightOne : pipelines.lightAll;
+    light.bind(commands);
+    if (isOne && instances[0] != nullptr)
+        instances[0]->rasterFrame(slotIndex, viewIndex).bind(commands, light.layout(), frameSet);
+    light.push(commands, view.push);
+    if (!isOne || instances[0] != nullptr)
+        dispatchPixels(commands, view.push.size);
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
 }
 
@@ -256,6 +295,8 @@ VkDeviceSize HostRaster::bytes() const
         for (const View& view : slot.views) {
             if (view.visibility)
                 held[view.visibility.get()] = view.visibility->bytes();
+            if (view.motions)
+                held[view.motions.get()] = view.motions->bytes();
             if (view.large)
                 held[view.large.get()] = view.large->bytes();
         }

@@ -27,8 +27,14 @@ class PlacedField;
 /// visibility buffer, which begins with the host's own depth. BladeTarget draws what it shows.
 class HostRaster {
 public:
-    /// For frames in `slots` slots, of at most `maxViews` views.
-    HostRaster(const gpu::DeviceContext& context, std::uint32_t slots, std::uint32_t maxViews);
+    /// What stays the same from frame to frame.
+    struct Settings {
+        std::uint32_t slots = 1;
+        std::uint32_t maxViews = 1;
+        bool keepsMotion = false; ///< of each sample, 4 bytes
+    };
+
+    HostRaster(const gpu::DeviceContext& context, const Settings& settings);
 
     /// Why a view is not rasterised; null if it is.
     const char* obstacle(const HostView& view) const;
@@ -38,8 +44,8 @@ public:
     void begin(const gpu::ShaderLibrary& shaders, std::uint32_t slot,
                std::span<const HostView> views, std::span<const PlacedField* const> instances);
 
-    /// Rasterises what the view's lists hold. `depth`: of the host, as PyramidPass has it, or null
-    /// if there is none. Records a barrier before and one after.
+    /// Rasterises and lights what the view's lists hold. `depth`: of the host, as PyramidPass has
+    /// it, or null if there is none. Records a barrier before and one after.
     void record(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t view,
                 std::span<const PlacedField* const> instances, const gpu::ImageSet* depth) const;
 
@@ -53,6 +59,8 @@ private:
         gpu::ComputePipeline blades;
         gpu::ComputePipeline large; ///< none on a CPU device
         gpu::ComputePipeline cut;
+        gpu::ComputePipeline lightOne; ///< of a view that shows one instance …
+        gpu::ComputePipeline lightAll; ///< … or several
     };
 
     /// How a visibility begins.
@@ -66,6 +74,7 @@ private:
     struct View {
         // Kept until no slot uses them.
         std::shared_ptr<gpu::Buffer> visibility; ///< shared::VisibilityArray
+        std::shared_ptr<gpu::Buffer> motions;    ///< shared::HostViewPush::motions
         std::shared_ptr<LargeBladeList> large;
         const Pipelines* pipelines = nullptr;       ///< null: the view is not rasterised
         const gpu::ComputePipeline* seed = nullptr; ///< null: the visibility begins empty
@@ -85,12 +94,19 @@ private:
                     std::span<const PlacedField* const> instances) const;
 
     const gpu::DeviceContext* context_;
+    Settings settings_;
     gpu::UniformSetLayout frameLayout_;
     gpu::ImageSetLayout imageLayout_;              ///< the same as PyramidPass has
     std::map<std::uint32_t, Pipelines> pipelines_; ///< by samples
     std::map<SeedSettings, gpu::ComputePipeline> seeds_;
-    std::shared_ptr<LargeBladeList> largeList_;              ///< of all views, one after the other
-    std::vector<std::shared_ptr<gpu::Buffer>> visibilities_; ///< the newest of each view
+    std::shared_ptr<LargeBladeList> largeList_; ///< of all views, one after the other
+
+    /// The newest of each view.
+    struct Pictures {
+        std::shared_ptr<gpu::Buffer> visibility;
+        std::shared_ptr<gpu::Buffer> motions;
+    };
+    std::vector<Pictures> pictures_;
     std::vector<Slot> slots_;
 };
 

@@ -193,7 +193,7 @@ std::size_t fillValues(Values& v)
     n.fillAll(v.motionPush.frame, v.motionPush.motion);
     n.fillAll(v.hostInstance.raster, v.hostInstance.motion);
     shared::HostViewPush& h = v.hostViewPush;
-    n.fillAll(h.instances, h.visibility, h.size, h.instanceCount, h.slack);
+    n.fillAll(h.instances, h.visibility, h.motions, h.size, h.instanceCount, h.slack);
     n.fillAll(v.pageChange.page, v.pageChange.place, v.pageChange.edges);
     shared::PagePush& p = v.pagePush;
     n.fillAll(p.changes, p.pages, p.states, p.etas, p.patches, p.subtrees, p.patchTimes,

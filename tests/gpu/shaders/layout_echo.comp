@@ -373,6 +373,7 @@ void main()
     put(uvec2(sources.at[0].hostInstance.at[1].motion));
     put(uvec2(sources.at[0].hostViewPush.at[1].instances));
     put(uvec2(sources.at[0].hostViewPush.at[1].visibility));
+    put(uvec2(sources.at[0].hostViewPush.at[1].motions));
     put(sources.at[0].hostViewPush.at[1].size);
     put(sources.at[0].hostViewPush.at[1].instanceCount);
     put(sources.at[0].hostViewPush.at[1].slack);
