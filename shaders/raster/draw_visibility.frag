@@ -1,11 +1,4 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Draws a visibility of one sample per pixel.
+// Draws a visibility.
 #include "shaders/raster/draw_visibility.glsl"
-
-layout(location = 0) in vec2 inPlace;
-
-void main()
-{
-    drawPlace(inPlace);
-}

@@ -51,8 +51,6 @@ constexpr Optional optional[] = {
      [](FeatureChain& chain) -> VkBool32& {
          return chain.core.features.vertexPipelineStoresAndAtomics;
      }},
-    {&OptionalFeatures::sampleRateShading,
-     [](FeatureChain& chain) -> VkBool32& { return chain.core.features.sampleRateShading; }},
 };
 
 } // namespace

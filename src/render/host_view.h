@@ -33,8 +33,9 @@ struct HostView {
     std::uint32_t samples = 1; ///< per pixel of it
     bool hasReversedZ = true;  ///< 1 near and 0 far; else 0 near and 1 far
 
-    /// How blades are drawn: by the compute rasteriser where it can, see Grass::recordRaster(), or
-    /// by the tessellator, which is the right one for shadow maps.
+    /// How blades are drawn: see Grass::recordRaster(). Automatic is the compute rasteriser on a GPU
+    /// and the tessellator on a CPU, which lights the pixels of the former more slowly. Shadow maps
+    /// want the tessellator.
     Geometry geometry = Geometry::automatic;
 
     /// Blades are judged from here instead: a frozen camera.

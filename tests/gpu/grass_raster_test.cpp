@@ -50,6 +50,14 @@ protected:
     }
 };
 
+/// A view of the origin that asks for the rasteriser.
+HostView rasterView(glm::dvec3 eye, bool isReversed = true)
+{
+    HostView view = lookingFrom(eye, isReversed);
+    view.geometry = Geometry::raster;
+    return view;
+}
+
 /// Mean of the differences of all channels, of 255.
 double meanApart(const std::vector<std::byte>& a, const std::vector<std::byte>& b)
 {
@@ -74,7 +82,7 @@ TEST_F(GrassRasterTest, ShowsWhatTheTessellatorShows)
             const HostPicture::Settings target{.isReversed = isReversed, .samples = samples};
             const HostPicture tessellated(context(), target);
             const HostPicture rasterised(context(), target);
-            HostView view = lookingFrom({2.0, 2.5, 4.0}, isReversed);
+            HostView view = rasterView({2.0, 2.5, 4.0}, isReversed);
             view.samples = samples;
             drawBoth(turned, view, tessellated, rasterised);
             EXPECT_GT(tessellated.covered(), pixelCount / 10);
@@ -92,7 +100,7 @@ TEST_F(GrassRasterTest, HasTheDepthThatTheTessellatorHas)
         const HostPicture::Settings target{.isReversed = isReversed};
         const HostPicture tessellated(context(), target);
         const HostPicture rasterised(context(), target);
-        drawBoth({resident, {}}, lookingFrom({2.0, 2.5, 4.0}, isReversed), tessellated, rasterised);
+        drawBoth({resident, {}}, rasterView({2.0, 2.5, 4.0}, isReversed), tessellated, rasterised);
         const std::vector<float> a = tessellated.depths();
         const std::vector<float> b = rasterised.depths();
         std::size_t apart = 0;
@@ -115,7 +123,7 @@ TEST_F(GrassRasterTest, StandsBehindWhatTheHostHasDrawn)
             const HostPicture::Settings target{.isReversed = isReversed, .samples = samples};
             const HostPicture tessellated(context(), target);
             const HostPicture rasterised(context(), target);
-            HostView view = lookingFrom({2.0, 2.5, 4.0}, isReversed);
+            HostView view = rasterView({2.0, 2.5, 4.0}, isReversed);
             view.samples = samples;
             // In the middle of the grass: it hides some of it, and some of it stands before it.
             drawBoth({resident, {}}, view, tessellated, rasterised, 5.2);
@@ -130,7 +138,7 @@ TEST_F(GrassRasterTest, DrawsManyInstancesByOneList)
     const auto resident = upload(field_);
     const HostPicture tessellated(context(), {});
     const HostPicture rasterised(context(), {});
-    const HostView view = lookingFrom({1.0, 3.0, 6.0});
+    const HostView view = rasterView({1.0, 3.0, 6.0});
     for (const bool rasters : {false, true}) {
         Grass grass(context(), oneSlot_);
         std::vector<InstanceId> ids;
@@ -161,11 +169,11 @@ TEST_F(GrassRasterTest, TellsOfMotionAsTheTessellatorDoes)
         rasters_ = rasters;
         const HostPicture picture(context(), {.hasMotion = true});
         const HostPicture* const pictures[]{&picture};
-        HostView view = lookingFrom({2.0, 2.5, 4.0});
+        HostView view = rasterView({2.0, 2.5, 4.0});
         for (const double time : {1.0, 1.05}) {
             drawFrame(grass, time, {&view, 1}, pictures);
             view.clipBefore = view.worldToClip;
-            view.worldToClip = lookingFrom({2.1, 2.5, 4.0}).worldToClip;
+            view.worldToClip = rasterView({2.1, 2.5, 4.0}).worldToClip;
         }
         motions[rasters ? 1 : 0] = picture.motion();
     }
@@ -183,8 +191,8 @@ TEST_F(GrassRasterTest, SaysWhyItDoesNot)
 {
     Grass grass(context(), oneSlot_);
     grass.add({upload(field_), {}});
-    HostView views[]{lookingFrom({2.0, 2.5, 4.0}), lookingFrom({2.0, 2.5, 4.0}),
-                     lookingFrom({2.0, 2.5, 4.0}), lookingFrom({2.0, 2.5, 4.0})};
+    HostView views[]{rasterView({2.0, 2.5, 4.0}), rasterView({2.0, 2.5, 4.0}),
+                     rasterView({2.0, 2.5, 4.0}), rasterView({2.0, 2.5, 4.0})};
     views[1].geometry = Geometry::tessellation;
     views[2].samples = 2;
     views[3].worldToClip = glm::dmat4(1.0);
@@ -192,6 +200,11 @@ TEST_F(GrassRasterTest, SaysWhyItDoesNot)
     EXPECT_EQ(grass.whyTessellated(0), nullptr);
     for (const std::uint32_t view : {1u, 2u, 3u})
         EXPECT_NE(grass.whyTessellated(view), nullptr) << view;
+    views[0].geometry = Geometry::automatic;
+    grass.begin(0, {.time = 1.0, .views = views, .settings = settings_});
+    EXPECT_EQ(grass.whyTessellated(0) != nullptr, context().isCpu());
+    views[0].geometry = Geometry::raster;
+    grass.begin(0, {.time = 1.0, .views = views, .settings = settings_});
     // Memory for what is not rasterised is given back.
     const VkDeviceSize with = grass.deviceBytes();
     views[0].geometry = Geometry::tessellation;

@@ -35,7 +35,8 @@ struct Options {
     std::string field;
     std::string scene;
     render::Geometry geometry = render::Geometry::raster;
-    std::map<std::string, int> numbers{{"samples", 1}, {"instances", 1}, {"frames", 300}};
+    std::map<std::string, int> numbers{
+        {"samples", 1}, {"instances", 1}, {"frames", 300}, {"radiance", 0}};
 };
 
 Options optionsOf(int argc, char** argv)
@@ -107,7 +108,10 @@ void run(const Options& options)
               VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
     render::Grass grass(context, {.framesInFlight = slots});
     addInstances(grass, lawn, options.numbers.at("instances"));
-    const render::BladeTarget target(context, {.colorFormats = {colorFormat}, .samples = samples});
+    const render::BladeTarget target(context,
+                                     {.colorFormats = {colorFormat},
+                                      .samples = samples,
+                                      .keepsRadiance = options.numbers.at("radiance") != 0});
 
     std::ifstream file(options.scene);
     const nlohmann::json scene = nlohmann::json::parse(file);
