@@ -1,5 +1,5 @@
-// Draws into a host's rendering the light of what is visible, and its depth. An instance draws one sample of
-// each pixel: that is quicker than to shade sample by sample, and no feature of the device.
+// Draws into a host's rendering the light of what is visible, and its depth, sample by sample. The including
+// stage tells where in the picture the fragment is, 0 … 1.
 #extension GL_EXT_buffer_reference_uvec2 : require
 
 #include "shaders/film_curve.glsl"
@@ -14,22 +14,21 @@ layout(constant_id = 9) const uint handedTo = 1u;
 layout(constant_id = 16) const bool hasForwardZ = false;
 const uint handedToHost = 1u;
 
-layout(location = 0) in vec2 inPlace; // 0 … 1 in the picture
-layout(location = 1) flat in uint inSample;
-
 layout(location = 0) out vec4 outColor;
 #ifdef HAS_MOTION
 layout(location = 1) out vec2 outMotion; // where it was minus where it is, in widths and heights
 #endif
 
-void main()
+void drawPlace(vec2 place)
 {
-    const uvec2 pixel = min(uvec2(inPlace * vec2(host.size)), host.size - 1u);
-    const uint index = (pixel.x * rowsOfColumn(host.size.y) + pixel.y) * samplesPerPixel + inSample;
+    const vec2 at = place * vec2(host.size);
+    const uvec2 pixel = min(uvec2(at), host.size - 1u);
+    // Samples lie in rows of their own.
+    const uint s = samplesPerPixel == 1u ? 0u : min(uint(fract(at.y) * 4.0), 3u);
+    const uint index = (pixel.x * rowsOfColumn(host.size.y) + pixel.y) * samplesPerPixel + s;
     const uvec2 lit = host.visibility.at[index];
     if (lit.x == 0u)
         discard;
-    gl_SampleMask[0] = 1 << inSample;
     const float depth = uintBitsToFloat(lit.y);
     gl_FragDepth = hasForwardZ ? 1.0 - depth : depth;
     const vec3 light = unpackLight(lit.x);

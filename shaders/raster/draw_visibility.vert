@@ -1,15 +1,13 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// A triangle over the whole of a host's picture, an instance for each sample of a pixel.
+// A triangle over the whole of a host's picture.
 #include "shaders/whole_picture.glsl"
 
 layout(location = 0) out vec2 outPlace; // 0 … 1, to the right and downwards
-layout(location = 1) flat out uint outSample;
 
 void main()
 {
     const vec2 corner = cornerOfPicture(gl_VertexIndex);
     outPlace = 0.5 * corner + 0.5;
-    outSample = gl_InstanceIndex;
     gl_Position = vec4(corner, 0.0, 1.0);
 }

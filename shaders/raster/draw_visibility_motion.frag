@@ -1,5 +1,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Draws a visibility, and how the blades have moved.
+// Draws a visibility of one sample per pixel, and how the blades have moved.
 #define HAS_MOTION
 #include "shaders/raster/draw_visibility.glsl"
+
+layout(location = 0) in vec2 inPlace;
+
+void main()
+{
+    drawPlace(inPlace);
+}

@@ -20,6 +20,7 @@ struct OptionalFeatures {
     bool drawIndirectCount = false;         ///< of the same name
     bool drawParameters = false;            ///< shaderDrawParameters
     bool vertexStores = false;              ///< vertexPipelineStoresAndAtomics
+    bool sampleRateShading = false;         ///< of the same name
 };
 
 /// Debug functions of the device; null where VK_EXT_debug_utils is not there.

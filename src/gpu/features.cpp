@@ -51,6 +51,8 @@ constexpr Optional optional[] = {
      [](FeatureChain& chain) -> VkBool32& {
          return chain.core.features.vertexPipelineStoresAndAtomics;
      }},
+    {&OptionalFeatures::sampleRateShading,
+     [](FeatureChain& chain) -> VkBool32& { return chain.core.features.sampleRateShading; }},
 };
 
 } // namespace

@@ -39,7 +39,8 @@ void setTarget(gpu::GraphicsPipelineSettings& settings, const HostTarget& target
 
 bool mayShowVisibility(const gpu::DeviceContext& context, const HostTarget& target)
 {
-    return context.features.bufferInt64Atomics && (target.samples == 1 || target.samples == 4);
+    return context.features.bufferInt64Atomics &&
+           (target.samples == 1 || (target.samples == 4 && context.features.sampleRateShading));
 }
 
 gpu::GraphicsPipelineSettings visibilityPipelineFor(const HostTarget& target)
@@ -47,8 +48,12 @@ gpu::GraphicsPipelineSettings visibilityPipelineFor(const HostTarget& target)
     gpu::GraphicsPipelineSettings settings;
     settings.name = "blades/visibility";
     settings.vertexShader = "draw_visibility.vert";
-    settings.fragmentShader =
-        target.writesMotion ? "draw_visibility_motion.frag" : "draw_visibility.frag";
+    if (target.writesMotion)
+        settings.fragmentShader = target.samples > 1 ? "draw_visibility_motion_of_four.frag"
+                                                     : "draw_visibility_motion.frag";
+    else
+        settings.fragmentShader =
+            target.samples > 1 ? "draw_visibility_of_four.frag" : "draw_visibility.frag";
     settings.pushConstantBytes = sizeof(shared::HostViewPush);
     setTarget(settings, target);
     settings.constants.push_back({.id = 1, .value = target.samples});

@@ -320,7 +320,7 @@ void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view,
             return;
         visibility->bind(commands);
         visibility->push(commands, push);
-        commands.vk->CmdDraw(commands, 3, drawing.samples, 0, 0);
+        commands.vk->CmdDraw(commands, 3, 1, 0, 0);
         return;
     }
     target.pipeline().bind(commands);

@@ -70,6 +70,8 @@ const char* HostRaster::obstacle(const HostView& view) const
         return "the device has no 64-bit atomics on buffers (shaderBufferInt64Atomics)";
     if (view.samples != 1 && view.samples != 4)
         return "the view has neither 1 nor 4 samples a pixel";
+    if (view.samples > 1 && !context_->features.sampleRateShading)
+        return "the device shades no single samples (sampleRateShading)";
     if (isParallel(view.worldToClip))
         return "the rays of the view are parallel";
     return nullptr;

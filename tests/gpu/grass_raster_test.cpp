@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace sward::render {
@@ -50,6 +51,9 @@ protected:
     }
 };
 
+/// Samples and convention of depth.
+constexpr std::pair<std::uint32_t, bool> kinds[]{{1u, true}, {4u, false}};
+
 /// A view of the origin that asks for the rasteriser.
 HostView rasterView(glm::dvec3 eye, bool isReversed = true)
 {
@@ -75,22 +79,21 @@ TEST_F(GrassRasterTest, ShowsWhatTheTessellatorShows)
         {.position = {0.3, -0.1, 0.2},
          .rotation = glm::angleAxis(0.4, glm::normalize(glm::dvec3(1, 2, -1))),
          .scale = 1.5}};
-    for (const std::uint32_t samples : {1u, 4u})
-        for (const bool isReversed : {true, false}) {
-            SCOPED_TRACE(samples);
-            SCOPED_TRACE(isReversed);
-            const HostPicture::Settings target{.isReversed = isReversed, .samples = samples};
-            const HostPicture tessellated(context(), target);
-            const HostPicture rasterised(context(), target);
-            HostView view = rasterView({2.0, 2.5, 4.0}, isReversed);
-            view.samples = samples;
-            drawBoth(turned, view, tessellated, rasterised);
-            EXPECT_GT(tessellated.covered(), pixelCount / 10);
-            // Edges lie within a 256th of a pixel of one another, so that few samples change hands.
-            EXPECT_LT(meanApart(tessellated.pixels(), rasterised.pixels()), 1.5);
-            EXPECT_NEAR(double(rasterised.covered()), double(tessellated.covered()),
-                        0.01 * double(pixelCount));
-        }
+    for (const auto& [samples, isReversed] : kinds) {
+        SCOPED_TRACE(samples);
+        SCOPED_TRACE(isReversed);
+        const HostPicture::Settings target{.isReversed = isReversed, .samples = samples};
+        const HostPicture tessellated(context(), target);
+        const HostPicture rasterised(context(), target);
+        HostView view = rasterView({2.0, 2.5, 4.0}, isReversed);
+        view.samples = samples;
+        drawBoth(turned, view, tessellated, rasterised);
+        EXPECT_GT(tessellated.covered(), pixelCount / 10);
+        // Edges lie within a 256th of a pixel of one another, so that few samples change hands.
+        EXPECT_LT(meanApart(tessellated.pixels(), rasterised.pixels()), 1.5);
+        EXPECT_NEAR(double(rasterised.covered()), double(tessellated.covered()),
+                    0.01 * double(pixelCount));
+    }
 }
 
 TEST_F(GrassRasterTest, HasTheDepthThatTheTessellatorHas)
@@ -116,21 +119,20 @@ TEST_F(GrassRasterTest, HasTheDepthThatTheTessellatorHas)
 TEST_F(GrassRasterTest, StandsBehindWhatTheHostHasDrawn)
 {
     const auto resident = upload(field_);
-    for (const std::uint32_t samples : {1u, 4u})
-        for (const bool isReversed : {true, false}) {
-            SCOPED_TRACE(samples);
-            SCOPED_TRACE(isReversed);
-            const HostPicture::Settings target{.isReversed = isReversed, .samples = samples};
-            const HostPicture tessellated(context(), target);
-            const HostPicture rasterised(context(), target);
-            HostView view = rasterView({2.0, 2.5, 4.0}, isReversed);
-            view.samples = samples;
-            // In the middle of the grass: it hides some of it, and some of it stands before it.
-            drawBoth({resident, {}}, view, tessellated, rasterised, 5.2);
-            EXPECT_LT(meanApart(tessellated.pixels(), rasterised.pixels()), 1.5);
-            EXPECT_NEAR(double(rasterised.covered()), double(tessellated.covered()),
-                        0.01 * double(pixelCount));
-        }
+    for (const auto& [samples, isReversed] : kinds) {
+        SCOPED_TRACE(samples);
+        SCOPED_TRACE(isReversed);
+        const HostPicture::Settings target{.isReversed = isReversed, .samples = samples};
+        const HostPicture tessellated(context(), target);
+        const HostPicture rasterised(context(), target);
+        HostView view = rasterView({2.0, 2.5, 4.0}, isReversed);
+        view.samples = samples;
+        // In the middle of the grass: it hides some of it, and some of it stands before it.
+        drawBoth({resident, {}}, view, tessellated, rasterised, 5.2);
+        EXPECT_LT(meanApart(tessellated.pixels(), rasterised.pixels()), 1.5);
+        EXPECT_NEAR(double(rasterised.covered()), double(tessellated.covered()),
+                    0.01 * double(pixelCount));
+    }
 }
 
 TEST_F(GrassRasterTest, DrawsManyInstancesByOneList)
