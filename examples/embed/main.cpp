@@ -1,5 +1,5 @@
 // A host with a Vulkan of its own, without a window, draws grass among its own boxes:
-//   embed FIELD.sward OUT.png [forward] [render-pass]
+//   embed FIELD.sward OUT.png [forward] [render-pass] [raster]
 // What Sward asks for stands at the numbers 1 to 7. For the rest, which any engine has, helpers of Sward's own serve.
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
@@ -26,6 +26,7 @@ namespace {
 
 constexpr VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB, depthFormat = VK_FORMAT_D32_SFLOAT;
 constexpr VkExtent2D size{640, 360};
+using Options = std::set<std::string_view>;
 
 /// The host's own device, and all that Sward knows of it.
 struct Vulkan {
@@ -75,8 +76,10 @@ struct Push {
     glm::vec4 color, sun;
 };
 
-void draw(const gpu::DeviceContext& context, bool isReversed, bool hasRenderPass, const char* file, const char* drawn)
+void draw(const gpu::DeviceContext& context, const Options& options, const char* file, const char* drawn)
 {
+    const bool isReversed = !options.contains("forward"), hasRenderPass = options.contains("render-pass");
+    const auto geometry = options.contains("raster") ? render::Geometry::raster : render::Geometry::automatic;
     // The host's picture, and what draws boxes there.
     const gpu::Image color(
         context, {"color", colorFormat, size, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
@@ -143,8 +146,7 @@ void draw(const gpu::DeviceContext& context, bool isReversed, bool hasRenderPass
         glm::scale(glm::dmat4(1.0), {1.0, -1.0, 1.0}) *
         glm::perspectiveRH_ZO(0.62, double(size.width) / size.height, nearest, farthest) *
         glm::lookAt(glm::dvec3(0.3, 2.6, 7.0), glm::dvec3(-0.45, 0.45, 0.0), glm::dvec3(0, 1, 0));
-    const render::HostView view{
-        .worldToClip = worldToClip, .size = {size.width, size.height}, .hasReversedZ = isReversed};
+    const render::HostView view{worldToClip, {size.width, size.height}, 1, isReversed, geometry};
     const auto at = [](glm::dvec3 place) { return glm::translate(glm::dmat4(1.0), place); };
     const auto box = [&](VkCommandBuffer commands, const glm::dmat4& place, glm::dvec3 half, glm::vec3 color) {
         const glm::vec3 sun = glm::normalize(settings.sunDirection) * glm::mat3(place);
@@ -190,9 +192,8 @@ void draw(const gpu::DeviceContext& context, bool isReversed, bool hasRenderPass
 int main(int argc, char** argv)
 try {
     if (argc < 3)
-        throw std::runtime_error("usage: embed FIELD.sward OUT.png [forward] [render-pass]");
-    const std::set<std::string_view> options(argv + 3, argv + argc);
-    draw(Vulkan().context, !options.contains("forward"), options.contains("render-pass"), argv[1], argv[2]);
+        throw std::runtime_error("usage: embed FIELD.sward OUT.png [forward] [render-pass] [raster]");
+    draw(Vulkan().context, Options(argv + 3, argv + argc), argv[1], argv[2]);
 } catch (const std::exception& error) {
     std::fprintf(stderr, "embed: %s\n", error.what());
     return 1;

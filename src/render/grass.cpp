@@ -174,7 +174,8 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
     }
     parts.drawings.clear();
     for (const HostView& view : frame.views)
-        parts.drawings.push_back({parts.raster.obstacle(view), view.samples, false});
+        parts.drawings.push_back(
+            {parts.raster.obstacle(view, parts.instances), view.samples, false});
     parts.raster.begin(parts.shaders, slot, frame.views, parts.instances);
 }
 

@@ -1,6 +1,5 @@
 #include "render/host_raster.h"
 
-#include "core/expect.h"
 #include "gpu/barrier.h"
 #include "render/placed_field.h"
 #include "shaders/shared/debug_mode.h"
@@ -60,8 +59,14 @@ HostRaster::HostRaster(const gpu::DeviceContext& context, const Settings& settin
         slot.views.resize(settings.maxViews);
 }
 
-const char* HostRaster::obstacle(const HostView& view) const
+const char* HostRaster::obstacle(const HostView& view,
+                                 std::span<const PlacedField* const> instances) const
 {
+    std::uint64_t ids = firstId;
+    for (const PlacedField* instance : instances)
+        ids += instance->blades().bladeCount();
+    if (ids > 0xffffffffu)
+        return "all instances together have 2^32 blades or more";
     if (view.geometry == Geometry::tessellation)
         return "the view asks for the tessellator";
     if (view.geometry == Geometry::automatic && context_->isCpu())
@@ -171,7 +176,7 @@ void HostRaster::begin(const gpu::ShaderLibrary& shaders, std::uint32_t slotInde
     std::ranges::fill(slot.views, View{});
     bool rasters = false;
     for (std::uint32_t i = 0; i < slot.views.size(); ++i) {
-        if (i < views.size() && obstacle(views[i]) == nullptr) {
+        if (i < views.size() && obstacle(views[i], instances) == nullptr) {
             prepare(shaders, views[i], i, slot.views[i]);
             rasters = true;
         } else {
@@ -203,7 +208,7 @@ void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const
         const std::size_t first = v * instances.size();
         view.push.instances = slot.table.address() + first * sizeof(shared::HostInstance);
         view.push.instanceCount = static_cast<std::uint32_t>(instances.size());
-        std::uint64_t id = firstId;
+        std::uint32_t id = firstId;
         for (std::uint32_t i = 0; i < instances.size(); ++i) {
             const PlacedField& field = *instances[i];
             const VkDeviceAddress frame = field.rasterFrame(slotIndex, v).address;
@@ -217,12 +222,11 @@ void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const
             entry.raster.owners = field.blades().owners();
             entry.raster.firstOwners = field.blades().firstOwners();
             entry.raster.size = views[v].size;
-            entry.raster.firstBlade = static_cast<std::uint32_t>(id);
+            entry.raster.firstBlade = id;
             entry.raster.instance = i;
             entry.motion = field.motion(slotIndex, v);
             table[first + i] = entry;
             id += field.blades().bladeCount();
-            expect(id <= 0xffffffffu, "a view has less than 2^32 blades");
         }
     }
 }

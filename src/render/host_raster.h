@@ -36,8 +36,8 @@ public:
 
     HostRaster(const gpu::DeviceContext& context, const Settings& settings);
 
-    /// Why a view is not rasterised; null if it is.
-    const char* obstacle(const HostView& view) const;
+    /// Why a view of these instances is not rasterised; null if it is.
+    const char* obstacle(const HostView& view, std::span<const PlacedField* const> instances) const;
 
     /// Begins a frame in `slot`, whose former commands have completed: writes tables of the
     /// instances, makes what is needed for the first time.

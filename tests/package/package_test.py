@@ -327,8 +327,9 @@ class Embed(GuestTest):
         soil = list(picture.crop((30, 90, 320, 230)).getdata())
         self.assertGreater(sum(g > r and g > b for r, g, b in soil), 0.2 * len(soil))
 
-        # Whatever the depth's convention and the scope, the picture is the same.
-        for options in (["forward"], ["render-pass"], ["forward", "render-pass"]):
+        # Whatever the depth's convention, the scope and the way to draw, the picture is the same.
+        for options in (["forward"], ["render-pass"], ["forward", "render-pass"],
+                        ["raster"], ["raster", "forward", "render-pass"]):
             with self.subTest(options=options):
                 self.assert_alike(self.picture_of(field, *options), picture)
 
