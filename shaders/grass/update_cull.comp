@@ -28,7 +28,7 @@ layout(constant_id = 7) const uint asks = asksAll;
 
 /// So many survivors gather before they are listed; no fewer than a work-group has threads. More of them
 /// lie together in the list, so that the rasteriser finds what it reads; but what a group shares decides
-/// how many groups a processor holds at once, see decision 0043.
+/// how many groups a processor holds at once, see decision 0031.
 const uint survivorRoom = 512u;
 
 // Known when the pipeline is made, so that winds that do not blow and colliders that are not there

@@ -16,7 +16,7 @@ SHARED_BEGIN
 SHARED_CONST uint drawChunk = 256u;
 
 /// Threads of a work-group of the update, one blade each. On an H200 64 take two fifths longer, 96
-/// and 256 a seventh, 192 a hundredth: see decision 0040.
+/// and 256 a seventh, 192 a hundredth: see decision 0031.
 SHARED_CONST uint updateThreads = 128u;
 
 /// A work-group of the update takes so many live patches together, so that all threads have a blade
