@@ -176,7 +176,7 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
     for (const HostView& view : frame.views)
         parts.drawings.push_back(
             {parts.raster.obstacle(view, parts.instances), view.samples, false});
-    parts.raster.begin(parts.shaders, slot, frame.views, parts.instances);
+    parts.raster.begin(parts.shaders, slot, frame.views, parts.instances, frame.settings.debug);
 }
 
 shared::DepthPyramid Grass::Parts::lookAtDepth(const HostView& view, ViewDepth& depth)

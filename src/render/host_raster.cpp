@@ -2,7 +2,7 @@
 
 #include "gpu/barrier.h"
 #include "render/placed_field.h"
-#include "shaders/shared/debug_mode.h"
+#include "render/target_settings.h"
 
 #include <algorithm>
 #include <cstring>
@@ -105,21 +105,23 @@ HostRaster::Pipelines HostRaster::pipelinesFor(const gpu::ShaderLibrary& shaders
     if (!context_->isCpu())
         made.large = ofInstances("host raster/large blades", "raster_large_of_instances.comp");
     made.cut = ofInstances("host raster/cut blades", "raster_cut_of_instances.comp");
-    const std::vector<gpu::SpecializationConstant> light{{.id = 0, .value = shared::debugNothing},
-                                                         {.id = 1, .value = samples},
-                                                         {.id = 9, .value = asRadiance}};
-    made.lightOne = gpu::ComputePipeline(*context_, shaders,
-                                         {.name = "host raster/light",
-                                          .shader = "shade_visibility.comp",
-                                          .pushConstantBytes = sizeof(shared::HostViewPush),
-                                          .setLayouts = {frameLayout_.get()},
-                                          .constants = light});
-    made.lightAll = gpu::ComputePipeline(*context_, shaders,
-                                         {.name = "host raster/light instances",
-                                          .shader = "shade_visibility_of_instances.comp",
-                                          .pushConstantBytes = sizeof(shared::HostViewPush),
-                                          .constants = light});
     return made;
+}
+
+gpu::ComputePipeline HostRaster::lightFor(const gpu::ShaderLibrary& shaders,
+                                          LightSettings settings) const
+{
+    return {*context_,
+            shaders,
+            {.name = settings.isOfOne ? "host raster/light" : "host raster/light instances",
+             .shader =
+                 settings.isOfOne ? "shade_visibility.comp" : "shade_visibility_of_instances.comp",
+             .pushConstantBytes = sizeof(shared::HostViewPush),
+             .setLayouts = settings.isOfOne ? std::vector<VkDescriptorSetLayout>{frameLayout_.get()}
+                                            : std::vector<VkDescriptorSetLayout>{},
+             .constants = {{.id = 0, .value = settings.debugMode},
+                           {.id = 1, .value = settings.samples},
+                           {.id = 9, .value = asRadiance}}}};
 }
 
 gpu::ComputePipeline HostRaster::seedFor(const gpu::ShaderLibrary& shaders,
@@ -137,11 +139,15 @@ gpu::ComputePipeline HostRaster::seedFor(const gpu::ShaderLibrary& shaders,
 }
 
 void HostRaster::prepare(const gpu::ShaderLibrary& shaders, const HostView& view,
-                         std::uint32_t index, View& out)
+                         std::uint32_t index, LightSettings light, View& out)
 {
     if (!pipelines_.contains(view.samples))
         pipelines_.emplace(view.samples, pipelinesFor(shaders, view.samples));
     out.pipelines = &pipelines_.at(view.samples);
+    light.samples = view.samples;
+    if (!lights_.contains(light))
+        lights_.emplace(light, lightFor(shaders, light));
+    out.light = &lights_.at(light);
     // A depth of another number of samples says too little, or too much, of each of the view's.
     if (view.depth && view.depth->samples == view.samples) {
         const SeedSettings wanted{view.samples, view.hasReversedZ};
@@ -170,14 +176,15 @@ void HostRaster::prepare(const gpu::ShaderLibrary& shaders, const HostView& view
 
 void HostRaster::begin(const gpu::ShaderLibrary& shaders, std::uint32_t slotIndex,
                        std::span<const HostView> views,
-                       std::span<const PlacedField* const> instances)
+                       std::span<const PlacedField* const> instances, DebugMode debug)
 {
     Slot& slot = slots_[slotIndex];
     std::ranges::fill(slot.views, View{});
+    const LightSettings light{.isOfOne = instances.size() == 1, .debugMode = knownDebugMode(debug)};
     bool rasters = false;
     for (std::uint32_t i = 0; i < slot.views.size(); ++i) {
         if (i < views.size() && obstacle(views[i], instances) == nullptr) {
-            prepare(shaders, views[i], i, slot.views[i]);
+            prepare(shaders, views[i], i, light, slot.views[i]);
             rasters = true;
         } else {
             pictures_[i] = {};
@@ -226,6 +233,7 @@ void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const
             entry.raster.instance = i;
             entry.motion = field.motion(slotIndex, v);
             table[first + i] = entry;
+            view.pushes.push_back(entry.raster);
             id += field.blades().bladeCount();
         }
     }
@@ -254,7 +262,6 @@ void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
     }
 
     const Pipelines& pipelines = *view.pipelines;
-    const auto table = slot.table.mappedAs<const shared::HostInstance>();
     pipelines.blades.bind(commands);
     for (std::size_t i = 0; i < instances.size(); ++i) {
         if (instances[i] == nullptr)
@@ -262,7 +269,7 @@ void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
         instances[i]
             ->rasterFrame(slotIndex, viewIndex)
             .bind(commands, pipelines.blades.layout(), frameSet);
-        pipelines.blades.push(commands, table[viewIndex * instances.size() + i].raster);
+        pipelines.blades.push(commands, view.pushes[i]);
         commands.vk->CmdDispatchIndirect(commands, instances[i]->list(viewIndex).rounds().get(), 0);
     }
     gpu::computeToCompute(commands);
@@ -276,14 +283,17 @@ void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
     view.large->dispatchCut(commands);
     gpu::computeToCompute(commands);
 
-    const bool isOne = view.push.instanceCount == 1;
-    const gpu::ComputePipeline& light = isOne ? pipelines.lightOne : pipelines.lightAll;
-    light.bind(commands);
-    if (isOne && instances[0] != nullptr)
-        instances[0]->rasterFrame(slotIndex, viewIndex).bind(commands, light.layout(), frameSet);
-    light.push(commands, view.push);
-    if (!isOne || instances[0] != nullptr)
+    const bool isOfOne = view.push.instanceCount == 1;
+    const bool isGone = isOfOne && instances[0] == nullptr; // removed since begin()
+    if (!isGone) {
+        view.light->bind(commands);
+        if (isOfOne)
+            instances[0]
+                ->rasterFrame(slotIndex, viewIndex)
+                .bind(commands, view.light->layout(), frameSet);
+        view.light->push(commands, view.push);
         dispatchPixels(commands, view.push.size);
+    }
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
 }
 

@@ -7,8 +7,10 @@
 #include "gpu/recording.h"
 #include "gpu/shader_library.h"
 #include "gpu/uniform_sets.h"
+#include "render/frame_settings.h"
 #include "render/host_view.h"
 #include "render/large_blade_list.h"
+#include "shaders/shared/debug_mode.h"
 #include "shaders/shared/passes.h"
 
 #include <vulkan/vulkan.h>
@@ -42,7 +44,8 @@ public:
     /// Begins a frame in `slot`, whose former commands have completed: writes tables of the
     /// instances, makes what is needed for the first time.
     void begin(const gpu::ShaderLibrary& shaders, std::uint32_t slot,
-               std::span<const HostView> views, std::span<const PlacedField* const> instances);
+               std::span<const HostView> views, std::span<const PlacedField* const> instances,
+               DebugMode debug);
 
     /// Rasterises and lights what the view's lists hold. `depth`: of the host, as PyramidPass has
     /// it, or null if there is none. Records a barrier before and one after.
@@ -59,8 +62,14 @@ private:
         gpu::ComputePipeline blades;
         gpu::ComputePipeline large; ///< none on a CPU device
         gpu::ComputePipeline cut;
-        gpu::ComputePipeline lightOne; ///< of a view that shows one instance …
-        gpu::ComputePipeline lightAll; ///< … or several
+    };
+
+    /// What a lighting pipeline is made for.
+    struct LightSettings {
+        std::uint32_t samples = 1;
+        bool isOfOne = false;                           ///< instance, else of several
+        std::uint32_t debugMode = shared::debugNothing; ///< see knownDebugMode()
+        auto operator<=>(const LightSettings&) const = default;
     };
 
     /// How a visibility begins.
@@ -76,9 +85,11 @@ private:
         std::shared_ptr<gpu::Buffer> visibility; ///< shared::VisibilityArray
         std::shared_ptr<gpu::Buffer> motions;    ///< shared::HostViewPush::motions
         std::shared_ptr<LargeBladeList> large;
-        const Pipelines* pipelines = nullptr;       ///< null: the view is not rasterised
-        const gpu::ComputePipeline* seed = nullptr; ///< null: the visibility begins empty
+        const Pipelines* pipelines = nullptr;        ///< null: the view is not rasterised
+        const gpu::ComputePipeline* light = nullptr; ///< null: no instance
+        const gpu::ComputePipeline* seed = nullptr;  ///< null: the visibility begins empty
         shared::HostViewPush push = {};
+        std::vector<shared::RasterPush> pushes; ///< one per instance
     };
 
     struct Slot {
@@ -87,9 +98,10 @@ private:
     };
 
     Pipelines pipelinesFor(const gpu::ShaderLibrary& shaders, std::uint32_t samples) const;
+    gpu::ComputePipeline lightFor(const gpu::ShaderLibrary& shaders, LightSettings settings) const;
     gpu::ComputePipeline seedFor(const gpu::ShaderLibrary& shaders, SeedSettings settings) const;
     void prepare(const gpu::ShaderLibrary& shaders, const HostView& view, std::uint32_t index,
-                 View& out);
+                 LightSettings light, View& out);
     void writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const HostView> views,
                     std::span<const PlacedField* const> instances) const;
 
@@ -98,6 +110,7 @@ private:
     gpu::UniformSetLayout frameLayout_;
     gpu::ImageSetLayout imageLayout_;              ///< the same as PyramidPass has
     std::map<std::uint32_t, Pipelines> pipelines_; ///< by samples
+    std::map<LightSettings, gpu::ComputePipeline> lights_;
     std::map<SeedSettings, gpu::ComputePipeline> seeds_;
     std::shared_ptr<LargeBladeList> largeList_; ///< of all views, one after the other
 

@@ -31,14 +31,15 @@ protected:
         settings_.winds.clear();
     }
 
-    /// Draws a view at one time by either way; the pictures are the caller's.
-    void drawBoth(const FieldInstance& instance, const HostView& view,
-                  const HostPicture& tessellated, const HostPicture& rasterised,
-                  std::optional<double> wall = std::nullopt)
+    /// Grass of what `add` adds, drawn by either way; the pictures are the caller's. A wall
+    /// `wall` metres away is the host's, if given.
+    template <class Add>
+    void drawBoth(const Add& add, const HostView& view, const HostPicture& tessellated,
+                  const HostPicture& rasterised, std::optional<double> wall = std::nullopt)
     {
         for (const bool rasters : {false, true}) {
             Grass grass(context(), {.framesInFlight = 1, .keepsMotion = true});
-            grass.add(instance);
+            add(grass);
             rasters_ = rasters;
             const HostPicture* const pictures[]{rasters ? &rasterised : &tessellated};
             HostView own = view;
@@ -48,6 +49,12 @@ protected:
             EXPECT_EQ(grass.whyTessellated(0), nullptr);
             EXPECT_GT(grass.stats(0, 0).drawn, 1000u);
         }
+    }
+
+    /// Adds one instance.
+    static auto adding(FieldInstance instance)
+    {
+        return [instance = std::move(instance)](Grass& grass) { grass.add(instance); };
     }
 };
 
@@ -87,7 +94,7 @@ TEST_F(GrassRasterTest, ShowsWhatTheTessellatorShows)
         const HostPicture rasterised(context(), target);
         HostView view = rasterView({2.0, 2.5, 4.0}, isReversed);
         view.samples = samples;
-        drawBoth(turned, view, tessellated, rasterised);
+        drawBoth(adding(turned), view, tessellated, rasterised);
         EXPECT_GT(tessellated.covered(), pixelCount / 10);
         // Edges lie within a 256th of a pixel of one another, so that few samples change hands.
         EXPECT_LT(meanApart(tessellated.pixels(), rasterised.pixels()), 1.5);
@@ -103,7 +110,8 @@ TEST_F(GrassRasterTest, HasTheDepthThatTheTessellatorHas)
         const HostPicture::Settings target{.isReversed = isReversed};
         const HostPicture tessellated(context(), target);
         const HostPicture rasterised(context(), target);
-        drawBoth({resident, {}}, rasterView({2.0, 2.5, 4.0}, isReversed), tessellated, rasterised);
+        drawBoth(adding({resident, {}}), rasterView({2.0, 2.5, 4.0}, isReversed), tessellated,
+                 rasterised);
         const std::vector<float> a = tessellated.depths();
         const std::vector<float> b = rasterised.depths();
         std::size_t apart = 0;
@@ -128,7 +136,7 @@ TEST_F(GrassRasterTest, StandsBehindWhatTheHostHasDrawn)
         HostView view = rasterView({2.0, 2.5, 4.0}, isReversed);
         view.samples = samples;
         // In the middle of the grass: it hides some of it, and some of it stands before it.
-        drawBoth({resident, {}}, view, tessellated, rasterised, 5.2);
+        drawBoth(adding({resident, {}}), view, tessellated, rasterised, 5.2);
         EXPECT_LT(meanApart(tessellated.pixels(), rasterised.pixels()), 1.5);
         EXPECT_NEAR(double(rasterised.covered()), double(tessellated.covered()),
                     0.01 * double(pixelCount));
@@ -141,8 +149,7 @@ TEST_F(GrassRasterTest, DrawsManyInstancesByOneList)
     const HostPicture tessellated(context(), {});
     const HostPicture rasterised(context(), {});
     const HostView view = rasterView({1.0, 3.0, 6.0});
-    for (const bool rasters : {false, true}) {
-        Grass grass(context(), oneSlot_);
+    const auto add = [&](Grass& grass) {
         std::vector<InstanceId> ids;
         for (int i = 0; i < 64; ++i)
             ids.push_back(
@@ -152,12 +159,27 @@ TEST_F(GrassRasterTest, DrawsManyInstancesByOneList)
                             .scale = 0.1 + 0.002 * i}}));
         // What goes between two frames is not drawn by what is left of it.
         grass.remove(ids[20]);
-        rasters_ = rasters;
-        const HostPicture* const pictures[]{rasters ? &rasterised : &tessellated};
-        drawFrame(grass, 1.0, {&view, 1}, pictures);
-    }
+    };
+    drawBoth(add, view, tessellated, rasterised);
     EXPECT_GT(tessellated.covered(), pixelCount / 20);
     EXPECT_LT(meanApart(tessellated.pixels(), rasterised.pixels()), 1.5);
+}
+
+TEST_F(GrassRasterTest, HasTheDebugColoursThatTheTessellatorHas)
+{
+    const auto resident = upload(field_);
+    const HostPicture plain(context(), {});
+    const HostPicture tessellated(context(), {});
+    const HostPicture rasterised(context(), {});
+    const HostView view = rasterView({2.0, 2.5, 4.0});
+    drawBoth(adding({resident, {}}), view, tessellated, plain);
+    for (const DebugMode mode : {DebugMode::lod, DebugMode::patches, DebugMode::wind}) {
+        SCOPED_TRACE(int(mode));
+        settings_.debug = mode;
+        drawBoth(adding({resident, {}}), view, tessellated, rasterised);
+        EXPECT_LT(meanApart(tessellated.pixels(), rasterised.pixels()), 1.5);
+        EXPECT_GT(meanApart(plain.pixels(), rasterised.pixels()), 3.0);
+    }
 }
 
 TEST_F(GrassRasterTest, TellsOfMotionAsTheTessellatorDoes)

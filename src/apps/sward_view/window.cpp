@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <utility>
 
 namespace sward::view {
@@ -57,12 +58,20 @@ struct Window::Parts {
     public:
         Library()
         {
+#ifdef GLFW_PLATFORM
+            // GLFW 3.4 asks for a compositor where there is none, and libwayland writes an error.
+            if (std::getenv("WAYLAND_DISPLAY") == nullptr && std::getenv("DISPLAY") != nullptr)
+                glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
             if (glfwInit() != GLFW_TRUE)
                 failWithoutDisplay();
         }
         Library(const Library&) = delete;
         Library& operator=(const Library&) = delete;
-        ~Library() { glfwTerminate(); }
+        ~Library()
+        {
+            glfwTerminate();
+        }
     };
 
     struct DestroyWindow {
@@ -80,9 +89,18 @@ struct Window::Parts {
         return *static_cast<Parts*>(glfwGetWindowUserPointer(window));
     }
 
-    bool isDown(int key) const { return glfwGetKey(window.get(), key) == GLFW_PRESS; }
-    bool isHeld(int button) const { return glfwGetMouseButton(window.get(), button) == GLFW_PRESS; }
-    bool shift() const { return isDown(GLFW_KEY_LEFT_SHIFT) || isDown(GLFW_KEY_RIGHT_SHIFT); }
+    bool isDown(int key) const
+    {
+        return glfwGetKey(window.get(), key) == GLFW_PRESS;
+    }
+    bool isHeld(int button) const
+    {
+        return glfwGetMouseButton(window.get(), button) == GLFW_PRESS;
+    }
+    bool shift() const
+    {
+        return isDown(GLFW_KEY_LEFT_SHIFT) || isDown(GLFW_KEY_RIGHT_SHIFT);
+    }
 
     static void onCursor(GLFWwindow* window, double x, double y);
     static void onButton(GLFWwindow* window, int button, int action, int modifiers);
