@@ -177,8 +177,11 @@ TEST_F(GrassRasterTest, HasTheDebugColoursThatTheTessellatorHas)
         SCOPED_TRACE(int(mode));
         settings_.debug = mode;
         drawBoth(adding({resident, {}}), view, tessellated, rasterised);
-        EXPECT_LT(meanApart(tessellated.pixels(), rasterised.pixels()), 1.5);
-        EXPECT_GT(meanApart(plain.pixels(), rasterised.pixels()), 3.0);
+        // Edges differ by more where debug colours stand against the background; the colours of
+        // the mode itself make the larger difference.
+        const double byMode = meanApart(plain.pixels(), rasterised.pixels());
+        EXPECT_GT(byMode, 2.0);
+        EXPECT_LT(meanApart(tessellated.pixels(), rasterised.pixels()), 0.4 * byMode);
     }
 }
 
