@@ -162,7 +162,7 @@ void draw(const gpu::DeviceContext& context, const Options& options, const char*
         // 5. A frame begins when the former one in its slot has completed.
         grass.begin(0, {.time = frame / 5.0, .views = {&view, 1}, .settings = settings, .colliders = {&collider, 1}});
         gpu::submitAndWait(context, [&](VkCommandBuffer commands) {
-            // 6. Outside of a rendering: blades move once, and are judged and rasterised for each view.
+            // 6. Outside of a rendering: blades move once, and are culled and rasterised for each view.
             grass.recordUpdate(commands);
             grass.recordCull(commands, 0);
             grass.recordRaster(commands, 0);

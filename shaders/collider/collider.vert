@@ -15,7 +15,7 @@ layout(location = 1) out vec3 outNormal;
 void main()
 {
     const ColliderPoint point =
-        pointOfCollider(FRAME.nature.colliders.at[gl_InstanceIndex], uint(gl_VertexIndex));
+        pointOfCollider(FRAME.environment.colliders.at[gl_InstanceIndex], uint(gl_VertexIndex));
     outPosition = point.position;
     outNormal = point.normal;
     gl_Position = FRAME.viewProjection * vec4(point.position, 1.0);

@@ -9,7 +9,7 @@ layout(push_constant, scalar) uniform Block { ViewPush push; };
 void main()
 {
     const ColliderPoint point =
-        pointOfCollider(FRAME.nature.colliders.at[gl_InstanceIndex], uint(gl_VertexIndex));
+        pointOfCollider(FRAME.environment.colliders.at[gl_InstanceIndex], uint(gl_VertexIndex));
     const vec4 place = vec4(point.position, 1.0);
     const vec2 pixel = vec2(dot(FRAME.shadow.across, place), dot(FRAME.shadow.down, place));
     // The map's depths hold the ground; what is above all of it casts its shadow from their end.

@@ -33,9 +33,9 @@ void main()
     }
 
     // Patches that begin on the page, and the one that may have begun before.
-    for (uint owner = push.firstOwners.at[first / ownerStride] + thread; owner < push.ownerCount;
+    for (uint owner = push.firstNonEmptyPatches.at[first / nonEmptyPatchStride] + thread; owner < push.nonEmptyPatchCount;
          owner += pageThreads) {
-        const uint patchIndex = push.owners.at[owner];
+        const uint patchIndex = push.nonEmptyPatches.at[owner];
         const Patch cell = push.patches.at[patchIndex];
         if (cell.firstBlade >= end)
             break;

@@ -7,7 +7,7 @@
 
 layout(local_size_x = groundThreads) in;
 layout(push_constant, scalar) uniform Block { GroundCullPush push; };
-#define JUDGED push.frame.at[0]
+#define CULL_VIEW push.frame.at[0]
 
 #include "shaders/ground/cluster_seen.glsl"
 

@@ -3,15 +3,15 @@
 #extension GL_EXT_buffer_reference_uvec2 : require
 // Looks at the nodes of one level of the patch tree: what is below those that nobody sees is left
 // out unseen, their blades counted; the children of the others go to the next level, and those that
-// own blades to the live patches.
+// own blades to the visible patches.
 #include "shaders/shared/passes.h"
 #include "shaders/shared/visibility.h"
 
 layout(local_size_x = walkThreads) in;
 layout(push_constant, scalar) uniform Block { WalkPush push; };
-#define JUDGED push.judged.at[0]
+#define CULL_VIEW push.cullView.at[0]
 
-// How many live patches a work-group of the update takes; known when the pipeline is made.
+// How many visible patches a work-group of the update takes; known when the pipeline is made.
 layout(constant_id = 0) const uint patchesOfGroup = patchesTogether;
 
 #include "shaders/culling/hidden.glsl"
@@ -27,7 +27,7 @@ shared uint thinnedTotal;
 /// What is to be done about a node.
 struct Step {
     uint children; ///< so many are looked at next
-    uint live;     ///< its first so many blades are moved and judged …
+    uint live;     ///< its first so many blades are moved and culled …
     bool isLive;   ///< … if any
     uint unseen;   ///< blades that are left out here: nobody sees their patch …
     uint thinned;  ///< … or they have no width
@@ -53,7 +53,7 @@ Step stepOf(Eyepoint view, Patch cell, Subtree below, bool isLeaf)
         next.unseen = blades;
         return next;
     }
-    const bool toldOfEach = uvec2(JUDGED.fates) != uvec2(0u);
+    const bool toldOfEach = uvec2(CULL_VIEW.cullResults) != uvec2(0u);
     next.children = isLeaf ? 0u : cell.childCount;
     if (next.children > 0u && !toldOfEach && thinnedBelow(view, cell, below.rankBelow)) {
         next.children = 0u;
@@ -78,7 +78,7 @@ void startGroups(uint level, uint groups)
 void main()
 {
     const uint thread = gl_LocalInvocationIndex;
-    const Eyepoint view = JUDGED.view;
+    const Eyepoint view = CULL_VIEW.view;
     WalkLevelArray levels = push.levels;
     const uint count = push.level == 0u ? push.startCount : levels.at[push.level].count;
     // The queue holds one level after the other, from the second.
@@ -102,8 +102,8 @@ void main()
         uint firstChild = 0u;
         if (base + thread < count) {
             node = push.level == 0u ? base + thread : push.queue.at[first + base + thread];
-            Patch cell = JUDGED.patches.at[node];
-            if (!isPresent(uvec2(JUDGED.pages), cell))
+            Patch cell = CULL_VIEW.patches.at[node];
+            if (!isPresent(uvec2(CULL_VIEW.pages), cell))
                 cell.bladeCount = 0u;
             firstChild = cell.firstChild;
             next = stepOf(view, cell, push.subtrees.at[node],
@@ -129,15 +129,15 @@ void main()
                 startGroups(liveLevel, updateGroups(liveBase + liveTotal, patchesOfGroup));
             }
             if (unseenTotal > 0u)
-                atomicAdd(JUDGED.draw.at[0].fates[fatePatch], unseenTotal);
+                atomicAdd(CULL_VIEW.draw.at[0].cullResults[cullResultPatch], unseenTotal);
             if (thinnedTotal > 0u)
-                atomicAdd(JUDGED.draw.at[0].fates[fateLod], thinnedTotal);
+                atomicAdd(CULL_VIEW.draw.at[0].cullResults[cullResultLod], thinnedTotal);
         }
         barrier();
         for (uint child = 0u; child < next.children; ++child)
             push.queue.at[firstOfNext + childBase + childPlace + child] = firstChild + child;
         if (next.isLive)
-            push.live.at[liveBase + livePlace] = LivePatch(node, next.live);
+            push.live.at[liveBase + livePlace] = VisiblePatch(node, next.live);
         barrier();
     }
 }

@@ -11,9 +11,9 @@ vec4 pixelAt(ivec2 pixel)
     return texelFetch(resolved[0], clamp(pixel, ivec2(0), textureSize(resolved[0], 0) - 1), 0);
 }
 
-#include "shaders/film/softened.glsl"
+#include "shaders/film/reconstruction_filter.glsl"
 
 void main()
 {
-    outColor = vec4(softened(ivec2(gl_FragCoord.xy)), 1.0);
+    outColor = vec4(reconstructed(ivec2(gl_FragCoord.xy)), 1.0);
 }

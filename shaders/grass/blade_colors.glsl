@@ -4,7 +4,7 @@
 
 #include "shaders/grass/drawn_blade.glsl"
 #include "shaders/lighting.glsl"
-#include "shaders/shared/fate_color.h"
+#include "shaders/shared/cull_result_color.h"
 #include "shaders/shared/noise.h"
 #include "shaders/shared/visibility.h"
 
@@ -65,8 +65,8 @@ BladeSurface liftedSurface(BladeSurface surface, float above)
     return surface;
 }
 
-/// `layers`: layersOf() its patch.
-BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, Layers layers)
+/// `limit`: leafAreaLimitOf() its patch.
+BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, LeafAreaLimit limit)
 {
     const Blade blade = drawn.blade;
     const Species species = drawn.species;
@@ -77,7 +77,7 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, Layers layers)
     else if (debugMode() == 2u)
         colors.tip = colorOf(visible.patchIndex);
     else if (debugMode() == debugReason)
-        colors.tip = fateColor(FRAME.fates.at[placeOf(uvec2(FRAME.pages), visible.blade)]);
+        colors.tip = cullResultColor(FRAME.cullResults.at[placeOf(uvec2(FRAME.pages), visible.blade)]);
     if (paintsWind)
         colors.tip = colorOfWind(blade.root, blade.up);
     if (debugMode() != debugNothing)
@@ -90,7 +90,7 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, Layers layers)
     surface.tip = vec4(colors.tip, risen * sunSeen(FRAME.shadow, drawn.ribbon.v2, blade.up));
     surface.material = vec4(blade.exposure, species.translucency, species.gloss,
                             leafAreaAt(FRAME.cover, blade.root));
-    return layers.light < 1.0 ? liftedSurface(surface, layers.light) : surface;
+    return limit.light < 1.0 ? liftedSurface(surface, limit.light) : surface;
 }
 
 #endif

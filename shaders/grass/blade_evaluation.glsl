@@ -1,5 +1,5 @@
 // A point of the blade: across its width axis (x) and along its curve (y).
-#include "shaders/grass/rib_point.glsl"
+#include "shaders/grass/cross_section_point.glsl"
 #include "shaders/shared/passes.h"
 #include "shaders/shared/ribbon.h"
 
@@ -26,7 +26,7 @@ layout(location = 9) patch in vec4 inV2Before;
 
 layout(location = 0) centroid out vec3 outPosition;
 layout(location = 3) centroid out vec4 outPlace; // −1 … 1 across, 0 … 1 along, [m] wide and drawn
-layout(location = 4) flat out uvec4 outSurface; // see BladeParcel
+layout(location = 4) flat out uvec4 outSurface; // see BladeVaryings
 layout(location = 5) flat out uvec4 outFrame;
 layout(location = 6) flat out uint outBend;
 layout(location = 8) flat out uint outBlade;
@@ -49,9 +49,9 @@ void main()
     // A quad of several rows always has a column of vertices in its middle. Where no fold needs it
     // they fall on the right edge, and what is right of them vanishes: two triangles a row.
     const float u = ribbon.fold > 0.0 || gl_TessCoord.x == 0.0 ? gl_TessCoord.x : 1.0;
-    const Rib rib = ribAt(ribbon, gl_TessCoord.y, FRAME.view.eye, FRAME.view.minWidth);
-    outPosition = onRib(rib, u);
-    outPlace = vec4(2.0 * u - 1.0, gl_TessCoord.y, rib.wide, rib.drawn);
+    const CrossSection section = crossSectionAt(ribbon, gl_TessCoord.y, FRAME.view.eye, FRAME.view.minWidth);
+    outPosition = onCrossSection(section, u);
+    outPlace = vec4(2.0 * u - 1.0, gl_TessCoord.y, section.wide, section.drawn);
     outSurface = inSurface;
     outFrame = inFrame;
     outBend = inBend;
@@ -62,8 +62,8 @@ void main()
     Ribbon before = ribbon;
     before.v1 = inV1Before.xyz;
     before.v2 = inV2Before.xyz;
-    const Rib ribBefore = ribAt(before, gl_TessCoord.y, FRAME.view.eye, FRAME.view.minWidth);
+    const CrossSection sectionBefore = crossSectionAt(before, gl_TessCoord.y, FRAME.view.eye, FRAME.view.minWidth);
     outClip = gl_Position;
-    outClipBefore = push.motion.at[0].clipBefore * vec4(onRib(ribBefore, u), 1.0);
+    outClipBefore = push.motion.at[0].clipBefore * vec4(onCrossSection(sectionBefore, u), 1.0);
 #endif
 }

@@ -8,13 +8,13 @@ layout(push_constant, scalar) uniform Block { ViewPush push; };
 #endif
 
 #include "shaders/grass/blade_light.glsl"
-#include "shaders/grass/blade_parcel.glsl"
+#include "shaders/grass/blade_varyings.glsl"
 #include "shaders/shared/octahedral.h"
 #include "shaders/shared/ribbon.h"
 
 layout(location = 0) centroid in vec3 inPosition;
 layout(location = 3) centroid in vec4 inPlace;
-layout(location = 4) flat in uvec4 inSurface; // see BladeParcel
+layout(location = 4) flat in uvec4 inSurface; // see BladeVaryings
 layout(location = 5) flat in uvec4 inFrame;
 layout(location = 6) flat in uint inBend;
 layout(location = 8) flat in uint inBlade;
@@ -26,21 +26,21 @@ layout(location = 10) centroid in vec4 inClipBefore;
 layout(location = 1) out vec2 outMotion; // where it was minus where it is, in widths and heights
 #endif
 
-BladePoint pointOf(BladeParcel parcel)
+BladePoint pointOf(BladeVaryings varyings)
 {
-    const vec2 middle = unpackHalf2x16(parcel.surface.y);
-    const vec4 bytes = unpackUnorm4x8(parcel.surface.w);
-    const vec2 shade = unpackHalf2x16(parcel.frame.x);
-    const vec2 bent = unpackHalf2x16(parcel.frame.w);
+    const vec2 middle = unpackHalf2x16(varyings.surface.y);
+    const vec4 bytes = unpackUnorm4x8(varyings.surface.w);
+    const vec2 shade = unpackHalf2x16(varyings.frame.x);
+    const vec2 bent = unpackHalf2x16(varyings.frame.w);
     BladePoint point;
     point.position = inPosition;
     point.place = inPlace.xy;
-    point.axis = decodeWideOctahedral(parcel.frame.y);
-    point.up = decodeWideOctahedral(parcel.frame.z);
+    point.axis = decodeWideOctahedral(varyings.frame.y);
+    point.up = decodeWideOctahedral(varyings.frame.z);
     point.fold = bent.x;
-    point.tangent = normalize(mix(point.up, bent.y * decodeWideOctahedral(parcel.bend), clamp(inPlace.y, 0.0, 1.0)));
-    point.rootColor = vec4(unpackHalf2x16(parcel.surface.x), middle.x, bytes.w);
-    point.tipColor = vec4(middle.y, unpackHalf2x16(parcel.surface.z), shade.y);
+    point.tangent = normalize(mix(point.up, bent.y * decodeWideOctahedral(varyings.bend), clamp(inPlace.y, 0.0, 1.0)));
+    point.rootColor = vec4(unpackHalf2x16(varyings.surface.x), middle.x, bytes.w);
+    point.tipColor = vec4(middle.y, unpackHalf2x16(varyings.surface.z), shade.y);
     point.material = vec4(bytes.xyz, shade.x);
     return point;
 }
@@ -49,7 +49,7 @@ void main()
 {
     const uint kept = keptSamples(inPlace.z / max(inPlace.w, 1e-12), inBlade, FRAME.view.samples);
     gl_SampleMask[0] = int(kept);
-    const BladePoint point = pointOf(BladeParcel(inSurface, inFrame, inBend));
+    const BladePoint point = pointOf(BladeVaryings(inSurface, inFrame, inBend));
     const float soft = handedTo == handedToFilm ? softness(length(FRAME.view.eye - inPosition), 1.0) : 0.0;
     outColor = vec4(bladePicture(point), 1.0 - soft);
 #ifdef HAS_MOTION

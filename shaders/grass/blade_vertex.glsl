@@ -8,7 +8,7 @@ layout(push_constant, scalar) uniform Block { ViewPush push; };
 #endif
 
 #include "shaders/grass/blade_colors.glsl"
-#include "shaders/grass/blade_parcel.glsl"
+#include "shaders/grass/blade_varyings.glsl"
 #include "shaders/grass/drawn_blade.glsl"
 
 layout(location = 0) out vec4 outV0; // and the width [m]
@@ -16,7 +16,7 @@ layout(location = 1) out vec4 outV1; // and the tip threshold
 layout(location = 2) out vec4 outV2; // and the fold
 layout(location = 3) out vec4 outAxis; // and the scale of the outline
 layout(location = 4) out uvec3 outWhich; // shape, segments (0: nothing is drawn), resident id
-layout(location = 5) out uvec4 outSurface; // see BladeParcel
+layout(location = 5) out uvec4 outSurface; // see BladeVaryings
 layout(location = 6) out uvec4 outFrame;
 layout(location = 7) out uint outBend;
 #ifdef HAS_MOTION
@@ -24,7 +24,7 @@ layout(location = 8) out vec4 outV1Before;
 layout(location = 9) out vec4 outV2Before;
 #endif
 
-BladeParcel parcelOf(Ribbon ribbon, BladeSurface surface)
+BladeVaryings varyingsOf(Ribbon ribbon, BladeSurface surface)
 {
     const float size = max(length(ribbon.v1 - ribbon.v0), 1e-6);
     const vec3 lower = (ribbon.v1 - ribbon.v0) / size;
@@ -33,14 +33,14 @@ BladeParcel parcelOf(Ribbon ribbon, BladeSurface surface)
     if (length(upper) < 1e-3)
         upper = 1e-3 * lower;
     const float bend = length(upper);
-    BladeParcel parcel;
-    parcel.surface =
+    BladeVaryings varyings;
+    varyings.surface =
         uvec4(packHalf2x16(surface.root.rg), packHalf2x16(vec2(surface.root.b, surface.tip.r)),
               packHalf2x16(surface.tip.gb), packUnorm4x8(vec4(surface.material.xyz, surface.root.w)));
-    parcel.frame = uvec4(packHalf2x16(vec2(surface.material.w, surface.tip.w)), encodeWideOctahedral(ribbon.axis),
+    varyings.frame = uvec4(packHalf2x16(vec2(surface.material.w, surface.tip.w)), encodeWideOctahedral(ribbon.axis),
                          encodeWideOctahedral(lower), packHalf2x16(vec2(ribbon.fold, bend)));
-    parcel.bend = encodeWideOctahedral(upper / bend);
-    return parcel;
+    varyings.bend = encodeWideOctahedral(upper / bend);
+    return varyings;
 }
 
 void main()
@@ -48,7 +48,7 @@ void main()
     // The last instance has room for more blades than the list holds: those have no pixels.
     const uint place = gl_InstanceIndex * drawChunk + gl_VertexIndex;
     outWhich = uvec3(0u);
-    if (place >= min(FRAME.draw.at[0].fates[fateDrawn], FRAME.visibleCapacity))
+    if (place >= min(FRAME.draw.at[0].cullResults[cullResultDrawn], FRAME.visibleCapacity))
         return;
     const VisibleBlade visible = FRAME.visible.at[place];
     const DrawnBlade drawn = drawnBlade(visible);
@@ -61,11 +61,11 @@ void main()
 
     BladeSurface surface = BladeSurface(vec4(0.0), vec4(0.0), vec4(0.0));
     if (handedTo != handedToNobody)
-        surface = bladeSurface(drawn, visible, layersOf(FRAME.view, FRAME.patches.at[visible.patchIndex]));
-    const BladeParcel parcel = parcelOf(ribbon, surface);
-    outSurface = parcel.surface;
-    outFrame = parcel.frame;
-    outBend = parcel.bend;
+        surface = bladeSurface(drawn, visible, leafAreaLimitOf(FRAME.view, FRAME.patches.at[visible.patchIndex]));
+    const BladeVaryings varyings = varyingsOf(ribbon, surface);
+    outSurface = varyings.surface;
+    outFrame = varyings.frame;
+    outBend = varyings.bend;
 
 #ifdef HAS_MOTION
     // What has not moved in this frame has not moved.

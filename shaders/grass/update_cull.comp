@@ -1,27 +1,27 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_buffer_reference_uvec2 : require
-// Moves the blades of the live patches, judges each, and lists those that are to be drawn. A work-group
+// Moves the blades of the visible patches, culls each, and lists those that are to be drawn. A work-group
 // takes some patches together, whose blades follow one another as if they were those of one: so all
 // threads have one, and what a patch says is waited for once. Survivors gather in shared memory, so that
 // some hundred cost one atomic on the list. Nothing here depends on the size of a subgroup. Where several
-// views share the blades, one role of this shader moves them for all views, and another judges them for each.
+// views share the blades, one role of this shader moves them for all views, and another culls them for each.
 #include "shaders/shared/passes.h"
 
 layout(local_size_x = updateThreads, local_size_x_id = 2) in;
 layout(push_constant, scalar) uniform Block { UpdatePush push; };
 #define FRAME_SET 0
 #include "shaders/frame_constants.glsl"
-#define JUDGED FRAME
-#define WIND_SOURCE(wind, i) JUDGED.nature.wind.sources[i]
+#define CULL_VIEW FRAME
+#define WIND_SOURCE(wind, i) CULL_VIEW.environment.wind.sources[i]
 
-// What frames may ask for, see asksOf(); known when the pipeline is made, so that what nobody asks
+// What frames may ask for, see featuresOf(); known when the pipeline is made, so that what nobody asks
 // for costs nothing.
-layout(constant_id = 7) const uint asks = asksAll;
-#define MAY_BE_PAGED ((asks & asksPages) != 0u)
+layout(constant_id = 7) const uint features = featureAll;
+#define MAY_BE_PAGED ((features & featurePages) != 0u)
 
 #include "shaders/culling/hidden.glsl"
-#include "shaders/grass/kept_survivor.glsl"
+#include "shaders/grass/survivor.glsl"
 #include "shaders/grass/pages.glsl"
 #include "shaders/shared/physics.h"
 #include "shaders/shared/visibility.h"
@@ -35,21 +35,21 @@ const uint survivorRoom = 512u;
 // cost nothing.
 layout(constant_id = 0) const uint windCounts = 0u;
 layout(constant_id = 1) const bool hasColliders = false;
-layout(constant_id = 3) const uint role = moveAndJudge;
+layout(constant_id = 3) const uint role = moveAndCull;
 layout(constant_id = 4) const bool keepsBefore = false;
 layout(constant_id = 5) const bool keepsEtas = false;
-layout(constant_id = 6) const bool asksSmall = false; // see askedSmallPixels
+layout(constant_id = 6) const bool testsSmall = false; // see testedSmallPixels
 layout(constant_id = 8) const uint patchesOfGroup = patchesTogether; // or 1; see own_patches.glsl
 
 #include "shaders/grass/own_patches.glsl"
-#include "shaders/grass/seen_quarters.glsl"
+#include "shaders/grass/visibility_history.glsl"
 
-shared uint fateSums[fateCount]; // of all patches of the group
+shared uint cullResultSums[cullResultCount]; // of all patches of the group
 shared uint simulatedSum;
 shared uint maxFilled[2];
 shared uint listBase[2];
 shared uint kept[2];
-// Those that frames have shown lately in front, the others from behind; see keptOf().
+// Those that frames have shown lately in front, the others from behind; see survivorOf().
 shared uvec2 survivors[survivorRoom];
 
 /// One of the patches that a work-group takes together, as its threads share it.
@@ -60,7 +60,7 @@ struct Taken {
     uint moved; ///< so many are looked at, …
     uint movedBefore;
     float elapsed; ///< [s] by which they are moved
-    Layers layers;
+    LeafAreaLimit limit;
     vec3 rootLow; ///< as Patch has it, from here on
     float rootStep;
     float heightLow;
@@ -92,22 +92,22 @@ Patch cellOf(uint slot)
 }
 
 /// What is drawn of a patch.
-Layers layersOfSlot(uint slot)
+LeafAreaLimit limitOfSlot(uint slot)
 {
-    if ((asks & asksLayers) == 0u)
-        return allLayers();
-    return taken[slot].layers;
+    if ((features & featureLeafAreaLimit) == 0u)
+        return noLeafAreaLimit();
+    return taken[slot].limit;
 }
 
 /// Notes the colliders that may touch a blade of the patches, by all threads together.
 void findColliders(uint patches, uint thread)
 {
-    for (uint i = thread; i < patches * JUDGED.nature.colliderCount; i += gl_WorkGroupSize.x) {
-        const uint slot = i / JUDGED.nature.colliderCount;
-        const uint number = i % JUDGED.nature.colliderCount;
-        const Patch cell = JUDGED.patches.at[taken[slot].patchIndex];
+    for (uint i = thread; i < patches * CULL_VIEW.environment.colliderCount; i += gl_WorkGroupSize.x) {
+        const uint slot = i / CULL_VIEW.environment.colliderCount;
+        const uint number = i % CULL_VIEW.environment.colliderCount;
+        const Patch cell = CULL_VIEW.patches.at[taken[slot].patchIndex];
         if (taken[slot].elapsed > 0.0f &&
-            colliderNear(JUDGED.nature.colliders.at[number], cell.boundsLow, cell.boundsHigh,
+            colliderNear(CULL_VIEW.environment.colliders.at[number], cell.boundsLow, cell.boundsHigh,
                          taken[slot].elapsed))
             atomicOr(colliderBits[slot * colliderWords + number / 32u], 1u << (number % 32u));
     }
@@ -122,24 +122,24 @@ ColliderMask collidersNear(uint slot)
     return near;
 }
 
-bool hasFates()
+bool hasCullResults()
 {
-    return (asks & asksFates) != 0u && uvec2(JUDGED.fates) != uvec2(0u);
+    return (features & featureCullResults) != 0u && uvec2(CULL_VIEW.cullResults) != uvec2(0u);
 }
 
-void noteFate(uint place, uint fate)
+void noteCullResult(uint place, uint cullResult)
 {
-    if (hasFates())
-        JUDGED.fates.at[place] = fate;
+    if (hasCullResults())
+        CULL_VIEW.cullResults.at[place] = cullResult;
 }
 
-/// By which blades are judged.
-Eyepoint judgingView()
+/// By which blades are culled.
+Eyepoint cullEyepoint()
 {
-    Eyepoint view = JUDGED.view;
-    view.cullMask &= asks;
-    view.lodThreshold = (asks & asksThinning) != 0u ? view.lodThreshold : 0.0f;
-    view.maxLayers = (asks & asksLayers) != 0u ? view.maxLayers : 0.0f;
+    Eyepoint view = CULL_VIEW.view;
+    view.cullMask &= features;
+    view.lodThreshold = (features & featureThinning) != 0u ? view.lodThreshold : 0.0f;
+    view.maxLeafArea = (features & featureLeafAreaLimit) != 0u ? view.maxLeafArea : 0.0f;
     return view;
 }
 
@@ -147,12 +147,12 @@ Eyepoint judgingView()
 /// each does it once.
 void report(uint thread)
 {
-    if (thread < fateCount && fateSums[thread] > 0u)
-        atomicAdd(JUDGED.draw.at[0].fates[thread], fateSums[thread]);
+    if (thread < cullResultCount && cullResultSums[thread] > 0u)
+        atomicAdd(CULL_VIEW.draw.at[0].cullResults[thread], cullResultSums[thread]);
     if (thread != 0u)
         return;
     if (simulatedSum > 0u)
-        atomicAdd(JUDGED.draw.at[0].simulated, simulatedSum);
+        atomicAdd(CULL_VIEW.draw.at[0].simulated, simulatedSum);
     for (uint list = 0u; list < 2u; ++list) {
         if (maxFilled[list] == 0u)
             continue;
@@ -164,7 +164,7 @@ void report(uint thread)
         rounds.at[round_].groups[2] = 1u;
         // Tessellated blades are all in front.
         if (list == 0u)
-            atomicMax(JUDGED.draw.at[0].instanceCount,
+            atomicMax(CULL_VIEW.draw.at[0].instanceCount,
                       (maxFilled[0] + drawChunk - 1u) / drawChunk);
     }
 }
@@ -177,7 +177,7 @@ uint wantedByAll(Patch cell, uint patchIndex, float elapsed, uint own, inout boo
     for (uint i = 0u; i < push.viewCount; ++i) {
         const Eyepoint other = push.views.at[i].view;
         wanted = max(wanted, thickEnough(other, cell));
-        moves = moves || movesNow(push.views.at[i].pace, patchIndex,
+        moves = moves || movesNow(push.views.at[i].updateRate, patchIndex,
                                   boxDistance(other.eye, cell.boundsLow, cell.boundsHigh), elapsed);
     }
     moves = moves && elapsed > 0.0f;
@@ -187,15 +187,15 @@ uint wantedByAll(Patch cell, uint patchIndex, float elapsed, uint own, inout boo
 /// A survivor as it is listed, while its patch is taken.
 VisibleBlade listed(uvec2 survivor)
 {
-    const uint slot = slotOfKept(survivor);
-    return listedOf(survivor, taken[slot].firstBlade, taken[slot].patchIndex, layersOfSlot(slot).rise);
+    const uint slot = slotOfSurvivor(survivor);
+    return listedOf(survivor, taken[slot].firstBlade, taken[slot].patchIndex, limitOfSlot(slot).height);
 }
 
 /// Lists the survivors that have gathered, and counts them. All threads come here together.
 void listSurvivors(uint thread)
 {
     if (thread == 0u)
-        fateSums[fateDrawn] += kept[0] + kept[1];
+        cullResultSums[cullResultDrawn] += kept[0] + kept[1];
     if (thread < 2u && kept[thread] > 0u) {
         WalkLevelArray rounds = push.rounds;
         listBase[thread] =
@@ -205,11 +205,11 @@ void listSurvivors(uint thread)
     barrier();
     // The list has room for every blade of a round; the guard is for a frame that was filled wrongly.
     for (uint i = thread; i < kept[0]; i += gl_WorkGroupSize.x)
-        if (listBase[0] + i < JUDGED.visibleCapacity)
-            JUDGED.visible.at[listBase[0] + i] = listed(survivors[i]);
+        if (listBase[0] + i < CULL_VIEW.visibleCapacity)
+            CULL_VIEW.visible.at[listBase[0] + i] = listed(survivors[i]);
     for (uint i = thread; i < kept[1]; i += gl_WorkGroupSize.x)
-        if (listBase[1] + i < JUDGED.visibleCapacity)
-            JUDGED.visible.at[JUDGED.visibleCapacity - 1u - listBase[1] - i] =
+        if (listBase[1] + i < CULL_VIEW.visibleCapacity)
+            CULL_VIEW.visible.at[CULL_VIEW.visibleCapacity - 1u - listBase[1] - i] =
                 listed(survivors[survivorRoom - 1u - i]);
     barrier();
     if (thread < 2u)
@@ -226,55 +226,55 @@ struct StoredBlade {
 
 StoredBlade storedBlade(uint index)
 {
-    const uint place = placeOf(uvec2(JUDGED.pages), index);
-    return StoredBlade(place, JUDGED.blades.at[place],
-                       BladeState(JUDGED.states.at[place], keepsEtas ? JUDGED.etas.at[place] : 0.0));
+    const uint place = placeOf(uvec2(CULL_VIEW.pages), index);
+    return StoredBlade(place, CULL_VIEW.blades.at[place],
+                       BladeState(CULL_VIEW.states.at[place], keepsEtas ? CULL_VIEW.etas.at[place] : 0.0));
 }
 
 /// Takes a patch, of which `live` says how many blades the view asks for. One thread does so, which is the
 /// only one that asks when the patch was moved.
-void takePatch(Eyepoint view, LivePatch live, uint slot)
+void takePatch(Eyepoint view, VisiblePatch live, uint slot)
 {
-    const Patch cell = JUDGED.patches.at[live.patchIndex];
+    const Patch cell = CULL_VIEW.patches.at[live.patchIndex];
     const bool isAll = push.onlyUpdate != 0u;
-    const uint count = !isAll ? live.count : isPresent(uvec2(JUDGED.pages), cell) ? cell.bladeCount : 0u;
-    float elapsed = max(JUDGED.time - JUDGED.patchTimes.at[live.patchIndex], 0.0f);
-    bool moves = role != onlyJudge &&
+    const uint count = !isAll ? live.count : isPresent(uvec2(CULL_VIEW.pages), cell) ? cell.bladeCount : 0u;
+    float elapsed = max(CULL_VIEW.time - CULL_VIEW.patchTimes.at[live.patchIndex], 0.0f);
+    bool moves = role != onlyCull &&
                  (isAll ? count > 0u
-                        : movesNow(JUDGED.pace, live.patchIndex,
+                        : movesNow(CULL_VIEW.updateRate, live.patchIndex,
                                    boxDistance(view.eye, cell.boundsLow, cell.boundsHigh), elapsed));
     const uint moved =
         role == onlyMove && !isAll ? wantedByAll(cell, live.patchIndex, elapsed, count, moves) : count;
     elapsed = moves ? elapsed : 0.0f;
-    const uint movedBefore = JUDGED.patchCounts.at[live.patchIndex];
+    const uint movedBefore = CULL_VIEW.patchCounts.at[live.patchIndex];
     if (moves) {
-        JUDGED.patchTimes.at[live.patchIndex] = JUDGED.time;
+        CULL_VIEW.patchTimes.at[live.patchIndex] = CULL_VIEW.time;
         atomicAdd(simulatedSum, moved);
     }
-    if (role != onlyJudge && (moves || moved > movedBefore))
-        JUDGED.patchCounts.at[live.patchIndex] = moved;
+    if (role != onlyCull && (moves || moved > movedBefore))
+        CULL_VIEW.patchCounts.at[live.patchIndex] = moved;
     if (!isAll)
-        atomicAdd(fateSums[fateLod], cell.bladeCount - count);
+        atomicAdd(cullResultSums[cullResultLod], cell.bladeCount - count);
     taken[slot] = Taken(live.patchIndex, cell.firstBlade, 0u, moved, movedBefore, elapsed,
-                        layersOf(view, cell), cell.rootLow, cell.rootStep, cell.heightLow, cell.heightStep,
+                        leafAreaLimitOf(view, cell), cell.rootLow, cell.rootStep, cell.heightLow, cell.heightStep,
                         cell.widthLow, cell.widthStep, cell.rankLow, cell.rankHigh, cell.bladeCount);
 }
 
 /// Notes of the blades of a patch that are not looked at, for those who ask, that they are thinned out.
 void noteThinned(uint slot, uint thread)
 {
-    if (!hasFates() || role == onlyMove)
+    if (!hasCullResults() || role == onlyMove)
         return;
     for (uint i = taken[slot].moved + thread; i < taken[slot].bladeCount; i += gl_WorkGroupSize.x)
-        noteFate(placeOf(uvec2(JUDGED.pages), taken[slot].firstBlade + i), fateLod);
+        noteCullResult(placeOf(uvec2(CULL_VIEW.pages), taken[slot].firstBlade + i), cullResultLod);
 }
 
-/// Moves and judges blade `i` of a patch.
-void updateBlade(Eyepoint view, Nature nature, uint slot, uint i, StoredBlade stored)
+/// Moves and culls blade `i` of a patch.
+void updateBlade(Eyepoint view, Environment environment, uint slot, uint i, StoredBlade stored)
 {
     const uint movedBefore = taken[slot].movedBefore;
     const float since =
-        role == onlyJudge ? 0.0f : i < movedBefore ? taken[slot].elapsed : settlingTime;
+        role == onlyCull ? 0.0f : i < movedBefore ? taken[slot].elapsed : settlingTime;
     if (role == onlyMove && since <= 0.0f)
         return;
     const Patch cell = cellOf(slot);
@@ -285,39 +285,39 @@ void updateBlade(Eyepoint view, Nature nature, uint slot, uint i, StoredBlade st
     BladeState state = stored.state;
     if (since > 0.0f) {
         const uint before = state.turn;
-        state = advanceBlade(blade, nature, collidersNear(slot), state, JUDGED.time, since);
+        state = advanceBlade(blade, environment, collidersNear(slot), state, CULL_VIEW.time, since);
         // One that was thinned out comes back from nowhere.
         if (keepsBefore) {
             UintArray kept = push.before;
             kept.at[index] = i < movedBefore ? before : state.turn;
         }
-        JUDGED.states.at[stored.place] = state.turn;
+        CULL_VIEW.states.at[stored.place] = state.turn;
         if (keepsEtas)
-            JUDGED.etas.at[stored.place] = state.eta;
+            CULL_VIEW.etas.at[stored.place] = state.eta;
     }
     if (role == onlyMove || push.onlyUpdate != 0u)
         return;
 
-    // Judge it, and keep it if it shall be drawn. The late pass finds out of large blades whether anything
+    // Cull it, and keep it if it shall be drawn. The late pass finds out of large blades whether anything
     // hides them; of others it is found here whether the ground does.
-    const Layers layers = layersOfSlot(slot);
-    const Blade drawn = raised(blade, layers.rise);
-    Verdict verdict = judgeBlade(view, layers, drawn, index, state, bladeRank(cell, i));
+    const LeafAreaLimit limit = limitOfSlot(slot);
+    const Blade drawn = raised(blade, limit.height);
+    Verdict verdict = cullBlade(view, limit, drawn, index, state, bladeRank(cell, i));
     const float pixels = pixelsCovered(drawn, verdict.pixels, verdict.widthFactor);
-    const bool isAskedLater = takesTurns() && isAsked(pixels);
-    if (verdict.fate == fateDrawn && (view.cullMask & cullOcclusion) != 0u && !isAskedLater &&
+    const bool isTestedLater = hasTwoPasses() && isTested(pixels);
+    if (verdict.cullResult == cullResultDrawn && (view.cullMask & cullOcclusion) != 0u && !isTestedLater &&
         isHidden(drawn.root, verdict.v1, verdict.v2, verdict.margin))
-        verdict.fate = fateOcclusion;
-    if (verdict.fate != fateDrawn) {
-        atomicAdd(fateSums[verdict.fate], 1u);
+        verdict.cullResult = cullResultOcclusion;
+    if (verdict.cullResult != cullResultDrawn) {
+        atomicAdd(cullResultSums[verdict.cullResult], 1u);
     } else {
-        const uint seen = takeSeen(index, isAskedLater);
+        const uint seen = takeSeen(index, isTestedLater);
         const uint list = seen != 0u ? 0u : 1u;
         const uint place = atomicAdd(kept[list], 1u);
         survivors[list == 0u ? place : survivorRoom - 1u - place] =
-            keptOf(slot, i, verdict.widthFactor, list == 0u ? allQuarters & ~seen : 0u, verdict.pixels);
+            survivorOf(slot, i, verdict.widthFactor, list == 0u ? allQuarters & ~seen : 0u, verdict.pixels);
     }
-    noteFate(stored.place, verdict.fate);
+    noteCullResult(stored.place, verdict.cullResult);
 }
 
 /// The patch to which blade `i` of all belongs, from `slot` on.
@@ -328,8 +328,8 @@ uint slotOf(uint i, uint slot, uint patches)
     return slot;
 }
 
-/// Moves, judges and lists all blades of the patches.
-void updatePatches(Eyepoint view, Nature nature, uint patches)
+/// Moves, culls and lists all blades of the patches.
+void updatePatches(Eyepoint view, Environment environment, uint patches)
 {
     // No less than the survivors that have not been listed yet.
     uint gathered = 0u;
@@ -362,7 +362,7 @@ void updatePatches(Eyepoint view, Nature nature, uint patches)
             next = storedBlade(taken[slot].firstBlade + (after - taken[slot].begin));
         }
         if (i < end)
-            updateBlade(view, nature, own, i - taken[own].begin, stored);
+            updateBlade(view, environment, own, i - taken[own].begin, stored);
     }
     // What is kept of survivors means nothing beside other patches.
     if (role != onlyMove && push.onlyUpdate == 0u) {
@@ -373,13 +373,13 @@ void updatePatches(Eyepoint view, Nature nature, uint patches)
 
 void main()
 {
-    const Eyepoint view = judgingView();
-    Nature nature = JUDGED.nature; // what holds references cannot be const
-    nature.wind.counts = windCounts;
-    nature.colliderCount = hasColliders ? nature.colliderCount : 0u;
+    const Eyepoint view = cullEyepoint();
+    Environment environment = CULL_VIEW.environment; // what holds references cannot be const
+    environment.wind.counts = windCounts;
+    environment.colliderCount = hasColliders ? environment.colliderCount : 0u;
     const uint thread = gl_LocalInvocationIndex;
-    if (thread < fateCount)
-        fateSums[thread] = 0u;
+    if (thread < cullResultCount)
+        cullResultSums[thread] = 0u;
     if (thread == 0u) {
         simulatedSum = 0u;
         maxFilled[0] = 0u;
@@ -391,10 +391,10 @@ void main()
     const uint begin = isAll ? 0u : push.firstLive;
     // Those that a work-group takes follow in steps.
     const uint step_ = areMany() ? 1u : gl_NumWorkGroups.x;
-    const uint end = isAll ? push.ownerCount
+    const uint end = isAll ? push.nonEmptyPatchCount
                            : min(push.levels.at[liveLevel].count, push.firstLive + push.maxLive);
-    for (uint turn = 0u; begin + firstOfTurn(turn) < end; ++turn) {
-        const uint first = begin + firstOfTurn(turn);
+    for (uint turn = 0u; begin + firstOfIteration(turn) < end; ++turn) {
+        const uint first = begin + firstOfIteration(turn);
         uint patches = 1u;
         while (patches < patchesTogether && first + step_ * patches < end)
             ++patches;
@@ -414,7 +414,7 @@ void main()
         if (hasColliders)
             findColliders(patches, thread);
         barrier();
-        updatePatches(view, nature, patches);
+        updatePatches(view, environment, patches);
         for (uint slot = 0u; slot < patches; ++slot)
             noteThinned(slot, thread);
     }

@@ -2,19 +2,19 @@
 #ifndef SWARD_RASTER_DRAW_ALONE_GLSL
 #define SWARD_RASTER_DRAW_ALONE_GLSL
 
-#include "shaders/raster/strip.glsl"
+#include "shaders/raster/span.glsl"
 
 void drawAlone(Lens lens, Ribbon ribbon, uint blade)
 {
     const bool hasRidge = isFolded(ribbon);
     const float segments = ribbon.outline.segments;
     const SampleMask mask = sampleMaskOf(blade, samplesPerPixel);
-    ScreenRib before = screenRib(seenRib(lens, ribbon, 0.0), hasRidge);
+    ScreenSection before = screenSection(seenSection(lens, ribbon, 0.0), hasRidge);
     float segment = 1.0;
     uint part = 0u;
-    // Part by part: of a segment mostly one. While one is drawn no more than one rib is kept.
+    // Part by part: of a segment mostly one. While one is drawn no more than one section is kept.
     while (segment <= segments) {
-        const ScreenRib after = screenRib(seenRib(lens, ribbon, segment / segments), hasRidge);
+        const ScreenSection after = screenSection(seenSection(lens, ribbon, segment / segments), hasRidge);
         bool isTwisted = false;
         for (uint i = 0u; i < halvesOf(hasRidge); ++i)
             isTwisted = isTwisted || !isConvex(halfOf(i, before, after, hasRidge));

@@ -8,8 +8,8 @@
 
 const uint gatherThreads = gatherTile * gatherTile;
 
-shared uint asked[samplesPerPixel * gatherThreads]; // see questionAt()
-shared uint askedCount;
+shared uint gathered[samplesPerPixel * gatherThreads]; // see questionAt()
+shared uint gatheredCount;
 shared vec4 answers[samplesPerPixel * gatherThreads]; // by pixel and sample
 
 uvec2 pixelOf(uvec2 tile, uint thread)
@@ -26,7 +26,7 @@ struct Question {
 
 Question questionAt(uint i)
 {
-    return Question(asked[i] & 0xffu, (asked[i] >> 8u) & 0xffu, asked[i] >> 16u);
+    return Question(gathered[i] & 0xffu, (gathered[i] >> 8u) & 0xffu, gathered[i] >> 16u);
 }
 
 /// Asks once for each thing that a pixel shows, for all samples that show it. `seen`: see
@@ -44,7 +44,7 @@ uint ask(uint thread, uint seen[samplesPerPixel], uint first, uint end)
             bitCount(samples & ((1u << s) - 1u)) != bitCount(samples) / 2)
             continue;
         leaders |= 1u << s;
-        asked[atomicAdd(askedCount, 1u)] = thread | (s << 8u) | (samples << 16u);
+        gathered[atomicAdd(gatheredCount, 1u)] = thread | (s << 8u) | (samples << 16u);
     }
     return leaders;
 }

@@ -4,7 +4,7 @@
 #define SWARD_RASTER_HIDDEN_RECTANGLE_GLSL
 
 #define PYRAMID FRAME.pyramid
-// Those that seen_depths.comp fills: of four cells of the coarsest of them a stretch of a blade hardly needs
+// Those that seen_depths.comp fills: of four cells of the coarsest of them a span of a blade hardly needs
 // more, and one that does counts as seen.
 #define PYRAMID_LEVELS min(PYRAMID.levels, pyramidFirstOfRest)
 #define READS_CELLS_TOGETHER

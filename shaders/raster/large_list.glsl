@@ -58,7 +58,7 @@ bool leftToBeCut(Ribbon ribbon, uint blade)
 /// Whether the list holds blades beside the picture.
 bool listsThoseBeside()
 {
-    return uvec2(push.frame) != uvec2(push.judged) || (FRAME.view.cullMask & cullFrustum) == 0u;
+    return uvec2(push.frame) != uvec2(push.cullView) || (FRAME.view.cullMask & cullFrustum) == 0u;
 }
 
 /// Whether a blade lies beside the picture whichever way it bends: most of those that do, and known

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Lists the blades of the late turn, which all cover many pixels, one thread each: those of which the
+// Lists the blades of the late pass, which all cover many pixels, one thread each: those of which the
 // frame's pyramid does not hide everything, for raster_late.comp.
 #include "shaders/shared/passes.h"
 
@@ -54,7 +54,7 @@ LateBlade lateBlade(Lens lens, VisibleBlade visible)
         leftToBeCut(own.ribbon, visible.blade);
         return own;
     }
-    own.segments = segmentsSeen(lens, own.ribbon, ribMargin(distance, lens.minWidth));
+    own.segments = segmentsSeen(lens, own.ribbon, sectionMargin(distance, lens.minWidth));
     if (own.segments.y == 0u) {
         noteHidden(visible.blade);
         atomicAdd(hiddenCount, 1u);

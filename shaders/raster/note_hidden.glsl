@@ -14,8 +14,8 @@ bool cullsHidden()
 /// Notes that a blade is hidden, where cull results are recorded; does not count the blade.
 void noteHidden(uint blade)
 {
-    if (cullsHidden() && uvec2(FRAME.fates) != uvec2(0u))
-        FRAME.fates.at[placeOf(uvec2(FRAME.pages), blade)] = fateOcclusion;
+    if (cullsHidden() && uvec2(FRAME.cullResults) != uvec2(0u))
+        FRAME.cullResults.at[placeOf(uvec2(FRAME.pages), blade)] = cullResultOcclusion;
 }
 
 /// Moves so many blades from those that are drawn to those that are hidden. All groups do so at the
@@ -24,8 +24,8 @@ void countHidden(uint blades)
 {
     if (blades == 0u || !cullsHidden())
         return;
-    atomicAdd(FRAME.draw.at[0].fates[fateDrawn], 0u - blades);
-    atomicAdd(FRAME.draw.at[0].fates[fateOcclusion], blades);
+    atomicAdd(FRAME.draw.at[0].cullResults[cullResultDrawn], 0u - blades);
+    atomicAdd(FRAME.draw.at[0].cullResults[cullResultOcclusion], blades);
 }
 
 #endif

@@ -47,14 +47,14 @@ struct OwnBlade {
     Ribbon ribbon;
     bool isDrawn;   ///< by this thread, unless it is listed
     uint parts;     ///< 0: it is not listed
-    uvec2 segments; ///< of which its first turn is; see firstSegments()
+    uvec2 segments; ///< of which its early pass is; see firstSegments()
 };
 
 /// How a blade that covers so many pixels is listed for work-groups.
 void leaveToOthers(inout OwnBlade own, float pixels)
 {
     own.parts = partsFor(pixels);
-    // Those of other rounds than the first are all listed after the first turn.
+    // Those of other rounds than the first are all listed after the early pass.
     const uint late = push.round > 0u ? 0u : own.visible.factors >> lateShift;
     own.segments = firstSegments(late, uint(own.ribbon.outline.segments));
 }

@@ -11,14 +11,14 @@ layout(push_constant, scalar) uniform Block { RasterPush push; };
 #include "shaders/frame_constants.glsl"
 #endif
 #include "shaders/raster/large_part.glsl"
-#include "shaders/raster/strip.glsl"
+#include "shaders/raster/span.glsl"
 
 layout(local_size_x = largeThreads) in;
 
 /// A corner of a triangle, of which a part may lie before the near plane.
 struct Corner {
     vec4 seen;
-    vec2 widths; ///< Rib::wide, Rib::drawn
+    vec2 widths; ///< CrossSection::wide, CrossSection::drawn
 };
 
 /// Where an edge meets the near plane. One of its ends lies before it.
@@ -69,12 +69,12 @@ bool behindNear(Corner a, Corner b, Corner c, out Quad quad)
     return true;
 }
 
-/// What of one of the triangles between two ribs lies behind the near plane; false if nothing does.
-bool triangleBehindNear(uint i, SeenRib before, SeenRib after, bool isFolded, bool isUpper, out Quad quad)
+/// What of one of the triangles between two cross-sections lies behind the near plane; false if nothing does.
+bool triangleBehindNear(uint i, SeenSection before, SeenSection after, bool isFolded, bool isUpper, out Quad quad)
 {
     const TriangleOf part = triangleOf(i, isFolded, isUpper);
-    const vec2 first = vec2(before.rib.wide, before.rib.drawn);
-    const vec2 second = vec2(after.rib.wide, after.rib.drawn);
+    const vec2 first = vec2(before.section.wide, before.section.drawn);
+    const vec2 second = vec2(after.section.wide, after.section.drawn);
     const Corner a = Corner(part.isRight ? before.ridge : before.left, first);
     const Corner b = Corner(part.endsAtRidge ? before.ridge : before.right, first);
     const Corner c = Corner(part.isRight ? after.ridge : after.left, second);
@@ -102,19 +102,19 @@ void main()
         const float segments = ribbon.outline.segments;
         const bool hasRidge = isFolded(ribbon);
         for (float segment = 1.0; segment <= segments; segment += 1.0) {
-            const SeenRib before = seenRib(lens, ribbon, (segment - 1.0) / segments);
-            const SeenRib after = seenRib(lens, ribbon, segment / segments);
+            const SeenSection before = seenSection(lens, ribbon, (segment - 1.0) / segments);
+            const SeenSection after = seenSection(lens, ribbon, segment / segments);
             for (uint i = 0u; i < trianglesOf(hasRidge); ++i) {
                 Quad quad;
-                Strip strip;
+                Span span;
                 if (!triangleBehindNear(i, before, after, hasRidge, upperHalf(segment, segments), quad) ||
-                    !stripOf(quad, isThin(quad), strip))
+                    !spanOfQuad(quad, isThin(quad), span))
                     continue;
                 const vec2 ends = vec2(min(min(quad.a0.y, quad.a1.y), min(quad.b0.y, quad.b1.y)),
                                        max(max(quad.a0.y, quad.a1.y), max(quad.b0.y, quad.b1.y)));
                 const ivec2 rows = rowsBetween(ends.x, ends.y, float(push.size.y));
                 for (int row = rows.x + int(gl_LocalInvocationIndex); row <= rows.y; row += int(largeThreads))
-                    drawRow(strip, blade.blade, row);
+                    drawRow(span, blade.blade, row);
             }
         }
     }

@@ -15,16 +15,16 @@ layout(push_constant, scalar) uniform Block { RasterPush push; };
 #include "shaders/raster/large_part.glsl"
 #include "shaders/raster/part_rows.glsl"
 #define KEEPS_RUN
-#include "shaders/raster/strip.glsl"
+#include "shaders/raster/span.glsl"
 
 layout(local_size_x = largeThreads) in;
 
-/// So many ribs of one or several blades are made at a time, one by each thread, or half as many of
+/// So many cross-sections of one or several blades are made at a time, one by each thread, or half as many of
 /// folded ones.
-const uint ribsTogether = largeThreads;
+const uint sectionsTogether = largeThreads;
 
 /// Pieces between them, of which each is a quad: of a folded ribbon two, where it is twisted twice as many.
-const uint piecesTogether = 2u * ribsTogether;
+const uint piecesTogether = 2u * sectionsTogether;
 
 /// A piece, as threads share it. Memory that a work-group shares decides how many of them a processor
 /// has at a time.
@@ -35,8 +35,8 @@ struct Piece {
 
 /// A blade, as threads share it.
 struct Shared {
-    uint firstRib; ///< among those of all
-    uint beginsAt; ///< the first of its ribs that is made
+    uint firstSection; ///< among those of all
+    uint beginsAt; ///< the first of its cross-sections that is made
     uint cycle;    ///< of so many rows of the picture eight are drawn
     uint blade;    ///< resident id
 #ifdef HAS_INSTANCES
@@ -44,27 +44,27 @@ struct Shared {
 #endif
 };
 
-shared Shared items[largeTogether + 1u]; // the last one: how many ribs there are
-shared vec4 points[2u * ribsTogether]; // of ribs, on the screen, w: to the left and to the right weights
+shared Shared items[largeTogether + 1u]; // the last one: how many cross-sections there are
+shared vec4 points[2u * sectionsTogether]; // of cross-sections, on the screen, w: to the left and to the right weights
 shared Piece pieces[piecesTogether];
 shared uint ticket; // 0–23 rows so far, 24–31 pieces
 shared bool isAnyFolded;
 
-// Where the points of a rib lie: first those of all ribs to the left, then to the right, then ridges.
+// Where the points of a section lie: first those of all cross-sections to the left, then to the right, then ridges.
 const uint leftSide = 0u;
 const uint rightSide = 1u;
 const uint ridgeSide = 2u;
 
-/// Which points are the corners of a piece: two of one rib, then two, or one, of the other.
+/// Which points are the corners of a piece: two of one section, then two, or one, of the other.
 struct Corners {
-    bool beginsAfter; ///< the first two are those of the rib after
+    bool beginsAfter; ///< the first two are those of the section after
     uint a0;          ///< sides
     uint a1;
     uint b0;
     uint b1;
 };
 
-/// A half of what lies between a rib and the one before.
+/// A half of what lies between a section and the one before.
 Corners cornersOfHalf(uint i, bool isFolded)
 {
     const uint from = i > 0u ? ridgeSide : leftSide;
@@ -82,20 +82,20 @@ Corners cornersOfTriangle(uint i, bool isFolded, bool isUpper)
     return Corners(part.isSecond, part.isSecond ? to : from, part.isSecond ? from : to, last, last);
 }
 
-/// A piece before rib `rib`, and the first of its rows on the picture.
-uint packPiece(Corners corners, uint rib, bool mayBeThin, int row)
+/// A piece before section `section`, and the first of its rows on the picture.
+uint packPiece(Corners corners, uint section, bool mayBeThin, int row)
 {
     return corners.a0 | (corners.a1 << 2u) | (corners.b0 << 4u) | (corners.b1 << 6u) |
-           (corners.beginsAfter ? 0x100u : 0u) | (rib << 9u) | (mayBeThin ? 0x4000u : 0u) |
+           (corners.beginsAfter ? 0x100u : 0u) | (section << 9u) | (mayBeThin ? 0x4000u : 0u) |
            (uint(row) << 15u);
 }
 
 /// The quad of a piece. `stride`: so far apart lie the sides.
 Quad quadOf(uint what, uint stride)
 {
-    const uint rib = (what >> 9u) & 31u;
-    const uint own = (what & 0x100u) != 0u ? rib : rib - 1u;
-    const uint other = (what & 0x100u) != 0u ? rib - 1u : rib;
+    const uint section = (what >> 9u) & 31u;
+    const uint own = (what & 0x100u) != 0u ? section : section - 1u;
+    const uint other = (what & 0x100u) != 0u ? section - 1u : section;
     Quad quad;
     quad.a0 = points[(what & 3u) * stride + own].xyz;
     quad.a1 = points[((what >> 2u) & 3u) * stride + own].xyz;
@@ -118,25 +118,25 @@ ivec2 rowsSeen(Quad quad, uint part)
     return rowsOfPart(rowsBetween(low.y, high.y, edge.y), part);
 }
 
-/// The pieces between rib `rib` and the one before.
-void makePieces(uint rib, bool isFolded, bool isUpper, uint part, uint number, uint stride)
+/// The pieces between section `section` and the one before.
+void makePieces(uint section, bool isFolded, bool isUpper, uint part, uint number, uint stride)
 {
     bool isTwisted = false;
     for (uint i = 0u; i < halvesOf(isFolded); ++i)
         isTwisted = isTwisted ||
-                    !isConvex(quadOf(packPiece(cornersOfHalf(i, isFolded), rib, false, 0), stride));
+                    !isConvex(quadOf(packPiece(cornersOfHalf(i, isFolded), section, false, 0), stride));
     const uint count = isTwisted ? trianglesOf(isFolded) : halvesOf(isFolded);
     for (uint i = 0u; i < count; ++i) {
         Corners corners = cornersOfHalf(i, isFolded);
         if (isTwisted)
             corners = cornersOfTriangle(i, isFolded, isUpper);
-        const Quad quad = quadOf(packPiece(corners, rib, false, 0), stride);
+        const Quad quad = quadOf(packPiece(corners, section, false, 0), stride);
         const ivec2 rows = rowsSeen(quad, part);
         if (rows.y <= 0)
             continue;
         const uint before = atomicAdd(ticket, (1u << 24u) | uint(rows.y));
         pieces[before >> 24u] =
-            Piece((before & 0xffffffu) | (number << 24u), packPiece(corners, rib, isThin(quad), rows.x));
+            Piece((before & 0xffffffu) | (number << 24u), packPiece(corners, section, isThin(quad), rows.x));
     }
 }
 
@@ -154,28 +154,28 @@ void drawPieces(uint stride)
 #ifdef HAS_INSTANCES
         chooseFirstBlade(item.instance);
 #endif
-        Strip strip;
-        if (stripOf(quadOf(piece.what, stride), (piece.what & 0x4000u) != 0u, strip))
-            drawRow(strip, item.blade,
+        Span span;
+        if (spanOfQuad(quadOf(piece.what, stride), (piece.what & 0x4000u) != 0u, span))
+            drawRow(span, item.blade,
                     rowAt(int(piece.what >> 15u), int(row - (piece.place & 0xffffffu)), item.cycle));
     }
     putKept();
 }
 
-/// Draws what lies between the ribs from `first` to before `end` of the blades from `item` on.
+/// Draws what lies between the cross-sections from `first` to before `end` of the blades from `item` on.
 void drawBetween(Lens commonLens, uint first, uint end, uint item, uint blades, uint stride)
 {
     const uint thread = gl_LocalInvocationIndex;
-    const uint rib = first + thread;
+    const uint section = first + thread;
     bool isSegment = false;
     bool hasRidge = false;
     bool isUpper = false;
     uint number = 0u;
     uint own = 0u;
     uint part = 0u;
-    if (rib < end) {
+    if (section < end) {
         for (uint i = 1u; i < blades; ++i)
-            number += rib >= items[i].firstRib ? 1u : 0u;
+            number += section >= items[i].firstSection ? 1u : 0u;
         const LargePart asked = partAt(item + number);
 #ifdef HAS_INSTANCES
         chooseInstance(asked.instance);
@@ -185,13 +185,13 @@ void drawBetween(Lens commonLens, uint first, uint end, uint item, uint blades, 
 #endif
         const Ribbon ribbon = ribbonOf(asked);
         part = asked.part;
-        own = rib - items[number].firstRib;
+        own = section - items[number].firstSection;
         const float i = float(items[number].beginsAt + own);
         hasRidge = isFolded(ribbon);
         isSegment = thread > 0u && own > 0u;
         isUpper = upperHalf(i, ribbon.outline.segments);
-        const ScreenRib screen =
-            screenRib(seenRib(lens, ribbon, i / ribbon.outline.segments), hasRidge);
+        const ScreenSection screen =
+            screenSection(seenSection(lens, ribbon, i / ribbon.outline.segments), hasRidge);
         points[thread] = vec4(screen.left, screen.weight.x);
         points[stride + thread] = vec4(screen.right, screen.weight.y);
         if (hasRidge)
@@ -220,16 +220,16 @@ void main()
     for (uint item = gl_WorkGroupID.x * together; item < end; item += gl_NumWorkGroups.x * together) {
         const uint blades = min(together, end - item);
         if (thread == 0u) {
-            items[0].firstRib = 0u;
+            items[0].firstSection = 0u;
             isAnyFolded = false;
         }
         barrier();
-        // How many ribs each has, and then how many those before it have.
+        // How many cross-sections each has, and then how many those before it have.
         if (thread < blades) {
             const uint place = item + thread;
             const uint part = large.at[place].part;
             const uvec2 own = partsOf(part) > 0u ? segmentsOfPart(part) : uvec2(0u);
-            items[thread + 1u].firstRib = own.x < own.y ? own.y - own.x + 1u : 0u;
+            items[thread + 1u].firstSection = own.x < own.y ? own.y - own.x + 1u : 0u;
             items[thread].beginsAt = own.x;
             items[thread].cycle = 8u * partsOf(part);
             items[thread].blade = large.at[place].blade;
@@ -242,12 +242,12 @@ void main()
         barrier();
         if (thread == 0u)
             for (uint i = 0u; i < blades; ++i)
-                items[i + 1u].firstRib += items[i].firstRib;
+                items[i + 1u].firstSection += items[i].firstSection;
         barrier();
-        const uint ribs = items[blades].firstRib;
-        const uint stride = isAnyFolded ? ribsTogether / 2u : ribsTogether;
-        // The next ones begin with the last rib, between which and theirs there is a segment, too.
-        for (uint first = 0u; first + 1u < ribs; first += stride - 1u)
-            drawBetween(lens, first, min(first + stride, ribs), item, blades, stride);
+        const uint sections = items[blades].firstSection;
+        const uint stride = isAnyFolded ? sectionsTogether / 2u : sectionsTogether;
+        // The next ones begin with the last section, between which and theirs there is a segment, too.
+        for (uint first = 0u; first + 1u < sections; first += stride - 1u)
+            drawBetween(lens, first, min(first + stride, sections), item, blades, stride);
     }
 }

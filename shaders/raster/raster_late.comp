@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Rasterises the late turn of large blades: what of those that had their first one was left to this one,
+// Rasterises the late pass of large blades: what of those that had their first one was left to this one,
 // and all of the others. Most segments are hidden by the frame's pyramid. Each is asked by a thread of its
-// own, which makes both of its ribs; the rows of those that may be seen are dealt out to all threads.
+// own, which makes both of its sections; the rows of those that may be seen are dealt out to all threads.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
@@ -18,7 +18,7 @@ layout(constant_id = 3) const bool isPaged = false;
 #include "shaders/raster/note_hidden.glsl"
 #include "shaders/raster/part_rows.glsl"
 #define ASKS_PIXELS
-#include "shaders/raster/strip.glsl"
+#include "shaders/raster/span.glsl"
 
 layout(local_size_x = lateThreads) in;
 
@@ -53,7 +53,7 @@ void putQuad(uint slot, Quad quad)
     corners[4u * slot + 3u] = vec4(quad.b1, quad.weightB.y);
 }
 
-/// As it was put: the weights of a0 and a1 are those of their rib.
+/// As it was put: the weights of a0 and a1 are those of their section.
 Quad quadAt(uint slot)
 {
     const vec4 a0 = corners[4u * slot];
@@ -63,8 +63,8 @@ Quad quadAt(uint slot)
     return Quad(a0.xyz, a1.xyz, b0.xyz, b1.xyz, vec2(a0.w, a1.w), vec2(a0.w, a1.w), vec2(b0.w, b1.w));
 }
 
-/// Whether something may be seen of what lies between two ribs.
-bool isSeen(ScreenRib before, ScreenRib after, bool hasRidge)
+/// Whether something may be seen of what lies between two sections.
+bool isSeen(ScreenSection before, ScreenSection after, bool hasRidge)
 {
     vec3 low = min(min(before.left, before.right), min(after.left, after.right));
     vec3 high = max(max(before.left, before.right), max(after.left, after.right));
@@ -93,8 +93,8 @@ uint putSegment(Lens lens, uint item, uint listed, uint first)
     const bool hasRidge = isFolded(ribbon);
     const float i = float((listed & 0x7fu) + 1u);
     const float segments = ribbon.outline.segments;
-    const ScreenRib before = screenRib(seenRib(lens, ribbon, (i - 1.0) / segments), hasRidge);
-    const ScreenRib after = screenRib(seenRib(lens, ribbon, i / segments), hasRidge);
+    const ScreenSection before = screenSection(seenSection(lens, ribbon, (i - 1.0) / segments), hasRidge);
+    const ScreenSection after = screenSection(seenSection(lens, ribbon, i / segments), hasRidge);
     if (!isSeen(before, after, hasRidge))
         return ~0u;
     atomicOr(seenBlades[number / 32u], 1u << (number % 32u));
@@ -132,9 +132,9 @@ void drawRows()
         while (place + 1u < count && row >= pieces[place + 1u].x)
             ++place;
         const uvec4 piece = pieces[place];
-        Strip strip;
-        if (stripOf(quadAt(place), piece.y >> 31u != 0u, strip))
-            drawRow(strip, piece.w, rowAt(int(piece.y & 0x7fffffffu), int(row - piece.x), 8u * (piece.z >> 16u)));
+        Span span;
+        if (spanOfQuad(quadAt(place), piece.y >> 31u != 0u, span))
+            drawRow(span, piece.w, rowAt(int(piece.y & 0x7fffffffu), int(row - piece.x), 8u * (piece.z >> 16u)));
     }
 }
 

@@ -4,7 +4,7 @@
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
-layout(set = 0, binding = 0) uniform sampler2D solid; // what light_solid.comp has lit
+layout(set = 0, binding = 0) uniform sampler2D opaque; // what light_opaque.comp has lit
 layout(set = 0, binding = 1, rgba8) uniform writeonly image2D picture;
 
 #include "shaders/raster/stored.glsl"
@@ -12,7 +12,7 @@ layout(set = 0, binding = 1, rgba8) uniform writeonly image2D picture;
 #include "shaders/frame_constants.glsl"
 #include "shaders/raster/visibility.glsl"
 #include "shaders/raster/resolve.glsl"
-#include "shaders/raster/shown_tiles.glsl"
+#include "shaders/raster/tile_classification.glsl"
 
 /// `word` of the visibility.
 vec4 shadeAt(uvec2 pixel, uint64_t word)
@@ -22,7 +22,7 @@ vec4 shadeAt(uvec2 pixel, uint64_t word)
     if (showsBlades && what >= push.firstBlade)
         return shade(lens, seenBlade(what - push.firstBlade), vec2(pixel), 1u, 0u,
                      uintBitsToFloat(uint(word >> 32u)));
-    return !showsSky || what > 0u ? texelFetch(solid, ivec2(pixel), 0) : skyAt(lens, pixel);
+    return !showsSky || what > 0u ? texelFetch(opaque, ivec2(pixel), 0) : skyAt(lens, pixel);
 }
 
 void main()

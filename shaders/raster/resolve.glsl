@@ -1,5 +1,5 @@
 // Shades what a visibility holds.
-#include "shaders/raster/kept_surfaces.glsl"
+#include "shaders/raster/shading_cache.glsl"
 #include "shaders/raster/shade_found.glsl"
 #include "shaders/shared/visibility.h"
 #include "shaders/sky/sky_light.glsl"
@@ -11,12 +11,12 @@ layout(constant_id = 12) const bool showsBlades = true;
 layout(constant_id = 13) const bool showsSky = true;
 
 /// Whether surfaces of large blades have been kept; known when the pipeline is made.
-layout(constant_id = 15) const bool keepsSurfaces = false;
+layout(constant_id = 15) const bool hasShadingCache = false;
 
 SeenBlade seenBlade(uint index)
 {
     SeenBlade seen;
-    if (keepsSurfaces && findKept(index, seen))
+    if (hasShadingCache && findCached(index, seen))
         return seen;
     return freshBlade(index);
 }

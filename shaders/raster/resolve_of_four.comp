@@ -1,11 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Shades a visibility of four samples per pixel. Of what is soft soften.comp makes the picture, all else is
+// Shades a visibility of four samples per pixel. Of what is soft reconstruct.comp makes the picture, all else is
 // in it then.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
-// Holds what light_solid.comp has lit, and then the whole pixel.
+// Holds what light_opaque.comp has lit, and then the whole pixel.
 layout(set = 0, binding = 1, rgba16f) uniform image2D shaded;
 layout(set = 2, binding = 1, rgba8) uniform writeonly image2D picture;
 
@@ -19,7 +19,7 @@ layout(set = 2, binding = 1, rgba8) uniform writeonly image2D picture;
 
 const uint gatherTile = rasterTile;
 #include "shaders/raster/gather.glsl"
-#include "shaders/raster/shown_tiles.glsl"
+#include "shaders/raster/tile_classification.glsl"
 
 shared uint softPixels;
 
@@ -34,7 +34,7 @@ void main()
     const uvec2 pixel = pixelOf(tile, thread);
     const bool isInside = all(lessThan(pixel, push.size));
     if (thread == 0u) {
-        askedCount = 0u;
+        gatheredCount = 0u;
         softPixels = 0u;
     }
     barrier();
@@ -48,7 +48,7 @@ void main()
     }
     barrier();
 
-    for (uint i = thread; showsBlades && i < askedCount; i += gatherThreads) {
+    for (uint i = thread; showsBlades && i < gatheredCount; i += gatherThreads) {
         const Question question = questionAt(i);
         const uvec2 place = pixelOf(tile, question.thread);
         const uint64_t word = visibility.at[sampleIndex(place, question.s)];
@@ -64,15 +64,15 @@ void main()
         visibility.at[sampleIndex(pixel, s)] = uint64_t(0u);
     vec4 sum = answered(thread, leaders);
     float sky = 0.0;
-    bool seesSolid = false;
+    bool seesOpaque = false;
     for (uint s = 0u; s < samplesPerPixel; ++s) {
         sky += seen[s] == 0u ? 1.0 : 0.0;
-        seesSolid = seesSolid || (seen[s] > 0u && seen[s] < push.firstBlade);
+        seesOpaque = seesOpaque || (seen[s] > 0u && seen[s] < push.firstBlade);
     }
     if (showsSky && sky > 0.0)
         sum += sky * skyAt(lens, pixel);
     vec4 mean = sum / float(samplesPerPixel);
-    if (seesSolid)
+    if (seesOpaque)
         mean += imageLoad(shaded, ivec2(pixel));
     const vec4 rounded = halfRounded(mean);
     imageStore(shaded, ivec2(pixel), rounded);

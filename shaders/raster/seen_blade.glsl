@@ -7,26 +7,26 @@
 #include "shaders/shared/passes.h"
 #include "shaders/shared/visibility.h"
 
-/// Whether grass that others hide is left out, see layerShare(); known when the pipeline is made.
-layout(constant_id = 8) const bool leavesLayers = true;
+/// Whether grass that others hide is left out, see leafAreaShare(); known when the pipeline is made.
+layout(constant_id = 8) const bool limitsLeafArea = true;
 
 /// Index of the patch that owns a blade.
 uint patchOf(uint blade)
 {
-    uint owner = push.firstOwners.at[blade / ownerStride];
-    uint patchIndex = push.owners.at[owner];
+    uint owner = push.firstNonEmptyPatches.at[blade / nonEmptyPatchStride];
+    uint patchIndex = push.nonEmptyPatches.at[owner];
     while (blade >= FRAME.patches.at[patchIndex].firstBlade + FRAME.patches.at[patchIndex].bladeCount)
-        patchIndex = push.owners.at[++owner];
+        patchIndex = push.nonEmptyPatches.at[++owner];
     return patchIndex;
 }
 
-/// A blade of patch `patchIndex`, raised() by its layers, as the list of visible blades had it.
-VisibleBlade visibleBlade(uint index, uint patchIndex, Patch cell, Blade blade, Layers layers)
+/// A blade of patch `patchIndex`, raised() by its limit, as the list of visible blades had it.
+VisibleBlade visibleBlade(uint index, uint patchIndex, Patch cell, Blade blade, LeafAreaLimit limit)
 {
-    const Eyepoint view = push.judged.at[0].view;
-    const DrawnSize size = drawnSize(view, layers, blade, bladeRank(cell, index - cell.firstBlade),
+    const Eyepoint view = push.cullView.at[0].view;
+    const DrawnSize size = drawnSize(view, limit, blade, bladeRank(cell, index - cell.firstBlade),
                                      length(blade.root - view.eye));
-    return VisibleBlade(index, patchIndex, packFactors(size.widthFactor, layers.rise), size.pixels);
+    return VisibleBlade(index, patchIndex, packFactors(size.widthFactor, limit.height), size.pixels);
 }
 
 /// What of a blade all pixels ask for that show it.
@@ -47,19 +47,19 @@ SeenBlade freshBlade(uint index)
     const BladeState state = BladeState(FRAME.states.at[place], 0.0);
     const uint patchIndex = patchOf(index);
     const Patch cell = FRAME.patches.at[patchIndex];
-    Layers layers = allLayers();
-    if (leavesLayers)
-        layers = layersOf(push.judged.at[0].view, cell);
-    const Blade blade = raised(unpackBlade(bits, cell), layers.rise);
-    const VisibleBlade visible = visibleBlade(index, patchIndex, cell, blade, layers);
+    LeafAreaLimit limit = noLeafAreaLimit();
+    if (limitsLeafArea)
+        limit = leafAreaLimitOf(push.cullView.at[0].view, cell);
+    const Blade blade = raised(unpackBlade(bits, cell), limit.height);
+    const VisibleBlade visible = visibleBlade(index, patchIndex, cell, blade, limit);
     const DrawnBlade drawn = drawnBlade(visible, blade, state);
     SeenBlade seen;
     seen.ribbon = drawn.ribbon;
-    seen.surface = bladeSurface(drawn, visible, layers);
+    seen.surface = bladeSurface(drawn, visible, limit);
     seen.blade = index;
     seen.patchIndex = patchIndex;
     seen.hasHistory = uvec2(push.seen) != uvec2(0u) &&
-                      pixelsCovered(blade, visible.pixels, widthFactorOf(visible)) > askedSmallPixels;
+                      pixelsCovered(blade, visible.pixels, widthFactorOf(visible)) > testedSmallPixels;
     return seen;
 }
 

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // The finest levels of the depth pyramid, from what the visibility holds: the ground, and the blades
-// that have been drawn so far. With that the late turn of large blades begins.
+// that have been drawn so far. With that the late pass of large blades begins.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
@@ -75,9 +75,9 @@ float farthestTogether(uvec2 own)
     return uintBitsToFloat(farthestOfCells[own.y * pyramidThreads + own.x]);
 }
 
-/// What is listed of large blades from now on has its late turn, and what is has had its first one; but
+/// What is listed of large blades from now on has its late pass, and what is has had its first one; but
 /// those that the near plane cuts have been drawn for good.
-void beginLateTurn()
+void beginLatePass()
 {
     WalkLevelArray asked = push.largeCount;
     const uint listed = listedLarge();
@@ -99,7 +99,7 @@ bool areOthersDone()
 void main()
 {
     if (gl_WorkGroupID.xy == uvec2(0u) && gl_LocalInvocationIndex == 0u)
-        beginLateTurn();
+        beginLatePass();
     // Threads beside one another read what lies below one another, which is together in memory.
     const uvec2 own = gl_LocalInvocationID.yx;
     putFinestLevels(FRAME.pyramid, own, samplesPerPixel == 1u ? farthestOf(own) : farthestTogether(own));

@@ -59,12 +59,12 @@ float depthOf(vec4 first, vec4 second, vec4 third, vec3 shares)
     return dot(shares, vec3(first.z, second.z, third.z)) / dot(shares, vec3(first.w, second.w, third.w));
 }
 
-/// What lies between the ribs at the places `low` and `high` of a folded ribbon.
+/// What lies between the cross-sections at the places `low` and `high` of a folded ribbon.
 void lookAtHalves(Lens lens, Ribbon ribbon, float low, float high, bool isUpper, Sighting sighting,
                   inout Guess guess)
 {
-    const SeenRib before = seenRib(lens, ribbon, low);
-    const SeenRib after = seenRib(lens, ribbon, high);
+    const SeenSection before = seenSection(lens, ribbon, low);
+    const SeenSection after = seenSection(lens, ribbon, high);
     const Corner left = Corner(before.left, vec2(-1.0, low));
     const Corner right = Corner(before.right, vec2(1.0, low));
     const Corner ridge = Corner(before.ridge, vec2(0.0, low));
@@ -174,7 +174,7 @@ Found findOnFold(Lens lens, Ribbon ribbon, Sighting sighting)
 }
 
 /// Where across a segment a point is, −1 … 1: of the two triangles in that which holds it, as a
-/// tessellator interpolates it. `toLeft`, `toRight`: so far are the sides; `widths`: of the ribs at its
+/// tessellator interpolates it. `toLeft`, `toRight`: so far are the sides; `widths`: of the cross-sections at its
 /// ends; `share`: of the way from the first to the second.
 float placeAcross(float toLeft, float toRight, vec2 widths, float share, bool isUpper)
 {
@@ -183,7 +183,7 @@ float placeAcross(float toLeft, float toRight, vec2 widths, float share, bool is
     return isFirst == isUpper ? 2.0 * toLeft / width - 1.0 : 1.0 - 2.0 * toRight / width;
 }
 
-/// The same without a fold: a segment is plane, between two ribs along the same axis. The depth says
+/// The same without a fold: a segment is plane, between two cross-sections along the same axis. The depth says
 /// which segment it is, and the place on the picture alone where on that, as it does for a triangle.
 Found findOnPlane(Lens lens, Ribbon ribbon, Sighting sighting)
 {
@@ -199,7 +199,7 @@ Found findOnPlane(Lens lens, Ribbon ribbon, Sighting sighting)
     const vec3 chord = each * (curve.toMiddle + (low + high) * curve.bend);
     const vec3 ray = rayTo(lens, sighting.middle);
 
-    // What is too narrow across the view is drawn wider, as ribAt() has it.
+    // What is too narrow across the view is drawn wider, as crossSectionAt() has it.
     const vec3 side = cross(ray, chord);
     const float square = dot(side, side);
     const bool isAtEye = square <= 1e-12 * dot(ray, ray) * dot(chord, chord);
@@ -217,7 +217,7 @@ Found findOnPlane(Lens lens, Ribbon ribbon, Sighting sighting)
         axis = (ends.x + ends.y) * axis +
                (grown.x + grown.y) * outwardsOf(across, cross(ray, ribbon.v1 - ribbon.v0));
 
-    // Where the ray meets the plane of the segment, from the middle of the first rib to that of the
+    // Where the ray meets the plane of the segment, from the middle of the first section to that of the
     // second: how far the eye is does not matter.
     vec3 toEye = lens.eye - begin;
     vec3 upwards = chord;
@@ -237,7 +237,7 @@ Found findOnPlane(Lens lens, Ribbon ribbon, Sighting sighting)
 }
 
 /// What a sample shows. Across a flat blade it is what a tessellator's two triangles make of it, but for
-/// ribs that are drawn wider than they are, which do not run alike.
+/// cross-sections that are drawn wider than they are, which do not run alike.
 Found find(Lens lens, Ribbon ribbon, Sighting sighting)
 {
     if (isFolded(ribbon))

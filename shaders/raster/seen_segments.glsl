@@ -1,5 +1,5 @@
-// Between which segments of a blade the frame's pyramid does not hide it, asked of some stretches and
-// without ribs, which take longer than the question: of a late turn's segments a twentieth is seen. Never
+// Between which segments of a blade the frame's pyramid does not hide it, asked of some spans and
+// without cross-sections, which take longer than the question: of a late pass's segments a twentieth is seen. Never
 // less than is seen; those that are left are asked again, one by one (raster_late.comp).
 #ifndef SWARD_RASTER_SEEN_SEGMENTS_GLSL
 #define SWARD_RASTER_SEEN_SEGMENTS_GLSL
@@ -48,7 +48,7 @@ struct SeenBox {
 /// Where everything is seen that lies no farther from a point than `wide` [m] along the blade's axis and
 /// then `margin` [m] any way, all of it behind the near plane; `seen`: seenPoint() of it. If x is the
 /// point's place and δ the way there, it moves by (right·δ − x·(w·δ)) / w', with w' as w is there. Corners
-/// of ribs are rounded, by half of 1/256 pixel.
+/// of cross-sections are rounded, by half of 1/256 pixel.
 SeenBox boxAround(Leverage leverage, vec4 seen, float wide, float margin)
 {
     const vec2 place = seen.xy / seen.w;
@@ -71,16 +71,16 @@ float halfWidthFrom(Ribbon ribbon, float t)
     return ribbon.width * max(-edges.x, edges.y);
 }
 
-/// So many stretches of a blade are asked for, each of some segments.
-const uint stretches = 4u;
+/// So many spans of a blade are asked for, each of some segments.
+const uint spansTested = 4u;
 
-/// The first segment that may be seen, and one past the last; both 0 where all are hidden. The ribbon's ribs
+/// The first segment that may be seen, and one past the last; both 0 where all are hidden. The ribbon's cross-sections
 /// are widened by no more than `margin` [m] on either side.
 uvec2 segmentsSeen(Lens lens, Ribbon ribbon, float margin)
 {
     const Leverage leverage = leverageOf(lens, ribbon.axis);
     const uint segments = uint(ribbon.outline.segments);
-    const bool areFew = segments < stretches;
+    const bool areFew = segments < spansTested;
     const float perSegment = 1.0 / ribbon.outline.segments;
     // The curve from its root on, as it is seen: root + t · (toMiddle + t · bend).
     const vec3 bend = ribbon.v0 - 2.0 * ribbon.v1 + ribbon.v2;
@@ -88,17 +88,17 @@ uvec2 segmentsSeen(Lens lens, Ribbon ribbon, float margin)
     const vec4 seenMiddle = seenWay(lens, 2.0 * (ribbon.v1 - ribbon.v0));
     const vec4 seenBend = seenWay(lens, bend);
     // A quadratic curve strays from a chord over the part h of it by |v0 - 2 v1 + v2| h²/4 at most.
-    const float longest = areFew ? perSegment : float((segments + stretches - 1u) / stretches) * perSegment;
+    const float longest = areFew ? perSegment : float((segments + spansTested - 1u) / spansTested) * perSegment;
     const float stray = 0.25 * longest * longest * length(bend);
     float wide = halfWidthFrom(ribbon, 0.0);
     const float around = margin + stray + (isFolded(ribbon) ? wide * ribbon.fold : 0.0);
     uvec2 seen = uvec2(0u);
     uint begin = 0u;
     SeenBox before = boxAround(leverage, seenRoot, wide, around);
-    for (uint i = 1u; i <= min(segments, stretches); ++i) {
-        const uint end = areFew ? i : i * segments / stretches;
+    for (uint i = 1u; i <= min(segments, spansTested); ++i) {
+        const uint end = areFew ? i : i * segments / spansTested;
         const float t = float(end) * perSegment;
-        // Nowhere in a stretch it is wider than where that begins.
+        // Nowhere in a span it is wider than where that begins.
         const SeenBox after = boxAround(leverage, seenRoot + t * (seenMiddle + t * seenBend), wide, around);
         if (!rectangleHidden(min(before.low, after.low), max(before.high, after.high),
                              max(before.nearest, after.nearest)))

@@ -23,24 +23,24 @@ vec4 seenPoint(Lens lens, vec3 position)
     return vec4((0.5 * clip.xy + 0.5 * clip.w) * lens.size, clip.z, clip.w);
 }
 
-/// A rib as the view sees it.
-struct SeenRib {
-    Rib rib;
+/// A section as the view sees it.
+struct SeenSection {
+    CrossSection section;
     vec4 left;
     vec4 right;
     vec4 ridge;
 };
 
-SeenRib seenRib(Lens lens, Ribbon ribbon, float t)
+SeenSection seenSection(Lens lens, Ribbon ribbon, float t)
 {
-    SeenRib seen;
-    seen.rib = ribAt(ribbon, t, lens.eye, lens.minWidth);
-    seen.left = seenPoint(lens, seen.rib.left);
-    seen.right = seenPoint(lens, seen.rib.right);
+    SeenSection seen;
+    seen.section = crossSectionAt(ribbon, t, lens.eye, lens.minWidth);
+    seen.left = seenPoint(lens, seen.section.left);
+    seen.right = seenPoint(lens, seen.section.right);
     // Without a fold the middle is half way, here too.
     seen.ridge = 0.5 * (seen.left + seen.right);
     if (isFolded(ribbon))
-        seen.ridge = seenPoint(lens, seen.rib.ridge);
+        seen.ridge = seenPoint(lens, seen.section.ridge);
     return seen;
 }
 
@@ -50,13 +50,13 @@ bool isBefore(vec4 seen)
     return seen.w <= 0.0 || seen.z > seen.w;
 }
 
-/// Triangles between two ribs.
+/// Triangles between two sections.
 uint trianglesOf(bool isFolded)
 {
     return isFolded ? 4u : 2u;
 }
 
-/// One of the triangles between two ribs: of the quad a, b on the first rib and c, d on the second,
+/// One of the triangles between two cross-sections: of the quad a, b on the first section and c, d on the second,
 /// a and c to the left, the way a tessellator halves it: see upperHalf(). Of a folded ribbon the
 /// quad goes to the ridge or begins there. The first corner is a or b, the second b or d, the third
 /// c or d.

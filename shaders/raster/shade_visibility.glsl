@@ -1,6 +1,6 @@
 // Lights what the visibility of a host's view shows: the light of a blade takes the place of its id.
 #include "shaders/raster/instances.glsl"
-#include "shaders/grass/rib_point.glsl"
+#include "shaders/grass/cross_section_point.glsl"
 #include "shaders/raster/put_sample.glsl"
 #include "shaders/raster/shade_found.glsl"
 
@@ -14,7 +14,7 @@ Ribbon ribbonBefore(Motion motion, SeenBlade seen)
         return ribbon;
     const Patch cell = FRAME.patches.at[seen.patchIndex];
     const Blade blade = raised(unpackBlade(FRAME.blades.at[seen.blade], cell),
-                               layersOf(push.judged.at[0].view, cell).rise);
+                               leafAreaLimitOf(push.cullView.at[0].view, cell).height);
     const BladeState before = BladeState(motion.statesBefore.at[seen.blade], 0.0);
     const Pose pose = poseOfState(axesAlong(blade.up, ribbon.axis), before);
     ribbon.v1 = blade.root + blade.height * pose.v1;
@@ -22,15 +22,15 @@ Ribbon ribbonBefore(Motion motion, SeenBlade seen)
     return ribbon;
 }
 
-/// A place of a ribbon as it is drawn: between the ribs at the ends of its segment.
+/// A place of a ribbon as it is drawn: between the cross-sections at the ends of its segment.
 vec3 pointAt(Lens lens, Ribbon ribbon, vec2 place)
 {
     const float segments = ribbon.outline.segments;
     const float along = clamp(place.y, 0.0, 1.0) * segments;
     const float first = min(floor(along), segments - 1.0);
     const float across = clamp(0.5 * place.x + 0.5, 0.0, 1.0);
-    return mix(onRib(ribAt(ribbon, first / segments, lens.eye, lens.minWidth), across),
-               onRib(ribAt(ribbon, (first + 1.0) / segments, lens.eye, lens.minWidth), across), along - first);
+    return mix(onCrossSection(crossSectionAt(ribbon, first / segments, lens.eye, lens.minWidth), across),
+               onCrossSection(crossSectionAt(ribbon, (first + 1.0) / segments, lens.eye, lens.minWidth), across), along - first);
 }
 
 vec2 motionOf(Motion motion, Lens lens, SeenBlade seen, Found found)

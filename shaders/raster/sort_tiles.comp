@@ -6,13 +6,13 @@
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 #include "shaders/raster/put_sample.glsl"
-#include "shaders/raster/shown_tiles.glsl"
+#include "shaders/raster/tile_classification.glsl"
 
 layout(local_size_x = sortThreads) in;
 
 // What a tile shows, as bits.
 const uint showsSky = 1u;
-const uint showsSolid = 2u;
+const uint showsOpaque = 2u;
 const uint showsBlades = 4u;
 
 uint shownIn(uvec2 low)
@@ -24,7 +24,7 @@ uint shownIn(uvec2 low)
         for (uint y = low.y; y < high.y; ++y)
             for (uint s = 0u; s < samplesPerPixel; ++s) {
                 const uint what = halves.at[2u * sampleIndex(uvec2(x, y), s)];
-                shown |= what == 0u ? showsSky : what < push.firstBlade ? showsSolid : showsBlades;
+                shown |= what == 0u ? showsSky : what < push.firstBlade ? showsOpaque : showsBlades;
             }
     return shown;
 }
@@ -46,6 +46,6 @@ void main()
         const bool hasSky = (shown & showsSky) != 0u;
         putTile((shown & showsBlades) == 0u ? tilesWithoutBlades : hasSky ? tilesOfBladesAndSky : tilesOfBlades, tile);
     }
-    if ((all & showsSolid) != 0u)
-        putTile(tilesOfSolid, large);
+    if ((all & showsOpaque) != 0u)
+        putTile(tilesOfOpaque, large);
 }

@@ -51,7 +51,7 @@ vec2 middleOf(uint covered)
 }
 
 /// Whether row `i` (1 … segments) of a blade belongs to the half towards the tip. Tessellators halve
-/// the quads there by the other diagonal; where ribs are not parallel that shows in what is
+/// the quads there by the other diagonal; where cross-sections are not parallel that shows in what is
 /// interpolated.
 bool upperHalf(float i, float segments)
 {

@@ -8,14 +8,14 @@
 SHARED_BEGIN
 
 // Why a blade is not drawn; also the slots of the counters.
-SHARED_CONST uint fateDrawn = 0u;
-SHARED_CONST uint fatePatch = 1u;
-SHARED_CONST uint fateOrientation = 2u;
-SHARED_CONST uint fateFrustum = 3u;
-SHARED_CONST uint fateDistance = 4u;
-SHARED_CONST uint fateOcclusion = 5u;
-SHARED_CONST uint fateLod = 6u;
-SHARED_CONST uint fateCount = 7u;
+SHARED_CONST uint cullResultDrawn = 0u;
+SHARED_CONST uint cullResultPatch = 1u;
+SHARED_CONST uint cullResultOrientation = 2u;
+SHARED_CONST uint cullResultFrustum = 3u;
+SHARED_CONST uint cullResultDistance = 4u;
+SHARED_CONST uint cullResultOcclusion = 5u;
+SHARED_CONST uint cullResultLod = 6u;
+SHARED_CONST uint cullResultCount = 7u;
 
 // Bits of Frame::cullMask.
 SHARED_CONST uint cullPatch = 1u;
@@ -120,7 +120,7 @@ SHARED_CONST float maxLeafArea = 64.0f;
 /// the ground's normal crosses leafExtinction · leafArea / cosine of leaf area (Monsi & Saeki
 /// 1953), and of that `most` is left, times the fourth power of the pixels that a blade is wide if
 /// these are more than one: at the end of a field, where there is no more behind, one sees through.
-SHARED_FN float layerShare(float most, float leafArea, float cosine, float pixels)
+SHARED_FN float leafAreaShare(float most, float leafArea, float cosine, float pixels)
 {
     const float wide = max(pixels * pixels, 1.0f);
     return clamp(most * wide * wide * max(cosine, flattestRay) /
@@ -130,7 +130,7 @@ SHARED_FN float layerShare(float most, float leafArea, float cosine, float pixel
 
 /// Weight of the blade with progressive rank `rank` where `share` of the blades is drawn and the
 /// others are hidden: those that are left stay as wide as they are, but for the last, which fade.
-SHARED_FN float layerWeight(float rank, float share)
+SHARED_FN float leafAreaWeight(float rank, float share)
 {
     if (share >= lodFullShare)
         return 1.0f;
@@ -138,29 +138,29 @@ SHARED_FN float layerWeight(float rank, float share)
 }
 
 /// None stands higher than that for those that are left out.
-SHARED_CONST float maxRise = 1.3f;
+SHARED_CONST float maxHeightCompensation = 1.3f;
 
 /// How many times as high the blades stand that are left where `share` of them is drawn and a ray
-/// has grass before it at the share `one`, see layerShare(): it sees as deep into it as its leaf
+/// has grass before it at the share `one`, see leafAreaShare(): it sees as deep into it as its leaf
 /// area lets it, which grows about with the cube of the depth for blades that taper and lean, and
 /// so the grass ends where all of it would. `spread`, in [0, 1]: the tallest are so much taller
 /// than the lowest, in halves of their height; 1 for all beyond. Fitted to plains, whose coverage
 /// by bands of distance stays within 1.2 %. Of 1/1024ths, so that half a float holds it.
-SHARED_FN float layerRise(float share, float one, float spread)
+SHARED_FN float heightCompensation(float share, float one, float spread)
 {
     if (share >= 1.0f)
         return 1.0f;
     const float full = min(one, 1.0f);
     const float sunk = pow(full / share, 1.0f / 3.0f) - pow(full, 1.0f / 3.0f);
-    const float rise = clamp(1.0f + (0.4f + 0.2f * spread) * sunk, 1.0f, maxRise);
+    const float rise = clamp(1.0f + (0.4f + 0.2f * spread) * sunk, 1.0f, maxHeightCompensation);
     return floor(rise * 1024.0f + 0.5f) / 1024.0f;
 }
 
 /// Leaf area over a place of a blade, of what is above it where all are drawn, where `share` of
 /// them is: the share itself among blades of one height, if they were straight; where some are
-/// lower a ray that comes deeper sees their tips. `spread`: as for layerRise(). Fitted to plains,
+/// lower a ray that comes deeper sees their tips. `spread`: as for heightCompensation(). Fitted to plains,
 /// of which no 32 x 32 pixels are brighter or darker by more than 2.3 of 255.
-SHARED_FN float layerLight(float share, float spread)
+SHARED_FN float leafAreaLight(float share, float spread)
 {
     return share >= 1.0f ? 1.0f : pow(share, 1.0f / (1.3f + 1.7f * spread));
 }

@@ -14,8 +14,8 @@ struct Eyepoint {
     float pixelsPerUnit;  ///< pixels of something 1 m large at 1 m distance
     float lodThreshold;   ///< [pixels] width below which blades are left out; 0: never
     float lodWidth;       ///< [m] typical width of a blade
-    float minWidth;     ///< [m at 1 m distance] see ribAt(); 0: blades as narrow as they are
-    float maxLayers;     ///< see layerShare(); 0: all that there are
+    float minWidth;     ///< [m at 1 m distance] see crossSectionAt(); 0: blades as narrow as they are
+    float maxLeafArea;     ///< see leafAreaShare(); 0: all that there are
     float maxEdgeOn;     ///< cosine beyond which a blade is seen edge-on; 1: never
     uint samples;         ///< per pixel
     float buckets;        ///< of the stepwise thinning, see bucketsKeep(); 0: off

@@ -6,9 +6,9 @@
 #include "shaders/shared/cover.h"
 #include "shaders/shared/culling.h"
 #include "shaders/shared/eyepoint.h"
-#include "shaders/shared/nature.h"
+#include "shaders/shared/environment.h"
 #include "shaders/shared/occlusion.h"
-#include "shaders/shared/pace.h"
+#include "shaders/shared/update_rate.h"
 #include "shaders/shared/patch.h"
 #include "shaders/shared/pose.h"
 #include "shaders/shared/shape.h"
@@ -49,7 +49,7 @@ SHARED_FN float heightFactorOf(VisibleBlade visible)
     return unpackHalf2x16((visible.factors & heightFactorBits) | 0x3c000000u).y;
 }
 
-/// Where large blades hide one another, some of a blade's quarters are drawn in a late turn: which,
+/// Where large blades hide one another, some of a blade's quarters are drawn in a late pass: which,
 /// are bits, the lowest of that at its root. In VisibleBlade::factors they are shifted by so many.
 SHARED_CONST uint quarters = 4u;
 SHARED_CONST uint allQuarters = 15u;
@@ -68,14 +68,14 @@ SHARED_FN uint quarterOf(float i, float segments)
     return uint((4.0f * i + 3.25f) / segments);
 }
 
-/// VkDrawIndirectCommand, and the counts by fate behind it.
+/// VkDrawIndirectCommand, and the counts by cull result behind it.
 struct DrawArguments {
     uint vertexCount;   ///< drawChunk (passes.h): so many blades in one instance
     uint instanceCount; ///< as many as the visible blades need; the last may be part empty
     uint firstVertex;
     uint firstInstance;
     uint simulated; ///< blades moved in this frame
-    uint fates[7];  ///< blades by fate, fateDrawn … fateLod; fateDrawn is the list's length
+    uint cullResults[7];  ///< blades by cull result, cullResultDrawn … cullResultLod; cullResultDrawn is the list's length
 };
 SHARED_LAYOUT(DrawArguments, 48)
 
@@ -95,7 +95,7 @@ struct Frame {
     DrawArray draw;
     FloatArray patchTimes; ///< per patch: the time its blades were last moved to [s] …
     UintArray patchCounts; ///< … and how many of them, the first so many
-    UintArray fates;       ///< per blade in memory: its fate, or address 0 when nobody asks
+    UintArray cullResults;       ///< per blade in memory: its cull result, or address 0 when nobody asks
     UintArray pages;       ///< where each page of blades lies in memory (pages.h); address 0: all
                            ///< blades are there, in their order
     DepthPyramid pyramid;  ///< what the ground hides; without depths nothing
@@ -105,7 +105,7 @@ struct Frame {
                          ///< turns to its right and downwards, and the one through the middle
     float depthOfEye;    ///< what viewProjection makes of the eye's depth
     Eyepoint view;
-    Nature nature;
+    Environment environment;
     uint patchCount;
     uint bladeCount;
     uint visibleCapacity;
@@ -121,7 +121,7 @@ struct Frame {
     float fixedTessellation; ///< > 0: this level for every blade
     float clouds;            ///< [0, 1] share of the sky
     LevelSteps levelSteps;
-    Pace pace;
+    UpdateRate updateRate;
 
     Cover cover;      ///< how much grass stands where
     SunShadow shadow; ///< what of the ground stands in the sun's light

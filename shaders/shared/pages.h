@@ -41,9 +41,9 @@ struct PagePush {
     CountedSubtreeArray subtrees; ///< whose blades are those in memory
     FloatArray patchTimes;
     UintArray patchCounts;
-    UintArray owners;      ///< as in RasterPush
-    UintArray firstOwners; ///< likewise
-    uint ownerCount;
+    UintArray nonEmptyPatches;      ///< as in RasterPush
+    UintArray firstNonEmptyPatches; ///< likewise
+    uint nonEmptyPatchCount;
     uint bladeCount; ///< of the field
     float settledAt; ///< [s] since when a blade that comes has stood in its wind
     uint reserved;

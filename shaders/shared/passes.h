@@ -5,7 +5,7 @@
 #include "shaders/shared/frame.h"
 #include "shaders/shared/ground.h"
 #include "shaders/shared/patch_tree.h"
-#include "shaders/shared/shown_tiles.h"
+#include "shaders/shared/tile_classification.h"
 #include "shaders/shared/types.h"
 
 SHARED_BEGIN
@@ -19,11 +19,11 @@ SHARED_CONST uint drawChunk = 256u;
 /// and 256 a seventh, 192 a hundredth: see decision 0031.
 SHARED_CONST uint updateThreads = 128u;
 
-/// A work-group of the update takes so many live patches together, so that all threads have a blade
+/// A work-group of the update takes so many visible patches together, so that all threads have a blade
 /// but at the end of the last patch, and waits once for what all of them say. Three bits say which.
 SHARED_CONST uint patchesTogether = 8u;
 
-/// Work-groups of the update for so many live patches: fewer than a patch each only from here on,
+/// Work-groups of the update for so many visible patches: fewer than a patch each only from here on,
 /// since with fewer groups a device has some idle at the end.
 SHARED_CONST uint updateGroupsFrom = 3072u;
 
@@ -33,20 +33,20 @@ SHARED_FN uint updateGroups(uint patches, uint ofGroup)
     return min(patches, max(updateGroupsFrom, (patches + ofGroup - 1u) / ofGroup));
 }
 
-/// Where the list of visible blades has not room for all blades of a field, the live patches are
+/// Where the list of visible blades has not room for all blades of a field, the visible patches are
 /// updated and drawn in rounds, of which each fills the list anew.
 struct UpdatePush {
-    FrameArray judged; ///< by whose camera blades are judged
-    LivePatchArray live;
+    FrameArray cullView; ///< by whose camera blades are culled
+    VisiblePatchArray live;
     WalkLevelArray levels; ///< the first says how many they are
     WalkLevelArray rounds; ///< each round's length of the list, and work-groups to rasterise it
-    UintArray owners;      ///< indices of the patches that own blades
+    UintArray nonEmptyPatches;      ///< indices of the patches that own blades
     FrameArray views;      ///< for which blades are moved, where they are several
     UintArray before;      ///< where states are kept that blades are moved from, if they are
     UintArray seenBefore;  ///< see RasterPush; address 0: all blades are listed in front
-    uint ownerCount;
-    uint onlyUpdate; ///< 1: move every blade of every owner, judge and count none
-    uint firstLive;  ///< the round's first live patch …
+    uint nonEmptyPatchCount;
+    uint onlyUpdate; ///< 1: move every blade of every owner, cull and count none
+    uint firstLive;  ///< the round's first visible patch …
     uint maxLive;   ///< … and how many it takes at most
     uint round;
     uint lateRound; ///< the same of those blades that are listed from behind
@@ -67,30 +67,30 @@ SHARED_FN bool forgetsSeen(uint blade, uint frame)
 
 // What a pipeline of the update has code for, and a frame may ask for: the tests of its cullMask,
 // and more.
-SHARED_CONST uint asksThinning = 1u << 8u; ///< a lodThreshold above 0
-SHARED_CONST uint asksLayers = 1u << 9u;   ///< maxLayers above 0
-SHARED_CONST uint asksPages = 1u << 10u;   ///< blades may be in memory in part
-SHARED_CONST uint asksFates = 1u << 11u;   ///< the fate of each blade is kept
-SHARED_CONST uint asksAll = 0xffffffffu;
+SHARED_CONST uint featureThinning = 1u << 8u; ///< a lodThreshold above 0
+SHARED_CONST uint featureLeafAreaLimit = 1u << 9u;   ///< maxLeafArea above 0
+SHARED_CONST uint featurePages = 1u << 10u;   ///< blades may be in memory in part
+SHARED_CONST uint featureCullResults = 1u << 11u;   ///< the cull result of each blade is kept
+SHARED_CONST uint featureAll = 0xffffffffu;
 
 /// What of that a frame asks for.
-SHARED_FN uint asksOf(Eyepoint view, bool isPaged, bool hasFates)
+SHARED_FN uint featuresOf(Eyepoint view, bool isPaged, bool hasCullResults)
 {
-    return view.cullMask | (view.lodThreshold > 0.0f ? asksThinning : 0u) |
-           (view.maxLayers > 0.0f ? asksLayers : 0u) | (isPaged ? asksPages : 0u) |
-           (hasFates ? asksFates : 0u);
+    return view.cullMask | (view.lodThreshold > 0.0f ? featureThinning : 0u) |
+           (view.maxLeafArea > 0.0f ? featureLeafAreaLimit : 0u) | (isPaged ? featurePages : 0u) |
+           (hasCullResults ? featureCullResults : 0u);
 }
 
-// What the update does about a live patch.
-SHARED_CONST uint moveAndJudge = 0u;
+// What the update does about a visible patch.
+SHARED_CONST uint moveAndCull = 0u;
 SHARED_CONST uint onlyMove = 1u;  ///< as far as any of the views asks; lists nothing
-SHARED_CONST uint onlyJudge = 2u; ///< where blades have been moved to
+SHARED_CONST uint onlyCull = 2u; ///< where blades have been moved to
 
 struct WalkPush {
-    FrameArray judged;
+    FrameArray cullView;
     SubtreeArray subtrees; ///< by patch
     UintArray queue;       ///< room for each patch once
-    LivePatchArray live;   ///< room for each patch that owns blades
+    VisiblePatchArray live;   ///< room for each patch that owns blades
     WalkLevelArray levels; ///< as many as the tree has, and one
     uint startCount;       ///< patches of the levels that the walk begins with …
     uint startLevel;       ///< … of which this is the last
@@ -125,10 +125,10 @@ SHARED_CONST uint maxGroups = 65535u;
 SHARED_CONST float largeBladePixels = 64.0f;
 
 /// A blade that covers more pixels than this is asked for whether other grass hides it, …
-SHARED_CONST float askedPixels = 256.0f;
+SHARED_CONST float testedPixels = 256.0f;
 
 /// … or, on a device that is quick to find that out, than this.
-SHARED_CONST float askedSmallPixels = 64.0f;
+SHARED_CONST float testedSmallPixels = 64.0f;
 
 /// A large blade is rasterised by several work-groups, each for so many of its pixels, …
 SHARED_CONST float partPixels = 4096.0f;
@@ -149,7 +149,7 @@ SHARED_CONST uint maxCutBlades = 65536u;
 /// each takes some more turns than pixels.
 SHARED_CONST float maxPixelsOfThread = 4096.0f;
 
-/// Threads of a work-group that draws large blades, which numbers their ribs in 5 bits. With 64 an
+/// Threads of a work-group that draws large blades, which numbers their cross-sections in 5 bits. With 64 an
 /// H200 takes a twelfth longer.
 SHARED_CONST uint largeThreads = 32u;
 
@@ -158,7 +158,7 @@ SHARED_CONST uint largeThreads = 32u;
 SHARED_CONST uint largeTogether = 6u;
 SHARED_CONST uint largeGroups = 4096u;
 
-/// The same of the late turn, where most segments are hidden, and of threads of such a work-group.
+/// The same of the late pass, where most segments are hidden, and of threads of such a work-group.
 SHARED_CONST uint lateTogether = 32u;
 SHARED_CONST uint lateGroups = 2048u;
 SHARED_CONST uint lateThreads = 128u;
@@ -180,7 +180,7 @@ SHARED_FN uint groupsForLarge(uint listed)
     return min((listed + together - 1u) / together, maxGroups);
 }
 
-/// The same of the late turn, of all that are listed by then.
+/// The same of the late pass, of all that are listed by then.
 SHARED_FN uint lateOfGroup(uint listed)
 {
     return min(max(listed / lateGroups, 1u), lateTogether);
@@ -207,7 +207,7 @@ struct LargePart {
     uint blade;    ///< resident id
     uint part;  ///< 0–7 which of so many parts, 8–15; 0: nothing, there was no room for all parts;
                 ///< 16–22 the first segment that is drawn, 23–29 one past the last; of a blade that
-                ///< had its first turn all others are left to the late one
+                ///< had its early pass all others are left to the late one
 };
 SHARED_LAYOUT(LargePart, 80)
 
@@ -233,7 +233,7 @@ SHARED_FN uint packPart(uint number, uint parts, uint begin, uint end)
     return number | (parts << 8u) | (begin << 16u) | (end << 23u);
 }
 
-/// Between which segments a blade is drawn in the first turn, the first and one past the last:
+/// Between which segments a blade is drawn in the early pass, the first and one past the last:
 /// those of its quarters that are not late, and what lies between them.
 SHARED_FN uvec2 firstSegments(uint late, uint segments)
 {
@@ -254,9 +254,9 @@ SHARED_CONST uint largeLate = 3u;  ///< work-groups for the late pass; count: wo
                                    ///< filled their cells of the ground's pyramid
 
 /// Blades that share an entry of the table from resident ids to patches.
-SHARED_CONST uint ownerStride = 64u;
+SHARED_CONST uint nonEmptyPatchStride = 64u;
 
-/// Per sample what is seen there: 0 is the sky, then come the triangles of solid.h, then the blades
+/// Per sample what is seen there: 0 is the sky, then come the triangles of opaque.h, then the blades
 /// by their resident ids; above that the bits of the reversed depth. The larger is nearer, and
 /// among equals the later one wins, whoever comes first. Column by column of pixels, rowsOfColumn()
 /// each, then sample by sample: blades stand upright, and what threads beside one another read and
@@ -287,14 +287,14 @@ SHARED_FN uint seenBit(uint blade, uint quarter)
 
 struct RasterPush {
     FrameArray frame;
-    FrameArray judged; ///< by whose camera the visible blades were listed
+    FrameArray cullView; ///< by whose camera the visible blades were listed
     VisibilityArray visibility;
     WalkLevelArray rounds; ///< as in UpdatePush
     LargePartArray large;
     WalkLevelArray largeCount; ///< how many are listed, and work-groups for them: see largeParts …
     LargePartArray cut;        ///< those that are cut by the near plane
-    UintArray owners;          ///< patches that own blades, in the order of their blades
-    UintArray firstOwners; ///< per ownerStride blades: index into `owners` of the first one's patch
+    UintArray nonEmptyPatches;          ///< patches that own blades, in the order of their blades
+    UintArray firstNonEmptyPatches; ///< per nonEmptyPatchStride blades: index into `nonEmptyPatches` of the first one's patch
 
     /// The visibility history: a bit for each quarter of each blade, by its resident id, whether a
     /// sample has shown it lately, see forgetsSeen(). The early pass draws those quarters of large
@@ -304,8 +304,8 @@ struct RasterPush {
     UintArray seen;
     UintArray surfacePlaces; ///< per resident id modulo surfacePlaceCount: the place in `large`
                              ///< where a blade with such an id was listed last
-    UintArray surfaces;      ///< 12 words each: see kept_surfaces.glsl
-    WalkLevelArray tiles;    ///< by what they show: see shown_tiles.h
+    UintArray surfaces;      ///< 12 words each: see shading_cache.glsl
+    WalkLevelArray tiles;    ///< by what they show: see tile_classification.h
     uvec2 size;              ///< [pixels]
     uint isBgr;              ///< 1: the picture's first channel is blue
     uint round;              ///< whose list is rasterised: its first blades, or its last ones

@@ -17,13 +17,13 @@ SHARED_LAYOUT(Subtree, 12)
 SHARED_BUFFER(SubtreeArray, Subtree, readonly)
 
 /// A patch of which blades may be seen.
-struct LivePatch {
+struct VisiblePatch {
     uint patchIndex;
     uint count; ///< its first so many
 };
-SHARED_LAYOUT(LivePatch, 8)
+SHARED_LAYOUT(VisiblePatch, 8)
 
-SHARED_BUFFER(LivePatchArray, LivePatch, )
+SHARED_BUFFER(VisiblePatchArray, VisiblePatch, )
 
 /// How many nodes of a level are to be looked at: VkDispatchIndirectCommand and the number itself.
 struct WalkLevel {
@@ -34,7 +34,7 @@ SHARED_LAYOUT(WalkLevel, 16)
 
 SHARED_BUFFER(WalkLevelArray, WalkLevel, )
 
-/// Place among the walk's levels of what the walk brings home: the live patches.
+/// Place among the walk's levels of what the walk brings home: the visible patches.
 SHARED_CONST uint liveLevel = 0u;
 
 /// Threads of a work-group of the walk, one node each.

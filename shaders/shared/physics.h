@@ -5,7 +5,7 @@
 
 #include "shaders/shared/blade.h"
 #include "shaders/shared/collision.h"
-#include "shaders/shared/nature.h"
+#include "shaders/shared/environment.h"
 #include "shaders/shared/pose.h"
 #include "shaders/shared/types.h"
 #include "shaders/shared/wind.h"
@@ -180,7 +180,7 @@ SHARED_CONST float stickingSpeed = 0.06f;
 
 /// Moves a blade by the time `elapsed` [s] up to `time`, however long. `near` are the colliders
 /// that may touch it. Returns its new state.
-SHARED_FN BladeState advanceBlade(Blade blade, Nature nature, ColliderMask near, BladeState state,
+SHARED_FN BladeState advanceBlade(Blade blade, Environment environment, ColliderMask near, BladeState state,
                                   float time, float elapsed)
 {
     const BladeAxes axes = axesAlong(blade.up, widthAxis(blade.up, blade.facing));
@@ -189,9 +189,9 @@ SHARED_FN BladeState advanceBlade(Blade blade, Nature nature, ColliderMask near,
     const uint steps = uint(clamp(ceil(elapsed / longestStep), 1.0f, float(maxSteps)));
     const float dt = elapsed / float(steps);
 
-    const vec3 environment = environmentAt(nature.gravity, blade.root);
-    vec3 gravity = alongAxes(axes, environment);
-    gravity.x += nature.gravity.forward * length(environment);
+    const vec3 pull = environmentAt(environment.gravity, blade.root);
+    vec3 gravity = alongAxes(axes, pull);
+    gravity.x += environment.gravity.forward * length(pull);
     const vec2 first = storedTurn(state);
     vec2 turn = first;
     float eta = state.eta;
@@ -205,14 +205,14 @@ SHARED_FN BladeState advanceBlade(Blade blade, Nature nature, ColliderMask near,
         const float before = pushed;
         // The wind of the middle of the step stands for all of it.
         const vec3 wind =
-            windAlongAxes(nature.wind, blade.root, axes, direction, time - back - 0.5f * dt);
+            windAlongAxes(environment.wind, blade.root, axes, direction, time - back - 0.5f * dt);
         turn =
             turnAbove(relaxTurn(blade.stiffness, gravity + (radius * direction.z) * wind,
-                                nature.recovery, turn, direction.z < lyingBelow, radius, eta, dt));
-        if (nature.colliderCount > 0u) {
+                                environment.recovery, turn, direction.z < lyingBelow, radius, eta, dt));
+        if (environment.colliderCount > 0u) {
             const vec3 moved = directionOfTurn(turn);
             const vec3 tip = pushBlade(
-                blade, axes.front, nature.colliders, near, inSpace(axes, radius * direction),
+                blade, axes.front, environment.colliders, near, inSpace(axes, radius * direction),
                 inSpace(axes, tipDistance(moved) * moved), back, pushed, resting);
             // What nothing touches stays as it would be without colliders, to the bit.
             if (pushed > before)

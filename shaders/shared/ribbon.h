@@ -21,7 +21,7 @@ struct Ribbon {
 };
 
 /// A cross-section of a ribbon.
-struct Rib {
+struct CrossSection {
     vec3 left;
     vec3 right;
     vec3 ridge;  ///< the middle
@@ -63,17 +63,17 @@ SHARED_FN vec3 outwardsOf(vec3 across, vec3 level)
 /// The cross-section at `t`. Where the view sees less than `minWidth` [m at 1 m distance], be it
 /// that the blade is far, that it ends, or that it is seen edge-on, it is drawn that wide, across
 /// the view, so that few rows of samples miss it, and weighs the less.
-SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float minWidth)
+SHARED_FN CrossSection crossSectionAt(Ribbon ribbon, float t, vec3 eye, float minWidth)
 {
     const vec3 centre = bezierPoint(ribbon.v0, ribbon.v1, ribbon.v2, t);
     const vec3 direction = directionAt(ribbon, t);
     const vec2 edges = ribbon.width * edgesAt(ribbon.outline, t);
 
-    Rib rib;
-    rib.left = centre + edges.x * ribbon.axis;
-    rib.right = centre + edges.y * ribbon.axis;
-    rib.wide = edges.y - edges.x;
-    rib.drawn = rib.wide;
+    CrossSection section;
+    section.left = centre + edges.x * ribbon.axis;
+    section.right = centre + edges.y * ribbon.axis;
+    section.wide = edges.y - edges.x;
+    section.drawn = section.wide;
     if (minWidth > 0.0f) {
         // Across the chords that meet here, not the curve: the last ones would be cut askew and
         // lose area. A chord from t to t + h runs like the curve at t + h/2.
@@ -88,23 +88,23 @@ SHARED_FN Rib ribAt(Ribbon ribbon, float t, vec3 eye, float minWidth)
                                 ? side * inversesqrt(square)
                                 : ribbon.axis;
         const float seen = dot(ribbon.axis, across);
-        rib.wide *= abs(seen);
-        rib.drawn = max(rib.wide, minWidth * distance);
+        section.wide *= abs(seen);
+        section.drawn = max(section.wide, minWidth * distance);
         const vec3 outwards = outwardsOf(across, cross(ray, ribbon.v1 - ribbon.v0));
         const vec3 grown =
-            (0.5f * (rib.drawn - rib.wide) * (seen < 0.0f ? -1.0f : 1.0f)) * outwards;
-        rib.left -= grown;
-        rib.right += grown;
+            (0.5f * (section.drawn - section.wide) * (seen < 0.0f ? -1.0f : 1.0f)) * outwards;
+        section.left -= grown;
+        section.right += grown;
     }
-    rib.ridge = 0.5f * (rib.left + rib.right);
+    section.ridge = 0.5f * (section.left + section.right);
     if (ribbon.fold > 0.0f)
-        rib.ridge +=
+        section.ridge +=
             (0.5f * ribbon.fold * (edges.y - edges.x)) * normalize(cross(direction, ribbon.axis));
-    return rib;
+    return section;
 }
 
 /// By how much a blade `distance` [m] away may be drawn wider than it is on either side [m].
-SHARED_FN float ribMargin(float distance, float minWidth)
+SHARED_FN float sectionMargin(float distance, float minWidth)
 {
     return minWidth * distance;
 }
@@ -113,7 +113,7 @@ SHARED_FN float ribMargin(float distance, float minWidth)
 /// point is farther than `distance` [m].
 SHARED_FN float marginBeside(float width, float distance, float minWidth)
 {
-    return 0.5f * outlineMost * width + ribMargin(distance, minWidth);
+    return 0.5f * outlineMost * width + sectionMargin(distance, minWidth);
 }
 
 /// What of a blade decides which samples it keeps where it weighs less than 1: each blade others,

@@ -22,7 +22,7 @@ struct SunShadow {
 };
 SHARED_LAYOUT(SunShadow, 72)
 
-/// A place is judged this many pixels above its ground, so that ground does not shade itself: the
+/// A place is culled this many pixels above its ground, so that ground does not shade itself: the
 /// four pixels below lie within 1.42 of it, and ground at any slope rises less than that over them,
 /// measured along its normal; the rest is for ground that is curved.
 SHARED_CONST float shadowOffset = 2.0f;
@@ -33,10 +33,10 @@ SHARED_FN float sunSeen(SunShadow shadow, vec3 place, vec3 normal)
 {
     if (shadow.size == 0u)
         return 1.0f;
-    const vec4 judged = vec4(place + normal * (shadowOffset * shadow.texel), 1.0f);
+    const vec4 lifted = vec4(place + normal * (shadowOffset * shadow.texel), 1.0f);
     // Pixels have their depth in their middles.
-    const vec2 at = vec2(dot(shadow.across, judged), dot(shadow.down, judged)) - 0.5f;
-    const float depth = dot(shadow.depth, judged) + shadow.epsilon;
+    const vec2 at = vec2(dot(shadow.across, lifted), dot(shadow.down, lifted)) - 0.5f;
+    const float depth = dot(shadow.depth, lifted) + shadow.epsilon;
 
     const vec2 f = at - floor(at);
     const int last = int(shadow.size) - 2;

@@ -1,4 +1,4 @@
-// The fate of patches and blades in one view: the predicates of culling.h in their order.
+// The cull result of patches and blades in one view: the predicates of culling.h in their order.
 #ifndef SWARD_SHARED_VISIBILITY_H
 #define SWARD_SHARED_VISIBILITY_H
 
@@ -15,7 +15,7 @@ SHARED_BEGIN
 
 /// What becomes of a blade, and how it is drawn.
 struct Verdict {
-    uint fate;
+    uint cullResult;
     float widthFactor; ///< 0 unless drawn
     float pixels;      ///< height on the screen [pixels]
     vec3 v1;           ///< of the blade's curve; only where cullFrustum or cullOcclusion asks
@@ -69,41 +69,41 @@ SHARED_FN float steepestRay(vec3 eye, Patch cell)
 }
 
 /// What is drawn of a patch of which grass hides a part by itself.
-struct Layers {
-    float share; ///< of its blades, see layerShare(); lodFullShare: all
-    float rise;  ///< so many times as high they stand, see layerRise()
-    float light; ///< so much of the leaf area over them they are lit with, see layerLight()
+struct LeafAreaLimit {
+    float share; ///< of its blades, see leafAreaShare(); lodFullShare: all
+    float height; ///< so many times as high they stand, see heightCompensation()
+    float light; ///< so much of the leaf area over them they are lit with, see leafAreaLight()
 };
 
 /// Of all blades as they are.
-SHARED_FN Layers allLayers()
+SHARED_FN LeafAreaLimit noLeafAreaLimit()
 {
-    Layers layers;
-    layers.share = lodFullShare;
-    layers.rise = 1.0f;
-    layers.light = 1.0f;
-    return layers;
+    LeafAreaLimit limit;
+    limit.share = lodFullShare;
+    limit.height = 1.0f;
+    limit.light = 1.0f;
+    return limit;
 }
 
 /// What is drawn of a patch where those behind are hidden.
-SHARED_FN Layers layersOf(Eyepoint view, Patch cell)
+SHARED_FN LeafAreaLimit leafAreaLimitOf(Eyepoint view, Patch cell)
 {
-    Layers layers = allLayers();
-    if (view.maxLayers <= 0.0f)
-        return layers;
+    LeafAreaLimit limit = noLeafAreaLimit();
+    if (view.maxLeafArea <= 0.0f)
+        return limit;
     const float nearest = max(boxDistance(view.eye, cell.boundsLow, cell.boundsHigh), 1e-6f);
     const float pixels = middleWidth(cell) * view.pixelsPerUnit / nearest;
     // Most of what one sees is so near that neither density nor steepness could leave any out.
-    if (layerShare(view.maxLayers, maxLeafArea, 0.0f, pixels) >= lodFullShare)
-        return layers;
+    if (leafAreaShare(view.maxLeafArea, maxLeafArea, 0.0f, pixels) >= lodFullShare)
+        return limit;
     const float leafArea = leafAreaAround(cell);
     const float cosine = steepestRay(view.eye, cell);
-    layers.share = layerShare(view.maxLayers, leafArea, cosine, pixels);
+    limit.share = leafAreaShare(view.maxLeafArea, leafArea, cosine, pixels);
     const float range = 255.0f * cell.heightStep;
     const float spread = min(2.0f * range / max(cell.heightLow + range, 1e-6f), 1.0f);
-    layers.rise = layerRise(layers.share, layerShare(1.0f, leafArea, cosine, 1.0f), spread);
-    layers.light = layerLight(layers.share, spread);
-    return layers;
+    limit.height = heightCompensation(limit.share, leafAreaShare(1.0f, leafArea, cosine, 1.0f), spread);
+    limit.light = leafAreaLight(limit.share, spread);
+    return limit;
 }
 
 /// A blade as high as it stands where others are left out.
@@ -120,14 +120,14 @@ struct DrawnSize {
     float pixels;      ///< height on the screen [pixels]
 };
 
-/// `layers`: layersOf() its patch, by which `blade` is raised().
-SHARED_FN DrawnSize drawnSize(Eyepoint view, Layers layers, Blade blade, float rank, float distance)
+/// `limit`: leafAreaLimitOf() its patch, by which `blade` is raised().
+SHARED_FN DrawnSize drawnSize(Eyepoint view, LeafAreaLimit limit, Blade blade, float rank, float distance)
 {
     // Where blades are drawn wider, so many fewer of them are a layer.
     const float share = shareAt(view, distance);
     DrawnSize size;
     size.widthFactor =
-        lodWidthFactor(rank, share) * layerWeight(rank / min(share, 1.0f), layers.share);
+        lodWidthFactor(rank, share) * leafAreaWeight(rank / min(share, 1.0f), limit.share);
     size.pixels = blade.height * view.pixelsPerUnit / max(distance, 1e-6f);
     return size;
 }
@@ -155,8 +155,8 @@ SHARED_FN float patchMargin(Eyepoint view, Patch cell, float widest)
     const float highest = 0.5f * min(size.x, min(size.y, size.z));
     // lodWidthFactor() is at most 1/(0.95 share).
     return 0.5f * outlineMost * widest / (0.95f * share) +
-           ribMargin(length(farthest), view.minWidth) +
-           (view.maxLayers > 0.0f ? (maxRise - 1.0f) * highest : 0.0f);
+           sectionMargin(length(farthest), view.minWidth) +
+           (view.maxLeafArea > 0.0f ? (maxHeightCompensation - 1.0f) * highest : 0.0f);
 }
 
 /// How many of the patch's blades, the first so many, level of detail may draw from this eyepoint:
@@ -167,7 +167,7 @@ SHARED_FN uint thickEnough(Eyepoint view, Patch cell)
     if ((view.cullMask & leaveThinned) == 0u || view.lodThreshold <= 0.0f)
         return cell.bladeCount;
     const float thinned = shareAt(view, boxDistance(view.eye, cell.boundsLow, cell.boundsHigh));
-    const float share = min(thinned, min(thinned, 1.0f) * layersOf(view, cell).share);
+    const float share = min(thinned, min(thinned, 1.0f) * leafAreaLimitOf(view, cell).share);
     if (share <= cell.rankLow)
         return 0u;
     if (share >= cell.rankHigh)
@@ -225,19 +225,19 @@ SHARED_FN bool seenTooNarrow(Eyepoint view, Blade blade, uint index, vec3 axis, 
     return keptSamples(widest / (view.minWidth * nearest), index, view.samples) == 0u;
 }
 
-/// The fate of one blade of a patch that was not culled, in the order orientation, frustum,
-/// distance, level of detail. `layers`: layersOf() its patch, by which `blade` is raised(). `index`
+/// The cull result of one blade of a patch that was not culled, in the order orientation, frustum,
+/// distance, level of detail. `limit`: leafAreaLimitOf() its patch, by which `blade` is raised(). `index`
 /// is its resident id.
-SHARED_FN Verdict judgeBlade(Eyepoint view, Layers layers, Blade blade, uint index,
+SHARED_FN Verdict cullBlade(Eyepoint view, LeafAreaLimit limit, Blade blade, uint index,
                              BladeState state, float rank)
 {
     const vec3 axis = widthAxis(blade.up, blade.facing);
     const float distance = length(blade.root - view.eye);
-    const DrawnSize size = drawnSize(view, layers, blade, rank, distance);
+    const DrawnSize size = drawnSize(view, limit, blade, rank, distance);
     const float factor = size.widthFactor;
 
     Verdict verdict;
-    verdict.fate = fateDrawn;
+    verdict.cullResult = cullResultDrawn;
     verdict.widthFactor = factor;
     verdict.pixels = size.pixels;
 
@@ -250,7 +250,7 @@ SHARED_FN Verdict judgeBlade(Eyepoint view, Layers layers, Blade blade, uint ind
         const vec3 v1 = blade.root + blade.height * pose.v1;
         const vec3 v2 = blade.root + blade.height * pose.v2;
         const float margin = 0.5f * outlineMost * blade.width * max(factor, 1.0f) +
-                             ribMargin(distance + blade.height, view.minWidth);
+                             sectionMargin(distance + blade.height, view.minWidth);
         verdict.v1 = v1;
         verdict.v2 = v2;
         verdict.margin = margin;
@@ -261,16 +261,16 @@ SHARED_FN Verdict judgeBlade(Eyepoint view, Layers layers, Blade blade, uint ind
 
     if ((view.cullMask & cullOrientation) != 0u &&
         seenTooNarrow(view, blade, index, axis, distance, factor > 0.0f ? factor : 1.0f))
-        verdict.fate = fateOrientation;
+        verdict.cullResult = cullResultOrientation;
     else if (outside)
-        verdict.fate = fateFrustum;
+        verdict.cullResult = cullResultFrustum;
     else if ((view.cullMask & cullDistance) != 0u &&
              (distance > view.drawDistance ||
               !bucketsKeep(view.buckets, view.bucketDistance, distance, rank)))
-        verdict.fate = fateDistance;
+        verdict.cullResult = cullResultDistance;
     else if (factor <= 0.0f)
-        verdict.fate = fateLod;
-    if (verdict.fate != fateDrawn)
+        verdict.cullResult = cullResultLod;
+    if (verdict.cullResult != cullResultDrawn)
         verdict.widthFactor = 0.0f;
     return verdict;
 }

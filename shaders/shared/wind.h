@@ -4,7 +4,7 @@
 #define SWARD_SHARED_WIND_H
 
 #include "shaders/shared/blade.h"
-#include "shaders/shared/nature.h"
+#include "shaders/shared/environment.h"
 #include "shaders/shared/noise.h"
 #include "shaders/shared/types.h"
 

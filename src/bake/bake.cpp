@@ -25,7 +25,7 @@ constexpr double bladesPerTile = 8e6;
 constexpr double maxBladesInOne = 12e6;
 
 // Bakes all tiles one after another.
-std::vector<CellTree> bakeTiles(const GroundPart& whole, const BakeSettings& settings,
+std::vector<CellTree> bakeTiles(const GroundView& whole, const BakeSettings& settings,
                                 const BakePlan& plan, Totals& totals, Progress& progress)
 {
     const terrain::GroundMesh& ground = whole.ground;
@@ -44,8 +44,8 @@ std::vector<CellTree> bakeTiles(const GroundPart& whole, const BakeSettings& set
             continue;
         const terrain::GroundMesh part = partOf(ground, near[i]);
         const terrain::SurfaceFeatures features = partOf(ground, whole.features, near[i], margin);
-        const Territory territory(ground.origin, tiles[i]);
-        TileResult tile = bakeTile({part, features}, settings, plan, &territory, progress);
+        const TileRegion region(ground.origin, tiles[i]);
+        TileResult tile = bakeTile({part, features}, settings, plan, &region, progress);
         totals.add(tile);
         std::move(tile.cells.begin(), tile.cells.end(), std::back_inserter(cells));
     }
@@ -77,11 +77,11 @@ BakeResult bakeField(const terrain::GroundMesh& ground, const BakeSettings& sett
             },
             [&] {
                 Stopwatch own;
-                if (asksRays(ground, settings))
+                if (needsRays(ground, settings))
                     rays.emplace(ground);
                 report.timing.rays = own.lap();
             });
-        GroundPart whole{ground, features, rays ? &*rays : nullptr};
+        GroundView whole{ground, features, rays ? &*rays : nullptr};
         watch.lap();
         const BakePlan plan = planWhole(whole, settings, diagnostics, progress);
         report.timing.sample = watch.lap();
@@ -94,7 +94,7 @@ BakeResult bakeField(const terrain::GroundMesh& ground, const BakeSettings& sett
         std::vector<CellTree> cells = bakeTiles(whole, settings, plan, totals, progress);
         finishReport(report, totals, settings, plan, diagnostics);
         watch.lap();
-        result.field = bareField(ground, settings, plan, report);
+        result.field = fieldWithoutBlades(ground, settings, plan, report);
         joinCells(std::move(cells), result.field);
         report.timing.patches += watch.lap();
     });
@@ -124,7 +124,7 @@ Report estimateBake(const terrain::GroundMesh& ground, const BakeSettings& setti
         thin.density = std::min(wanted, sampleSize) / area;
         thin.bladeScale = full.scale;
         const terrain::SurfaceFeatures features = featuresOf(ground, thin);
-        const GroundPart whole{ground, features};
+        const GroundView whole{ground, features};
         const BakePlan plan = planWhole(whole, thin, diagnostics, progress);
         TileResult tile = bakeTile(whole, thin, plan, nullptr, progress);
 
@@ -138,7 +138,7 @@ Report estimateBake(const terrain::GroundMesh& ground, const BakeSettings& setti
         totals.add(tile);
         totals.fill(report, factor);
         warnAboutRoots(tile.counts, report.input, settings, diagnostics);
-        field::Field sample = bareField(ground, settings, plan, report);
+        field::Field sample = fieldWithoutBlades(ground, settings, plan, report);
         const double withoutBlades = double(field::fieldBytes(sample));
         joinCells(std::move(tile.cells), sample);
         const double withBlades = double(field::fieldBytes(sample));

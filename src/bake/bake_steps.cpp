@@ -67,12 +67,14 @@ void fillSpacing(Report& report, double minimum, const BakeSettings& settings, c
                                                     (std::sqrt(3.0) * double(report.kept)));
 }
 
-bool asksAltitude(const BakeSettings& settings)
+bool needsAltitude(const BakeSettings& settings)
 {
-    const auto asks = [](const SoftRange& range) { return !range.holds(-unbounded, unbounded); };
-    bool any = asks(settings.altitude) || asks(settings.water);
+    const auto restricts = [](const SoftRange& range) {
+        return !range.holds(-unbounded, unbounded);
+    };
+    bool any = restricts(settings.altitude) || restricts(settings.water);
     for (const SpeciesTraits& species : settings.meadow.species)
-        any = any || species.habitat.asksAltitude();
+        any = any || species.habitat.needsAltitude();
     return any;
 }
 
@@ -115,7 +117,7 @@ terrain::SurfaceFeatures featuresOf(const terrain::GroundMesh& ground, const Bak
                         : terrain::SurfaceFeatures{};
 }
 
-BakePlan planWhole(const GroundPart& whole, const BakeSettings& settings, Diagnostics& diagnostics,
+BakePlan planWhole(const GroundView& whole, const BakeSettings& settings, Diagnostics& diagnostics,
                    Progress& progress)
 {
     const terrain::GroundMesh& ground = whole.ground;
@@ -179,7 +181,7 @@ Report reportOf(const terrain::GroundMesh& ground, const BakeSettings& settings,
     report.input.area = bearingArea(ground, Sides::front);
     report.input.low = ground.origin + glm::dvec3(box.low);
     report.input.high = ground.origin + glm::dvec3(box.high);
-    if (asksAltitude(settings))
+    if (needsAltitude(settings))
         report.input.altitudes = altitudesOf(ground, settings.groundUp);
     report.input.hash = terrain::contentHash(ground);
     report.seed = settings.seed;
@@ -187,8 +189,8 @@ Report reportOf(const terrain::GroundMesh& ground, const BakeSettings& settings,
     return report;
 }
 
-field::Field bareField(const terrain::GroundMesh& ground, const BakeSettings& settings,
-                       const BakePlan& plan, const Report& report)
+field::Field fieldWithoutBlades(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                                const BakePlan& plan, const Report& report)
 {
     field::Field field;
     field.origin = ground.origin;

@@ -20,7 +20,7 @@ terrain::SurfaceFeatures featuresOf(const terrain::GroundMesh& ground,
                                     const BakeSettings& settings);
 
 /// Settles what every tile of a ground is baked with. Throws as planBake() and planRoots() do.
-BakePlan planWhole(const GroundPart& whole, const BakeSettings& settings, Diagnostics& diagnostics,
+BakePlan planWhole(const GroundView& whole, const BakeSettings& settings, Diagnostics& diagnostics,
                    Progress& progress);
 
 /// What several tiles came to.
@@ -44,8 +44,8 @@ void finishReport(Report& report, const Totals& totals, const BakeSettings& sett
                   const BakePlan& plan, Diagnostics& diagnostics);
 
 /// Everything of a field but its patches and blades.
-field::Field bareField(const terrain::GroundMesh& ground, const BakeSettings& settings,
-                       const BakePlan& plan, const Report& report);
+field::Field fieldWithoutBlades(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                                const BakePlan& plan, const Report& report);
 
 /// The ground's largest extent along an axis [m].
 double extentOf(const terrain::GroundMesh& ground);

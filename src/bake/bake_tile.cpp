@@ -53,7 +53,7 @@ std::uint64_t countUndersides(const terrain::GroundMesh& ground, const Roots& ro
 
 } // namespace
 
-bool asksRays(const terrain::GroundMesh& ground, const BakeSettings& settings)
+bool needsRays(const terrain::GroundMesh& ground, const BakeSettings& settings)
 {
     return !ground.triangles.empty() &&
            (settings.exposureRays > 0 || filterNeedsRays(ground, settings) ||
@@ -70,15 +70,15 @@ double tileMargin(const terrain::GroundMesh& ground, const BakeSettings& setting
            1.001;
 }
 
-TileResult bakeTile(const GroundPart& part, const BakeSettings& settings, const BakePlan& plan,
-                    const Territory* tile, Progress& progress)
+TileResult bakeTile(const GroundView& part, const BakeSettings& settings, const BakePlan& plan,
+                    const TileRegion* tile, Progress& progress)
 {
     TileResult result;
     Stopwatch watch;
     const terrain::GroundMesh& ground = part.ground;
     std::optional<terrain::SurfaceQuery> query;
     const terrain::SurfaceQuery* rays = nullptr;
-    if (asksRays(ground, settings)) {
+    if (needsRays(ground, settings)) {
         progress.begin("rays", 1);
         rays = part.rays != nullptr ? part.rays : &query.emplace(ground);
     }

@@ -2,10 +2,10 @@
 
 #include "bake/cell_tree.h"
 #include "bake/plan.h"
+#include "bake/tile_region.h"
 #include "bake/report.h"
 #include "bake/root_source.h"
 #include "bake/settings.h"
-#include "bake/territory.h"
 #include "core/progress.h"
 #include "terrain/ground_mesh.h"
 #include "terrain/surface_features.h"
@@ -18,7 +18,7 @@
 namespace sward::bake {
 
 /// Ground with what its connections tell, found once on the whole: all of it or a part.
-struct GroundPart {
+struct GroundView {
     const terrain::GroundMesh& ground;
     const terrain::SurfaceFeatures& features;
     const terrain::SurfaceQuery* rays = nullptr; ///< of this ground, if somebody has made one
@@ -40,11 +40,11 @@ struct TileResult {
 
 /// Bakes the cells of a tile. `ground` is the whole ground or partOf() it with at least
 /// tileMargin(). A null `tile` means everything.
-TileResult bakeTile(const GroundPart& part, const BakeSettings& settings, const BakePlan& plan,
-                    const Territory* tile, Progress& progress);
+TileResult bakeTile(const GroundView& part, const BakeSettings& settings, const BakePlan& plan,
+                    const TileRegion* tile, Progress& progress);
 
 /// Whether anything at all is asked of rays, on ground that has triangles.
-bool asksRays(const terrain::GroundMesh& ground, const BakeSettings& settings);
+bool needsRays(const terrain::GroundMesh& ground, const BakeSettings& settings);
 
 /// How far around its cells a tile must know the ground [m].
 double tileMargin(const terrain::GroundMesh& ground, const BakeSettings& settings,

@@ -2,8 +2,8 @@
 
 #include "bake/local_ranks.h"
 #include "bake/patch_header.h"
+#include "bake/tile_region.h"
 #include "bake/root_sample.h"
-#include "bake/territory.h"
 #include "core/progress.h"
 #include "core/uninitialized.h"
 #include "field/field.h"

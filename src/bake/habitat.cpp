@@ -19,9 +19,9 @@ double cosineOf(double degrees)
 
 HabitatWeight::HabitatWeight(const Habitat& habitat)
     : habitat_(habitat)
-    , asksSlope_(habitat.asksSlope())
-    , asksAltitude_(habitat.asksAltitude())
-    , asksCurvature_(habitat.asksCurvature())
+    , needsSlope_(habitat.needsSlope())
+    , needsAltitude_(habitat.needsAltitude())
+    , needsCurvature_(habitat.needsCurvature())
     , uprightLow_(cosineOf(habitat.slope.high))
     , uprightHigh_(cosineOf(habitat.slope.low))
 {
@@ -56,11 +56,11 @@ double HabitatWeight::at(const terrain::GroundMesh& ground, const RootSample& ro
     for (const Mask& mask : habitat_.masks)
         if (falls(Reject::mask, mask.at(ground, root)))
             return weight;
-    if (asksSlope_ && falls(Reject::slope, slopeWeight(site.upright)))
+    if (needsSlope_ && falls(Reject::slope, slopeWeight(site.upright)))
         return weight;
-    if (asksAltitude_ && falls(Reject::altitude, habitat_.altitude.weight(site.altitude)))
+    if (needsAltitude_ && falls(Reject::altitude, habitat_.altitude.weight(site.altitude)))
         return weight;
-    if (asksCurvature_)
+    if (needsCurvature_)
         falls(Reject::curvature, habitat_.curvature.weight(site.curvature));
     return weight;
 }

@@ -15,12 +15,12 @@ struct Habitat {
     SoftRange curvature;              ///< [1/m], mean; convex is positive
     std::vector<Mask> masks;          ///< multiplied
 
-    bool asksSlope() const { return !slope.holds(0.0, 180.0); }
-    bool asksAltitude() const { return !altitude.holds(-unbounded, unbounded); }
-    bool asksCurvature() const { return !curvature.holds(-unbounded, unbounded); }
-    bool asksAnything() const
+    bool needsSlope() const { return !slope.holds(0.0, 180.0); }
+    bool needsAltitude() const { return !altitude.holds(-unbounded, unbounded); }
+    bool needsCurvature() const { return !curvature.holds(-unbounded, unbounded); }
+    bool needsAnything() const
     {
-        return asksSlope() || asksAltitude() || asksCurvature() || !masks.empty();
+        return needsSlope() || needsAltitude() || needsCurvature() || !masks.empty();
     }
 };
 
@@ -48,9 +48,9 @@ private:
     double slopeWeight(double upright) const;
 
     Habitat habitat_;
-    bool asksSlope_;
-    bool asksAltitude_;
-    bool asksCurvature_;
+    bool needsSlope_;
+    bool needsAltitude_;
+    bool needsCurvature_;
     double uprightLow_;  ///< cosines between which the slope has weight 1 …
     double uprightHigh_; ///< … without an arc cosine
 };

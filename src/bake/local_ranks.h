@@ -1,7 +1,7 @@
 #pragma once
 
+#include "bake/tile_region.h"
 #include "bake/root_sample.h"
-#include "bake/territory.h"
 
 #include <glm/vec3.hpp>
 

@@ -36,7 +36,7 @@ std::uint64_t keyOf(const glm::dvec3& cell)
 
 } // namespace
 
-double nearestPair(const Roots& roots, double sheetCosine, double limit, const Territory* tile)
+double nearestPair(const Roots& roots, double sheetCosine, double limit, const TileRegion* tile)
 {
     // Roots by cells as wide as the limit; neighbours along x lie next to one another.
     UninitializedVector<Entry> entries(roots.size());

@@ -2,7 +2,7 @@
 
 #include "bake/clumps.h"
 #include "bake/poisson_region.h"
-#include "bake/territory.h"
+#include "bake/tile_region.h"
 #include "core/error.h"
 
 #include <algorithm>

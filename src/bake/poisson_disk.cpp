@@ -64,7 +64,7 @@ double PoissonDisk::reach(double spacing, bool filtered, const PoissonTuning& tu
     return latticeFor(spacing, filtered, tuning, 0.0).reach();
 }
 
-Sampling PoissonDisk::sample(Progress& progress, const Territory* counted) const
+Sampling PoissonDisk::sample(Progress& progress, const TileRegion* counted) const
 {
     const std::vector<RegionPiece> pieces =
         piecesByRegion(ground_, settings_.sides, lattice_, tuning_.fragmentEdge * spacing_);

@@ -25,7 +25,7 @@ public:
 
     /// All roots, sorted by triangle and candidate. `proposed` are the darts thrown; some that are
     /// bound to be rejected are never thrown. Only those in `counted` (null: everywhere) count.
-    Sampling sample(Progress& progress, const Territory* counted = nullptr) const;
+    Sampling sample(Progress& progress, const TileRegion* counted = nullptr) const;
 
     /// Along each axis, the farthest that anything lies which a root depends on [m].
     static double reach(double spacing, bool filtered, const PoissonTuning& tuning);

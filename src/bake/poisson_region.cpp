@@ -39,11 +39,11 @@ double largest(const glm::dvec3& v)
 } // namespace
 
 // A region while it is filled.
-class RegionFiller::Room {
+class RegionFiller::Sampler {
 public:
-    Room(const terrain::GroundMesh& ground, std::uint64_t seed, const RootFilter& filter,
+    Sampler(const terrain::GroundMesh& ground, std::uint64_t seed, const RootFilter& filter,
          const PoissonLattice& lattice, double spacing, bool filtered, const PoissonTuning& tuning,
-         const Territory* counted)
+         const TileRegion* counted)
         : ground_(ground)
         , seed_(seed)
         , filter_(filter)
@@ -75,7 +75,7 @@ public:
 
 private:
     // A triangle that has parts in the region.
-    struct Sheet {
+    struct TriangleSide {
         glm::dvec3 corner, first, second;
         std::uint32_t triangle;
         std::uint32_t source;
@@ -103,12 +103,12 @@ private:
     void throwAt(Part& part, int round, RegionResult& result);
     void throwDart(Part& part, const Fragment& fragment, std::uint32_t candidate,
                    RegionResult& result);
-    bool covers(const Disk& disk, const Sheet& sheet, const Fragment& fragment) const;
+    bool covers(const Disk& disk, const TriangleSide& sheet, const Fragment& fragment) const;
     Fragment fragmentOf(const Part& part) const
     {
         return fragmentAt(sheets_[part.sheet].level + pass_, part.column, part.row, part.turned);
     }
-    glm::dvec3 placeOf(const Sheet& sheet, double b, double c) const
+    glm::dvec3 placeOf(const TriangleSide& sheet, double b, double c) const
     {
         return sheet.corner + b * sheet.first + c * sheet.second;
     }
@@ -119,9 +119,9 @@ private:
     double spacing_;
     double widest_;
     const PoissonTuning& tuning_;
-    const Territory* counted_;
+    const TileRegion* counted_;
 
-    std::vector<Sheet> sheets_;
+    std::vector<TriangleSide> sheets_;
     std::vector<Part> parts_;
     std::vector<Part> next_;
     DiskGrid grid_;
@@ -129,7 +129,7 @@ private:
     int pass_ = 0;
 };
 
-void RegionFiller::Room::gatherParts(std::span<const RegionPiece> pieces)
+void RegionFiller::Sampler::gatherParts(std::span<const RegionPiece> pieces)
 {
     sheets_.clear();
     parts_.clear();
@@ -137,7 +137,7 @@ void RegionFiller::Room::gatherParts(std::span<const RegionPiece> pieces)
         if (sheets_.empty() || sheets_.back().triangle != piece.triangle ||
             sheets_.back().back != piece.back) {
             const glm::uvec3 corners = ground_.triangles[piece.triangle];
-            Sheet sheet;
+            TriangleSide sheet;
             sheet.corner = glm::dvec3(ground_.positions[corners.x]);
             sheet.first = glm::dvec3(ground_.positions[corners.y]) - sheet.corner;
             sheet.second = glm::dvec3(ground_.positions[corners.z]) - sheet.corner;
@@ -162,7 +162,7 @@ void RegionFiller::Room::gatherParts(std::span<const RegionPiece> pieces)
                           (largest(sheet.corner) + largest(sheet.first) + largest(sheet.second));
             sheets_.push_back(sheet);
         }
-        const Sheet& sheet = sheets_.back();
+        const TriangleSide& sheet = sheets_.back();
         const auto index = static_cast<std::uint32_t>(sheets_.size() - 1);
         const auto place = [&](std::uint32_t column, std::uint32_t row, bool turned) {
             if (!piece.whole) {
@@ -180,13 +180,13 @@ void RegionFiller::Room::gatherParts(std::span<const RegionPiece> pieces)
     }
 }
 
-void RegionFiller::Room::gatherDisks(const CubeIndex<Disk>& before)
+void RegionFiller::Sampler::gatherDisks(const CubeIndex<Disk>& before)
 {
     // The box of all places that darts can hit.
     glm::dvec3 low(std::numeric_limits<double>::max());
     glm::dvec3 high(std::numeric_limits<double>::lowest());
     for (const Part& part : parts_) {
-        const Sheet& sheet = sheets_[part.sheet];
+        const TriangleSide& sheet = sheets_[part.sheet];
         const Fragment fragment = fragmentOf(part);
         const auto b = double(fragment.b);
         const auto c = double(fragment.c);
@@ -205,7 +205,7 @@ void RegionFiller::Room::gatherDisks(const CubeIndex<Disk>& before)
 
     // Are all normals of one mind?
     glm::dvec3 sum(0.0);
-    for (const Sheet& sheet : sheets_) {
+    for (const TriangleSide& sheet : sheets_) {
         const glm::dvec3 face = ground_.faceNormal(sheet.triangle);
         sum += sheet.back ? -face : face;
     }
@@ -216,7 +216,7 @@ void RegionFiller::Room::gatherDisks(const CubeIndex<Disk>& before)
         return glm::dot(normal, axis) > smoothCosine;
     };
     for (std::size_t i = 0; i < sheets_.size() && smooth_; ++i) {
-        const Sheet& sheet = sheets_[i];
+        const TriangleSide& sheet = sheets_[i];
         const double sign = sheet.back ? -1.0 : 1.0;
         const glm::uvec3 corners = ground_.triangles[sheet.triangle];
         smooth_ = agrees(sign * ground_.faceNormal(sheet.triangle)) &&
@@ -236,7 +236,7 @@ void RegionFiller::Room::gatherDisks(const CubeIndex<Disk>& before)
 }
 
 // Replaces the parts that are still open by their quarters; `pass_` is that of the quarters.
-void RegionFiller::Room::quarter()
+void RegionFiller::Sampler::quarter()
 {
     next_.clear();
     for (const Part& part : parts_) {
@@ -258,7 +258,7 @@ void RegionFiller::Room::quarter()
 }
 
 // Visits the parts in an order that has nothing to do with the mesh's: strides of the golden ratio.
-void RegionFiller::Room::throwRound(int round, RegionResult& result)
+void RegionFiller::Sampler::throwRound(int round, RegionResult& result)
 {
     const std::size_t count = parts_.size();
     if (count == 0)
@@ -276,9 +276,9 @@ void RegionFiller::Room::throwRound(int round, RegionResult& result)
     }
 }
 
-void RegionFiller::Room::throwAt(Part& part, int round, RegionResult& result)
+void RegionFiller::Sampler::throwAt(Part& part, int round, RegionResult& result)
 {
-    const Sheet& sheet = sheets_[part.sheet];
+    const TriangleSide& sheet = sheets_[part.sheet];
     // As many tries as the part's area is worth, rounded by the part's own random number.
     const std::uint32_t number =
         partNumber(sheet.level + pass_, part.column, part.row, part.turned);
@@ -296,10 +296,10 @@ void RegionFiller::Room::throwAt(Part& part, int round, RegionResult& result)
                   result);
 }
 
-void RegionFiller::Room::throwDart(Part& part, const Fragment& fragment, std::uint32_t candidate,
-                                   RegionResult& result)
+void RegionFiller::Sampler::throwDart(Part& part, const Fragment& fragment, std::uint32_t candidate,
+                              RegionResult& result)
 {
-    const Sheet& sheet = sheets_[part.sheet];
+    const TriangleSide& sheet = sheets_[part.sheet];
     if (sheet.back)
         candidate |= backSide;
     const std::uint64_t bits =
@@ -326,10 +326,10 @@ void RegionFiller::Room::throwDart(Part& part, const Fragment& fragment, std::ui
     float radius = static_cast<float>(spacing_);
     bool bears = true;
     Reject whyThinned = Reject::mask;
-    const bool asks = filter_.asksAnything();
-    if (asks || !smooth_)
+    const bool needsAnything = filter_.needsAnything();
+    if (needsAnything || !smooth_)
         root = TrianglePoints(ground_, sheet.triangle).at(b, c, candidate);
-    if (asks) {
+    if (needsAnything) {
         const double least = 1.0 / (tuning_.widest * tuning_.widest);
         const std::uint64_t more = mixBits(bits ^ golden);
         const double draw = double(more >> 32) * 0x1.0p-32;
@@ -355,7 +355,7 @@ void RegionFiller::Room::throwDart(Part& part, const Fragment& fragment, std::ui
             part.open = false;
         return;
     }
-    if (asks) {
+    if (needsAnything) {
         if (const std::optional<Reject> obstacle = filter_.obstacle(root)) {
             reject(*obstacle);
             return;
@@ -374,8 +374,8 @@ void RegionFiller::Room::throwDart(Part& part, const Fragment& fragment, std::ui
 }
 
 // Whether no root can stand anywhere on the part any more because of this one disk.
-bool RegionFiller::Room::covers(const Disk& disk, const Sheet& sheet,
-                                const Fragment& fragment) const
+bool RegionFiller::Sampler::covers(const Disk& disk, const TriangleSide& sheet,
+                           const Fragment& fragment) const
 {
     const double reach = spacing_ - sheet.slack; // no disk is smaller
     if (reach <= 0.0)
@@ -411,9 +411,9 @@ PoissonTuning tuningOf(const BakeSettings& settings)
 
 RegionFiller::RegionFiller(const terrain::GroundMesh& ground, std::uint64_t seed,
                            const RootFilter& filter, const PoissonLattice& lattice, double spacing,
-                           bool filtered, const PoissonTuning& tuning, const Territory* counted)
-    : room_(
-          std::make_unique<Room>(ground, seed, filter, lattice, spacing, filtered, tuning, counted))
+                           bool filtered, const PoissonTuning& tuning, const TileRegion* counted)
+    : sampler_(
+          std::make_unique<Sampler>(ground, seed, filter, lattice, spacing, filtered, tuning, counted))
 {
 }
 
@@ -421,7 +421,7 @@ RegionFiller::~RegionFiller() = default;
 
 RegionResult RegionFiller::fill(std::span<const RegionPiece> pieces, const CubeIndex<Disk>& before)
 {
-    return room_->fill(pieces, before);
+    return sampler_->fill(pieces, before);
 }
 
 } // namespace sward::bake

@@ -3,10 +3,10 @@
 #include "bake/cube_index.h"
 #include "bake/disk.h"
 #include "bake/poisson_fragments.h"
+#include "bake/tile_region.h"
 #include "bake/report.h"
 #include "bake/root_filter.h"
 #include "bake/root_sample.h"
-#include "bake/territory.h"
 
 #include <array>
 #include <cstdint>
@@ -64,15 +64,15 @@ public:
     /// All must outlive the filler. `spacing` [m]; darts in `counted` (null: all) are counted.
     RegionFiller(const terrain::GroundMesh& ground, std::uint64_t seed, const RootFilter& filter,
                  const PoissonLattice& lattice, double spacing, bool filtered,
-                 const PoissonTuning& tuning, const Territory* counted);
+                 const PoissonTuning& tuning, const TileRegion* counted);
     ~RegionFiller();
 
     /// Fills the region of these pieces, given the disks of the regions that come before.
     RegionResult fill(std::span<const RegionPiece> pieces, const CubeIndex<Disk>& before);
 
 private:
-    class Room;
-    std::unique_ptr<Room> room_;
+    class Sampler;
+    std::unique_ptr<Sampler> sampler_;
 };
 
 } // namespace sward::bake

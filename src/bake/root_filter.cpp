@@ -18,12 +18,12 @@ bool hasOccluders(const terrain::GroundMesh& ground)
            ground.bears.end();
 }
 
-bool asksSky(const BakeSettings& settings)
+bool needsSky(const BakeSettings& settings)
 {
     return !settings.sky.holds(0.0, 1.0);
 }
 
-bool asks(const SoftRange& range)
+bool restricts(const SoftRange& range)
 {
     return !range.holds(-unbounded, unbounded);
 }
@@ -41,22 +41,22 @@ RootFilter::RootFilter(const terrain::GroundMesh& ground, const BakeSettings& se
     , everybody_({settings.slope, settings.altitude, settings.curvature, settings.masks})
     , mix_(settings.meadow)
 {
-    if (asks(settings.border))
+    if (restricts(settings.border))
         border_.emplace(ground, features->borders, settings.border.low);
     for (const ExcludedArea& area : settings.excluded)
         excluded_.emplace_back(area, ground.origin);
     if (query != nullptr && hasOccluders(ground))
         occluders_.emplace(ground, *query);
-    if (query != nullptr && asksSky(settings))
+    if (query != nullptr && needsSky(settings))
         sky_.emplace(ground, settings, settings.rayLength * scale, *query);
 
     const Habitat& everywhere = everybody_.habitat();
-    asksSite_ = everywhere.asksSlope() || everywhere.asksAltitude() || everywhere.asksCurvature() ||
-                mix_.asksPlace() || asks(settings.water);
+    needsSite_ = everywhere.needsSlope() || everywhere.needsAltitude() ||
+                 everywhere.needsCurvature() || mix_.needsPlace() || restricts(settings.water);
     weighs_ =
-        asksSite_ || everywhere.asksAnything() || settings.minIsland > 0.0 || border_.has_value();
-    asksObstacles_ = settings.clearance > 0.0 || !excluded_.empty() || occluders_.has_value() ||
-                     sky_.has_value();
+        needsSite_ || everywhere.needsAnything() || settings.minIsland > 0.0 || border_.has_value();
+    needsObstacles_ = settings.clearance > 0.0 || !excluded_.empty() || occluders_.has_value() ||
+                      sky_.has_value();
 }
 
 glm::dvec3 RootFilter::groundUpAt(const RootSample& root) const
@@ -113,9 +113,9 @@ double RootFilter::weigh(const RootSample& root, double chance, Reject& reason) 
 {
     if (!weighs_)
         return 1.0;
-    const Site site = asksSite_ ? siteOf(root) : Site();
+    const Site site = needsSite_ ? siteOf(root) : Site();
     double weight = weighEverybody(root, site, chance, reason);
-    if (weight <= chance || !mix_.asksPlace())
+    if (weight <= chance || !mix_.needsPlace())
         return weight;
     Reject own = Reject::mask;
     weight *= mix_.shares(mix_.habitatWeights(ground_, root, site, own)).total;
@@ -130,9 +130,9 @@ Stand RootFilter::standAt(const RootSample& root) const
     stand.vigour.fill(1.0);
     if (!weighs_)
         return stand;
-    const Site site = asksSite_ ? siteOf(root) : Site();
+    const Site site = needsSite_ ? siteOf(root) : Site();
     Reject ignored = Reject::mask;
-    if (mix_.asksPlace()) {
+    if (mix_.needsPlace()) {
         stand.vigour = mix_.habitatWeights(ground_, root, site, ignored);
         stand.shares = mix_.shares(stand.vigour);
     }
@@ -144,7 +144,7 @@ Stand RootFilter::standAt(const RootSample& root) const
 
 std::optional<Reject> RootFilter::obstacle(const RootSample& root) const
 {
-    if (!asksObstacles_)
+    if (!needsObstacles_)
         return std::nullopt;
     const glm::dvec3 place(root.position);
     const glm::dvec3 groundUp = groundUpAt(root);
@@ -174,17 +174,19 @@ std::optional<Reject> RootFilter::obstacle(const RootSample& root) const
 
 bool filterNeedsRays(const terrain::GroundMesh& ground, const BakeSettings& settings)
 {
-    return settings.clearance > 0.0 || asksSky(settings) || hasOccluders(ground);
+    return settings.clearance > 0.0 || needsSky(settings) || hasOccluders(ground);
 }
 
 terrain::FeatureChoice featuresFor(const BakeSettings& settings)
 {
-    const auto asksCurvature = [](const SpeciesTraits& one) { return one.habitat.asksCurvature(); };
-    return {.curvature = asks(settings.curvature) ||
+    const auto needsCurvature = [](const SpeciesTraits& one) {
+        return one.habitat.needsCurvature();
+    };
+    return {.curvature = restricts(settings.curvature) ||
                          std::any_of(settings.meadow.species.begin(), settings.meadow.species.end(),
-                                     asksCurvature),
+                                     needsCurvature),
             .islands = settings.minIsland > 0.0,
-            .borders = asks(settings.border)};
+            .borders = restricts(settings.border)};
 }
 
 void checkGround(const terrain::GroundMesh& ground, const BakeSettings& settings)
@@ -200,7 +202,7 @@ double reachOf(const terrain::GroundMesh& ground, const BakeSettings& settings, 
                double clumpSpacing)
 {
     double reach = settings.clearance;
-    if (asks(settings.border))
+    if (restricts(settings.border))
         reach = std::max(reach, settings.border.low);
     if (settings.exposureRays > 0)
         reach = std::max(reach, settings.rayLength * scale);

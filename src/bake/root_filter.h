@@ -36,7 +36,7 @@ public:
                const terrain::SurfaceFeatures* features = nullptr, double scale = 1.0);
 
     /// False if every root of a bearing triangle passes without being asked.
-    bool asksAnything() const { return weighs_ || asksObstacles_; }
+    bool needsAnything() const { return weighs_ || needsObstacles_; }
 
     /// Share [0, 1] of the density that is wanted at a root: the product of masks, of filters with
     /// soft edges, and of what the species take. Stops as soon as the product is `chance` or less
@@ -68,8 +68,8 @@ private:
     std::optional<OccluderTest> occluders_;
     std::optional<Exposure> sky_;
     bool weighs_ = false;
-    bool asksSite_ = false;
-    bool asksObstacles_ = false;
+    bool needsSite_ = false;
+    bool needsObstacles_ = false;
 };
 
 /// Whether some filter casts rays. Sky exposure of blades and the room over them come on top.

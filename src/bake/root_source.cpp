@@ -69,7 +69,7 @@ RootPlan planPoissonCount(const terrain::GroundMesh& ground, const BakeSettings&
 RootPlan planRoots(const terrain::GroundMesh& ground, const BakeSettings& settings,
                    const RootFilter& filter, const Plan& plan, Progress& progress)
 {
-    const bool filtered = filter.asksAnything() || filterNeedsRays(ground, settings);
+    const bool filtered = filter.needsAnything() || filterNeedsRays(ground, settings);
     if (settings.spread != Spread::uniform) {
         if (settings.count)
             return planPoissonCount(ground, settings, filter, filtered, *settings.count, progress);
@@ -83,7 +83,7 @@ RootPlan planRoots(const terrain::GroundMesh& ground, const BakeSettings& settin
 
 Sampling sampleRoots(const terrain::GroundMesh& ground, const BakeSettings& settings,
                      const RootFilter& filter, const RootPlan& plan, Progress& progress,
-                     const Territory* counted)
+                     const TileRegion* counted)
 {
     if (settings.spread == Spread::uniform)
         return SurfaceSampler(ground, settings, filter).sample(plan.amount, progress, counted);

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "bake/plan.h"
+#include "bake/tile_region.h"
 #include "bake/root_filter.h"
 #include "bake/settings.h"
 #include "bake/surface_sampler.h"
-#include "bake/territory.h"
 #include "core/progress.h"
 #include "terrain/ground_mesh.h"
 
@@ -29,7 +29,7 @@ RootPlan planRoots(const terrain::GroundMesh& ground, const BakeSettings& settin
 /// as proposed or rejected.
 Sampling sampleRoots(const terrain::GroundMesh& ground, const BakeSettings& settings,
                      const RootFilter& filter, const RootPlan& plan, Progress& progress,
-                     const Territory* counted = nullptr);
+                     const TileRegion* counted = nullptr);
 
 /// The farthest along each axis that anything lies which a root depends on, rays apart [m].
 double rootReach(const BakeSettings& settings, const RootPlan& plan);

@@ -27,7 +27,7 @@ SpeciesMix::SpeciesMix(const Meadow& meadow)
     PerSpecies full{};
     for (std::size_t slot = 0; slot < meadow.species.size(); ++slot) {
         habitats_.emplace_back(meadow.species[slot].habitat);
-        asksPlace_ = asksPlace_ || meadow.species[slot].habitat.asksAnything();
+        needsPlace_ = needsPlace_ || meadow.species[slot].habitat.needsAnything();
         full[slot] = 1.0;
     }
     std::iota(order_.begin(), order_.end(), 0U);
@@ -35,19 +35,19 @@ SpeciesMix::SpeciesMix(const Meadow& meadow)
         return meadow.species[a].priority > meadow.species[b].priority;
     });
     evenShares_ = shares(full);
-    asksPlace_ = asksPlace_ || evenShares_.total < 1.0;
+    needsPlace_ = needsPlace_ || evenShares_.total < 1.0;
 }
 
-bool SpeciesMix::asksAltitude() const
+bool SpeciesMix::needsAltitude() const
 {
     return std::any_of(habitats_.begin(), habitats_.end(),
-                       [](const HabitatWeight& one) { return one.habitat().asksAltitude(); });
+                       [](const HabitatWeight& one) { return one.habitat().needsAltitude(); });
 }
 
-bool SpeciesMix::asksCurvature() const
+bool SpeciesMix::needsCurvature() const
 {
     return std::any_of(habitats_.begin(), habitats_.end(),
-                       [](const HabitatWeight& one) { return one.habitat().asksCurvature(); });
+                       [](const HabitatWeight& one) { return one.habitat().needsCurvature(); });
 }
 
 PerSpecies SpeciesMix::habitatWeights(const terrain::GroundMesh& ground, const RootSample& root,

@@ -31,11 +31,11 @@ public:
     explicit SpeciesMix(const Meadow& meadow);
 
     /// False if every place has the same shares, in all 1.
-    bool asksPlace() const { return asksPlace_; }
+    bool needsPlace() const { return needsPlace_; }
 
     /// Which facts about a place are asked for.
-    bool asksAltitude() const;
-    bool asksCurvature() const;
+    bool needsAltitude() const;
+    bool needsCurvature() const;
 
     /// Weight of each species' own habitat at a root, and why the likeliest is unlikely.
     PerSpecies habitatWeights(const terrain::GroundMesh& ground, const RootSample& root,
@@ -50,7 +50,7 @@ private:
     const Meadow& meadow_;
     std::vector<HabitatWeight> habitats_;
     std::vector<std::uint32_t> order_; ///< slots, highest priority first
-    bool asksPlace_ = false;
+    bool needsPlace_ = false;
     SpeciesShares evenShares_;
 };
 

@@ -186,14 +186,14 @@ bool SurfaceSampler::takes(const RootSample& root, const Amount& amount, bool co
 }
 
 Sampling SurfaceSampler::sample(const Amount& amount, Progress& progress,
-                                const Territory* counted) const
+                                const TileRegion* counted) const
 {
     const Tries tries{amount, firstCandidates(amount.density)};
     Sampling result;
     result.roots.resize(tries.count());
 
     // Where every candidate is kept, its number is its place.
-    if (amount.takesAll() && !filter_.asksAnything() && counted == nullptr) {
+    if (amount.takesAll() && !filter_.needsAnything() && counted == nullptr) {
         forEachBlock(tries, progress, [&](std::uint64_t, std::uint64_t begin, std::uint64_t end) {
             RootSample* place = result.roots.data() + begin;
             forEachCandidate(tries, begin, end, [&](const RootSample& root) { *place++ = root; });
@@ -234,7 +234,7 @@ Amount SurfaceSampler::amountFor(std::uint64_t count, Progress& progress) const
     // Learn from a small sample which share of candidates is kept; from a larger one if it is
     // small.
     double share = 1.0;
-    if (filter_.asksAnything()) {
+    if (filter_.needsAnything()) {
         Sampling probe = sample({fewTrials / area}, progress);
         if (probe.roots.empty())
             probe = sample({manyTrials / area}, progress);

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "bake/tile_region.h"
 #include "bake/report.h"
 #include "bake/root_filter.h"
 #include "bake/root_sample.h"
 #include "bake/settings.h"
-#include "bake/territory.h"
 #include "core/progress.h"
 #include "terrain/ground_mesh.h"
 
@@ -44,7 +44,7 @@ public:
     /// Tries the candidates of an amount and keeps what passes the filter. Only candidates in
     /// `counted` (null: everywhere) count as proposed and rejected.
     Sampling sample(const Amount& amount, Progress& progress,
-                    const Territory* counted = nullptr) const;
+                    const TileRegion* counted = nullptr) const;
 
     /// The amount by which exactly `count` roots are kept, or, if the ground does not keep so many,
     /// all that can be found (then the priority is 1): the candidates of lowest priority that pass.

@@ -2,7 +2,7 @@
 
 #include "bake/bake_steps.h"
 #include "bake/bake_tile.h"
-#include "bake/territory.h"
+#include "bake/tile_region.h"
 #include "terrain/ground_mesh.h"
 
 #include <cstdint>

@@ -167,6 +167,22 @@ void SettingsReader::read(const char* key, glm::dvec3& value, double low, double
         readVector(*found, placeOf(key), low, high, value);
 }
 
+void SettingsReader::readRenamed(const char* key, const char* former, float& value, double low,
+                                 double high)
+{
+    former_.emplace_back(former);
+    const auto found = object_.find(former);
+    if (found == object_.end()) {
+        read(key, value, low, high);
+        return;
+    }
+    if (has(key))
+        fail(ErrorKind::input, "{}: it has both \"{}\" and its former name \"{}\"", place_, key,
+             former);
+    value = static_cast<float>(readNumber(*found, placeOf(former), low, high));
+    warnings_.push_back(fmt::format("{}: \"{}\" is now called \"{}\"", place_, former, key));
+}
+
 std::uint32_t SettingsReader::readWord(const char* key, std::span<const std::string_view> words,
                                        std::uint32_t value)
 {
@@ -191,7 +207,8 @@ const nlohmann::json& SettingsReader::child(const char* key)
 void SettingsReader::finish() const
 {
     for (const auto& [key, value] : object_.items()) {
-        if (std::find(known_.begin(), known_.end(), key) != known_.end())
+        if (std::find(known_.begin(), known_.end(), key) != known_.end() ||
+            std::find(former_.begin(), former_.end(), key) != former_.end())
             continue;
         const std::string near = nearestWord(key, known_);
         fail(ErrorKind::input, "{}: unknown key \"{}\"{}", place_, key,

@@ -34,6 +34,13 @@ public:
     void read(const char* key, glm::vec3& value, double low, double high);
     void read(const char* key, glm::dvec3& value, double low, double high);
 
+    /// Reads `key`, or its former name if the file still has that, which adds a warning. Throws
+    /// Error{input} if the file has both.
+    void readRenamed(const char* key, const char* former, float& value, double low, double high);
+
+    /// One text for each former name that was read.
+    const std::vector<std::string>& warnings() const { return warnings_; }
+
     /// Index into `words` of the text under `key`; `value` if it is absent. Throws Error{input}
     /// that lists the words, and names the nearest, if it is none of them.
     std::uint32_t readWord(const char* key, std::span<const std::string_view> words,
@@ -52,6 +59,8 @@ private:
     const nlohmann::json& object_;
     std::string place_;
     std::vector<std::string> known_;
+    std::vector<std::string> former_; ///< known, but not proposed for an unknown key
+    std::vector<std::string> warnings_;
 };
 
 inline constexpr std::size_t jsonDepthLimit = 128;       ///< arrays and objects inside each other

@@ -265,21 +265,21 @@ void copyGround(const DisplayGround& from, const Move& move, DisplayGround& to)
 
 void copyTexts(std::span<const Member> members, Field& field)
 {
-    std::vector<std::string> owners;
+    std::vector<std::string> nonEmptyPatches;
     field.provenance = "{\"fields\":[";
     for (const Member& member : members) {
         const FieldView& view = member.view;
         field.provenance += (&member == members.data() ? "" : ",") + *view.provenance;
-        if (!view.copyright->empty() &&
-            std::find(owners.begin(), owners.end(), *view.copyright) == owners.end())
-            owners.push_back(*view.copyright);
+        if (!view.copyright->empty() && std::find(nonEmptyPatches.begin(), nonEmptyPatches.end(),
+                                                  *view.copyright) == nonEmptyPatches.end())
+            nonEmptyPatches.push_back(*view.copyright);
         if (&member != members.data())
             field.defaults.cameras.insert(field.defaults.cameras.end(),
                                           view.defaults->cameras.begin(),
                                           view.defaults->cameras.end());
     }
     field.provenance += "]}";
-    for (const std::string& owner : owners)
+    for (const std::string& owner : nonEmptyPatches)
         field.copyright += (field.copyright.empty() ? "" : "\n") + owner;
 }
 

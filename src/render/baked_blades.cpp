@@ -14,27 +14,28 @@ namespace sward::render {
 namespace {
 
 /// Indices of the patches that own blades, in the order of their blades.
-std::vector<std::uint32_t> ownersOf(const field::FieldView& field)
+std::vector<std::uint32_t> nonEmptyPatchesOf(const field::FieldView& field)
 {
-    std::vector<std::uint32_t> owners;
+    std::vector<std::uint32_t> nonEmptyPatches;
     for (std::size_t i = 0; i < field.patches.size(); ++i)
         if (field.patches[i].bladeCount > 0)
-            owners.push_back(static_cast<std::uint32_t>(i));
-    std::sort(owners.begin(), owners.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return field.patches[a].firstBlade < field.patches[b].firstBlade;
-    });
-    return owners;
+            nonEmptyPatches.push_back(static_cast<std::uint32_t>(i));
+    std::sort(nonEmptyPatches.begin(), nonEmptyPatches.end(),
+              [&](std::uint32_t a, std::uint32_t b) {
+                  return field.patches[a].firstBlade < field.patches[b].firstBlade;
+              });
+    return nonEmptyPatches;
 }
 
-/// The places among `owners` at which the search for a blade's patch begins.
-std::vector<std::uint32_t> firstOwnersOf(const field::FieldView& field,
-                                         const std::vector<std::uint32_t>& owners)
+/// The places among `nonEmptyPatches` at which the search for a blade's patch begins.
+std::vector<std::uint32_t> firstNonEmptyPatchesOf(const field::FieldView& field,
+                                                  const std::vector<std::uint32_t>& nonEmptyPatches)
 {
     std::vector<std::uint32_t> first;
     std::uint32_t place = 0;
-    for (std::size_t blade = 0; blade < field.blades.size(); blade += shared::ownerStride) {
+    for (std::size_t blade = 0; blade < field.blades.size(); blade += shared::nonEmptyPatchStride) {
         const auto end = [&] {
-            const shared::Patch& cell = field.patches[owners[place]];
+            const shared::Patch& cell = field.patches[nonEmptyPatches[place]];
             return std::size_t(cell.firstBlade) + cell.bladeCount;
         };
         while (end() <= blade)
@@ -54,12 +55,13 @@ BakedBlades::BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& u
     if (field.blades.size() > std::numeric_limits<std::uint32_t>::max())
         fail(ErrorKind::unsupported, "the field has {} blades; one view draws at most {}",
              field.blades.size(), std::numeric_limits<std::uint32_t>::max());
-    const std::vector<std::uint32_t> owners = ownersOf(field);
-    const std::vector<std::uint32_t> firstOwners = firstOwnersOf(field, owners);
+    const std::vector<std::uint32_t> nonEmptyPatches = nonEmptyPatchesOf(field);
+    const std::vector<std::uint32_t> firstNonEmptyPatches =
+        firstNonEmptyPatchesOf(field, nonEmptyPatches);
     bladeCount_ = static_cast<std::uint32_t>(field.blades.size());
     placeCount_ = pages == 0 ? bladeCount_ : pages * shared::pageBlades;
     patchCount_ = static_cast<std::uint32_t>(field.patches.size());
-    ownerCount_ = static_cast<std::uint32_t>(owners.size());
+    nonEmptyPatchCount_ = static_cast<std::uint32_t>(nonEmptyPatches.size());
     bladeSize_ = field::meanBladeSize(field);
     std::vector<shared::Species> species;
     for (const field::Species& kind : field.species)
@@ -70,9 +72,10 @@ BakedBlades::BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& u
     blades_ =
         allocate(context, "field/blades", placeCount_ * sizeof(shared::PackedBlade), pages > 0);
     patches_ = allocate(context, "field/patches", field.patches.size_bytes());
-    owners_ = allocate(context, "field/owners", owners.size() * sizeof(std::uint32_t));
-    firstOwners_ =
-        allocate(context, "field/first owners", firstOwners.size() * sizeof(std::uint32_t));
+    nonEmptyPatches_ =
+        allocate(context, "field/nonEmptyPatches", nonEmptyPatches.size() * sizeof(std::uint32_t));
+    firstNonEmptyPatches_ = allocate(context, "field/first nonEmptyPatches",
+                                     firstNonEmptyPatches.size() * sizeof(std::uint32_t));
     species_ = allocate(context, "field/species", species.size() * sizeof(shared::Species));
     if (pages == 0) {
         upload.toBuffer(blades_, field.blades);
@@ -83,8 +86,8 @@ BakedBlades::BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& u
         upload.toBuffer(pages_, std::span<const std::uint32_t>(nowhere));
     }
     upload.toBuffer(patches_, field.patches);
-    upload.toBuffer(owners_, std::span<const std::uint32_t>(owners));
-    upload.toBuffer(firstOwners_, std::span<const std::uint32_t>(firstOwners));
+    upload.toBuffer(nonEmptyPatches_, std::span<const std::uint32_t>(nonEmptyPatches));
+    upload.toBuffer(firstNonEmptyPatches_, std::span<const std::uint32_t>(firstNonEmptyPatches));
     upload.toBuffer(species_, std::span<const shared::Species>(species));
     tree_.emplace(context, upload, field, walkStart, pages > 0);
     bytes_ += tree_->bytes();

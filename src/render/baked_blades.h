@@ -32,14 +32,20 @@ public:
     std::uint32_t placeCount() const { return placeCount_; } ///< for blades, in memory
     bool isPaged() const { return pages_.address() != 0; }   ///< else all blades are there
     std::uint32_t patchCount() const { return patchCount_; }
-    std::uint32_t ownerCount() const { return ownerCount_; }       ///< patches that own blades
+    std::uint32_t nonEmptyPatchCount() const
+    {
+        return nonEmptyPatchCount_;
+    }                                                              ///< patches that own blades
     const gpu::Buffer& blades() const { return blades_; }          ///< shared::PackedBlade
     VkDeviceAddress patches() const { return patches_.address(); } ///< shared::Patch
     VkDeviceAddress pages() const { return pages_.address(); }     ///< Frame::pages
-    VkDeviceAddress owners() const { return owners_.address(); }   ///< in the order of their blades
+    VkDeviceAddress nonEmptyPatches() const
+    {
+        return nonEmptyPatches_.address();
+    } ///< in the order of their blades
 
-    /// Per shared::ownerStride blades: place among the owners of the first one's.
-    VkDeviceAddress firstOwners() const { return firstOwners_.address(); }
+    /// Per shared::nonEmptyPatchStride blades: place among the nonEmptyPatches of the first one's.
+    VkDeviceAddress firstNonEmptyPatches() const { return firstNonEmptyPatches_.address(); }
     field::BladeSize bladeSize() const { return bladeSize_; } ///< mean over all blades
     const PatchTree& tree() const { return *tree_; }
     const PatchSizes& patchSizes() const { return patchSizes_; }
@@ -52,7 +58,7 @@ private:
     std::uint32_t bladeCount_ = 0;
     std::uint32_t placeCount_ = 0;
     std::uint32_t patchCount_ = 0;
-    std::uint32_t ownerCount_ = 0;
+    std::uint32_t nonEmptyPatchCount_ = 0;
     field::BladeSize bladeSize_;
     PatchSizes patchSizes_;
     VkDeviceSize bytes_ = 0;
@@ -61,8 +67,8 @@ private:
     gpu::Buffer patches_;
     gpu::Buffer pages_; ///< nothing if all blades are there
     gpu::Buffer species_;
-    gpu::Buffer owners_;
-    gpu::Buffer firstOwners_;
+    gpu::Buffer nonEmptyPatches_;
+    gpu::Buffer firstNonEmptyPatches_;
     std::optional<PatchTree> tree_;
 };
 

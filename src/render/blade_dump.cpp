@@ -60,9 +60,9 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
         etas = gpu::readBufferAs<float>(context, buffers.etas());
     const auto visible = gpu::readBufferAs<shared::VisibleBlade>(context, buffers.visible());
     const auto rounds = gpu::readBufferAs<shared::WalkLevel>(context, buffers.list().rounds());
-    std::vector<std::uint32_t> fates;
-    if (buffers.fates().bytes() > 0)
-        fates = gpu::readBufferAs<std::uint32_t>(context, buffers.fates());
+    std::vector<std::uint32_t> cullResults;
+    if (buffers.cullResults().bytes() > 0)
+        cullResults = gpu::readBufferAs<std::uint32_t>(context, buffers.cullResults());
 
     // Pose each blade of each patch.
     std::vector<FieldRenderer::BladeRecord> records(field.blades.size());
@@ -72,17 +72,18 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
             records[index] = recordOf(shared::unpackBlade(field.blades[index], cell),
                                       {turns[index], etas[index]}, field.origin);
             records[index].id = field.idOf(index);
-            records[index].fate = fates.empty() ? shared::fatePatch : fates[index];
+            records[index].cullResult =
+                cullResults.empty() ? shared::cullResultPatch : cullResults[index];
         }
     }
 
-    // The list knows how wide blades were drawn, and the fates which of them other grass has
+    // The list knows how wide blades were drawn, and the cull results which of them other grass has
     // hidden.
     const auto drawn = [&](const shared::VisibleBlade& blade) {
-        if (!fates.empty() && fates[blade.blade] != shared::fateDrawn)
+        if (!cullResults.empty() && cullResults[blade.blade] != shared::cullResultDrawn)
             return;
         records[blade.blade].lodWidth = shared::widthFactorOf(blade);
-        records[blade.blade].fate = shared::fateDrawn;
+        records[blade.blade].cullResult = shared::cullResultDrawn;
     };
     const std::size_t first = std::min<std::size_t>(rounds[0].count, visible.size());
     const std::size_t late =
@@ -99,25 +100,25 @@ readPatch(const gpu::DeviceContext& context, const FieldBuffers& buffers,
     const shared::Patch& cell = field.patches[patch];
     std::vector<std::uint32_t> turns;
     std::vector<float> etas;
-    std::vector<std::uint32_t> fates;
+    std::vector<std::uint32_t> cullResults;
     for (const BladePart& part : parts) {
         append(turns, readPart<std::uint32_t>(context, buffers.states(), part));
         if (buffers.hasEtas())
             append(etas, readPart<float>(context, buffers.etas(), part));
-        if (buffers.fates().bytes() > 0)
-            append(fates, readPart<std::uint32_t>(context, buffers.fates(), part));
+        if (buffers.cullResults().bytes() > 0)
+            append(cullResults, readPart<std::uint32_t>(context, buffers.cullResults(), part));
     }
     if (turns.size() < cell.bladeCount)
         return {};
     etas.resize(cell.bladeCount, 0.0f);
-    fates.resize(cell.bladeCount, shared::fatePatch);
+    cullResults.resize(cell.bladeCount, shared::cullResultPatch);
     std::vector<FieldRenderer::BladeRecord> records(cell.bladeCount);
     for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
         const std::size_t index = cell.firstBlade + i;
         records[i] = recordOf(shared::unpackBlade(field.blades[index], cell), {turns[i], etas[i]},
                               field.origin);
         records[i].id = field.idOf(index);
-        records[i].fate = fates[i];
+        records[i].cullResult = cullResults[i];
     }
     return records;
 }

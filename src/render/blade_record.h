@@ -8,14 +8,14 @@ namespace sward::render {
 
 /// State of one blade at the last frame.
 struct BladeRecord {
-    std::uint64_t id = 0;   ///< field::bladeId()
-    glm::dvec3 root{0.0};   ///< world [m]: where the curve begins
-    glm::dvec3 v1{0.0};     ///< world [m]: its middle control point
-    glm::dvec3 v2{0.0};     ///< world [m]: its tip
-    glm::vec3 up{0.0f};     ///< unit
-    float eta = 0.0f;       ///< of the collision, see shared::BladeState
-    float lodWidth = 0.0f;  ///< width factor; 0 if not drawn
-    std::uint32_t fate = 0; ///< shared::fateDrawn …
+    std::uint64_t id = 0;         ///< field::bladeId()
+    glm::dvec3 root{0.0};         ///< world [m]: where the curve begins
+    glm::dvec3 v1{0.0};           ///< world [m]: its middle control point
+    glm::dvec3 v2{0.0};           ///< world [m]: its tip
+    glm::vec3 up{0.0f};           ///< unit
+    float eta = 0.0f;             ///< of the collision, see shared::BladeState
+    float lodWidth = 0.0f;        ///< width factor; 0 if not drawn
+    std::uint32_t cullResult = 0; ///< shared::cullResultDrawn …
 };
 
 } // namespace sward::render

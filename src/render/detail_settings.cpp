@@ -47,11 +47,11 @@ void readCulling(SettingsReader reader, FrameSettings& settings)
     test("distance", shared::cullDistance);
     test("occlusion", shared::cullOcclusion);
     readOptional(reader, "edge_on_cosine", 1.0, settings.maxEdgeOn);
-    reader.read("draw_distance", settings.nature.drawDistance, 1e-6, farthest);
+    reader.read("draw_distance", settings.environment.drawDistance, 1e-6, farthest);
     if (reader.has("buckets")) {
         SettingsReader buckets(reader.child("buckets"), reader.placeOf("buckets"));
         int count = static_cast<int>(settings.buckets.count);
-        settings.buckets.distance = settings.nature.drawDistance;
+        settings.buckets.distance = settings.environment.drawDistance;
         buckets.read("count", count, 0, maxBuckets);
         buckets.read("distance", settings.buckets.distance, 1e-6, farthest);
         buckets.finish();
@@ -60,28 +60,30 @@ void readCulling(SettingsReader reader, FrameSettings& settings)
     reader.finish();
 }
 
-void readLevels(SettingsReader reader, FrameSettings& settings)
+std::vector<std::string> readLevels(SettingsReader reader, FrameSettings& settings)
 {
     reader.read("thin_and_widen", settings.levelOfDetail);
     reader.read("thin_below_px", settings.lodThreshold, 0.01, 100.0);
-    reader.read("least_width", settings.minPixels, 0.0, 16.0);
-    reader.read("most_layers", settings.maxLayers, 0.0, 1e6);
+    reader.readRenamed("min_width", "least_width", settings.minPixels, 0.0, 16.0);
+    reader.readRenamed("max_leaf_area", "most_layers", settings.maxLeafArea, 0.0, 1e6);
     reader.read("segments", settings.tessellationLevel, 0, maxSegments);
     readList(reader, "steps", maxSteps, settings.levelSteps,
              [&](SettingsReader& one) { return readStep(one, settings.levelSteps); });
-    readOptional(reader, "move_every_frame", farthest, settings.pace.everyFrame);
-    readOptional(reader, "move_every_third", farthest, settings.pace.everyThird);
+    readOptional(reader, "move_every_frame", farthest, settings.updateRate.everyFrame);
+    readOptional(reader, "move_every_third", farthest, settings.updateRate.everyThird);
     reader.finish();
+    return reader.warnings();
 }
 
 } // namespace
 
-void readDetail(SettingsReader& reader, FrameSettings& settings)
+std::vector<std::string> readDetail(SettingsReader& reader, FrameSettings& settings)
 {
     if (reader.has("culling"))
         readCulling({reader.child("culling"), reader.placeOf("culling")}, settings);
     if (reader.has("detail"))
-        readLevels({reader.child("detail"), reader.placeOf("detail")}, settings);
+        return readLevels({reader.child("detail"), reader.placeOf("detail")}, settings);
+    return {};
 }
 
 } // namespace sward::render

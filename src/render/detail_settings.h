@@ -7,6 +7,6 @@ namespace sward::render {
 
 /// Reads the keys `culling` and `detail` of a settings file: which blades are left out, how finely
 /// the others are cut, and how often they move. Throws Error{input}.
-void readDetail(SettingsReader& reader, FrameSettings& settings);
+std::vector<std::string> readDetail(SettingsReader& reader, FrameSettings& settings);
 
 } // namespace sward::render

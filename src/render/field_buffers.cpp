@@ -34,15 +34,15 @@ constexpr std::size_t nodesOfBound = 2048;
 std::uint32_t roundOf(const BakedBlades& baked, FieldBuffers::Records records)
 {
     if (records.list)
-        return baked.ownerCount();
+        return baked.nonEmptyPatchCount();
     return FieldBuffers::roundPatchesOf(baked.patchSizes(), records, baked.placeCount(),
                                         baked.isPaged());
 }
 
-gpu::Buffer fatesOf(const gpu::DeviceContext& context, const BakedBlades& baked)
+gpu::Buffer cullResultsOf(const gpu::DeviceContext& context, const BakedBlades& baked)
 {
     return {context,
-            {.name = "field/fates",
+            {.name = "field/cullResults",
              .bytes = baked.placeCount() * sizeof(std::uint32_t),
              .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
                       VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}};
@@ -54,7 +54,7 @@ VkDeviceSize FieldBuffers::Records::bytesPerBlade(bool withEtas) const
 {
     return sizeof(shared::PackedBlade) + sizeof(shared::BladeState::turn) +
            (withEtas ? sizeof(shared::BladeState::eta) : 0) +
-           (list ? sizeof(shared::VisibleBlade) : 0) + (fates ? sizeof(std::uint32_t) : 0);
+           (list ? sizeof(shared::VisibleBlade) : 0) + (cullResults ? sizeof(std::uint32_t) : 0);
 }
 
 std::uint32_t FieldBuffers::roundPatchesOf(const PatchSizes& sizes, const Records& records,
@@ -75,10 +75,10 @@ FieldBuffers::FieldBuffers(const gpu::DeviceContext& context, gpu::BufferUpload&
              records.pages)
     , states_(context, baked_, {.before = false, .etas = records.etas || records.pages > 0})
     , list_(context, baked_, roundOf(baked_, records), std::numeric_limits<std::uint32_t>::max())
-    , liveBound_(field, nodesOfBound)
+    , visiblePatchBound_(field, nodesOfBound)
 {
-    if (records.fates)
-        fates_ = fatesOf(context, baked_);
+    if (records.cullResults)
+        cullResults_ = cullResultsOf(context, baked_);
 }
 
 void FieldBuffers::describe(shared::Frame& frame) const
@@ -86,28 +86,29 @@ void FieldBuffers::describe(shared::Frame& frame) const
     baked_.describe(frame);
     states_.describe(frame);
     list_.describe(frame);
-    frame.fates = fates_.address();
+    frame.cullResults = cullResults_.address();
 }
 
-void FieldBuffers::clearFates(VkCommandBuffer commands) const
+void FieldBuffers::clearCullResults(VkCommandBuffer commands) const
 {
     // What the walk does not reach is left out with its patch.
-    if (fates_.address() != 0)
-        vkCmdFillBuffer(commands, fates_.get(), 0, VK_WHOLE_SIZE, shared::fatePatch);
+    if (cullResults_.address() != 0)
+        vkCmdFillBuffer(commands, cullResults_.get(), 0, VK_WHOLE_SIZE, shared::cullResultPatch);
 }
 
-std::uint32_t FieldBuffers::roundCount(const shared::Frame& judged, std::uint64_t resident) const
+std::uint32_t FieldBuffers::roundCount(const shared::Frame& cullView, std::uint64_t resident) const
 {
     if (list_.roundCount() == 1)
         return 1;
-    const std::uint64_t live = std::min(liveBound_.of(judged.view, judged.fates != 0), resident);
+    const std::uint64_t live =
+        std::min(visiblePatchBound_.of(cullView.view, cullView.cullResults != 0), resident);
     const auto rounds = static_cast<std::uint32_t>(gpu::groupsFor(live, list_.roundPatches()));
     return std::clamp(rounds, 1u, list_.roundCount());
 }
 
 VkDeviceSize FieldBuffers::bytes() const
 {
-    return baked_.bytes() + states_.bytes() + list_.bytes() + fates_.bytes();
+    return baked_.bytes() + states_.bytes() + list_.bytes() + cullResults_.bytes();
 }
 
 } // namespace sward::render

@@ -7,8 +7,8 @@
 #include "gpu/context.h"
 #include "render/baked_blades.h"
 #include "render/blade_states.h"
-#include "render/live_bound.h"
 #include "render/visible_blades.h"
+#include "render/visible_patch_bound.h"
 #include "shaders/shared/frame.h"
 
 #include <vulkan/vulkan.h>
@@ -23,10 +23,10 @@ class FieldBuffers {
 public:
     /// What is kept for each blade besides itself and its state, and how patches are gone through.
     struct Records {
-        bool list = false;  ///< a place in the list of visible blades; else there may be rounds
-        bool fates = false; ///< its fate
-        bool etas = false;  ///< what collisions leave; else from the first collider on
-        std::uint32_t roundPatches = 0; ///< live patches of a round; 0: roundPatchesOf() says it
+        bool list = false; ///< a place in the list of visible blades; else there may be rounds
+        bool cullResults = false;       ///< its cull result
+        bool etas = false;              ///< what collisions leave; else from the first collider on
+        std::uint32_t roundPatches = 0; ///< visible patches of a round; 0: roundPatchesOf() says it
         std::uint32_t walkStart = shared::walkStart; ///< nodes that a walk begins with, or less
         std::uint32_t pages = 0; ///< of blades that there is room for; 0: all blades are there
 
@@ -59,17 +59,17 @@ public:
     /// Empties the list of visible blades, the walk's lists, and the counts.
     void clearCounts(VkCommandBuffer commands) const { list_.clear(commands); }
 
-    /// Forgets the recorded fates of the frame before.
-    void clearFates(VkCommandBuffer commands) const;
+    /// Forgets the recorded cull results of the frame before.
+    void clearCullResults(VkCommandBuffer commands) const;
 
     const BakedBlades& baked() const { return baked_; }
     const VisibleBlades& list() const { return list_; }
     std::uint32_t bladeCount() const { return baked_.bladeCount(); }
     field::BladeSize bladeSize() const { return baked_.bladeSize(); } ///< mean over all blades
 
-    /// How often the live patches of a view, of which so many may be in memory, fill the list of
+    /// How often the visible patches of a view, of which so many may be in memory, fill the list of
     /// visible blades at most.
-    std::uint32_t roundCount(const shared::Frame& judged, std::uint64_t resident) const;
+    std::uint32_t roundCount(const shared::Frame& cullView, std::uint64_t resident) const;
     VkDeviceSize bytes() const;
 
     const gpu::Buffer& draw() const { return list_.draw(); } ///< shared::DrawArguments
@@ -77,14 +77,17 @@ public:
     const gpu::Buffer& states() const { return states_.states(); }
     const gpu::Buffer& etas() const { return states_.etas(); }
     const gpu::Buffer& visible() const { return list_.visible(); }
-    const gpu::Buffer& fates() const { return fates_; } ///< nothing unless they are recorded
+    const gpu::Buffer& cullResults() const
+    {
+        return cullResults_;
+    } ///< nothing unless they are recorded
 
 private:
     BakedBlades baked_;
     BladeStates states_;
     VisibleBlades list_;
-    LiveBound liveBound_;
-    gpu::Buffer fates_;
+    VisiblePatchBound visiblePatchBound_;
+    gpu::Buffer cullResults_;
 };
 
 } // namespace sward::render

@@ -8,9 +8,9 @@
 #include "gpu/device.h"
 #include "gpu/upload.h"
 #include "render/blade_dump.h"
+#include "render/cull_view.h"
 #include "render/field_renderer_parts.h"
 #include "render/geometry_choice.h"
-#include "render/judged_frame.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
@@ -28,8 +28,8 @@ namespace {
 FieldBuffers::Records recordsFor(const gpu::DeviceContext& context, Geometry geometry,
                                  const FieldRenderer::Settings& wanted)
 {
-    return {.list = geometry == Geometry::tessellation || wanted.recordFates,
-            .fates = wanted.recordFates,
+    return {.list = geometry == Geometry::tessellation || wanted.recordCullResults,
+            .cullResults = wanted.recordCullResults,
             .roundPatches = wanted.roundPatches,
             .walkStart = context.isCpu() ? shared::walkStart : shared::walkStartOfGpu};
 }
@@ -103,19 +103,19 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , sunShadow(context, shaders, ground.box())
     , pyramid(context, shaders, wanted.samples)
     , attachments(madeIf<Attachments>(geometry == Geometry::tessellation, context, targetSettings))
-    , solid(madeIf<SolidPass>(geometry == Geometry::tessellation, context, shaders, targetSettings,
-                              ground))
+    , opaque(madeIf<OpaquePass>(geometry == Geometry::tessellation, context, shaders,
+                                targetSettings, ground))
     , tessellated(madeIf<TessellatedPass>(geometry == Geometry::tessellation, context, shaders,
                                           targetSettings))
-    , solidRaster(madeIf<SolidRasterPass>(geometry == Geometry::raster, context, shaders, ground,
-                                          targetSettings))
+    , opaqueRaster(madeIf<OpaqueRasterPass>(geometry == Geometry::raster, context, shaders, ground,
+                                            targetSettings))
     , raster(madeIf<RasterPass>(geometry == Geometry::raster, context, shaders, targetSettings,
                                 static_cast<std::uint32_t>(field.blades.size())))
     , resolve(madeIf<ResolvePass>(geometry == Geometry::raster, context, shaders, targetSettings,
                                   wanted.framesInFlight))
     , plan(planWithin(field))
     , blades(context, shaders, uploaded<FieldBuffers>(context, field, plan.records),
-             wanted.asksSmallBlades.value_or(!context.isCpu()))
+             wanted.testsSmallBlades.value_or(!context.isCpu()))
     , shape{field.origin, field.bounds(), blades.buffers().bladeSize()}
 {
     expect(wanted.framesInFlight >= 1, "at least one frame is in flight");
@@ -170,9 +170,9 @@ void FieldRenderer::Parts::fit(glm::uvec2 size)
     if (raster) {
         const VkExtent2D extent{size.x, size.y};
         pyramid.resize(extent);
-        solidRaster->resize(extent);
+        opaqueRaster->resize(extent);
         raster->resize(extent);
-        resolve->resize(extent, solidRaster->lit());
+        resolve->resize(extent, opaqueRaster->lit());
         return;
     }
     attachments->resize(size);
@@ -181,13 +181,13 @@ void FieldRenderer::Parts::fit(glm::uvec2 size)
 }
 
 /// Brings what is seen, and thins out what is drawn to what is there.
-void FieldRenderer::Parts::stream(shared::Frame& frame, const FrameSettings& wishes,
+void FieldRenderer::Parts::stream(shared::Frame& frame, const FrameSettings& wanted,
                                   glm::uvec2 size, std::uint32_t slot)
 {
     shared::Eyepoint seen = frame.view;
-    if (wishes.cullingCamera)
-        seen = judgedFrom(frame,
-                          viewMatrices(*wishes.cullingCamera, shape.origin, size, shape.content))
+    if (wanted.cullingCamera)
+        seen = cullViewFrom(frame,
+                            viewMatrices(*wanted.cullingCamera, shape.origin, size, shape.content))
                    .view;
     streaming->choose(seen, slot);
     frame.view.lodThreshold = seen.lodThreshold;
@@ -201,59 +201,61 @@ void FieldRenderer::Parts::recordStreaming(VkCommandBuffer commands, std::uint32
     gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
 }
 
-shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameSettings& wishes,
+shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameSettings& wanted,
                                                double time, std::uint32_t slot)
 {
-    if (!wishes.colliders.empty())
+    if (!wanted.colliders.empty())
         blades.expectColliders();
     blades.buffers().describe(frame);
     cover.describe(frame);
-    if ((frame.view.cullMask & shared::cullOcclusion) != 0 || findsHidden(wishes))
+    if ((frame.view.cullMask & shared::cullOcclusion) != 0 || findsHidden(wanted))
         pyramid.describe(frame);
-    slots[slot].tables.write(shape, wishes, time, blades.hasMoved() ? lastTime : time, frame);
+    slots[slot].tables.write(shape, wanted, time, blades.hasMoved() ? lastTime : time, frame);
     lastTime = time;
-    frame.pace.frame = frameNumber++;
+    frame.updateRate.frame = frameNumber++;
     sunShadow.describe(frame);
     slots[slot].frame.fill(frame);
 
     // What is asked for the first time is made now.
     blades.prepare(shaders, frame);
-    const std::uint32_t debugMode = knownDebugMode(wishes.debug);
-    const bool paintsWind = wishes.debug == DebugMode::wind;
+    const std::uint32_t debugMode = knownDebugMode(wanted.debug);
+    const bool paintsWind = wanted.debug == DebugMode::wind;
     sunShadow.prepare(shaders);
     if (raster) {
-        solidRaster->prepare(shaders, frame.nature.colliderCount, debugMode);
+        opaqueRaster->prepare(shaders, frame.environment.colliderCount, debugMode);
         const Shading shading{.debugMode = debugMode,
-                              .leavesLayers = frame.view.maxLayers > 0.0f,
-                              .keepsSurfaces = findsHidden(wishes)};
+                              .limitsLeafArea = frame.view.maxLeafArea > 0.0f,
+                              .hasShadingCache = findsHidden(wanted)};
         raster->prepare(shaders, shading);
         resolve->prepare(shaders, shading);
     } else {
-        solid->prepare(shaders, frame.nature.colliderCount, paintsWind);
+        opaque->prepare(shaders, frame.environment.colliderCount, paintsWind);
         tessellated->prepare(shaders, paintsWind);
     }
     return frame;
 }
 
-FramePlace FieldRenderer::Parts::judge(const shared::Frame& frame, const FrameSettings& wishes,
-                                       glm::uvec2 size, std::uint32_t slot)
+FramePlace FieldRenderer::Parts::fillCullView(const shared::Frame& frame,
+                                              const FrameSettings& wanted, glm::uvec2 size,
+                                              std::uint32_t slot)
 {
-    expect(wishes.debug != DebugMode::reason || settings.recordFates,
+    expect(wanted.debug != DebugMode::reason || settings.recordCullResults,
            "who asks for reasons has them recorded");
-    if (wishes.debug == DebugMode::reason)
+    if (wanted.debug == DebugMode::reason)
         slots[slot].listing.fill(listingAll(frame));
-    shared::Frame judged = frame;
-    if (wishes.cullingCamera)
-        judged = judgedFrom(frame,
-                            viewMatrices(*wishes.cullingCamera, shape.origin, size, shape.content));
-    rounds = blades.buffers().roundCount(judged, streaming ? streaming->residentPatches()
-                                                           : blades.buffers().baked().ownerCount());
-    if (!wishes.cullingCamera)
+    shared::Frame cullView = frame;
+    if (wanted.cullingCamera)
+        cullView = cullViewFrom(
+            frame, viewMatrices(*wanted.cullingCamera, shape.origin, size, shape.content));
+    rounds = blades.buffers().roundCount(cullView,
+                                         streaming ? streaming->residentPatches()
+                                                   : blades.buffers().baked().nonEmptyPatchCount());
+    if (!wanted.cullingCamera)
         return slots[slot].frame.place();
     if (!hasPyramid)
-        judged.pyramid = {};
-    slots[slot].judged.fill(judged);
-    return slots[slot].judged.place();
+        cullView.pyramid = {};
+    slots[slot].cullView.fill(cullView);
+    return slots[slot].cullView.place();
 }
 
 void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const Camera& camera,
@@ -271,25 +273,25 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
     if (parts.streaming)
         parts.stream(wanted, settings, target.size, slot);
     const shared::Frame frame = parts.writeFrame(wanted, settings, time, slot);
-    const FramePlace judged = parts.judge(frame, settings, target.size, slot);
+    const FramePlace cullView = parts.fillCullView(frame, settings, target.size, slot);
     parts.sunShadow.record(commands, parts.ground, parts.slots[slot].frame.place().address);
 
     const bool looksForHidden = (settings.cullMask & shared::cullOcclusion) != 0;
     const bool findsReasons = settings.debug == DebugMode::reason;
     const bool findsHidden = parts.findsHidden(settings);
-    const RasterPass::Input raster{.field = &parts.blades.buffers(),
-                                   .frame = parts.slots[slot].frame.place(),
-                                   .judged =
-                                       findsReasons ? parts.slots[slot].listing.place() : judged,
-                                   .firstBlade = parts.raster ? parts.solidRaster->firstBlade() : 1,
-                                   .findsHidden = findsHidden};
+    const RasterPass::Input raster{
+        .field = &parts.blades.buffers(),
+        .frame = parts.slots[slot].frame.place(),
+        .cullView = findsReasons ? parts.slots[slot].listing.place() : cullView,
+        .firstBlade = parts.raster ? parts.opaqueRaster->firstBlade() : 1,
+        .findsHidden = findsHidden};
 
     parts.blades.begin(commands, time);
     // What the ground hides needs neither be moved nor drawn.
     if (parts.raster)
-        parts.rasterSolid(commands, slot, timestamps);
+        parts.rasterOpaque(commands, slot, timestamps);
     else
-        parts.drawSolid(commands, target, slot, timestamps);
+        parts.drawOpaque(commands, target, slot, timestamps);
     if (!settings.cullingCamera) {
         if (looksForHidden && parts.raster)
             parts.seeWhatIsHidden(commands, raster, timestamps);
@@ -299,18 +301,18 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
     }
     if (parts.streaming)
         parts.recordStreaming(commands, slot, time);
-    parts.blades.findLive(commands, judged.address, timestamps);
+    parts.blades.findVisiblePatches(commands, cullView.address, timestamps);
     if (findsReasons) {
         // All blades are drawn, in the colours of what becomes of them.
-        parts.blades.moveAndList(commands, judged, 0, {}, timestamps);
+        parts.blades.moveAndList(commands, cullView, 0, {}, timestamps);
         parts.slots[slot].recordCounts(commands, parts.blades.buffers().draw());
         parts.blades.beginAgain(commands);
-        parts.blades.findLive(commands, raster.judged.address, nullptr);
+        parts.blades.findVisiblePatches(commands, raster.cullView.address, nullptr);
     }
     if (parts.raster)
         parts.rasterBlades(commands, raster, timestamps);
     else
-        parts.blades.moveAndList(commands, raster.judged, 0, {}, timestamps);
+        parts.blades.moveAndList(commands, raster.cullView, 0, {}, timestamps);
 
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
     if (!findsReasons)
@@ -402,8 +404,8 @@ const char* FieldRenderer::geometryReason() const
 
 std::size_t FieldRenderer::Parts::bytesBesideBlades() const
 {
-    const std::size_t pictures = raster ? raster->bytes() + solidRaster->bytes() + resolve->bytes()
-                                        : attachments->bytes() + solid->bytes();
+    const std::size_t pictures = raster ? raster->bytes() + opaqueRaster->bytes() + resolve->bytes()
+                                        : attachments->bytes() + opaque->bytes();
     return ground.bytes() + cover.bytes() + sunShadow.bytes() + pyramid.bytes() + pictures +
            settings.framesInFlight * FrameSlot::bytes();
 }

@@ -12,10 +12,10 @@
 #include "render/grass_cover.h"
 #include "render/memory_plan.h"
 #include "render/moving_blades.h"
+#include "render/opaque_pass.h"
+#include "render/opaque_raster_pass.h"
 #include "render/raster_rounds.h"
 #include "render/resolve_pass.h"
-#include "render/solid_pass.h"
-#include "render/solid_raster_pass.h"
 #include "render/streaming.h"
 #include "render/sun_shadow.h"
 #include "render/target_settings.h"
@@ -44,10 +44,10 @@ struct FieldRenderer::Parts {
 
     // By the geometry the graphics pipeline …
     std::optional<Attachments> attachments;
-    std::optional<SolidPass> solid;
+    std::optional<OpaquePass> opaque;
     std::optional<TessellatedPass> tessellated;
     // … or compute shaders alone.
-    std::optional<SolidRasterPass> solidRaster;
+    std::optional<OpaqueRasterPass> opaqueRaster;
     std::optional<RasterPass> raster;
     std::optional<ResolvePass> resolve;
     MemoryPlan plan;
@@ -64,17 +64,17 @@ struct FieldRenderer::Parts {
     std::size_t bytesBesideBlades() const;
     void fit(glm::uvec2 size);
     void recordStreaming(VkCommandBuffer commands, std::uint32_t slot, double time) const;
-    void stream(shared::Frame& frame, const FrameSettings& wishes, glm::uvec2 size,
+    void stream(shared::Frame& frame, const FrameSettings& wanted, glm::uvec2 size,
                 std::uint32_t slot);
-    shared::Frame writeFrame(shared::Frame frame, const FrameSettings& wishes, double time,
+    shared::Frame writeFrame(shared::Frame frame, const FrameSettings& wanted, double time,
                              std::uint32_t slot);
-    FramePlace judge(const shared::Frame& frame, const FrameSettings& wishes, glm::uvec2 size,
-                     std::uint32_t slot);
+    FramePlace fillCullView(const shared::Frame& frame, const FrameSettings& wanted,
+                            glm::uvec2 size, std::uint32_t slot);
     bool groupsDrawLarge() const;
-    bool findsHidden(const FrameSettings& wishes) const; ///< of blades what others hide
-    void drawSolid(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
-                   gpu::Timestamps* timestamps);
-    void rasterSolid(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);
+    bool findsHidden(const FrameSettings& wanted) const; ///< of blades what others hide
+    void drawOpaque(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
+                    gpu::Timestamps* timestamps);
+    void rasterOpaque(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);
     void seeWhatIsHidden(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);
     void seeWhatIsHidden(VkCommandBuffer commands, const RasterPass::Input& input,
                          gpu::Timestamps* timestamps);

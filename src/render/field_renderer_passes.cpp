@@ -11,12 +11,12 @@ bool FieldRenderer::Parts::groupsDrawLarge() const
     return raster && targetSettings.groupsDrawLarge;
 }
 
-bool FieldRenderer::Parts::findsHidden(const FrameSettings& wishes) const
+bool FieldRenderer::Parts::findsHidden(const FrameSettings& wanted) const
 {
     // What blades hide is known of the camera that draws, and of no other. Without the occlusion
     // test hidden blades count as drawn: the late pass leaves them out all the same, since no
     // picture shows them.
-    return groupsDrawLarge() && !wishes.cullingCamera && wishes.debug != DebugMode::reason;
+    return groupsDrawLarge() && !wanted.cullingCamera && wanted.debug != DebugMode::reason;
 }
 
 gpu::ColorAttachment FieldRenderer::Parts::colorAttachment(const Target& target) const
@@ -28,14 +28,14 @@ gpu::ColorAttachment FieldRenderer::Parts::colorAttachment(const Target& target)
     return color;
 }
 
-void FieldRenderer::Parts::drawSolid(VkCommandBuffer commands, const Target& target,
-                                     std::uint32_t slot, gpu::Timestamps* timestamps)
+void FieldRenderer::Parts::drawOpaque(VkCommandBuffer commands, const Target& target,
+                                      std::uint32_t slot, gpu::Timestamps* timestamps)
 {
     const PassScope scope(context, commands, timestamps, "ground");
     const VkDeviceAddress frame = slots[slot].frame.place().address;
     gpu::transition(commands, attachments->depth(), gpu::ImageUse::undefined,
                     gpu::ImageUse::depthTarget);
-    solid->recordCull(commands, frame);
+    opaque->recordCull(commands, frame);
     if (attachments->hasColor())
         gpu::transition(commands, attachments->color(), gpu::ImageUse::undefined,
                         gpu::ImageUse::colorTarget);
@@ -44,19 +44,19 @@ void FieldRenderer::Parts::drawSolid(VkCommandBuffer commands, const Target& tar
     const gpu::DepthAttachment depth{.view = attachments->depth().view(), .clear = 0.0f};
     const gpu::RenderingScope rendering(commands, {target.size.x, target.size.y},
                                         std::span(&color, 1), depth);
-    solid->record(commands, frame);
+    opaque->record(commands, frame);
 }
 
-void FieldRenderer::Parts::rasterSolid(VkCommandBuffer commands, std::uint32_t slot,
-                                       gpu::Timestamps* timestamps)
+void FieldRenderer::Parts::rasterOpaque(VkCommandBuffer commands, std::uint32_t slot,
+                                        gpu::Timestamps* timestamps)
 {
     const PassScope scope(context, commands, timestamps, "ground");
     gpu::anythingToTransfer(commands);
     raster->recordBegin(commands);
     resolve->recordBegin(commands);
-    solidRaster->recordBegin(commands);
+    opaqueRaster->recordBegin(commands);
     gpu::memoryBarrier(commands, gpu::transferAccess, gpu::dispatchAccess);
-    solidRaster->recordTriangles(commands, slots[slot].frame.place(), raster->visibility());
+    opaqueRaster->recordTriangles(commands, slots[slot].frame.place(), raster->visibility());
     gpu::computeToCompute(commands);
 }
 
@@ -122,7 +122,7 @@ void FieldRenderer::Parts::makePicture(VkCommandBuffer commands, const Target& t
     {
         const PassScope scope(context, commands, timestamps, "ground");
         resolve->recordTiles(commands, push);
-        solidRaster->recordLight(commands, input.frame, raster->visibility(), resolve->sorted());
+        opaqueRaster->recordLight(commands, input.frame, raster->visibility(), resolve->sorted());
     }
     const ImageUse filled = isStored ? ImageUse::storage : ImageUse::transferTarget;
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, ImageUse::colorTarget,

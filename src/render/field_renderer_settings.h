@@ -27,9 +27,10 @@ struct FieldRendererSettings {
 
     /// Whether the rasteriser finds out of blades of some dozen pixels that others hide them; where
     /// nothing is said, not on a CPU device. Never changes a picture.
-    std::optional<bool> asksSmallBlades{};
+    std::optional<bool> testsSmallBlades{};
 
-    bool recordFates = false; ///< keep each blade's fate for dumpBlades(); 20 bytes a blade
+    bool recordCullResults =
+        false; ///< keep each blade's cull result for dumpBlades(); 20 bytes a blade
 
     /// The rasteriser updates and draws so many patches at a time, with 16 bytes for each of their
     /// blades; 0: as many as hold an eighth of all blades, or 16 million.

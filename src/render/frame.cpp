@@ -35,12 +35,12 @@ float chosenFog(const Aabb& content, glm::vec3 eye)
 
 shared::Gravity gravityOf(const FrameSettings& settings, glm::dvec3 origin)
 {
-    const field::Defaults& nature = settings.nature;
+    const field::Defaults& environment = settings.environment;
     shared::Gravity gravity = {};
-    gravity.direction = unitOr(nature.gravityDirection, glm::vec3(0.0f, -1.0f, 0.0f));
-    gravity.strength = nature.gravityStrength;
-    gravity.attractor = glm::vec3(nature.attractor - origin);
-    gravity.blend = std::clamp(nature.attractorBlend, 0.0f, 1.0f);
+    gravity.direction = unitOr(environment.gravityDirection, glm::vec3(0.0f, -1.0f, 0.0f));
+    gravity.strength = environment.gravityStrength;
+    gravity.attractor = glm::vec3(environment.attractor - origin);
+    gravity.blend = std::clamp(environment.attractorBlend, 0.0f, 1.0f);
     gravity.forward = settings.forward;
     return gravity;
 }
@@ -65,15 +65,16 @@ constexpr float everyThirdPixels = 1.0f;
 /// where it belongs.
 constexpr float longestStandstill = 10.0f;
 
-shared::Pace paceOf(const FrameSettings& settings, const FieldShape& field, float pixelsPerUnit)
+shared::UpdateRate updateRateOf(const FrameSettings& settings, const FieldShape& field,
+                                float pixelsPerUnit)
 {
     const float size = field.blade.height * pixelsPerUnit;
-    shared::Pace pace = {};
-    pace.everyFrame = settings.pace.everyFrame.value_or(size / everyFramePixels);
-    pace.everyThird =
-        settings.pace.everyThird.value_or(std::max(pace.everyFrame, size / everyThirdPixels));
-    pace.longest = longestStandstill;
-    return pace;
+    shared::UpdateRate updateRate = {};
+    updateRate.everyFrame = settings.updateRate.everyFrame.value_or(size / everyFramePixels);
+    updateRate.everyThird = settings.updateRate.everyThird.value_or(
+        std::max(updateRate.everyFrame, size / everyThirdPixels));
+    updateRate.longest = longestStandstill;
+    return updateRate;
 }
 
 /// The least extent of a box along a unit vector, over its corners.
@@ -135,14 +136,14 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     // The camera.
     look(frame, view);
 
-    // Nature.
+    // Environment.
     frame.time = static_cast<float>(time);
-    frame.nature.gravity = gravityOf(settings, field.origin);
-    frame.nature.recovery = settings.nature.recovery;
+    frame.environment.gravity = gravityOf(settings, field.origin);
+    frame.environment.recovery = settings.environment.recovery;
 
     // What is left out.
     frame.view.cullMask = settings.cullMask | (settings.leavesThinned ? shared::leaveThinned : 0u);
-    frame.view.drawDistance = settings.nature.drawDistance;
+    frame.view.drawDistance = settings.environment.drawDistance;
     frame.view.lodThreshold = settings.levelOfDetail ? settings.lodThreshold : 0.0f;
     frame.view.lodWidth = field.blade.width;
     frame.view.buckets = static_cast<float>(settings.buckets.count);
@@ -151,21 +152,21 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
         settings.levelOfDetail && view.pixelsPerUnit > 0.0f
             ? settings.minPixels / (view.pixelsPerUnit * std::sqrt(static_cast<float>(samples)))
             : 0.0f;
-    frame.view.maxLayers = settings.levelOfDetail ? settings.maxLayers : 0.0f;
+    frame.view.maxLeafArea = settings.levelOfDetail ? settings.maxLeafArea : 0.0f;
     frame.view.maxEdgeOn =
         settings.maxEdgeOn.value_or(frame.view.minWidth > 0.0f ? 1.0f : shared::paperEdgeOnCosine);
     frame.maxTessellation = defaultMaxSegments;
     frame.fixedTessellation = static_cast<float>(settings.tessellationLevel);
 
     frame.levelSteps = levelStepsOf(settings.levelSteps);
-    frame.pace = paceOf(settings, field, view.pixelsPerUnit);
+    frame.updateRate = updateRateOf(settings, field, view.pixelsPerUnit);
 
     // Light and air.
     frame.sunDirection = unitOr(settings.sunDirection, glm::vec3(0.0f, 1.0f, 0.0f));
     frame.sunColor = settings.sunColor;
     frame.skyColor = settings.skyColor;
     frame.groundColor = settings.groundColor;
-    frame.skyUp = skyUpOf(frame.nature.gravity, view.eye);
+    frame.skyUp = skyUpOf(frame.environment.gravity, view.eye);
     if (settings.skyUp)
         frame.skyUp = unitOr(*settings.skyUp, frame.skyUp);
     frame.exposure = settings.exposure;

@@ -17,7 +17,8 @@
 
 namespace sward::render {
 
-/// `reason` draws every blade in the colour of its fate; the renderer has been told to record them.
+/// `reason` draws every blade in the colour of its cull result; the renderer has been told to record
+/// them.
 enum class DebugMode : std::uint32_t { none = 0, lod = 1, patches = 2, wind = 3, reason = 4 };
 
 /// Segments of blades up to a distance.
@@ -34,23 +35,23 @@ struct Buckets {
 };
 
 /// How far from the eye blades move how often; what is not given is chosen by their size.
-struct Pace {
+struct UpdateRate {
     std::optional<float> everyFrame; ///< [m] up to here in every frame
     std::optional<float> everyThird; ///< [m] up to here in every third; beyond hardly ever
 };
 
 /// Everything of a frame that somebody may turn while it runs. Starts from a field's defaults.
 struct FrameSettings {
-    field::Defaults nature; ///< gravity, recovery, draw distance; its wind is not asked again
+    field::Defaults environment; ///< gravity, recovery, draw distance; its wind is not asked again
     float forward = shared::forwardShare; ///< [0, 1] share of gravity that leans a blade forward
-    std::vector<WindSource> winds = sourcesOf(nature.wind); ///< at most shared::maxWindSources
-    std::vector<Collider> colliders;                        ///< at most shared::maxColliders
+    std::vector<WindSource> winds = sourcesOf(environment.wind); ///< at most shared::maxWindSources
+    std::vector<Collider> colliders;                             ///< at most shared::maxColliders
 
     /// Tests that leave blades out: shared::cullPatch …
     std::uint32_t cullMask = shared::cullPatch | shared::cullOrientation | shared::cullFrustum |
                              shared::cullDistance | shared::cullOcclusion;
-    /// Blades that are thinned out wherever in their patch they stand are neither moved nor judged.
-    /// One that is drawn again fades in as if it had stood in its wind all the time.
+    /// Blades that are thinned out wherever in their patch they stand are neither moved nor
+    /// cullView. One that is drawn again fades in as if it had stood in its wind all the time.
     bool leavesThinned = true;
     bool levelOfDetail = true; ///< leave out and widen blades narrower than lodThreshold
     float lodThreshold = 0.3f; ///< [pixels], (0, 100]
@@ -59,7 +60,7 @@ struct FrameSettings {
     /// [times a ray's cross section] So much leaf area is drawn in the way of a ray while
     /// levelOfDetail is on, of blades wider than a pixel as many times more as the fourth
     /// power of their pixels; what is behind is hidden. [0, 1e6]; 0: as much as there is.
-    float maxLayers = 10.0f;
+    float maxLeafArea = 10.0f;
     /// Cosine beyond which blades are cut as edge-on, 1: never. Not given: never while they are
     /// drawn no narrower than minPixels, which leaves nothing to cut; else the paper's.
     std::optional<float> maxEdgeOn;
@@ -67,10 +68,10 @@ struct FrameSettings {
         0; ///< segments along a blade, 1 to 64; 0: by size on the screen, at most 16
     std::vector<LevelStep> levelSteps; ///< at most 4, rising; empty: by size on the screen
     Buckets buckets;                   ///< the paper's thinning
-    Pace pace;                         ///< how often blades move
+    UpdateRate updateRate;             ///< how often blades move
     DebugMode debug = DebugMode::none; ///< colours
 
-    /// What is left out is judged from here instead of from the picture's camera, and what the
+    /// What is left out is culled from here instead of from the picture's camera, and what the
     /// ground hides as it was when this camera still was the picture's.
     std::optional<Camera> cullingCamera;
 
@@ -90,8 +91,8 @@ struct FrameSettings {
     static FrameSettings of(const field::FieldView& field)
     {
         FrameSettings s;
-        s.nature = *field.defaults;
-        s.winds = sourcesOf(s.nature.wind);
+        s.environment = *field.defaults;
+        s.winds = sourcesOf(s.environment.wind);
         return s;
     }
 };

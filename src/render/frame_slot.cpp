@@ -24,7 +24,7 @@ void FrameConstants::fill(const shared::Frame& frame) const
 
 FrameSlot::FrameSlot(const gpu::DeviceContext& context, const gpu::UniformSetLayout& layout)
     : frame(context, layout, "frame/constants")
-    , judged(context, layout, "frame/judged")
+    , cullView(context, layout, "frame/cull view")
     , listing(context, layout, "frame/listing")
     , draw(context, {.name = "frame/counts",
                      .bytes = sizeof(shared::DrawArguments),
@@ -50,13 +50,13 @@ FrameStats FrameSlot::counts(std::uint64_t blades, std::uint64_t resident) const
     stats.resident = resident;
     stats.streamedOut = blades - resident;
     stats.simulated = counts.simulated;
-    stats.drawn = counts.fates[shared::fateDrawn];
-    stats.lod = counts.fates[shared::fateLod];
-    stats.culledPatch = counts.fates[shared::fatePatch];
-    stats.culledOrientation = counts.fates[shared::fateOrientation];
-    stats.culledFrustum = counts.fates[shared::fateFrustum];
-    stats.culledDistance = counts.fates[shared::fateDistance];
-    stats.culledOcclusion = counts.fates[shared::fateOcclusion];
+    stats.drawn = counts.cullResults[shared::cullResultDrawn];
+    stats.lod = counts.cullResults[shared::cullResultLod];
+    stats.culledPatch = counts.cullResults[shared::cullResultPatch];
+    stats.culledOrientation = counts.cullResults[shared::cullResultOrientation];
+    stats.culledFrustum = counts.cullResults[shared::cullResultFrustum];
+    stats.culledDistance = counts.cullResults[shared::cullResultDistance];
+    stats.culledOcclusion = counts.cullResults[shared::cullResultOcclusion];
     return stats;
 }
 

@@ -34,10 +34,10 @@ private:
 struct FrameSlot {
     FrameSlot(const gpu::DeviceContext& context, const gpu::UniformSetLayout& layout);
 
-    FrameConstants frame;   ///< of the picture
-    FrameConstants judged;  ///< as blades are judged by, where that is another
-    FrameConstants listing; ///< for listing all blades
-    gpu::Buffer draw;       ///< shared::DrawArguments, read by the CPU
+    FrameConstants frame;    ///< of the picture
+    FrameConstants cullView; ///< as blades are culled by, where that is another
+    FrameConstants listing;  ///< for listing all blades
+    gpu::Buffer draw;        ///< shared::DrawArguments, read by the CPU
     FrameTables tables;
 
     /// Copies the counts of the update, recorded before, to where counts() finds them.

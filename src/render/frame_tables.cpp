@@ -19,11 +19,11 @@ void writeTables(TablePlace place, const FieldShape& field, const std::vector<Wi
     const std::vector<shared::WindSource> blown = blowing(winds, field.origin);
     std::ranges::copy(std::as_bytes(colliders), place.mapped);
 
-    shared::Nature& nature = frame.nature;
+    shared::Environment& environment = frame.environment;
     const glm::vec3 size = field.content.isEmpty() ? glm::vec3(0.0f) : field.content.size();
-    nature.wind = together(blown, std::max({size.x, size.y, size.z}));
-    nature.colliderCount = static_cast<std::uint32_t>(colliders.size());
-    nature.colliders.address = place.address;
+    environment.wind = together(blown, std::max({size.x, size.y, size.z}));
+    environment.colliderCount = static_cast<std::uint32_t>(colliders.size());
+    environment.colliders.address = place.address;
 }
 
 FrameTables::FrameTables(const gpu::DeviceContext& context)

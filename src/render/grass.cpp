@@ -25,7 +25,7 @@ std::span<const EmbeddedFile> shaders();
 namespace sward::render {
 namespace {
 
-constexpr UpdateCullPass::Variant judging{0, false, UpdateCullPass::Role::judge};
+constexpr UpdateCullPass::Variant culling{0, false, UpdateCullPass::Role::cull};
 
 } // namespace
 
@@ -39,7 +39,7 @@ struct Grass::Parts {
         , frameOfSlot(wanted.framesInFlight, 0)
         , depths(wanted.framesInFlight * wanted.maxViews)
     {
-        update.prepare(shaders, judging);
+        update.prepare(shaders, culling);
     }
 
     /// An instance that commands in flight may still use.
@@ -167,9 +167,9 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
         if (field->blades().bladeCount() > 0)
             parts.instances.push_back(field.get());
         field->write(slot, frame, parts.frame, pyramids);
-        const shared::Nature& nature = field->nature();
-        parts.moving = {nature.wind.counts, nature.colliderCount > 0, UpdateCullPass::Role::move,
-                        parts.settings.keepsMotion, true};
+        const shared::Environment& environment = field->environment();
+        parts.moving = {environment.wind.counts, environment.colliderCount > 0,
+                        UpdateCullPass::Role::move, parts.settings.keepsMotion, true};
         parts.update.prepare(parts.shaders, parts.moving);
     }
     parts.drawings.clear();
@@ -182,7 +182,7 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
 shared::DepthPyramid Grass::Parts::lookAtDepth(const HostView& view, ViewDepth& depth)
 {
     // Depths say nothing of what a frozen camera sees.
-    if (!view.depth || view.judgedFrom)
+    if (!view.depth || view.cullViewFrom)
         return {};
     const PyramidPass::Settings wanted{view.depth->samples, view.hasReversedZ, view.depth->slack};
     const auto made = pyramids.try_emplace({wanted.samples, wanted.hasReversedZ, wanted.slack},
@@ -205,8 +205,7 @@ void Grass::Parts::walkAll(const gpu::Recording& commands, std::uint32_t firstVi
             for (std::uint32_t view = firstView; view < endView; ++view)
                 walk.recordStep(
                     commands, field.blades(), field.list(view),
-                    (isUpdate ? field.updateFrame(slot, view) : field.judgedFrame(slot, view))
-                        .address,
+                    (isUpdate ? field.updateFrame(slot, view) : field.cullView(slot, view)).address,
                     step);
         });
         gpu::computeToCompute(commands);
@@ -268,15 +267,15 @@ void Grass::recordCull(VkCommandBuffer buffer, std::uint32_t view) noexcept
         parts.forEach([&](const PlacedField& field) {
             if (!std::exchange(isFilled, true))
                 depth.pyramid->record(commands, depth.cells,
-                                      field.judgedFrame(parts.slot, view).address);
+                                      field.cullView(parts.slot, view).address);
         });
     }
     gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
     parts.walkAll(commands, view, view + 1, false);
     parts.forEach([&](const PlacedField& field) {
-        parts.update.record(commands, field.blades(), field.list(view), judging,
+        parts.update.record(commands, field.blades(), field.list(view), culling,
                             UpdateCullPass::Scope::visible,
-                            {.frame = field.judgedFrame(parts.slot, view)});
+                            {.frame = field.cullView(parts.slot, view)});
     });
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
     parts.forEach(

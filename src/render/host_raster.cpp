@@ -124,18 +124,17 @@ gpu::ComputePipeline HostRaster::lightFor(const gpu::ShaderLibrary& shaders,
                            {.id = 9, .value = asRadiance}}}};
 }
 
-gpu::ComputePipeline HostRaster::seedFor(const gpu::ShaderLibrary& shaders,
-                                         SeedSettings settings) const
+gpu::ComputePipeline HostRaster::seedFor(const gpu::ShaderLibrary& shaders, std::uint32_t samples,
+                                         bool hasReversedZ) const
 {
-    return {*context_,
-            shaders,
-            {.name = "host raster/seed",
-             .shader =
-                 settings.samples > 1 ? "seed_visibility_of_several.comp" : "seed_visibility.comp",
-             .pushConstantBytes = sizeof(shared::HostViewPush),
-             .setLayouts = {imageLayout_.get()},
-             .constants = {{.id = 1, .value = settings.samples},
-                           {.id = 16, .value = settings.hasReversedZ ? 0u : 1u}}}};
+    return {
+        *context_,
+        shaders,
+        {.name = "host raster/seed",
+         .shader = samples > 1 ? "seed_visibility_of_several.comp" : "seed_visibility.comp",
+         .pushConstantBytes = sizeof(shared::HostViewPush),
+         .setLayouts = {imageLayout_.get()},
+         .constants = {{.id = 1, .value = samples}, {.id = 16, .value = hasReversedZ ? 0u : 1u}}}};
 }
 
 void HostRaster::prepare(const gpu::ShaderLibrary& shaders, const HostView& view,
@@ -150,9 +149,9 @@ void HostRaster::prepare(const gpu::ShaderLibrary& shaders, const HostView& view
     out.light = &lights_.at(light);
     // A depth of another number of samples says too little, or too much, of each of the view's.
     if (view.depth && view.depth->samples == view.samples) {
-        const SeedSettings wanted{view.samples, view.hasReversedZ};
+        const std::pair wanted{view.samples, view.hasReversedZ};
         if (!seeds_.contains(wanted))
-            seeds_.emplace(wanted, seedFor(shaders, wanted));
+            seeds_.emplace(wanted, seedFor(shaders, view.samples, view.hasReversedZ));
         out.seed = &seeds_.at(wanted);
     }
     if (!largeList_)
@@ -164,11 +163,10 @@ void HostRaster::prepare(const gpu::ShaderLibrary& shaders, const HostView& view
     fit(*context_, pictures.visibility, "view/visibility", samplesOf(view) * sizeof(std::uint64_t));
     if (settings_.keepsMotion)
         fit(*context_, pictures.motions, "view/motions", samplesOf(view) * sizeof(std::uint32_t));
-    out.visibility = pictures.visibility;
-    out.motions = pictures.motions;
+    out.pictures = pictures;
     out.push = {.instances = 0,
-                .visibility = out.visibility->address(),
-                .motions = out.motions ? out.motions->address() : 0,
+                .visibility = pictures.visibility->address(),
+                .motions = pictures.motions ? pictures.motions->address() : 0,
                 .size = view.size,
                 .instanceCount = 0,
                 .slack = view.depth ? view.depth->slack : 0.0f};
@@ -221,13 +219,13 @@ void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const
             const VkDeviceAddress frame = field.rasterFrame(slotIndex, v).address;
             shared::HostInstance entry = {};
             entry.raster.frame = frame;
-            entry.raster.judged =
-                views[v].judgedFrom ? field.judgedFrame(slotIndex, v).address : frame;
+            entry.raster.cullView =
+                views[v].cullViewFrom ? field.cullView(slotIndex, v).address : frame;
             entry.raster.visibility = view.push.visibility;
             entry.raster.rounds = field.list(v).rounds().address();
             view.large->describe(entry.raster);
-            entry.raster.owners = field.blades().owners();
-            entry.raster.firstOwners = field.blades().firstOwners();
+            entry.raster.nonEmptyPatches = field.blades().nonEmptyPatches();
+            entry.raster.firstNonEmptyPatches = field.blades().firstNonEmptyPatches();
             entry.raster.size = views[v].size;
             entry.raster.firstBlade = id;
             entry.raster.instance = i;
@@ -253,7 +251,7 @@ void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
         view.seed->push(commands, view.push);
         dispatchPixels(commands, view.push.size);
     } else {
-        commands.vk->CmdFillBuffer(commands, view.visibility->get(), 0, VK_WHOLE_SIZE, 0);
+        commands.vk->CmdFillBuffer(commands, view.pictures.visibility->get(), 0, VK_WHOLE_SIZE, 0);
     }
     gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
     if (view.push.instanceCount == 0) {
@@ -309,10 +307,10 @@ VkDeviceSize HostRaster::bytes() const
     for (const Slot& slot : slots_) {
         held[&slot] = slot.table.bytes();
         for (const View& view : slot.views) {
-            if (view.visibility)
-                held[view.visibility.get()] = view.visibility->bytes();
-            if (view.motions)
-                held[view.motions.get()] = view.motions->bytes();
+            if (view.pictures.visibility)
+                held[view.pictures.visibility.get()] = view.pictures.visibility->bytes();
+            if (view.pictures.motions)
+                held[view.pictures.motions.get()] = view.pictures.motions->bytes();
             if (view.large)
                 held[view.large.get()] = view.large->bytes();
         }

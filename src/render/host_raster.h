@@ -19,6 +19,7 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace sward::render {
@@ -72,18 +73,15 @@ private:
         auto operator<=>(const LightSettings&) const = default;
     };
 
-    /// How a visibility begins.
-    struct SeedSettings {
-        std::uint32_t samples = 1;
-        bool hasReversedZ = true;
-        auto operator<=>(const SeedSettings&) const = default;
+    /// Kept until no slot uses them.
+    struct Pictures {
+        std::shared_ptr<gpu::Buffer> visibility; ///< shared::VisibilityArray
+        std::shared_ptr<gpu::Buffer> motions;    ///< shared::HostViewPush::motions
     };
 
     /// A view of the frame last begun in a slot.
     struct View {
-        // Kept until no slot uses them.
-        std::shared_ptr<gpu::Buffer> visibility; ///< shared::VisibilityArray
-        std::shared_ptr<gpu::Buffer> motions;    ///< shared::HostViewPush::motions
+        Pictures pictures;
         std::shared_ptr<LargeBladeList> large;
         const Pipelines* pipelines = nullptr;        ///< null: the view is not rasterised
         const gpu::ComputePipeline* light = nullptr; ///< null: no instance
@@ -99,7 +97,8 @@ private:
 
     Pipelines pipelinesFor(const gpu::ShaderLibrary& shaders, std::uint32_t samples) const;
     gpu::ComputePipeline lightFor(const gpu::ShaderLibrary& shaders, LightSettings settings) const;
-    gpu::ComputePipeline seedFor(const gpu::ShaderLibrary& shaders, SeedSettings settings) const;
+    gpu::ComputePipeline seedFor(const gpu::ShaderLibrary& shaders, std::uint32_t samples,
+                                 bool hasReversedZ) const;
     void prepare(const gpu::ShaderLibrary& shaders, const HostView& view, std::uint32_t index,
                  LightSettings light, View& out);
     void writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const HostView> views,
@@ -111,15 +110,11 @@ private:
     gpu::ImageSetLayout imageLayout_;              ///< the same as PyramidPass has
     std::map<std::uint32_t, Pipelines> pipelines_; ///< by samples
     std::map<LightSettings, gpu::ComputePipeline> lights_;
-    std::map<SeedSettings, gpu::ComputePipeline> seeds_;
+    /// By samples, and whether depth is reversed: how a visibility begins.
+    std::map<std::pair<std::uint32_t, bool>, gpu::ComputePipeline> seeds_;
     std::shared_ptr<LargeBladeList> largeList_; ///< of all views, one after the other
 
-    /// The newest of each view.
-    struct Pictures {
-        std::shared_ptr<gpu::Buffer> visibility;
-        std::shared_ptr<gpu::Buffer> motions;
-    };
-    std::vector<Pictures> pictures_;
+    std::vector<Pictures> pictures_; ///< the newest of each view
     std::vector<Slot> slots_;
 };
 

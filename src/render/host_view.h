@@ -33,13 +33,13 @@ struct HostView {
     std::uint32_t samples = 1; ///< per pixel of it
     bool hasReversedZ = true;  ///< 1 near and 0 far; else 0 near and 1 far
 
-    /// How blades are drawn: see Grass::recordRaster(). Automatic is the compute rasteriser on a GPU
-    /// and the tessellator on a CPU, which lights the pixels of the former more slowly. Shadow maps
-    /// want the tessellator.
+    /// How blades are drawn: see Grass::recordRaster(). Automatic is the compute rasteriser on a
+    /// GPU and the tessellator on a CPU, which lights the pixels of the former more slowly. Shadow
+    /// maps want the tessellator.
     Geometry geometry = Geometry::automatic;
 
-    /// Blades are judged from here instead: a frozen camera.
-    std::optional<glm::dmat4> judgedFrom{};
+    /// Blades are culled from here instead: a frozen camera.
+    std::optional<glm::dmat4> cullViewFrom{};
 
     /// The worldToClip of the frame before, for motion vectors; not given: the same as now.
     std::optional<glm::dmat4> clipBefore{};
@@ -48,8 +48,8 @@ struct HostView {
     std::optional<HostDepth> depth{};
 };
 
-/// The view's matrix as blades are judged by it: `fieldToClip` in the host's convention becomes one
-/// with reversed Z, its planes, eye and sharpness. A parallel projection is judged by an eye so far
+/// The view's matrix as blades are culled by it: `fieldToClip` in the host's convention becomes one
+/// with reversed Z, its planes, eye and sharpness. A parallel projection is culled by an eye so far
 /// away that its rays are parallel; `content` is the box of what can be seen.
 ViewMatrices viewMatricesOf(const glm::dmat4& fieldToClip, bool hasReversedZ, glm::uvec2 size,
                             const Aabb& content);

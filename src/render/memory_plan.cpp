@@ -26,9 +26,10 @@ std::uint64_t treeBytes(const field::FieldView& field)
 {
     constexpr std::uint64_t perPatch = sizeof(shared::Patch) + sizeof(shared::Subtree) +
                                        sizeof(float) + sizeof(std::uint32_t) +
-                                       2 * sizeof(std::uint32_t) + sizeof(shared::LivePatch);
+                                       2 * sizeof(std::uint32_t) + sizeof(shared::VisiblePatch);
     return field.patches.size() * perPatch +
-           (field.blades.size() / shared::ownerStride + 1) * sizeof(std::uint32_t) + smallBytes;
+           (field.blades.size() / shared::nonEmptyPatchStride + 1) * sizeof(std::uint32_t) +
+           smallBytes;
 }
 
 /// The list of visible blades, and what counts its rounds.

@@ -9,23 +9,24 @@
 namespace sward::render {
 
 MovingBlades::MovingBlades(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-                           FieldBuffers buffers, bool asksSmall)
+                           FieldBuffers buffers, bool testsSmall)
     : context_(&context)
     , buffers_(std::move(buffers))
     , walk_(context, shaders)
     , update_(context)
-    , asksSmall_(asksSmall)
+    , testsSmall_(testsSmall)
 {
 }
 
 void MovingBlades::prepare(const gpu::ShaderLibrary& shaders, const shared::Frame& frame)
 {
-    expect(frame.nature.colliderCount == 0 || buffers_.hasEtas(), "collisions can be kept");
-    variant_ = {.windCounts = frame.nature.wind.counts,
-                .hasColliders = frame.nature.colliderCount > 0,
+    expect(frame.environment.colliderCount == 0 || buffers_.hasEtas(), "collisions can be kept");
+    variant_ = {.windCounts = frame.environment.wind.counts,
+                .hasColliders = frame.environment.colliderCount > 0,
                 .keepsEtas = buffers_.hasEtas(),
-                .asksSmall = asksSmall_,
-                .asks = shared::asksOf(frame.view, frame.pages != 0, frame.fates != 0)};
+                .testsSmall = testsSmall_,
+                .features =
+                    shared::featuresOf(frame.view, frame.pages != 0, frame.cullResults != 0)};
     update_.prepare(shaders, variant_);
 }
 
@@ -41,7 +42,7 @@ void MovingBlades::begin(VkCommandBuffer commands, double time)
 {
     gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
     buffers_.clearCounts(commands);
-    buffers_.clearFates(commands);
+    buffers_.clearCullResults(commands);
     // No blade is still on its way from the straight pose it was baked in.
     if (!hasMoved_)
         buffers_.rest(commands, static_cast<float>(time - double(shared::settlingTime)));
@@ -59,22 +60,22 @@ void MovingBlades::beginAgain(VkCommandBuffer commands) const
     gpu::transferToCompute(commands);
 }
 
-void MovingBlades::findLive(VkCommandBuffer commands, VkDeviceAddress judged,
-                            gpu::Timestamps* timestamps) const
+void MovingBlades::findVisiblePatches(VkCommandBuffer commands, VkDeviceAddress cullView,
+                                      gpu::Timestamps* timestamps) const
 {
     const PassScope scope(*context_, commands, timestamps, "cull");
-    walk_.record(commands, buffers_.baked(), buffers_.list(), judged);
+    walk_.record(commands, buffers_.baked(), buffers_.list(), cullView);
     gpu::computeToCompute(commands);
 }
 
-void MovingBlades::moveAndList(VkCommandBuffer commands, const FramePlace& judged,
+void MovingBlades::moveAndList(VkCommandBuffer commands, const FramePlace& cullView,
                                std::uint32_t round, UpdateCullPass::Shown shown,
                                gpu::Timestamps* timestamps) const
 {
     const PassScope scope(*context_, commands, timestamps, "update");
     update_.record(commands, buffers_.baked(), buffers_.list(), variant_,
                    UpdateCullPass::Scope::visible,
-                   {.frame = judged, .round = round, .shown = shown});
+                   {.frame = cullView, .round = round, .shown = shown});
 }
 
 void MovingBlades::moveAll(VkCommandBuffer commands, const FramePlace& frame) const

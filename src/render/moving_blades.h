@@ -14,12 +14,12 @@
 namespace sward::render {
 
 /// The blades of a field, and the passes of a frame that find those which may be seen, move them,
-/// judge them and list those that are to be drawn.
+/// cull them and list those that are to be drawn.
 class MovingBlades {
 public:
-    /// `asksSmall` as FieldRendererSettings::asksSmallBlades.
+    /// `testsSmall` as FieldRendererSettings::testsSmallBlades.
     MovingBlades(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-                 FieldBuffers buffers, bool asksSmall);
+                 FieldBuffers buffers, bool testsSmall);
 
     const FieldBuffers& buffers() const { return buffers_; }
     bool hasMoved() const { return hasMoved_; } ///< whether a frame has begun
@@ -39,14 +39,14 @@ public:
     /// stay where they are: no time passes.
     void beginAgain(VkCommandBuffer commands) const;
 
-    /// Finds the live patches; with the barrier to what uses them. `judged` is the frame by whose
-    /// camera nodes are judged.
-    void findLive(VkCommandBuffer commands, VkDeviceAddress judged,
-                  gpu::Timestamps* timestamps) const;
+    /// Finds the visible patches; with the barrier to what uses them. `cullView` is the frame by
+    /// whose camera nodes are cullView.
+    void findVisiblePatches(VkCommandBuffer commands, VkDeviceAddress cullView,
+                            gpu::Timestamps* timestamps) const;
 
-    /// Moves, judges and lists the blades of one round of live patches; those that have not
+    /// Moves, culls and lists the blades of one round of visible patches; those that have not
     /// been shown from behind.
-    void moveAndList(VkCommandBuffer commands, const FramePlace& judged, std::uint32_t round,
+    void moveAndList(VkCommandBuffer commands, const FramePlace& cullView, std::uint32_t round,
                      UpdateCullPass::Shown shown, gpu::Timestamps* timestamps) const;
 
     /// Moves all blades, and does nothing else.
@@ -58,7 +58,7 @@ private:
     WalkPass walk_;
     UpdateCullPass update_;
     UpdateCullPass::Variant variant_; ///< for the frame that is being recorded
-    bool asksSmall_;
+    bool testsSmall_;
     bool hasMoved_ = false;
     bool hasNewEtas_ = false; ///< which hold nothing yet
 };

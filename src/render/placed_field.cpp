@@ -13,7 +13,7 @@ namespace {
 
 // Frames of a view.
 constexpr std::uint32_t forUpdate = 0;
-constexpr std::uint32_t forJudging = 1;
+constexpr std::uint32_t forCulling = 1;
 constexpr std::uint32_t forDrawing = 2;
 constexpr std::uint32_t forRaster = 3;
 constexpr std::uint32_t frameKinds = 4;
@@ -87,7 +87,7 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
     const ResidentField::Parts& field = instance_.field->parts();
     const Placement& placement = instance_.placement;
     while (lists_.size() < frame.views.size())
-        lists_.emplace_back(*context_, field.blades, field.blades.ownerCount(),
+        lists_.emplace_back(*context_, field.blades, field.blades.nonEmptyPatchCount(),
                             settings_.maxListed);
     std::ranges::fill(slots_[slot].counts.mapped(), std::byte{0});
 
@@ -113,28 +113,28 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
             frameOf(field.shape, seenBy(toClip), settings, frame.time, view.samples);
         if (isParallel(toClip))
             drawn.view.cullMask &= ~shared::cullDistance;
-        drawn.pace.frame = number;
-        drawn.nature.wind = tabled.nature.wind;
-        drawn.nature.colliderCount = tabled.nature.colliderCount;
-        drawn.nature.colliders = tabled.nature.colliders;
+        drawn.updateRate.frame = number;
+        drawn.environment.wind = tabled.environment.wind;
+        drawn.environment.colliderCount = tabled.environment.colliderCount;
+        drawn.environment.colliders = tabled.environment.colliders;
         field.blades.describe(drawn);
         states_.describe(drawn);
         lists_[i].describe(drawn);
         field.cover.describe(drawn);
-        nature_ = drawn.nature;
+        environment_ = drawn.environment;
 
-        shared::Frame judged = drawn;
-        if (view.judgedFrom)
-            look(judged, seenBy(*view.judgedFrom * toWorld));
-        judged.pyramid = pyramids[i];
-        shared::Frame updated = judged;
+        shared::Frame cullView = drawn;
+        if (view.cullViewFrom)
+            look(cullView, seenBy(*view.cullViewFrom * toWorld));
+        cullView.pyramid = pyramids[i];
+        shared::Frame updated = cullView;
         updated.draw = moved_.address();
         updated.pyramid = {};
         updated.view.cullMask &= ~shared::cullOcclusion;
         put(slot, forRaster, i, drawn);
         project(drawn, glm::mat4(toClip), drawn.view.eye);
         put(slot, forUpdate, i, updated);
-        put(slot, forJudging, i, judged);
+        put(slot, forCulling, i, cullView);
         put(slot, forDrawing, i, drawn);
         const shared::Motion since = motionOf(frame, view);
         std::memcpy(constants.mapped().data() + motionOffset(i), &since, sizeof since);
@@ -194,9 +194,9 @@ FramePlace PlacedField::updateFrame(std::uint32_t slot, std::uint32_t view) cons
     return framePlace(slot, forUpdate, view);
 }
 
-FramePlace PlacedField::judgedFrame(std::uint32_t slot, std::uint32_t view) const
+FramePlace PlacedField::cullView(std::uint32_t slot, std::uint32_t view) const
 {
-    return framePlace(slot, forJudging, view);
+    return framePlace(slot, forCulling, view);
 }
 
 FramePlace PlacedField::drawnFrame(std::uint32_t slot, std::uint32_t view) const
@@ -232,18 +232,18 @@ void PlacedField::recordCounts(const gpu::Recording& commands, std::uint32_t slo
 void PlacedField::addCounts(std::uint32_t slot, std::uint32_t view, FrameStats& sum) const
 {
     const auto counts = slots_[slot].counts.mappedAs<shared::DrawArguments>();
-    const auto& fates = counts[1 + view].fates;
+    const auto& cullResults = counts[1 + view].cullResults;
     sum.total += blades().bladeCount();
     sum.resident += isUploaded() ? blades().bladeCount() : 0;
     sum.streamedOut += isUploaded() ? 0 : blades().bladeCount();
     sum.simulated += counts[0].simulated;
-    sum.drawn += fates[shared::fateDrawn];
-    sum.lod += fates[shared::fateLod];
-    sum.culledPatch += fates[shared::fatePatch];
-    sum.culledOrientation += fates[shared::fateOrientation];
-    sum.culledFrustum += fates[shared::fateFrustum];
-    sum.culledDistance += fates[shared::fateDistance];
-    sum.culledOcclusion += fates[shared::fateOcclusion];
+    sum.drawn += cullResults[shared::cullResultDrawn];
+    sum.lod += cullResults[shared::cullResultLod];
+    sum.culledPatch += cullResults[shared::cullResultPatch];
+    sum.culledOrientation += cullResults[shared::cullResultOrientation];
+    sum.culledFrustum += cullResults[shared::cullResultFrustum];
+    sum.culledDistance += cullResults[shared::cullResultDistance];
+    sum.culledOcclusion += cullResults[shared::cullResultOcclusion];
 }
 
 VkDeviceSize PlacedField::bytes() const

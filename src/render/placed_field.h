@@ -39,10 +39,10 @@ public:
     const VisibleBlades& list(std::uint32_t view) const { return lists_[view]; }
     const gpu::Buffer& moved() const { return moved_; } ///< shared::DrawArguments of the update
 
-    /// Frames of one view: by which its blades are moved, judged, and drawn by either back-end.
+    /// Frames of one view: by which its blades are moved, cullView, and drawn by either back-end.
     /// Those of the update lie on end.
     FramePlace updateFrame(std::uint32_t slot, std::uint32_t view) const;
-    FramePlace judgedFrame(std::uint32_t slot, std::uint32_t view) const;
+    FramePlace cullView(std::uint32_t slot, std::uint32_t view) const;
     FramePlace drawnFrame(std::uint32_t slot, std::uint32_t view) const;
     FramePlace rasterFrame(std::uint32_t slot, std::uint32_t view) const; ///< always reversed Z
 
@@ -50,7 +50,7 @@ public:
     VkDeviceAddress motion(std::uint32_t slot, std::uint32_t view) const;
 
     /// What blows and collides in the frame written last.
-    const shared::Nature& nature() const { return nature_; }
+    const shared::Environment& environment() const { return environment_; }
 
     /// Whether the blades have ever moved; says from now on that they have.
     bool beginsToMove();
@@ -84,7 +84,7 @@ private:
     gpu::Buffer moved_;
     std::vector<VisibleBlades> lists_;
     std::vector<Slot> slots_;
-    shared::Nature nature_ = {};
+    shared::Environment environment_ = {};
     Placement placementBefore_; ///< of the frame written before
     double timeBefore_ = 0.0;
     std::uint32_t written_ = 0; ///< number of the frame written last

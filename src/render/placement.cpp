@@ -25,10 +25,10 @@ FrameSettings inField(const Placement& placement, FrameSettings world)
     const auto shrink = static_cast<float>(1.0 / placement.scale);
 
     // What pulls and blows.
-    field::Defaults& nature = world.nature;
-    nature.gravityDirection = placement.directionInField(nature.gravityDirection);
-    nature.attractor = placement.placeInField(nature.attractor);
-    nature.drawDistance *= shrink;
+    field::Defaults& environment = world.environment;
+    environment.gravityDirection = placement.directionInField(environment.gravityDirection);
+    environment.attractor = placement.placeInField(environment.attractor);
+    environment.drawDistance *= shrink;
     for (WindSource& wind : world.winds) {
         wind.source.direction = placement.directionInField(wind.source.direction);
         wind.source.size *= shrink;
@@ -48,10 +48,10 @@ FrameSettings inField(const Placement& placement, FrameSettings world)
     world.buckets.distance *= shrink;
     for (LevelStep& step : world.levelSteps)
         step.distance *= shrink;
-    if (world.pace.everyFrame)
-        *world.pace.everyFrame *= shrink;
-    if (world.pace.everyThird)
-        *world.pace.everyThird *= shrink;
+    if (world.updateRate.everyFrame)
+        *world.updateRate.everyFrame *= shrink;
+    if (world.updateRate.everyThird)
+        *world.updateRate.everyThird *= shrink;
 
     // Light and air.
     world.sunDirection = placement.directionInField(world.sunDirection);

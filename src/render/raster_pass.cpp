@@ -66,16 +66,16 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
     if (target.groupsDrawLarge) {
         large_ = pipeline("raster/large blades", "raster_large.comp", untold);
         lateBlades_ = pipeline("raster/late blades", "list_late.comp", untold);
-        surfaces_.emplace(context, target);
+        shadingCache_.emplace(context, target);
         lateLarge_ = pipeline("raster/late large blades", "raster_late.comp", untold);
     }
 }
 
 void RasterPass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
 {
-    expect(!shading.keepsSurfaces || surfaces_, "work-groups draw large blades");
-    if (shading.keepsSurfaces)
-        surfaces_->prepare(shaders, shading);
+    expect(!shading.hasShadingCache || shadingCache_, "work-groups draw large blades");
+    if (shading.hasShadingCache)
+        shadingCache_->prepare(shaders, shading);
 }
 
 void RasterPass::resize(VkExtent2D size)
@@ -91,14 +91,14 @@ void RasterPass::resize(VkExtent2D size)
 shared::RasterPush RasterPass::pushFor(const Input& input) const
 {
     shared::RasterPush push{.frame = input.frame.address,
-                            .judged = input.judged.address,
+                            .cullView = input.cullView.address,
                             .visibility = visibility_.address(),
                             .rounds = input.field->list().rounds().address(),
                             .large = 0,
                             .largeCount = 0,
                             .cut = 0,
-                            .owners = input.field->baked().owners(),
-                            .firstOwners = input.field->baked().firstOwners(),
+                            .nonEmptyPatches = input.field->baked().nonEmptyPatches(),
+                            .firstNonEmptyPatches = input.field->baked().firstNonEmptyPatches(),
                             .seen = input.findsHidden ? largeList_.shown().quarters : 0,
                             .surfacePlaces = 0,
                             .surfaces = 0,
@@ -109,14 +109,14 @@ shared::RasterPush RasterPass::pushFor(const Input& input) const
                             .firstBlade = input.firstBlade,
                             .instance = 0};
     largeList_.describe(push);
-    if (surfaces_)
-        surfaces_->describe(push);
+    if (shadingCache_)
+        shadingCache_->describe(push);
     return push;
 }
 
 VkDeviceSize RasterPass::bytes() const
 {
-    return visibility_.bytes() + largeList_.bytes() + (surfaces_ ? surfaces_->bytes() : 0);
+    return visibility_.bytes() + largeList_.bytes() + (shadingCache_ ? shadingCache_->bytes() : 0);
 }
 
 void RasterPass::recordBegin(VkCommandBuffer commands)
@@ -129,11 +129,11 @@ void RasterPass::recordBegin(VkCommandBuffer commands)
 }
 
 void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input, std::uint32_t round,
-                              Turn turn) const
+                              Phase phase) const
 {
     shared::RasterPush push = pushFor(input);
-    push.round = turn == Turn::late ? input.field->list().roundCount() + round : round;
-    const gpu::ComputePipeline& pipeline = turn == Turn::late ? lateBlades_ : blades_;
+    push.round = phase == Phase::late ? input.field->list().roundCount() + round : round;
+    const gpu::ComputePipeline& pipeline = phase == Phase::late ? lateBlades_ : blades_;
     pipeline.bind(commands);
     input.frame.bind(commands, pipeline.layout(), frameSet);
     pipeline.push(commands, push);
@@ -141,7 +141,7 @@ void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input, std:
                           push.round * sizeof(shared::WalkLevel));
 }
 
-void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Turn turn) const
+void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Phase phase) const
 {
     const shared::RasterPush push = pushFor(input);
     const auto bind = [&](const gpu::ComputePipeline& pipeline) {
@@ -149,7 +149,7 @@ void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Turn 
         input.frame.bind(commands, pipeline.layout(), frameSet);
         pipeline.push(commands, push);
     };
-    if (target_.groupsDrawLarge && turn == Turn::late) {
+    if (target_.groupsDrawLarge && phase == Phase::late) {
         bind(lateLarge_);
         largeList_.dispatchLate(commands);
     } else if (target_.groupsDrawLarge) {
@@ -158,7 +158,7 @@ void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Turn 
         // Those that frames have shown lately are as good as seen. As many work-groups as have
         // listed them, which begin where the last ones that draw leave room.
         if (input.findsHidden)
-            surfaces_->record(commands, push, input.frame, input.field->list().rounds().get());
+            shadingCache_->record(commands, push, input.frame, input.field->list().rounds().get());
     }
     bind(cut_);
     largeList_.dispatchCut(commands);

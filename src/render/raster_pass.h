@@ -8,7 +8,7 @@
 #include "render/field_buffers.h"
 #include "render/frame_place.h"
 #include "render/large_blade_list.h"
-#include "render/surface_pass.h"
+#include "render/shading_cache_pass.h"
 #include "render/target_settings.h"
 #include "shaders/shared/passes.h"
 
@@ -23,7 +23,7 @@ namespace sward::render {
 const char* obstacleToRaster(const gpu::DeviceContext& context, VkFormat colorFormat);
 
 /// Draws blades by compute shaders: those that are seen into a visibility buffer, which holds what
-/// is solid already. ResolvePass makes the picture of both.
+/// is opaque already. ResolvePass makes the picture of both.
 class RasterPass {
 public:
     /// `obstacleToRaster()` has none.
@@ -40,8 +40,8 @@ public:
     struct Input {
         const FieldBuffers* field = nullptr;
         FramePlace frame{};           ///< of the picture
-        FramePlace judged{};          ///< by whose camera the visible blades were listed
-        std::uint32_t firstBlade = 1; ///< see SolidRasterPass
+        FramePlace cullView{};        ///< by whose camera the visible blades were listed
+        std::uint32_t firstBlade = 1; ///< see OpaqueRasterPass
         bool findsHidden = false;     ///< whether blades hide others: see shared::RasterPush::seen
     };
 
@@ -50,24 +50,24 @@ public:
     void recordBegin(VkCommandBuffer commands);
 
     /// Blades that are drawn without a question, or those of which the frame's pyramid hides some.
-    enum class Turn { first, late };
+    enum class Phase { early, late };
 
     /// Rasterises the visible blades that a round of the update has listed, but for large ones.
     /// Between barriers from compute shaders to the same.
     void recordBlades(VkCommandBuffer commands, const Input& input, std::uint32_t round,
-                      Turn turn) const;
+                      Phase phase) const;
 
-    /// Rasterises the large ones that have been listed. If blades hide others, in the first turn
+    /// Rasterises the large ones that have been listed. If blades hide others, in the early pass
     /// those quarters that frames have shown lately, while their surfaces are kept, if they take
     /// turns, those by shared::lateQuartersUnseen(), and in the late one what of all the rest the
     /// frame's pyramid does not hide. As above.
-    void recordLarge(VkCommandBuffer commands, const Input& input, Turn turn) const;
+    void recordLarge(VkCommandBuffer commands, const Input& input, Phase phase) const;
 
     /// Those of a pyramid; all of them once a frame.
     enum class Levels { finest, all };
 
     /// Fills levels of the frame's pyramid with what has been drawn so far; what is listed from now
-    /// on has its late turn. As above.
+    /// on has its late pass. As above.
     void recordDepths(VkCommandBuffer commands, const Input& input, Levels levels) const;
 
     /// What all shaders are told that draw into the visibility or look at it; but for tiles.
@@ -88,7 +88,7 @@ private:
     gpu::ComputePipeline lateLarge_; ///< leaves out what is hidden
     gpu::ComputePipeline depths_;
     gpu::ComputePipeline allDepths_;
-    std::optional<SurfacePass> surfaces_; ///< of the large blades that work-groups draw
+    std::optional<ShadingCachePass> shadingCache_; ///< of the large blades that work-groups draw
 
     VkExtent2D size_{};
     bool isEmpty_ = false; ///< nothing is in the visibility when a frame begins

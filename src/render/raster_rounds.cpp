@@ -8,21 +8,21 @@ namespace sward::render {
 void RasterRounds::record(VkCommandBuffer commands, const RasterPass::Input& input,
                           gpu::Timestamps* timestamps) const
 {
-    using Turn = RasterPass::Turn;
+    using Phase = RasterPass::Phase;
     for (std::uint32_t round = 0; round < rounds; ++round) {
         recordFirst(commands, input, round, timestamps);
         if (!input.findsHidden)
             continue;
-        // Most live patches are those of the first round: what they show hides the rest.
+        // Most visible patches are those of the first round: what they show hides the rest.
         if (round == 0)
             recordPyramid(commands, input, timestamps);
         gpu::computeToCompute(commands);
         const PassScope scope(context, commands, timestamps, "blades");
-        raster.recordBlades(commands, input, round, Turn::late);
+        raster.recordBlades(commands, input, round, Phase::late);
     }
     gpu::computeToCompute(commands);
     const PassScope scope(context, commands, timestamps, "blades");
-    raster.recordLarge(commands, input, input.findsHidden ? Turn::late : Turn::first);
+    raster.recordLarge(commands, input, input.findsHidden ? Phase::late : Phase::early);
 }
 
 void RasterRounds::recordFirst(VkCommandBuffer commands, const RasterPass::Input& input,
@@ -32,11 +32,11 @@ void RasterRounds::recordFirst(VkCommandBuffer commands, const RasterPass::Input
     if (round > 0)
         gpu::computeToCompute(commands);
     using Shown = UpdateCullPass::Shown;
-    blades.moveAndList(commands, input.judged, round, input.findsHidden ? raster.shown() : Shown(),
-                       timestamps);
+    blades.moveAndList(commands, input.cullView, round,
+                       input.findsHidden ? raster.shown() : Shown(), timestamps);
     gpu::computeToCompute(commands);
     const PassScope scope(context, commands, timestamps, "blades");
-    raster.recordBlades(commands, input, round, RasterPass::Turn::first);
+    raster.recordBlades(commands, input, round, RasterPass::Phase::early);
 }
 
 void RasterRounds::recordPyramid(VkCommandBuffer commands, const RasterPass::Input& input,
@@ -45,7 +45,7 @@ void RasterRounds::recordPyramid(VkCommandBuffer commands, const RasterPass::Inp
     gpu::computeToCompute(commands);
     {
         const PassScope scope(context, commands, timestamps, "blades");
-        raster.recordLarge(commands, input, RasterPass::Turn::first);
+        raster.recordLarge(commands, input, RasterPass::Phase::early);
     }
     gpu::memoryBarrier(commands, gpu::dispatchAccess, gpu::dispatchAccess);
     const PassScope scope(context, commands, timestamps, "pyramid");

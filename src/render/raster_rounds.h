@@ -11,17 +11,17 @@
 
 namespace sward::render {
 
-/// Moves, judges and rasterises the live blades of a frame, as many at a time as the list holds.
+/// Moves, culls and rasterises the live blades of a frame, as many at a time as the list holds.
 /// Where blades hide others, those that frames have shown lately come first; what they hide is
 /// left out of the rest.
 struct RasterRounds {
     const gpu::DeviceContext& context;
     const MovingBlades& blades;
     RasterPass& raster;
-    std::uint32_t rounds; ///< as many as the live patches may need
+    std::uint32_t rounds; ///< as many as the visible patches may need
 
-    /// After MovingBlades::findLive(), with all that is solid in the visibility. `input` says
-    /// whether blades hide others; then the frame describes the pyramid and judges by its own
+    /// After MovingBlades::findVisiblePatches(), with all that is opaque in the visibility. `input`
+    /// says whether blades hide others; then the frame describes the pyramid and culls by its own
     /// camera.
     void record(VkCommandBuffer commands, const RasterPass::Input& input,
                 gpu::Timestamps* timestamps) const;

@@ -170,7 +170,7 @@ void Residency::finish()
     order_.resize(missing_.size());
     for (const std::uint32_t page : missing_)
         order_[ends[pages_[page].grade]++] = page;
-    asked_ = 0;
+    requested_ = 0;
     firstMissing_ = 0;
     skipPresent();
 }
@@ -184,11 +184,11 @@ void Residency::skipPresent()
 
 std::optional<std::uint32_t> Residency::next()
 {
-    while (asked_ < order_.size() && pages_[order_[asked_]].state != State::absent)
-        ++asked_;
-    if (asked_ == order_.size() || pages_[order_[asked_]].grade < minGrade_)
+    while (requested_ < order_.size() && pages_[order_[requested_]].state != State::absent)
+        ++requested_;
+    if (requested_ == order_.size() || pages_[order_[requested_]].grade < minGrade_)
         return std::nullopt;
-    return order_[asked_++];
+    return order_[requested_++];
 }
 
 std::optional<std::uint32_t> Residency::take(std::uint32_t index)
@@ -214,9 +214,9 @@ shared::PageChange Residency::arrive(std::uint32_t index)
 
 std::optional<Residency::Gone> Residency::leave(std::uint32_t waiting)
 {
-    if (asked_ + waiting >= order_.size())
+    if (requested_ + waiting >= order_.size())
         return std::nullopt;
-    const std::uint8_t better = pages_[order_[asked_ + waiting]].grade;
+    const std::uint8_t better = pages_[order_[requested_ + waiting]].grade;
     if (better < minGrade_)
         return std::nullopt;
     for (std::uint32_t looks = 0; looks < maxLooks && fruitless_ < pageAt_.size();

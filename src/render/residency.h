@@ -100,7 +100,7 @@ private:
     std::uint32_t lastNumber_ = 0;
     std::uint8_t minGrade_ = 0;        ///< pages of it fit in part, those above as a whole
     std::vector<std::uint32_t> order_; ///< pages that were missing, the best first
-    std::size_t asked_ = 0;            ///< so many of them have been handed out
+    std::size_t requested_ = 0;        ///< so many of them have been handed out
     std::size_t firstMissing_ = 0;     ///< those before it are there
     std::uint32_t hand_ = 0;           ///< place at which the next one that leaves is looked for
     std::size_t fruitless_ = 0;        ///< places before it of which none may leave

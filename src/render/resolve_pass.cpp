@@ -48,8 +48,8 @@ ResolvePass::ResolvePass(const gpu::DeviceContext& context, const gpu::ShaderLib
     , images_(slots)
 {
     if (target.samples > 1)
-        soften_ = pipeline(shaders, "raster/soften", "soften.comp",
-                           {{.id = 10, .value = shared::tilesOfSoft}});
+        reconstruct_ = pipeline(shaders, "raster/reconstruct", "reconstruct.comp",
+                                {{.id = 10, .value = shared::tilesOfSoft}});
     if (target.sortsTiles || target.samples > 1)
         tiles_.emplace(context, shaders, target.samples, target.sortsTiles);
 }
@@ -81,13 +81,13 @@ void ResolvePass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
             {shown.list, pipeline(shaders, "raster/resolve",
                                   target_.samples > 1 ? "resolve_of_four.comp" : "resolve.comp",
                                   {{.id = 0, .value = shading.debugMode},
-                                   {.id = 8, .value = shading.leavesLayers ? 1u : 0u},
+                                   {.id = 8, .value = shading.limitsLeafArea ? 1u : 0u},
                                    {.id = 10, .value = shown.list},
                                    {.id = 11, .value = target_.mayFold ? 1u : 0u},
                                    {.id = 12, .value = shown.blades ? 1u : 0u},
                                    {.id = 13, .value = shown.sky ? 1u : 0u},
                                    {.id = 14, .value = target_.onlyShape},
-                                   {.id = 15, .value = shading.keepsSurfaces ? 1u : 0u}})});
+                                   {.id = 15, .value = shading.hasShadingCache ? 1u : 0u}})});
     parts_.emplace(shading, std::move(parts));
 }
 
@@ -188,9 +188,9 @@ void ResolvePass::recordSoft(VkCommandBuffer commands, const shared::RasterPush&
                              const gpu::ImageSet& film) const
 {
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::dispatchAccess);
-    soften_.bind(commands);
-    film.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, soften_.layout(), litSet);
-    soften_.push(commands, push);
+    reconstruct_.bind(commands);
+    film.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, reconstruct_.layout(), litSet);
+    reconstruct_.push(commands, push);
     tiles_->dispatch(commands, shared::tilesOfSoft);
 }
 

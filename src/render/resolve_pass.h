@@ -8,8 +8,8 @@
 #include "gpu/shader_library.h"
 #include "gpu/uniform_sets.h"
 #include "render/frame_place.h"
-#include "render/shown_tiles.h"
 #include "render/target_settings.h"
+#include "render/tile_classification.h"
 #include "shaders/shared/passes.h"
 
 #include <vulkan/vulkan.h>
@@ -28,7 +28,7 @@ public:
                 const TargetSettings& target, std::uint32_t slots);
 
     /// Has pictures of this size; the device is done with the former ones. `lit`, which outlives
-    /// them, is SolidRasterPass::lit(): with several samples the picture is shaded in it.
+    /// them, is OpaqueRasterPass::lit(): with several samples the picture is shaded in it.
     void resize(VkExtent2D size, const gpu::Image& lit);
 
     /// Makes ready for a frame.
@@ -57,7 +57,7 @@ public:
     void copyTo(VkCommandBuffer commands, VkImage target) const;
 
     /// Null where tiles are shaded as they lie.
-    const ShownTiles* sorted() const { return target_.sortsTiles ? &*tiles_ : nullptr; }
+    const TileClassification* sorted() const { return target_.sortsTiles ? &*tiles_ : nullptr; }
     VkDeviceSize bytes() const;
     VkDeviceSize bytesToCopy() const; ///< that targets take which are not stored into
 
@@ -80,9 +80,9 @@ private:
     gpu::UniformSetLayout frameLayout_;
     gpu::Sampler sampler_;
     std::map<Shading, std::vector<Part>> parts_;
-    Shading shading_{};               ///< of the frame prepared last
-    gpu::ComputePipeline soften_;     ///< with several samples
-    std::optional<ShownTiles> tiles_; ///< sorted ones, and with several samples soft ones
+    Shading shading_{};                       ///< of the frame prepared last
+    gpu::ComputePipeline reconstruct_;        ///< with several samples
+    std::optional<TileClassification> tiles_; ///< sorted ones, and with several samples soft ones
 
     VkExtent2D size_{};
     /// What a slot's shaders see.

@@ -3,8 +3,8 @@
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
 #include "render/detail_settings.h"
+#include "render/environment_settings.h"
 #include "render/look_settings.h"
-#include "render/nature_settings.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,23 +18,25 @@ constexpr std::size_t largestFile = 1u << 22; ///< [bytes] 256 colliders with lo
 
 } // namespace
 
-void readSettings(const std::filesystem::path& path, FrameSettings& settings)
+std::vector<std::string> readSettings(const std::filesystem::path& path, FrameSettings& settings)
 {
     const std::vector<std::byte> bytes = readFile(path, largestFile);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    readSettings(text, path.string(), settings);
+    return readSettings(text, path.string(), settings);
 }
 
-void readSettings(std::string_view text, const std::string& place, FrameSettings& settings)
+std::vector<std::string> readSettings(std::string_view text, const std::string& place,
+                                      FrameSettings& settings)
 {
     const nlohmann::json json = parseJson(text, place);
     SettingsReader reader(json, place);
     std::string about; // for those who read the file
     reader.read("about", about);
-    readNature(reader, settings);
-    readDetail(reader, settings);
+    readEnvironment(reader, settings);
+    std::vector<std::string> warnings = readDetail(reader, settings);
     readLook(reader, settings);
     reader.finish();
+    return warnings;
 }
 
 } // namespace sward::render

@@ -5,14 +5,17 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace sward::render {
 
 /// Reads a settings file (docs/settings.md) over `settings`: what it does not name stays. Throws
-/// Error{io} if it cannot be read, Error{input} that names the key.
-void readSettings(const std::filesystem::path& path, FrameSettings& settings);
+/// Error{io} if it cannot be read, Error{input} that names the key. Returns one warning for each
+/// key that is written by its former name.
+std::vector<std::string> readSettings(const std::filesystem::path& path, FrameSettings& settings);
 
 /// The same from a text; `place` names it in messages.
-void readSettings(std::string_view text, const std::string& place, FrameSettings& settings);
+std::vector<std::string> readSettings(std::string_view text, const std::string& place,
+                                      FrameSettings& settings);
 
 } // namespace sward::render

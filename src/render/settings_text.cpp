@@ -1,8 +1,8 @@
 #include "render/settings_text.h"
 
 #include "render/cull_tests.h"
+#include "render/environment_settings.h"
 #include "render/look_settings.h"
-#include "render/nature_settings.h"
 
 #include <nlohmann/json.hpp>
 
@@ -77,17 +77,17 @@ Json detailJson(const FrameSettings& settings)
 {
     Json json{{"thin_and_widen", settings.levelOfDetail},
               {"thin_below_px", number(settings.lodThreshold)},
-              {"least_width", number(settings.minPixels)},
-              {"most_layers", number(settings.maxLayers)},
+              {"min_width", number(settings.minPixels)},
+              {"max_leaf_area", number(settings.maxLeafArea)},
               {"segments", settings.tessellationLevel}};
     if (!settings.levelSteps.empty())
         json["steps"] = Json::array();
     for (const LevelStep& step : settings.levelSteps)
         json["steps"].push_back({{"distance", number(step.distance)}, {"segments", step.segments}});
-    if (settings.pace.everyFrame)
-        json["move_every_frame"] = number(*settings.pace.everyFrame);
-    if (settings.pace.everyThird)
-        json["move_every_third"] = number(*settings.pace.everyThird);
+    if (settings.updateRate.everyFrame)
+        json["move_every_frame"] = number(*settings.updateRate.everyFrame);
+    if (settings.updateRate.everyThird)
+        json["move_every_third"] = number(*settings.updateRate.everyThird);
     return json;
 }
 
@@ -95,17 +95,17 @@ Json detailJson(const FrameSettings& settings)
 
 std::string settingsText(const FrameSettings& settings)
 {
-    const field::Defaults& nature = settings.nature;
+    const field::Defaults& environment = settings.environment;
     Json json;
     json["wind"] = Json::array();
     for (const WindSource& wind : settings.winds)
         json["wind"].push_back(windJson(wind));
-    json["gravity"] = {{"direction", vector(nature.gravityDirection)},
-                       {"strength", number(nature.gravityStrength)},
-                       {"attractor", vector(nature.attractor)},
-                       {"blend", number(nature.attractorBlend)},
+    json["gravity"] = {{"direction", vector(environment.gravityDirection)},
+                       {"strength", number(environment.gravityStrength)},
+                       {"attractor", vector(environment.attractor)},
+                       {"blend", number(environment.attractorBlend)},
                        {"forward", number(settings.forward)}};
-    json["recovery"] = number(nature.recovery);
+    json["recovery"] = number(environment.recovery);
     json["colliders"] = Json::array();
     for (const Collider& collider : settings.colliders)
         json["colliders"].push_back(colliderJson(collider));
@@ -113,7 +113,7 @@ std::string settingsText(const FrameSettings& settings)
     Json& culling = json["culling"];
     for (const CullTest& test : cullTests)
         culling[std::string(test.name)] = (settings.cullMask & test.bit) != 0;
-    culling["draw_distance"] = number(nature.drawDistance);
+    culling["draw_distance"] = number(environment.drawDistance);
     if (settings.maxEdgeOn)
         culling["edge_on_cosine"] = number(*settings.maxEdgeOn);
     if (settings.buckets.count > 0)

@@ -15,7 +15,7 @@ public:
     SkyPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
             const TargetSettings& target);
 
-    /// Inside a rendering, after everything that is solid.
+    /// Inside a rendering, after everything that is opaque.
     void record(VkCommandBuffer commands, VkDeviceAddress frame) const;
 
 private:

@@ -44,7 +44,7 @@ public:
               const Settings& settings);
 
     /// Decides what comes and what leaves in the frame that is recorded next, in `slot`, whose
-    /// former commands have completed. `seen` is the eyepoint by which blades are judged; its
+    /// former commands have completed. `seen` is the eyepoint by which blades are cullView; its
     /// lodThreshold is changed to what is drawn of what is there.
     void choose(shared::Eyepoint& seen, std::uint32_t slot);
 

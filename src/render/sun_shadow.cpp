@@ -81,7 +81,7 @@ SunShadowPass::SunShadowPass(const gpu::DeviceContext& context, const gpu::Shade
 void SunShadowPass::describe(shared::Frame& frame)
 {
     sun_ = frame.sunDirection;
-    colliderCount_ = frame.nature.colliderCount;
+    colliderCount_ = frame.environment.colliderCount;
     frame.shadow = sunShadowOf(ground_, frame.sunDirection, sunShadowSize);
     frame.shadow.depths.address = depths_.address();
 }

@@ -38,8 +38,10 @@ constexpr std::uint32_t knownDebugMode(DebugMode mode)
 /// What the shading of a frame's blades is to know.
 struct Shading {
     std::uint32_t debugMode = shared::debugAsTold; ///< see knownDebugMode()
-    bool leavesLayers = false;  ///< what other grass hides is not drawn, see shared::layerShare()
-    bool keepsSurfaces = false; ///< of large blades, see SurfacePass; where blades hide others
+    bool limitsLeafArea =
+        false; ///< what other grass hides is not drawn, see shared::leafAreaShare()
+    bool hasShadingCache =
+        false; ///< of large blades, see ShadingCachePass; where blades hide others
     auto operator<=>(const Shading&) const = default;
 };
 

@@ -17,7 +17,7 @@ static_assert(shared::patchesTogether <= 8 && shared::maxPatchBlades <= 512);
 std::uint32_t threadsOf(const gpu::DeviceContext& context, bool hasColliders)
 {
     constexpr std::uint32_t lanesOfCpu = 8;
-    static_assert(lanesOfCpu >= shared::fateCount && lanesOfCpu >= shared::colliderWords);
+    static_assert(lanesOfCpu >= shared::cullResultCount && lanesOfCpu >= shared::colliderWords);
     if (!context.isCpu())
         return shared::updateThreads;
     return hasColliders
@@ -57,8 +57,8 @@ void UpdateCullPass::prepare(const gpu::ShaderLibrary& shaders, Variant variant)
                                     {.id = 3, .value = static_cast<std::uint32_t>(variant.role)},
                                     {.id = 4, .value = variant.keepsBefore},
                                     {.id = 5, .value = variant.keepsEtas},
-                                    {.id = 6, .value = variant.asksSmall},
-                                    {.id = 7, .value = variant.asks},
+                                    {.id = 6, .value = variant.testsSmall},
+                                    {.id = 7, .value = variant.features},
                                     {.id = 8, .value = patchesOfGroup(*context_)}}}));
 }
 
@@ -66,22 +66,22 @@ void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& b
                             const VisibleBlades& found, Variant variant, Scope scope,
                             const Input& input) const
 {
-    if (blades.ownerCount() == 0)
+    if (blades.nonEmptyPatchCount() == 0)
         return;
     const auto made = pipelines_.find(variant);
     expect(made != pipelines_.end(), "the update has been prepared for the frame's wind");
     const gpu::ComputePipeline& pipeline = made->second;
     pipeline.bind(commands);
     input.frame.bind(commands, pipeline.layout(), 0);
-    pipeline.push(commands, shared::UpdatePush{.judged = input.frame.address,
+    pipeline.push(commands, shared::UpdatePush{.cullView = input.frame.address,
                                                .live = found.live(),
                                                .levels = found.levels().address(),
                                                .rounds = found.rounds().address(),
-                                               .owners = blades.owners(),
+                                               .nonEmptyPatches = blades.nonEmptyPatches(),
                                                .views = input.views,
                                                .before = input.before,
                                                .seenBefore = input.shown.quarters,
-                                               .ownerCount = blades.ownerCount(),
+                                               .nonEmptyPatchCount = blades.nonEmptyPatchCount(),
                                                .onlyUpdate = scope == Scope::all ? 1u : 0u,
                                                .firstLive = input.round * found.roundPatches(),
                                                .maxLive = found.roundPatches(),
@@ -91,7 +91,7 @@ void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& b
                                                .frame = input.shown.frame});
     if (scope == Scope::all) {
         const std::uint32_t groups =
-            shared::updateGroups(blades.ownerCount(), patchesOfGroup(*context_));
+            shared::updateGroups(blades.nonEmptyPatchCount(), patchesOfGroup(*context_));
         commands.vk->CmdDispatch(commands, std::min(groups, input.maxGroups), 1, 1);
     } else {
         commands.vk->CmdDispatchIndirect(commands, found.levels().get(),

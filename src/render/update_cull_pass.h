@@ -18,8 +18,8 @@
 
 namespace sward::render {
 
-/// Moves the blades of the live patches, judges them, and lists those that are to be drawn; or does
-/// the one or the other alone.
+/// Moves the blades of the visible patches, culls them, and lists those that are to be drawn; or
+/// does the one or the other alone.
 class UpdateCullPass {
 public:
     explicit UpdateCullPass(const gpu::DeviceContext& context);
@@ -27,22 +27,23 @@ public:
     /// How many patches a work-group takes where there are many, see shared::updateGroups().
     static std::uint32_t patchesOfGroup(const gpu::DeviceContext& context);
 
-    /// What is done about a live patch.
+    /// What is done about a visible patch.
     enum class Role : std::uint32_t {
-        moveAndJudge = 0,
-        move = 1,  ///< as far as any of several views asks, once in a frame; lists nothing
-        judge = 2, ///< where blades have been moved to
+        moveAndCull = 0,
+        move = 1, ///< as far as any of several views features, once in a frame; lists nothing
+        cull = 2, ///< where blades have been moved to
     };
 
     /// What the shader is made for.
     struct Variant {
         std::uint32_t windCounts = 0; ///< shared::Wind::counts; 0 where nothing is moved
         bool hasColliders = false;    ///< false where nothing is moved
-        Role role = Role::moveAndJudge;
+        Role role = Role::moveAndCull;
         bool keepsBefore = false; ///< states from which blades are moved
         bool keepsEtas = false;   ///< what collisions leave; with colliders always
-        bool asksSmall = false;   ///< whether others hide it of blades that are not large, too
-        std::uint32_t asks = shared::asksAll; ///< no frame asks for more, see shared::asksOf()
+        bool testsSmall = false;  ///< whether others hide it of blades that are not large, too
+        std::uint32_t features =
+            shared::featureAll; ///< no frame asks for more, see shared::featuresOf()
         auto operator<=>(const Variant&) const = default;
     };
 
@@ -50,7 +51,7 @@ public:
     void prepare(const gpu::ShaderLibrary& shaders, Variant variant);
 
     enum class Scope {
-        visible, ///< the live patches of the walk recorded before; judge and count
+        visible, ///< the visible patches of the walk recorded before; cull and count
         all,     ///< every patch; move only
     };
 
@@ -62,7 +63,7 @@ public:
 
     /// What it reads and writes besides blades and lists.
     struct Input {
-        FramePlace frame{}; ///< by whose camera blades are judged
+        FramePlace frame{}; ///< by whose camera blades are culled
         std::uint32_t round = 0;
         VkDeviceAddress views = 0;   ///< frames on end for which Role::move moves blades …
         std::uint32_t viewCount = 0; ///< … and how many

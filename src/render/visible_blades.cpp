@@ -9,9 +9,9 @@ namespace sward::render {
 
 VisibleBlades::VisibleBlades(const gpu::DeviceContext& context, const BakedBlades& blades,
                              std::uint32_t roundPatches, std::uint32_t maxBlades)
-    : roundPatches_(std::max(std::min(roundPatches, blades.ownerCount()), 1u))
-    , roundCount_(std::max(
-          1u, static_cast<std::uint32_t>(gpu::groupsFor(blades.ownerCount(), roundPatches_))))
+    : roundPatches_(std::max(std::min(roundPatches, blades.nonEmptyPatchCount()), 1u))
+    , roundCount_(std::max(1u, static_cast<std::uint32_t>(
+                                   gpu::groupsFor(blades.nonEmptyPatchCount(), roundPatches_))))
     , listLength_(static_cast<std::uint32_t>(
           std::min<std::uint64_t>(std::min(blades.placeCount(), maxBlades),
                                   blades.patchSizes().maxBladesOf(roundPatches_))))
@@ -19,7 +19,8 @@ VisibleBlades::VisibleBlades(const gpu::DeviceContext& context, const BakedBlade
     const PatchTree& tree = blades.tree();
     queue_ = allocate(context, "view/queue",
                       (blades.patchCount() - tree.startCount()) * sizeof(std::uint32_t));
-    live_ = allocate(context, "view/live patches", blades.ownerCount() * sizeof(shared::LivePatch));
+    live_ = allocate(context, "view/visible patches",
+                     blades.nonEmptyPatchCount() * sizeof(shared::VisiblePatch));
     levels_ = allocate(context, "view/levels", (tree.steps() + 1) * sizeof(shared::WalkLevel));
     visible_ = allocate(context, "view/visible", listLength_ * sizeof(shared::VisibleBlade));
     rounds_ = allocate(context, "view/rounds", 2 * roundCount_ * sizeof(shared::WalkLevel));

@@ -12,11 +12,11 @@
 
 namespace sward::render {
 
-/// What one view finds of a field's blades: the live patches on the way down the tree, and the list
-/// of those blades that are to be drawn.
+/// What one view finds of a field's blades: the visible patches on the way down the tree, and the
+/// list of those blades that are to be drawn.
 class VisibleBlades {
 public:
-    /// Room for `roundPatches` live patches in the list, and for no more than `maxBlades`; live
+    /// Room for `roundPatches` visible patches in the list, and for no more than `maxBlades`; live
     /// patches beyond take their turns in rounds.
     VisibleBlades(const gpu::DeviceContext& context, const BakedBlades& blades,
                   std::uint32_t roundPatches, std::uint32_t maxBlades);
@@ -27,7 +27,7 @@ public:
     /// Empties the list, the counts, and what the walk has found.
     void clear(const gpu::Recording& commands) const;
 
-    /// How often the live patches fill the list at most, and by how many at a time.
+    /// How often the visible patches fill the list at most, and by how many at a time.
     std::uint32_t roundCount() const { return roundCount_; }
     std::uint32_t roundPatches() const { return roundPatches_; }
 
@@ -35,7 +35,7 @@ public:
     const gpu::Buffer& rounds() const { return rounds_; }
 
     VkDeviceAddress queue() const { return queue_.address(); } ///< of patches to be looked at
-    VkDeviceAddress live() const { return live_.address(); }   ///< shared::LivePatch
+    VkDeviceAddress live() const { return live_.address(); }   ///< shared::VisiblePatch
     const gpu::Buffer& levels() const { return levels_; }      ///< shared::WalkLevel
     const gpu::Buffer& draw() const { return draw_; }          ///< shared::DrawArguments
     const gpu::Buffer& visible() const { return visible_; }    ///< shared::VisibleBlade

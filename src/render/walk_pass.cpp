@@ -17,22 +17,22 @@ WalkPass::WalkPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& 
 }
 
 void WalkPass::record(const gpu::Recording& commands, const BakedBlades& blades,
-                      const VisibleBlades& found, VkDeviceAddress judged) const
+                      const VisibleBlades& found, VkDeviceAddress cullView) const
 {
     for (std::uint32_t step = 0; step < blades.tree().steps(); ++step) {
         if (step > 0)
             gpu::computeToCompute(commands);
-        recordStep(commands, blades, found, judged, step);
+        recordStep(commands, blades, found, cullView, step);
     }
 }
 
 void WalkPass::recordStep(const gpu::Recording& commands, const BakedBlades& blades,
-                          const VisibleBlades& found, VkDeviceAddress judged,
+                          const VisibleBlades& found, VkDeviceAddress cullView,
                           std::uint32_t step) const
 {
     const PatchTree& tree = blades.tree();
     walk_.bind(commands);
-    walk_.push(commands, shared::WalkPush{.judged = judged,
+    walk_.push(commands, shared::WalkPush{.cullView = cullView,
                                           .subtrees = tree.subtrees(),
                                           .queue = found.queue(),
                                           .live = found.live(),

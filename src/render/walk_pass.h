@@ -11,21 +11,21 @@
 
 namespace sward::render {
 
-/// Walks down a patch tree as far as something is seen, and lists the live patches: those that own
-/// blades and may be seen. Counts the blades that are left out on the way.
+/// Walks down a patch tree as far as something is seen, and lists the visible patches: those that
+/// own blades and may be seen. Counts the blades that are left out on the way.
 class WalkPass {
 public:
     WalkPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders);
 
     /// Between a barrier from the clearing of tree and counts, and one from compute shaders to a
-    /// dispatch. `judged` is the shared::Frame by whose camera nodes are judged.
+    /// dispatch. `cullView` is the shared::Frame by whose camera nodes are cullView.
     void record(const gpu::Recording& commands, const BakedBlades& blades,
-                const VisibleBlades& found, VkDeviceAddress judged) const;
+                const VisibleBlades& found, VkDeviceAddress cullView) const;
 
     /// One of the tree's steps() of it: walks of several trees are recorded step by step, with a
     /// barrier from compute shaders to a dispatch between one step and the next.
     void recordStep(const gpu::Recording& commands, const BakedBlades& blades,
-                    const VisibleBlades& found, VkDeviceAddress judged, std::uint32_t step) const;
+                    const VisibleBlades& found, VkDeviceAddress cullView, std::uint32_t step) const;
 
 private:
     const gpu::DeviceContext* context_;

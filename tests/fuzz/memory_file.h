@@ -7,7 +7,7 @@
 
 namespace sward::fuzz {
 
-/// A file in memory under names that readers can open and judge by, in a folder that holds nothing
+/// A file in memory under names that readers can open and cull by, in a folder that holds nothing
 /// else.
 class MemoryFile {
 public:

@@ -130,7 +130,7 @@ void addSettings(std::vector<Sample>& all)
     settings.maxEdgeOn = 0.9f;
     settings.buckets = {7, 40.0f};
     settings.levelSteps = {{5.0f, 16}, {10.0f, 12}};
-    settings.pace = {10.0f, 20.0f};
+    settings.updateRate = {10.0f, 20.0f};
     settings.skyUp = {0.0f, 0.0f, 1.0f};
     settings.fogDensity = 0.1f;
     all.push_back({"settings", "everything.json", render::settingsText(settings)});

@@ -67,8 +67,8 @@ protected:
         settings.cullMask = mask;
         settings.leavesThinned = false; // every blade has a verdict
         settings.lodThreshold = 2.0f;
-        settings.nature.drawDistance = 8.0f;
-        settings.pace.everyFrame = 1e6f; // wherever it stands
+        settings.environment.drawDistance = 8.0f;
+        settings.updateRate.everyFrame = 1e6f; // wherever it stands
         return frameOf({{}, content, bench_.bladeSize()}, viewMatrices(camera, {}, size, content),
                        settings, 1.0, 1);
     }
@@ -118,20 +118,20 @@ bool isClose(const shared::Frame& frame, const shared::Blade& blade, std::uint32
                       shared::planeDistance(plane, blade.root + blade.height * pose.v2)});
         const float reserve =
             0.5f * shared::outlineMost * blade.width * std::max(verdict.widthFactor, 1.0f) +
-            shared::ribMargin(distance + blade.height, frame.view.minWidth);
+            shared::sectionMargin(distance + blade.height, frame.view.minWidth);
         if (std::abs(reach + reserve) < margin)
             return true;
     }
     // The last blade of the share has next to no width left.
-    return verdict.fate == shared::fateDrawn && verdict.widthFactor < 1e-3f;
+    return verdict.cullResult == shared::cullResultDrawn && verdict.widthFactor < 1e-3f;
 }
 
-TEST_F(CullingTest, JudgesAsTheCpuDoesSaveWhereRoundingDecides)
+TEST_F(CullingTest, CullsAsTheCpuDoesSaveWhereRoundingDecides)
 {
     const std::vector<shared::Subtree> subtrees = subtreesOf(field::viewOf(field_));
     std::size_t close = 0;
-    std::size_t judged = 0;
-    std::array<std::size_t, shared::fateCount> seen{};
+    std::size_t tested = 0;
+    std::array<std::size_t, shared::cullResultCount> seen{};
     for (std::uint64_t c = 0; c < 12; ++c) {
         const shared::Frame frame = this->frame(randomCamera(c), c % 3 == 2 ? 14u : 15u);
         const auto result = run(frame);
@@ -140,33 +140,35 @@ TEST_F(CullingTest, JudgesAsTheCpuDoesSaveWhereRoundingDecides)
         for (std::size_t p = 0; p < field_.patches.size(); ++p) {
             const shared::Patch& cell = field_.patches[p];
             const bool culled = shared::patchCulled(view, cell, subtrees[p].widest);
-            const shared::Layers layers = shared::layersOf(view, cell);
+            const shared::LeafAreaLimit limit = shared::leafAreaLimitOf(view, cell);
             for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
                 const std::size_t index = cell.firstBlade + i;
-                const shared::Blade drawn = shared::raised(blade(index), layers.rise);
+                const shared::Blade drawn = shared::raised(blade(index), limit.height);
                 const shared::Verdict verdict =
-                    shared::judgeBlade(view, layers, drawn, static_cast<std::uint32_t>(index),
-                                       states_[index], shared::bladeRank(cell, i));
-                const std::uint32_t expected = culled ? shared::fatePatch : verdict.fate;
-                ++judged;
-                ++seen[result.fates[index]];
-                if (result.fates[index] == expected)
+                    shared::cullBlade(view, limit, drawn, static_cast<std::uint32_t>(index),
+                                      states_[index], shared::bladeRank(cell, i));
+                const std::uint32_t expected =
+                    culled ? shared::cullResultPatch : verdict.cullResult;
+                ++tested;
+                ++seen[result.cullResults[index]];
+                if (result.cullResults[index] == expected)
                     continue;
                 ASSERT_TRUE(isClose(frame, drawn, static_cast<std::uint32_t>(index), states_[index],
                                     verdict))
-                    << "blade " << index << " has fate " << result.fates[index] << ", expected "
-                    << expected << "; camera " << c << ", seed " << seed;
+                    << "blade " << index << " has cull result " << result.cullResults[index]
+                    << ", expected " << expected << "; camera " << c << ", seed " << seed;
                 ++close;
             }
         }
     }
-    EXPECT_LE(close, judged / 5000);
-    for (const std::uint32_t fate : {shared::fateDrawn, shared::fatePatch, shared::fateOrientation,
-                                     shared::fateFrustum, shared::fateDistance, shared::fateLod})
-        EXPECT_GT(seen[fate], 0u) << "no camera of this test gives fate " << fate;
+    EXPECT_LE(close, tested / 5000);
+    for (const std::uint32_t cullResult :
+         {shared::cullResultDrawn, shared::cullResultPatch, shared::cullResultOrientation,
+          shared::cullResultFrustum, shared::cullResultDistance, shared::cullResultLod})
+        EXPECT_GT(seen[cullResult], 0u) << "no camera of this test gives cull result " << cullResult;
 }
 
-TEST_F(CullingTest, JudgesTheSameWhoeverTakesAPatch)
+TEST_F(CullingTest, CullsTheSameWhoeverTakesAPatch)
 {
     ASSERT_GT(field_.patches.size(), 2 * shared::patchesTogether);
     for (const std::uint32_t groups : {1u, 2u, 5u}) {
@@ -176,11 +178,12 @@ TEST_F(CullingTest, JudgesTheSameWhoeverTakesAPatch)
             const auto expected = run(frame);
             const auto result =
                 together.run(frame, FrameSettings(), states_, 0.0f, UpdateCullPass::Scope::visible);
-            EXPECT_EQ(result.fates, expected.fates) << groups << " groups, camera " << c;
+            EXPECT_EQ(result.cullResults, expected.cullResults)
+                << groups << " groups, camera " << c;
             std::set<std::uint32_t> listed;
             for (const shared::VisibleBlade& visible : result.visible) {
                 ASSERT_TRUE(listed.insert(visible.blade).second) << "blade " << visible.blade;
-                ASSERT_EQ(result.fates[visible.blade], shared::fateDrawn);
+                ASSERT_EQ(result.cullResults[visible.blade], shared::cullResultDrawn);
                 ASSERT_EQ(visible.patchIndex, patches_[visible.blade]);
             }
             EXPECT_EQ(listed.size(), expected.visible.size()) << groups << " groups, camera " << c;
@@ -190,12 +193,13 @@ TEST_F(CullingTest, JudgesTheSameWhoeverTakesAPatch)
     }
 }
 
-TEST_F(CullingTest, JudgesTheSameByAShaderThatKnowsWhatIsAsked)
+TEST_F(CullingTest, CullsTheSameByAShaderThatKnowsWhatIsAsked)
 {
-    for (const bool recordsFates : {true, false}) {
-        const auto benchOf = [&](bool asksAll) {
-            return test::UpdateBench(context(), field::viewOf(field_),
-                                     {.recordFates = recordsFates, .asksAll = asksAll});
+    for (const bool recordsCullResults : {true, false}) {
+        const auto benchOf = [&](bool hasAllFeatures) {
+            return test::UpdateBench(
+                context(), field::viewOf(field_),
+                {.recordCullResults = recordsCullResults, .hasAllFeatures = hasAllFeatures});
         };
         test::UpdateBench ready = benchOf(true);
         test::UpdateBench knowing = benchOf(false);
@@ -204,15 +208,15 @@ TEST_F(CullingTest, JudgesTheSameByAShaderThatKnowsWhatIsAsked)
             shared::Frame frame =
                 this->frame(randomCamera(i), std::array{1u, 2u, 4u, 8u, 0u, 15u}[i]);
             frame.view.lodThreshold *= i % 2 == 0 ? 0.0f : 1.0f;
-            frame.view.maxLayers = i % 3 == 0 ? 0.0f : 1e-3f;
+            frame.view.maxLeafArea = i % 3 == 0 ? 0.0f : 1e-3f;
             const auto run = [&](test::UpdateBench& bench) {
                 return bench.run(frame, FrameSettings(), states_, 0.03f,
                                  UpdateCullPass::Scope::visible);
             };
             const auto expected = run(ready);
             const auto result = run(knowing);
-            EXPECT_EQ(result.fates, expected.fates) << "frame " << i;
-            EXPECT_TRUE(std::ranges::equal(result.draw.fates, expected.draw.fates));
+            EXPECT_EQ(result.cullResults, expected.cullResults) << "frame " << i;
+            EXPECT_TRUE(std::ranges::equal(result.draw.cullResults, expected.draw.cullResults));
             EXPECT_EQ(result.draw.simulated, expected.draw.simulated);
             const auto listed = [](const test::UpdateBench::Result& of) {
                 std::map<std::uint32_t, std::uint32_t> factors;
@@ -232,11 +236,12 @@ TEST_F(CullingTest, ListsExactlyTheDrawnBladesEachOnce)
         std::set<std::uint32_t> listed;
         for (const shared::VisibleBlade& visible : result.visible) {
             ASSERT_TRUE(listed.insert(visible.blade).second) << "blade " << visible.blade;
-            ASSERT_EQ(result.fates[visible.blade], shared::fateDrawn);
+            ASSERT_EQ(result.cullResults[visible.blade], shared::cullResultDrawn);
             ASSERT_EQ(visible.patchIndex, patches_[visible.blade]);
             ASSERT_GT(shared::widthFactorOf(visible), 0.0f);
         }
-        EXPECT_EQ(listed.size(), result.draw.fates[shared::fateDrawn]) << "camera " << c;
+        EXPECT_EQ(listed.size(), result.draw.cullResults[shared::cullResultDrawn])
+            << "camera " << c;
         // Just as many chunks as they need.
         EXPECT_EQ(result.draw.vertexCount, shared::drawChunk);
         EXPECT_EQ(result.draw.instanceCount,
@@ -248,24 +253,26 @@ TEST_F(CullingTest, CountsAddUpToAllBladesForEveryMask)
 {
     for (std::uint32_t mask = 0; mask < 16; ++mask) {
         const auto result = run(frame(randomCamera(mask), mask));
-        const std::uint64_t sum = std::accumulate(std::begin(result.draw.fates),
-                                                  std::end(result.draw.fates), std::uint64_t(0));
+        const std::uint64_t sum =
+            std::accumulate(std::begin(result.draw.cullResults), std::end(result.draw.cullResults),
+                            std::uint64_t(0));
         EXPECT_EQ(sum, field_.blades.size()) << "mask " << mask;
-        EXPECT_EQ(result.draw.simulated + result.draw.fates[shared::fatePatch],
+        EXPECT_EQ(result.draw.simulated + result.draw.cullResults[shared::cullResultPatch],
                   field_.blades.size());
         // A test that is switched off removes nobody.
-        const std::array tests = {std::pair(shared::cullPatch, shared::fatePatch),
-                                  std::pair(shared::cullOrientation, shared::fateOrientation),
-                                  std::pair(shared::cullFrustum, shared::fateFrustum),
-                                  std::pair(shared::cullDistance, shared::fateDistance)};
-        for (const auto& [bit, fate] : tests)
-            EXPECT_TRUE((mask & bit) != 0 || result.draw.fates[fate] == 0)
-                << "mask " << mask << ", fate " << fate;
-        std::array<std::uint32_t, shared::fateCount> fates{};
-        for (const std::uint32_t fate : result.fates)
-            ++fates[fate];
-        for (std::uint32_t fate = 0; fate < shared::fateCount; ++fate)
-            EXPECT_EQ(fates[fate], result.draw.fates[fate]) << "mask " << mask;
+        const std::array tests = {std::pair(shared::cullPatch, shared::cullResultPatch),
+                                  std::pair(shared::cullOrientation, shared::cullResultOrientation),
+                                  std::pair(shared::cullFrustum, shared::cullResultFrustum),
+                                  std::pair(shared::cullDistance, shared::cullResultDistance)};
+        for (const auto& [bit, cullResult] : tests)
+            EXPECT_TRUE((mask & bit) != 0 || result.draw.cullResults[cullResult] == 0)
+                << "mask " << mask << ", cull result " << cullResult;
+        std::array<std::uint32_t, shared::cullResultCount> cullResults{};
+        for (const std::uint32_t cullResult : result.cullResults)
+            ++cullResults[cullResult];
+        for (std::uint32_t cullResult = 0; cullResult < shared::cullResultCount; ++cullResult)
+            EXPECT_EQ(cullResults[cullResult], result.draw.cullResults[cullResult])
+                << "mask " << mask;
     }
 }
 
@@ -276,7 +283,8 @@ TEST_F(CullingTest, DropsNoBladeOfWhichAPointIsInThePicture)
             this->frame(randomCamera(c), shared::cullPatch | shared::cullFrustum);
         const auto result = run(frame);
         for (std::size_t i = 0; i < field_.blades.size(); ++i) {
-            if (result.fates[i] != shared::fatePatch && result.fates[i] != shared::fateFrustum)
+            if (result.cullResults[i] != shared::cullResultPatch &&
+                result.cullResults[i] != shared::cullResultFrustum)
                 continue;
             const shared::Blade blade = this->blade(i);
             const glm::vec3 axis = shared::widthAxis(blade.up, blade.facing);
@@ -292,7 +300,7 @@ TEST_F(CullingTest, DropsNoBladeOfWhichAPointIsInThePicture)
                     const float w = clip.w * (1.0f - 1e-4f);
                     ASSERT_FALSE(std::abs(clip.x) < w && std::abs(clip.y) < w && clip.z > 0.0f &&
                                  clip.z < w)
-                        << "blade " << i << " is seen, but has fate " << result.fates[i]
+                        << "blade " << i << " is seen, but has cull result " << result.cullResults[i]
                         << "; camera " << c << ", seed " << seed;
                 }
             }

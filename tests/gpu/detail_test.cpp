@@ -24,7 +24,7 @@ class DetailTest : public test::GpuTest {
 protected:
     void driveAndCompare(std::uint32_t samples);
     void measureCoverage(Geometry geometry, bool forCpu = false);
-    void measureLayers(glm::vec2 heights, double maxShift);
+    void measureLeafArea(glm::vec2 heights, double maxShift);
 };
 
 /// Means over each tile of `of` the difference of a channel's 8-bit values, the three of a tile
@@ -156,7 +156,7 @@ void DetailTest::measureCoverage(Geometry geometry, bool forCpu)
         // White ground: of gray that lies between two codes 8 bits round whole pixels alike, but
         // not what blades are mixed and filtered into, by a tenth of what these few blades cover.
         settings.exposure = 1000.0f;
-        settings.nature.drawDistance = 1e6f;
+        settings.environment.drawDistance = 1e6f;
         FrameSettings without = settings;
         without.buckets = {1, 1e-3f};
         FrameSettings whole = settings;
@@ -208,7 +208,7 @@ TEST_F(DetailTest, GrassRasterisedForACpuHidesAsMuchOfTheGroundAtEveryDistance)
 /// Of dense grass that is so high [m], and so flat before the eye that a ray to the far end has
 /// eighty times its cross section of blades in its way, what others hide is left out, and no
 /// channel of a tile shifts by more than `maxShift`.
-void DetailTest::measureLayers(glm::vec2 heights, double maxShift)
+void DetailTest::measureLeafArea(glm::vec2 heights, double maxShift)
 {
     const field::Field field = test::makeField({.blades = 800'000,
                                                 .extent = 80.0f,
@@ -229,7 +229,7 @@ void DetailTest::measureLayers(glm::vec2 heights, double maxShift)
         std::array<std::uint64_t, 2> drawn{};
         std::array<std::vector<std::byte>, 2> pixels;
         for (const bool leavesOut : {false, true}) {
-            settings.maxLayers = leavesOut ? FrameSettings().maxLayers : 0.0f;
+            settings.maxLeafArea = leavesOut ? FrameSettings().maxLeafArea : 0.0f;
             picture.draw(renderer, camera, settings, 1.0);
             drawn.at(leavesOut ? 1 : 0) = renderer.stats(0).drawn;
             pixels.at(leavesOut ? 1 : 0) = picture.pixels();
@@ -244,13 +244,13 @@ TEST_F(DetailTest, WhatIsHiddenByOtherGrassIsLeftOutWithoutATrace)
 {
     // Lit by where they stand the far ones would be darker by 3.3; none higher than it is, the
     // tessellator would shift a tile by 2.43.
-    measureLayers({0.6f, 1.2f}, 2.25);
+    measureLeafArea({0.6f, 1.2f}, 2.25);
 }
 
 TEST_F(DetailTest, OfGrassOfOneHeightNoTraceIsLeftEither)
 {
     // Raised and lit like blades of all heights they would be darker by 4.
-    measureLayers({0.9f, 0.9f}, 2.75);
+    measureLeafArea({0.9f, 0.9f}, 2.75);
 }
 
 } // namespace

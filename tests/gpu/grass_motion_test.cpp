@@ -23,7 +23,7 @@ protected:
     GrassMotionTest()
     {
         settings_.winds.clear();
-        settings_.pace.everyFrame = 1e6f;
+        settings_.updateRate.everyFrame = 1e6f;
     }
 
     void drawAt(Grass& grass, double time, const HostView& view) const

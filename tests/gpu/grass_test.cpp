@@ -46,8 +46,8 @@ TEST_F(GrassTest, LooksTheSameWhereWorldAndCameraAreMovedTogether)
     FrameSettings movedSettings = settings_;
     const auto turn = [&](glm::vec3 v) { return glm::vec3(placement.rotation * glm::dvec3(v)); };
     movedSettings.sunDirection = turn(settings_.sunDirection);
-    movedSettings.nature.gravityDirection = turn(settings_.nature.gravityDirection);
-    movedSettings.nature.drawDistance *= 2.0f;
+    movedSettings.environment.gravityDirection = turn(settings_.environment.gravityDirection);
+    movedSettings.environment.drawDistance *= 2.0f;
     for (WindSource& wind : movedSettings.winds) {
         wind.source.direction = turn(wind.source.direction);
         wind.source.size *= 2.0f;
@@ -81,7 +81,7 @@ TEST_F(GrassTest, MovesEachBladeOnceForTwoViews)
 {
     // Without level of detail, so that both views ask for the same of a patch.
     settings_.levelOfDetail = false;
-    settings_.pace.everyFrame = 1e6f;
+    settings_.updateRate.everyFrame = 1e6f;
     const auto resident = upload(field_);
     // From either side, so near that each sees blades that the other does not.
     const HostView views[]{lookingFrom({0.3, 0.8, 2.2}), lookingFrom({0.3, 0.8, -2.2})};

@@ -95,7 +95,7 @@ TEST_F(GrassViewTest, IsHiddenByNothingBehindIt)
     }
 }
 
-TEST_F(GrassViewTest, IsJudgedFromAFrozenCamera)
+TEST_F(GrassViewTest, IsCulledFromAFrozenCamera)
 {
     settings_.levelOfDetail = false;
     Grass grass(context(), oneSlot_);
@@ -105,7 +105,7 @@ TEST_F(GrassViewTest, IsJudgedFromAFrozenCamera)
     const FrameStats expected = drawn(grass, frozen, picture);
     HostView view = lookingFrom({2.0, 5.0, 6.0});
     EXPECT_GT(drawn(grass, view, picture).drawn, expected.drawn + 300u);
-    view.judgedFrom = frozen.worldToClip;
+    view.cullViewFrom = frozen.worldToClip;
     EXPECT_EQ(drawn(grass, view, picture).drawn, expected.drawn);
     EXPECT_GT(picture.covered(), 200u);
 }
@@ -148,13 +148,13 @@ TEST_F(GrassViewTest, DrawsAShadowsMapByParallelRaysAsFromFarAway)
                       .size = size,
                       .hasReversedZ = isReversed};
         EXPECT_FALSE(isParallel(view.worldToClip));
-        settings_.nature.drawDistance = 1e6f;
+        settings_.environment.drawDistance = 1e6f;
         const FrameStats expected = drawn(grass, view, map);
         const auto expectedPixels = double(seen(map, isReversed));
         EXPECT_GT(expected.drawn, 1000u);
 
         // Distances mean nothing to parallel rays.
-        settings_.nature.drawDistance = 50.0f;
+        settings_.environment.drawDistance = 50.0f;
         view.worldToClip = mapFromAbove(true, isReversed);
         EXPECT_TRUE(isParallel(view.worldToClip));
         const FrameStats stats = drawn(grass, view, map);

@@ -117,7 +117,7 @@ void run(const Options& options)
     const nlohmann::json scene = nlohmann::json::parse(file);
     render::FrameSettings settings = render::FrameSettings::of(mapped.view());
     if (scene.contains("draw") && scene.at("draw").at(0) == "--draw-distance")
-        settings.nature.drawDistance = std::stof(scene.at("draw").at(1).get<std::string>());
+        settings.environment.drawDistance = std::stof(scene.at("draw").at(1).get<std::string>());
     const render::HostView view{.worldToClip = worldToClip(scene.at("camera")),
                                 .size = {extent.width, extent.height},
                                 .samples = samples,

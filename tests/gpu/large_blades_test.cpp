@@ -111,7 +111,7 @@ protected:
             SCOPED_TRACE(testing::Message() << samples << " samples, for CPU: " << forCpu);
             FieldRenderer raster = rendererOf(field, Geometry::raster, samples, forCpu);
             FrameSettings none = settings;
-            none.nature.drawDistance = 1e-3f;
+            none.environment.drawDistance = 1e-3f;
             none.cullMask |= shared::cullDistance;
             picture.draw(raster, camera, none, 1.0);
             const Pixels bare = picture.pixels();
@@ -131,7 +131,7 @@ protected:
                 {.samples = samples,
                  .geometry = Geometry::raster,
                  .rastersForCpu = false,
-                 .asksSmallBlades = true}};
+                 .testsSmallBlades = true}};
     }
 
     /// By how much a byte of the picture of some frames differs from one in which nobody asks, at
@@ -186,8 +186,8 @@ TEST_F(LargeBlades, TheNearPlaneCutsThemAsTheGraphicsPipelineDoes)
     }
 }
 
-/// So many that a work-group takes several at a time, with ribs of some in one turn and in the
-/// next.
+/// So many that a work-group takes several at a time, with cross-sections of some in one turn and
+/// in the next.
 TEST_F(LargeBlades, DrawnTogetherLookAsTheGraphicsPipelineDrawsThem)
 {
     const field::Field field = test::makeField({.blades = 40000,
@@ -237,7 +237,7 @@ TEST_F(LargeBlades, WhicheverQuarterWasSeenBeforeThePictureIsTheSame)
                                {.samples = samples,
                                 .geometry = Geometry::raster,
                                 .rastersForCpu = false,
-                                .asksSmallBlades = true,
+                                .testsSmallBlades = true,
                                 .roundPatches = roundPatches});
         FrameSettings settings = FrameSettings::of(field::viewOf(field));
         const std::uint32_t everything = settings.cullMask;
@@ -277,7 +277,7 @@ TEST_F(LargeBlades, ThatShareAPlaceForTheirSurfacesHaveTheirOwn)
     EXPECT_GT(renderer.stats().drawn, 10'000u);
 }
 
-/// A work-group of the late turn has room for some hundred segments and a few quads at a time, and
+/// A work-group of the late pass has room for some hundred segments and a few quads at a time, and
 /// takes the rest in further rounds: blades of 64 segments, so many that groups have a dozen.
 TEST_F(LargeBlades, OfManySegmentsLeaveNoneOut)
 {

@@ -7,9 +7,9 @@
 #include "gpu/compute_pipeline.h"
 #include "gpu/readback.h"
 #include "gpu/shader_library.h"
+#include "shaders/shared/opaque.h"
 #include "shaders/shared/pages.h"
 #include "shaders/shared/passes.h"
-#include "shaders/shared/solid.h"
 #include "support/gpu/gpu_fixture.h"
 
 #include <gtest/gtest.h>
@@ -56,24 +56,24 @@ public:
     {
         fillAll(c.from, c.radius, c.to, c.reserved, c.velocity, c.reserved2);
     }
-    void fill(shared::Nature& n)
+    void fill(shared::Environment& n)
     {
         fillAll(n.gravity, n.recovery, n.colliderCount, n.reserved, n.wind, n.colliders.address);
     }
     void fill(shared::RasterPush& r)
     {
-        fillAll(r.frame, r.judged, r.visibility, r.rounds, r.large, r.largeCount, r.cut, r.owners,
-                r.firstOwners, r.seen, r.surfacePlaces, r.surfaces, r.tiles, r.size, r.isBgr,
-                r.round, r.firstBlade, r.instance);
+        fillAll(r.frame, r.cullView, r.visibility, r.rounds, r.large, r.largeCount, r.cut,
+                r.nonEmptyPatches, r.firstNonEmptyPatches, r.seen, r.surfacePlaces, r.surfaces,
+                r.tiles, r.size, r.isBgr, r.round, r.firstBlade, r.instance);
     }
     void fill(shared::Eyepoint& e)
     {
         fillAll(e.planes, e.eye, e.drawDistance, e.pixelsPerUnit, e.lodThreshold, e.lodWidth,
-                e.minWidth, e.maxLayers, e.maxEdgeOn, e.samples, e.buckets, e.bucketDistance,
+                e.minWidth, e.maxLeafArea, e.maxEdgeOn, e.samples, e.buckets, e.bucketDistance,
                 e.cullMask);
     }
     void fill(shared::LevelSteps& s) { fillAll(s.distance, s.segments, s.count); }
-    void fill(shared::Pace& p) { fillAll(p.everyFrame, p.everyThird, p.longest, p.frame); }
+    void fill(shared::UpdateRate& p) { fillAll(p.everyFrame, p.everyThird, p.longest, p.frame); }
     void fill(shared::Cover& c)
     {
         fillAll(c.leafArea.address, c.low, c.cellsPerMetre, c.countX, c.countY, c.countZ,
@@ -119,7 +119,7 @@ struct Values {
     shared::WalkPush walkPush;
     shared::RasterPush rasterPush;
     shared::Subtree subtree;
-    shared::LivePatch live;
+    shared::VisiblePatch live;
     shared::WalkLevel walkLevel;
     shared::LargePart largePart;
     shared::PyramidPush pyramidPush;
@@ -136,8 +136,8 @@ struct Values {
     shared::IndexedDraw indexedDraw;
     shared::GroundCullPush groundCullPush;
     shared::LargeTriangle largeTriangle;
-    shared::SolidWork solidWork;
-    shared::SolidPush solidPush;
+    shared::OpaqueWork opaqueWork;
+    shared::OpaquePush opaquePush;
 };
 
 std::size_t fillValues(Values& v)
@@ -153,15 +153,15 @@ std::size_t fillValues(Values& v)
               v.cell.firstChild, v.cell.childCount, v.cell.level, v.cell.rankLow, v.cell.rankHigh);
     shared::Frame& f = v.frame;
     n.fillAll(f.blades, f.states, f.etas, f.patches, f.species, f.visible, f.draw, f.patchTimes,
-              f.patchCounts, f.fates, f.pages, f.pyramid.depths, f.pyramid.size, f.pyramid.first,
-              f.pyramid.levels, f.viewProjection, f.rays, f.depthOfEye, f.view, f.time, f.nature,
-              f.patchCount, f.bladeCount, f.visibleCapacity, f.maxTessellation, f.sunDirection,
-              f.exposure, f.sunColor, f.debugMode, f.skyColor, f.fogDensity, f.groundColor, f.skyUp,
-              f.fixedTessellation, f.clouds, f.levelSteps, f.pace, f.cover, f.shadow, f.fogFalloff,
-              f.lowSun, f.reserved);
+              f.patchCounts, f.cullResults, f.pages, f.pyramid.depths, f.pyramid.size,
+              f.pyramid.first, f.pyramid.levels, f.viewProjection, f.rays, f.depthOfEye, f.view,
+              f.time, f.environment, f.patchCount, f.bladeCount, f.visibleCapacity,
+              f.maxTessellation, f.sunDirection, f.exposure, f.sunColor, f.debugMode, f.skyColor,
+              f.fogDensity, f.groundColor, f.skyUp, f.fixedTessellation, f.clouds, f.levelSteps,
+              f.updateRate, f.cover, f.shadow, f.fogFalloff, f.lowSun, f.reserved);
     n.fillAll(v.visible.blade, v.visible.patchIndex, v.visible.factors, v.visible.pixels);
     n.fillAll(v.draw.vertexCount, v.draw.instanceCount, v.draw.firstVertex, v.draw.firstInstance,
-              v.draw.simulated, v.draw.fates);
+              v.draw.simulated, v.draw.cullResults);
     n.fillAll(v.species.rootColor, v.species.tipThreshold, v.species.tipColor, v.species.groundTint,
               v.species.colorVariation, v.species.translucency, v.species.gloss, v.species.dryness,
               v.species.shape, v.species.fold);
@@ -171,12 +171,12 @@ std::size_t fillValues(Values& v)
               v.groundMaterial.image, v.groundMaterial.flags);
     n.fillAll(v.collider);
     shared::UpdatePush& u = v.updatePush;
-    n.fillAll(u.judged, u.live, u.levels, u.rounds, u.owners, u.views, u.before, u.seenBefore,
-              u.ownerCount, u.onlyUpdate, u.firstLive, u.maxLive, u.round, u.lateRound, u.viewCount,
-              u.frame);
+    n.fillAll(u.cullView, u.live, u.levels, u.rounds, u.nonEmptyPatches, u.views, u.before,
+              u.seenBefore, u.nonEmptyPatchCount, u.onlyUpdate, u.firstLive, u.maxLive, u.round,
+              u.lateRound, u.viewCount, u.frame);
     shared::WalkPush& w = v.walkPush;
-    n.fillAll(w.judged, w.subtrees, w.queue, w.live, w.levels, w.startCount, w.startLevel, w.level,
-              w.reserved);
+    n.fillAll(w.cullView, w.subtrees, w.queue, w.live, w.levels, w.startCount, w.startLevel,
+              w.level, w.reserved);
     n.fill(v.rasterPush);
     n.fillAll(v.subtree.blades, v.subtree.widest, v.subtree.rankBelow);
     n.fillAll(v.live.patchIndex, v.live.count);
@@ -197,8 +197,8 @@ std::size_t fillValues(Values& v)
     n.fillAll(v.pageChange.page, v.pageChange.place, v.pageChange.edges);
     shared::PagePush& p = v.pagePush;
     n.fillAll(p.changes, p.pages, p.states, p.etas, p.patches, p.subtrees, p.patchTimes,
-              p.patchCounts, p.owners, p.firstOwners, p.ownerCount, p.bladeCount, p.settledAt,
-              p.reserved);
+              p.patchCounts, p.nonEmptyPatches, p.firstNonEmptyPatches, p.nonEmptyPatchCount,
+              p.bladeCount, p.settledAt, p.reserved);
     n.fillAll(v.groundCluster.low, v.groundCluster.material, v.groundCluster.high,
               v.groundCluster.indexCount);
     n.fillAll(v.indexedDraw.indexCount, v.indexedDraw.instanceCount, v.indexedDraw.firstIndex,
@@ -207,9 +207,9 @@ std::size_t fillValues(Values& v)
     n.fillAll(g.frame, g.clusters, g.draws, g.seen, g.drawCount, g.clusterCount, g.firstCluster);
     n.fillAll(v.largeTriangle.triangle, v.largeTriangle.firstTile, v.largeTriangle.tile,
               v.largeTriangle.columns);
-    n.fillAll(v.solidWork.middle.groups, v.solidWork.middle.count, v.solidWork.tiles.groups,
-              v.solidWork.tiles.count, v.solidWork.tilesAsked, v.solidWork.trianglesAsked);
-    shared::SolidPush& s = v.solidPush;
+    n.fillAll(v.opaqueWork.middle.groups, v.opaqueWork.middle.count, v.opaqueWork.tiles.groups,
+              v.opaqueWork.tiles.count, v.opaqueWork.tilesAsked, v.opaqueWork.trianglesAsked);
+    shared::OpaquePush& s = v.opaquePush;
     n.fillAll(s.frame, s.visibility, s.clusters, s.indices, s.vertices, s.materials, s.work,
               s.middle, s.large, s.size, s.clusterCount, s.triangleCount, s.firstImage,
               s.imageCount);
@@ -268,8 +268,8 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
                                            secondElement(context(), values.indexedDraw),
                                            secondElement(context(), values.groundCullPush),
                                            secondElement(context(), values.largeTriangle),
-                                           secondElement(context(), values.solidWork),
-                                           secondElement(context(), values.solidPush)};
+                                           secondElement(context(), values.opaqueWork),
+                                           secondElement(context(), values.opaquePush)};
     constexpr std::size_t frame = 3;
     std::memcpy(buffers[frame].mapped().data(), &values.frame, sizeof values.frame);
 

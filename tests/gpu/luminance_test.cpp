@@ -87,7 +87,7 @@ TEST_F(LuminanceTest, StaysWithinThreePerCentOfAReferenceInEachRing)
                                                     .seed = seed});
         FrameSettings settings = FrameSettings::of(field::viewOf(field));
         settings.winds.clear();
-        settings.nature.drawDistance = 1e6f;
+        settings.environment.drawDistance = 1e6f;
         Camera camera;
         camera.eye = {0.0, 2.0, 0.5 * side - 1.0};
         camera.target = {0.0, 0.0, 0.5 * side - 7.0};

@@ -125,15 +125,15 @@ struct Walked {
     std::uint64_t drawn = 0;
 };
 
-Walked walkThroughThicket(const gpu::Device& device, std::uint32_t samples, bool asksSmallBlades)
+Walked walkThroughThicket(const gpu::Device& device, std::uint32_t samples, bool testsSmallBlades)
 {
     const field::Field field = test::thicket();
     FieldRenderer::Settings wanted;
     wanted.samples = samples;
     wanted.geometry = Geometry::raster;
     wanted.rastersForCpu = false;
-    wanted.asksSmallBlades = asksSmallBlades;
-    wanted.recordFates = true;
+    wanted.testsSmallBlades = testsSmallBlades;
+    wanted.recordCullResults = true;
     // Another one draws what is expected, so that each frame follows the one before.
     FieldRenderer whole(device, field::viewOf(field), wanted);
     FieldRenderer renderer(device, field::viewOf(field), wanted);
@@ -161,7 +161,7 @@ Walked walkThroughThicket(const gpu::Device& device, std::uint32_t samples, bool
         walked.drawn += renderer.stats().drawn;
         std::uint64_t told = 0;
         for (const auto& blade : renderer.dumpBlades(field::viewOf(field)))
-            told += blade.fate == shared::fateDrawn ? 1 : 0;
+            told += blade.cullResult == shared::cullResultDrawn ? 1 : 0;
         EXPECT_EQ(told, renderer.stats().drawn) << "step " << step;
     }
     return walked;

@@ -41,8 +41,9 @@ TEST(PatchSizes, NoChoiceOfPatchesHasMoreBladesThanTheLargest)
                 blades += sizes[n];
         }
         ASSERT_EQ(known.maxBladesOf(1000), blades);
-        const auto owners = std::count_if(sizes.begin(), sizes.end(), [](auto s) { return s > 0; });
-        ASSERT_EQ(known.patchesWithin(blades), std::uint32_t(owners));
+        const auto nonEmptyPatches =
+            std::count_if(sizes.begin(), sizes.end(), [](auto s) { return s > 0; });
+        ASSERT_EQ(known.patchesWithin(blades), std::uint32_t(nonEmptyPatches));
     }
 }
 

@@ -48,7 +48,7 @@ std::vector<shared::BladeState> randomStates(std::size_t count)
 
 /// Two sources of any kinds, gravity of any direction, and as many colliders among the blades of a
 /// cube of 10 m: balls and capsules, at rest and on their way.
-FrameSettings randomNature(std::uint64_t run, std::size_t colliders)
+FrameSettings randomEnvironment(std::uint64_t run, std::size_t colliders)
 {
     FrameSettings settings;
     settings.winds.clear();
@@ -64,11 +64,11 @@ FrameSettings randomNature(std::uint64_t run, std::size_t colliders)
         wind.centre = glm::dvec3(5.0f * direction(dice, 20));
         settings.winds.push_back(wind);
     }
-    settings.nature.gravityDirection = direction(run, 7);
-    settings.nature.gravityStrength = between(0.0f, 5.0f, run, 9);
-    settings.nature.attractor = glm::dvec3(20.0f * direction(run, 10));
-    settings.nature.attractorBlend = between(0.0f, 1.0f, run, 12);
-    settings.nature.recovery = between(1.0f, 12.0f, run, 13);
+    settings.environment.gravityDirection = direction(run, 7);
+    settings.environment.gravityStrength = between(0.0f, 5.0f, run, 9);
+    settings.environment.attractor = glm::dvec3(20.0f * direction(run, 10));
+    settings.environment.attractorBlend = between(0.0f, 1.0f, run, 12);
+    settings.environment.recovery = between(1.0f, 12.0f, run, 13);
     for (std::size_t i = 0; i < colliders; ++i) {
         const std::uint64_t dice = 1000 * (run + 1) + i;
         Collider collider;
@@ -88,18 +88,18 @@ FrameSettings randomNature(std::uint64_t run, std::size_t colliders)
 }
 
 /// The same as the device is given it, in the CPU's own memory.
-struct CpuNature {
-    CpuNature(const FrameSettings& settings, const shared::Frame& frame, float elapsed)
+struct CpuEnvironment {
+    CpuEnvironment(const FrameSettings& settings, const shared::Frame& frame, float elapsed)
         : winds(blowing(settings.winds, glm::dvec3(0.0)))
-        , nature(frame.nature)
+        , environment(frame.environment)
     {
         const auto time = static_cast<double>(frame.time);
         for (const Collider& collider : settings.colliders)
             colliders.push_back(
                 colliderAt(collider, glm::dvec3(0.0), time, time - static_cast<double>(elapsed)));
-        nature.wind = together(winds, 0.0f);
-        nature.colliderCount = static_cast<std::uint32_t>(colliders.size());
-        nature.colliders.at = colliders.data();
+        environment.wind = together(winds, 0.0f);
+        environment.colliderCount = static_cast<std::uint32_t>(colliders.size());
+        environment.colliders.at = colliders.data();
     }
 
     shared::ColliderMask near(const shared::Patch& cell, float elapsed) const
@@ -113,7 +113,7 @@ struct CpuNature {
 
     std::vector<shared::WindSource> winds;
     std::vector<shared::Collider> colliders;
-    shared::Nature nature;
+    shared::Environment environment;
 };
 
 int quanta(std::uint32_t a, std::uint32_t b)
@@ -155,7 +155,7 @@ protected:
             // From a tenth of a millisecond to five seconds; among colliders to a tenth of one.
             const float longest = colliders > 0 ? 1e3f : 5e4f;
             const float elapsed = 1e-4f * std::pow(longest, static_cast<float>(run) / 11.0f);
-            const FrameSettings settings = randomNature(run, colliders);
+            const FrameSettings settings = randomEnvironment(run, colliders);
             const shared::Frame frame =
                 frameOf({}, ViewMatrices{}, settings,
                         static_cast<double>(between(6.0f, 60.0f, run, 14)), 1);
@@ -164,12 +164,12 @@ protected:
 
             // The device takes the time since the patch was last moved from two stored floats.
             const float stored = frame.time - (frame.time - elapsed);
-            const CpuNature cpu(settings, frame, elapsed);
+            const CpuEnvironment cpu(settings, frame, elapsed);
             for (std::size_t i = 0; i < field.blades.size(); ++i) {
                 const shared::Patch& cell = field.patches[patches[i]];
                 const shared::Blade blade = shared::unpackBlade(field.blades[i], cell);
                 const shared::BladeState expected = shared::advanceBlade(
-                    blade, cpu.nature, cpu.near(cell, stored), before[i], frame.time, stored);
+                    blade, cpu.environment, cpu.near(cell, stored), before[i], frame.time, stored);
                 // Both round the same formulas; one step is what rounding alone explains (and all
                 // that lavapipe shows), a tip close above its root may amplify it a little, and one
                 // at the edge of a collider more.
@@ -219,7 +219,7 @@ TEST_F(MovesBlades, AmongAFewCollidersWhoeverTakesAPatch)
 TEST_F(PhysicsTest, MovesEveryBladeAmongCollidersThatLieOnOneHeap)
 {
     const field::Field field = test::makeField({.blades = 3000, .extent = 1.0f});
-    FrameSettings settings = randomNature(1, shared::maxColliders);
+    FrameSettings settings = randomEnvironment(1, shared::maxColliders);
     for (Collider& collider : settings.colliders) {
         collider.from *= 0.1;
         collider.to = collider.from;
@@ -227,12 +227,12 @@ TEST_F(PhysicsTest, MovesEveryBladeAmongCollidersThatLieOnOneHeap)
     }
     settings.cullMask = 0;
     settings.levelOfDetail = false;
-    settings.pace.everyFrame = 1e6f; // wherever it stands
+    settings.updateRate.everyFrame = 1e6f; // wherever it stands
     const std::vector<shared::BladeState> before(field.blades.size());
     test::UpdateBench bench(context(), field::viewOf(field));
     const auto result = bench.run(frameOf({}, ViewMatrices{}, settings, 20.0, 1), settings, before,
                                   5.0f, UpdateCullPass::Scope::visible);
-    EXPECT_EQ(result.draw.fates[shared::fateDrawn], field.blades.size());
+    EXPECT_EQ(result.draw.cullResults[shared::cullResultDrawn], field.blades.size());
     std::size_t moved = 0;
     for (const shared::BladeState& state : result.states)
         moved += state.turn != 0 ? 1u : 0u;
@@ -245,7 +245,7 @@ TEST_F(PhysicsTest, LeavesAFieldAtAStandstillUntouched)
         test::makeField({.surface = test::Surface::cloud, .blades = 1000, .seed = seed});
     const std::vector<shared::BladeState> before = randomStates(field.blades.size());
     test::UpdateBench bench(context(), field::viewOf(field));
-    const FrameSettings settings = randomNature(1, 20);
+    const FrameSettings settings = randomEnvironment(1, 20);
     const auto result = bench.run(frameOf({}, ViewMatrices{}, settings, 20.0, 1), settings, before,
                                   0.0f, UpdateCullPass::Scope::all);
     for (std::size_t i = 0; i < before.size(); ++i) {

@@ -30,7 +30,7 @@ FieldRenderer::Settings oneSample()
 {
     FieldRenderer::Settings settings;
     settings.samples = 1;
-    settings.recordFates = true;
+    settings.recordCullResults = true;
     return settings;
 }
 
@@ -226,7 +226,7 @@ TEST_F(RendererTest, KeepsEveryBladeAsLongAsItWasBaked)
         }
         ASSERT_NEAR(length / static_cast<double>(blade.height), 1.0, 2e-3) << "blade " << i;
         ASSERT_EQ(dump[i].id, field::bladeId(scene.field.keys[i]));
-        ASSERT_EQ(dump[i].lodWidth > 0.0f, dump[i].fate == shared::fateDrawn);
+        ASSERT_EQ(dump[i].lodWidth > 0.0f, dump[i].cullResult == shared::cullResultDrawn);
     }
 }
 

@@ -134,7 +134,7 @@ TEST_F(ShadingTest, GrassDarkensTheGroundBetweenItAndNoOther)
     test::Picture picture(context(), size);
     Scene bare(island(0));
     Scene grown(island(3000));
-    grown.settings.nature.drawDistance = 1e9f;
+    grown.settings.environment.drawDistance = 1e9f;
     const auto before = bare.draw(picture);
     const auto after = grown.draw(picture);
     // The grass is in the middle third; left and right of it not a byte changes.
@@ -149,7 +149,7 @@ TEST_F(ShadingTest, GrassDarkensTheGroundBetweenItAndNoOther)
     EXPECT_GT(ground, 1000u);
     // Grass that is too far away to be drawn leaves the ground as it is.
     Scene shade(island(3000));
-    shade.settings.nature.drawDistance = 1e-3f;
+    shade.settings.environment.drawDistance = 1e-3f;
     shade.settings.cullMask = shared::cullDistance;
     EXPECT_EQ(test::differingPixels(shade.draw(picture), before), 0u);
 

@@ -28,11 +28,11 @@ UpdateBench::UpdateBench(const gpu::DeviceContext& context, const field::FieldVi
                          const Settings& settings)
     : context_(context)
     , groups_(settings.groups)
-    , asksAll_(settings.asksAll)
+    , hasAllFeatures_(settings.hasAllFeatures)
     , shaders_(embedded::shaders())
     , buffers_(upload(context, field,
                       {.list = true,
-                       .fates = settings.recordFates,
+                       .cullResults = settings.recordCullResults,
                        .etas = true,
                        .walkStart = settings.walkStart}))
     , walk_(context, shaders_)
@@ -49,11 +49,12 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
     const double time = static_cast<double>(frame.time);
     tables_.write({}, settings, time, time - static_cast<double>(elapsed), frame);
     const render::UpdateCullPass::Variant variant{
-        .windCounts = frame.nature.wind.counts,
-        .hasColliders = frame.nature.colliderCount > 0,
+        .windCounts = frame.environment.wind.counts,
+        .hasColliders = frame.environment.colliderCount > 0,
         .keepsEtas = true,
-        .asks = asksAll_ ? shared::asksAll
-                         : shared::asksOf(frame.view, frame.pages != 0, frame.fates != 0)};
+        .features = hasAllFeatures_
+                        ? shared::featureAll
+                        : shared::featuresOf(frame.view, frame.pages != 0, frame.cullResults != 0)};
     pass_.prepare(shaders_, variant);
     const render::FrameConstants constants(context_, gpu::UniformSetLayout(context_, "frame"),
                                            "frame");
@@ -63,7 +64,7 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
         gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
         buffers_.rest(commands, frame.time - elapsed);
         buffers_.clearCounts(commands);
-        buffers_.clearFates(commands);
+        buffers_.clearCullResults(commands);
     });
     gpu::Uploader uploader(context_);
     std::vector<std::uint32_t> turns;
@@ -97,11 +98,11 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
     const auto kept = gpu::readBufferAs<float>(context_, buffers_.etas());
     for (std::size_t i = 0; i < turned.size(); ++i)
         result.states.push_back({turned[i], kept[i]});
-    if (buffers_.fates().bytes() > 0)
-        result.fates = gpu::readBufferAs<std::uint32_t>(context_, buffers_.fates());
+    if (buffers_.cullResults().bytes() > 0)
+        result.cullResults = gpu::readBufferAs<std::uint32_t>(context_, buffers_.cullResults());
     result.visible = gpu::readBufferAs<shared::VisibleBlade>(context_, buffers_.visible());
     result.draw = gpu::readBufferAs<shared::DrawArguments>(context_, buffers_.draw())[0];
-    result.visible.resize(result.draw.fates[shared::fateDrawn]);
+    result.visible.resize(result.draw.cullResults[shared::cullResultDrawn]);
     return result;
 }
 

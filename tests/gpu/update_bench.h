@@ -19,9 +19,9 @@ class UpdateBench {
 public:
     struct Settings {
         std::uint32_t walkStart = 8;
-        bool recordFates = true;  ///< else nobody is told of each blade, only of their numbers
+        bool recordCullResults = true; ///< else nobody is told of each blade, only of their numbers
         std::uint32_t groups = 0; ///< work-groups that share all patches; 0: as many as the product
-        bool asksAll = true;      ///< else shaders have code for what a frame asks for alone
+        bool hasAllFeatures = true; ///< else shaders have code for what a frame asks for alone
     };
 
     UpdateBench(const gpu::DeviceContext& context, const field::FieldView& field,
@@ -33,7 +33,7 @@ public:
 
     struct Result {
         std::vector<shared::BladeState> states;
-        std::vector<std::uint32_t> fates;          ///< if they are recorded
+        std::vector<std::uint32_t> cullResults;    ///< if they are recorded
         std::vector<shared::VisibleBlade> visible; ///< only those that are listed
         shared::DrawArguments draw;
     };
@@ -50,7 +50,7 @@ public:
 private:
     const gpu::DeviceContext& context_;
     std::uint32_t groups_;
-    bool asksAll_;
+    bool hasAllFeatures_;
     gpu::ShaderLibrary shaders_;
     render::FieldBuffers buffers_;
     render::WalkPass walk_;

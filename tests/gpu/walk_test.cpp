@@ -48,8 +48,8 @@ protected:
         FrameSettings settings;
         settings.cullMask = mask;
         settings.lodThreshold = 1.0f;
-        settings.nature.drawDistance = 100.0f;
-        settings.pace.everyFrame = 1e6f;
+        settings.environment.drawDistance = 100.0f;
+        settings.updateRate.everyFrame = 1e6f;
         return frameOf({{}, view.bounds(), field::meanBladeSize(view)},
                        viewMatrices(randomCamera(camera), {}, size, view.bounds()), settings, 1.0,
                        1);
@@ -133,20 +133,20 @@ TEST_F(WalkTest, FindsTheSameWhereverItBegins)
         const auto expected = run(atOnce);
         for (test::UpdateBench* bench : {&stepByStep, &fromTheMiddle}) {
             const auto result = run(*bench);
-            EXPECT_EQ(result.fates, expected.fates) << "camera " << c;
+            EXPECT_EQ(result.cullResults, expected.cullResults) << "camera " << c;
             EXPECT_EQ(listed(result), listed(expected)) << "camera " << c;
-            EXPECT_TRUE(std::ranges::equal(result.draw.fates, expected.draw.fates));
+            EXPECT_TRUE(std::ranges::equal(result.draw.cullResults, expected.draw.cullResults));
         }
     }
 }
 
 /// The counts, with blades that are thinned out and those of patches that nobody sees in one: below
 /// a node that is thinned out nobody asks who is seen.
-std::array<std::uint32_t, shared::fateCount> joined(const shared::DrawArguments& draw)
+std::array<std::uint32_t, shared::cullResultCount> joined(const shared::DrawArguments& draw)
 {
-    std::array<std::uint32_t, shared::fateCount> counts{};
-    std::ranges::copy(draw.fates, counts.begin());
-    counts[shared::fatePatch] += std::exchange(counts[shared::fateLod], 0u);
+    std::array<std::uint32_t, shared::cullResultCount> counts{};
+    std::ranges::copy(draw.cullResults, counts.begin());
+    counts[shared::cullResultPatch] += std::exchange(counts[shared::cullResultLod], 0u);
     return counts;
 }
 
@@ -154,7 +154,7 @@ TEST_F(WalkTest, CountsTheSameWhetherOrNotEachBladeIsToldOf)
 {
     const field::FieldView view = field::viewOf(field_);
     test::UpdateBench told(context(), view, {.walkStart = 1});
-    test::UpdateBench untold(context(), view, {.walkStart = 1, .recordFates = false});
+    test::UpdateBench untold(context(), view, {.walkStart = 1, .recordCullResults = false});
     std::uint64_t thinned = 0;
     std::uint64_t spared = 0;
     for (std::uint64_t c = 0; c < 12; ++c) {
@@ -166,7 +166,7 @@ TEST_F(WalkTest, CountsTheSameWhetherOrNotEachBladeIsToldOf)
         EXPECT_EQ(joined(result.draw), joined(expected.draw)) << "camera " << c;
         EXPECT_EQ(listed(result), listed(expected)) << "camera " << c;
         EXPECT_LE(result.draw.simulated, expected.draw.simulated);
-        thinned += result.draw.fates[shared::fateLod];
+        thinned += result.draw.cullResults[shared::cullResultLod];
         spared += field_.blades.size() - result.draw.simulated;
     }
     EXPECT_GT(thinned, 1000u);

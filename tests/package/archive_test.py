@@ -122,8 +122,8 @@ class Archive(unittest.TestCase):
         for file in (self.top / "lib").rglob("*.so*"):
             if file.is_file():
                 said = subprocess.run(["dpkg-query", "--search", f"*/{file.name}*"], capture_output=True, text=True).stdout
-                owners = {line.split(":")[0] for line in said.splitlines()}
-                self.assertTrue(any((self.top / "licenses" / owner).is_file() for owner in owners), f"{file.name}: {owners}")
+                nonEmptyPatches = {line.split(":")[0] for line in said.splitlines()}
+                self.assertTrue(any((self.top / "licenses" / owner).is_file() for owner in nonEmptyPatches), f"{file.name}: {nonEmptyPatches}")
         for file in (self.top / "licenses").glob("*"):
             if file.is_file():
                 for name in re.findall(r"/usr/share/common-licenses/([\w.-]*\w)", file.read_text(encoding="utf-8", errors="replace")):

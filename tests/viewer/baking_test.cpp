@@ -1,6 +1,6 @@
 #include "apps/common/progress_bar.h"
 #include "apps/sward_view/baking.h"
-#include "apps/sward_view/meadow_wishes.h"
+#include "apps/sward_view/meadow_requests.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ TEST(BakeProgress, ReadsWhatTheProgressBarWrites)
     for (const double share : {0.0, 0.07, 0.5, 1.0}) {
         const auto progress = parseProgress(apps::progressLine("sampling", share, 80));
         ASSERT_TRUE(progress.has_value());
-        EXPECT_EQ(progress->stage, "sampling");
+        EXPECT_EQ(progress->state, "sampling");
         EXPECT_NEAR(progress->share, share, 0.006);
     }
 }
@@ -28,17 +28,17 @@ TEST(BakeProgress, TakesNoOtherLineForABar)
 
 TEST(BakeArguments, NameOnlyWhatIsWanted)
 {
-    MeadowWishes wishes;
-    wishes.ground = "hills";
-    EXPECT_THAT(bakeArguments(wishes), ElementsAre("hills", "--meadow", "meadow"));
+    MeadowRequests requests;
+    requests.ground = "hills";
+    EXPECT_THAT(bakeArguments(requests), ElementsAre("hills", "--meadow", "meadow"));
 
-    wishes.meadow = 2;
-    wishes.amount = 2;
-    wishes.spacing = 0.25f;
-    wishes.slopeHigh = 40.0f;
-    wishes.masks = "vertex-color:R texture:a.png:G";
-    wishes.traits = " clump_size_m=1 ";
-    EXPECT_THAT(bakeArguments(wishes),
+    requests.meadow = 2;
+    requests.amount = 2;
+    requests.spacing = 0.25f;
+    requests.slopeHigh = 40.0f;
+    requests.masks = "vertex-color:R texture:a.png:G";
+    requests.traits = " clump_size_m=1 ";
+    EXPECT_THAT(bakeArguments(requests),
                 ElementsAre("hills", "--meadow", "steppe", "--spacing", "0.25", "--slope", "0:40",
                             "--mask", "vertex-color:R", "--mask", "texture:a.png:G", "--set",
                             "clump_size_m=1"));
@@ -46,31 +46,31 @@ TEST(BakeArguments, NameOnlyWhatIsWanted)
 
 TEST(BakeArguments, NameAMeadowOfTheUsersOwnInsteadOfABuiltInOne)
 {
-    MeadowWishes wishes;
-    wishes.ground = "hills";
-    wishes.meadow = 1;
-    wishes.meadowFile = "moor.json";
-    EXPECT_THAT(bakeArguments(wishes), ElementsAre("hills", "--meadow", "moor.json"));
+    MeadowRequests requests;
+    requests.ground = "hills";
+    requests.meadow = 1;
+    requests.meadowFile = "moor.json";
+    EXPECT_THAT(bakeArguments(requests), ElementsAre("hills", "--meadow", "moor.json"));
 }
 
-TEST(WishesOf, AFieldAreThoseItWasBakedWith)
+TEST(RequestsOf, AFieldAreThoseItWasBakedWith)
 {
-    const MeadowWishes wishes = wishesOf(
+    const MeadowRequests requests = requestsOf(
         R"({"settings": {"density": null, "count": 5000, "spacing": null, "seed": 7,
             "slope": [0.0, 50.0, 15.0], "masks": ["vertex-color:R", "texture:9f3a:G:invert"],
             "meadow": {"name": "steppe"}}})");
-    EXPECT_THAT(bakeArguments(wishes),
+    EXPECT_THAT(bakeArguments(requests),
                 ElementsAre("", "--meadow", "steppe", "--count", "5000", "--slope", "0:50~15",
                             "--seed", "7", "--mask", "vertex-color:R"));
 }
 
-TEST(WishesOf, AFieldThatTellsNothingOrNonsenseAreNone)
+TEST(RequestsOf, AFieldThatTellsNothingOrNonsenseAreNone)
 {
-    const auto none = bakeArguments(MeadowWishes());
+    const auto none = bakeArguments(MeadowRequests());
     for (const char* text :
          {"", "{}", "[]", "7", R"({"settings": 3})", R"({"settings": {"masks": [1], "seed": "a"}})",
           R"({"settings": {"slope": [0, 50], "count": -1, "meadow": {"name": 3}}})"})
-        EXPECT_EQ(bakeArguments(wishesOf(text)), none) << text;
+        EXPECT_EQ(bakeArguments(requestsOf(text)), none) << text;
 }
 
 TEST(WantsBaking, KnowsMeshesAndBuiltInGroundsFromFields)

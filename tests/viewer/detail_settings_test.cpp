@@ -28,7 +28,7 @@ TEST(DetailSettings, LeaveAloneWhatTheyDoNotName)
     EXPECT_EQ(read.minPixels, usual.minPixels);
     EXPECT_EQ(read.buckets.count, 0u);
     EXPECT_TRUE(read.levelSteps.empty());
-    EXPECT_FALSE(read.maxEdgeOn || read.pace.everyFrame || read.pace.everyThird);
+    EXPECT_FALSE(read.maxEdgeOn || read.updateRate.everyFrame || read.updateRate.everyThird);
 }
 
 TEST(DetailSettings, SetWhatTheyName)
@@ -36,12 +36,12 @@ TEST(DetailSettings, SetWhatTheyName)
     const FrameSettings read = settingsFrom(R"({
         "culling": {"patch": false, "occlusion": false, "edge_on_cosine": 0.9, "draw_distance": 40,
                     "buckets": {"count": 7}},
-        "detail": {"thin_and_widen": false, "thin_below_px": 0.5, "least_width": 2, "segments": 7,
+        "detail": {"thin_and_widen": false, "thin_below_px": 0.5, "min_width": 2, "segments": 7,
                    "steps": [{"distance": 5, "segments": 16}, {"distance": 10, "segments": 12}],
                    "move_every_frame": 8, "move_every_third": 16}})");
     EXPECT_EQ(read.cullMask, shared::cullOrientation | shared::cullFrustum | shared::cullDistance);
     EXPECT_EQ(read.maxEdgeOn, 0.9f);
-    EXPECT_EQ(read.nature.drawDistance, 40.0f);
+    EXPECT_EQ(read.environment.drawDistance, 40.0f);
     EXPECT_EQ(read.buckets.count, 7u);
     EXPECT_EQ(read.buckets.distance, 40.0f) << "the draw distance, unless it is given";
     EXPECT_FALSE(read.levelOfDetail);
@@ -51,8 +51,8 @@ TEST(DetailSettings, SetWhatTheyName)
     ASSERT_EQ(read.levelSteps.size(), 2u);
     EXPECT_EQ(read.levelSteps[1].distance, 10.0f);
     EXPECT_EQ(read.levelSteps[1].segments, 12);
-    EXPECT_EQ(read.pace.everyFrame, 8.0f);
-    EXPECT_EQ(read.pace.everyThird, 16.0f);
+    EXPECT_EQ(read.updateRate.everyFrame, 8.0f);
+    EXPECT_EQ(read.updateRate.everyThird, 16.0f);
 }
 
 TEST(DetailSettings, RefuseByKeyValueAndBound)
@@ -68,7 +68,7 @@ TEST(DetailSettings, RefuseByKeyValueAndBound)
         {R"({"culling": {"buckets": {"count": -1}}})", {"buckets: count", "-1", "1000000"}},
         {R"({"culling": {"buckets": {"size": 1}}})", {"buckets", "\"size\""}},
         {R"({"detail": {"thin_below_px": 0}})", {"detail: thin_below_px", "0.01", "100"}},
-        {R"({"detail": {"least_width": 17}})", {"least_width", "17", "[0, 16]"}},
+        {R"({"detail": {"min_width": 17}})", {"min_width", "17", "[0, 16]"}},
         {R"({"detail": {"segments": 65}})", {"segments", "65", "[0, 64]"}},
         {R"({"detail": {"segments": 2.5}})", {"segments", "2.5"}},
         {R"({"detail": {"steps": {}}})", {"steps"}},

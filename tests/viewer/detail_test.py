@@ -75,7 +75,7 @@ class DetailTest(unittest.TestCase):
                     self.assertGreater(self.counts()["culled"]["orientation"], 0)
                     self.assertLess(self.counts()["drawn"], kept)
 
-    def test_fates_add_up_to_the_resident_blades(self):
+    def test_cull_results_add_up_to_the_resident_blades(self):
         self.bake("hills", "--count", 1_000)
         tests = ("patch", "orientation", "frustum", "distance", "occlusion")
         few = self.file("few.json", {"culling": {"draw_distance": 25, "edge_on_cosine": 0.9}})
@@ -123,13 +123,13 @@ class DetailTest(unittest.TestCase):
         kept, there = np.zeros(5), np.zeros(5)
         with open(self.folder / "d.csv", encoding="ascii") as file:
             names = file.readline().strip().split(",")
-            column = {name: names.index(name) for name in ("x", "y", "z", "fate")}
+            column = {name: names.index(name) for name in ("x", "y", "z", "cull_result")}
             for line in file:
                 row = line.strip().split(",")
                 x, y, z = (float(row[column[axis]]) for axis in "xyz")
                 step = int(math.dist((x, y, z), (0, EYE_HEIGHT, SIDE / 2 - 1)) / 10)
                 there[min(step, 4)] += 1
-                kept[min(step, 4)] += row[column["fate"]] == "drawn"
+                kept[min(step, 4)] += row[column["cull_result"]] == "drawn"
         # floor(4 (1 − distance/40)) of 4 are left: three beyond the eye, none in the last 10 m.
         for share, wanted in zip(kept / there, (0.75, 0.5, 0.25, 0.0, 0.0)):
             self.assertAlmostEqual(share, wanted, delta=0.05, msg=str(kept / there))
@@ -137,10 +137,10 @@ class DetailTest(unittest.TestCase):
     def test_blades_move_as_often_as_their_distance_says(self):
         self.bake_flat(8_000)
         everything = {"patch": False, "frustum": False}
-        def simulated(frame, **pace):
-            # Blades that are thinned out stand still at any pace.
+        def simulated(frame, **updateRate):
+            # Blades that are thinned out stand still at any updateRate.
             self.render("--camera", self.rim_camera(), "--lod", "off", "--frames", f"{frame}:{frame}", "--settings",
-                        self.file("p.json", {"culling": everything, "detail": pace}))
+                        self.file("p.json", {"culling": everything, "detail": updateRate}))
             return self.counts()["simulated"]
         self.assertEqual(simulated(6, move_every_frame=1e6), 8_000)
         self.assertEqual(simulated(6, move_every_frame=0, move_every_third=0), 0)
@@ -163,7 +163,7 @@ class DetailTest(unittest.TestCase):
         self.assertTrue((picture(steps=steps) == seven).all())
         steps = [{"distance": 1e-3, "segments": 7}, {"distance": 1e6, "segments": 1}]
         self.assertTrue((picture(steps=steps) == one).all())
-        self.assertFalse((picture(segments=1, least_width=0) == one).all())
+        self.assertFalse((picture(segments=1, min_width=0) == one).all())
 
     def test_the_known_systems_are_drawn_and_keep_to_their_distances(self):
         self.bake_flat(2_000)

@@ -35,7 +35,7 @@ def processor_seconds(pid):
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
-class PaceTest(unittest.TestCase):
+class UpdateRateTest(unittest.TestCase):
     def test_two_processors_hold_eight_frames_a_second_on_the_sample_terrain(self):
         folder = tempfile.TemporaryDirectory(prefix="sward-pace-")
         self.addCleanup(folder.cleanup)

@@ -173,7 +173,7 @@ class PanelsTest(unittest.TestCase):
         (programs / "ffmpeg").chmod(0o755)
         return {"PATH": f"{programs}:{os.environ['PATH']}"}
 
-    def take_film(self, viewer):
+    def take_video(self, viewer):
         viewer.press("Film", panel="Capture")
         viewer.set("Pictures", "Capture", 0.02)
         viewer.wait_for_value("Capture/Pictures", lambda shown: int(shown) < 5, "few pictures")
@@ -184,7 +184,7 @@ class PanelsTest(unittest.TestCase):
         # Stands in for it: notes what it is asked for, and writes what it is given.
         viewer = self.open(self.field, "--panel", "capture", environment=self.ffmpeg(
             'for last; do :; done; echo "$@" >asked.txt; cat >"$last"'))
-        self.take_film(viewer)
+        self.take_video(viewer)
         film = self.folder / "sward.mp4"
         viewer.wait(film.exists, "the film is there")
         self.assertEqual(film.stat().st_size, self.pictures * SIZE[0] * SIZE[1] * 4)
@@ -196,7 +196,7 @@ class PanelsTest(unittest.TestCase):
     def test_a_film_that_cannot_be_written_is_told(self):
         viewer = self.open(self.field, "--panel", "capture", environment=self.ffmpeg(
             'for last; do :; done; echo half >"$last"; echo "No space left on device" >&2; exit 1'))
-        self.take_film(viewer)
+        self.take_video(viewer)
         viewer.wait_for_value("Message/Error", lambda shown: "No space left" in shown, "it complains")
         self.assertEqual(list(self.folder.glob("*.part*")), [], "nothing half written is left")
         self.assert_ends_well(viewer)
@@ -210,7 +210,7 @@ class PanelsTest(unittest.TestCase):
                 break
         told = viewer.controls()
         self.assertIn("Blade/Id", told, "a row of clicks meets no blade")
-        self.assertEqual(told["Blade/Fate"]["shows"], "drawn")
+        self.assertEqual(told["Blade/Cull result"]["shows"], "drawn")
         subprocess.run([SWARD, "export", self.field, "-o", self.folder / "blades.csv"], check=True,
                        stderr=subprocess.DEVNULL)
         with open(self.folder / "blades.csv") as file:

@@ -13,7 +13,7 @@ namespace {
 TEST(ProgressLine, NeverFillsTheTerminalsLastColumn)
 {
     for (int columns = 0; columns < 200; ++columns)
-        EXPECT_LT(progressLine("a stage with a long name", 0.5, columns).size(),
+        EXPECT_LT(progressLine("a state with a long name", 0.5, columns).size(),
                   static_cast<std::size_t>(std::max(columns, 1)));
 }
 

@@ -14,7 +14,7 @@ VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
 BLADES = 2000
 SIZE = ["--size", "160x90"]
 PASSES = {"update", "cull", "pyramid", "blades", "resolve", "grass", "ground", "total"}
-FATES = {"drawn", "patch", "orientation", "frustum", "distance", "occlusion", "lod"}
+CULL_RESULTS = {"drawn", "patch", "orientation", "frustum", "distance", "occlusion", "lod"}
 ENVIRONMENT = {name: value for name, value in os.environ.items()
                if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
 
@@ -141,14 +141,14 @@ class RenderTest(unittest.TestCase):
         stats = self.stats("--camera", "eye", "--cull", "none", "--lod", "off")
         self.assertEqual(stats["blades"]["drawn"], BLADES)
 
-    def test_the_dump_has_one_row_per_blade_and_the_fates_of_the_stats(self):
+    def test_the_dump_has_one_row_per_blade_and_the_cull_results_of_the_stats(self):
         stats = self.stats("--dump-blades", "d.csv", "--camera", "eye")
         with open(self.folder / "d.csv", encoding="ascii", newline="") as file:
             rows = list(csv.DictReader(file))
-        self.assertEqual(list(rows[0]), "id,x,y,z,v1x,v1y,v1z,v2x,v2y,v2z,ux,uy,uz,eta,lod_width,fate"
+        self.assertEqual(list(rows[0]), "id,x,y,z,v1x,v1y,v1z,v2x,v2y,v2z,ux,uy,uz,eta,lod_width,cull_result"
                          .split(","))
         self.assertEqual(len({row["id"] for row in rows}), BLADES)
-        counts = {fate: sum(1 for row in rows if row["fate"] == fate) for fate in FATES}
+        counts = {cull_result: sum(1 for row in rows if row["cull_result"] == cull_result) for cull_result in CULL_RESULTS}
         self.assertEqual(sum(counts.values()), BLADES)
         self.assertEqual(counts["drawn"], stats["blades"]["drawn"])
         self.assertEqual(counts["lod"], stats["blades"]["lod"])

@@ -26,12 +26,12 @@ FrameSettings readBack(const FrameSettings& settings)
 FrameSettings unusual()
 {
     FrameSettings s;
-    s.nature.gravityDirection = {0.1f, -0.7f, 0.3f};
-    s.nature.gravityStrength = 3.3f;
-    s.nature.attractor = {1e5, -2.25, 0.125};
-    s.nature.attractorBlend = 0.7f;
-    s.nature.recovery = 1.0f / 3.0f;
-    s.nature.drawDistance = 123.4f;
+    s.environment.gravityDirection = {0.1f, -0.7f, 0.3f};
+    s.environment.gravityStrength = 3.3f;
+    s.environment.attractor = {1e5, -2.25, 0.125};
+    s.environment.attractorBlend = 0.7f;
+    s.environment.recovery = 1.0f / 3.0f;
+    s.environment.drawDistance = 123.4f;
     s.forward = 0.6f;
     s.winds.clear();
     for (std::uint32_t kind = 0; kind < shared::windKinds; ++kind) {
@@ -57,12 +57,12 @@ TEST(SettingsText, ReadsBackAsTheSameSettings)
 {
     const FrameSettings s = unusual();
     const FrameSettings r = readBack(s);
-    EXPECT_EQ(r.nature.gravityDirection, s.nature.gravityDirection);
-    EXPECT_EQ(r.nature.gravityStrength, s.nature.gravityStrength);
-    EXPECT_EQ(r.nature.attractor, s.nature.attractor);
-    EXPECT_EQ(r.nature.attractorBlend, s.nature.attractorBlend);
-    EXPECT_EQ(r.nature.recovery, s.nature.recovery);
-    EXPECT_EQ(r.nature.drawDistance, s.nature.drawDistance);
+    EXPECT_EQ(r.environment.gravityDirection, s.environment.gravityDirection);
+    EXPECT_EQ(r.environment.gravityStrength, s.environment.gravityStrength);
+    EXPECT_EQ(r.environment.attractor, s.environment.attractor);
+    EXPECT_EQ(r.environment.attractorBlend, s.environment.attractorBlend);
+    EXPECT_EQ(r.environment.recovery, s.environment.recovery);
+    EXPECT_EQ(r.environment.drawDistance, s.environment.drawDistance);
     EXPECT_EQ(r.forward, s.forward);
     EXPECT_EQ(r.cullMask, s.cullMask);
     EXPECT_EQ(r.levelOfDetail, s.levelOfDetail);

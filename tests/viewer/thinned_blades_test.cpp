@@ -6,14 +6,14 @@
 namespace sward::shared {
 namespace {
 
-Eyepoint eyeAt(vec3 place, float pixelsPerUnit, float maxLayers = 0.0f)
+Eyepoint eyeAt(vec3 place, float pixelsPerUnit, float maxLeafArea = 0.0f)
 {
     Eyepoint view = {};
     view.eye = place;
     view.pixelsPerUnit = pixelsPerUnit;
     view.lodThreshold = 0.5f;
     view.lodWidth = 0.017f;
-    view.maxLayers = maxLayers;
+    view.maxLeafArea = maxLeafArea;
     view.cullMask = leaveThinned;
     return view;
 }
@@ -31,10 +31,10 @@ TEST(ThickEnough, LeavesOutOnlyBladesThatHaveNoWidthWhereTheyStand)
                 for (uint i = thickEnough(view, cell); i < cell.bladeCount; ++i) {
                     const Blade blade = unpackBlade(field.blades[cell.firstBlade + i], cell);
                     const float distance = length(blade.root - view.eye);
-                    EXPECT_EQ(
-                        drawnSize(view, layersOf(view, cell), blade, bladeRank(cell, i), distance)
-                            .widthFactor,
-                        0.0f);
+                    EXPECT_EQ(drawnSize(view, leafAreaLimitOf(view, cell), blade,
+                                        bladeRank(cell, i), distance)
+                                  .widthFactor,
+                              0.0f);
                     ++left;
                 }
         }
@@ -68,7 +68,8 @@ TEST(PatchMargin, HoldsBladesThatStandAsHighAsAnyMay)
     for (uint p = 0; p < field.patches.size(); ++p) {
         const Patch& own = field.patches[p];
         for (uint i = 0; i < own.bladeCount; ++i) {
-            const Blade blade = raised(unpackBlade(field.blades[own.firstBlade + i], own), maxRise);
+            const Blade blade =
+                raised(unpackBlade(field.blades[own.firstBlade + i], own), maxHeightCompensation);
             // Its node, and all above.
             for (uint node = p;; node = field.patches[node].parent) {
                 const Patch& cell = field.patches[node];

@@ -44,7 +44,7 @@ std::string arrayText(const std::vector<std::uint32_t>& indices)
 }
 
 // The field that plan wrote without blades.
-field::Field bareField(const fs::path& plan)
+field::Field fieldWithoutBlades(const fs::path& plan)
 {
     const field::MappedField mapped = field::readField(bake::barePath(bake::partsFolder(plan)));
     const field::FieldView& view = mapped.view();
@@ -138,7 +138,7 @@ public:
         bake::finishReport(report, totals, settings, plan.plan, diagnostics);
         const std::vector<std::string> warnings = diagnostics.warnings();
         report.warnings.insert(report.warnings.end(), warnings.begin(), warnings.end());
-        field::Field field = bareField(plan_);
+        field::Field field = fieldWithoutBlades(plan_);
         bake::joinCells(std::move(cells), field);
         report.timing.patches = watch.lap();
         report.output = {output_, field::writeField(field, output_, force_), field.patches.size()};

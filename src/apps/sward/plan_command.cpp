@@ -106,7 +106,7 @@ private:
                               plan.tiles);
 
         PartsFolder parts(bake::partsFolder(output));
-        field::writeField(bake::bareField(ground, settings, plan.plan, report),
+        field::writeField(bake::fieldWithoutBlades(ground, settings, plan.plan, report),
                           bake::barePath(parts.filling()), true);
         // All parts share the images; from here on nobody looks at a pixel.
         bake::writeImages(parts.filling(), plan.id, ground);

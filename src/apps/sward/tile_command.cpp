@@ -80,9 +80,9 @@ public:
         bake::TileResult tile;
         if (!ground.cells.empty() && !ground.ground.triangles.empty())
             bake::withThreads(bake::threadCount(threads_), [&] {
-                const bake::Territory territory(ground.ground.origin, ground.cells);
+                const bake::TileRegion region(ground.ground.origin, ground.cells);
                 tile = bake::bakeTile({ground.ground, ground.features}, request.settings, plan.plan,
-                                      &territory, progress);
+                                      &region, progress);
             });
         bar.clear();
         bake::writeTile(output, plan.id, tile);

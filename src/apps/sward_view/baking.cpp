@@ -76,8 +76,8 @@ std::optional<BakeProgress> parseProgress(std::string_view line)
         percent == std::string_view::npos || close < open || percent < close)
         return std::nullopt;
     BakeProgress progress;
-    progress.stage = line.substr(0, open);
-    progress.stage.erase(progress.stage.find_last_not_of(' ') + 1);
+    progress.state = line.substr(0, open);
+    progress.state.erase(progress.state.find_last_not_of(' ') + 1);
     progress.share = std::atof(std::string(line.substr(close + 2, percent - close - 2)).c_str());
     progress.share = std::clamp(progress.share / 100.0, 0.0, 1.0);
     return progress;

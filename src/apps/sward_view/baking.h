@@ -19,7 +19,7 @@ bool wantsBaking(const std::string& input);
 
 /// What a bake has to say from time to time on stderr: the last line of its progress bar.
 struct BakeProgress {
-    std::string stage;
+    std::string state;
     double share = 0.0; ///< [0, 1]
 };
 

@@ -14,24 +14,25 @@ namespace sward::view {
 namespace {
 
 constexpr std::string_view header =
-    "id,x,y,z,v1x,v1y,v1z,v2x,v2y,v2z,ux,uy,uz,eta,lod_width,fate\n";
+    "id,x,y,z,v1x,v1y,v1z,v2x,v2y,v2z,ux,uy,uz,eta,lod_width,cull_result\n";
 constexpr std::size_t portion = 1u << 20; ///< [bytes] gathered before they go to the disk
 
-std::string_view fateWord(std::uint32_t fate)
+std::string_view cullResultWord(std::uint32_t cullResult)
 {
-    constexpr std::array<std::string_view, shared::fateCount> words = [] {
-        std::array<std::string_view, shared::fateCount> table{};
-        table[shared::fateDrawn] = "drawn";
-        table[shared::fatePatch] = "patch";
-        table[shared::fateOrientation] = "orientation";
-        table[shared::fateFrustum] = "frustum";
-        table[shared::fateDistance] = "distance";
-        table[shared::fateOcclusion] = "occlusion";
-        table[shared::fateLod] = "lod";
+    constexpr std::array<std::string_view, shared::cullResultCount> words = [] {
+        std::array<std::string_view, shared::cullResultCount> table{};
+        table[shared::cullResultDrawn] = "drawn";
+        table[shared::cullResultPatch] = "patch";
+        table[shared::cullResultOrientation] = "orientation";
+        table[shared::cullResultFrustum] = "frustum";
+        table[shared::cullResultDistance] = "distance";
+        table[shared::cullResultOcclusion] = "occlusion";
+        table[shared::cullResultLod] = "lod";
         return table;
     }();
-    expect(fate < words.size(), "a blade's fate is one of fateDrawn … fateLod");
-    return words[fate];
+    expect(cullResult < words.size(),
+           "a blade's cull result is one of cullResultDrawn … cullResultLod");
+    return words[cullResult];
 }
 
 void appendPlace(fmt::memory_buffer& text, const glm::dvec3& place)
@@ -54,7 +55,7 @@ void writeBladeCsv(std::span<const render::FieldRenderer::BladeRecord> blades,
         appendPlace(text, blade.v2);
         fmt::format_to(std::back_inserter(text), "{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{}\n",
                        blade.up.x, blade.up.y, blade.up.z, blade.eta, blade.lodWidth,
-                       fateWord(blade.fate));
+                       cullResultWord(blade.cullResult));
         if (text.size() >= portion) {
             file.write(std::string_view(text.data(), text.size()));
             text.clear();

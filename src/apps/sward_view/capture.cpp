@@ -17,7 +17,7 @@ void Capture::takeSequence(const std::string& names, std::uint64_t pictures, dou
     sequence_.emplace(Sequence{std::move(numbered), {}, pictures, step, 0, nullptr});
 }
 
-void Capture::takeFilm(std::filesystem::path path, std::uint64_t pictures, double step)
+void Capture::takeVideo(std::filesystem::path path, std::uint64_t pictures, double step)
 {
     sequence_.emplace(Sequence{std::nullopt, std::move(path), pictures, step, 0, nullptr});
 }
@@ -27,10 +27,10 @@ std::string Capture::stopSequence()
     if (!sequence_)
         return {};
     const Sequence ended = *std::exchange(sequence_, std::nullopt);
-    if (!ended.film)
+    if (!ended.video)
         return {};
-    ended.film->finish();
-    return fmt::format("{}: a film of {} pictures", ended.filmPath.string(), ended.next);
+    ended.video->finish();
+    return fmt::format("{}: a film of {} pictures", ended.videoPath.string(), ended.next);
 }
 
 void Capture::add(const Picture& picture)
@@ -39,9 +39,10 @@ void Capture::add(const Picture& picture)
     if (sequence.names) {
         writePng(picture, sequence.names->of(sequence.next), true);
     } else {
-        if (!sequence.film)
-            sequence.film = std::make_unique<Film>(sequence.filmPath, picture.size, sequence.step);
-        sequence.film->add(picture);
+        if (!sequence.video)
+            sequence.video =
+                std::make_unique<VideoEncoder>(sequence.videoPath, picture.size, sequence.step);
+        sequence.video->add(picture);
     }
     ++sequence.next;
 }
@@ -66,8 +67,8 @@ std::string Capture::write(const gpu::DeviceContext& context, const gpu::Image& 
                                                sequence_->names->of(sequence_->next - 1).string(),
                                                sequence_->pictures)
                                  : std::string();
-            const std::string film = stopSequence();
-            said = film.empty() ? last : film;
+            const std::string video = stopSequence();
+            said = video.empty() ? last : video;
         }
     } catch (const Error&) {
         sequence_.reset();

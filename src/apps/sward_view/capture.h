@@ -1,8 +1,8 @@
 #pragma once
 
-#include "apps/sward_view/film.h"
 #include "apps/sward_view/frame_names.h"
 #include "apps/sward_view/png.h"
+#include "apps/sward_view/video_encoder.h"
 #include "gpu/context.h"
 #include "gpu/image.h"
 
@@ -22,8 +22,8 @@ public:
     /// Throws Error{usage} if the names have no number in them.
     void takeSequence(const std::string& names, std::uint64_t pictures, double step);
 
-    /// The same as a film.
-    void takeFilm(std::filesystem::path path, std::uint64_t pictures, double step);
+    /// The same as a video.
+    void takeVideo(std::filesystem::path path, std::uint64_t pictures, double step);
 
     /// A film then has the pictures that it has; what there is to tell about it, or nothing. Throws
     /// Error{io}.
@@ -46,11 +46,11 @@ public:
 private:
     struct Sequence {
         std::optional<FrameNames> names; ///< none: a film
-        std::filesystem::path filmPath;
+        std::filesystem::path videoPath;
         std::uint64_t pictures;
         double step;
         std::uint64_t next = 0;
-        std::unique_ptr<Film> film; ///< once its size is known
+        std::unique_ptr<VideoEncoder> video; ///< once its size is known
     };
 
     void add(const Picture& picture);

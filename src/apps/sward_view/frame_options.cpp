@@ -4,6 +4,7 @@
 #include "apps/sward_view/collider_text.h"
 #include "apps/sward_view/cull_list.h"
 #include "core/error.h"
+#include "core/log.h"
 #include "render/settings_file.h"
 #include "shaders/shared/distance_band.h"
 
@@ -99,7 +100,7 @@ void FrameOptions::addShared(CLI::App& app)
         },
         "M", "Distance in metres beyond which no blade is drawn, 0.001 to 1e9")
         ->default_str("the field's");
-    group = "Nature";
+    group = "Environment";
     option(
         "--wind-strength",
         [this](const std::string& text) {
@@ -201,10 +202,14 @@ void FrameOptions::addMeasured(CLI::App& app)
 render::FrameSettings FrameOptions::settingsFor(const field::FieldView& view) const
 {
     render::FrameSettings settings = render::FrameSettings::of(view);
+    const auto warn = [](const std::vector<std::string>& warnings) {
+        for (const std::string& warning : warnings)
+            log::warn("{}", warning);
+    };
     if (sceneSettings)
-        render::readSettings(sceneSettings->text, sceneSettings->place, settings);
+        warn(render::readSettings(sceneSettings->text, sceneSettings->place, settings));
     if (!settingsFile.empty())
-        render::readSettings(settingsFile, settings);
+        warn(render::readSettings(settingsFile, settings));
     settings.colliders.insert(settings.colliders.end(), colliders.begin(), colliders.end());
     if (settings.colliders.size() > shared::maxColliders)
         fail(ErrorKind::usage, "--collider: {} colliders, more than {}", settings.colliders.size(),
@@ -217,7 +222,7 @@ render::FrameSettings FrameOptions::settingsFor(const field::FieldView& view) co
     }
     settings.debug = debug;
     if (drawDistance)
-        settings.nature.drawDistance = *drawDistance;
+        settings.environment.drawDistance = *drawDistance;
     if (windStrength)
         render::scaleWind(settings.winds, *windStrength);
     return settings;

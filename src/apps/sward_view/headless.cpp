@@ -65,7 +65,7 @@ float aspectOf(glm::uvec2 size)
 
 } // namespace
 
-Headless::Headless(const FrameOptions& options, bool recordFates)
+Headless::Headless(const FrameOptions& options, bool recordCullResults)
     : options_(options)
     , files_(readAll(options.fields))
     , fields_(membersOf(files_, options.fields))
@@ -78,21 +78,22 @@ Headless::Headless(const FrameOptions& options, bool recordFates)
     , device_(instance_, {.selection = options.device})
     , samples_(options.samples.value_or(4))
     , target_(device_.context(), targetFor(device_.context(), options.size, options.geometry))
-    , renderer_(device_, fields_.view(),
-                {.colorFormat = pictureFormat,
-                 .samples = samples_,
-                 .framesInFlight = 1,
-                 .geometry = options.geometry,
-                 .rastersForCpu = options.rastersForCpu,
-                 .recordFates = recordFates || options.debug == render::DebugMode::reason,
-                 .deviceBytes = options.gpuMemory,
-                 .largestTarget = options.size,
-                 .waitsForDisk = true})
+    , renderer_(
+          device_, fields_.view(),
+          {.colorFormat = pictureFormat,
+           .samples = samples_,
+           .framesInFlight = 1,
+           .geometry = options.geometry,
+           .rastersForCpu = options.rastersForCpu,
+           .recordCullResults = recordCullResults || options.debug == render::DebugMode::reason,
+           .deviceBytes = options.gpuMemory,
+           .largestTarget = options.size,
+           .waitsForDisk = true})
     , timestamps_(device_.context(), {.slots = 1})
     , ring_(device_.context(), 1)
 {
     // Who asks for each blade has each moved.
-    if (recordFates)
+    if (recordCullResults)
         settings_.leavesThinned = false;
 }
 

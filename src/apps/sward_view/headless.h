@@ -25,9 +25,9 @@ namespace sward::view {
 class Headless {
 public:
     /// Reads the fields first, so that a wrong file is reported on a machine without a device too.
-    /// `recordFates`: whether blades() will be asked for. Throws what readField(), join(), Device
-    /// and FieldRenderer throw.
-    Headless(const FrameOptions& options, bool recordFates);
+    /// `recordCullResults`: whether blades() will be asked for. Throws what readField(), join(),
+    /// Device and FieldRenderer throw.
+    Headless(const FrameOptions& options, bool recordCullResults);
 
     /// Draws `frame`; frames come in ascending order.
     void draw(std::uint64_t frame);

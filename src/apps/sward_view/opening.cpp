@@ -13,13 +13,13 @@
 #include <vector>
 
 namespace sward::view {
-void Opening::open(Order order, MeadowWishes wishes)
+void Opening::open(Order order, MeadowRequests requests)
 {
     loader_.reset();
     bakings_.clear();
     sources_.clear();
     order_ = std::move(order);
-    wishes_ = std::move(wishes);
+    requests_ = std::move(requests);
     goOn();
 }
 
@@ -32,17 +32,17 @@ void Opening::goOn()
         if (!wantsBaking(input))
             continue;
         log::info("{}: is a mesh; growing grass on it first", input);
-        wishes_.ground = input;
+        requests_.ground = input;
         try {
-            bakings_.push_back(std::make_unique<Baking>(bakeArguments(wishes_)));
+            bakings_.push_back(std::make_unique<Baking>(bakeArguments(requests_)));
         } catch (...) {
             bakings_.clear();
             throw;
         }
         sources_.back().file = bakings_.back()->field();
-        sources_.back().wishes = wishes_;
-        if (!wishes_.meadowFile.empty())
-            sources_.back().watchedMeadow = WatchedFile(wishes_.meadowFile);
+        sources_.back().requests = requests_;
+        if (!requests_.meadowFile.empty())
+            sources_.back().watchedMeadow = WatchedFile(requests_.meadowFile);
         return;
     }
     loader_ = std::make_unique<FieldLoader>(sources_, order_.among, order_.place);

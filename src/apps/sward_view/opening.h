@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/sward_view/baking.h"
-#include "apps/sward_view/meadow_wishes.h"
+#include "apps/sward_view/meadow_requests.h"
 #include "apps/sward_view/shown_field.h"
 
 #include <cstddef>
@@ -23,9 +23,9 @@ public:
         std::size_t place = 0;           ///< of the first input among them
     };
 
-    /// Begins to read fields, or to bake as `wishes` say but on each input that is a ground. Throws
-    /// what Baking throws.
-    void open(Order order, MeadowWishes wishes);
+    /// Begins to read fields, or to bake as `requests` say but on each input that is a ground.
+    /// Throws what Baking throws.
+    void open(Order order, MeadowRequests requests);
 
     /// Asks the bake to end.
     void cancel();
@@ -48,7 +48,7 @@ private:
     void goOn();
 
     Order order_;
-    MeadowWishes wishes_;
+    MeadowRequests requests_;
     std::vector<FieldSource> sources_;             ///< found so far
     std::vector<std::unique_ptr<Baking>> bakings_; ///< of the order, the last one may run
     std::unique_ptr<FieldLoader> loader_;

@@ -106,7 +106,7 @@ std::optional<PickedBlade> pickBlade(const render::FieldRenderer& renderer, cons
         const auto records = renderer.dumpPatch(field, candidate.patch);
         // Nothing is read of what is not in memory, and nothing was drawn of it.
         for (std::uint32_t i = 0; i < records.size(); ++i) {
-            if (onlyDrawn && records[i].fate != shared::fateDrawn)
+            if (onlyDrawn && records[i].cullResult != shared::cullResultDrawn)
                 continue;
             const shared::Blade blade =
                 shared::unpackBlade(field.blades[cell.firstBlade + i], cell);

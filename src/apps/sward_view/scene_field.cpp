@@ -60,7 +60,7 @@ void finish(Baking& baking, bool showBar)
         if (apps::interruptRequested())
             baking.cancel();
         if (show)
-            show(baking.progress().stage, baking.progress().share);
+            show(baking.progress().state, baking.progress().share);
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
 }

@@ -29,9 +29,9 @@ bool isStage(const std::string& path)
                        [&path](std::string_view ending) { return path.ends_with(ending); });
 }
 
-std::string moduleOf(const std::string& stage)
+std::string moduleOf(const std::string& state)
 {
-    return fs::path(stage).filename().string() + ".spv";
+    return fs::path(state).filename().string() + ".spv";
 }
 
 std::vector<std::string> words(const std::string& text)
@@ -149,7 +149,7 @@ bool ShaderSources::poll()
         if (!last_.contains(path))
             changed.insert(path);
     known_ = last_;
-    // Of a stage that was never compiled nobody knows what it reads.
+    // Of a state that was never compiled nobody knows what it reads.
     std::vector<std::string> stages;
     for (const auto& [path, time] : known_) {
         if (!isStage(path))
@@ -166,7 +166,7 @@ bool ShaderSources::poll()
         return false;
     // What the user has just written is what he wants to hear of first.
     std::stable_partition(stages.begin(), stages.end(),
-                          [&](const std::string& stage) { return changed.contains(stage); });
+                          [&](const std::string& state) { return changed.contains(state); });
     begin(std::move(stages));
     return false;
 }
@@ -177,12 +177,12 @@ void ShaderSources::begin(std::vector<std::string> stages)
     done_ = false;
     results_.clear();
     thread_ = std::thread([this, stages = std::move(stages)] {
-        for (const std::string& stage : stages) {
+        for (const std::string& state : stages) {
             Result result;
             try {
-                result = compile(stage);
+                result = compile(state);
             } catch (const std::exception& error) {
-                result = {stage, {}, {}, error.what()};
+                result = {state, {}, {}, error.what()};
             }
             const std::lock_guard lock(mutex_);
             results_.push_back(std::move(result));
@@ -194,16 +194,16 @@ void ShaderSources::begin(std::vector<std::string> stages)
     });
 }
 
-ShaderSources::Result ShaderSources::compile(const std::string& stage) const
+ShaderSources::Result ShaderSources::compile(const std::string& state) const
 {
-    const fs::path module = scratch_ / moduleOf(stage);
+    const fs::path module = scratch_ / moduleOf(state);
     const fs::path depfile = module.string() + ".d";
     std::vector<std::string> glslang{programOf("glslangValidator")};
     for (std::string& flag : words(SWARD_GLSLANG_FLAGS))
         glslang.push_back(std::move(flag));
     for (std::string& argument :
          std::vector<std::string>{"-I" + folder_.parent_path().string(), "--depfile",
-                                  depfile.string(), "-o", module.string(), stage})
+                                  depfile.string(), "-o", module.string(), state})
         glslang.push_back(std::move(argument));
     ChildEnd end = runChild(std::move(glslang));
     if (endedWell(end)) {
@@ -215,10 +215,10 @@ ShaderSources::Result ShaderSources::compile(const std::string& stage) const
     }
     if (!endedWell(end)) {
         const std::string complaint = told(end.said);
-        return {stage, {}, {}, complaint.empty() ? stage + ": does not compile" : complaint};
+        return {state, {}, {}, complaint.empty() ? state + ": does not compile" : complaint};
     }
     const std::vector<std::byte> bytes = readFile(module);
-    Result result{stage,
+    Result result{state,
                   std::vector<std::uint32_t>(bytes.size() / sizeof(std::uint32_t)),
                   readDepfile(depfile),
                   {}};
@@ -238,17 +238,17 @@ bool ShaderSources::end()
     std::string complaint;
     for (Result& result : results_) {
         if (!result.complaint.empty()) {
-            broken_.insert(result.stage);
+            broken_.insert(result.state);
             if (complaint.empty())
                 complaint = std::move(result.complaint);
             continue;
         }
-        broken_.erase(result.stage);
-        reads_[result.stage] = std::move(result.reads);
-        compiled_[moduleOf(result.stage)] = std::move(result.words);
+        broken_.erase(result.state);
+        reads_[result.state] = std::move(result.reads);
+        compiled_[moduleOf(result.state)] = std::move(result.words);
     }
-    // A stage that is gone is nobody's trouble.
-    std::erase_if(broken_, [this](const std::string& stage) { return !known_.contains(stage); });
+    // A state that is gone is nobody's trouble.
+    std::erase_if(broken_, [this](const std::string& state) { return !known_.contains(state); });
     complaint_ = std::move(complaint);
     if (!complaint_.empty())
         log::error("{}", complaint_);

@@ -46,9 +46,9 @@ public:
 
 private:
     using Look = std::map<std::string, std::filesystem::file_time_type>; ///< by the file's path
-    /// A stage that was compiled, or was not.
+    /// A state that was compiled, or was not.
     struct Result {
-        std::string stage; ///< its path
+        std::string state; ///< its path
         std::vector<std::uint32_t> words;
         std::set<std::string> reads; ///< it and what it includes
         std::string complaint;
@@ -57,14 +57,14 @@ private:
     Look look() const;
     void begin(std::vector<std::string> stages);
     bool end();
-    Result compile(const std::string& stage) const;
+    Result compile(const std::string& state) const;
 
     std::filesystem::path folder_;
     std::filesystem::path scratch_; ///< of the compiler
     std::span<const EmbeddedFile> builtIn_;
     Look known_;                                                 ///< what was compiled
     Look last_;                                                  ///< what was seen last
-    std::map<std::string, std::set<std::string>> reads_;         ///< by stage, once it was compiled
+    std::map<std::string, std::set<std::string>> reads_;         ///< by state, once it was compiled
     std::set<std::string> broken_;                               ///< stages that do not compile
     std::map<std::string, std::vector<std::uint32_t>> compiled_; ///< by module
     std::shared_ptr<const ShaderModules> modules_;

@@ -2,7 +2,7 @@
 
 #include "apps/sward_view/field_group.h"
 #include "apps/sward_view/ground_surface.h"
-#include "apps/sward_view/meadow_wishes.h"
+#include "apps/sward_view/meadow_requests.h"
 #include "apps/sward_view/watched_file.h"
 #include "field/inspect.h"
 #include "field/read.h"
@@ -21,12 +21,12 @@ namespace sward::view {
 
 /// What was opened, and the file that holds its field: itself, or what was baked on it.
 struct FieldSource {
-    std::string input;                  ///< a field, or a ground
-    std::filesystem::path file;         ///< the field
-    std::string report;                 ///< of its bake, for people; empty for a field
-    WatchedFile watched;                ///< the input, as it was before it was read
-    WatchedFile watchedMeadow;          ///< the file of what was sown, if there is one
-    std::optional<MeadowWishes> wishes; ///< that it was baked with here
+    std::string input;                      ///< a field, or a ground
+    std::filesystem::path file;             ///< the field
+    std::string report;                     ///< of its bake, for people; empty for a field
+    WatchedFile watched;                    ///< the input, as it was before it was read
+    WatchedFile watchedMeadow;              ///< the file of what was sown, if there is one
+    std::optional<MeadowRequests> requests; ///< that it was baked with here
 };
 
 /// A field on the CPU's side. It may be shown alone or among others.

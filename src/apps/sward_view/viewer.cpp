@@ -103,22 +103,22 @@ Viewer::Viewer(Window& window, const ViewerOptions& options)
     , lastLook_(begun_)
     , lastNotice_(begun_)
 {
-    stage_.times = &timestamps_;
-    stage_.recent = &recent_;
-    stage_.device = device_.context().name;
-    stage_.hasFfmpeg = !Film::program().empty();
+    viewerState_.times = &timestamps_;
+    viewerState_.recent = &recent_;
+    viewerState_.device = device_.context().name;
+    viewerState_.hasFfmpeg = !VideoEncoder::program().empty();
     if (!options.frame->settingsFile.empty())
-        stage_.settingsFile = options.frame->settingsFile;
+        viewerState_.settingsFile = options.frame->settingsFile;
     const auto* const known =
         std::find(std::begin(meadowNames), std::end(meadowNames), options.meadow);
     if (known != std::end(meadowNames))
-        stage_.meadow.meadow = static_cast<int>(known - std::begin(meadowNames));
+        viewerState_.meadow.meadow = static_cast<int>(known - std::begin(meadowNames));
     else
-        stage_.meadow.meadowFile = options.meadow;
-    stage_.scale = static_cast<float>(resolution_.scale());
+        viewerState_.meadow.meadowFile = options.meadow;
+    viewerState_.scale = static_cast<float>(resolution_.scale());
     if (options.resolution > 0.0f) {
-        stage_.automaticScale = false;
-        stage_.scale = options.resolution;
+        viewerState_.automaticScale = false;
+        viewerState_.scale = options.resolution;
     }
     if (!options.shaderFolder.empty() && options.shaderFolder != "none")
         shaders_.emplace(options.shaderFolder, embedded::shaders());
@@ -169,13 +169,13 @@ void Viewer::look()
     steer(window_.takeInput());
     keepTime();
     tell();
-    if (exhibit_ && window_.drawableSize() != glm::uvec2(0)) {
-        const Overlay overlay(interface_.style(), exhibit_->navigation().camera(),
-                              window_.drawableSize(), exhibit_->field());
-        overlay.draw(stage_);
-        overlay.tell(stage_, controlMap_);
+    if (loadedField_ && window_.drawableSize() != glm::uvec2(0)) {
+        const Overlay overlay(interface_.style(), loadedField_->navigation().camera(),
+                              window_.drawableSize(), loadedField_->field());
+        overlay.draw(viewerState_);
+        overlay.tell(viewerState_, controlMap_);
     }
-    layout_.draw(controls_, stage_);
+    layout_.draw(controls_, viewerState_);
     interface_.end();
     controlMap_.finishFrame(secondsBetween(begun_, now));
 }
@@ -184,7 +184,7 @@ void Viewer::keepTime()
 {
     // Real time. A frame that took long is not followed by one that takes longer, because it has
     // more steps to make up for: then the field's time passes more slowly.
-    FieldTime& time = stage_.time;
+    FieldTime& time = viewerState_.time;
     const double passed = std::min(frameSeconds_, device_.isCpu() ? longestOnCpu : longestOnGpu);
     frameBefore_ = time.now;
     if (capture_.isSequence())
@@ -196,16 +196,16 @@ void Viewer::keepTime()
     else if (!time.paused)
         time.now += time.scale * passed;
     time.stepOnce = false;
-    if (!exhibit_)
+    if (!loadedField_)
         return;
-    const auto up = [this](const glm::dvec3& place) { return upAt(stage_.settings, place); };
-    stage_.hand.advance(stage_.settings.colliders, exhibit_->field().ground, up, frameBefore_,
-                        time.now);
+    const auto up = [this](const glm::dvec3& place) { return upAt(viewerState_.settings, place); };
+    viewerState_.hand.advance(viewerState_.settings.colliders, loadedField_->field().ground, up,
+                              frameBefore_, time.now);
 }
 
 double Viewer::scaleOfFrame() const
 {
-    return capture_.wantsFrame() ? 1.0 : static_cast<double>(stage_.scale);
+    return capture_.wantsFrame() ? 1.0 : static_cast<double>(viewerState_.scale);
 }
 
 bool Viewer::draw()
@@ -218,26 +218,26 @@ bool Viewer::draw()
     const std::optional<gpu::Swapchain::Target> target = swapchain_.acquire();
     if (!target)
         return false;
-    if (exhibit_)
+    if (loadedField_)
         picture_.resize(swapchain_.extent(), scaleOfFrame(), swapchain_.format());
 
     const gpu::FrameRing::Frame frame = ring_.begin();
-    if (exhibit_ && frames_ >= framesInFlight)
-        stage_.counts = exhibit_->renderer().stats(frame.slot);
+    if (loadedField_ && frames_ >= framesInFlight)
+        viewerState_.counts = loadedField_->renderer().stats(frame.slot);
     timestamps_.beginFrame(frame.commands, frame.slot);
-    if (exhibit_) {
+    if (loadedField_) {
         // Pixels are not all that a CPU can spare.
         const render::FrameSettings settings =
-            device_.isCpu() && stage_.automaticScale
-                ? thinnedForScale(stage_.settings, scaleOfFrame())
-                : stage_.settings;
+            device_.isCpu() && viewerState_.automaticScale
+                ? thinnedForScale(viewerState_.settings, scaleOfFrame())
+                : viewerState_.settings;
         gpu::transition(frame.commands, picture_.image(), gpu::ImageUse::undefined,
                         gpu::ImageUse::colorTarget);
         {
             const gpu::TimedScope total(timestamps_, device_.context(), frame.commands, "total");
-            exhibit_->renderer().record(
+            loadedField_->renderer().record(
                 frame.commands, {picture_.image().get(), picture_.image().view(), picture_.size()},
-                exhibit_->navigation().camera(), settings, stage_.time.now, frame.slot,
+                loadedField_->navigation().camera(), settings, viewerState_.time.now, frame.slot,
                 &timestamps_);
         }
         picture_.spread(frame.commands, *target, swapchain_.extent());
@@ -252,12 +252,12 @@ bool Viewer::draw()
     std::array<VkSemaphoreSubmitInfo, 2> waits{
         semaphoreAt(target->available, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT |
                                            VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT)};
-    const auto copied = exhibit_ ? exhibit_->renderer().copied() : std::nullopt;
+    const auto copied = loadedField_ ? loadedField_->renderer().copied() : std::nullopt;
     waits[1] = copied.value_or(waits[0]);
     const std::array signals{semaphoreAt(target->finished, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT)};
     ring_.submit(frame, std::span(waits).first(copied ? 2 : 1), signals);
     swapchain_.present(*target);
-    if (!exhibit_)
+    if (!loadedField_)
         return true;
 
     ++frames_;
@@ -267,11 +267,11 @@ bool Viewer::draw()
         } catch (const Error& error) {
             complain(error.what());
         }
-    } else if (stage_.automaticScale && !stage_.settings.cullingCamera) {
+    } else if (viewerState_.automaticScale && !viewerState_.settings.cullingCamera) {
         const std::vector<double> totals = timestamps_.history("total");
         if (!totals.empty() && frames_ > framesInFlight)
             resolution_.add(totals.back() / 1000.0);
-        stage_.scale = static_cast<float>(resolution_.scale());
+        viewerState_.scale = static_cast<float>(resolution_.scale());
     }
     return true;
 }
@@ -280,29 +280,29 @@ void Viewer::tell()
 {
     const Clock::time_point now = Clock::now();
     if (secondsBetween(lastNotice_, now) > noticeTime)
-        stage_.notice.clear();
-    stage_.frameSeconds += smoothing * (frameSeconds_ - stage_.frameSeconds);
-    stage_.field = exhibit_ ? &exhibit_->field() : nullptr;
-    stage_.baking = opening_.baking();
-    stage_.loading = opening_.loading();
-    stage_.recording = recorder_.isRecording();
-    stage_.replaying = recorder_.isPlaying();
-    stage_.sequenceDone = capture_.at();
-    if (!exhibit_)
+        viewerState_.notice.clear();
+    viewerState_.frameSeconds += smoothing * (frameSeconds_ - viewerState_.frameSeconds);
+    viewerState_.field = loadedField_ ? &loadedField_->field() : nullptr;
+    viewerState_.baking = opening_.baking();
+    viewerState_.loading = opening_.loading();
+    viewerState_.recording = recorder_.isRecording();
+    viewerState_.replaying = recorder_.isPlaying();
+    viewerState_.sequenceDone = capture_.at();
+    if (!loadedField_)
         return;
-    stage_.deviceBytes = exhibit_->renderer().deviceBytes();
-    const Navigation& navigation = exhibit_->navigation();
-    stage_.heading = headingOf(navigation.camera());
-    stage_.walking = navigation.isWalking();
-    stage_.flySpeed = navigation.speed();
+    viewerState_.deviceBytes = loadedField_->renderer().deviceBytes();
+    const Navigation& navigation = loadedField_->navigation();
+    viewerState_.heading = headingOf(navigation.camera());
+    viewerState_.walking = navigation.isWalking();
+    viewerState_.flySpeed = navigation.speed();
 
     const double seconds = secondsBetween(lastTitle_, now);
     if (seconds < titleInterval || frames_ <= framesInFlight)
         return;
     const auto frames = static_cast<double>(std::max<std::uint64_t>(frames_ - framesAtTitle_, 1));
     window_.setTitle(fmt::format("Sward: {}, {} of {} blades drawn, {:.1f} ms per frame",
-                                 exhibit_->field().name, stage_.counts.drawn, stage_.counts.total,
-                                 1000.0 * seconds / frames));
+                                 loadedField_->field().name, viewerState_.counts.drawn,
+                                 viewerState_.counts.total, 1000.0 * seconds / frames));
     lastTitle_ = now;
     framesAtTitle_ = frames_;
 }

@@ -2,17 +2,17 @@
 
 #include "apps/sward_view/bookmarks.h"
 #include "apps/sward_view/capture.h"
-#include "apps/sward_view/exhibit.h"
 #include "apps/sward_view/interface/controls.h"
 #include "apps/sward_view/interface/interface.h"
 #include "apps/sward_view/interface/layout.h"
 #include "apps/sward_view/internal_resolution.h"
+#include "apps/sward_view/loaded_field.h"
 #include "apps/sward_view/opening.h"
 #include "apps/sward_view/path_recorder.h"
 #include "apps/sward_view/scaled_picture.h"
 #include "apps/sward_view/shader_sources.h"
-#include "apps/sward_view/stage.h"
 #include "apps/sward_view/viewer_options.h"
+#include "apps/sward_view/viewer_state.h"
 #include "apps/sward_view/watched_file.h"
 #include "apps/sward_view/window.h"
 #include "gpu/frame_ring.h"
@@ -58,16 +58,16 @@ private:
     void record();
     Sight sightAt(glm::vec2 pixel) const;
 
-    // viewer_wishes.cpp: what takes longer than a frame
+    // viewer_requests.cpp: what takes longer than a frame
     void fulfil();
-    void fulfilFiles(const Wishes& wishes);
+    void fulfilFiles(const Requests& requests);
     void complain(const std::string& message);
     void notice(const std::string& message);
 
     // viewer_fields.cpp: which fields are shown
-    void fulfilFields(const Wishes& wishes);
+    void fulfilFields(const Requests& requests);
     void open(std::vector<std::string> inputs);
-    void exchange(std::size_t member, const std::string& input, const MeadowWishes& wishes);
+    void exchange(std::size_t member, const std::string& input, const MeadowRequests& requests);
     void takeOpened();
     void show(Opening::Opened opened);
     void choose(std::size_t member);
@@ -85,7 +85,7 @@ private:
     gpu::Timestamps timestamps_;
     ScaledPicture picture_;
 
-    Stage stage_;
+    ViewerState viewerState_;
     RecentFiles recent_;
     Bookmarks bookmarks_;
     ControlMap controlMap_;
@@ -93,8 +93,8 @@ private:
     Layout layout_;
     std::optional<ShaderSources> shaders_;
     std::shared_ptr<const ShaderModules> goodShaders_; ///< that have drawn; null: built in
-    std::unique_ptr<Exhibit> exhibit_;
-    std::unique_ptr<Exhibit> former_; ///< before the last bake
+    std::unique_ptr<LoadedField> loadedField_;
+    std::unique_ptr<LoadedField> former_; ///< before the last bake
     Opening opening_;
     std::vector<std::string> waiting_; ///< to be shown beside the rest
     PathRecorder recorder_;

@@ -14,52 +14,52 @@ constexpr double watchInterval = 0.25; ///< [s] between looks at watched files
 
 } // namespace
 
-void Viewer::fulfilFields(const Wishes& wishes)
+void Viewer::fulfilFields(const Requests& requests)
 {
-    if (!wishes.open.empty())
-        open(wishes.open);
-    waiting_.insert(waiting_.end(), wishes.add.begin(), wishes.add.end());
-    if (wishes.cancelBake)
+    if (!requests.open.empty())
+        open(requests.open);
+    waiting_.insert(waiting_.end(), requests.add.begin(), requests.add.end());
+    if (requests.cancelBake)
         opening_.cancel();
-    if (!exhibit_) {
-        if (wishes.bake)
-            open({stage_.meadow.ground});
+    if (!loadedField_) {
+        if (requests.bake)
+            open({viewerState_.meadow.ground});
         else if (!opening_.isBusy() && !waiting_.empty())
             open(std::exchange(waiting_, {}));
         return;
     }
-    if (wishes.bake)
-        exchange(stage_.chosen, stage_.meadow.ground, stage_.meadow);
-    if (wishes.choose)
-        choose(*wishes.choose);
+    if (requests.bake)
+        exchange(viewerState_.chosen, viewerState_.meadow.ground, viewerState_.meadow);
+    if (requests.choose)
+        choose(*requests.choose);
 
     // What comes beside the rest waits until the rest stands.
-    OpenedFields others = exhibit_->field().members;
+    OpenedFields others = loadedField_->field().members;
     if (opening_.isBusy())
         return;
-    if (wishes.remove && others.size() > 1) {
-        others.erase(others.begin() + static_cast<std::ptrdiff_t>(*wishes.remove));
+    if (requests.remove && others.size() > 1) {
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(*requests.remove));
         opening_.open({{}, std::move(others), 0}, {});
     } else if (!waiting_.empty()) {
-        stage_.error.clear();
+        viewerState_.error.clear();
         const std::size_t place = others.size();
-        opening_.open({std::exchange(waiting_, {}), std::move(others), place}, stage_.meadow);
+        opening_.open({std::exchange(waiting_, {}), std::move(others), place}, viewerState_.meadow);
     }
 }
 
 void Viewer::open(std::vector<std::string> inputs)
 {
-    stage_.error.clear();
+    viewerState_.error.clear();
     waiting_.clear();
-    opening_.open({std::move(inputs), {}, 0}, stage_.meadow);
+    opening_.open({std::move(inputs), {}, 0}, viewerState_.meadow);
 }
 
-void Viewer::exchange(std::size_t member, const std::string& input, const MeadowWishes& wishes)
+void Viewer::exchange(std::size_t member, const std::string& input, const MeadowRequests& requests)
 {
-    stage_.error.clear();
-    OpenedFields others = exhibit_->field().members;
+    viewerState_.error.clear();
+    OpenedFields others = loadedField_->field().members;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(member));
-    opening_.open({{input}, std::move(others), member}, wishes);
+    opening_.open({{input}, std::move(others), member}, requests);
 }
 
 void Viewer::takeOpened()
@@ -90,52 +90,52 @@ void Viewer::show(Opening::Opened opened)
     // What was shown, with more or less beside it or grown again, is seen with the same eyes and
     // settings.
     const bool isSame =
-        exhibit_ && std::any_of(members.begin(), members.end(), [this](const auto& member) {
-            return exhibit_->field().has(member->source.input);
+        loadedField_ && std::any_of(members.begin(), members.end(), [this](const auto& member) {
+            return loadedField_->field().has(member->source.input);
         });
     const bool isExchange = isSame && opened.count == 1 &&
-                            exhibit_->field().members.size() == members.size() &&
-                            exhibit_->field().members[opened.place]->source.input ==
+                            loadedField_->field().members.size() == members.size() &&
+                            loadedField_->field().members[opened.place]->source.input ==
                                 members[opened.place]->source.input;
     const bool isBaked = opened.count == 1 && !members[opened.place]->source.report.empty();
-    render::FrameSettings settings = isSame ? stage_.settings : frame.settingsFor(view);
+    render::FrameSettings settings = isSame ? viewerState_.settings : frame.settingsFor(view);
     CameraPath path = chooseCamera(frame.camera, view, aspect());
     const render::Camera home = path.at(0.0);
-    auto next = std::make_unique<Exhibit>(
+    auto next = std::make_unique<LoadedField>(
         device_, std::move(opened.field),
         render::FieldRenderer::Settings{.colorFormat = swapchain_.format(),
                                         .samples = frame.samples.value_or(device_.isCpu() ? 1 : 4),
                                         .framesInFlight = 2,
-                                        .recordFates = true,
+                                        .recordCullResults = true,
                                         .deviceBytes = frame.gpuMemory,
                                         .largestTarget = window_.screenSize()},
-        goodShaders_, home, stage_.settings, aspect());
+        goodShaders_, home, viewerState_.settings, aspect());
     device_.waitIdle();
 
     for (const auto& [number, camera] : bookmarks_.of(first))
         next->navigation().setBookmark(number, camera);
-    stage_.difference.reset();
+    viewerState_.difference.reset();
     former_.reset();
     if (isSame)
-        next->navigation().show(exhibit_->navigation().camera());
+        next->navigation().show(loadedField_->navigation().camera());
     if (isExchange && isBaked) {
-        const field::Summary& before = exhibit_->field().members[opened.place]->summary;
+        const field::Summary& before = loadedField_->field().members[opened.place]->summary;
         const field::Summary& after = members[opened.place]->summary;
-        stage_.difference =
+        viewerState_.difference =
             BakeDifference{before.blades, after.blades, before.heightMean, after.heightMean};
-        former_ = std::move(exhibit_);
+        former_ = std::move(loadedField_);
     }
-    std::swap(exhibit_, next);
-    stage_.settings = std::move(settings);
-    stage_.showsFormer = false;
-    stage_.picked.reset();
-    stage_.hand.forget();
-    stage_.error.clear();
+    std::swap(loadedField_, next);
+    viewerState_.settings = std::move(settings);
+    viewerState_.showsFormer = false;
+    viewerState_.picked.reset();
+    viewerState_.hand.forget();
+    viewerState_.error.clear();
     // What is asked for in the panel meanwhile stays there.
-    if (isExchange && stage_.chosen == opened.place)
-        stage_.bakeReport = members[opened.place]->source.report;
+    if (isExchange && viewerState_.chosen == opened.place)
+        viewerState_.bakeReport = members[opened.place]->source.report;
     else
-        choose(opened.count > 0 ? opened.place : std::min(stage_.chosen, members.size() - 1));
+        choose(opened.count > 0 ? opened.place : std::min(viewerState_.chosen, members.size() - 1));
     if (path.size() > 1 && !isSame)
         recorder_.play(std::move(path));
     if (frame.watch && !watchedSettings_)
@@ -153,17 +153,17 @@ void Viewer::show(Opening::Opened opened)
 
 void Viewer::choose(std::size_t member)
 {
-    const OpenedField& field = *exhibit_->field().members.at(member);
-    stage_.chosen = member;
-    stage_.bakeReport = field.source.report;
+    const OpenedField& field = *loadedField_->field().members.at(member);
+    viewerState_.chosen = member;
+    viewerState_.bakeReport = field.source.report;
     // What was grown elsewhere can be grown again here, once its ground is named.
-    stage_.meadow =
-        field.source.wishes ? *field.source.wishes : wishesOf(*field.mapped.view().provenance);
+    viewerState_.meadow = field.source.requests ? *field.source.requests
+                                                : requestsOf(*field.mapped.view().provenance);
 }
 
 void Viewer::watch()
 {
-    if (!exhibit_)
+    if (!loadedField_)
         return;
     const Clock::time_point now = Clock::now();
     if (std::chrono::duration<double>(now - lastLook_).count() < watchInterval)
@@ -171,12 +171,13 @@ void Viewer::watch()
     lastLook_ = now;
     if (shaders_)
         reloadShaders();
-    if (stage_.picked)
-        stage_.picked = lookAgain(exhibit_->renderer(), exhibit_->field(), *stage_.picked);
+    if (viewerState_.picked)
+        viewerState_.picked =
+            lookAgain(loadedField_->renderer(), loadedField_->field(), *viewerState_.picked);
     // What changes while something is on its way is seen afterwards.
     if (opening_.isBusy())
         return;
-    const OpenedFields& members = exhibit_->field().members;
+    const OpenedFields& members = loadedField_->field().members;
     for (std::size_t i = 0; i < members.size(); ++i) {
         FieldSource& source = members[i]->source;
         const bool isOther = source.watched.hasChanged();
@@ -186,15 +187,16 @@ void Viewer::watch()
         if (!options_.frame->watch || !(isOther || isSownAnew))
             continue;
         log::info("{}: changed; opening it again",
-                  isOther ? source.input : source.wishes->meadowFile);
+                  isOther ? source.input : source.requests->meadowFile);
         exchange(i, source.input,
-                 i == stage_.chosen ? stage_.meadow : source.wishes.value_or(MeadowWishes()));
+                 i == viewerState_.chosen ? viewerState_.meadow
+                                          : source.requests.value_or(MeadowRequests()));
         break;
     }
     if (watchedSettings_ && watchedSettings_->hasChanged()) {
         // Half a sentence is no reason to close the window: the next look finds the whole one.
-        stage_.settings = options_.frame->settingsFor(exhibit_->field().view);
-        stage_.hand.forget();
+        viewerState_.settings = options_.frame->settingsFor(loadedField_->field().view);
+        viewerState_.hand.forget();
         log::info("{}: read again", options_.frame->settingsFile);
     }
 }
@@ -202,17 +204,17 @@ void Viewer::watch()
 void Viewer::reloadShaders()
 {
     const bool areNew = shaders_->poll();
-    stage_.shaderError = shaders_->complaint();
+    viewerState_.shaderError = shaders_->complaint();
     if (!areNew)
         return;
     // What the device will not take is told like anything that did not work.
     device_.waitIdle();
-    exhibit_->drawWith(shaders_->modules());
+    loadedField_->drawWith(shaders_->modules());
     goodShaders_ = shaders_->modules();
     former_.reset();
-    stage_.difference.reset();
-    stage_.showsFormer = false;
-    stage_.picked.reset();
+    viewerState_.difference.reset();
+    viewerState_.showsFormer = false;
+    viewerState_.picked.reset();
     frames_ = framesAtTitle_ = 0;
     timestamps_.clearHistory();
     notice("The shaders have been compiled again");

@@ -12,17 +12,18 @@ namespace sward::view {
 void Viewer::steer(Input input)
 {
     if (!input.dropped.empty()) {
-        const bool adds = input.dropsMore || stage_.dropAdds;
-        (adds ? stage_.wishes.add : stage_.wishes.open) = std::exchange(input.dropped, {});
+        const bool adds = input.dropsMore || viewerState_.dropAdds;
+        (adds ? viewerState_.requests.add : viewerState_.requests.open) =
+            std::exchange(input.dropped, {});
     }
     const bool keys = !interface_.takesKeys();
     if (keys)
         for (const KeyPress& key : input.keys)
             press(key);
-    if (!exhibit_)
+    if (!loadedField_)
         return;
 
-    Navigation& navigation = exhibit_->navigation();
+    Navigation& navigation = loadedField_->navigation();
     const bool mouse = !interface_.takesMouse();
     if (!handleColliders(input, mouse)) {
         if (mouse && input.clicked)
@@ -55,39 +56,39 @@ void Viewer::press(const KeyPress& key)
         layout_.shown = !layout_.shown;
         break;
     case Key::pause:
-        stage_.time.paused = !stage_.time.paused;
+        viewerState_.time.paused = !viewerState_.time.paused;
         break;
     case Key::step:
-        stage_.time.paused = true;
-        stage_.time.stepOnce = true;
+        viewerState_.time.paused = true;
+        viewerState_.time.stepOnce = true;
         break;
     case Key::frame:
-        stage_.wishes.frameField = true;
+        viewerState_.requests.frameField = true;
         break;
     case Key::home:
-        stage_.wishes.goHome = true;
+        viewerState_.requests.goHome = true;
         break;
     case Key::walk:
-        stage_.wishes.walk = true;
+        viewerState_.requests.walk = true;
         break;
     case Key::freeze:
-        stage_.wishes.freeze = true;
+        viewerState_.requests.freeze = true;
         break;
     case Key::record:
-        stage_.wishes.record = true;
+        viewerState_.requests.record = true;
         break;
     case Key::picture:
-        stage_.wishes.picture = true;
+        viewerState_.requests.picture = true;
         break;
     case Key::bookmark:
-        if (!exhibit_)
+        if (!loadedField_)
             break;
         if (key.control) {
-            exhibit_->navigation().setBookmark(key.number);
-            bookmarks_.set(exhibit_->field().members[0]->source.input, key.number,
-                           exhibit_->navigation().camera());
+            loadedField_->navigation().setBookmark(key.number);
+            bookmarks_.set(loadedField_->field().members[0]->source.input, key.number,
+                           loadedField_->navigation().camera());
             notice(fmt::format("Bookmark {} is set", key.number));
-        } else if (!exhibit_->navigation().showBookmark(key.number)) {
+        } else if (!loadedField_->navigation().showBookmark(key.number)) {
             notice(fmt::format("There is no bookmark {}; Ctrl+{} sets it", key.number, key.number));
         }
         break;
@@ -96,23 +97,24 @@ void Viewer::press(const KeyPress& key)
 
 Sight Viewer::sightAt(glm::vec2 pixel) const
 {
-    return sightThrough(exhibit_->navigation().camera(), pixel, window_.drawableSize());
+    return sightThrough(loadedField_->navigation().camera(), pixel, window_.drawableSize());
 }
 
 bool Viewer::handleColliders(const Input& input, bool mouse)
 {
-    const GroundSurface& ground = exhibit_->field().ground;
-    if (mouse && input.leftPressed && !exhibit_->navigation().isWalking())
-        dragsCollider_ = stage_.hand.grab(stage_.settings.colliders, sightAt(input.pressedAt),
-                                          ground, stage_.time.now);
+    const GroundSurface& ground = loadedField_->field().ground;
+    if (mouse && input.leftPressed && !loadedField_->navigation().isWalking())
+        dragsCollider_ =
+            viewerState_.hand.grab(viewerState_.settings.colliders, sightAt(input.pressedAt),
+                                   ground, viewerState_.time.now);
     if (!dragsCollider_)
         return false;
-    const auto up = [this](const glm::dvec3& place) { return upAt(stage_.settings, place); };
+    const auto up = [this](const glm::dvec3& place) { return upAt(viewerState_.settings, place); };
     // A click alone leaves it where it is.
     if (input.rotate != glm::vec2(0.0f) || input.pan != glm::vec2(0.0f))
-        stage_.hand.drag(sightAt(input.cursor), ground, up);
+        viewerState_.hand.drag(sightAt(input.cursor), ground, up);
     if (!input.leftHeld) {
-        stage_.hand.release();
+        viewerState_.hand.release();
         dragsCollider_ = false;
     }
     return true;
@@ -120,17 +122,18 @@ bool Viewer::handleColliders(const Input& input, bool mouse)
 
 void Viewer::pick(glm::vec2 pixel)
 {
-    const bool onlyDrawn = stage_.settings.debug != render::DebugMode::reason;
-    stage_.picked = pickBlade(exhibit_->renderer(), exhibit_->field(), sightAt(pixel), onlyDrawn);
+    const bool onlyDrawn = viewerState_.settings.debug != render::DebugMode::reason;
+    viewerState_.picked =
+        pickBlade(loadedField_->renderer(), loadedField_->field(), sightAt(pixel), onlyDrawn);
 }
 
 void Viewer::freeze()
 {
-    auto& frozen = stage_.settings.cullingCamera;
+    auto& frozen = viewerState_.settings.cullingCamera;
     if (frozen)
         frozen.reset();
     else
-        frozen = exhibit_->navigation().camera();
+        frozen = loadedField_->navigation().camera();
 }
 
 } // namespace sward::view

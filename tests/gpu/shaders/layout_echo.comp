@@ -4,7 +4,7 @@
 // Reads every shared struct member by member and writes what it has read as a row of words.
 #include "shaders/shared/pages.h"
 #include "shaders/shared/passes.h"
-#include "shaders/shared/solid.h"
+#include "shaders/shared/opaque.h"
 
 layout(local_size_x = 1) in;
 
@@ -20,7 +20,7 @@ SHARED_BUFFER(HostViewPushArray, HostViewPush, readonly)
 SHARED_BUFFER(GroundPushArray, GroundPush, readonly)
 SHARED_BUFFER(PagePushArray, PagePush, readonly)
 SHARED_BUFFER(GroundCullPushArray, GroundCullPush, readonly)
-SHARED_BUFFER(SolidPushArray, SolidPush, readonly)
+SHARED_BUFFER(OpaquePushArray, OpaquePush, readonly)
 
 struct Sources {
     PlainBladeArray blade;
@@ -37,7 +37,7 @@ struct Sources {
     WalkPushArray walkPush;
     RasterPushArray rasterPush;
     SubtreeArray subtree;
-    LivePatchArray live;
+    VisiblePatchArray live;
     WalkLevelArray walkLevel;
     LargePartArray largePart;
     PyramidPushArray pyramidPush;
@@ -54,8 +54,8 @@ struct Sources {
     IndexedDrawArray indexedDraw;
     GroundCullPushArray groundCullPush;
     LargeTriangleArray largeTriangle;
-    SolidWorkArray solidWork;
-    SolidPushArray solidPush;
+    OpaqueWorkArray opaqueWork;
+    OpaquePushArray opaquePush;
 };
 SHARED_BUFFER(SourcesArray, Sources, readonly)
 
@@ -160,23 +160,23 @@ void put(Collider collider)
     put(collider.reserved2);
 }
 
-void put(Nature nature)
+void put(Environment environment)
 {
-    put(nature.gravity);
-    put(nature.recovery);
-    put(nature.colliderCount);
-    put(nature.reserved);
-    put(nature.wind.counts);
-    put(nature.wind.eddySize);
-    put(nature.wind.eddySpeed);
-    put(nature.wind.sum);
+    put(environment.gravity);
+    put(environment.recovery);
+    put(environment.colliderCount);
+    put(environment.reserved);
+    put(environment.wind.counts);
+    put(environment.wind.eddySize);
+    put(environment.wind.eddySpeed);
+    put(environment.wind.sum);
     for (uint i = 0u; i < maxWindSources; ++i)
-        put(nature.wind.sources[i]);
-    put(uvec2(nature.colliders));
+        put(environment.wind.sources[i]);
+    put(uvec2(environment.colliders));
 }
 
 #include "layout_echo_frame.glsl"
-#include "layout_echo_solid.glsl"
+#include "layout_echo_opaque.glsl"
 
 void main()
 {
@@ -233,8 +233,8 @@ void main()
     put(draw.firstVertex);
     put(draw.firstInstance);
     put(draw.simulated);
-    for (uint i = 0u; i < fateCount; ++i)
-        put(draw.fates[i]);
+    for (uint i = 0u; i < cullResultCount; ++i)
+        put(draw.cullResults[i]);
 
     const Species species = sources.at[0].species.at[1];
     put(species.rootColor);
@@ -263,15 +263,15 @@ void main()
 
     put(sources.at[0].collider.at[1]);
 
-    put(uvec2(sources.at[0].updatePush.at[1].judged));
+    put(uvec2(sources.at[0].updatePush.at[1].cullView));
     put(uvec2(sources.at[0].updatePush.at[1].live));
     put(uvec2(sources.at[0].updatePush.at[1].levels));
     put(uvec2(sources.at[0].updatePush.at[1].rounds));
-    put(uvec2(sources.at[0].updatePush.at[1].owners));
+    put(uvec2(sources.at[0].updatePush.at[1].nonEmptyPatches));
     put(uvec2(sources.at[0].updatePush.at[1].views));
     put(uvec2(sources.at[0].updatePush.at[1].before));
     put(uvec2(sources.at[0].updatePush.at[1].seenBefore));
-    put(sources.at[0].updatePush.at[1].ownerCount);
+    put(sources.at[0].updatePush.at[1].nonEmptyPatchCount);
     put(sources.at[0].updatePush.at[1].onlyUpdate);
     put(sources.at[0].updatePush.at[1].firstLive);
     put(sources.at[0].updatePush.at[1].maxLive);
@@ -280,7 +280,7 @@ void main()
     put(sources.at[0].updatePush.at[1].viewCount);
     put(sources.at[0].updatePush.at[1].frame);
 
-    put(uvec2(sources.at[0].walkPush.at[1].judged));
+    put(uvec2(sources.at[0].walkPush.at[1].cullView));
     put(uvec2(sources.at[0].walkPush.at[1].subtrees));
     put(uvec2(sources.at[0].walkPush.at[1].queue));
     put(uvec2(sources.at[0].walkPush.at[1].live));
@@ -291,14 +291,14 @@ void main()
     put(sources.at[0].walkPush.at[1].reserved);
 
     put(uvec2(sources.at[0].rasterPush.at[1].frame));
-    put(uvec2(sources.at[0].rasterPush.at[1].judged));
+    put(uvec2(sources.at[0].rasterPush.at[1].cullView));
     put(uvec2(sources.at[0].rasterPush.at[1].visibility));
     put(uvec2(sources.at[0].rasterPush.at[1].rounds));
     put(uvec2(sources.at[0].rasterPush.at[1].large));
     put(uvec2(sources.at[0].rasterPush.at[1].largeCount));
     put(uvec2(sources.at[0].rasterPush.at[1].cut));
-    put(uvec2(sources.at[0].rasterPush.at[1].owners));
-    put(uvec2(sources.at[0].rasterPush.at[1].firstOwners));
+    put(uvec2(sources.at[0].rasterPush.at[1].nonEmptyPatches));
+    put(uvec2(sources.at[0].rasterPush.at[1].firstNonEmptyPatches));
     put(uvec2(sources.at[0].rasterPush.at[1].seen));
     put(uvec2(sources.at[0].rasterPush.at[1].surfacePlaces));
     put(uvec2(sources.at[0].rasterPush.at[1].surfaces));
@@ -353,14 +353,14 @@ void main()
     put(uvec2(sources.at[0].motionPush.at[1].frame));
     put(uvec2(sources.at[0].motionPush.at[1].motion));
     put(uvec2(sources.at[0].hostInstance.at[1].raster.frame));
-    put(uvec2(sources.at[0].hostInstance.at[1].raster.judged));
+    put(uvec2(sources.at[0].hostInstance.at[1].raster.cullView));
     put(uvec2(sources.at[0].hostInstance.at[1].raster.visibility));
     put(uvec2(sources.at[0].hostInstance.at[1].raster.rounds));
     put(uvec2(sources.at[0].hostInstance.at[1].raster.large));
     put(uvec2(sources.at[0].hostInstance.at[1].raster.largeCount));
     put(uvec2(sources.at[0].hostInstance.at[1].raster.cut));
-    put(uvec2(sources.at[0].hostInstance.at[1].raster.owners));
-    put(uvec2(sources.at[0].hostInstance.at[1].raster.firstOwners));
+    put(uvec2(sources.at[0].hostInstance.at[1].raster.nonEmptyPatches));
+    put(uvec2(sources.at[0].hostInstance.at[1].raster.firstNonEmptyPatches));
     put(uvec2(sources.at[0].hostInstance.at[1].raster.seen));
     put(uvec2(sources.at[0].hostInstance.at[1].raster.surfacePlaces));
     put(uvec2(sources.at[0].hostInstance.at[1].raster.surfaces));
@@ -389,9 +389,9 @@ void main()
     put(uvec2(sources.at[0].pagePush.at[1].subtrees));
     put(uvec2(sources.at[0].pagePush.at[1].patchTimes));
     put(uvec2(sources.at[0].pagePush.at[1].patchCounts));
-    put(uvec2(sources.at[0].pagePush.at[1].owners));
-    put(uvec2(sources.at[0].pagePush.at[1].firstOwners));
-    put(sources.at[0].pagePush.at[1].ownerCount);
+    put(uvec2(sources.at[0].pagePush.at[1].nonEmptyPatches));
+    put(uvec2(sources.at[0].pagePush.at[1].firstNonEmptyPatches));
+    put(sources.at[0].pagePush.at[1].nonEmptyPatchCount);
     put(sources.at[0].pagePush.at[1].bladeCount);
     put(sources.at[0].pagePush.at[1].settledAt);
     put(sources.at[0].pagePush.at[1].reserved);
@@ -414,5 +414,5 @@ void main()
     put(uvec2(sources.at[0].groundCullPush.at[1].drawCount));
     put(sources.at[0].groundCullPush.at[1].clusterCount);
     put(sources.at[0].groundCullPush.at[1].firstCluster);
-    putSolid();
+    putOpaque();
 }

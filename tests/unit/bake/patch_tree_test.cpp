@@ -57,14 +57,14 @@ TEST(PatchTree, PatchesAreNotNearlyEmptyWhateverTheDensity)
     // fill.
     for (const double density : {12.0, 15.0, 19.0, 24.0, 30.0, 38.0}) {
         const field::Field field = grow(meshes::square(64.0), density);
-        std::size_t owners = 0;
+        std::size_t nonEmptyPatches = 0;
         std::size_t nearlyEmpty = 0;
         for (const shared::Patch& patch : field.patches) {
-            owners += patch.bladeCount > 0 ? 1 : 0;
+            nonEmptyPatches += patch.bladeCount > 0 ? 1 : 0;
             nearlyEmpty += patch.bladeCount > 0 && patch.bladeCount < shared::maxPatchBlades / 10;
         }
-        EXPECT_GT(owners, 20U);
-        EXPECT_LE(20 * nearlyEmpty, owners) << density << " blades per m²";
+        EXPECT_GT(nonEmptyPatches, 20U);
+        EXPECT_LE(20 * nearlyEmpty, nonEmptyPatches) << density << " blades per m²";
     }
 }
 

@@ -33,7 +33,7 @@ Sampling sampleOf(const terrain::GroundMesh& ground, const BakeSettings& setting
 {
     Progress progress;
     const RootFilter filter(ground, settings, nullptr);
-    return PoissonDisk(ground, settings, filter, *settings.spacing, filter.asksAnything(),
+    return PoissonDisk(ground, settings, filter, *settings.spacing, filter.needsAnything(),
                        tuningOf(settings))
         .sample(progress);
 }

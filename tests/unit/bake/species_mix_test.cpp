@@ -35,7 +35,7 @@ TEST(SpeciesMix, DividesByShareWhereAllGrow)
 {
     const Meadow meadow = meadowOf({species("a", 3.0), species("b", 1.0)});
     const SpeciesMix mix(meadow);
-    EXPECT_FALSE(mix.asksPlace());
+    EXPECT_FALSE(mix.needsPlace());
     EXPECT_EQ(mix.evenShares().total, 1.0);
     EXPECT_DOUBLE_EQ(mix.evenShares().share[0], 0.75);
     EXPECT_DOUBLE_EQ(mix.evenShares().share[1], 0.25);

@@ -70,7 +70,7 @@ TEST_P(ChoosyTiles, AreTogetherWhatOneBakeIs)
     Diagnostics diagnostics;
     Progress progress;
     const terrain::SurfaceFeatures features = featuresOf(ground, settings);
-    const GroundPart all{ground, features};
+    const GroundView all{ground, features};
     const BakePlan plan = planWhole(all, settings, diagnostics, progress);
     TileResult whole = bakeTile(all, settings, plan, nullptr, progress);
     EXPECT_GT(whole.counts.kept, 5000U);
@@ -88,10 +88,10 @@ TEST_P(ChoosyTiles, AreTogetherWhatOneBakeIs)
     const std::vector<std::vector<CellNumber>> tiles = dealTiles(ground, 9);
     const std::vector<std::vector<std::uint32_t>> near = trianglesNear(ground, tiles, margin);
     for (std::size_t i = 0; i < tiles.size(); ++i) {
-        const Territory territory(ground.origin, tiles[i]);
+        const TileRegion region(ground.origin, tiles[i]);
         const terrain::GroundMesh part = partOf(ground, near[i]);
         const terrain::SurfaceFeatures own = partOf(ground, features, near[i], margin);
-        TileResult tile = bakeTile({part, own}, settings, plan, &territory, progress);
+        TileResult tile = bakeTile({part, own}, settings, plan, &region, progress);
         isPart = isPart || part.triangles.size() < ground.triangles.size() / 2;
         isOpen = isOpen || std::count(part.bears.begin(), part.bears.end(), 0) == 0;
         counts.kept += tile.counts.kept;

@@ -61,9 +61,9 @@ TEST_P(Tiles, AreTogetherWhatOneBakeIs)
     const std::vector<std::vector<CellNumber>> tiles = dealTiles(ground, 5);
     const std::vector<std::vector<std::uint32_t>> near = trianglesNear(ground, tiles, margin);
     for (std::size_t i = 0; i < tiles.size(); ++i) {
-        const Territory territory(ground.origin, tiles[i]);
+        const TileRegion region(ground.origin, tiles[i]);
         const terrain::GroundMesh part = partOf(ground, near[i]);
-        TileResult tile = bakeTile({part, {}}, settings, plan, &territory, progress);
+        TileResult tile = bakeTile({part, {}}, settings, plan, &region, progress);
         proposed += tile.counts.proposed;
         // In any order.
         cells.insert(cells.begin(), std::make_move_iterator(tile.cells.begin()),

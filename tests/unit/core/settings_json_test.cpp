@@ -43,6 +43,32 @@ TEST(SettingsReader, ReadsWhatIsThereAndLeavesTheRest)
     EXPECT_TRUE(on);
 }
 
+TEST(SettingsReader, ReadsAFormerNameWithAWarning)
+{
+    const nlohmann::json json = nlohmann::json::parse(R"({"most": 3})");
+    SettingsReader reader(json, "file");
+    float value = 1.0f;
+    reader.readRenamed("max", "most", value, 0.0, 5.0);
+    EXPECT_NO_THROW(reader.finish());
+    EXPECT_EQ(value, 3.0f);
+    ASSERT_EQ(reader.warnings().size(), 1u);
+    EXPECT_NE(reader.warnings()[0].find("\"most\" is now called \"max\""), std::string::npos);
+
+    // By its present name there is nothing to warn of.
+    const nlohmann::json present = nlohmann::json::parse(R"({"max": 4})");
+    SettingsReader other(present, "file");
+    other.readRenamed("max", "most", value, 0.0, 5.0);
+    EXPECT_EQ(value, 4.0f);
+    EXPECT_TRUE(other.warnings().empty());
+
+    // Bounds hold for either name, and a file with both is wrong.
+    for (const char* text : {R"({"most": 6})", R"({"max": 6})", R"({"most": 1, "max": 1})"}) {
+        const nlohmann::json wrong = nlohmann::json::parse(text);
+        SettingsReader third(wrong, "file");
+        EXPECT_THROW(third.readRenamed("max", "most", value, 0.0, 5.0), Error) << text;
+    }
+}
+
 TEST(SettingsReader, ProposesTheNearestKeyForAnUnknownOne)
 {
     const auto object = parseJson(R"({"heigth": 2})", "meadow.json");

@@ -59,11 +59,11 @@ TEST(Distributions, CountEveryBladePatchAndSample)
         for (const Histogram* histogram :
              {&all.height, &all.width, &all.stiffness, &all.exposure, &all.slope})
             EXPECT_EQ(sumOf(*histogram), 25000U);
-        const auto owners =
+        const auto nonEmptyPatches =
             std::count_if(field.patches.begin(), field.patches.end(),
                           [](const shared::Patch& patch) { return patch.bladeCount > 0; });
-        EXPECT_EQ(sumOf(all.bladesPerPatch), std::uint64_t(owners));
-        EXPECT_NEAR(all.bladesPerPatch.mean() * double(owners), 25000.0, 1e-6);
+        EXPECT_EQ(sumOf(all.bladesPerPatch), std::uint64_t(nonEmptyPatches));
+        EXPECT_NEAR(all.bladesPerPatch.mean() * double(nonEmptyPatches), 25000.0, 1e-6);
         EXPECT_EQ(sumOf(all.nearestNeighbour), neighbourSamples);
         EXPECT_EQ(sumOf(all.density), all.density.count());
     }

@@ -43,11 +43,11 @@ vec3 tipOf(const Blade& blade, const BladeState& state)
 
 /// Moves a blade frame by frame of 1/60 s.
 BladeState after(int frames, const Blade& blade, BladeState state,
-                 const tests::NatureTables& tables)
+                 const tests::EnvironmentTables& tables)
 {
     for (int frame = 1; frame <= frames; ++frame)
-        state = advanceBlade(blade, tables.nature(gravity, recovery), tables.everyCollider(), state,
-                             float(frame) / 60.0f, 1.0f / 60.0f);
+        state = advanceBlade(blade, tables.environment(gravity, recovery), tables.everyCollider(),
+                             state, float(frame) / 60.0f, 1.0f / 60.0f);
     return state;
 }
 
@@ -111,8 +111,8 @@ TEST(Collision, PressesABladeDownAndItRisesAgain)
     int pressed = 0;
     for (int i = 0; i < 300; ++i) {
         const Collider ball = sphere(vec3(0.0f, 0.35f, 0.0f), 0.3f);
-        const tests::NatureTables free;
-        const tests::NatureTables under({}, {ball});
+        const tests::EnvironmentTables free;
+        const tests::EnvironmentTables under({}, {ball});
         Blade blade = bladeAt(dice, vec3(dice.number(-0.5f, 0.5f), 0, dice.number(-0.5f, 0.5f)));
         // Softer ones may lie on the other side for good.
         blade.stiffness = dice.number(0.5f, 0.9f);
@@ -140,8 +140,8 @@ TEST(Collision, PressesABladeDownAndItRisesAgain)
 TEST(Collision, LeavesABladeOutOfReachAlone)
 {
     tests::Dice dice(4);
-    const tests::NatureTables far({}, {sphere(vec3(2.0f, 0.0f, 0.0f), 0.5f)});
-    const tests::NatureTables none;
+    const tests::EnvironmentTables far({}, {sphere(vec3(2.0f, 0.0f, 0.0f), 0.5f)});
+    const tests::EnvironmentTables none;
     for (int i = 0; i < 200; ++i) {
         const Blade blade = bladeAt(dice, vec3(dice.number(-0.5f, 0.4f), 0, 0));
         const BladeState with = after(20, blade, BladeState{0, 0.0f}, far);
@@ -157,7 +157,7 @@ TEST(Collision, BetweenOverlappingCollidersAtRestNothingTrembles)
     tests::Dice dice(5);
     Collider log = sphere(vec3(0.2f, 0.1f, -0.6f), 0.25f);
     log.to = vec3(0.2f, 0.15f, 0.7f);
-    const tests::NatureTables tables(
+    const tests::EnvironmentTables tables(
         {}, {sphere(vec3(0.0f, 0.25f, 0.0f), 0.4f), sphere(vec3(0.4f, 0.2f, 0.1f), 0.35f), log});
     int touched = 0;
     for (int i = 0; i < 200; ++i) {
@@ -180,11 +180,11 @@ TEST(Collision, MeetsABladeBetweenTwoFrames)
     tests::Dice dice(6);
     Collider ball = sphere(vec3(0.3f, 0.3f, 0.0f), 0.2f);
     ball.velocity = vec3(6, 0, 0);
-    const tests::NatureTables tables({}, {ball});
+    const tests::EnvironmentTables tables({}, {ball});
     Blade blade = bladeAt(dice, vec3(0.0f));
     blade.up = vec3(0, 1, 0);
     blade.height = 0.5f;
-    const BladeState state = advanceBlade(blade, tables.nature(gravity, recovery),
+    const BladeState state = advanceBlade(blade, tables.environment(gravity, recovery),
                                           tables.everyCollider(), BladeState{0, 0.0f}, 0.1f, 0.1f);
     EXPECT_GT(state.eta, 0.05f);
 }
@@ -198,14 +198,14 @@ TEST(Collision, AnyFrameTimeIsSafe)
             Collider ball =
                 sphere(dice.direction() * dice.number(0.0f, 0.6f), dice.number(0.01f, 1.0f));
             ball.velocity = dice.direction() * dice.number(0.0f, 3.0f);
-            const tests::NatureTables tables({tests::windSourceOf(windNoise, 8.0f)},
-                                             {ball, sphere(vec3(0.0f), 0.3f)});
+            const tests::EnvironmentTables tables({tests::windSourceOf(windNoise, 8.0f)},
+                                                  {ball, sphere(vec3(0.0f), 0.3f)});
             const Blade blade = bladeAt(dice, vec3(0.0f));
             const vec3 front = frontOfBlade(blade);
             const vec3 tip = poseBlade(blade.up, front, dice.direction()).v2;
             BladeState state = stateOf(blade.up, front, normalize(tip), dice.number(0, 1));
             for (int frame = 1; frame <= 4; ++frame) {
-                state = advanceBlade(blade, tables.nature(gravity, recovery),
+                state = advanceBlade(blade, tables.environment(gravity, recovery),
                                      tables.everyCollider(), state, dt * float(frame), dt);
                 const vec3 now = tipOf(blade, state);
                 ASSERT_TRUE(std::isfinite(now.x + now.y + now.z + state.eta));

@@ -133,7 +133,7 @@ TEST(LevelOfDetail, ChangesContinuouslyAndKeepsTheCoarseOnes)
     EXPECT_GT(lodShare(1e-9f, 1.0f), 0.0f);
 }
 
-TEST(Layers, OfWhatIsInARaysWaySoMuchIsLeftAndNeverLess)
+TEST(LeafAreaLimit, OfWhatIsInARaysWaySoMuchIsLeftAndNeverLess)
 {
     tests::Dice dice(5);
     for (int i = 0; i < 100'000; ++i) {
@@ -141,7 +141,7 @@ TEST(Layers, OfWhatIsInARaysWaySoMuchIsLeftAndNeverLess)
         const float leafArea = dice.number(0.0f, 50.0f);
         const float cosine = dice.number(0.0f, 1.0f);
         const float pixels = dice.number(0.01f, 8.0f);
-        const float share = layerShare(most, leafArea, cosine, pixels);
+        const float share = leafAreaShare(most, leafArea, cosine, pixels);
         const float wide = std::pow(std::max(pixels, 1.0f), 4.0f);
         const float inTheWay = leafExtinction * leafArea / std::max(cosine, flattestRay);
         EXPECT_GE(share * inTheWay, 0.999f * std::min(most * wide, inTheWay));
@@ -149,29 +149,29 @@ TEST(Layers, OfWhatIsInARaysWaySoMuchIsLeftAndNeverLess)
             EXPECT_LE(share * inTheWay, std::max(1.001f * most * wide, inTheWay / 255.0f));
         }
         // Nothing jumps where any of it changes a little.
-        EXPECT_NEAR(layerShare(most, 1.001f * leafArea, cosine, pixels), share, 0.002f * share);
-        EXPECT_NEAR(layerShare(most, leafArea, 1.001f * cosine, pixels), share, 0.002f * share);
-        EXPECT_NEAR(layerShare(most, leafArea, cosine, 1.001f * pixels), share, 0.008f * share);
+        EXPECT_NEAR(leafAreaShare(most, 1.001f * leafArea, cosine, pixels), share, 0.002f * share);
+        EXPECT_NEAR(leafAreaShare(most, leafArea, 1.001f * cosine, pixels), share, 0.002f * share);
+        EXPECT_NEAR(leafAreaShare(most, leafArea, cosine, 1.001f * pixels), share, 0.008f * share);
     }
 }
 
-TEST(Layers, KeepTheFirstBladesAsTheyAreAndLetTheLastFade)
+TEST(LeafAreaLimit, KeepTheFirstBladesAsTheyAreAndLetTheLastFade)
 {
     for (const float share : {0.01f, 0.3f, 1.0f, 1.05f}) {
-        EXPECT_EQ(layerWeight(0.85f * share, share), 1.0f);
-        EXPECT_EQ(layerWeight(1.001f * share, share), 0.0f);
+        EXPECT_EQ(leafAreaWeight(0.85f * share, share), 1.0f);
+        EXPECT_EQ(leafAreaWeight(1.001f * share, share), 0.0f);
         float before = 1.0f;
         for (float rank = 0.0f; rank <= 1.1f * share; rank += 1e-3f * share) {
-            const float weight = layerWeight(rank, share);
+            const float weight = leafAreaWeight(rank, share);
             EXPECT_LE(weight, before);
             EXPECT_LE(before - weight, 0.011f);
             before = weight;
         }
     }
-    EXPECT_EQ(layerWeight(0.9999f, lodFullShare), 1.0f);
+    EXPECT_EQ(leafAreaWeight(0.9999f, lodFullShare), 1.0f);
 }
 
-TEST(Layers, RiseBySoMuchAsMoreIsLeftOutAndNeverJump)
+TEST(LeafAreaLimit, RiseBySoMuchAsMoreIsLeftOutAndNeverJump)
 {
     tests::Dice dice(6);
     float highest = 1.0f;
@@ -179,20 +179,20 @@ TEST(Layers, RiseBySoMuchAsMoreIsLeftOutAndNeverJump)
         const float one = std::exp(dice.number(-8.0f, 2.0f));
         const float share = dice.number(1.0f / 256.0f, lodFullShare);
         const float spread = dice.number(0.0f, 1.0f);
-        const float rise = layerRise(share, one, spread);
+        const float rise = heightCompensation(share, one, spread);
         // Lengths of 1/1024th, rounded, are all that it may jump.
         constexpr float step = 1.001f / 1024.0f;
         EXPECT_GE(rise, 1.0f);
-        EXPECT_LE(rise, maxRise);
-        EXPECT_LE(layerRise(1.01f * share, one, spread), rise)
+        EXPECT_LE(rise, maxHeightCompensation);
+        EXPECT_LE(heightCompensation(1.01f * share, one, spread), rise)
             << "share " << share << ", one " << one;
-        EXPECT_NEAR(layerRise(1.001f * share, one, spread), rise, step);
-        EXPECT_NEAR(layerRise(share, 1.001f * one, spread), rise, step);
-        EXPECT_NEAR(layerRise(share, one, 0.999f * spread), rise, step);
+        EXPECT_NEAR(heightCompensation(1.001f * share, one, spread), rise, step);
+        EXPECT_NEAR(heightCompensation(share, 1.001f * one, spread), rise, step);
+        EXPECT_NEAR(heightCompensation(share, one, 0.999f * spread), rise, step);
         // More light where more is left out, none more where all is drawn.
-        const float light = layerLight(share, spread);
-        EXPECT_LE(light, layerLight(std::min(1.01f * share, 1.0f), spread));
-        EXPECT_LE(light, layerLight(share, std::min(spread + 0.01f, 1.0f)));
+        const float light = leafAreaLight(share, spread);
+        EXPECT_LE(light, leafAreaLight(std::min(1.01f * share, 1.0f), spread));
+        EXPECT_LE(light, leafAreaLight(share, std::min(spread + 0.01f, 1.0f)));
         EXPECT_GE(light, std::min(share, 1.0f));
         // As a half float it is the same to the bit.
         VisibleBlade visible = {};
@@ -201,9 +201,9 @@ TEST(Layers, RiseBySoMuchAsMoreIsLeftOutAndNeverJump)
         EXPECT_EQ(widthFactorOf(visible), 1.5f);
         highest = std::max(highest, rise);
     }
-    EXPECT_NEAR(highest, maxRise, 0.5f / 1024.0f);
-    EXPECT_EQ(layerRise(lodFullShare, 0.1f, 0.5f), 1.0f);
-    EXPECT_EQ(layerLight(lodFullShare, 0.5f), 1.0f);
+    EXPECT_NEAR(highest, maxHeightCompensation, 0.5f / 1024.0f);
+    EXPECT_EQ(heightCompensation(lodFullShare, 0.1f, 0.5f), 1.0f);
+    EXPECT_EQ(leafAreaLight(lodFullShare, 0.5f), 1.0f);
 }
 
 TEST(LeafShare, HeightsAreThoseThatHaveIt)
@@ -223,9 +223,9 @@ TEST(LevelOfDetail, SwitchedOffDrawsEveryBladeAsWideAsItIs)
     tests::Dice dice(4);
     for (int i = 0; i < 10'000; ++i) {
         const float distance = dice.number(0.0f, 1e4f);
-        EXPECT_EQ(
-            drawnSize(view, allLayers(), blade, dice.number(0.0f, 1.0f), distance).widthFactor,
-            1.0f);
+        EXPECT_EQ(drawnSize(view, noLeafAreaLimit(), blade, dice.number(0.0f, 1.0f), distance)
+                      .widthFactor,
+                  1.0f);
     }
 }
 

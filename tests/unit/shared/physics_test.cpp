@@ -27,15 +27,15 @@ Gravity downward(float strength)
 }
 
 /// Waves and noise of this strength together.
-tests::NatureTables someWind(float strength)
+tests::EnvironmentTables someWind(float strength)
 {
-    return tests::NatureTables({tests::windSourceOf(windWave, 0.5f * strength),
-                                tests::windSourceOf(windNoise, 0.5f * strength)});
+    return tests::EnvironmentTables({tests::windSourceOf(windWave, 0.5f * strength),
+                                     tests::windSourceOf(windNoise, 0.5f * strength)});
 }
 
-tests::NatureTables still()
+tests::EnvironmentTables still()
 {
-    return tests::NatureTables();
+    return tests::EnvironmentTables();
 }
 
 constexpr float recovery = 6.0f;
@@ -46,9 +46,9 @@ vec3 frontOfBlade(const Blade& blade)
 }
 
 BladeState advanced(const Blade& blade, const BladeState& state, Gravity gravity,
-                    const tests::NatureTables& tables, float time, float elapsed)
+                    const tests::EnvironmentTables& tables, float time, float elapsed)
 {
-    return advanceBlade(blade, tables.nature(gravity, recovery), noColliders(), state, time,
+    return advanceBlade(blade, tables.environment(gravity, recovery), noColliders(), state, time,
                         elapsed);
 }
 
@@ -66,7 +66,7 @@ BladeState stateTowards(const Blade& blade, const vec3& direction, float eta)
 }
 
 float displacementAfter(const Blade& blade, BladeState& state, Gravity gravity,
-                        const tests::NatureTables& tables, float time, float elapsed)
+                        const tests::EnvironmentTables& tables, float time, float elapsed)
 {
     state = advanced(blade, state, gravity, tables, time, elapsed);
     return fromRest(blade, state);

@@ -35,7 +35,7 @@ TEST(Quarters, OfTheBladesOfAWordHaveABitEach)
     EXPECT_EQ(word, ~0u);
 }
 
-TEST(Quarters, TheFirstTurnDrawsAllThatAreNotLate)
+TEST(Quarters, TheEarlyPassDrawsAllThatAreNotLate)
 {
     for (uint segments = 1; segments <= maxSegments; ++segments)
         for (uint late = 0; late <= allQuarters; ++late) {

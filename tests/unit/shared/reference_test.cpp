@@ -104,7 +104,7 @@ double tipError(int rate, int seconds)
 {
     const WindSource sources[2] = {tests::windSourceOf(windNoise, 3.0f),
                                    tests::windSourceOf(windWave, 2.0f)};
-    const tests::NatureTables tables({sources[0], sources[1]});
+    const tests::EnvironmentTables tables({sources[0], sources[1]});
     const int fine = std::max(480 / rate, 1);
     tests::Dice dice(11);
     double squares = 0.0;
@@ -120,7 +120,7 @@ double tipError(int rate, int seconds)
         BladeState state = BladeState{0, 0.0f};
         dvec3 tip = valid(dvec3(blade.up), dvec3(blade.up));
         for (int frame = 1; frame <= rate * seconds; ++frame) {
-            state = advanceBlade(blade, tables.nature(gravity, recovery), noColliders(), state,
+            state = advanceBlade(blade, tables.environment(gravity, recovery), noColliders(), state,
                                  float(double(frame) / rate), float(1.0 / rate));
             for (int step = 1; step <= fine; ++step)
                 tip = moved(blade, tip, sources, (frame - 1.0 + double(step) / fine) / rate,

@@ -1,6 +1,6 @@
 // Outlines, and ribbons that are never drawn narrower than samples lie apart.
-#include "shaders/shared/pace.h"
 #include "shaders/shared/ribbon.h"
+#include "shaders/shared/update_rate.h"
 #include "shaders/shared/visibility.h"
 #include "unit/shared/random_vectors.h"
 
@@ -119,7 +119,7 @@ Ribbon randomRibbon(tests::Dice& dice, float distance)
     return ribbon;
 }
 
-TEST(Rib, IsNeverNarrowerThanTheLeastAndWeighsWhatItIs)
+TEST(CrossSection, IsNeverNarrowerThanTheLeastAndWeighsWhatItIs)
 {
     tests::Dice dice(11);
     const vec3 eye(0.0f);
@@ -128,7 +128,7 @@ TEST(Rib, IsNeverNarrowerThanTheLeastAndWeighsWhatItIs)
         const Ribbon ribbon = randomRibbon(dice, dice.number(1, 60));
         const float least = 0.001f;
         const float t = dice.number(0, 1);
-        const Rib rib = ribAt(ribbon, t, eye, least);
+        const CrossSection section = crossSectionAt(ribbon, t, eye, least);
         const vec3 centre = bezierPoint(ribbon.v0, ribbon.v1, ribbon.v2, t);
         const vec3 ray = normalize(centre);
         const float half = 0.5f / ribbon.outline.segments;
@@ -138,16 +138,17 @@ TEST(Rib, IsNeverNarrowerThanTheLeastAndWeighsWhatItIs)
         const vec2 edges = edgesAt(ribbon.outline, t);
 
         // As the view sees it: the part of the cross-section that is across the chord through it.
-        const float seen = std::abs(dot(rib.right - rib.left, across));
+        const float seen = std::abs(dot(section.right - section.left, across));
         ASSERT_GE(seen, 0.999f * least * length(centre)) << "ribbon " << i;
-        ASSERT_NEAR(seen, rib.drawn, 2e-3f * rib.drawn);
+        ASSERT_NEAR(seen, section.drawn, 2e-3f * section.drawn);
         const float true_ = ribbon.width * (edges.y - edges.x) * std::abs(dot(ribbon.axis, across));
-        ASSERT_NEAR(rib.wide, true_, 1e-3f * true_ + 1e-7f);
-        widened += rib.drawn > rib.wide ? 1 : 0;
+        ASSERT_NEAR(section.wide, true_, 1e-3f * true_ + 1e-7f);
+        widened += section.drawn > section.wide ? 1 : 0;
         // Nobody stands out farther than culling reckons with.
-        const float reach = 0.5f * outlineMost * ribbon.width + ribMargin(length(centre), least);
-        ASSERT_LE(length(rib.left - centre), 1.001f * reach);
-        ASSERT_LE(length(rib.right - centre), 1.001f * reach);
+        const float reach =
+            0.5f * outlineMost * ribbon.width + sectionMargin(length(centre), least);
+        ASSERT_LE(length(section.left - centre), 1.001f * reach);
+        ASSERT_LE(length(section.right - centre), 1.001f * reach);
     }
     EXPECT_GT(widened, 10'000);
     EXPECT_LT(widened, 90'000);
@@ -155,7 +156,7 @@ TEST(Rib, IsNeverNarrowerThanTheLeastAndWeighsWhatItIs)
 
 /// What the rasteriser takes for uncut by a plane has no point beyond it, whatever its outline and
 /// fold, wherever it is looked at from and however narrow it is seen.
-TEST(Rib, OfACurveInsideAPlaneLiesInside)
+TEST(CrossSection, OfACurveInsideAPlaneLiesInside)
 {
     tests::Dice dice(29);
     float nearest = 1e30f; // in times the margin
@@ -178,8 +179,8 @@ TEST(Rib, OfACurveInsideAPlaneLiesInside)
         const vec4 plane(normal, 1.001f * margin - lowest);
         ASSERT_TRUE(curveInside(plane, ribbon.v0, ribbon.v1, ribbon.v2, margin));
         for (float t = 0.0f; t <= 1.0f; t += 1.0f / 32.0f) {
-            const Rib rib = ribAt(ribbon, t, eye, minWidth);
-            for (const vec3& point : {rib.left, rib.right, rib.ridge})
+            const CrossSection section = crossSectionAt(ribbon, t, eye, minWidth);
+            for (const vec3& point : {section.left, section.right, section.ridge})
                 nearest = std::min(nearest, planeDistance(plane, point) / margin);
         }
         ASSERT_GE(nearest, 0.0f) << "run " << run;
@@ -187,16 +188,17 @@ TEST(Rib, OfACurveInsideAPlaneLiesInside)
     EXPECT_LT(nearest, 0.3f) << "and some nearly reach it";
 }
 
-TEST(Rib, StaysAsItIsWithoutALeastWidth)
+TEST(CrossSection, StaysAsItIsWithoutALeastWidth)
 {
     tests::Dice dice(12);
     for (int i = 0; i < 1000; ++i) {
         const Ribbon ribbon = randomRibbon(dice, 100.0f);
         const float t = dice.number(0, 1);
-        const Rib rib = ribAt(ribbon, t, vec3(0.0f), 0.0f);
+        const CrossSection section = crossSectionAt(ribbon, t, vec3(0.0f), 0.0f);
         const vec2 edges = edgesAt(ribbon.outline, t);
-        EXPECT_EQ(rib.wide, rib.drawn);
-        EXPECT_NEAR(length(rib.right - rib.left), ribbon.width * (edges.y - edges.x), 1e-5f);
+        EXPECT_EQ(section.wide, section.drawn);
+        EXPECT_NEAR(length(section.right - section.left), ribbon.width * (edges.y - edges.x),
+                    1e-5f);
     }
 }
 
@@ -250,26 +252,27 @@ TEST(OrientationCulling, LeavesOutOnlyBladesWithoutASample)
         ribbon.width = blade.width;
         ribbon.outline = outlineOf(i % shapeCount, 0.4f, float(1 + i % 5));
         for (float t = 0.0f; t <= 1.0f; t += 0.05f) {
-            const Rib rib = ribAt(ribbon, t, view.eye, view.minWidth);
-            ASSERT_EQ(keptSamples(rib.wide / rib.drawn, i, view.samples), 0u) << "blade " << i;
+            const CrossSection section = crossSectionAt(ribbon, t, view.eye, view.minWidth);
+            ASSERT_EQ(keptSamples(section.wide / section.drawn, i, view.samples), 0u)
+                << "blade " << i;
         }
     }
     EXPECT_GT(narrow, 10'000);
 }
 
-TEST(Pace, MovesEveryPatchWithinThreeFramesAndTheNearOnesInEach)
+TEST(UpdateRate, MovesEveryPatchWithinThreeFramesAndTheNearOnesInEach)
 {
-    Pace pace = {};
-    pace.everyFrame = 10.0f;
-    pace.everyThird = 20.0f;
-    pace.longest = 5.0f;
+    UpdateRate updateRate = {};
+    updateRate.everyFrame = 10.0f;
+    updateRate.everyThird = 20.0f;
+    updateRate.longest = 5.0f;
     for (uint patch = 0; patch < 100; ++patch) {
         int moves = 0;
-        for (pace.frame = 7; pace.frame < 10; ++pace.frame) {
-            EXPECT_TRUE(movesNow(pace, patch, 9.9f, 0.01f));
-            EXPECT_FALSE(movesNow(pace, patch, 20.1f, 0.01f));
-            EXPECT_TRUE(movesNow(pace, patch, 20.1f, 5.0f));
-            moves += movesNow(pace, patch, 15.0f, 0.01f) ? 1 : 0;
+        for (updateRate.frame = 7; updateRate.frame < 10; ++updateRate.frame) {
+            EXPECT_TRUE(movesNow(updateRate, patch, 9.9f, 0.01f));
+            EXPECT_FALSE(movesNow(updateRate, patch, 20.1f, 0.01f));
+            EXPECT_TRUE(movesNow(updateRate, patch, 20.1f, 5.0f));
+            moves += movesNow(updateRate, patch, 15.0f, 0.01f) ? 1 : 0;
         }
         EXPECT_EQ(moves, 1);
     }

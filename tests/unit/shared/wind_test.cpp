@@ -21,7 +21,7 @@ constexpr std::uint32_t alongKinds[] = {windNoise, windTurning, windWave, windGu
 /// The wind of one source of a kind over level ground.
 vec3 one(const WindSource& source, vec3 place, float time, vec3 up = levelUp)
 {
-    const tests::NatureTables tables({source});
+    const tests::EnvironmentTables tables({source});
     return windAt(tables.wind(), place, up, time);
 }
 
@@ -104,7 +104,7 @@ TEST(Wind, OfEveryKindVariesAndTogetherTheyAddUp)
     std::vector<WindSource> all;
     for (std::uint32_t kind = 0; kind < windKinds; ++kind)
         all.push_back(tests::windSourceOf(kind, 1.0f + float(kind)));
-    const tests::NatureTables mixture({all[5], all[2], all[0], all[4], all[1], all[3]});
+    const tests::EnvironmentTables mixture({all[5], all[2], all[0], all[4], all[1], all[3]});
     std::vector<float> low(windKinds, 1e9f);
     std::vector<float> high(windKinds, 0.0f);
     for (int i = 0; i < 3000; ++i) {
@@ -130,7 +130,7 @@ TEST(Wind, OfSourcesThatBlowAlikeIsFeltAsOfEachOfThem)
     tests::Dice dice(9);
     const auto felt = [](const std::vector<WindSource>& sources, const BladeAxes& axes, vec3 place,
                          vec3 direction, float time) {
-        const tests::NatureTables tables(sources);
+        const tests::EnvironmentTables tables(sources);
         return windAlongAxes(tables.wind(), place, axes, direction, time);
     };
     int alike = 0;
@@ -161,7 +161,7 @@ TEST(Wind, OfSourcesThatBlowAlikeIsFeltAsOfEachOfThem)
         default:
             break;
         }
-        alike += (tests::NatureTables(sources).wind().counts & windsAlike) != 0u ? 1 : 0;
+        alike += (tests::EnvironmentTables(sources).wind().counts & windsAlike) != 0u ? 1 : 0;
         const vec3 up = dice.direction();
         const BladeAxes axes = axesTowards(up, tangentOf(up));
         const vec3 place = 20.0f * dice.direction();
@@ -352,7 +352,7 @@ TEST(Wind, ABladeAlongItEscapesAndOneThatLiesFeelsNone)
     WindSource source = tests::windSourceOf(windTurning, 3.0f);
     source.turn = 0.0f;
     const auto force = [&](vec3 tip) {
-        const tests::NatureTables tables({source});
+        const tests::EnvironmentTables tables({source});
         return windForce(tables.wind(), vec3(0.0f), levelUp, tip, 1.0f);
     };
     const float standing = length(force(levelUp));

@@ -9,10 +9,10 @@
 namespace sward::tests {
 
 /// Sources of wind on the CPU, and the colliders of a frame.
-class NatureTables {
+class EnvironmentTables {
 public:
-    explicit NatureTables(std::vector<shared::WindSource> sources = {},
-                          std::vector<shared::Collider> colliders = {})
+    explicit EnvironmentTables(std::vector<shared::WindSource> sources = {},
+                               std::vector<shared::Collider> colliders = {})
         : sources_(std::move(sources))
         , colliders_(std::move(colliders))
     {
@@ -21,8 +21,8 @@ public:
         for (shared::WindSource& source : sources_)
             source = shared::preparedSource(source);
     }
-    NatureTables(const NatureTables&) = delete;
-    NatureTables& operator=(const NatureTables&) = delete;
+    EnvironmentTables(const EnvironmentTables&) = delete;
+    EnvironmentTables& operator=(const EnvironmentTables&) = delete;
 
     shared::Wind wind() const
     {
@@ -41,15 +41,15 @@ public:
         return wind;
     }
 
-    shared::Nature nature(shared::Gravity gravity, float recovery) const
+    shared::Environment environment(shared::Gravity gravity, float recovery) const
     {
-        shared::Nature nature = {};
-        nature.gravity = gravity;
-        nature.recovery = recovery;
-        nature.wind = wind();
-        nature.colliderCount = static_cast<std::uint32_t>(colliders_.size());
-        nature.colliders.at = colliders_.data();
-        return nature;
+        shared::Environment environment = {};
+        environment.gravity = gravity;
+        environment.recovery = recovery;
+        environment.wind = wind();
+        environment.colliderCount = static_cast<std::uint32_t>(colliders_.size());
+        environment.colliders.at = colliders_.data();
+        return environment;
     }
 
     /// All colliders.

@@ -84,18 +84,18 @@ bool Layout::openPanel(const std::string& name)
     return true;
 }
 
-void Layout::draw(Controls& controls, Stage& stage)
+void Layout::draw(Controls& controls, ViewerState& state)
 {
     if (shown) {
         drawRail(controls);
         if (open)
-            drawPanel(controls, stage);
-        drawStatus(controls, stage);
-        drawPicked(controls, stage);
-        if (stage.field == nullptr && stage.loading.empty() && stage.baking == nullptr)
-            drawWelcome(controls, stage);
+            drawPanel(controls, state);
+        drawStatus(controls, state);
+        drawPicked(controls, state);
+        if (state.field == nullptr && state.loading.empty() && state.baking == nullptr)
+            drawWelcome(controls, state);
     }
-    drawMessages(controls, stage);
+    drawMessages(controls, state);
     if (keySheet)
         drawKeySheet(controls);
 }
@@ -120,7 +120,7 @@ void Layout::drawRail(Controls& controls)
     ImGui::PopStyleVar(2);
 }
 
-void Layout::drawPanel(Controls& controls, Stage& stage)
+void Layout::drawPanel(Controls& controls, ViewerState& state)
 {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const Panel& panel = panels[*open];
@@ -128,11 +128,11 @@ void Layout::drawPanel(Controls& controls, Stage& stage)
     beginFixed(panel.name, {railWidth, 0.0f}, {width, size.y - statusHeight});
     controls.beginPanel(panel.name);
     controls.heading(panel.name);
-    panel.draw(controls, stage);
+    panel.draw(controls, state);
     ImGui::End();
 }
 
-void Layout::drawStatus(Controls& controls, Stage& stage)
+void Layout::drawStatus(Controls& controls, ViewerState& state)
 {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12.0f, 5.0f});
@@ -140,23 +140,23 @@ void Layout::drawStatus(Controls& controls, Stage& stage)
     beginFixed("status", {0.0f, size.y - statusHeight}, {size.x, statusHeight},
                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     controls.beginPanel("Status");
-    std::string left = stage.field == nullptr ? "no field" : stage.field->name;
-    if (stage.field != nullptr)
-        left += fmt::format("   {} of {} blades drawn   {:.1f} ms", countText(stage.counts.drawn),
-                            countText(stage.counts.total), 1000.0 * stage.frameSeconds);
-    if (stage.time.paused)
+    std::string left = state.field == nullptr ? "no field" : state.field->name;
+    if (state.field != nullptr)
+        left += fmt::format("   {} of {} blades drawn   {:.1f} ms", countText(state.counts.drawn),
+                            countText(state.counts.total), 1000.0 * state.frameSeconds);
+    if (state.time.paused)
         left += "   paused";
-    if (stage.walking)
+    if (state.walking)
         left += "   on foot";
-    if (stage.recording)
+    if (state.recording)
         left += "   recording";
-    if (stage.settings.cullingCamera)
+    if (state.settings.cullingCamera)
         left += "   culling camera frozen";
     ImGui::TextUnformatted(left.c_str());
     controls.tell("Numbers", left, nullptr);
 
     // What automatic resolution has taken away is said where it shows.
-    const int percent = static_cast<int>(100.0f * stage.scale + 0.5f);
+    const int percent = static_cast<int>(100.0f * state.scale + 0.5f);
     const std::string right =
         percent < 100 ? fmt::format("drawn at {} % of the resolution   H: keys", percent)
                       : "H: keys";
@@ -169,67 +169,67 @@ void Layout::drawStatus(Controls& controls, Stage& stage)
     ImGui::PopStyleVar(2);
 }
 
-void Layout::drawMessages(Controls& controls, Stage& stage)
+void Layout::drawMessages(Controls& controls, ViewerState& state)
 {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float left = shown ? railWidth + (open ? panelWidth : 0.0f) : 0.0f;
     const ImVec2 place{left + 0.5f * std::max(size.x - left, 0.0f), messageTop};
     controls.beginPanel("Message");
-    if (!stage.error.empty()) {
+    if (!state.error.empty()) {
         beginCentred("error", place, {0.5f, 0.0f});
         ImGui::PushStyleColor(ImGuiCol_Text, controls.style().color(palette::alarm));
         ImGui::TextUnformatted("That did not work");
         ImGui::PopStyleColor();
         ImGui::PushTextWrapPos(std::max(size.x - left - 80.0f, 160.0f));
-        ImGui::TextUnformatted(stage.error.c_str());
+        ImGui::TextUnformatted(state.error.c_str());
         ImGui::PopTextWrapPos();
-        controls.tell("Error", stage.error, nullptr);
+        controls.tell("Error", state.error, nullptr);
         if (controls.button("Close", "Takes this message away"))
-            stage.error.clear();
+            state.error.clear();
         ImGui::End();
         return;
     }
-    if (!stage.shaderError.empty()) {
+    if (!state.shaderError.empty()) {
         beginCentred("shaders", place, {0.5f, 0.0f});
         ImGui::PushStyleColor(ImGuiCol_Text, controls.style().color(palette::alarm));
         ImGui::TextUnformatted("The shaders do not compile; the last good ones draw");
         ImGui::PopStyleColor();
         ImGui::PushTextWrapPos(std::max(size.x - left - 80.0f, 160.0f));
-        ImGui::TextUnformatted(stage.shaderError.c_str());
+        ImGui::TextUnformatted(state.shaderError.c_str());
         ImGui::PopTextWrapPos();
-        controls.tell("Shaders", stage.shaderError, nullptr);
+        controls.tell("Shaders", state.shaderError, nullptr);
         ImGui::End();
         return;
     }
-    std::string text = stage.notice;
-    if (!stage.loading.empty())
-        text = fmt::format("Reading {} ...", stage.loading);
-    else if (stage.baking != nullptr)
-        text = fmt::format("Growing grass: {} {:.0f} %", stage.baking->progress().stage,
-                           100.0 * stage.baking->progress().share);
+    std::string text = state.notice;
+    if (!state.loading.empty())
+        text = fmt::format("Reading {} ...", state.loading);
+    else if (state.baking != nullptr)
+        text = fmt::format("Growing grass: {} {:.0f} %", state.baking->progress().state,
+                           100.0 * state.baking->progress().share);
     if (text.empty())
         return;
     beginCentred("notice", place, {0.5f, 0.0f});
     ImGui::TextUnformatted(text.c_str());
     controls.tell("Notice", text, nullptr);
-    if (stage.baking != nullptr) {
+    if (state.baking != nullptr) {
         ImGui::SameLine();
         if (controls.button("Cancel bake", "Ends the bake; the field that is shown stays"))
-            stage.wishes.cancelBake = true;
+            state.requests.cancelBake = true;
     }
     ImGui::End();
 }
 
-void Layout::drawPicked(Controls& controls, Stage& stage)
+void Layout::drawPicked(Controls& controls, ViewerState& state)
 {
-    if (!stage.picked || stage.field == nullptr)
+    if (!state.picked || state.field == nullptr)
         return;
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     beginCentred("blade", {size.x - 16.0f, 16.0f}, {1.0f, 0.0f});
     controls.beginPanel("Blade");
     controls.heading("Blade");
     for (const auto& [name, text, about] :
-         pickedLines(*stage.picked, *stage.field, stage.settings, stage.time.now)) {
+         pickedLines(*state.picked, *state.field, state.settings, state.time.now)) {
         ImGui::PushStyleColor(ImGuiCol_Text, controls.style().color(palette::dim));
         ImGui::TextUnformatted(name.c_str());
         ImGui::PopStyleColor();
@@ -238,29 +238,29 @@ void Layout::drawPicked(Controls& controls, Stage& stage)
         controls.tell(name.c_str(), text, about.c_str());
     }
     if (controls.button("Forget it", "Closes this"))
-        stage.picked.reset();
+        state.picked.reset();
     ImGui::End();
 }
 
-void Layout::drawWelcome(Controls& controls, Stage& stage)
+void Layout::drawWelcome(Controls& controls, ViewerState& state)
 {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     beginCentred("welcome", {0.5f * (size.x + railWidth), 0.5f * size.y}, {0.5f, 0.5f});
     controls.beginPanel("Welcome");
     controls.heading("Sward");
     ImGui::TextUnformatted("Drop a field, a mesh or a recipe on this window.");
-    if (stage.recent != nullptr && !stage.recent->inputs().empty())
+    if (state.recent != nullptr && !state.recent->inputs().empty())
         controls.section("Open recent");
-    if (stage.recent != nullptr)
-        for (const std::string& input : stage.recent->inputs()) {
+    if (state.recent != nullptr)
+        for (const std::string& input : state.recent->inputs()) {
             if (ImGui::Selectable(input.c_str()))
-                stage.wishes.open = {input};
+                state.requests.open = {input};
             controls.tell(input.c_str(), input, "Opens it again");
         }
     controls.section("Or a built-in ground");
     for (const char* name : {"hills", "sphere", "dunes", "arch"}) {
         if (controls.button(name, "Grows grass on it, and shows it"))
-            stage.wishes.open = {name};
+            state.requests.open = {name};
         ImGui::SameLine();
     }
     ImGui::NewLine();

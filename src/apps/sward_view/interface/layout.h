@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/sward_view/interface/controls.h"
-#include "apps/sward_view/stage.h"
+#include "apps/sward_view/viewer_state.h"
 
 #include <optional>
 #include <string>
@@ -20,15 +20,15 @@ public:
     /// Opens the panel of that name, in any case of letters; whether there is one.
     bool openPanel(const std::string& name);
 
-    void draw(Controls& controls, Stage& stage);
+    void draw(Controls& controls, ViewerState& state);
 
 private:
     void drawRail(Controls& controls);
-    void drawPanel(Controls& controls, Stage& stage);
-    void drawStatus(Controls& controls, Stage& stage);
-    void drawMessages(Controls& controls, Stage& stage);
-    void drawPicked(Controls& controls, Stage& stage);
-    void drawWelcome(Controls& controls, Stage& stage);
+    void drawPanel(Controls& controls, ViewerState& state);
+    void drawStatus(Controls& controls, ViewerState& state);
+    void drawMessages(Controls& controls, ViewerState& state);
+    void drawPicked(Controls& controls, ViewerState& state);
+    void drawWelcome(Controls& controls, ViewerState& state);
     void drawKeySheet(Controls& controls);
 };
 

@@ -31,17 +31,17 @@ Overlay::Overlay(const Style& style, const render::Camera& camera, glm::uvec2 si
 {
 }
 
-void Overlay::draw(const Stage& stage) const
+void Overlay::draw(const ViewerState& state) const
 {
-    if (stage.showWindArrows)
-        drawWinds(stage);
-    if (stage.showColliders)
-        for (std::size_t i = 0; i < stage.settings.colliders.size(); ++i)
-            drawCollider(stage.settings.colliders[i], stage.time.now, i == stage.hand.chosen);
-    if (stage.settings.cullingCamera)
-        drawFrustum(*stage.settings.cullingCamera);
-    if (stage.picked)
-        drawPicked(*stage.picked);
+    if (state.showWindArrows)
+        drawWinds(state);
+    if (state.showColliders)
+        for (std::size_t i = 0; i < state.settings.colliders.size(); ++i)
+            drawCollider(state.settings.colliders[i], state.time.now, i == state.hand.chosen);
+    if (state.settings.cullingCamera)
+        drawFrustum(*state.settings.cullingCamera);
+    if (state.picked)
+        drawPicked(*state.picked);
 }
 
 glm::dvec2 Overlay::onScreen(const glm::dvec4& clip) const
@@ -49,10 +49,10 @@ glm::dvec2 Overlay::onScreen(const glm::dvec4& clip) const
     return (glm::dvec2(clip.x, clip.y) / clip.w * 0.5 + 0.5) * size_;
 }
 
-void Overlay::tell(const Stage& stage, ControlMap& map) const
+void Overlay::tell(const ViewerState& state, ControlMap& map) const
 {
-    for (std::size_t i = 0; i < stage.settings.colliders.size(); ++i) {
-        const glm::dvec3 middle = middleOf(stage.settings.colliders[i], stage.time.now);
+    for (std::size_t i = 0; i < state.settings.colliders.size(); ++i) {
+        const glm::dvec3 middle = middleOf(state.settings.colliders[i], state.time.now);
         const glm::dvec4 clip = clip_ * glm::dvec4(middle - origin_, 1.0);
         if (clip.w < nearestDepth)
             continue;
@@ -115,15 +115,15 @@ void Overlay::drawCollider(const render::Collider& collider, double time, bool c
         line(from + side, to + side, color, 1.5f);
 }
 
-void Overlay::drawWinds(const Stage& stage) const
+void Overlay::drawWinds(const ViewerState& state) const
 {
     if (content_.isEmpty())
         return;
     const glm::dvec3 low(content_.low);
     const glm::dvec3 size(content_.size());
     const double length = 0.4 * std::max(size.x, size.z) / arrowsAcross;
-    for (std::size_t i = 0; i < stage.settings.winds.size(); ++i) {
-        const render::WindSource& wind = stage.settings.winds[i];
+    for (std::size_t i = 0; i < state.settings.winds.size(); ++i) {
+        const render::WindSource& wind = state.settings.winds[i];
         const shared::WindSource& s = wind.source;
         if (s.strength <= 0.0f)
             continue;

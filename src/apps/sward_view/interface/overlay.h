@@ -2,7 +2,7 @@
 
 #include "apps/sward_view/interface/control_map.h"
 #include "apps/sward_view/interface/style.h"
-#include "apps/sward_view/stage.h"
+#include "apps/sward_view/viewer_state.h"
 #include "render/camera.h"
 
 #include <glm/mat4x4.hpp>
@@ -18,11 +18,11 @@ public:
     Overlay(const Style& style, const render::Camera& camera, glm::uvec2 size,
             const ShownField& field);
 
-    /// What the stage shows: colliders, wind arrows, the frozen frustum, the picked blade.
-    void draw(const Stage& stage) const;
+    /// What the state shows: colliders, wind arrows, the frozen frustum, the picked blade.
+    void draw(const ViewerState& state) const;
 
     /// Tells the map where in the picture the colliders are.
-    void tell(const Stage& stage, ControlMap& map) const;
+    void tell(const ViewerState& state, ControlMap& map) const;
 
 private:
     glm::dvec2 onScreen(const glm::dvec4& clip) const;
@@ -30,7 +30,7 @@ private:
     void circle(const glm::dvec3& centre, const glm::dvec3& right, const glm::dvec3& up,
                 ImU32 color) const;
     void drawCollider(const render::Collider& collider, double time, bool chosen) const;
-    void drawWinds(const Stage& stage) const;
+    void drawWinds(const ViewerState& state) const;
     void drawFrustum(const render::Camera& frozen) const;
     void drawPicked(const PickedBlade& picked) const;
 

@@ -14,14 +14,15 @@
 namespace sward::view {
 namespace {
 
-// In the order of shared::fateDrawn ….
-constexpr std::array<const char*, shared::fateCount> fateTexts{"drawn",
-                                                               "left out with its patch",
-                                                               "left out: seen edge-on",
-                                                               "left out: beside the picture",
-                                                               "left out: too far away",
-                                                               "left out: behind the ground",
-                                                               "left out: too thin for a pixel"};
+// In the order of shared::cullResultDrawn ….
+constexpr std::array<const char*, shared::cullResultCount> cullResultTexts{
+    "drawn",
+    "left out with its patch",
+    "left out: seen edge-on",
+    "left out: beside the picture",
+    "left out: too far away",
+    "left out: behind the ground",
+    "left out: too thin for a pixel"};
 
 std::string vectorText(const glm::dvec3& v, int digits)
 {
@@ -30,12 +31,12 @@ std::string vectorText(const glm::dvec3& v, int digits)
 
 shared::Gravity gravityOf(const render::FrameSettings& settings, const glm::dvec3& origin)
 {
-    const field::Defaults& nature = settings.nature;
+    const field::Defaults& environment = settings.environment;
     shared::Gravity gravity = {};
-    gravity.direction = glm::normalize(nature.gravityDirection);
-    gravity.strength = nature.gravityStrength;
-    gravity.attractor = glm::vec3(nature.attractor - origin);
-    gravity.blend = nature.attractorBlend;
+    gravity.direction = glm::normalize(environment.gravityDirection);
+    gravity.strength = environment.gravityStrength;
+    gravity.attractor = glm::vec3(environment.attractor - origin);
+    gravity.blend = environment.attractorBlend;
     gravity.forward = settings.forward;
     return gravity;
 }
@@ -72,7 +73,8 @@ std::vector<PickedLine> pickedLines(const PickedBlade& picked, const ShownField&
                                     : std::to_string(blade.species);
     std::vector<PickedLine> lines{
         {"Id", std::to_string(picked.now.id), "The same as in 'sward export OUT.csv'"},
-        {"Fate", fateTexts.at(picked.now.fate), "What became of it in the last frame"},
+        {"Cull result", cullResultTexts.at(picked.now.cullResult),
+         "What became of it in the last frame"},
         {"Species", species, "Of the field's table"},
         {"Patch", std::to_string(picked.source.patch), "Node of its field's tree that owns it"},
         {"Root", vectorText(picked.now.root, 3), "World [m]"},
@@ -86,7 +88,7 @@ std::vector<PickedLine> pickedLines(const PickedBlade& picked, const ShownField&
         {"Wind", fmt::format("{:.2f} 1/s", glm::length(wind)),
          "Pull of the wind, in heights per second"},
         {"Recovery",
-         fmt::format("{:.2f} 1/s", settings.nature.recovery *
+         fmt::format("{:.2f} 1/s", settings.environment.recovery *
                                        (1.0f - 0.25f * (1.0f - blade.stiffness)) *
                                        std::max(1.0f - picked.now.eta, 0.1f)),
          "Rate at which it rises"},

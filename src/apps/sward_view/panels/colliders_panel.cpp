@@ -12,19 +12,19 @@ namespace {
 constexpr double radiusShare = 0.025; ///< of the field's size: a ball that one sees at once
 
 // A ball on the ground in the middle of the field.
-render::Collider newCollider(const Stage& stage, bool isCapsule)
+render::Collider newCollider(const ViewerState& state, bool isCapsule)
 {
     render::Collider collider;
-    const Aabb& bounds = stage.field->summary.bounds;
+    const Aabb& bounds = state.field->summary.bounds;
     glm::dvec3 size(2.0);
     glm::dvec3 middle(0.0);
     if (!bounds.isEmpty()) {
         size = glm::dvec3(bounds.size());
-        middle = 0.5 * glm::dvec3(bounds.low + bounds.high) + stage.field->view.origin;
+        middle = 0.5 * glm::dvec3(bounds.low + bounds.high) + state.field->view.origin;
     }
     collider.radius = glm::clamp(radiusShare * glm::length(size), 0.05, 5.0);
     const glm::dvec3 above = middle + glm::dvec3(0.0, size.y, 0.0);
-    const auto ground = stage.field->ground.hit(above, glm::dvec3(0.0, -1.0, 0.0));
+    const auto ground = state.field->ground.hit(above, glm::dvec3(0.0, -1.0, 0.0));
     collider.from = (ground ? ground->place : middle) + glm::dvec3(0.0, 0.9 * collider.radius, 0.0);
     collider.to = collider.from;
     if (isCapsule) {
@@ -34,7 +34,7 @@ render::Collider newCollider(const Stage& stage, bool isCapsule)
     return collider;
 }
 
-void drawCollider(Controls& controls, Stage& stage, render::Collider& collider)
+void drawCollider(Controls& controls, ViewerState& state, render::Collider& collider)
 {
     bool isCapsule = collider.from != collider.to;
     if (controls.toggle("Capsule", isCapsule, "A capsule has two ends, a ball one")) {
@@ -53,7 +53,7 @@ void drawCollider(Controls& controls, Stage& stage, render::Collider& collider)
         controls.place("To", collider.to, "Its other end");
     if (!collider.path.empty() &&
         controls.button("Stand still", "Forgets how it moves, and leaves it where it is", true)) {
-        const glm::dvec3 way = render::moveAt(collider, stage.time.now);
+        const glm::dvec3 way = render::moveAt(collider, state.time.now);
         collider.from += way;
         collider.to += way;
         collider.path.clear();
@@ -62,21 +62,21 @@ void drawCollider(Controls& controls, Stage& stage, render::Collider& collider)
 
 } // namespace
 
-void drawCollidersPanel(Controls& controls, Stage& stage)
+void drawCollidersPanel(Controls& controls, ViewerState& state)
 {
-    std::vector<render::Collider>& colliders = stage.settings.colliders;
+    std::vector<render::Collider>& colliders = state.settings.colliders;
     controls.fact("Colliders", fmt::format("{} of {}", colliders.size(), shared::maxColliders),
                   "Up to 256 press blades down at once");
-    ImGui::BeginDisabled(stage.field == nullptr || colliders.size() >= shared::maxColliders);
+    ImGui::BeginDisabled(state.field == nullptr || colliders.size() >= shared::maxColliders);
     const bool ball = controls.button("Add ball", "A ball in the middle of the field");
     ImGui::SameLine();
     const bool capsule = controls.button("Add capsule", "A capsule in the middle of the field");
     ImGui::EndDisabled();
     if (ball || capsule) {
-        colliders.push_back(newCollider(stage, capsule));
-        stage.hand.chosen = colliders.size() - 1;
+        colliders.push_back(newCollider(state, capsule));
+        state.hand.chosen = colliders.size() - 1;
     }
-    controls.toggle("Outlines", stage.showColliders, "Draws their outlines over the picture");
+    controls.toggle("Outlines", state.showColliders, "Draws their outlines over the picture");
     controls.note("Drag one with the left button: it follows the ground below the mouse. Let go "
                   "while it moves, and it rolls on.");
 
@@ -84,22 +84,22 @@ void drawCollidersPanel(Controls& controls, Stage& stage)
     for (std::size_t i = 0; i < colliders.size(); ++i) {
         const char* kind = colliders[i].from == colliders[i].to ? "Ball" : "Capsule";
         const std::string name = fmt::format("{} {}", kind, i + 1);
-        if (ImGui::Selectable(name.c_str(), stage.hand.chosen == i))
-            stage.hand.chosen = i;
-        const glm::dvec3 place = middleOf(colliders[i], stage.time.now);
+        if (ImGui::Selectable(name.c_str(), state.hand.chosen == i))
+            state.hand.chosen = i;
+        const glm::dvec3 place = middleOf(colliders[i], state.time.now);
         controls.tell(fmt::format("Collider {}", i + 1).c_str(),
                       fmt::format("{:.3f} {:.3f} {:.3f}", place.x, place.y, place.z),
                       "Choose it to turn what belongs to it");
     }
-    if (stage.hand.chosen >= colliders.size())
+    if (state.hand.chosen >= colliders.size())
         return;
     controls.section("Chosen");
-    drawCollider(controls, stage, colliders[stage.hand.chosen]);
+    drawCollider(controls, state, colliders[state.hand.chosen]);
     if (controls.button("Remove", "Takes the chosen collider away", true))
-        removed = stage.hand.chosen;
+        removed = state.hand.chosen;
     if (removed) {
         colliders.erase(colliders.begin() + static_cast<std::ptrdiff_t>(*removed));
-        stage.hand.forget();
+        state.hand.forget();
     }
 }
 

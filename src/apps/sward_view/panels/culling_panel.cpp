@@ -1,7 +1,7 @@
 #include "apps/sward_view/interface/units.h"
 #include "apps/sward_view/panels/panels.h"
 #include "render/cull_tests.h"
-#include "shaders/shared/fate_color.h"
+#include "shaders/shared/cull_result_color.h"
 
 #include <fmt/core.h>
 
@@ -18,25 +18,25 @@ constexpr std::array debugWords{"none", "level of detail", "patches", "wind", "r
 struct Row {
     const char* name;
     const char* about;
-    std::uint32_t fate;
+    std::uint32_t cullResult;
     std::uint64_t render::FrameStats::*count;
 };
 constexpr std::array<Row, 5> rows{
     {{"Patch", "Whole patches beyond the picture or the draw distance, before their blades",
-      shared::fatePatch, &render::FrameStats::culledPatch},
-     {"Orientation", "Blades seen edge-on, which have no width to show", shared::fateOrientation,
-      &render::FrameStats::culledOrientation},
-     {"Frustum", "Blades beside the picture", shared::fateFrustum,
+      shared::cullResultPatch, &render::FrameStats::culledPatch},
+     {"Orientation", "Blades seen edge-on, which have no width to show",
+      shared::cullResultOrientation, &render::FrameStats::culledOrientation},
+     {"Frustum", "Blades beside the picture", shared::cullResultFrustum,
       &render::FrameStats::culledFrustum},
-     {"Distance", "Blades beyond the draw distance", shared::fateDistance,
+     {"Distance", "Blades beyond the draw distance", shared::cullResultDistance,
       &render::FrameStats::culledDistance},
-     {"Occlusion", "Blades behind the ground", shared::fateOcclusion,
+     {"Occlusion", "Blades behind the ground", shared::cullResultOcclusion,
       &render::FrameStats::culledOcclusion}}};
 
 // A dot in the colour that "reason" paints, and a count.
-void drawCount(Controls& controls, const char* name, std::uint32_t fate, std::uint64_t count)
+void drawCount(Controls& controls, const char* name, std::uint32_t cullResult, std::uint64_t count)
 {
-    const glm::vec3 color = shared::fateColor(fate);
+    const glm::vec3 color = shared::cullResultColor(cullResult);
     const ImVec2 place = ImGui::GetCursorScreenPos();
     const float middle = place.y + 0.5f * ImGui::GetFrameHeight();
     ImGui::GetWindowDrawList()->AddCircleFilled(
@@ -51,47 +51,47 @@ void drawCount(Controls& controls, const char* name, std::uint32_t fate, std::ui
                   "Blades of the last frame");
 }
 
-void drawTests(Controls& controls, Stage& stage)
+void drawTests(Controls& controls, ViewerState& state)
 {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const std::uint32_t bit = render::cullTests[i].bit;
-        bool isOn = (stage.settings.cullMask & bit) != 0;
+        bool isOn = (state.settings.cullMask & bit) != 0;
         if (controls.toggle(rows[i].name, isOn, rows[i].about))
-            stage.settings.cullMask ^= bit;
+            state.settings.cullMask ^= bit;
         ImGui::SameLine();
-        drawCount(controls, rows[i].name, rows[i].fate, stage.counts.*rows[i].count);
+        drawCount(controls, rows[i].name, rows[i].cullResult, state.counts.*rows[i].count);
     }
-    controls.toggle("Detail", stage.settings.levelOfDetail,
+    controls.toggle("Detail", state.settings.levelOfDetail,
                     "Leaves out blades too thin for a pixel, and widens the others for them");
     ImGui::SameLine();
-    drawCount(controls, "Detail", shared::fateLod, stage.counts.lod);
+    drawCount(controls, "Detail", shared::cullResultLod, state.counts.lod);
     ImGui::AlignTextToFramePadding();
     controls.note("Drawn");
     ImGui::SameLine(
         ImGui::GetWindowContentRegionMin().x +
         0.4f * (ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x) +
         ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x);
-    drawCount(controls, "Drawn", shared::fateDrawn, stage.counts.drawn);
+    drawCount(controls, "Drawn", shared::cullResultDrawn, state.counts.drawn);
 }
 
 } // namespace
 
-void drawCullingPanel(Controls& controls, Stage& stage)
+void drawCullingPanel(Controls& controls, ViewerState& state)
 {
-    render::FrameSettings& settings = stage.settings;
-    drawTests(controls, stage);
+    render::FrameSettings& settings = state.settings;
+    drawTests(controls, state);
     controls.section("Bounds");
     // Beyond the slider's end every blade is drawn.
-    const bool all = settings.nature.drawDistance >= farthest;
-    if (controls.number("Draw distance", settings.nature.drawDistance,
+    const bool all = settings.environment.drawDistance >= farthest;
+    if (controls.number("Draw distance", settings.environment.drawDistance,
                         {0.5f, farthest, "m", all ? "all" : "%.1f", true},
                         "Blades farther away are not drawn; at the end all are") &&
-        settings.nature.drawDistance >= farthest)
-        settings.nature.drawDistance = field::Defaults().drawDistance;
+        settings.environment.drawDistance >= farthest)
+        settings.environment.drawDistance = field::Defaults().drawDistance;
     controls.number("Thin below", settings.lodThreshold, {0.01f, 8.0f, "px", "%.2f", true},
                     "Width of a blade below which some are left out and the others widened");
 
-    controls.number("Layers", settings.maxLayers, {0.0f, 256.0f, "", "%.0f", true},
+    controls.number("LeafAreaLimit", settings.maxLeafArea, {0.0f, 256.0f, "", "%.0f", true},
                     "Of far dense grass so much leaf area is drawn in the way of a ray; 0: all");
 
     controls.section("Colours");
@@ -103,10 +103,10 @@ void drawCullingPanel(Controls& controls, Stage& stage)
     controls.section("Culling camera");
     bool frozen = settings.cullingCamera.has_value();
     if (controls.toggle("Frozen", frozen,
-                        "Blades are judged from where the camera is now, while you move on; its "
+                        "Blades are culled from where the camera is now, while you move on; its "
                         "frustum is drawn (C)"))
-        stage.wishes.freeze = true;
-    controls.note(frozen ? "Blades are judged from the frozen camera. Move away and look back."
+        state.requests.freeze = true;
+    controls.note(frozen ? "Blades are culled from the frozen camera. Move away and look back."
                          : "Freeze it, move away, and see what it left out.");
 }
 

@@ -20,10 +20,10 @@ std::string indented(const std::string& provenance)
 }
 
 // Several are chosen from, one by one; each may go.
-void drawMembers(Controls& controls, Stage& stage)
+void drawMembers(Controls& controls, ViewerState& state)
 {
-    const ShownField& shown = *stage.field;
-    const bool isBusy = stage.baking != nullptr || !stage.loading.empty();
+    const ShownField& shown = *state.field;
+    const bool isBusy = state.baking != nullptr || !state.loading.empty();
     for (std::size_t i = 0; i < shown.members.size(); ++i) {
         const OpenedField& field = *shown.members[i];
         ImGui::PushID(static_cast<int>(i));
@@ -32,8 +32,8 @@ void drawMembers(Controls& controls, Stage& stage)
             fmt::format("{}   {} blades, {}", field.name, countText(field.summary.blades),
                         bytesText(field.mapped.fileBytes()));
         const float width = ImGui::GetContentRegionAvail().x - removeWidth;
-        if (ImGui::Selectable(row.c_str(), i == stage.chosen, 0, {width, 0.0f}))
-            stage.wishes.choose = i;
+        if (ImGui::Selectable(row.c_str(), i == state.chosen, 0, {width, 0.0f}))
+            state.requests.choose = i;
         controls.tell(
             ("Show " + number).c_str(), row,
             (field.source.input + "\nTells of it below; the panel Meadow then bakes it again")
@@ -41,7 +41,7 @@ void drawMembers(Controls& controls, Stage& stage)
         ImGui::SameLine();
         ImGui::BeginDisabled(isBusy);
         if (ImGui::SmallButton("Remove"))
-            stage.wishes.remove = i;
+            state.requests.remove = i;
         controls.tell(("Remove " + number).c_str(), "", "Shows the others without it");
         ImGui::EndDisabled();
         ImGui::PopID();
@@ -49,9 +49,9 @@ void drawMembers(Controls& controls, Stage& stage)
     controls.fact("Together", countText(shown.summary.blades), "Blades of all that are shown");
 }
 
-void drawField(Controls& controls, Stage& stage)
+void drawField(Controls& controls, ViewerState& state)
 {
-    const OpenedField& field = *stage.field->members.at(stage.chosen);
+    const OpenedField& field = *state.field->members.at(state.chosen);
     const field::FieldView view = field.mapped.view();
     const field::Summary& summary = field.summary;
     controls.fact("File", field.source.input, "What was opened");
@@ -82,9 +82,9 @@ void drawField(Controls& controls, Stage& stage)
 }
 
 // A long text, below everything else.
-void drawProvenance(Controls& controls, const Stage& stage)
+void drawProvenance(Controls& controls, const ViewerState& state)
 {
-    const field::FieldView view = stage.field->members.at(stage.chosen)->mapped.view();
+    const field::FieldView view = state.field->members.at(state.chosen)->mapped.view();
     controls.section("Provenance");
     controls.note("How it was grown: tool, input and settings");
     ImGui::BeginChild("provenance", {0.0f, 180.0f}, true);
@@ -94,53 +94,53 @@ void drawProvenance(Controls& controls, const Stage& stage)
     ImGui::EndChild();
 }
 
-void drawShown(Controls& controls, Stage& stage)
+void drawShown(Controls& controls, ViewerState& state)
 {
-    if (stage.field->members.size() > 1)
-        drawMembers(controls, stage);
-    controls.fact("Resident", countText(stage.counts.resident), "Blades in the device's memory");
-    if (stage.counts.streamedOut > 0)
-        controls.fact("Streamed out", countText(stage.counts.streamedOut),
+    if (state.field->members.size() > 1)
+        drawMembers(controls, state);
+    controls.fact("Resident", countText(state.counts.resident), "Blades in the device's memory");
+    if (state.counts.streamedOut > 0)
+        controls.fact("Streamed out", countText(state.counts.streamedOut),
                       "Blades that wait in the file until they are seen and there is room");
-    controls.fact("On the device", bytesText(stage.deviceBytes),
+    controls.fact("On the device", bytesText(state.deviceBytes),
                   "Memory that fields, ground and pictures take");
-    if (stage.field->members.size() > 1)
-        controls.section(stage.field->members.at(stage.chosen)->name.c_str());
-    drawField(controls, stage);
+    if (state.field->members.size() > 1)
+        controls.section(state.field->members.at(state.chosen)->name.c_str());
+    drawField(controls, state);
 }
 
 // What is named, or was opened before: instead of what is shown, or beside it.
-void drawOthers(Controls& controls, Stage& stage)
+void drawOthers(Controls& controls, ViewerState& state)
 {
     controls.section("Another");
-    controls.text("Name", stage.another, "meadow.sward, a mesh, or hills",
+    controls.text("Name", state.another, "meadow.sward, a mesh, or hills",
                   "A field, or a ground on which grass is grown first; names of files count from "
                   "the folder that the viewer was started in");
-    ImGui::BeginDisabled(stage.another.empty());
+    ImGui::BeginDisabled(state.another.empty());
     if (controls.button("Open", "Shows it instead of what is shown"))
-        stage.wishes.open = {stage.another};
+        state.requests.open = {state.another};
     ImGui::SameLine();
     if (controls.button("Add field", "Shows it beside what is shown, in one picture"))
-        stage.wishes.add = {stage.another};
+        state.requests.add = {state.another};
     ImGui::EndDisabled();
-    controls.toggle("Drop adds", stage.dropAdds,
+    controls.toggle("Drop adds", state.dropAdds,
                     "What is dropped on the window is shown beside the rest, as with Shift held");
 
     controls.section("Open recent");
-    if (stage.recent == nullptr || stage.recent->inputs().empty()) {
+    if (state.recent == nullptr || state.recent->inputs().empty()) {
         controls.note("Nothing was opened before.");
         return;
     }
-    for (const std::string& input : stage.recent->inputs()) {
+    for (const std::string& input : state.recent->inputs()) {
         const std::string name = std::filesystem::path(input).filename().string();
         ImGui::PushID(input.c_str());
         if (ImGui::Selectable(name.c_str(), false, 0,
                               {ImGui::GetContentRegionAvail().x - addWidth, 0.0f}))
-            stage.wishes.open = {input};
+            state.requests.open = {input};
         controls.tell(name.c_str(), input, input.c_str());
         ImGui::SameLine();
         if (ImGui::SmallButton("Add"))
-            stage.wishes.add = {input};
+            state.requests.add = {input};
         controls.tell(("Add " + name).c_str(), "", "Shows it beside what is shown");
         ImGui::PopID();
     }
@@ -148,15 +148,15 @@ void drawOthers(Controls& controls, Stage& stage)
 
 } // namespace
 
-void drawFieldPanel(Controls& controls, Stage& stage)
+void drawFieldPanel(Controls& controls, ViewerState& state)
 {
-    if (stage.field != nullptr)
-        drawShown(controls, stage);
+    if (state.field != nullptr)
+        drawShown(controls, state);
     else
         controls.note("Nothing is shown yet. Drop a field, a mesh or a recipe on the window.");
-    drawOthers(controls, stage);
-    if (stage.field != nullptr)
-        drawProvenance(controls, stage);
+    drawOthers(controls, state);
+    if (state.field != nullptr)
+        drawProvenance(controls, state);
 }
 
 } // namespace sward::view

@@ -3,9 +3,9 @@
 
 namespace sward::view {
 
-void drawLookPanel(Controls& controls, Stage& stage)
+void drawLookPanel(Controls& controls, ViewerState& state)
 {
-    render::FrameSettings& settings = stage.settings;
+    render::FrameSettings& settings = state.settings;
     controls.section("Sun");
     render::SunPlace sun = render::sunPlaceOf(settings.sunDirection);
     const bool turned = controls.number("Azimuth", sun.azimuth, {-180.0f, 180.0f, "°", "%.0f"},

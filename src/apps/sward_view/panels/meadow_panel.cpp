@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array amounts{"the baker's", "density", "spacing", "count"};
 
-void drawAmount(Controls& controls, MeadowWishes& meadow)
+void drawAmount(Controls& controls, MeadowRequests& meadow)
 {
     controls.choice("Amount", meadow.amount, amounts, "What decides how many blades grow");
     if (meadow.amount == 1)
@@ -23,24 +23,24 @@ void drawAmount(Controls& controls, MeadowWishes& meadow)
         controls.wholeNumber("Count", meadow.count, 1, 5'000'000, "Blades kept, exactly");
 }
 
-void drawProgress(Controls& controls, Stage& stage)
+void drawProgress(Controls& controls, ViewerState& state)
 {
-    const BakeProgress& progress = stage.baking->progress();
-    const std::string stageName = progress.stage.empty() ? "starting" : progress.stage;
+    const BakeProgress& progress = state.baking->progress();
+    const std::string stageName = progress.state.empty() ? "starting" : progress.state;
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram, controls.style().color(palette::accent, 0.55f));
     ImGui::ProgressBar(static_cast<float>(progress.share), {-1.0f, 0.0f},
                        fmt::format("{}  {:.0f} %", stageName, 100.0 * progress.share).c_str());
     ImGui::PopStyleColor();
     controls.tell("Progress", stageName, "What sward is doing, and how much of it is done");
     if (controls.button("Cancel", "Ends the bake; the field that is shown stays", true))
-        stage.wishes.cancelBake = true;
+        state.requests.cancelBake = true;
 }
 
 } // namespace
 
-void drawMeadowPanel(Controls& controls, Stage& stage)
+void drawMeadowPanel(Controls& controls, ViewerState& state)
 {
-    MeadowWishes& meadow = stage.meadow;
+    MeadowRequests& meadow = state.meadow;
     controls.text("Ground", meadow.ground, "a mesh, a recipe, or hills",
                   "What grass grows on: .glb .gltf .obj .ply .stl .off, a heightmap, a recipe "
                   ".json, or plane sphere hills dunes torus arch");
@@ -66,22 +66,22 @@ void drawMeadowPanel(Controls& controls, Stage& stage)
     controls.wholeNumber("Seed", meadow.seed, 0, 9999, "Another number, another meadow");
 
     ImGui::Dummy({0.0f, 4.0f});
-    if (stage.baking != nullptr) {
-        drawProgress(controls, stage);
+    if (state.baking != nullptr) {
+        drawProgress(controls, state);
     } else {
         ImGui::BeginDisabled(meadow.ground.empty());
         if (controls.button("Bake again",
                             "Runs sward with these settings; what is shown stays until it is done",
                             true))
-            stage.wishes.bake = true;
+            state.requests.bake = true;
         ImGui::EndDisabled();
         if (meadow.ground.empty())
             controls.note("A field file does not hold the mesh it was grown on. Name it above, or "
                           "drop it on the window.");
     }
 
-    if (stage.difference) {
-        const BakeDifference& difference = *stage.difference;
+    if (state.difference) {
+        const BakeDifference& difference = *state.difference;
         controls.section("Before and after");
         controls.fact("Blades",
                       fmt::format("{} to {}", countText(difference.bladesBefore),
@@ -91,16 +91,16 @@ void drawMeadowPanel(Controls& controls, Stage& stage)
             "Mean height",
             fmt::format("{:.2f} to {:.2f} m", difference.heightBefore, difference.heightAfter),
             "Of all blades");
-        bool former = stage.showsFormer;
+        bool former = state.showsFormer;
         if (controls.toggle("Show before", former, "Shows the field before the last bake"))
-            stage.wishes.compare = true;
+            state.requests.compare = true;
     }
-    if (!stage.bakeReport.empty()) {
+    if (!state.bakeReport.empty()) {
         controls.section("Last bake");
         ImGui::PushTextWrapPos(0.0f);
-        ImGui::TextUnformatted(stage.bakeReport.c_str());
+        ImGui::TextUnformatted(state.bakeReport.c_str());
         ImGui::PopTextWrapPos();
-        controls.tell("Report", stage.bakeReport, "Roots kept, and rejected by reason");
+        controls.tell("Report", state.bakeReport, "Roots kept, and rejected by reason");
     }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/sward_view/interface/controls.h"
-#include "apps/sward_view/stage.h"
+#include "apps/sward_view/viewer_state.h"
 
 #include <array>
 
@@ -9,21 +9,21 @@ namespace sward::view {
 
 // Each draws one panel into the window that ImGui has open, and turns what belongs to it.
 
-void drawFieldPanel(Controls& controls, Stage& stage);
-void drawMeadowPanel(Controls& controls, Stage& stage);
-void drawPhysicsPanel(Controls& controls, Stage& stage);
-void drawWindPanel(Controls& controls, Stage& stage);
-void drawCullingPanel(Controls& controls, Stage& stage);
-void drawCollidersPanel(Controls& controls, Stage& stage);
-void drawLookPanel(Controls& controls, Stage& stage);
-void drawCameraPanel(Controls& controls, Stage& stage);
-void drawProfilePanel(Controls& controls, Stage& stage);
-void drawCapturePanel(Controls& controls, Stage& stage);
+void drawFieldPanel(Controls& controls, ViewerState& state);
+void drawMeadowPanel(Controls& controls, ViewerState& state);
+void drawPhysicsPanel(Controls& controls, ViewerState& state);
+void drawWindPanel(Controls& controls, ViewerState& state);
+void drawCullingPanel(Controls& controls, ViewerState& state);
+void drawCollidersPanel(Controls& controls, ViewerState& state);
+void drawLookPanel(Controls& controls, ViewerState& state);
+void drawCameraPanel(Controls& controls, ViewerState& state);
+void drawProfilePanel(Controls& controls, ViewerState& state);
+void drawCapturePanel(Controls& controls, ViewerState& state);
 
 struct Panel {
     const char* name;
     const char* about;
-    void (*draw)(Controls& controls, Stage& stage);
+    void (*draw)(Controls& controls, ViewerState& state);
 };
 
 /// In the order of the rail.

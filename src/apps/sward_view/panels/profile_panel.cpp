@@ -33,33 +33,33 @@ void drawPass(Controls& controls, const gpu::Timestamps& times, const std::strin
 
 } // namespace
 
-void drawProfilePanel(Controls& controls, Stage& stage)
+void drawProfilePanel(Controls& controls, ViewerState& state)
 {
-    controls.fact("Device", stage.device, "That draws");
-    controls.fact("Frame", fmt::format("{:.1f} ms", 1000.0 * stage.frameSeconds),
+    controls.fact("Device", state.device, "That draws");
+    controls.fact("Frame", fmt::format("{:.1f} ms", 1000.0 * state.frameSeconds),
                   "From picture to picture, smoothed");
-    controls.fact("Blades", countText(stage.counts.total), "Of the field");
-    controls.fact("Simulated", countText(stage.counts.simulated), "Moved in the last frame");
-    controls.fact("Drawn", countText(stage.counts.drawn), "In the last frame");
-    controls.fact("Memory", bytesText(stage.deviceBytes), "Of the device, for field and pictures");
+    controls.fact("Blades", countText(state.counts.total), "Of the field");
+    controls.fact("Simulated", countText(state.counts.simulated), "Moved in the last frame");
+    controls.fact("Drawn", countText(state.counts.drawn), "In the last frame");
+    controls.fact("Memory", bytesText(state.deviceBytes), "Of the device, for field and pictures");
 
     controls.section("Resolution");
-    controls.toggle("Automatic", stage.automaticScale,
+    controls.toggle("Automatic", state.automaticScale,
                     "Draws fewer pixels than the window has when frames take too long");
-    ImGui::BeginDisabled(stage.automaticScale);
-    controls.number("Scale", stage.scale, {static_cast<float>(InternalResolution::lowest), 1.0f},
+    ImGui::BeginDisabled(state.automaticScale);
+    controls.number("Scale", state.scale, {static_cast<float>(InternalResolution::lowest), 1.0f},
                     "Drawn share of width and height");
     ImGui::EndDisabled();
 
     controls.section("Passes");
-    if (stage.times == nullptr || stage.times->names().empty()) {
+    if (state.times == nullptr || state.times->names().empty()) {
         controls.note("This device measures no times.");
         return;
     }
-    for (const std::string& name : stage.times->names())
-        drawPass(controls, *stage.times, name);
+    for (const std::string& name : state.times->names())
+        drawPass(controls, *state.times, name);
     if (controls.button("Forget times", "Begins to measure anew", true))
-        stage.wishes.forgetTimes = true;
+        state.requests.forgetTimes = true;
 }
 
 } // namespace sward::view

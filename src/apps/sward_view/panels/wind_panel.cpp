@@ -1,5 +1,5 @@
 #include "apps/sward_view/panels/panels.h"
-#include "render/nature_settings.h"
+#include "render/environment_settings.h"
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
@@ -56,27 +56,27 @@ void drawSource(Controls& controls, render::WindSource& wind, float ahead)
 
 } // namespace
 
-void drawWindPanel(Controls& controls, Stage& stage)
+void drawWindPanel(Controls& controls, ViewerState& state)
 {
-    std::vector<render::WindSource>& winds = stage.settings.winds;
+    std::vector<render::WindSource>& winds = state.settings.winds;
     float sum = render::windStrength(winds);
     ImGui::BeginDisabled(sum <= 0.0f);
     if (controls.number("All together", sum, {0.01f, 60.0f, "1/s", "%.2f"},
                         "Sum of the strengths; turning it turns all sources"))
         render::scaleWind(winds, sum);
     ImGui::EndDisabled();
-    controls.toggle("Arrows", stage.showWindArrows, "Shows each source's direction in the picture");
-    bool paints = stage.settings.debug == render::DebugMode::wind;
+    controls.toggle("Arrows", state.showWindArrows, "Shows each source's direction in the picture");
+    bool paints = state.settings.debug == render::DebugMode::wind;
     if (controls.toggle("Paint speed", paints,
                         "Colours ground and blades from calm (blue) to the strongest (white)"))
-        stage.settings.debug = paints ? render::DebugMode::wind : render::DebugMode::none;
+        state.settings.debug = paints ? render::DebugMode::wind : render::DebugMode::none;
 
     std::optional<std::size_t> removed;
     for (std::size_t i = 0; i < winds.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         controls.section(fmt::format("Source {}", i + 1).c_str());
         controls.beginPanel(fmt::format("Wind/{}", i + 1));
-        drawSource(controls, winds[i], stage.heading);
+        drawSource(controls, winds[i], state.heading);
         if (controls.button("Remove", "Takes this source away"))
             removed = i;
         ImGui::PopID();

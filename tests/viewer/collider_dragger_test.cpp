@@ -1,0 +1,101 @@
+#include "apps/sward_view/collider_dragger.h"
+#include "support/fields/fields.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace sward::view {
+namespace {
+
+constexpr double dt = 1.0 / 60.0;
+
+glm::dvec3 upright(const glm::dvec3&)
+{
+    return {0.0, 1.0, 0.0};
+}
+
+/// A ball on a level square, seen from above at an angle.
+class ColliderHandTest : public testing::Test {
+protected:
+    Sight towards(const glm::dvec3& place) const
+    {
+        const glm::dvec3 eye(0.0, 6.0, 8.0);
+        return {eye, glm::normalize(place - eye), 0.001};
+    }
+
+    glm::dvec3 middle() const { return middleOf(balls_[0], time_); }
+
+    void step()
+    {
+        hand_.advance(balls_, ground_, upright, time_, time_ + dt);
+        time_ += dt;
+    }
+
+    const field::Field field_ = test::makeField({});
+    const GroundSurface ground_{viewOf(field_)};
+    std::vector<render::Collider> balls_{{{0.0, 0.45, 0.0}, {0.0, 0.45, 0.0}, 0.5, {}}};
+    ColliderDragger hand_;
+    double time_ = 0.0;
+};
+
+TEST_F(ColliderHandTest, TakesOnlyWhatItPointsAt)
+{
+    EXPECT_FALSE(hand_.grab(balls_, towards({3.0, 0.0, 0.0}), ground_, time_));
+    EXPECT_TRUE(hand_.grab(balls_, towards({0.1, 0.5, 0.0}), ground_, time_));
+}
+
+TEST_F(ColliderHandTest, LaysTheBallOnTheGroundBelowTheMouse)
+{
+    ASSERT_TRUE(hand_.grab(balls_, towards({0.0, 0.45, 0.0}), ground_, time_));
+    hand_.drag(towards({2.0, 0.0, 1.0}), ground_, upright);
+    step();
+    EXPECT_LT(glm::distance(middle(), glm::dvec3(2.0, 0.45, 1.0)), 1e-6);
+}
+
+TEST_F(ColliderHandTest, TellsTheShadersHowFastItMoves)
+{
+    ASSERT_TRUE(hand_.grab(balls_, towards({0.0, 0.45, 0.0}), ground_, time_));
+    hand_.drag(towards({0.3, 0.0, 0.0}), ground_, upright);
+    const double before = time_;
+    step();
+    const shared::Collider seen = render::colliderAt(balls_[0], glm::dvec3(0.0), time_, before);
+    EXPECT_NEAR(static_cast<double>(seen.velocity.x), 0.3 / dt, 0.01 / dt);
+}
+
+TEST_F(ColliderHandTest, RollsOnWhenItIsThrownAndComesToRest)
+{
+    ASSERT_TRUE(hand_.grab(balls_, towards({0.0, 0.45, 0.0}), ground_, time_));
+    for (int i = 1; i <= 20; ++i) {
+        hand_.drag(towards({0.03 * i, 0.0, 0.0}), ground_, upright);
+        step();
+    }
+    const double x = middle().x;
+    hand_.release();
+    step();
+    EXPECT_GT(middle().x, x + 0.01);
+    for (int i = 0; i < 60 * 20; ++i)
+        step();
+    const glm::dvec3 rested = middle();
+    EXPECT_NEAR(rested.y, 0.45, 1e-6);
+    step();
+    EXPECT_EQ(middle(), rested);
+    // All of its way is its speed over the friction, a second or so.
+    EXPECT_LT(rested.x, x + 3.0);
+}
+
+TEST_F(ColliderHandTest, LeavesTheBallWhereItIsLetGoAtRest)
+{
+    ASSERT_TRUE(hand_.grab(balls_, towards({0.0, 0.45, 0.0}), ground_, time_));
+    for (int i = 0; i < 60; ++i) {
+        hand_.drag(towards({1.0, 0.0, 0.0}), ground_, upright);
+        step();
+    }
+    hand_.release();
+    const glm::dvec3 place = middle();
+    for (int i = 0; i < 60; ++i)
+        step();
+    EXPECT_LT(glm::distance(middle(), place), 1e-3);
+}
+
+} // namespace
+} // namespace sward::view
