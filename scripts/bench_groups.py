@@ -33,7 +33,7 @@ AIMS = (("1M", f"{WHOLE}, 1 sample", 0.6, 1.1),
         ("16M", f"{WHOLE}, 4 samples", 5.5, 6.0),
         ("100M", "default, 1 sample", 2.0, 2.5),
         ("1G", "default, 1 sample", 3.5, 4.0))
-LARGE = {"100M", "1G"}  # scenes that nobody tessellates, or draws as a whole, as a rule
+LARGE = {"100M", "1G"}  # scenes that are not tessellated or drawn whole by default
 
 
 @dataclass

@@ -1,9 +1,9 @@
-// From light to a picture.
+// Converts light to a picture.
 #ifndef SWARD_FILM_CURVE_GLSL
 #define SWARD_FILM_CURVE_GLSL
 
-/// The filmic curve fitted to ACES by K. Narkowicz ("ACES Filmic Tone Mapping Curve", 2015), a little
-/// desaturated where it is bright. `exposed`: radiance times exposure.
+/// The filmic curve fitted to ACES by K. Narkowicz ("ACES Filmic Tone Mapping Curve", 2015), slightly desaturated in
+/// bright areas. `exposed`: radiance times exposure.
 vec3 filmOf(vec3 exposed)
 {
     const vec3 x = exposed * 0.80;

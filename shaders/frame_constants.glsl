@@ -1,5 +1,5 @@
-// The frame as constants, in the set of descriptors FRAME_SET. A GPU keeps what every thread reads of
-// them out of its registers, unlike what comes by an address.
+// The frame as uniform constants in descriptor set FRAME_SET. A GPU keeps uniform data that all threads read out of
+// vector registers, unlike data read through an address.
 #ifndef SWARD_FRAME_CONSTANTS_GLSL
 #define SWARD_FRAME_CONSTANTS_GLSL
 

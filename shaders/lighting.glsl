@@ -1,5 +1,4 @@
-// Light, air and film: what ground, grass and sky have in common. The including stage has a push
-// constant `push` with the frame.
+// Light, air and film, shared by ground, grass and sky. The including stage has a push constant `push` with the frame.
 #ifndef SWARD_LIGHTING_GLSL
 #define SWARD_LIGHTING_GLSL
 
@@ -14,28 +13,28 @@
 
 #ifndef WIND_SOURCE
 #define WIND_SOURCE(wind, i) FRAME.environment.wind.sources[i]
+#define WIND_LATTICE(wind) FRAME.environment.wind.lattice
 #endif
 
 #include "shaders/shared/wind.h"
 
-/// Known when the pipeline is made, see debugAsTold.
+/// Known at pipeline creation, see debugAsTold.
 layout(constant_id = 0) const uint knownDebugMode = debugAsTold;
 const bool paintsWind = knownDebugMode == debugWind;
 
-/// To whom the picture goes: 0 to Sward's own film, 1 to a host's as it is, 2 to a host's own film,
-/// 3 to nobody, who wants depth alone.
+/// Target of the picture: 0 Sward's own film, 1 a host's picture as it is, 2 a host's own film, 3 none (depth only).
 layout(constant_id = 9) const uint handedTo = 0u;
 const uint handedToFilm = 0u;
 const uint handedToHostFilm = 2u;
-const uint handedToNobody = 3u;
+const uint handedToNone = 3u;
 
-/// Of the frame.
+/// The debug mode of the frame.
 uint debugMode()
 {
     return knownDebugMode == debugAsTold ? FRAME.debugMode : knownDebugMode;
 }
 
-/// Whether the picture shows nothing but how much grass covers, by distance.
+/// Whether the picture shows only the share that grass covers, by distance.
 bool showsBands()
 {
     return debugMode() >= debugNear;
@@ -52,10 +51,10 @@ vec3 decodeSrgb(vec3 c)
     return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
 }
 
-/// Radiance of the sky near the horizon in a direction with that cosine from the sun's.
+/// Radiance of the sky near the horizon in a direction with this cosine to the sun's direction.
 vec3 paleSky(float sunCosine)
 {
-    // Paler and warmer through more air.
+    // Paler and warmer where light passes through more air.
     const float towards = 0.5 + 0.5 * sunCosine;
     return FRAME.skyColor * mix(vec3(1.12, 1.02, 0.90), vec3(2.30, 1.30, 0.60),
                                 FRAME.lowSun * towards * towards);
@@ -69,16 +68,16 @@ vec3 glowAround(float sunCosine)
     return glow * FRAME.sunColor * mix(vec3(0.36, 0.34, 0.31), vec3(0.45, 0.33, 0.22), FRAME.lowSun);
 }
 
-/// Radiance of the sky towards a unit ray, without sun and clouds: deep above, pale at the horizon,
-/// warm on the side of a low sun. `height`, not negative, and `sunCosine`: of the ray along the sky's
-/// up-vector and towards the sun.
+/// Radiance of the sky towards a unit ray, without sun and clouds: deep above, pale at the horizon, warm on the side of
+/// a low sun. `height` (not negative) is the ray's component along the sky's up-vector, `sunCosine` that towards the
+/// sun.
 vec3 skyAbove(float height, float sunCosine)
 {
     const vec3 zenith = FRAME.skyColor * vec3(0.15, 0.30, 0.56);
     return mix(paleSky(sunCosine), zenith, 1.0 - exp(-4.0 * height)) + glowAround(sunCosine);
 }
 
-/// The same of any unit ray: below the horizon there is haze, as over water and far land.
+/// The same for any unit ray. Below the horizon there is haze, as over water and far land.
 vec3 skyRadiance(vec3 ray)
 {
     const float height = dot(ray, FRAME.skyUp);
@@ -90,17 +89,16 @@ vec3 skyRadiance(vec3 ray)
     return mix(pale, haze, 1.0 - exp(2.2 * height)) + glowAround(sunCosine);
 }
 
-/// Diffuse light from sky and ground on a surface with unit normal `n`. The whole sky is a quarter
-/// brighter than straight above: paler lower down, and bright around the sun.
+/// Diffuse light from sky and ground on a surface with unit normal `n`. The mean sky is a quarter brighter than the
+/// zenith: paler lower down, and bright around the sun.
 vec3 hemisphere(vec3 n)
 {
     return mix(FRAME.groundColor, 1.25 * FRAME.skyColor, 0.5 + 0.5 * dot(n, FRAME.skyUp));
 }
 
-/// What leaves around throw on and let through, below `leafArea` of them: of the sun's light, with
-/// the sun at this cosine from the ground's normal and this share of it seen, and of the sky's. A
-/// leaf passes on a fifth of the green and less of other colours, half of that downwards, and the
-/// leaves below it take their share. Nothing without grass.
+/// Light that surrounding leaves reflect and transmit, below `leafArea` of leaves. Sources are the sun, with `cosine`
+/// to the ground's normal and visible share `sunShare`, and the sky. A leaf passes on a fifth of the green and less of
+/// other colours, half of that downwards; leaves below absorb their share. Zero without grass.
 vec3 lightAmongLeaves(float leafArea, float cosine, float sunShare)
 {
     const vec3 passedOn = vec3(0.17, 0.20, 0.06);
@@ -109,8 +107,8 @@ vec3 lightAmongLeaves(float leafArea, float cosine, float sunShare)
     return passedOn * caught * exp(-0.5 * leafExtinction * leafArea);
 }
 
-/// Share of the light that passes so much air [m], which thins with height; `climb`: the cosine of the
-/// way from the eye with the sky's up-vector.
+/// Share of the light that passes `distance` [m] of air, which thins with height. `climb`: cosine between the ray from
+/// the eye and the sky's up-vector.
 float clearBetween(float climb, float distance)
 {
     const float rise = FRAME.fogFalloff * distance * climb;
@@ -119,19 +117,19 @@ float clearBetween(float climb, float distance)
     return exp(-FRAME.fogDensity * distance * mean);
 }
 
-/// Puts air between the eye and something `distance` [m] away in a unit direction.
+/// Applies the air between the eye and a point `distance` [m] away in a unit direction.
 vec3 throughAir(vec3 color, vec3 direction, float distance)
 {
     const float climb = dot(direction, FRAME.skyUp);
-    // The air is as bright as the sky just above the horizon behind it: towards
-    // direction − (climb − 0.02) · skyUp, which is so long.
+    // The air is as bright as the sky just above the horizon behind it: towards direction − (climb − 0.02) · skyUp,
+    // whose length is 1 / perLength.
     const float perLength = inversesqrt(max(1.0 - climb * climb, 0.0) + 0.02 * 0.02);
     const float sunCosine = dot(direction, FRAME.sunDirection) -
                             (climb - 0.02) * dot(FRAME.skyUp, FRAME.sunDirection);
     return mix(skyAbove(0.02 * perLength, sunCosine * perLength), color, clearBetween(climb, distance));
 }
 
-/// From radiance to the picture, if that is not left to a host.
+/// Converts radiance to the picture, unless a host does so.
 vec3 develop(vec3 radiance)
 {
     if (handedTo == handedToHostFilm)
@@ -139,9 +137,9 @@ vec3 develop(vec3 radiance)
     return filmOf(radiance * FRAME.exposure);
 }
 
-/// How soft a picture with several samples is where grass stands so far away [m] and covers this
-/// share of the ground: 1 where blades are thinner than 0.6 pixels, 0 where they are wider than 1.5,
-/// or are drawn as narrow as they are. It stands in the alpha channel, as 1 − softness.
+/// Softness of a multisampled picture where grass at `distance` [m] covers `share` of the ground. 1 where blades are
+/// thinner than 0.6 pixels; 0 where they are wider than 1.5 or have no minimum width. The alpha channel stores 1 −
+/// softness.
 float softness(float distance, float share)
 {
     if (FRAME.view.minWidth <= 0.0 || debugMode() != debugNothing)
@@ -150,8 +148,8 @@ float softness(float distance, float share)
     return share * (1.0 - smoothstep(0.6, 1.5, widthPixels));
 }
 
-/// Half a step of an 8-bit picture up or down, by the place alone, so that smooth gradients show no
-/// bands. `color` is linear; a step of its sRGB form is 2.2·color^(6/11) wide.
+/// Adds up to half a step of an 8-bit picture, as a function of the place alone, against banding in smooth gradients.
+/// `color` is linear; a step of its sRGB form is 2.2·color^(6/11) wide.
 vec3 dithered(vec3 color, vec2 place)
 {
     const uint h = mixUint(uint(place.x) + 65536u * uint(place.y));
@@ -159,14 +157,14 @@ vec3 dithered(vec3 color, vec2 place)
     return color + noise * (2.2 / 255.0) * pow(max(color, 0.0), vec3(0.5454));
 }
 
-/// A colour for a number, well spread, for the debug pictures.
+/// A well distributed colour for a number, for debug pictures.
 vec3 colorOf(uint number)
 {
     const uint h = mixUint(number * 2654435761u + 12345u);
     return 0.15 + 0.85 * vec3(h & 255u, (h >> 8u) & 255u, (h >> 16u) & 255u) / 255.0;
 }
 
-/// The wind's speed at a place as a colour: dark blue where it is calm, over green to white.
+/// The wind's speed at a place as a colour: dark blue for calm, over green to white.
 vec3 colorOfWind(vec3 position, vec3 up)
 {
     const vec3 wind = windAt(FRAME.environment.wind, position, up, FRAME.time);
@@ -175,7 +173,7 @@ vec3 colorOfWind(vec3 position, vec3 up)
                vec3(1.0, 0.95, 0.8), smoothstep(0.35, 1.0, speed));
 }
 
-/// Share of the tip's colour in that of a blade `along` [0, 1] its height.
+/// Share of the tip's colour at `along` [0, 1] of a blade's height.
 float tipShareAt(float along)
 {
     return smoothstep(-0.15, 0.8, along);

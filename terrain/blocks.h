@@ -21,7 +21,7 @@ void forEachBlock(std::size_t count, std::size_t size, Work&& work)
     });
 }
 
-/// Whether `holds(i)` for every number below `count`; asked from several threads.
+/// Whether `holds(i)` for every number below `count`; called from several threads.
 template <typename Condition>
 bool holdsForAll(std::size_t count, Condition&& holds)
 {

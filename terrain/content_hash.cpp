@@ -9,7 +9,7 @@
 namespace sward::terrain {
 namespace {
 
-// XXH3 over a sequence of arrays; each goes in after its length, so that their borders count too.
+// XXH3 over a sequence of arrays. Hashes the length of each array first, so that borders count too.
 class Hasher {
 public:
     Hasher() { expect(XXH3_64bits_reset(state_) == XXH_OK, "XXH3 does not start"); }
@@ -56,7 +56,7 @@ std::string contentHash(const GroundMesh& mesh)
     hasher.add(mesh.materialOf);
     hasher.add(mesh.bears);
 
-    // What a material lends a blade: its colour.
+    // Hash the material properties that affect blades: the colour.
     for (const GroundMaterial& material : mesh.materials) {
         for (glm::length_t channel = 0; channel < 4; ++channel)
             hasher.add(static_cast<double>(material.baseColor[channel]));

@@ -5,7 +5,7 @@
 
 namespace sward::terrain {
 
-/// By which a file's kind is told: its extension in lower case, like ".png".
+/// Extension of a file in lower case, like ".png".
 std::string fileKind(const std::filesystem::path& path);
 
 } // namespace sward::terrain

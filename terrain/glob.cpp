@@ -6,8 +6,7 @@ bool globMatches(const std::string& glob, const std::string& text)
 {
     std::size_t g = 0;
     std::size_t t = 0;
-    // Where the last * stands, and how much of the text it has swallowed: the only place to go back
-    // to.
+    // Position of the last * and the text length it matches; backtracking returns only to it.
     std::size_t star = std::string::npos;
     std::size_t swallowed = 0;
     while (t < text.size()) {

@@ -7,7 +7,7 @@
 namespace sward::terrain {
 namespace {
 
-// The numbers of a material, as they lie in the file.
+// A material's numbers in file layout.
 struct MaterialRecord {
     glm::vec4 baseColor;
     float roughness;

@@ -5,17 +5,17 @@
 
 namespace sward::terrain {
 
-/// Appends a ground to a record, everything of it but the pixels of its images.
+/// Appends a ground to a record, without the pixels of its images.
 void write(RecordWriter& writer, const GroundMesh& ground);
 
-/// Reads it back and checks it as an importer would; `place` names it in messages. A ground without
-/// triangles is allowed. Its images have a size and no pixels. Throws Error{input}.
+/// Reads a ground and validates it as an importer does; messages name `place`. Allows a ground
+/// without triangles. Its images have a size and no pixels. Throws Error{input}.
 GroundMesh readGround(RecordReader& reader, const std::string& place);
 
 /// Appends the pixels of an image.
 void writePixels(RecordWriter& writer, const GroundImage& image);
 
-/// Reads them back into the image. Throws Error{input} if they are of another size.
+/// Reads the pixels of an image. Throws Error{input} if their size differs.
 void readPixels(RecordReader& reader, GroundImage& image, const std::string& place);
 
 } // namespace sward::terrain

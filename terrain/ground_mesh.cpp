@@ -45,7 +45,7 @@ void requireLength(std::size_t length, std::size_t expected, const char* what,
         fail(ErrorKind::input, "{}: {} {} where {} are needed", place, length, what, expected);
 }
 
-// Twice the area, along the normal.
+// Vector along the normal; its length is twice the area.
 glm::dvec3 areaVector(const GroundMesh& mesh, std::size_t index)
 {
     const glm::uvec3 t = mesh.triangles[index];
@@ -53,7 +53,7 @@ glm::dvec3 areaVector(const GroundMesh& mesh, std::size_t index)
     return glm::cross(glm::dvec3(mesh.positions[t.y]) - a, glm::dvec3(mesh.positions[t.z]) - a);
 }
 
-// Every per-triangle number must point at something that exists.
+// Checks that every per-triangle index is in range.
 void validateTriangles(const GroundMesh& mesh, const std::string& place)
 {
     const std::size_t vertices = mesh.positions.size();

@@ -12,7 +12,7 @@
 
 namespace sward::terrain {
 
-/// An image as it is drawn: 8 bits, red, green, blue, alpha, sRGB colour, rows from the top.
+/// An image for display: 8 bits, red, green, blue, alpha, sRGB colour, rows from the top.
 struct GroundImage {
     std::string name;
     std::uint32_t width = 0;
@@ -22,9 +22,9 @@ struct GroundImage {
 
 /// What an image shows outside [0, 1].
 enum class ImageWrap : std::uint8_t {
-    repeat, ///< itself again
+    repeat, ///< repeated
     clamp,  ///< its edge
-    mirror  ///< itself again, every other time turned round
+    mirror  ///< repeated, every other copy mirrored
 };
 
 struct GroundMaterial {
@@ -40,13 +40,12 @@ struct GroundMaterial {
     bool doubleSided = false;                          ///< the back is drawn too
 };
 
-/// What ground is: an indexed triangle soup in world space, Y up, metres. It need not be manifold,
-/// closed or connected. The front of a triangle is where its corners turn anti-clockwise.
+/// The ground: an indexed triangle soup in world space, Y up, metres. It need not be manifold,
+/// closed or connected. Corners of a triangle turn anti-clockwise seen from its front.
 ///
-/// World position = `origin` + position. The origin is a multiple of 32 m near the middle of the
-/// bounds (0 for ground around the world's origin), so that positions keep their millimetre in
-/// single precision wherever the ground lies, and cells of a world grid of 32·2ⁿ m fall on the same
-/// lines.
+/// World position = `origin` + position. The origin is a multiple of 32 m near the centre of the
+/// bounds (0 for ground around the world's origin). So positions keep millimetre precision in
+/// single precision everywhere, and cells of a world grid of 32·2ⁿ m share the same planes.
 struct GroundMesh {
     glm::dvec3 origin{0.0};
 
@@ -62,20 +61,20 @@ struct GroundMesh {
     std::vector<std::uint32_t> materialOf; ///< index into `materials`
     std::vector<std::uint32_t> nodeOf;     ///< index into `nodes`
     std::vector<std::uint8_t> bears;       ///< 1: may bear grass; 0: blocks rays and is shown only
-    std::vector<std::uint32_t> sourceOf;   ///< number in the whole ground, rising; empty: the same
+    std::vector<std::uint32_t> sourceOf;   ///< number in the whole ground, rising; empty: equal
 
     std::vector<GroundMaterial> materials; ///< at least one
     std::vector<GroundImage> images;
     std::vector<std::string> nodes; ///< names; the path "parent/child" for nested nodes
     std::string copyright;          ///< glTF asset.copyright, passed on to exports
 
-    bool hasColors = false; ///< some vertex had a colour in the file
+    bool hasColors = false; ///< some vertex has a colour in the file
     bool hasNormals =
         false; ///< every vertex had a usable normal in the file; else topology makes them
 
     Aabb bounds() const;
 
-    /// Number of a triangle in the ground that this one is a part of, or is.
+    /// Number of a triangle in the whole ground; equals the index unless this is a part.
     std::uint32_t source(std::size_t triangle) const
     {
         return sourceOf.empty() ? static_cast<std::uint32_t>(triangle) : sourceOf[triangle];
@@ -88,12 +87,11 @@ struct GroundMesh {
     glm::dvec3 faceNormal(std::size_t index) const;
 };
 
-/// Throws Error{input} naming `place` if arrays disagree in length, an index is out of range, a
-/// number is not finite, or there is no triangle with an area. Every importer and generator ends
-/// with it.
+/// Throws Error{input} naming `place` if arrays differ in length, an index is out of range, a
+/// number is not finite, or no triangle has an area. Every importer and generator calls it last.
 void validate(const GroundMesh& mesh, const std::string& place);
 
-/// Appends `other`, bringing it to the origin of `mesh`.
+/// Appends `other`, shifted to the origin of `mesh`.
 void append(GroundMesh& mesh, const GroundMesh& other);
 
 /// The origin for ground with these bounds in world space: their centre, rounded to 32 m.

@@ -4,12 +4,12 @@
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
 #include "terrain/file_kind.h"
-#include "terrain/gltf_import.h"
-#include "terrain/heightmap.h"
-#include "terrain/mesh_import.h"
+#include "terrain/gltf/import.h"
+#include "terrain/heightmap/heightmap.h"
+#include "terrain/mesh_files/mesh_import.h"
 #include "terrain/placement.h"
 #include "terrain/recipe.h"
-#include "terrain/soup.h"
+#include "terrain/topology/soup.h"
 
 #include <fmt/ranges.h>
 #include <glm/geometric.hpp>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::uintmax_t sizeLimit = std::uintmax_t(4) << 30; // of any file [bytes]
 
-// What a generator made lies in metres with Y up; the settings apply to it as to a file.
+// Generated ground is in metres with Y up. The settings apply to it as to a file.
 GroundMesh place(GroundMesh mesh, const glm::dmat4& worldFromFile, const std::string& name)
 {
     if (worldFromFile == glm::dmat4(1.0))

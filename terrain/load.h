@@ -13,24 +13,24 @@
 
 namespace sward::terrain {
 
-/// What a heightmap's file does not say; a default comes with a warning. See terrain/README.md.
+/// Properties missing in a heightmap file. A default gives a warning. See terrain/README.md.
 struct HeightmapSettings {
-    std::optional<glm::uvec2> size{};   ///< samples along x and z; .r16 cannot do without
-    std::optional<glm::dvec2> extent{}; ///< [m] along x and z; else 1 m from sample to sample
-    std::optional<glm::dvec2> height{}; ///< [m] of a sample of 0 and of a full one
-    std::string holeMask{};             ///< image of any size; where it is black is no ground
+    std::optional<glm::uvec2> size{};   ///< samples along x and z; required for .r16
+    std::optional<glm::dvec2> extent{}; ///< [m] along x and z; default 1 m per sample
+    std::optional<glm::dvec2> height{}; ///< [m] of a sample value of 0 and of the full value
+    std::string holeMask{};             ///< image of any size; black marks holes
 };
 
-/// How the ground of a file is brought into Sward's world: metres, Y up.
+/// How to convert a file's ground to Sward's world: metres, Y up.
 struct ImportSettings {
     std::string upAxis = "y";                ///< axis of the file that points up: x y z -x -y -z
-    std::string units = "m";                 ///< m cm mm ft: what one unit of the file is
+    std::string units = "m";                 ///< m cm mm ft: unit of the file
     double scale = 1.0;                      ///< (0, 1e9]; multiplies after the units
     std::optional<int> scene{};              ///< glTF scene index; else the file's default scene
     std::vector<std::string> bearingNodes{}; ///< globs; if any, only these nodes bear grass
     std::vector<std::string> bearingMaterials{}; ///< globs; if any, only these materials bear grass
     std::vector<std::string> occluderNodes{};    ///< globs; these block rays and bear nothing
-    HeightmapSettings heightmap{};               ///< of a heightmap alone
+    HeightmapSettings heightmap{};               ///< for heightmaps only
 };
 
 /// Loads ground from `input`: an existing file by its extension (.glb .gltf .obj .ply .stl .off, a
@@ -39,8 +39,8 @@ struct ImportSettings {
 /// that is missing or does not fit, Error{io, input, unsupported}.
 GroundMesh load(const std::string& input, const ImportSettings& settings, Diagnostics& diagnostics);
 
-/// XXH3 over everything of the ground that can change a root (origin, positions, normals, colours,
-/// triangles, roles), as 16 hex digits: tells whether two bakes saw the same ground.
+/// XXH3 over everything that affects a root (origin, positions, normals, colours, triangles,
+/// roles), as 16 hex digits. Equal hashes mean that two bakes used the same ground.
 std::string contentHash(const GroundMesh& mesh);
 
 /// Whether `text` matches a glob with * and ?, letters compared exactly.

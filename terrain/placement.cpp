@@ -14,7 +14,7 @@ namespace {
 
 struct Axis {
     std::string_view name;
-    // Where the file's x, y and z axes point in Sward's world: a rotation that takes `name` to +Y.
+    // Directions of the file's x, y and z axes in Sward's world: a rotation that maps `name` to +Y.
     glm::dvec3 x, y, z;
 };
 
@@ -47,7 +47,7 @@ const auto& find(const Table& table, const std::string& name, const char* option
          fmt::join(known, " "));
 }
 
-// The path itself, each leading part of it, and each name on the way.
+// The path, each leading part of it, and each of its names.
 std::vector<std::string> namesOf(const std::string& path)
 {
     std::vector<std::string> names = {path};
@@ -62,7 +62,7 @@ std::vector<std::string> namesOf(const std::string& path)
     return names;
 }
 
-// For each of `things`, whether one of `globs` matches it; a path is matched by its parts, too.
+// For each of `things`, whether one of `globs` matches it. Parts of a path match too.
 std::vector<bool> matchAll(const std::vector<std::string>& globs,
                            const std::vector<std::string>& things, bool arePaths, const char* kind,
                            const std::string& place, Diagnostics& diagnostics)

@@ -9,29 +9,28 @@
 namespace sward::terrain {
 namespace {
 
-constexpr std::size_t samples = 1U << 16; // triangles that are looked at, at most
+constexpr std::size_t samples = 1U << 16; // most triangles tested
 
-// Ground on its side: its thin axis is at most this part of each of the others, most of its area
-// looks along that axis, and at least twice as much as looks up. A wall looks the same, hence "if".
+// Ground on its side: thin axis at most this share of the others; most area, and twice the area
+// facing up, faces that axis. A wall looks the same, so the warning says "if".
 constexpr double thin = 0.5;
-constexpr double thinWithUnits = 0.2; // where the format says what is up
+constexpr double thinWithUnits = 0.2; // where the format defines up
 constexpr double share = 0.6;
 
-// Other units: wider than any ground that people give a hundred thousand triangles, or, where the
-// format knows no units, a kilometre and more in large triangles. Planes of a few triangles may be
-// as large as they like.
+// Other units: wider than plausible for a hundred thousand triangles, or, if the format defines no
+// units, a kilometre or more in large triangles. Planes of a few triangles may have any size.
 constexpr std::size_t fewTriangles = 100'000;
 constexpr std::size_t someTriangles = 100;
 constexpr double veryWide = 20e3;   // [m]
 constexpr double wide = 1e3;        // [m]
 constexpr double largeEdge = 20.0;  // [m]
-constexpr double withUnits = 10.0;  // times wider where the format says what a metre is
-constexpr double millimetres = 100; // times wider than a suspicion of centimetres
+constexpr double withUnits = 10.0;  // times wider where the format defines metres
+constexpr double millimetres = 100; // times wider than for centimetres
 
 struct Shape {
     DAabb bounds;
-    glm::dvec3 looks{0.0}; // area that looks along each axis, whichever way
-    glm::dvec3 net{0.0};   // the same, both ways against each other
+    glm::dvec3 looks{0.0}; // area facing each axis, both directions
+    glm::dvec3 net{0.0};   // signed area facing each axis
     double area = 0.0;
     std::size_t triangles = 0; // that bear grass
 };

@@ -8,10 +8,10 @@
 
 namespace sward::terrain {
 
-/// Warns of ground from a mesh file that seems to lie on its side, or to be measured in smaller
-/// units than metres, and names the option to try. Only what bears grass is looked at, and only
-/// where the settings have not been touched. `hasUnits`: the format says itself that Y is up and
-/// lengths are metres (glTF), so that much more is needed for a warning.
+/// Warns of ground from a mesh file that seems to lie on its side, or to use smaller units than
+/// metres, and names the option to try. Tests only bearing triangles, and only if the settings are
+/// at their defaults. `hasUnits`: the format defines Y up and metres (glTF), so the thresholds are
+/// higher.
 void warnOfImplausible(const GroundMesh& ground, const ImportSettings& settings, bool hasUnits,
                        const std::string& place, Diagnostics& diagnostics);
 

@@ -3,11 +3,11 @@
 #include "core/embedded.h"
 #include "core/error.h"
 #include "core/settings_json.h"
-#include "terrain/height_samples.h"
-#include "terrain/heightmap.h"
-#include "terrain/landforms.h"
+#include "terrain/heightmap/height_samples.h"
+#include "terrain/heightmap/heightmap.h"
 #include "terrain/load.h"
-#include "terrain/primitives.h"
+#include "terrain/procedural/landforms.h"
+#include "terrain/procedural/primitives.h"
 
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -26,8 +26,8 @@ constexpr double longest = 1e6;   // [m]
 constexpr double smallest = 1e-3; // [m]
 constexpr int maxCells = 8192;    // along one side
 
-// Cells of a sphere or torus: what fits into the 4 GB that no input may cost. A grid is built with
-// less (heightPointLimit).
+// Cells of a sphere or torus that fit into the 4 GB input limit. A grid needs less memory per cell
+// (heightPointLimit).
 constexpr std::uint64_t surfaceCellLimit = std::uint64_t(1) << 23;
 
 // Reads the common types of a recipe through a SettingsReader.
@@ -74,7 +74,7 @@ public:
                  across, along, limit);
     }
 
-    // A pair of numbers that may be left out.
+    // An optional pair of numbers.
     void pair(const char* key, std::optional<glm::dvec2>& value, double low, double high)
     {
         glm::dvec2 numbers(0.0);
@@ -181,7 +181,7 @@ GroundMesh mesh(Recipe& recipe, const std::string& place, const std::filesystem:
     recipe.reader.finish();
     if (file.empty())
         fail(ErrorKind::input, "{}: file: missing", place);
-    // A recipe that names a recipe could name itself.
+    // Refuse nested recipes, because a recipe could name itself.
     if (std::filesystem::path(file).extension() == ".json")
         fail(ErrorKind::input, "{}: file: {} is a recipe; a mesh is needed", place, file);
     return load((folder / file).string(), s, diagnostics);
@@ -209,7 +209,7 @@ GroundMesh heightmap(Recipe& recipe, const std::string& place, const std::filesy
     try {
         return importHeightmap(folder / file, s, diagnostics);
     } catch (const Error& error) {
-        // What the command line would be blamed for is the recipe's fault here.
+        // Report usage errors as errors of the recipe.
         if (error.kind() == ErrorKind::usage)
             fail(ErrorKind::input, "{}: {}", place, error.what());
         throw;

@@ -10,9 +10,9 @@
 
 namespace sward::terrain {
 
-/// Makes the ground that a recipe (JSON, see terrain/README.md) describes. `place` names the recipe
-/// in messages; a recipe of kind "mesh" finds its file in `folder`. Throws Error{input} for a key
-/// or value that is not known, and what load() throws.
+/// Makes the ground of a recipe (JSON, see terrain/README.md). Messages name `place`. A recipe of
+/// kind "mesh" finds its file in `folder`. Throws Error{input} for an unknown key or value, and as
+/// load() does.
 GroundMesh makeFromRecipe(std::string_view text, const std::string& place,
                           const std::filesystem::path& folder, Diagnostics& diagnostics);
 

@@ -13,12 +13,11 @@
 
 namespace sward::terrain {
 
-/// Writes arrays of plain data one after another, for programs of the same build to read again:
-/// what one part of a long piece of work leaves for the next. The file appears whole or not at all
-/// and ends with a hash of everything in it.
+/// Writes arrays of plain data in sequence, for programs of the same build: intermediate results of
+/// a distributed bake. The file appears whole or not at all and ends with a hash of its content.
 class RecordWriter {
 public:
-    /// `kind` (eight letters) says what is in the file. Throws Error{io}.
+    /// `kind` (eight letters) names the content. Throws Error{io}.
     RecordWriter(const std::filesystem::path& path, std::string_view kind, bool overwrite);
     ~RecordWriter();
 
@@ -41,7 +40,7 @@ public:
         add(std::span<const T>(&value, 1));
     }
 
-    /// Writes the hash and puts the file in its place. Throws Error{io}.
+    /// Writes the hash and renames the file to its final name. Throws Error{io}.
     void commit();
 
 private:
@@ -52,9 +51,9 @@ private:
     std::unique_ptr<Hash> hash_;
 };
 
-/// Reads what RecordWriter wrote, array by array in the same order. Everything is verified before
-/// the first: throws Error{io} if the file cannot be read and Error{input} if it is cut short,
-/// changed or of another kind.
+/// Reads the arrays of a RecordWriter in the same order. Verifies the whole file first. Throws
+/// Error{io} if the file cannot be read, Error{input} if it is truncated, changed or of another
+/// kind.
 class RecordReader {
 public:
     RecordReader(const std::filesystem::path& path, std::string_view kind);

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Copies a buffer: what a device can read and write at best.
+// Copies a buffer. Measures the read and write bandwidth of a device.
 #include "shaders/shared/passes.h"
 
 layout(local_size_x = copyThreads) in;

@@ -12,7 +12,7 @@ void drawAlone(Lens lens, Ribbon ribbon, uint blade)
     ScreenSection before = screenSection(seenSection(lens, ribbon, 0.0), hasRidge);
     float segment = 1.0;
     uint part = 0u;
-    // Part by part: of a segment mostly one. While one is drawn no more than one section is kept.
+    // Draws part by part, mostly one per segment, so that only one section is kept while a part is drawn.
     while (segment <= segments) {
         const ScreenSection after = screenSection(seenSection(lens, ribbon, segment / segments), hasRidge);
         bool isTwisted = false;

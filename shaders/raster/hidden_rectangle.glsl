@@ -1,25 +1,24 @@
-// Whether what has been drawn so far hides a rectangle of the screen. FRAME is the frame whose pyramid
-// is asked.
+// Tests whether the geometry drawn before hides a rectangle of the screen. FRAME is the frame that owns the pyramid.
 #ifndef SWARD_RASTER_HIDDEN_RECTANGLE_GLSL
 #define SWARD_RASTER_HIDDEN_RECTANGLE_GLSL
 
 #define PYRAMID FRAME.pyramid
-// Those that seen_depths.comp fills: of four cells of the coarsest of them a span of a blade hardly needs
-// more, and one that does counts as seen.
+// The levels that seen_depths.comp fills. A span of a blade rarely needs more than four cells of the coarsest one; a
+// larger span counts as visible.
 #define PYRAMID_LEVELS min(PYRAMID.levels, pyramidFirstOfRest)
 #define READS_CELLS_TOGETHER
-#include "shaders/culling/behind_pyramid.glsl"
+#include "shaders/cull/behind_pyramid.glsl"
 #include "shaders/shared/passes.h"
 
-/// Whether nothing between `low` and `high` [pixels] can be seen whose reversed depth is `nearest` at
-/// most. What lies beside the picture is not seen, either.
+/// Whether everything between `low` and `high` [pixels] with reversed depth at most `nearest` is invisible. Points
+/// outside the picture are invisible, too.
 bool rectangleHidden(vec2 low, vec2 high, float nearest)
 {
     const vec2 last = vec2(PYRAMID.size) - 1.0;
     if (any(lessThan(high, vec2(0.0))) || any(greaterThan(low, last + 1.0)))
         return true;
     ScreenBox box;
-    // Nothing that is negative is left to be rounded.
+    // The values are not negative, so truncation rounds down.
     box.low = ivec2(clamp(low, vec2(0.0), last));
     box.high = ivec2(clamp(high, vec2(0.0), last));
     box.nearest = nearest;
@@ -27,8 +26,8 @@ bool rectangleHidden(vec2 low, vec2 high, float nearest)
     return behindPyramid(box);
 }
 
-/// The same of some pixels of a row, from column `low` to `high` of the picture, so few that they lie in
-/// three cells of the finest level: where the rectangle around a whole segment asked larger ones.
+/// The same for pixels of a row, from column `low` to `high` of the picture. They lie in at most three cells of the
+/// finest level; the rectangle around a whole segment would need larger cells.
 bool pixelsHidden(uint row, uint low, uint high, float nearest)
 {
     const uint cells = PYRAMID.first[0] + (row >> pyramidFactorBits) * pyramidCells(PYRAMID.size.x, 0u);

@@ -1,5 +1,5 @@
-// The instances of fields in one view of a host. Their tables take the place of the push constants that the
-// stages of a single field have.
+// The instances of fields in one view of a host. Their tables replace the push constants of the stages of a single
+// field.
 #ifndef SWARD_RASTER_INSTANCES_GLSL
 #define SWARD_RASTER_INSTANCES_GLSL
 
@@ -7,9 +7,9 @@
 
 layout(push_constant, scalar) uniform Block { HostViewPush host; };
 
-RasterPush push; // of the instance that was chosen last
+RasterPush push; // of the chosen instance
 
-// The frame of a view's only instance comes as constants, which is quicker.
+// The frame of a view's only instance is read as constants, which is faster.
 #ifdef ONE_INSTANCE
 #define FRAME_SET 0
 #include "shaders/frame_constants.glsl"
@@ -17,7 +17,7 @@ RasterPush push; // of the instance that was chosen last
 #define FRAME push.frame.at[0]
 #endif
 
-/// Chooses all of an instance.
+/// Selects all data of an instance.
 void chooseInstance(uint instance)
 {
     push = host.instances.at[instance].raster;
@@ -25,19 +25,19 @@ void chooseInstance(uint instance)
     push.size = host.size;
 }
 
-/// Chooses nothing of it but what the visibility has for its blades.
+/// Selects only the instance's first blade in the visibility.
 void chooseFirstBlade(uint instance)
 {
     push.firstBlade = host.instances.at[instance].raster.firstBlade;
 }
 
-/// Before the first choice: the lists are those of all instances.
+/// Called before the first selection: the lists are shared by all instances.
 void beginInstances()
 {
     chooseInstance(0u);
 }
 
-/// The instance that has what the visibility shows: the last one that begins at `what` or before.
+/// The instance of a visibility value: the last one whose firstBlade is at most `what`.
 uint instanceOf(uint what)
 {
     uint low = 0u;

@@ -1,13 +1,13 @@
-// How blades come into the lists of those that are not drawn by one thread: large ones, and those that
-// reach through the near plane. The including stage has `push`, and says by `isLate` in which pass it lists.
+// Lists blades that one thread does not draw alone: large ones, and those that reach through the near plane. The
+// including stage has `push`; `isLate` says in which pass it lists.
 #ifndef SWARD_RASTER_LARGE_LIST_GLSL
 #define SWARD_RASTER_LARGE_LIST_GLSL
 
-#include "shaders/grass/drawn_blade.glsl"
+#include "shaders/blade/drawn_blade.glsl"
 #include "shaders/raster/large_part.glsl"
 #include "shaders/raster/visibility.glsl"
 
-/// A blade, or a part of it, as it is listed. `part`: LargePart::part.
+/// A blade, or a part of it, in the form of the list. `part`: LargePart::part.
 LargePart partOf(Ribbon ribbon, uint blade, uint part)
 {
     return LargePart(ribbon.v0, ribbon.width, ribbon.v1, ribbon.fold, ribbon.v2,
@@ -16,13 +16,13 @@ LargePart partOf(Ribbon ribbon, uint blade, uint part)
                      push.instance, blade, part);
 }
 
-/// So many parts has a blade that covers so many pixels.
+/// Number of parts of a blade that covers `pixels` pixels.
 uint partsFor(float pixels)
 {
     return clamp(uint(pixels / partPixels), 1u, maxParts);
 }
 
-/// Lists a blade's parts from `slot` on, of which some segments are drawn; whether there was room.
+/// Lists a blade's parts from `slot` on, with the range of drawn segments; returns whether there was room.
 bool putParts(Ribbon ribbon, VisibleBlade visible, uint slot, uint parts, uvec2 segments)
 {
     const bool hasRoom = slot + parts <= maxLargeParts;
@@ -33,7 +33,7 @@ bool putParts(Ribbon ribbon, VisibleBlade visible, uint slot, uint parts, uvec2 
     return hasRoom;
 }
 
-/// The list has so many parts by now, or had room for fewer.
+/// Updates the dispatch sizes for `parts` listed parts, limited to the list's capacity.
 void noteListed(uint parts)
 {
     WalkLevelArray asked = push.largeCount;
@@ -43,7 +43,7 @@ void noteListed(uint parts)
         atomicMax(asked.at[largeLate].groups[0], groupsForLate(listed));
 }
 
-/// Gives a blade that may reach through the near plane to those who cut it there; whether there was room.
+/// Lists a blade that may reach through the near plane for clipping; returns whether there was room.
 bool leftToBeCut(Ribbon ribbon, uint blade)
 {
     WalkLevelArray asked = push.largeCount;
@@ -55,14 +55,13 @@ bool leftToBeCut(Ribbon ribbon, uint blade)
     return true;
 }
 
-/// Whether the list holds blades beside the picture.
+/// Whether the list may hold blades outside the picture.
 bool listsThoseBeside()
 {
     return uvec2(push.frame) != uvec2(push.cullView) || (FRAME.view.cullMask & cullFrustum) == 0u;
 }
 
-/// Whether a blade lies beside the picture whichever way it bends: most of those that do, and known
-/// of one that has not been posed yet.
+/// Whether a blade lies outside the picture in any pose. Finds most blades outside, and before their pose is known.
 bool isFarBeside(Lens lens, VisibleBlade visible, Blade blade)
 {
     const float reach =
@@ -74,7 +73,7 @@ bool isFarBeside(Lens lens, VisibleBlade visible, Blade blade)
     return beside;
 }
 
-/// Whether a blade lies beside the picture.
+/// Whether a blade lies outside the picture.
 bool isBeside(Ribbon ribbon, float margin)
 {
     bool beside = false;
@@ -83,7 +82,7 @@ bool isBeside(Ribbon ribbon, float margin)
     return beside;
 }
 
-/// Pixels that a blade so high covers.
+/// Number of pixels that a blade of this height covers.
 float pixelsOf(Lens lens, VisibleBlade visible, Ribbon ribbon, float height)
 {
     return visible.pixels *

@@ -1,12 +1,12 @@
-// A large blade as it is listed.
+// A large blade in the form of the list.
 #ifndef SWARD_LARGE_PART_GLSL
 #define SWARD_LARGE_PART_GLSL
 
-#include "shaders/grass/known_shape.glsl"
+#include "shaders/blade/known_shape.glsl"
 #include "shaders/shared/passes.h"
 #include "shaders/shared/ribbon.h"
 
-/// A LargePartArray, 16 bytes at a time: threads with a part each so need a quarter of the steps.
+/// A LargePartArray in units of 16 bytes: threads that read a part each need a quarter of the steps.
 layout(buffer_reference, scalar, buffer_reference_align = 16) buffer LargePartQuarters
 {
     uvec4 at[];
@@ -35,25 +35,25 @@ LargePart partAt(uint place)
                      uintBitsToFloat(d.xyz), uintBitsToFloat(d.w), uintBitsToFloat(e.x), e.y, e.z, e.w);
 }
 
-/// So many parts are listed.
+/// Number of listed parts.
 uint listedLarge()
 {
     return min(push.largeCount.at[largeParts].count, maxLargeParts);
 }
 
-/// Of LargePart::part.
+/// Number of the part; argument: LargePart::part.
 uint numberOfPart(uint part)
 {
     return part & 0xffu;
 }
 
-/// Of LargePart::part; 0: nothing is listed.
+/// Number of the blade's parts; argument: LargePart::part; 0: nothing is listed.
 uint partsOf(uint part)
 {
     return (part >> 8u) & 0xffu;
 }
 
-/// Of LargePart::part: the first segment of which something is drawn, and one past the last.
+/// The first drawn segment, and one past the last; argument: LargePart::part.
 uvec2 segmentsOfPart(uint part)
 {
     return uvec2(part >> 16u, part >> 23u) & 0x7fu;

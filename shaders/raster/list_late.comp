@@ -1,12 +1,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Lists the blades of the late pass, which all cover many pixels, one thread each: those of which the
-// frame's pyramid does not hide everything, for raster_late.comp.
+// Lists the blades of the late pass, which all cover many pixels, for raster_late.comp. One thread per blade; skips
+// blades that the frame's pyramid hides completely.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
-// Whether blades may be in memory in part; known when the pipeline is made.
+// Whether only some blades may be in memory; known at pipeline creation.
 layout(constant_id = 3) const bool isPaged = false;
 #define MAY_BE_PAGED isPaged
 
@@ -22,16 +22,16 @@ const bool isLate = true;
 
 layout(local_size_x = rasterThreads) in;
 
-shared uint hiddenCount; // of all that the group has looked at
-shared uint listedParts; // of those that it looks at together
-shared uint listBase;    // where they begin in the list
+shared uint hiddenCount; // over all blades of the group
+shared uint listedParts; // over the blades of this iteration
+shared uint listBase;    // their first place in the list
 
-/// A blade of this turn.
+/// A blade of this iteration.
 struct LateBlade {
     VisibleBlade visible;
     Ribbon ribbon;
-    float pixels;   ///< that it covers
-    uvec2 segments; ///< the first that may be seen, and one past the last; 0: there is nothing to list
+    float pixels;   ///< covered pixels
+    uvec2 segments; ///< the first potentially visible one, and one past the last; 0: nothing to list
 };
 
 LateBlade lateBlade(Lens lens, VisibleBlade visible)
@@ -39,7 +39,7 @@ LateBlade lateBlade(Lens lens, VisibleBlade visible)
     LateBlade own;
     own.visible = visible;
     own.segments = uvec2(0u);
-    // Read with the blade, which it would otherwise be waited for after.
+    // Read together with the blade, to wait only once.
     const BladeState state = stateOf(visible);
     const Blade blade = visibleBlade(visible);
     if (listsThoseBeside() && isFarBeside(lens, visible, blade))
@@ -62,9 +62,9 @@ LateBlade lateBlade(Lens lens, VisibleBlade visible)
     return own;
 }
 
-/// Lists what may be seen of a group's blades. All threads come here together, each with one of them or
-/// none. They have their places by one atomic, and write side by side: left to the lanes that have
-/// something to list it takes an H200 three times as long.
+/// Lists the potentially visible parts of a group's blades. All threads call this together, each with one blade or
+/// none. One atomic reserves their places, and they write side by side. If each lane reserved its own places, an H200
+/// would take three times as long.
 void listTogether(Lens lens, bool hasBlade, uint place)
 {
     if (gl_LocalInvocationIndex == 0u)

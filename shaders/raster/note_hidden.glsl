@@ -1,9 +1,9 @@
-// What becomes of the blades that others hide.
+// Cull results of blades that other blades hide.
 #ifndef SWARD_RASTER_NOTE_HIDDEN_GLSL
 #define SWARD_RASTER_NOTE_HIDDEN_GLSL
 
 #include "shaders/shared/passes.h"
-#include "shaders/grass/pages.glsl"
+#include "shaders/cull/pages.glsl"
 
 /// Whether a hidden blade is culled. Without the occlusion test it counts as drawn.
 bool cullsHidden()
@@ -11,15 +11,15 @@ bool cullsHidden()
     return (FRAME.view.cullMask & cullOcclusion) != 0u;
 }
 
-/// Notes that a blade is hidden, where cull results are recorded; does not count the blade.
+/// Records that a blade is hidden, where cull results are recorded; does not count the blade.
 void noteHidden(uint blade)
 {
     if (cullsHidden() && uvec2(FRAME.cullResults) != uvec2(0u))
         FRAME.cullResults.at[placeOf(uvec2(FRAME.pages), blade)] = cullResultOcclusion;
 }
 
-/// Moves so many blades from those that are drawn to those that are hidden. All groups do so at the
-/// same address, so each does it once.
+/// Moves `blades` blades from the drawn to the hidden count. Each group does so once, because all groups add at the
+/// same address.
 void countHidden(uint blades)
 {
     if (blades == 0u || !cullsHidden())

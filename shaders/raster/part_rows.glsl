@@ -1,11 +1,11 @@
-// Which rows of the picture one of several work-groups draws of a large blade.
+// The rows of the picture that one of several work-groups draws of a large blade.
 #ifndef SWARD_RASTER_PART_ROWS_GLSL
 #define SWARD_RASTER_PART_ROWS_GLSL
 
 #include "shaders/raster/large_part.glsl"
 
-/// The first of the rows of the picture from `rows.x` to `rows.y` that one of several work-groups draws,
-/// and how many it does: eight of them, then the next eight are another's.
+/// Of the rows `rows.x` to `rows.y` of the picture: the first row that part `part` draws, and the number of its rows.
+/// Parts take turns in blocks of eight rows.
 ivec2 rowsOfPart(ivec2 rows, uint part)
 {
     const int parts = int(partsOf(part));
@@ -21,7 +21,7 @@ ivec2 rowsOfPart(ivec2 rows, uint part)
                             : reach / cycle * 8 + min(reach % cycle + 1, 8) - (first & 7));
 }
 
-/// Row `i` of those, in a cycle of so many.
+/// Row `i` of these, in cycles of `cycle` rows.
 int rowAt(int first, int i, uint cycle)
 {
     const int place = i + (first & 7);

@@ -5,8 +5,7 @@
 #include "shaders/raster/visibility.glsl"
 #include "shaders/shared/ribbon.h"
 
-/// The samples that a place keeps, as bits, where the blade is `weight.x` wide and drawn `weight.y`
-/// wide.
+/// Bits of the samples to keep at a place where the blade is `weight.x` wide and drawn `weight.y` wide.
 uint samplesKept(vec2 weight, uint blade)
 {
     return keptSamples(weight.x / max(weight.y, 1e-12), blade, samplesPerPixel);
@@ -17,39 +16,39 @@ void putSample(uvec2 pixel, uint s, float depth, uint blade)
     Visibility visibility = Visibility(uvec2(push.visibility));
     const uint index = sampleIndex(pixel, s);
     const uint64_t value = (uint64_t(floatBitsToUint(depth)) << 32u) | uint64_t(push.firstBlade + blade);
-    // Most of what lies behind is turned away without an atomic.
+    // Rejects most hidden samples without an atomic.
     if (visibility.at[index] < value)
         atomicMax(visibility.at[index], value);
 }
 
-/// A VisibilityArray as words of 32 bits: of each sample what is seen, and then its depth.
+/// A VisibilityArray as words of 32 bits: for each sample its value, then its depth.
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer VisibilityHalves
 {
     uint at[];
 };
 
-/// The same, two samples at a time.
+/// The same in units of two samples.
 layout(buffer_reference, scalar, buffer_reference_align = 16) buffer VisibilityPairs
 {
     uvec4 at[];
 };
 
-/// The depth, as bits, that a sample has already, …
+/// The stored depth of a sample, as bits, …
 uint depthAt(uint index)
 {
     VisibilityHalves halves = VisibilityHalves(uvec2(push.visibility));
     return halves.at[2u * index + 1u];
 }
 
-/// … or that two have, from a multiple of 2 on.
+/// … or of two samples; `index` is even.
 uvec2 depthsAt(uint index)
 {
     VisibilityPairs pairs = VisibilityPairs(uvec2(push.visibility));
     return pairs.at[index / 2u].yw;
 }
 
-/// A sample of a blade. Of one that has few nobody asks first whether it is needed: nobody waits for an
-/// atomic's result, and to ask takes longer.
+/// Writes a sample of a small blade, without a test before: an atomic with an unused result causes no wait, and a test
+/// would take longer.
 void putOne(uint index, float depth, uint blade)
 {
     Visibility visibility = Visibility(uvec2(push.visibility));
@@ -57,7 +56,7 @@ void putOne(uint index, float depth, uint blade)
               (uint64_t(floatBitsToUint(depth)) << 32u) | uint64_t(push.firstBlade + blade));
 }
 
-/// Those of a pixel that are `covered`, as bits.
+/// Writes the samples of a pixel whose bit in `covered` is set.
 void putSmall(uvec2 pixel, uint covered, float depths[samplesPerPixel], uint blade)
 {
     const uint first = sampleIndex(pixel, 0u);

@@ -1,13 +1,13 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Rasterises the visible blades, one thread each, but for those of the late pass. Blades that cover many
-// pixels are listed for raster_large.comp; on a CPU those that cover too many for a thread are listed for
-// raster_cut.comp. Blades that reach through the near plane are listed for raster_cut.comp, too.
+// Rasterises the visible blades of the early pass, one thread each. Blades that cover many pixels are listed for
+// raster_large.comp; on a CPU, those with too many pixels for a thread are listed for raster_cut.comp. Blades that
+// reach through the near plane are listed for raster_cut.comp, too.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
-// Whether blades may be in memory in part; known when the pipeline is made.
+// Whether only some blades may be in memory; known at pipeline creation.
 layout(constant_id = 3) const bool isPaged = false;
 #define MAY_BE_PAGED isPaged
 
@@ -17,18 +17,18 @@ layout(constant_id = 3) const bool isPaged = false;
 
 layout(local_size_x = rasterThreads) in;
 
-// Of the large blades that the group lists together: how many parts, and where they begin.
+// The large blades that the group lists together: number of their parts, and first place in the list.
 shared uint listedParts;
 shared uint listBase;
 
-// What draws large blades; known when the pipeline is made.
+// Unit that draws large blades; known at pipeline creation.
 layout(constant_id = 4) const uint largeTo = largeToGroups;
 const bool isLate = false;
 
 #include "shaders/raster/large_list.glsl"
 
-/// No more pixels are covered by a ribbon behind the near plane, so high [m], than these: as if all of it
-/// were as near as its nearest control point, and seen from its broad side.
+/// Upper bound of the pixels of a ribbon of this height [m] behind the near plane. Assumes that all of it is as near as
+/// its nearest control point and shows its broad side.
 float pixelsAtMost(Lens lens, Ribbon ribbon, float height)
 {
     const mat4 m = lens.viewProjection;
@@ -41,20 +41,20 @@ float pixelsAtMost(Lens lens, Ribbon ribbon, float height)
     return height * scale * max(wide * scale, lens.minWidth * FRAME.view.pixelsPerUnit);
 }
 
-/// A blade of this turn.
+/// A blade of this iteration.
 struct OwnBlade {
     VisibleBlade visible;
     Ribbon ribbon;
     bool isDrawn;   ///< by this thread, unless it is listed
-    uint parts;     ///< 0: it is not listed
-    uvec2 segments; ///< of which its early pass is; see firstSegments()
+    uint parts;     ///< 0: not listed
+    uvec2 segments; ///< segments of the early pass; see firstSegments()
 };
 
-/// How a blade that covers so many pixels is listed for work-groups.
+/// Prepares a blade that covers `pixels` pixels for the list of the work-groups.
 void leaveToOthers(inout OwnBlade own, float pixels)
 {
     own.parts = partsFor(pixels);
-    // Those of other rounds than the first are all listed after the early pass.
+    // Blades of later rounds are listed after the early pass, with all segments.
     const uint late = push.round > 0u ? 0u : own.visible.factors >> lateShift;
     own.segments = firstSegments(late, uint(own.ribbon.outline.segments));
 }
@@ -66,7 +66,7 @@ OwnBlade ownBlade(Lens lens, VisibleBlade visible)
     own.isDrawn = false;
     own.parts = 0u;
     own.segments = uvec2(0u);
-    // Read with the blade, which it would otherwise be waited for after.
+    // Read together with the blade, to wait only once.
     const BladeState state = stateOf(visible);
     const Blade blade = visibleBlade(visible);
     if (listsThoseBeside() && isFarBeside(lens, visible, blade))
@@ -83,22 +83,21 @@ OwnBlade ownBlade(Lens lens, VisibleBlade visible)
         leftToBeCut(own.ribbon, visible.blade);
         return own;
     }
-    // A thread takes twice as long for a pixel of four samples as for one of one.
-    if (largeTo != largeToNobody && pixels > largeBladePixels * inversesqrt(float(samplesPerPixel)))
+    // A pixel of four samples costs a thread twice as much as a pixel of one.
+    if (largeTo != largeToNone && pixels > largeBladePixels * inversesqrt(float(samplesPerPixel)))
         leaveToOthers(own, pixels);
-    if (largeTo == largeToNobody && pixelsAtMost(lens, own.ribbon, blade.height) > maxPixelsOfThread &&
+    if (largeTo == largeToNone && pixelsAtMost(lens, own.ribbon, blade.height) > maxPixelsOfThread &&
         leftToBeCut(own.ribbon, visible.blade))
         return own;
     own.isDrawn = true;
     return own;
 }
 
-/// All threads come here together, each with a blade or with none. They have their places in the list by one
-/// atomic.
+/// All threads call this together, each with a blade or none. One atomic reserves their places in the list.
 void rasterise(Lens lens, bool hasBlade, uint place)
 {
     const uint thread = gl_LocalInvocationIndex;
-    const bool areListed = largeTo != largeToNobody;
+    const bool areListed = largeTo != largeToNone;
     if (areListed) {
         if (thread == 0u)
             listedParts = 0u;

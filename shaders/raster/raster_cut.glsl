@@ -1,5 +1,5 @@
-// Rasterises the blades that may reach through the near plane, each by a work-group: what of them lies
-// behind it; and on a CPU those that cover too many pixels for a thread. They are few, so that every thread makes all triangles, and draws some of their rows.
+// Rasterises blades that may reach through the near plane, one work-group each, and clips them there. On a CPU also
+// those that cover too many pixels for a thread. They are few: every thread builds all triangles and draws some rows.
 #include "shaders/shared/passes.h"
 
 #ifdef HAS_INSTANCES
@@ -15,13 +15,13 @@ layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 layout(local_size_x = largeThreads) in;
 
-/// A corner of a triangle, of which a part may lie before the near plane.
+/// A corner of a triangle that may reach through the near plane.
 struct Corner {
     vec4 seen;
     vec2 widths; ///< CrossSection::wide, CrossSection::drawn
 };
 
-/// Where an edge meets the near plane. One of its ends lies before it.
+/// The intersection of an edge with the near plane. One of its ends lies before the plane.
 Corner cutBetween(Corner a, Corner b)
 {
     const float depthA = a.seen.w - a.seen.z;
@@ -30,13 +30,13 @@ Corner cutBetween(Corner a, Corner b)
     return Corner(mix(a.seen, b.seen, share), mix(a.widths, b.widths, share));
 }
 
-/// What of a triangle lies behind the near plane; false if nothing does.
+/// The part of a triangle that lies behind the near plane; false if it is empty.
 bool behindNear(Corner a, Corner b, Corner c, out Quad quad)
 {
     const uint lost = uint(isBefore(a.seen)) + uint(isBefore(b.seen)) + uint(isBefore(c.seen));
     if (lost == 3u)
         return false;
-    // The first is the one that is alone on its side.
+    // The first corner is the one that is alone on its side.
     const bool isLost = lost == 1u;
     Corner first = a;
     Corner second = b;
@@ -69,7 +69,7 @@ bool behindNear(Corner a, Corner b, Corner c, out Quad quad)
     return true;
 }
 
-/// What of one of the triangles between two cross-sections lies behind the near plane; false if nothing does.
+/// The part of one triangle between two cross-sections that lies behind the near plane; false if it is empty.
 bool triangleBehindNear(uint i, SeenSection before, SeenSection after, bool isFolded, bool isUpper, out Quad quad)
 {
     const TriangleOf part = triangleOf(i, isFolded, isUpper);

@@ -1,7 +1,6 @@
-// Rasterises the blades that cover many pixels, but for those that the near plane cuts: some by a
-// work-group, one by several. Their segments follow one another as if they were those of one blade, and
-// so do the rows of these, so that all threads have something to do. raster_late.comp draws what a late
-// turn leaves.
+// Rasterises the blades that cover many pixels and do not reach through the near plane: several per work-group, or one
+// by several work-groups. Segments of all blades of a group are numbered consecutively, and so are their rows, so that
+// all threads have work. raster_late.comp draws the late pass.
 #include "shaders/shared/passes.h"
 
 #ifdef HAS_INSTANCES
@@ -19,52 +18,51 @@ layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 layout(local_size_x = largeThreads) in;
 
-/// So many cross-sections of one or several blades are made at a time, one by each thread, or half as many of
-/// folded ones.
+/// Number of cross-sections that are computed at a time, one by each thread, of one or several blades; half as many if
+/// folded.
 const uint sectionsTogether = largeThreads;
 
-/// Pieces between them, of which each is a quad: of a folded ribbon two, where it is twisted twice as many.
+/// Maximum number of quads between them: two per segment of a folded ribbon, twice as many if it is twisted.
 const uint piecesTogether = 2u * sectionsTogether;
 
-/// A piece, as threads share it. Memory that a work-group shares decides how many of them a processor
-/// has at a time.
+/// A piece (quad) in shared memory. The size of shared memory limits the number of resident work-groups per processor.
 struct Piece {
-    uint place; ///< 0–23 its first row among those of all pieces, 24–31 number of the blade
+    uint place; ///< 0–23 its first row among the rows of all pieces, 24–31 number of the blade
     uint what;  ///< see packPiece()
 };
 
-/// A blade, as threads share it.
+/// A blade in shared memory.
 struct Shared {
-    uint firstSection; ///< among those of all
-    uint beginsAt; ///< the first of its cross-sections that is made
-    uint cycle;    ///< of so many rows of the picture eight are drawn
+    uint firstSection; ///< among the sections of all blades
+    uint beginsAt; ///< its first computed cross-section
+    uint cycle;    ///< eight rows of every `cycle` rows of the picture are drawn
     uint blade;    ///< resident id
 #ifdef HAS_INSTANCES
-    uint instance; ///< whose blade it is
+    uint instance; ///< instance of the blade
 #endif
 };
 
-shared Shared items[largeTogether + 1u]; // the last one: how many cross-sections there are
-shared vec4 points[2u * sectionsTogether]; // of cross-sections, on the screen, w: to the left and to the right weights
+shared Shared items[largeTogether + 1u]; // the last entry: number of all cross-sections
+shared vec4 points[2u * sectionsTogether]; // of sections, on the screen; w: weights, at the left and right points
 shared Piece pieces[piecesTogether];
 shared uint ticket; // 0–23 rows so far, 24–31 pieces
 shared bool isAnyFolded;
 
-// Where the points of a section lie: first those of all cross-sections to the left, then to the right, then ridges.
+// Order of the points of sections: first all left points, then all right points, then the ridges.
 const uint leftSide = 0u;
 const uint rightSide = 1u;
 const uint ridgeSide = 2u;
 
-/// Which points are the corners of a piece: two of one section, then two, or one, of the other.
+/// The points that form the corners of a piece: two of one section, then two, or one, of the other.
 struct Corners {
-    bool beginsAfter; ///< the first two are those of the section after
+    bool beginsAfter; ///< the first two belong to the section after
     uint a0;          ///< sides
     uint a1;
     uint b0;
     uint b1;
 };
 
-/// A half of what lies between a section and the one before.
+/// A half of the surface between a section and the one before.
 Corners cornersOfHalf(uint i, bool isFolded)
 {
     const uint from = i > 0u ? ridgeSide : leftSide;
@@ -90,7 +88,7 @@ uint packPiece(Corners corners, uint section, bool mayBeThin, int row)
            (uint(row) << 15u);
 }
 
-/// The quad of a piece. `stride`: so far apart lie the sides.
+/// The quad of a piece. `stride`: distance between the sides in `points`.
 Quad quadOf(uint what, uint stride)
 {
     const uint section = (what >> 9u) & 31u;
@@ -107,7 +105,7 @@ Quad quadOf(uint what, uint stride)
     return quad;
 }
 
-/// The rows of a quad that are to be drawn, the first and how many, if something of it is seen.
+/// The drawn rows of a quad, as first row and count; 0 rows if it is outside the picture.
 ivec2 rowsSeen(Quad quad, uint part)
 {
     const vec2 low = min(min(quad.a0.xy, quad.a1.xy), min(quad.b0.xy, quad.b1.xy));
@@ -118,7 +116,7 @@ ivec2 rowsSeen(Quad quad, uint part)
     return rowsOfPart(rowsBetween(low.y, high.y, edge.y), part);
 }
 
-/// The pieces between section `section` and the one before.
+/// Creates the pieces between section `section` and the one before.
 void makePieces(uint section, bool isFolded, bool isUpper, uint part, uint number, uint stride)
 {
     bool isTwisted = false;
@@ -140,7 +138,7 @@ void makePieces(uint section, bool isFolded, bool isUpper, uint part, uint numbe
     }
 }
 
-/// All rows of the pieces, as if they stood in one column.
+/// Draws the rows of all pieces, numbered consecutively.
 void drawPieces(uint stride)
 {
     const uint count = ticket >> 24u;
@@ -162,7 +160,7 @@ void drawPieces(uint stride)
     putKept();
 }
 
-/// Draws what lies between the cross-sections from `first` to before `end` of the blades from `item` on.
+/// Draws the surface between the cross-sections `first` to `end` − 1 of the blades from `item` on.
 void drawBetween(Lens commonLens, uint first, uint end, uint item, uint blades, uint stride)
 {
     const uint thread = gl_LocalInvocationIndex;
@@ -224,7 +222,7 @@ void main()
             isAnyFolded = false;
         }
         barrier();
-        // How many cross-sections each has, and then how many those before it have.
+        // Number of cross-sections of each blade, then the sums over the blades before it.
         if (thread < blades) {
             const uint place = item + thread;
             const uint part = large.at[place].part;
@@ -246,7 +244,7 @@ void main()
         barrier();
         const uint sections = items[blades].firstSection;
         const uint stride = isAnyFolded ? sectionsTogether / 2u : sectionsTogether;
-        // The next ones begin with the last section, between which and theirs there is a segment, too.
+        // The next step starts with the last section of this one, to include the segment between them.
         for (uint first = 0u; first + 1u < sections; first += stride - 1u)
             drawBetween(lens, first, min(first + stride, sections), item, blades, stride);
     }

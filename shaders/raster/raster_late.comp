@@ -1,13 +1,13 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Rasterises the late pass of large blades: what of those that had their first one was left to this one,
-// and all of the others. Most segments are hidden by the frame's pyramid. Each is asked by a thread of its
-// own, which makes both of its sections; the rows of those that may be seen are dealt out to all threads.
+// Rasterises the late pass of large blades: the remaining segments of blades with an early pass, and all segments of
+// the others. The frame's pyramid hides most segments. One thread tests each segment and computes both of its sections;
+// the rows of potentially visible segments are distributed over all threads.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
-// Whether blades may be in memory in part; known when the pipeline is made.
+// Whether only some blades may be in memory; known at pipeline creation.
 layout(constant_id = 3) const bool isPaged = false;
 #define MAY_BE_PAGED isPaged
 
@@ -22,8 +22,8 @@ layout(constant_id = 3) const bool isPaged = false;
 
 layout(local_size_x = lateThreads) in;
 
-/// So many segments are listed at a time, and so many quads of them drawn: memory that a work-group
-/// shares decides how many of them a processor has at a time.
+/// Number of segments that are listed at a time, and of their quads that are drawn at a time. The size of shared memory
+/// limits the number of resident work-groups per processor.
 const uint segmentsTogether = 2u * lateThreads;
 const uint quadsTogether = 32u;
 
@@ -32,13 +32,13 @@ shared uint segmentCount;
 shared vec4 corners[4u * quadsTogether];  // of quads: a0, a1, b0, b1, w: weights of a0, a1 and b
 shared uvec4 pieces[quadsTogether];       // see packQuad()
 shared uint ticket;                       // 0–23 rows so far, 24–31 quads
-shared bool isAnyLeft;                    // there was no room for all quads
-shared uint seenBlades[(lateTogether + 31u) / 32u]; // of which something is not hidden, as bits
-shared uint hiddenCount;                  // of all blades that the group has looked at
+shared bool isAnyLeft;                    // the quads did not all fit
+shared uint seenBlades[(lateTogether + 31u) / 32u]; // bits of blades that are not completely hidden
+shared uint hiddenCount;                  // over all blades of the group
 
-/// A quad of `part` that begins `at` so many rows of all and has `rows`, the first of the picture and how
-/// many of them: where it begins, its first row and whether it may be thin, how many and in how many
-/// parts, its blade.
+/// Packs a quad of `part`: x `at`, its first row among the rows of all quads; y its first row of the picture, and
+/// whether it may be thin; z the number of its rows and of the blade's parts; w the blade. `rows`: first row and row
+/// count.
 uvec4 packQuad(uint at, ivec2 rows, LargePart part, bool mayBeThin)
 {
     return uvec4(at, uint(rows.x) | (mayBeThin ? 0x80000000u : 0u), uint(rows.y) | (partsOf(part.part) << 16u),
@@ -53,7 +53,7 @@ void putQuad(uint slot, Quad quad)
     corners[4u * slot + 3u] = vec4(quad.b1, quad.weightB.y);
 }
 
-/// As it was put: the weights of a0 and a1 are those of their section.
+/// Reads a quad. The weights of a0 and a1 are those of their section.
 Quad quadAt(uint slot)
 {
     const vec4 a0 = corners[4u * slot];
@@ -63,7 +63,7 @@ Quad quadAt(uint slot)
     return Quad(a0.xyz, a1.xyz, b0.xyz, b1.xyz, vec2(a0.w, a1.w), vec2(a0.w, a1.w), vec2(b0.w, b1.w));
 }
 
-/// Whether something may be seen of what lies between two sections.
+/// Whether the surface between two sections may be visible.
 bool isSeen(ScreenSection before, ScreenSection after, bool hasRidge)
 {
     vec3 low = min(min(before.left, before.right), min(after.left, after.right));
@@ -75,7 +75,7 @@ bool isSeen(ScreenSection before, ScreenSection after, bool hasRidge)
     return !rectangleHidden(low.xy, high.xy, high.z);
 }
 
-/// The rows of a quad that are to be drawn, the first and how many.
+/// The drawn rows of a quad, as first row and count.
 ivec2 rowsOf(Quad quad, LargePart part)
 {
     const float low = min(min(quad.a0.y, quad.a1.y), min(quad.b0.y, quad.b1.y));
@@ -83,8 +83,8 @@ ivec2 rowsOf(Quad quad, LargePart part)
     return rowsOfPart(rowsBetween(low, high, float(push.size.y)), part.part);
 }
 
-/// Lists what may be seen of a segment for drawRows(), from its quad `first` on. Returns the first for
-/// which there was no room, or a number that no quad has.
+/// Lists the quads of a potentially visible segment for drawRows(), from quad `first` on. Returns the first quad that
+/// did not fit, or ~0u.
 uint putSegment(Lens lens, uint item, uint listed, uint first)
 {
     const uint number = listed >> 7u;
@@ -120,7 +120,7 @@ uint putSegment(Lens lens, uint item, uint listed, uint first)
     return ~0u;
 }
 
-/// All rows of the quads, as if they stood in one column.
+/// Draws the rows of all quads, numbered consecutively.
 void drawRows()
 {
     const uint count = min(ticket >> 24u, quadsTogether);
@@ -138,7 +138,7 @@ void drawRows()
     }
 }
 
-/// Draws what may be seen of the segments that are listed, of the parts from `item` on.
+/// Draws the potentially visible listed segments, of the parts from `item` on.
 void drawSegments(Lens lens, uint item, uint count)
 {
     uint next = gl_LocalInvocationIndex;
@@ -164,7 +164,7 @@ void drawSegments(Lens lens, uint item, uint count)
     }
 }
 
-/// Goes through the parts from `item` on, each thread with one of them, or with none.
+/// Draws the parts from `item` on, each thread with one part or none.
 void drawTogether(Lens lens, uint item, uint parts)
 {
     const uint thread = gl_LocalInvocationIndex;
@@ -179,7 +179,7 @@ void drawTogether(Lens lens, uint item, uint parts)
         blade = large.at[place].blade;
         segments = segmentsOfOutline(large.at[place].outline);
     }
-    // Segments that are left: of a blade of the early pass all but those drawn there, of others these.
+    // Remaining segments: for blades of the early pass all but those drawn there, for others the listed ones.
     const uvec2 listed = segmentsOfPart(part);
     uint left = 0u;
     if (partsOf(part) > 0u)
@@ -203,7 +203,7 @@ void drawTogether(Lens lens, uint item, uint parts)
         isMore = count > segmentsTogether;
         drawSegments(lens, item, min(count, segmentsTogether));
     }
-    // Each part of a blade finds the same.
+    // All parts of a blade have the same result.
     if (!isDrawn && partsOf(part) > 0u && numberOfPart(part) == 0u &&
         (seenBlades[thread / 32u] & (1u << (thread % 32u))) == 0u) {
         noteHidden(blade);

@@ -5,15 +5,15 @@
 #include "shaders/raster/put_sample.glsl"
 #include "shaders/raster/seen_triangle.glsl"
 
-/// A section on the screen.
+/// A cross-section on the screen.
 struct ScreenSection {
     vec3 left; ///< pixels, pixels, reversed depth
     vec3 right;
     vec3 ridge;
-    vec2 weight; ///< CrossSection::wide, CrossSection::drawn, per w: so their ratio is right between cross-sections
+    vec2 weight; ///< CrossSection::wide, CrossSection::drawn, per w, so that their ratio interpolates correctly
 };
 
-/// Steps of a pixel that corners lie on, as they do for a GPU's rasteriser.
+/// Corners are snapped to 1 / subpixels of a pixel, as in a GPU's rasteriser.
 const float subpixels = 256.0;
 
 vec3 screenPoint(vec4 seen)
@@ -22,7 +22,7 @@ vec3 screenPoint(vec4 seen)
     return vec3(round(seen.xy * (inverse * subpixels)) / subpixels, seen.z * inverse);
 }
 
-/// Of a section that lies behind the near plane. Only a folded ribbon has a ridge.
+/// Projects a section behind the near plane. Only a folded ribbon has a ridge.
 ScreenSection screenSection(SeenSection seen, bool isFolded)
 {
     ScreenSection screen;
@@ -35,8 +35,8 @@ ScreenSection screenSection(SeenSection seen, bool isFolded)
     return screen;
 }
 
-/// A convex part of what lies between two cross-sections: between the corners a0 and a1 on the one and b0 and b1
-/// on the other, each a place on the screen and a reversed depth. Of a triangle b0 and b1 are one.
+/// A convex part of the surface between two cross-sections: corners a0 and a1 on one section, b0 and b1 on the other,
+/// each with screen place and reversed depth. b0 equals b1 in a triangle.
 struct Quad {
     vec3 a0;
     vec3 a1;
@@ -47,13 +47,13 @@ struct Quad {
     vec2 weightB;  ///< … and in the middle of b0 and b1
 };
 
-/// Parts of what lies between two cross-sections: a folded ribbon has two.
+/// Number of parts between two cross-sections: a folded ribbon has two.
 uint halvesOf(bool isFolded)
 {
     return isFolded ? 2u : 1u;
 }
 
-/// One of those parts. It may be twisted: then it is to be drawn as triangles.
+/// One of these parts. A twisted part must be drawn as triangles.
 Quad halfOf(uint i, ScreenSection before, ScreenSection after, bool isFolded)
 {
     const bool isRight = i > 0u;
@@ -69,7 +69,7 @@ Quad triangleBetween(uint i, ScreenSection before, ScreenSection after, bool isF
     const TriangleOf part = triangleOf(i, isFolded, isUpper);
     const Quad whole = halfOf(i / 2u, before, after, isFolded);
     Quad quad;
-    // Two of its corners lie on one section.
+    // Two of its corners lie on the same section.
     quad.a0 = part.isSecond ? whole.b1 : whole.a0;
     quad.a1 = part.isSecond ? whole.b0 : whole.a1;
     quad.b0 = part.isSecond ? (part.beginsRight ? whole.a1 : whole.a0)
@@ -81,7 +81,7 @@ Quad triangleBetween(uint i, ScreenSection before, ScreenSection after, bool isF
     return quad;
 }
 
-/// Whether it is convex, or is nothing but a line.
+/// Whether the quad is convex or degenerates to a line.
 bool isConvex(Quad quad)
 {
     const vec2 a = quad.a1.xy - quad.a0.xy;

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Begins a visibility with a depth picture of one sample per pixel.
+// Initialises a visibility with a depth picture of one sample per pixel.
 layout(set = 0, binding = 0) uniform sampler2D depths;
 
 #include "shaders/raster/seed_visibility.glsl"

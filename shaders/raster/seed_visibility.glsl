@@ -1,11 +1,11 @@
-// Begins a visibility with what a host has drawn: with nothing that is as deep as the host's own things. The
-// including stage declares `depths`, and defines depthOfHost(), the depth of a sample.
+// Initialises a visibility with a host's depths: value 0 at the depth of the host's geometry. The including stage
+// declares `depths`, and defines depthOfHost(), the depth of a sample.
 #include "shaders/raster/instances.glsl"
 #include "shaders/raster/visibility.glsl"
 
 layout(local_size_x = seedThreads, local_size_y = seedThreads) in;
 
-/// Whether depths are 0 near and 1 far; known when the pipeline is made.
+/// Whether depths are 0 near and 1 far; known at pipeline creation.
 layout(constant_id = 16) const bool hasForwardZ = false;
 
 float depthOfHost(ivec2 pixel, uint s);

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Begins a visibility with a depth picture of as many samples as it has itself.
+// Initialises a visibility with a depth picture of the same number of samples.
 layout(set = 0, binding = 0) uniform sampler2DMS depths;
 
 #include "shaders/raster/seed_visibility.glsl"

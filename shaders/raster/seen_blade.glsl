@@ -1,26 +1,26 @@
-// What shading asks of a blade that the visibility shows, found by its resident id. The including stage has
-// a push constant `push` of type RasterPush.
+// Shading data of a visible blade, found by its resident id. The including stage has a push constant `push` of type
+// RasterPush.
 #ifndef SWARD_RASTER_SEEN_BLADE_GLSL
 #define SWARD_RASTER_SEEN_BLADE_GLSL
 
-#include "shaders/grass/blade_colors.glsl"
+#include "shaders/blade/blade_colors.glsl"
 #include "shaders/shared/passes.h"
 #include "shaders/shared/visibility.h"
 
-/// Whether grass that others hide is left out, see leafAreaShare(); known when the pipeline is made.
+/// Whether the leaf-area limit leaves out hidden grass, see leafAreaShare(); known at pipeline creation.
 layout(constant_id = 8) const bool limitsLeafArea = true;
 
-/// Index of the patch that owns a blade.
+/// Index of the patch that contains a blade.
 uint patchOf(uint blade)
 {
-    uint owner = push.firstNonEmptyPatches.at[blade / nonEmptyPatchStride];
-    uint patchIndex = push.nonEmptyPatches.at[owner];
+    uint listed = push.firstNonEmptyPatches.at[blade / nonEmptyPatchStride];
+    uint patchIndex = push.nonEmptyPatches.at[listed];
     while (blade >= FRAME.patches.at[patchIndex].firstBlade + FRAME.patches.at[patchIndex].bladeCount)
-        patchIndex = push.nonEmptyPatches.at[++owner];
+        patchIndex = push.nonEmptyPatches.at[++listed];
     return patchIndex;
 }
 
-/// A blade of patch `patchIndex`, raised() by its limit, as the list of visible blades had it.
+/// A blade of patch `patchIndex`, raised() by its limit, as in the list of visible blades.
 VisibleBlade visibleBlade(uint index, uint patchIndex, Patch cell, Blade blade, LeafAreaLimit limit)
 {
     const Eyepoint view = push.cullView.at[0].view;
@@ -29,19 +29,19 @@ VisibleBlade visibleBlade(uint index, uint patchIndex, Patch cell, Blade blade, 
     return VisibleBlade(index, patchIndex, packFactors(size.widthFactor, limit.height), size.pixels);
 }
 
-/// What of a blade all pixels ask for that show it.
+/// The data of a blade that all of its visible pixels share.
 struct SeenBlade {
     Ribbon ribbon;
     BladeSurface surface;
     uint blade;      ///< resident id
-    uint patchIndex; ///< of the patch that owns it, if freshBlade() has found it
-    bool hasHistory; ///< whether its quarters are noted in the visibility history, see RasterPush::seen
+    uint patchIndex; ///< patch that contains it, if freshBlade() has found it
+    bool hasHistory; ///< whether the visibility history stores its quarters, see RasterPush::seen
 };
 
-/// Posed and coloured from what is stored of it.
+/// Computes pose and colours from the stored blade.
 SeenBlade freshBlade(uint index)
 {
-    // Read first: to find the patch takes as long.
+    // Start these reads first: finding the patch takes as long, and both overlap.
     const uint place = placeOf(uvec2(FRAME.pages), index);
     const PackedBlade bits = FRAME.blades.at[place];
     const BladeState state = BladeState(FRAME.states.at[place], 0.0);

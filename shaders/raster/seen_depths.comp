@@ -1,21 +1,20 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The finest levels of the depth pyramid, from what the visibility holds: the ground, and the blades
-// that have been drawn so far. With that the late pass of large blades begins.
+// The finest levels of the depth pyramid, from the visibility: the ground, and the blades drawn so far. This starts the
+// late pass of large blades.
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
-#include "shaders/culling/finest_levels.glsl"
+#include "shaders/cull/finest_levels.glsl"
 #include "shaders/raster/large_part.glsl"
 #include "shaders/raster/put_sample.glsl"
 
-/// Whether the coarse levels are filled, too, by the work-group that is done last; known when the pipeline
-/// is made.
+/// Whether the last work-group to finish also fills the coarse levels; known at pipeline creation.
 layout(constant_id = 2) const bool fillsAll = false;
 
-// Of several samples: pairs of them in a column of the group's pixels, in what of it a cell has, columns
-// that its threads read at a time, and cells of each of which one has pairs that it waits for together.
+// For several samples: number of sample pairs in a column of the group's pixels, and in a cell's part of it; number of
+// columns that the threads read at a time; number of cells whose pairs a thread reads with one wait.
 const uint groupReach = pyramidThreads << pyramidFactorBits;
 const uint pairsOfColumn = groupReach * samplesPerPixel / 2u;
 const uint pairsOfCell = pairsOfColumn / pyramidThreads;
@@ -25,7 +24,7 @@ const uint cellsTogether = 2u;
 shared uint farthestOfCells[pyramidThreads * pyramidThreads]; // as bits
 shared bool isLastGroup;
 
-/// The farthest depth of a cell, read by its own thread.
+/// The farthest depth of a cell, read by the cell's own thread.
 float farthestOf(uvec2 own)
 {
     const uvec2 low = (gl_WorkGroupID.xy * pyramidThreads + own) << pyramidFactorBits;
@@ -44,8 +43,8 @@ float farthestOf(uvec2 own)
     return uintBitsToFloat(farthest);
 }
 
-/// The same where a pixel has several samples: a cell's lie so far apart that threads beside one another
-/// read pairs beside one another instead, whosever they are. All threads come here together.
+/// The same for several samples per pixel. The pairs of a cell lie far apart, so neighbouring threads read neighbouring
+/// pairs of any cell. All threads call this together.
 float farthestTogether(uvec2 own)
 {
     const uint thread = gl_LocalInvocationIndex;
@@ -75,8 +74,8 @@ float farthestTogether(uvec2 own)
     return uintBitsToFloat(farthestOfCells[own.y * pyramidThreads + own.x]);
 }
 
-/// What is listed of large blades from now on has its late pass, and what is has had its first one; but
-/// those that the near plane cuts have been drawn for good.
+/// Starts the late pass: blades listed so far are early, blades listed later are late. Empties the list of cut blades,
+/// which are drawn completely.
 void beginLatePass()
 {
     WalkLevelArray asked = push.largeCount;
@@ -87,8 +86,8 @@ void beginLatePass()
     asked.at[largeLate].groups[0] = groupsForLate(listed);
 }
 
-/// Whether all other work-groups have filled their cells. The first thread comes here behind the last one
-/// that it has put, of which alone coarser levels are made.
+/// Whether all other work-groups have filled their cells. The calling thread has written the group's cell of the third
+/// level, the only input of the coarse levels.
 bool areOthersDone()
 {
     memoryBarrierBuffer();
@@ -100,7 +99,7 @@ void main()
 {
     if (gl_WorkGroupID.xy == uvec2(0u) && gl_LocalInvocationIndex == 0u)
         beginLatePass();
-    // Threads beside one another read what lies below one another, which is together in memory.
+    // Neighbouring threads read vertically adjacent pixels, which are adjacent in memory.
     const uvec2 own = gl_LocalInvocationID.yx;
     putFinestLevels(FRAME.pyramid, own, samplesPerPixel == 1u ? farthestOf(own) : farthestTogether(own));
     if (!fillsAll)

@@ -1,9 +1,9 @@
-// Which place of a blade a sample shows, of which the visibility knows the blade and the depth.
+// Finds the place of a blade that a sample shows, from the blade and the depth in the visibility.
 #ifndef SWARD_RASTER_SEEN_PLACE_GLSL
 #define SWARD_RASTER_SEEN_PLACE_GLSL
 
 #include "shaders/raster/seen_triangle.glsl"
-#include "shaders/sky/sky_light.glsl"
+#include "shaders/preview/sky_light.glsl"
 
 /// A corner of a ribbon's triangle.
 struct Corner {
@@ -11,40 +11,38 @@ struct Corner {
     vec2 place; ///< −1 … 1 across, 0 … 1 along
 };
 
-/// Which point of a ribbon is seen.
+/// The visible point of a ribbon.
 struct Found {
     vec3 point; ///< relative to the field's origin
-    vec2 place; ///< as a Corner has it; beside the rim a little more
+    vec2 place; ///< as in Corner; slightly outside beside the rim
 };
 
-/// The best guess so far at which point of a folded ribbon it is. Where it lies in space its depth says:
-/// to remember that of every corner takes a device's registers, and with them the time.
+/// The best candidate so far for the visible point of a folded ribbon. Its depth determines its position in space:
+/// storing the position of each corner would cost registers and thereby time.
 struct Guess {
-    float error; ///< 0: its triangle is where the sample says that something is
-    float depth; ///< in the middle of what is shaded
-    vec2 place;  ///< as a Corner has it
+    float error; ///< 0: the sample lies in the triangle, at its depth
+    float depth; ///< in the middle of the shaded samples
+    vec2 place;  ///< as in Corner
 };
 
-/// Where and how deep a sample of a ribbon is seen, and the middle of all that are shaded with it
-/// [pixels].
+/// Place and depth of a visible sample of a ribbon, and the middle of all samples shaded with it [pixels].
 struct Sighting {
     vec2 pixel;
     float depth;
     vec2 middle;
 };
 
-/// A triangle that errs by less is the one. Corners lie in steps of a 256th of a pixel where they are
-/// drawn, not here.
+/// A triangle with a smaller error is accepted. The rasteriser snaps corners to 1/256 of a pixel; this code does not.
 const float foundError = 0.02;
 
-/// By how much a triangle errs of which a sample is said to show a point. The sample may lie just
-/// outside by rounding; between triangles that both hold it depth decides.
+/// Error of a triangle for a sample. The first term allows samples just outside by rounding; the second decides by
+/// depth between triangles that both contain the sample.
 float errorOf(SeenPoint seen, Sighting sighting)
 {
     return max(-seen.least, 0.0) + abs(seen.depth / sighting.depth - 1.0);
 }
 
-/// The shares of a triangle's corners in the middle of what is shaded with a sample.
+/// Barycentric weights in the middle of the samples that are shaded with a sample.
 vec3 sharesInMiddle(vec4 first, vec4 second, vec4 third, SeenPoint seen, Sighting sighting)
 {
     const vec3 inside = max(samplesPerPixel == 1u ? seen.shares
@@ -53,13 +51,13 @@ vec3 sharesInMiddle(vec4 first, vec4 second, vec4 third, SeenPoint seen, Sightin
     return inside / max(inside.x + inside.y + inside.z, 1e-6);
 }
 
-/// The reversed depth where a triangle has these shares of its corners.
+/// The reversed depth at these weights of a triangle's corners.
 float depthOf(vec4 first, vec4 second, vec4 third, vec3 shares)
 {
     return dot(shares, vec3(first.z, second.z, third.z)) / dot(shares, vec3(first.w, second.w, third.w));
 }
 
-/// What lies between the cross-sections at the places `low` and `high` of a folded ribbon.
+/// Searches the surface between the cross-sections at `low` and `high` of a folded ribbon.
 void lookAtHalves(Lens lens, Ribbon ribbon, float low, float high, bool isUpper, Sighting sighting,
                   inout Guess guess)
 {
@@ -91,16 +89,16 @@ void lookAtHalves(Lens lens, Ribbon ribbon, float low, float high, bool isUpper,
     }
 }
 
-/// A ribbon's curve from its root on: the point at `t` is t · (toMiddle + t · bend) away from that.
+/// A ribbon's curve relative to its root: the point at `t` is t · (toMiddle + t · bend).
 struct Curve {
-    vec3 toMiddle; ///< twice the way to v1
+    vec3 toMiddle; ///< twice the vector to v1
     vec3 bend;
 };
 
 Curve curveOf(Ribbon ribbon)
 {
-    // Rounded alike whether the ribbon has been read or made here: else a compiler takes apart what it is
-    // made of.
+    // `precise` rounds a ribbon from memory and a computed one equally: otherwise a compiler rearranges the latter's
+    // terms.
     precise const vec3 toMiddle = 2.0 * (ribbon.v1 - ribbon.v0);
     precise const vec3 bend = ribbon.v2 - ribbon.v0 - toMiddle;
     return Curve(toMiddle, bend);
@@ -113,9 +111,9 @@ vec3 tangentOf(Curve curve, float t)
     return normalize(dot(along, along) > 1e-18 ? along : curve.toMiddle);
 }
 
-/// Where along a ribbon a point of it lies, so near that it is found in which segment. Seen along the
-/// axis, to which v1 stands at right angles over the root, a ribbon is a curve, and its points lie on it:
-/// Gauss and Newton's way to the nearest, from where the chord has it. Lengths are in those to v1.
+/// Parameter of a point along a ribbon, accurate enough to find its segment. Viewed along the axis, which is
+/// perpendicular to v1 − v0, a ribbon is a curve that contains the point. Gauss–Newton steps find the nearest curve
+/// point, starting from the chord. Lengths are scaled by toMiddle.
 float placeAlong(Ribbon ribbon, Curve curve, vec3 point)
 {
     const vec3 upwards = curve.toMiddle;
@@ -135,22 +133,22 @@ float placeAlong(Ribbon ribbon, Curve curve, vec3 point)
     return t;
 }
 
-/// The direction in which a place of the picture is seen, of any length.
+/// The direction through a place of the picture, not normalised.
 vec3 rayTo(Lens lens, vec2 pixel)
 {
     return rayThrough(2.0 * pixel / lens.size - 1.0);
 }
 
-/// What is seen so deep in the direction of a ray, relative to the field's origin.
+/// The point at this reversed depth in the direction of a ray, relative to the field's origin.
 vec3 pointSeen(Lens lens, vec3 ray, float depth)
 {
-    // Clip w grows by 1 with the ray's length, from 0 at the eye.
+    // Clip w is 0 at the eye and grows by 1 per length of the ray.
     const vec3 depthRow = vec3(lens.viewProjection[0].z, lens.viewProjection[1].z, lens.viewProjection[2].z);
     return lens.eye + (FRAME.depthOfEye / (depth - dot(depthRow, ray))) * ray;
 }
 
-/// Which point of a folded ribbon is seen: in the segment where it should be, or else in one near it,
-/// or, if it is in none, in the best of all.
+/// The visible point of a folded ribbon. Searches the expected segment first, then its neighbours; otherwise takes the
+/// best candidate of all.
 Found findOnFold(Lens lens, Ribbon ribbon, Sighting sighting)
 {
     Guess guess;
@@ -159,7 +157,7 @@ Found findOnFold(Lens lens, Ribbon ribbon, Sighting sighting)
     const vec3 point = pointSeen(lens, rayTo(lens, sighting.pixel), sighting.depth);
     const float place = segments > 1.5 ? placeAlong(ribbon, curveOf(ribbon), point) : 0.0;
     float segment = clamp(floor(place * segments) + 1.0, 1.0, segments);
-    // By how much the next one is farther along: the neighbour that is nearer first, then by turns.
+    // Offset to the next segment: the nearer neighbour first, then alternating.
     float step_ = fract(place * segments) < 0.5 ? -1.0 : 1.0;
     [[dont_unroll]] for (float turn = 0.0; turn < 2.0 * segments; turn += 1.0) {
         if (segment >= 1.0 && segment <= segments)
@@ -173,9 +171,9 @@ Found findOnFold(Lens lens, Ribbon ribbon, Sighting sighting)
     return Found(pointSeen(lens, rayTo(lens, sighting.middle), guess.depth), guess.place);
 }
 
-/// Where across a segment a point is, −1 … 1: of the two triangles in that which holds it, as a
-/// tessellator interpolates it. `toLeft`, `toRight`: so far are the sides; `widths`: of the cross-sections at its
-/// ends; `share`: of the way from the first to the second.
+/// Place of a point across a segment, −1 … 1, interpolated as by a tessellator in the one of its two triangles that
+/// contains the point. `toLeft`, `toRight`: distances to the sides; `widths`: of the sections at its ends; `share`:
+/// position between these.
 float placeAcross(float toLeft, float toRight, vec2 widths, float share, bool isUpper)
 {
     const bool isFirst = (isUpper ? toLeft : toRight) <= widths.x * (1.0 - share);
@@ -183,8 +181,8 @@ float placeAcross(float toLeft, float toRight, vec2 widths, float share, bool is
     return isFirst == isUpper ? 2.0 * toLeft / width - 1.0 : 1.0 - 2.0 * toRight / width;
 }
 
-/// The same without a fold: a segment is plane, between two cross-sections along the same axis. The depth says
-/// which segment it is, and the place on the picture alone where on that, as it does for a triangle.
+/// The same without a fold: a segment is plane, between two cross-sections along the same axis. The depth determines
+/// the segment; the place on the picture alone determines the point, as for a triangle.
 Found findOnPlane(Lens lens, Ribbon ribbon, Sighting sighting)
 {
     const float segments = ribbon.outline.segments;
@@ -199,7 +197,7 @@ Found findOnPlane(Lens lens, Ribbon ribbon, Sighting sighting)
     const vec3 chord = each * (curve.toMiddle + (low + high) * curve.bend);
     const vec3 ray = rayTo(lens, sighting.middle);
 
-    // What is too narrow across the view is drawn wider, as crossSectionAt() has it.
+    // Widen narrow sections across the view, as crossSectionAt() does.
     const vec3 side = cross(ray, chord);
     const float square = dot(side, side);
     const bool isAtEye = square <= 1e-12 * dot(ray, ray) * dot(chord, chord);
@@ -217,8 +215,8 @@ Found findOnPlane(Lens lens, Ribbon ribbon, Sighting sighting)
         axis = (ends.x + ends.y) * axis +
                (grown.x + grown.y) * outwardsOf(across, cross(ray, ribbon.v1 - ribbon.v0));
 
-    // Where the ray meets the plane of the segment, from the middle of the first section to that of the
-    // second: how far the eye is does not matter.
+    // Intersect the ray with the plane of the segment, between the middles of its sections. The result does not depend
+    // on the eye's distance.
     vec3 toEye = lens.eye - begin;
     vec3 upwards = chord;
     if (!isEven(ribbon.outline.shape)) {
@@ -236,8 +234,8 @@ Found findOnPlane(Lens lens, Ribbon ribbon, Sighting sighting)
     return Found(pointSeen(lens, ray, sighting.depth), vec2(placeX, (segment + share) * each));
 }
 
-/// What a sample shows. Across a flat blade it is what a tessellator's two triangles make of it, but for
-/// cross-sections that are drawn wider than they are, which do not run alike.
+/// The point that a sample shows. On a flat blade it equals that of a tessellator's two triangles, except between
+/// cross-sections that are drawn wider, which are not parallel.
 Found find(Lens lens, Ribbon ribbon, Sighting sighting)
 {
     if (isFolded(ribbon))

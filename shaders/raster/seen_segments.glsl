@@ -1,17 +1,17 @@
-// Between which segments of a blade the frame's pyramid does not hide it, asked of some spans and
-// without cross-sections, which take longer than the question: of a late pass's segments a twentieth is seen. Never
-// less than is seen; those that are left are asked again, one by one (raster_late.comp).
+// Finds the segments of a blade that the frame's pyramid does not hide. Tests a few spans without cross-sections, which
+// cost more than the test: a twentieth of a late pass's segments is visible. The result is conservative;
+// raster_late.comp tests the remaining segments one by one.
 #ifndef SWARD_RASTER_SEEN_SEGMENTS_GLSL
 #define SWARD_RASTER_SEEN_SEGMENTS_GLSL
 
 #include "shaders/raster/hidden_rectangle.glsl"
 #include "shaders/raster/seen_triangle.glsl"
 
-/// What one step of 1 m adds to what seenPoint() says: along the blade's axis, and any way at most.
+/// Change of seenPoint() per step of 1 m: along the blade's axis, and the maximum over all directions.
 struct Leverage {
     vec4 axis;
-    vec2 squares;  ///< of pixels times w, to the right and downwards
-    vec2 products; ///< of those with w
+    vec2 squares;  ///< of pixels times w, to the right and down
+    vec2 products; ///< of these with w
     vec2 ofDepth;  ///< of reversed depth times w, and of w
 };
 
@@ -30,7 +30,7 @@ Leverage leverageOf(Lens lens, vec3 axis)
     return leverage;
 }
 
-/// What seenPoint() says of a sum of points more, if this is added to one of them.
+/// Change of seenPoint() if `way` is added to the point.
 vec4 seenWay(Lens lens, vec3 way)
 {
     const vec4 clip = mat3x4(lens.viewProjection) * way;
@@ -42,13 +42,12 @@ struct SeenBox {
     vec2 low; ///< [pixels]
     vec2 high;
     float nearest;
-    vec2 perMetre; ///< by so much it reaches farther for each metre along the blade's axis
+    vec2 perMetre; ///< growth per metre along the blade's axis
 };
 
-/// Where everything is seen that lies no farther from a point than `wide` [m] along the blade's axis and
-/// then `margin` [m] any way, all of it behind the near plane; `seen`: seenPoint() of it. If x is the
-/// point's place and δ the way there, it moves by (right·δ − x·(w·δ)) / w', with w' as w is there. Corners
-/// of cross-sections are rounded, by half of 1/256 pixel.
+/// Bounds of all points within `wide` [m] along the blade's axis plus `margin` [m] in any direction of a point, all
+/// behind the near plane; `seen`: seenPoint() of it. If x is the point's place and δ the offset, x moves by (right·δ −
+/// x·(w·δ)) / w', with w' at the moved point. Corners of cross-sections are rounded, by half of 1/256 pixel.
 SeenBox boxAround(Leverage leverage, vec4 seen, float wide, float margin)
 {
     const vec2 place = seen.xy / seen.w;
@@ -62,7 +61,7 @@ SeenBox boxAround(Leverage leverage, vec4 seen, float wide, float margin)
     return SeenBox(place - reach, place + reach, perW * nearest, perMetre);
 }
 
-/// So far [m] the edges of a blade lie from its curve at `t` or anywhere between there and its tip.
+/// Maximum distance [m] of a blade's edges from its curve between `t` and the tip.
 float halfWidthFrom(Ribbon ribbon, float t)
 {
     if (!isTapering(ribbon.outline.shape))
@@ -71,23 +70,23 @@ float halfWidthFrom(Ribbon ribbon, float t)
     return ribbon.width * max(-edges.x, edges.y);
 }
 
-/// So many spans of a blade are asked for, each of some segments.
+/// Maximum number of spans of a blade that are tested, each of some segments.
 const uint spansTested = 4u;
 
-/// The first segment that may be seen, and one past the last; both 0 where all are hidden. The ribbon's cross-sections
-/// are widened by no more than `margin` [m] on either side.
+/// The first potentially visible segment, and one past the last; both 0 if all are hidden. Cross-sections are widened
+/// by at most `margin` [m] on either side.
 uvec2 segmentsSeen(Lens lens, Ribbon ribbon, float margin)
 {
     const Leverage leverage = leverageOf(lens, ribbon.axis);
     const uint segments = uint(ribbon.outline.segments);
     const bool areFew = segments < spansTested;
     const float perSegment = 1.0 / ribbon.outline.segments;
-    // The curve from its root on, as it is seen: root + t · (toMiddle + t · bend).
+    // The curve from its root on, projected: root + t · (toMiddle + t · bend).
     const vec3 bend = ribbon.v0 - 2.0 * ribbon.v1 + ribbon.v2;
     const vec4 seenRoot = seenPoint(lens, ribbon.v0);
     const vec4 seenMiddle = seenWay(lens, 2.0 * (ribbon.v1 - ribbon.v0));
     const vec4 seenBend = seenWay(lens, bend);
-    // A quadratic curve strays from a chord over the part h of it by |v0 - 2 v1 + v2| h²/4 at most.
+    // A quadratic curve deviates from a chord over a part h of it by at most |v0 - 2 v1 + v2| h²/4.
     const float longest = areFew ? perSegment : float((segments + spansTested - 1u) / spansTested) * perSegment;
     const float stray = 0.25 * longest * longest * length(bend);
     float wide = halfWidthFrom(ribbon, 0.0);
@@ -98,7 +97,7 @@ uvec2 segmentsSeen(Lens lens, Ribbon ribbon, float margin)
     for (uint i = 1u; i <= min(segments, spansTested); ++i) {
         const uint end = areFew ? i : i * segments / spansTested;
         const float t = float(end) * perSegment;
-        // Nowhere in a span it is wider than where that begins.
+        // A span is widest at its begin.
         const SeenBox after = boxAround(leverage, seenRoot + t * (seenMiddle + t * seenBend), wide, around);
         if (!rectangleHidden(min(before.low, after.low), max(before.high, after.high),
                              max(before.nearest, after.nearest)))

@@ -1,5 +1,5 @@
-// Triangles in homogeneous coordinates (Olano & Greer, "Triangle Scan Conversion using 2D
-// Homogeneous Coordinates", 1997): right on both sides of the near plane, without clipping.
+// Triangles in homogeneous coordinates (Olano & Greer, "Triangle Scan Conversion using 2D Homogeneous Coordinates",
+// 1997): correct on both sides of the near plane, without clipping.
 #ifndef SWARD_RASTER_SEEN_TRIANGLE_GLSL
 #define SWARD_RASTER_SEEN_TRIANGLE_GLSL
 
@@ -8,7 +8,7 @@
 #include "shaders/raster/visibility.glsl"
 #include "shaders/shared/ribbon.h"
 
-// Whether there are folded blades; known when the pipeline is made.
+// Whether there are folded blades; known at pipeline creation.
 layout(constant_id = 11) const bool mayFold = true;
 
 bool isFolded(Ribbon ribbon)
@@ -23,7 +23,7 @@ vec4 seenPoint(Lens lens, vec3 position)
     return vec4((0.5 * clip.xy + 0.5 * clip.w) * lens.size, clip.z, clip.w);
 }
 
-/// A section as the view sees it.
+/// A cross-section in the view.
 struct SeenSection {
     CrossSection section;
     vec4 left;
@@ -37,32 +37,31 @@ SeenSection seenSection(Lens lens, Ribbon ribbon, float t)
     seen.section = crossSectionAt(ribbon, t, lens.eye, lens.minWidth);
     seen.left = seenPoint(lens, seen.section.left);
     seen.right = seenPoint(lens, seen.section.right);
-    // Without a fold the middle is half way, here too.
+    // Without a fold the ridge is halfway between the edges, here too.
     seen.ridge = 0.5 * (seen.left + seen.right);
     if (isFolded(ribbon))
         seen.ridge = seenPoint(lens, seen.section.ridge);
     return seen;
 }
 
-/// Whether a point lies before the near plane, or behind the eye.
+/// Whether a point lies before the near plane or behind the eye.
 bool isBefore(vec4 seen)
 {
     return seen.w <= 0.0 || seen.z > seen.w;
 }
 
-/// Triangles between two sections.
+/// Number of triangles between two sections.
 uint trianglesOf(bool isFolded)
 {
     return isFolded ? 4u : 2u;
 }
 
-/// One of the triangles between two cross-sections: of the quad a, b on the first section and c, d on the second,
-/// a and c to the left, the way a tessellator halves it: see upperHalf(). Of a folded ribbon the
-/// quad goes to the ridge or begins there. The first corner is a or b, the second b or d, the third
-/// c or d.
+/// One of the triangles between two cross-sections, split as a tessellator does, see upperHalf(). The quad has corners
+/// a, b on the first section and c, d on the second, a and c to the left. In a folded ribbon it ends or begins at the
+/// ridge. The triangle's first corner is a or b, the second b or d, the third c or d.
 struct TriangleOf {
     bool isRight;     ///< the quad begins at the ridge
-    bool endsAtRidge; ///< … or goes to it
+    bool endsAtRidge; ///< the quad ends at the ridge
     bool isSecond;    ///< its second corner is d
     bool beginsRight; ///< its first corner is b
     bool endsLeft;    ///< its third corner is c
@@ -84,16 +83,16 @@ float crossOf(vec2 a, vec2 b)
     return a.x * b.y - a.y * b.x;
 }
 
-/// A point of a triangle that is seen at some place.
+/// The point of a triangle at a place of the picture.
 struct SeenPoint {
-    vec3 shares; ///< of the corners, as they lie in space; inside none is negative
+    vec3 shares; ///< barycentric weights in space; none is negative inside
     float depth; ///< reversed; above 1 before the near plane
-    float least; ///< the smallest share; −1e9 where the place sees the triangle's plane nowhere
+    float least; ///< smallest weight; −1e9 where the ray misses the triangle's plane
 };
 
 SeenPoint seenAt(vec4 a, vec4 b, vec4 c, vec2 place)
 {
-    // With the place as origin the shares are the areas opposite to the corners.
+    // Relative to the place, the weights are the areas opposite to the corners.
     const vec2 p = a.xy - place * a.w;
     const vec2 q = b.xy - place * b.w;
     const vec2 r = c.xy - place * c.w;

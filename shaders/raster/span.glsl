@@ -1,13 +1,13 @@
-// A convex part of a blade on the screen: each row of samples meets it in one interval, so that no
-// sample outside is looked at.
+// A convex part of a blade on the screen. Each row of samples meets it in one interval, so that no sample outside is
+// tested.
 #ifndef SWARD_RASTER_SPAN_GLSL
 #define SWARD_RASTER_SPAN_GLSL
 
 #include "shaders/raster/screen_section.glsl"
 
-/// The sides of a convex quad that bound it to the left and to the right: where each meets the
-/// horizontal through the quad's first corner, and how far it goes in a row [pixels]. One that does not
-/// bound it on a hand is far away on that.
+/// The sides of a convex quad that bound it to the left and to the right: their intersections with the horizontal
+/// through the first corner, and their slopes [pixels per row]. A side that does not bound the quad on a hand lies far
+/// away on that hand.
 struct Sides {
     vec4 leftPlaces;
     vec4 leftSlopes;
@@ -15,7 +15,7 @@ struct Sides {
     vec4 rightSlopes;
 };
 
-/// `area`: its sign says which way round the corners follow one another.
+/// `area`: its sign gives the orientation of the corners.
 Sides sidesOf(vec2 p0, vec2 p1, vec2 p2, vec2 p3, float area)
 {
     const vec4 xs = vec4(p0.x, p1.x, p2.x, p3.x);
@@ -23,7 +23,7 @@ Sides sidesOf(vec2 p0, vec2 p1, vec2 p2, vec2 p3, float area)
     const vec4 rises = ys.yzwx - ys;
     const vec4 slopes = (xs.yzwx - xs) / mix(rises, vec4(1.0), equal(rises, vec4(0.0)));
     const vec4 places = xs + (p0.y - ys) * slopes;
-    // Sides that rise bound the quad on one hand, those that fall on the other.
+    // Rising sides bound the quad on one hand, falling sides on the other.
     const vec4 turned = area < 0.0 ? -rises : rises;
     const bvec4 lefts = lessThan(turned, vec4(0.0));
     const bvec4 rights = greaterThan(turned, vec4(0.0));
@@ -31,48 +31,48 @@ Sides sidesOf(vec2 p0, vec2 p1, vec2 p2, vec2 p3, float area)
                  mix(vec4(1e30), places, rights), mix(vec4(0.0), slopes, rights));
 }
 
-/// From the rightmost of some places to the leftmost of others.
+/// From the rightmost of the places `from` to the leftmost of the places `to`.
 vec2 between(vec4 from, vec4 to)
 {
     return vec2(max(max(from.x, from.y), max(from.z, from.w)),
                 min(min(to.x, to.y), min(to.z, to.w)));
 }
 
-/// The part between them of the horizontal `below` the first corner: `from` and `to`.
+/// The interval between the sides on the horizontal `below` the first corner.
 vec2 intervalAt(Sides sides, float below)
 {
     return between(sides.leftPlaces + below * sides.leftSlopes,
                    sides.rightPlaces + below * sides.rightSlopes);
 }
 
-/// A quad, ready to be drawn row by row. What is linear in it is given by its value at the first corner, and
-/// by what a pixel adds to the right and downwards.
+/// A quad, prepared for drawing row by row. Linear functions have their value at the first corner, and their change per
+/// pixel to the right and downwards.
 struct Span {
-    vec4 xs; ///< its corners, one after the other [pixels]
+    vec4 xs; ///< corners in cyclic order [pixels]
     vec4 ys;
-    vec4 slopes; ///< of the sides from them [pixels per row]
+    vec4 slopes; ///< of the sides from each corner [pixels per row]
     vec3 depth;  ///< reversed
-    float deepest; ///< it has no other depths than these
+    float deepest; ///< minimum and maximum depth
     float shallowest;
-    bool isThin; ///< it may keep less than all samples, by the ratio of its weights:
+    bool isThin; ///< it may keep fewer than all samples, by the ratio of the weights:
     vec3 wide;   ///< ScreenSection::weight.x
     vec3 drawn;  ///< ScreenSection::weight.y
 };
 
-/// What is linear in a quad, with so much at a0, at a1, and between b0 and b1.
+/// A linear function in a quad with these values at a0, at a1, and midway between b0 and b1.
 vec3 linearIn(mat2 steps, float a0, float a1, float b)
 {
     return vec3(a0, steps * vec2(a1 - a0, b - a0));
 }
 
-/// Whether a quad may keep less than all samples.
+/// Whether a quad may keep fewer than all samples.
 bool isThin(Quad quad)
 {
     return quad.weightA0.x < quad.weightA0.y || quad.weightA1.x < quad.weightA1.y ||
            quad.weightB.x < quad.weightB.y;
 }
 
-/// Makes a span of a quad that is not twisted; false if nothing of it is seen.
+/// Makes a span of an untwisted quad; false if it has no area.
 bool spanOfQuad(Quad quad, bool mayBeThin, out Span span)
 {
     span.xs = vec4(quad.a0.x, quad.a1.x, quad.b1.x, quad.b0.x);
@@ -93,11 +93,11 @@ bool spanOfQuad(Quad quad, bool mayBeThin, out Span span)
     return area != 0.0;
 }
 
-/// From where to where a horizontal lies in a span; the other way round where it does not.
+/// The interval of a horizontal inside a span; reversed if it misses the span.
 vec2 crossingsOf(Span span, float y)
 {
     const vec4 places = span.xs + (y - span.ys) * span.slopes;
-    // It meets the sides of which one end lies above it, and one does not.
+    // It meets the sides with exactly one end above it.
     const bvec4 isAbove = lessThanEqual(span.ys, vec4(y));
     const bvec4 isMet = notEqual(isAbove, isAbove.yzwx);
     const vec4 from = mix(vec4(1e30), places, isMet);
@@ -105,14 +105,14 @@ vec2 crossingsOf(Span span, float y)
     return vec2(min(min(from.x, from.y), min(from.z, from.w)), max(max(to.x, to.y), max(to.z, to.w)));
 }
 
-/// The first and the last pixel of a row of which sample `s` lies in a span and is kept.
+/// The first and the last pixel of a row whose sample `s` lies in a span and is kept.
 vec2 spanOf(Span span, SampleMask mask, uint s, int row)
 {
     const vec2 place = samplePlace(s) + vec2(0.0, row);
     const vec2 crossings = crossingsOf(span, place.y) - place.x;
     vec2 ends = vec2(max(ceil(crossings.x), 0.0), min(floor(crossings.y), float(push.size.x) - 1.0));
     if (span.isThin) {
-        // It is kept, see keptCount(), where wide − least · drawn is not negative.
+        // The sample is kept, see keptCount(), where wide − least · drawn is not negative.
         const uint turn = (s + samplesPerPixel - mask.first) % samplesPerPixel;
         const float least = (float(turn + 1u) - mask.threshold) / float(samplesPerPixel);
         const vec3 keeps = span.wide - least * span.drawn;
@@ -129,17 +129,16 @@ vec2 spanOf(Span span, SampleMask mask, uint s, int row)
     return ends;
 }
 
-/// So many pixels of a row are looked at together: what takes long is to wait for what they have already.
+/// Number of pixels of a row that are tested together: the wait for their stored depths dominates.
 const uint pixelsTogether = samplesPerPixel == 1u ? 8u : 4u;
 
 #ifdef KEEPS_RUN
-/// Pixels of a row that have been looked at, and of which some samples, as bits pixel by pixel, are to be
-/// put. What is written holds up what is read after it: of several samples each run is put when the next
-/// one has been asked for, and the last one is left to putKept().
+/// Tested pixels of a row, with a bit for each sample to write, pixel by pixel. Writes delay later reads: with several
+/// samples each run is written after the next run's reads are issued. putKept() writes the last run.
 struct Run {
     uint first;  ///< sampleIndex() of the first
     float depth; ///< at its corner, reversed
-    vec2 steps;  ///< by which that changes to the right and downwards
+    vec2 steps;  ///< change of depth to the right and downwards
     float deepest;
     float shallowest;
     uint blade;
@@ -164,7 +163,7 @@ void putKept()
 }
 #endif
 
-/// One row of pixels.
+/// Draws one row of pixels.
 void drawRow(Span span, uint blade, int row)
 {
     const SampleMask mask = sampleMaskOf(blade, samplesPerPixel);
@@ -183,7 +182,7 @@ void drawRow(Span span, uint blade, int row)
          begin += float(pixelsTogether), first += pixelsTogether * columnStride()) {
         const float here = depth + begin * span.depth.y;
 #ifdef ASKS_PIXELS
-        // To ask costs less than to look at all samples of some pixels, and as much as at one of each.
+        // This test costs less than reading all samples of several pixels, and as much as reading one of each.
         if (samplesPerPixel > 1u) {
             const float pixels = min(float(pixelsTogether), reach.y - reach.x - begin + 1.0);
             const float nearest = min(here + max(pixels * span.depth.y, 0.0) + max(span.depth.z, 0.0),
@@ -197,7 +196,7 @@ void drawRow(Span span, uint blade, int row)
         SHARED_UNROLL for (uint i = 0u; i < pixelsTogether; ++i) {
             const uint pixel = first + i * columnStride();
             const bool isTested = begin + float(i) <= reach.y - reach.x;
-            // What is not asked for is nearer than anything.
+            // Untested samples count as nearer than anything.
             if (samplesPerPixel == 1u) {
                 before[i] = ~0u;
                 if (isTested)
@@ -218,7 +217,7 @@ void drawRow(Span span, uint blade, int row)
                 const float own = clamp(here + dot(samplePlace(s) + vec2(i, 0.0), span.depth.yz),
                                         span.deepest, span.shallowest);
                 const float column = reach.x + begin + float(i);
-                // Of equal depths the atomic takes the larger id.
+                // At equal depths the atomic keeps the larger id.
                 if ((samplesPerPixel == 1u || column >= spans[s].x && column <= spans[s].y) &&
                     floatBitsToUint(own) >= before[i * samplesPerPixel + s])
 #ifdef KEEPS_RUN
@@ -235,8 +234,8 @@ void drawRow(Span span, uint blade, int row)
     }
 }
 
-/// All of a quad that has few pixels and is not twisted, by one thread: the same as a span row by row,
-/// in one text, with which an H200 gives a thread 80 registers instead of 120. Weights belong to sections.
+/// Draws a small, untwisted quad by one thread. Same result as a span row by row, but as one function, which on an H200
+/// needs 80 registers per thread instead of 120. Weights belong to sections.
 void drawSmall(Quad quad, SampleMask mask, uint blade)
 {
     const vec2 p0 = quad.a0.xy;
@@ -258,21 +257,21 @@ void drawSmall(Quad quad, SampleMask mask, uint blade)
     const float shallowest = max(max(quad.a0.z, quad.a1.z), max(quad.b0.z, quad.b1.z));
     const float deepest = min(min(quad.a0.z, quad.a1.z), min(quad.b0.z, quad.b1.z));
     const bool mayBeThin = isThin(quad);
-    // A single sample is kept, as keptBits() has it, where this is not negative.
+    // A single sample is kept where this is not negative, as in keptBits().
     const float keepsFirst = quad.weightA0.x - (1.0 - mask.threshold) * quad.weightA0.y;
     const float keepsLast = quad.weightB.x - (1.0 - mask.threshold) * quad.weightB.y;
 
     const Sides sides = sidesOf(p0, p1, p2, p3, area);
     const ivec2 rows = rowsBetween(low.y, high.y, edge.y);
     for (int row = rows.x; row <= rows.y; ++row) {
-        // The interval of each row of samples, in pixels whose sample lies inside.
+        // The interval of each row of samples, in pixels whose sample is inside.
         vec2 spans[samplesPerPixel];
         vec2 widest = vec2(1e30, -1e30);
         SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s) {
             const vec2 place = samplePlace(s);
             const float y = float(row) + place.y;
             spans[s] = intervalAt(sides, y - p0.y) - place.x;
-            // The rows have been chosen so that a single sample lies between the ends.
+            // The row range ensures that a single sample lies between the ends.
             if (samplesPerPixel > 1u && (y < low.y || y > high.y))
                 spans[s] = vec2(1e30, -1e30);
             widest = vec2(min(widest.x, spans[s].x), max(widest.y, spans[s].y));

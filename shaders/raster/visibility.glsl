@@ -1,5 +1,5 @@
-// What the compute rasteriser sees: for each sample of each pixel the depth and the blade of what
-// is nearest. The including stage has a push constant `push` of type RasterPush.
+// The visibility of the compute rasteriser: depth and blade of the nearest surface at each sample of each pixel. The
+// including stage has a push constant `push` of type RasterPush.
 #ifndef SWARD_RASTER_VISIBILITY_GLSL
 #define SWARD_RASTER_VISIBILITY_GLSL
 
@@ -19,10 +19,10 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) buffer Visibility
     uint64_t at[];
 };
 
-/// Samples per pixel, 1 or 4; known when the pipeline is made.
+/// Samples per pixel, 1 or 4; known at pipeline creation.
 layout(constant_id = 1) const uint samplesPerPixel = 1u;
 
-/// Where the samples of a pixel lie: the standard positions of Vulkan.
+/// Sample positions in a pixel: the standard positions of Vulkan.
 const vec2 fourPlaces[4] =
     vec2[4](vec2(0.375, 0.125), vec2(0.875, 0.375), vec2(0.125, 0.625), vec2(0.625, 0.875));
 
@@ -39,9 +39,9 @@ ivec2 rowsBetween(float low, float high, float edge)
     return ivec2(int(max(ceil(low - lowermost), 0.0)), int(min(floor(high - uppermost), edge - 1.0)));
 }
 
-/// The middle of the samples of a pixel that are covered, of which there is one at least. What is
-/// linear in the pixel has there its mean over them: a share of samples kept by its value at one of
-/// them alone, always the uppermost, would lean towards the tips of blades and lose 4 % of them.
+/// The centre of a pixel's covered samples, at least one. A linear function has its mean over the samples there.
+/// Evaluating the share of kept samples at one sample, always the uppermost, would be biased towards the tips of blades
+/// and lose 4 % of them.
 vec2 middleOf(uint covered)
 {
     vec2 sum = vec2(0.0);
@@ -50,15 +50,14 @@ vec2 middleOf(uint covered)
     return sum / float(bitCount(covered));
 }
 
-/// Whether row `i` (1 … segments) of a blade belongs to the half towards the tip. Tessellators halve
-/// the quads there by the other diagonal; where cross-sections are not parallel that shows in what is
-/// interpolated.
+/// Whether row `i` (1 … segments) of a blade belongs to the half towards the tip. Tessellators split the quads there by
+/// the other diagonal, which changes the interpolation between non-parallel cross-sections.
 bool upperHalf(float i, float segments)
 {
     return 2.0 * i > segments;
 }
 
-/// What of a frame decides where things are seen; read once.
+/// The view parameters of a frame; read once.
 struct Lens {
     mat4 viewProjection;
     vec3 eye;
@@ -71,7 +70,7 @@ Lens lensOf()
     return Lens(FRAME.viewProjection, FRAME.view.eye, FRAME.view.minWidth, vec2(push.size));
 }
 
-/// So many samples lie between a pixel and the one to its right: see VisibilityArray.
+/// Number of samples between a pixel and the one to its right: see VisibilityArray.
 uint columnStride()
 {
     return rowsOfColumn(push.size.y) * samplesPerPixel;

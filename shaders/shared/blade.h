@@ -1,4 +1,4 @@
-// One blade of grass: how it is stored, and what is stored.
+// One blade of grass and its packed storage.
 #ifndef SWARD_SHARED_BLADE_H
 #define SWARD_SHARED_BLADE_H
 
@@ -21,7 +21,7 @@ SHARED_LAYOUT(PackedBlade, 16)
 
 SHARED_BUFFER(BladeArray, PackedBlade, readonly)
 
-/// The same blade in plain numbers.
+/// The same blade, unpacked.
 struct Blade {
     vec3 root;       ///< [m] relative to the field's origin, on the ground
     float facing;    ///< [rad] in [0, 2π): turn of the width axis about `up`, from tangentOf(up)
@@ -36,7 +36,7 @@ struct Blade {
     uint hash;       ///< 0–15
 };
 
-// Largest errors of packing, each asserted by blade_test.cpp. Root: half a rootStep per axis.
+// Maximum errors of packing, each asserted by blade_test.cpp. Root: half a rootStep per axis.
 // Height and width: half a step of the patch. Up: octahedralMaxError.
 SHARED_CONST float facingMaxError = 0.01228f;    ///< [rad] π/256
 SHARED_CONST float stiffnessMaxError = 0.00794f; ///< 1/126
@@ -95,13 +95,13 @@ SHARED_FN Blade unpackBlade(PackedBlade bits, Patch cell)
     return blade;
 }
 
-/// Unit width axis of a blade: perpendicular to its own up-vector, whichever way that points.
+/// Unit width axis of a blade: perpendicular to its own up-vector, for any direction of that.
 SHARED_FN vec3 widthAxis(vec3 up, float facing)
 {
     return tangentOf(up) * cos(facing) + bitangentOf(up) * sin(facing);
 }
 
-/// Unit direction a blade looks and leans to: perpendicular to up and width axis.
+/// Unit direction that a blade faces and leans to: perpendicular to up and width axis.
 SHARED_FN vec3 frontOf(vec3 up, vec3 axis)
 {
     return cross(up, axis);
@@ -109,12 +109,12 @@ SHARED_FN vec3 frontOf(vec3 up, vec3 axis)
 
 /// The axes of a blade: unit, at right angles, right-handed in this order.
 struct BladeAxes {
-    vec3 front; ///< where it looks and leans to
-    vec3 side;  ///< against its width axis
+    vec3 front; ///< direction that it faces and leans to
+    vec3 side;  ///< opposite to its width axis
     vec3 up;
 };
 
-/// Of a blade that grows along unit `up` and has its width along `axis`.
+/// Axes of a blade that grows along unit `up` with its width along `axis`.
 SHARED_FN BladeAxes axesAlong(vec3 up, vec3 axis)
 {
     BladeAxes axes;
@@ -134,13 +134,13 @@ SHARED_FN BladeAxes axesTowards(vec3 up, vec3 front)
     return axes;
 }
 
-/// A vector in space as a blade has it: to its front, to its side, upwards.
+/// Converts a vector from space to blade axes: front, side, up.
 SHARED_FN vec3 alongAxes(BladeAxes axes, vec3 v)
 {
     return vec3(dot(v, axes.front), dot(v, axes.side), dot(v, axes.up));
 }
 
-/// A vector along a blade's axes as space has it.
+/// Converts a vector from blade axes to space.
 SHARED_FN vec3 inSpace(BladeAxes axes, vec3 v)
 {
     return v.x * axes.front + v.y * axes.side + v.z * axes.up;

@@ -1,5 +1,5 @@
-// What stands or rolls in the grass: spheres and capsules that push blades aside. Jahrmann &
-// Wimmer, I3D 2017, section 5.2. docs/algorithms/physics.md
+// Colliders in the grass: spheres and capsules that push blades aside. Jahrmann & Wimmer, I3D 2017,
+// section 5.2. docs/algorithms/physics.md
 #ifndef SWARD_SHARED_COLLISION_H
 #define SWARD_SHARED_COLLISION_H
 
@@ -8,24 +8,24 @@
 
 SHARED_BEGIN
 
-/// A capsule around the segment from–to; a sphere where both ends are one.
+/// A capsule around the segment from–to; a sphere if both ends are equal.
 struct Collider {
     vec3 from;    ///< [m] relative to the field's origin
     float radius; ///< [m]
     vec3 to;
     uint reserved;
-    vec3 velocity; ///< [m/s] on its way to where it is now
+    vec3 velocity; ///< [m/s] of its motion to the current place
     uint reserved2;
 };
 SHARED_LAYOUT(Collider, 48)
 
 SHARED_TABLE(ColliderTable, Collider)
 
-/// Colliders of one frame.
+/// Maximum number of colliders in a frame.
 SHARED_CONST uint maxColliders = 256u;
 SHARED_CONST uint colliderWords = 8u; ///< maxColliders / 32
 
-/// Which colliders come near: bit i of word i / 32.
+/// The colliders nearby: bit i of word i / 32.
 struct ColliderMask {
     uint words[colliderWords];
 };
@@ -38,8 +38,8 @@ SHARED_FN ColliderMask noColliders()
     return mask;
 }
 
-/// Whether the collider can have touched something inside a box during the last `elapsed` [s]: the
-/// box around its way overlaps it.
+/// Whether the collider can have touched a box during the last `elapsed` [s]: the bounds of its
+/// path overlap the box.
 SHARED_FN bool colliderNear(Collider collider, vec3 low, vec3 high, float elapsed)
 {
     const vec3 way = collider.velocity * elapsed;
@@ -49,7 +49,7 @@ SHARED_FN bool colliderNear(Collider collider, vec3 low, vec3 high, float elapse
            all(lessThanEqual(low, last + collider.radius));
 }
 
-/// The collider as it was `back` [s] ago, relative to `root` and in units of `height`.
+/// The collider `back` [s] ago, relative to `root` and in units of `height`.
 SHARED_FN Collider colliderSeenFrom(Collider collider, vec3 root, float height, float back)
 {
     const vec3 shift = collider.velocity * back + root;
@@ -60,7 +60,7 @@ SHARED_FN Collider colliderSeenFrom(Collider collider, vec3 root, float height, 
     return seen;
 }
 
-/// From `point` to the nearest place of the collider's segment.
+/// The vector from `point` to the nearest point of the collider's segment.
 SHARED_FN vec3 towardsSegment(Collider collider, vec3 point)
 {
     const vec3 along = collider.to - collider.from;
@@ -70,8 +70,8 @@ SHARED_FN vec3 towardsSegment(Collider collider, vec3 point)
     return to + t * along;
 }
 
-/// What moves `point` out of the collider, min(|c − p| − r, 0)·(c − p)/|c − p|; along `otherwise`
-/// (unit) where the point lies on the segment itself.
+/// The push that moves `point` out of the collider, min(|c − p| − r, 0)·(c − p)/|c − p|; along
+/// `otherwise` (unit) if the point lies on the segment.
 SHARED_FN vec3 pushOut(Collider collider, vec3 point, vec3 otherwise)
 {
     const vec3 towards = towardsSegment(collider, point);

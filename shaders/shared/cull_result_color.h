@@ -1,4 +1,4 @@
-// The colour that stands for a blade's cull result, in the picture and in the viewer's legend.
+// The colour of a blade's cull result, in the picture and in the viewer's legend.
 #ifndef SWARD_SHARED_CULL_RESULT_COLOR_H
 #define SWARD_SHARED_CULL_RESULT_COLOR_H
 
@@ -7,10 +7,10 @@
 
 SHARED_BEGIN
 
-/// Frame::debugMode that draws every blade, coloured by what becomes of it.
+/// Frame::debugMode that draws every blade in the colour of its cull result.
 SHARED_CONST uint debugReason = 4u;
 
-/// Linear, far apart for most eyes (after Okabe & Ito).
+/// Linear, and easy to distinguish for most eyes (after Okabe & Ito).
 SHARED_FN vec3 cullResultColor(uint cullResult)
 {
     if (cullResult == cullResultDrawn)

@@ -1,4 +1,4 @@
-// What of Frame::debugMode a pipeline may know when it is made.
+// The part of Frame::debugMode that is known at pipeline creation.
 #ifndef SWARD_SHARED_DEBUG_MODE_H
 #define SWARD_SHARED_DEBUG_MODE_H
 
@@ -6,13 +6,13 @@
 
 SHARED_BEGIN
 
-/// The picture as it is.
+/// The normal picture.
 SHARED_CONST uint debugNothing = 0u;
 
 /// Ground and blades show the wind's speed.
 SHARED_CONST uint debugWind = 3u;
 
-/// No debug mode: the pipeline knows of none but that it is not debugWind, and asks the frame.
+/// No debug mode: the pipeline reads the frame's mode, which is not debugWind.
 SHARED_CONST uint debugAsTold = 0xffffffffu;
 
 SHARED_END

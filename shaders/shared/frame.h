@@ -1,20 +1,20 @@
-// What one frame's passes know.
+// The data of one frame that its passes read.
 #ifndef SWARD_SHARED_FRAME_H
 #define SWARD_SHARED_FRAME_H
 
 #include "shaders/shared/blade.h"
 #include "shaders/shared/cover.h"
 #include "shaders/shared/culling.h"
-#include "shaders/shared/eyepoint.h"
 #include "shaders/shared/environment.h"
+#include "shaders/shared/eyepoint.h"
 #include "shaders/shared/occlusion.h"
-#include "shaders/shared/update_rate.h"
 #include "shaders/shared/patch.h"
 #include "shaders/shared/pose.h"
 #include "shaders/shared/shape.h"
 #include "shaders/shared/species.h"
 #include "shaders/shared/sun_shadow.h"
 #include "shaders/shared/types.h"
+#include "shaders/shared/update_rate.h"
 
 SHARED_BEGIN
 
@@ -22,14 +22,14 @@ SHARED_BEGIN
 struct VisibleBlade {
     uint blade; ///< index into the blades: the resident id
     uint patchIndex;
-    uint factors; ///< packFactors(): 1, or more where level of detail has left blades out; and
-                  ///< which quarters of the blade are late
+    uint factors; ///< packFactors(): 1, or more if level of detail leaves blades out; and
+                  ///< the late quarters of the blade
     float pixels; ///< height on the screen [pixels]
 };
 SHARED_LAYOUT(VisibleBlade, 16)
 
-/// So many times as wide and as high as it is a blade is drawn, as two halves of a float, of which
-/// the second, 1 to less than 2, has the upper 6 bits of 1 always.
+/// Width and height factor of a drawn blade, as two half floats. The height factor is in [1, 2), so
+/// its upper 6 bits are always those of 1.
 SHARED_CONST uint heightFactorBits = 0x03ff0000u;
 
 SHARED_FN uint packFactors(float width, float height)
@@ -37,45 +37,45 @@ SHARED_FN uint packFactors(float width, float height)
     return packHalf2x16(vec2(width, height)) & (heightFactorBits | 0xffffu);
 }
 
-/// In times the blade's own width.
+/// In units of the blade's own width.
 SHARED_FN float widthFactorOf(VisibleBlade visible)
 {
     return unpackHalf2x16(visible.factors).x;
 }
 
-/// In times the blade's own height.
+/// In units of the blade's own height.
 SHARED_FN float heightFactorOf(VisibleBlade visible)
 {
     return unpackHalf2x16((visible.factors & heightFactorBits) | 0x3c000000u).y;
 }
 
-/// Where large blades hide one another, some of a blade's quarters are drawn in a late pass: which,
-/// are bits, the lowest of that at its root. In VisibleBlade::factors they are shifted by so many.
+/// If large blades hide one another, some quarters of a blade are drawn in the late pass: one bit
+/// each, the lowest at the root. VisibleBlade::factors stores the bits shifted by lateShift.
 SHARED_CONST uint quarters = 4u;
 SHARED_CONST uint allQuarters = 15u;
 SHARED_CONST uint lateShift = 28u;
 
-/// The first segment of quarter `i`, of so many of a blade; `quarters`: one past the last.
+/// The first segment of quarter `i` of `segments` segments; `quarters`: one past the last.
 SHARED_FN uint beginOfQuarter(uint i, uint segments)
 {
     return i * segments / quarters;
 }
 
-/// The last quarter that begins at segment `i` or before: the one to which that belongs. Of the
-/// whole numbers (4 i + 3) / segments, which a quarter of a segment more keeps clear of rounding.
+/// The quarter of segment `i`: the last quarter that begins at segment `i` or before. Equals
+/// floor((4 i + 3) / segments); the additional quarter of a segment avoids rounding errors.
 SHARED_FN uint quarterOf(float i, float segments)
 {
     return uint((4.0f * i + 3.25f) / segments);
 }
 
-/// VkDrawIndirectCommand, and the counts by cull result behind it.
+/// VkDrawIndirectCommand, followed by the counts by cull result.
 struct DrawArguments {
-    uint vertexCount;   ///< drawChunk (passes.h): so many blades in one instance
-    uint instanceCount; ///< as many as the visible blades need; the last may be part empty
+    uint vertexCount;   ///< drawChunk (passes.h): blades per instance
+    uint instanceCount; ///< enough for the visible blades; the last may be partly empty
     uint firstVertex;
     uint firstInstance;
-    uint simulated; ///< blades moved in this frame
-    uint cullResults[7];  ///< blades by cull result, cullResultDrawn … cullResultLod; cullResultDrawn is the list's length
+    uint simulated;      ///< blades moved in this frame
+    uint cullResults[7]; ///< blades by cull result; cullResultDrawn is the list's length
 };
 SHARED_LAYOUT(DrawArguments, 48)
 
@@ -84,32 +84,32 @@ SHARED_BUFFER(DrawArray, DrawArguments, )
 SHARED_BUFFER(FloatArray, float, )
 SHARED_BUFFER(UintArray, uint, )
 
-/// One view of one field. All places are relative to the field's origin.
+/// One view of one field. All positions are relative to the field's origin.
 struct Frame {
     BladeArray blades;
     UintArray states; ///< BladeState::turn of each blade in memory …
-    FloatArray etas;  ///< … and BladeState::eta, or address 0 where no collider has been
+    FloatArray etas;  ///< … and BladeState::eta, or address 0 if there has been no collider
     PatchArray patches;
     SpeciesArray species;
     VisibleArray visible;
     DrawArray draw;
-    FloatArray patchTimes; ///< per patch: the time its blades were last moved to [s] …
-    UintArray patchCounts; ///< … and how many of them, the first so many
-    UintArray cullResults;       ///< per blade in memory: its cull result, or address 0 when nobody asks
-    UintArray pages;       ///< where each page of blades lies in memory (pages.h); address 0: all
-                           ///< blades are there, in their order
-    DepthPyramid pyramid;  ///< what the ground hides; without depths nothing
+    FloatArray patchTimes; ///< per patch: the time of its blades' last update [s] …
+    UintArray patchCounts; ///< … and the number of blades, from its first, that were moved
+    UintArray cullResults; ///< cull result per blade in memory, or address 0 if off
+    UintArray pages;       ///< place of each page of blades in memory (pages.h); address 0: all
+                           ///< blades are in memory, in order
+    DepthPyramid pyramid;  ///< depths of the ground; without depths it hides nothing
 
     mat4 viewProjection; ///< reversed Z: 1 near, 0 far
-    vec3 rays[3];        ///< see rayThrough(): by how much the ray through a place of the picture
-                         ///< turns to its right and downwards, and the one through the middle
-    float depthOfEye;    ///< what viewProjection makes of the eye's depth
+    vec3 rays[3];        ///< see rayThrough(): change of the ray per place of the picture,
+                         ///< to the right and down, and the ray through the middle
+    float depthOfEye;    ///< clip z of the eye under viewProjection
     Eyepoint view;
     Environment environment;
     uint patchCount;
     uint bladeCount;
     uint visibleCapacity;
-    uint maxTessellation;    ///< largest tessellation level along a blade
+    uint maxTessellation;    ///< maximum tessellation level along a blade
     vec3 sunDirection;       ///< unit, towards the sun
     float exposure;          ///< scale from radiance to the picture
     vec3 sunColor;           ///< linear radiance
@@ -117,20 +117,20 @@ struct Frame {
     vec3 skyColor;           ///< linear radiance from above
     float fogDensity;        ///< [1/m] at the eye
     vec3 groundColor;        ///< linear radiance from below
-    vec3 skyUp;              ///< unit; where the sky is
+    vec3 skyUp;              ///< unit; direction to the sky
     float fixedTessellation; ///< > 0: this level for every blade
     float clouds;            ///< [0, 1] share of the sky
     LevelSteps levelSteps;
     UpdateRate updateRate;
 
-    Cover cover;      ///< how much grass stands where
-    SunShadow shadow; ///< what of the ground stands in the sun's light
+    Cover cover;      ///< density of the grass
+    SunShadow shadow; ///< shadow of the ground
     float
-        fogFalloff; ///< [1/m] the air thins upwards as exp(−falloff · height); 0: alike everywhere
-    float lowSun;   ///< [0, 1]: 1 where the sun stands on the horizon or below
+        fogFalloff; ///< [1/m] the air thins upwards as exp(−falloff · height); 0: constant density
+    float lowSun;   ///< [0, 1]: 1 for a sun on the horizon or below
 
     float time;        ///< [s]
-    uint reserved[55]; ///< frames that lie on end begin where any device takes constants
+    uint reserved[43]; ///< padding: consecutive frames meet any offset alignment of constants
 };
 SHARED_LAYOUT(Frame, 1536)
 

@@ -1,4 +1,4 @@
-// The ground as it is drawn beneath the grass.
+// The ground beneath the grass, as drawn.
 #ifndef SWARD_SHARED_GROUND_H
 #define SWARD_SHARED_GROUND_H
 
@@ -13,7 +13,7 @@ struct GroundVertex {
     vec3 position; ///< [m] relative to the field's origin
     uint normal;   ///< octahedral, snorm16 × 2
     vec2 uv;       ///< (0, 0) at the image's upper left corner
-    uint color;    ///< RGBA8, linear; white where the file has none or uses it as a mask
+    uint color;    ///< RGBA8, linear; white if the file has none or uses it as a mask
 };
 SHARED_LAYOUT(GroundVertex, 28)
 
@@ -26,11 +26,11 @@ struct GroundMaterial {
 };
 SHARED_LAYOUT(GroundMaterial, 32)
 
-/// Triangles of a cluster; the last one of a part of the ground may have fewer. The indices of
-/// cluster `i` begin with number 3 · clusterTriangles · i.
+/// Triangles of a cluster; the last cluster of a part of the ground may have fewer. The indices of
+/// cluster `i` begin at index 3 · clusterTriangles · i.
 SHARED_CONST uint clusterTriangles = 256u;
 
-/// Triangles of the ground that lie together, and the box around them.
+/// Neighbouring triangles of the ground, and their bounds.
 struct GroundCluster {
     vec3 low; ///< [m] relative to the field's origin
     uint material;

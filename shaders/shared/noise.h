@@ -1,4 +1,4 @@
-// Value noise from integer hashes: the same lattice on every device.
+// Value noise from integer hashes; the lattice is the same on every device.
 #ifndef SWARD_SHARED_NOISE_H
 #define SWARD_SHARED_NOISE_H
 
@@ -17,8 +17,8 @@ SHARED_FN uint mixUint(uint x)
     return x;
 }
 
-// A step of the lattice along each axis is one of these: so a point's neighbours cost an addition.
-// Odd, and far from each other's small multiples.
+// One step of the lattice along an axis adds one of these constants, so a neighbour costs an
+// addition. Odd, and far from each other's small multiples.
 SHARED_CONST uint latticeX = 0x9e3779b1u;
 SHARED_CONST uint latticeY = 0x85ebca77u;
 SHARED_CONST uint latticeZ = 0xc2b2ae3du;
@@ -28,9 +28,9 @@ SHARED_FN uint latticePoint(int x, int y, int z)
     return uint(x) * latticeX + uint(y) * latticeY + uint(z) * latticeZ;
 }
 
-/// The value there, in [0, 2³²]: less than mixUint(), which would be most of what noise takes. The
-/// shift and the factor are those of 112 pairs that left the least correlation between points of a
-/// plane: none of more than 0.05 at any distance in 1024² of them, none between near ones.
+/// The value of a lattice point, in [0, 2³²]. Cheaper than mixUint(), which would dominate the
+/// noise. Shift and factor are the best of 112 pairs by correlation between points of a plane: at
+/// most 0.05 at any distance in 1024² points, and none between near points.
 SHARED_FN float latticeHeight(uint point)
 {
     point ^= point >> 11u;
@@ -46,7 +46,7 @@ SHARED_FN float latticeValue(int x, int y, int z)
     return latticeUnit * latticeHeight(latticePoint(x, y, z));
 }
 
-/// Smooth noise in [0, 1], mean 0.5: cubic blend of the eight corners of a lattice cell.
+/// Smooth noise in [0, 1], mean 0.5: cubic interpolation of the eight corners of a lattice cell.
 SHARED_FN float valueNoise(vec3 p)
 {
     const vec3 cell = floor(p);

@@ -1,4 +1,4 @@
-// What the ground hides: a pyramid of the farthest depths on the screen, and boxes behind it.
+// Occlusion by the ground: a pyramid of the farthest depths on the screen, and boxes behind it.
 // Greene, Kass & Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993.
 #ifndef SWARD_SHARED_OCCLUSION_H
 #define SWARD_SHARED_OCCLUSION_H
@@ -9,22 +9,22 @@ SHARED_BEGIN
 
 SHARED_BUFFER(DepthArray, float, )
 
-/// Each cell of a level stands for 4 × 4 of the level below, those of level 0 for 4 × 4 pixels, and
-/// holds the smallest reversed depth there: nothing behind it is seen in any of them.
+/// A cell of a level covers 4 × 4 cells of the level below, at level 0 4 × 4 pixels. It holds the
+/// smallest reversed depth there: everything behind this depth is hidden in all of them.
 SHARED_CONST uint pyramidFactorBits = 2u;
 
-/// 16 384 pixels end at one cell.
+/// Enough to reduce 16 384 pixels to one cell.
 SHARED_CONST uint maxPyramidLevels = 7u;
 
 struct DepthPyramid {
-    DepthArray depths;            ///< level after level, row after row; address 0: none
+    DepthArray depths;            ///< by level, then by row; address 0: none
     uvec2 size;                   ///< [pixels] of the picture
-    uint first[maxPyramidLevels]; ///< where each level begins
+    uint first[maxPyramidLevels]; ///< first cell of each level
     uint levels;
 };
 SHARED_LAYOUT(DepthPyramid, 48)
 
-/// Cells of a level along an axis of so many pixels.
+/// Cells of a level along an axis with `pixels` pixels.
 SHARED_FN uint pyramidCells(uint pixels, uint level)
 {
     const uint bits = pyramidFactorBits * (level + 1u);
@@ -33,14 +33,14 @@ SHARED_FN uint pyramidCells(uint pixels, uint level)
 
 /// A box on the screen.
 struct ScreenBox {
-    ivec2 low; ///< [pixels] that it may touch, bounds included
+    ivec2 low; ///< [pixels] inclusive bounds
     ivec2 high;
-    float nearest; ///< largest reversed depth of it
-    bool isKnown;  ///< false: it reaches behind the near plane, and nothing is said
+    float nearest; ///< its largest reversed depth
+    bool isKnown;  ///< false: it reaches through the near plane, other fields are not valid
 };
 
-/// Where a box of space lies on a picture of `size` pixels. Everything inside projects into the
-/// pixels from low to high, with one more around for samples beside the middle of a pixel.
+/// The screen box of a box in space, on a picture of `size` pixels. It contains the projection of
+/// all points of the box, and one more pixel on each side for samples beside pixel centres.
 SHARED_FN ScreenBox screenBoxOf(mat4 viewProjection, uvec2 size, vec3 low, vec3 high)
 {
     ScreenBox box;
@@ -72,16 +72,16 @@ SHARED_FN ScreenBox screenBoxOf(mat4 viewProjection, uvec2 size, vec3 low, vec3 
     return box;
 }
 
-/// The first three numbers of row `i` of a matrix: what it makes of a direction there.
+/// The first three entries of row `i` of a matrix: the factors of a direction.
 SHARED_FN vec3 rowOf(mat4 m, int i)
 {
     return vec3(m[0][i], m[1][i], m[2][i]);
 }
 
-/// The same of a quadratic Bézier curve over v0, v1, v2 and all that is no farther from it than
-/// `margin` [m]: quicker, and closer around a bent blade. While all weights are positive the
-/// picture of the curve lies between those of its control points, and a place x there moves by
-/// (row_x·δ − x·(row_w·δ)) / w' if its point moves by δ.
+/// The same for all points within `margin` [m] of a quadratic Bézier curve over v0, v1, v2. Faster,
+/// and tighter around a bent blade. While all weights are positive, the projected curve lies
+/// between its projected control points. A place x moves by (row_x·δ − x·(row_w·δ)) / w' if its
+/// point moves by δ.
 SHARED_FN ScreenBox screenBoxOfCurve(mat4 viewProjection, uvec2 size, vec3 v0, vec3 v1, vec3 v2,
                                      float margin)
 {
@@ -116,14 +116,14 @@ SHARED_FN ScreenBox screenBoxOfCurve(mat4 viewProjection, uvec2 size, vec3 v0, v
     return box;
 }
 
-/// Cells along an axis that are looked at for one box, at most.
+/// Maximum number of cells along an axis that are read for one box.
 SHARED_CONST int pyramidReach = 4;
 
 /// The finest level at which a box touches at most pyramidReach cells along each axis, or the
 /// coarsest of `levels`.
 SHARED_FN uint pyramidLevelFor(ScreenBox box, uint levels)
 {
-    // Where its extent is less than so many cells it touches one more at most.
+    // A box with an extent below n cells touches at most n + 1 cells.
     const int extent = max(box.high.x - box.low.x, box.high.y - box.low.y);
     const uint level = uint(max(findMSB(extent) - 2, 0)) / pyramidFactorBits;
     const uint bits = pyramidFactorBits * (level + 1u);

@@ -1,4 +1,4 @@
-// Unit vectors in 16 and in 32 bits, and a frame around a unit vector.
+// Unit vectors in 16 and 32 bits, and a frame around a unit vector.
 #ifndef SWARD_SHARED_OCTAHEDRAL_H
 #define SWARD_SHARED_OCTAHEDRAL_H
 
@@ -6,7 +6,7 @@
 
 SHARED_BEGIN
 
-/// Largest angle between a unit vector and its 16-bit form [rad]: 0.64° (Cigolle et al., "Survey of
+/// Maximum angle between a unit vector and its 16-bit form [rad]: 0.64° (Cigolle et al., "Survey of
 /// Efficient Representations for Independent Unit Vectors", JCGT 2014, oct16P).
 SHARED_CONST float octahedralMaxError = 0.0112f;
 
@@ -15,7 +15,7 @@ SHARED_FN float signNotZero(float x)
     return x >= 0.0f ? 1.0f : -1.0f;
 }
 
-/// Where unit `v` lies on an octahedron that is unfolded into the square from −1 to 1.
+/// The place of unit `v` on an octahedron that is unfolded into the square from −1 to 1.
 SHARED_FN vec2 unfolded(vec3 v)
 {
     const float scale = 1.0f / (abs(v.x) + abs(v.y) + abs(v.z));
@@ -25,7 +25,7 @@ SHARED_FN vec2 unfolded(vec3 v)
                       : vec2(x, y);
 }
 
-/// The unit vector that lies there.
+/// The unit vector of such a place.
 SHARED_FN vec3 folded(float x, float y)
 {
     const float z = 1.0f - abs(x) - abs(y);
@@ -37,7 +37,7 @@ SHARED_FN vec3 folded(float x, float y)
 
 SHARED_FN vec3 decodeOctahedral(uint bits)
 {
-    // 254 steps, so that 0 and ±1 are met exactly: the axes survive.
+    // 254 steps, so that 0 and ±1, and thereby the axes, are exact.
     return folded(float(int(bits & 255u) - 127) * (1.0f / 127.0f),
                   float(int((bits >> 8u) & 255u) - 127) * (1.0f / 127.0f));
 }
@@ -73,10 +73,10 @@ SHARED_FN float unpackSnorm16(uint bits)
     return float((int(bits & 65535u) ^ 32768) - 32768) * (1.0f / 32767.0f);
 }
 
-/// Largest angle between a unit vector and its 32-bit form [rad].
+/// Maximum angle between a unit vector and its 32-bit form [rad].
 SHARED_CONST float wideOctahedralMaxError = 7e-5f;
 
-/// The same square in 16 bits for each axis, rounded.
+/// The same square with 16 bits for each axis, rounded.
 SHARED_FN uint encodeWideOctahedral(vec3 v)
 {
     const vec2 place = unfolded(v);

@@ -1,4 +1,4 @@
-// What is opaque, ground and colliders, as compute shaders draw it: triangles with numbers. First
+// Opaque geometry, ground and colliders, for the compute rasteriser: numbered triangles. First
 // those of the ground, clusterTriangles for each of its clusters, then those of the colliders.
 #ifndef SWARD_SHARED_OPAQUE_H
 #define SWARD_SHARED_OPAQUE_H
@@ -8,52 +8,50 @@
 
 SHARED_BEGIN
 
-/// Threads of a work-group that goes through the triangles of a cluster.
+/// Threads of a work-group that processes the triangles of a cluster.
 SHARED_CONST uint opaqueThreads = 256u;
 
-/// So many work-groups, or as many as there are clusters of the ground, share these: each asks
-/// which of its own may be seen, and draws them.
+/// Maximum number of work-groups that share the ground's clusters, at most one per cluster. Each
+/// tests its clusters and draws the visible ones.
 SHARED_CONST uint maxOpaqueGroups = 2048u;
 
-/// A triangle whose box holds so many pixels at most is drawn by one thread.
+/// One thread draws a triangle if the triangle's bounds hold at most this many pixels.
 SHARED_CONST uint smallOpaquePixels = 64u;
 
-/// One whose box holds so many at most is drawn by a team of threads, of which a work-group has
-/// some.
+/// A team of threads draws it up to this many pixels; a work-group has several teams.
 SHARED_CONST uint middleOpaquePixels = 1024u;
 SHARED_CONST uint opaqueTeam = 32u;
 SHARED_CONST uint teamsOfGroup = 2u;
 
-/// Still larger ones are drawn by work-groups of their own, each of them a tile of so many pixels
-/// along each side.
+/// Work-groups draw larger triangles, each a tile with this many pixels along each side.
 SHARED_CONST uint opaqueTile = 32u;
 SHARED_CONST uint opaqueTileThreads = 64u;
 
-/// So many have room in the lists of a frame; more are drawn by whoever is next.
+/// Capacity of a frame's lists; the next smaller unit of threads draws the triangles beyond it.
 SHARED_CONST uint maxMiddleTriangles = 262144u;
 SHARED_CONST uint maxLargeTriangles = 65536u;
 
-/// A triangle that reaches over many pixels, and the tiles that it may touch.
+/// A triangle with large bounds, and the tiles that it may touch.
 struct LargeTriangle {
     uint triangle;
-    uint firstTile; ///< so many the large triangles before it have
-    uint tile;      ///< the first: its column, and from bit 16 on its row
+    uint firstTile; ///< number of tiles of the large triangles before it
+    uint tile;      ///< the first: column in bits 0–15, row from bit 16 on
     uint columns;
 };
 SHARED_LAYOUT(LargeTriangle, 16)
 
 SHARED_BUFFER(LargeTriangleArray, LargeTriangle, )
 
-/// What of a frame's ground is to be drawn.
+/// The triangles of a frame that teams and work-groups draw.
 struct OpaqueWork {
     WalkLevel middle;    ///< triangles for teams, and work-groups for them
     WalkLevel tiles;     ///< of large triangles in the list, and work-groups for them
-    uint tilesAsked;     ///< of all large triangles …
-    uint trianglesAsked; ///< … and how many these are; both are counted in one step
+    uint tilesAsked;     ///< number of tiles of all large triangles …
+    uint trianglesAsked; ///< … and of these triangles; one atomic counts both
 };
 SHARED_LAYOUT(OpaqueWork, 40)
 
-/// Place of that step's 64 bits in a OpaqueWork.
+/// Place of that atomic's 64 bits in an OpaqueWork.
 SHARED_CONST uint ticketPlace = 4u;
 
 SHARED_BUFFER(OpaqueWorkArray, OpaqueWork, )
@@ -72,12 +70,12 @@ struct OpaquePush {
     uvec2 size;           ///< [pixels]
     uint clusterCount;    ///< of all parts
     uint triangleCount;   ///< of the colliders
-    uint firstImage;      ///< of those that this dispatch knows …
-    uint imageCount;      ///< … and of them all, with a white one at the end
+    uint firstImage;      ///< first image of this dispatch …
+    uint imageCount;      ///< … and number of all images, with a white one at the end
 };
 SHARED_LAYOUT(OpaquePush, 104)
 
-/// Images that a dispatch of the opaque's light knows; for more there are more dispatches.
+/// Images per dispatch of the opaque lighting; more images take more dispatches.
 SHARED_CONST uint imagesTogether = 8u;
 
 SHARED_END

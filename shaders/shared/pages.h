@@ -1,4 +1,4 @@
-// Blades of a field of which only a part is in memory: they come and go by pages.
+// Paging: only a part of a field's blades is in memory; pages of blades are loaded and evicted.
 #ifndef SWARD_SHARED_PAGES_H
 #define SWARD_SHARED_PAGES_H
 
@@ -8,20 +8,20 @@
 
 SHARED_BEGIN
 
-/// Blades of a page: 16 KiB of the file. A patch has its blades on one page or on two.
+/// Blades of a page: 16 KiB of the file. The blades of a patch lie on one page or two.
 SHARED_CONST uint pageBlades = 1024u;
 
-/// Where a page is that is not in memory.
+/// Place of a page that is not in memory.
 SHARED_CONST uint noPlace = 0xffffffffu;
 
-// Bits of PageChange::edges: besides the patches that are on the page as a whole, …
-SHARED_CONST uint lowEdge = 1u;  ///< … the one that began on the page before comes or goes with it
-SHARED_CONST uint highEdge = 2u; ///< … and the one that ends on the page behind
+// Bits of PageChange::edges: besides the patches completely on the page, …
+SHARED_CONST uint lowEdge = 1u;  ///< … the one that begins on the page before is added or removed
+SHARED_CONST uint highEdge = 2u; ///< … the one that ends on the page after is added or removed
 
-/// A page that has come into memory, or leaves it.
+/// A page that has entered memory, or leaves it.
 struct PageChange {
     uint page;
-    uint place; ///< of its first blade in memory from now on, or noPlace
+    uint place; ///< new place of its first blade in memory, or noPlace
     uint edges;
 };
 SHARED_LAYOUT(PageChange, 12)
@@ -38,14 +38,14 @@ struct PagePush {
     UintArray states;        ///< Frame::states
     FloatArray etas;         ///< Frame::etas
     PatchArray patches;
-    CountedSubtreeArray subtrees; ///< whose blades are those in memory
+    CountedSubtreeArray subtrees; ///< counting only blades in memory
     FloatArray patchTimes;
     UintArray patchCounts;
     UintArray nonEmptyPatches;      ///< as in RasterPush
     UintArray firstNonEmptyPatches; ///< likewise
     uint nonEmptyPatchCount;
     uint bladeCount; ///< of the field
-    float settledAt; ///< [s] since when a blade that comes has stood in its wind
+    float settledAt; ///< [s] time at which a new blade counts as settled in its wind
     uint reserved;
 };
 SHARED_LAYOUT(PagePush, 96)

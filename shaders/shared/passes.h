@@ -1,4 +1,4 @@
-// What each pass is told through push constants: where the frame lies, and a few numbers.
+// Push constants of each pass: the address of the frame, and a few numbers.
 #ifndef SWARD_SHARED_PASSES_H
 #define SWARD_SHARED_PASSES_H
 
@@ -10,7 +10,7 @@
 
 SHARED_BEGIN
 
-/// Visible blades are drawn as instances of so many patches each. lavapipe 22.3 numbers the
+/// Visible blades are drawn as instances of this many patches. lavapipe 22.3 numbers the
 /// tessellated vertices of a run of patches in 16 bits; 256 blades of 64 segments, 193 vertices
 /// each, stay below that.
 SHARED_CONST uint drawChunk = 256u;
@@ -19,45 +19,45 @@ SHARED_CONST uint drawChunk = 256u;
 /// and 256 a seventh, 192 a hundredth: see decision 0031.
 SHARED_CONST uint updateThreads = 128u;
 
-/// A work-group of the update takes so many visible patches together, so that all threads have a blade
-/// but at the end of the last patch, and waits once for what all of them say. Three bits say which.
+/// Visible patches that a work-group of the update takes together: threads are idle only at the end
+/// of the last patch, and patch data cost one wait. Three bits store the slot.
 SHARED_CONST uint patchesTogether = 8u;
 
-/// Work-groups of the update for so many visible patches: fewer than a patch each only from here on,
-/// since with fewer groups a device has some idle at the end.
+/// Minimum number of visible patches for work-groups with several patches each: with fewer groups
+/// some of the device is idle at the end.
 SHARED_CONST uint updateGroupsFrom = 3072u;
 
-/// `ofGroup`: patchesTogether, or fewer.
+/// `ofGroup`: at most patchesTogether.
 SHARED_FN uint updateGroups(uint patches, uint ofGroup)
 {
     return min(patches, max(updateGroupsFrom, (patches + ofGroup - 1u) / ofGroup));
 }
 
-/// Where the list of visible blades has not room for all blades of a field, the visible patches are
-/// updated and drawn in rounds, of which each fills the list anew.
+/// If the list of visible blades is too small for all blades of a field, visible patches are
+/// updated and drawn in rounds; each round refills the list.
 struct UpdatePush {
-    FrameArray cullView; ///< by whose camera blades are culled
+    FrameArray cullView; ///< frame with the culling camera
     VisiblePatchArray live;
-    WalkLevelArray levels; ///< the first says how many they are
-    WalkLevelArray rounds; ///< each round's length of the list, and work-groups to rasterise it
-    UintArray nonEmptyPatches;      ///< indices of the patches that own blades
-    FrameArray views;      ///< for which blades are moved, where they are several
-    UintArray before;      ///< where states are kept that blades are moved from, if they are
-    UintArray seenBefore;  ///< see RasterPush; address 0: all blades are listed in front
+    WalkLevelArray levels; ///< the first holds the number of visible patches
+    WalkLevelArray rounds; ///< each round's list length, and work-groups to rasterise it
+    UintArray nonEmptyPatches;      ///< indices of the non-empty patches
+    FrameArray views;      ///< views for which blades are moved, if there are several
+    UintArray before;      ///< receives the states before the motion, if they are kept
+    UintArray seenBefore;  ///< see RasterPush; address 0: all blades are in the early list
     uint nonEmptyPatchCount;
-    uint onlyUpdate; ///< 1: move every blade of every owner, cull and count none
+    uint onlyUpdate; ///< 1: move all blades of all non-empty patches, cull and count none
     uint firstLive;  ///< the round's first visible patch …
-    uint maxLive;   ///< … and how many it takes at most
+    uint maxLive;   ///< … and the maximum number of its visible patches
     uint round;
-    uint lateRound; ///< the same of those blades that are listed from behind
+    uint lateRound; ///< the round of the late list
     uint viewCount; ///< frames at `views`
-    uint frame;     ///< one after the other; see forgetsSeen()
+    uint frame;     ///< running number; see forgetsSeen()
 };
 SHARED_LAYOUT(UpdatePush, 96)
 
-/// What a frame has shown of a blade counts as seen until the blade forgets it, in every 32nd
-/// frame. If all forgot in each, what turns up and is gone again with every wind would leave holes
-/// in what hides the rest.
+/// A blade keeps its visibility history until it forgets it, in every 32nd frame. If all blades
+/// forgot in every frame, parts that the wind shows only briefly would leave holes in the
+/// occluders.
 SHARED_CONST uint framesSeen = 32u;
 
 SHARED_FN bool forgetsSeen(uint blade, uint frame)
@@ -65,15 +65,15 @@ SHARED_FN bool forgetsSeen(uint blade, uint frame)
     return (blade + frame) % framesSeen == 0u;
 }
 
-// What a pipeline of the update has code for, and a frame may ask for: the tests of its cullMask,
-// and more.
+// Feature flags: code that a pipeline of the update contains and a frame may use. The tests of
+// cullMask, and more.
 SHARED_CONST uint featureThinning = 1u << 8u; ///< a lodThreshold above 0
 SHARED_CONST uint featureLeafAreaLimit = 1u << 9u;   ///< maxLeafArea above 0
-SHARED_CONST uint featurePages = 1u << 10u;   ///< blades may be in memory in part
-SHARED_CONST uint featureCullResults = 1u << 11u;   ///< the cull result of each blade is kept
+SHARED_CONST uint featurePages = 1u << 10u;   ///< only some blades may be in memory
+SHARED_CONST uint featureCullResults = 1u << 11u;   ///< the cull result of each blade is recorded
 SHARED_CONST uint featureAll = 0xffffffffu;
 
-/// What of that a frame asks for.
+/// The features that a frame uses.
 SHARED_FN uint featuresOf(Eyepoint view, bool isPaged, bool hasCullResults)
 {
     return view.cullMask | (view.lodThreshold > 0.0f ? featureThinning : 0u) |
@@ -81,35 +81,35 @@ SHARED_FN uint featuresOf(Eyepoint view, bool isPaged, bool hasCullResults)
            (hasCullResults ? featureCullResults : 0u);
 }
 
-// What the update does about a visible patch.
+// Roles of the update of a visible patch.
 SHARED_CONST uint moveAndCull = 0u;
-SHARED_CONST uint onlyMove = 1u;  ///< as far as any of the views asks; lists nothing
-SHARED_CONST uint onlyCull = 2u; ///< where blades have been moved to
+SHARED_CONST uint onlyMove = 1u;  ///< moves the blades that any view wants; lists nothing
+SHARED_CONST uint onlyCull = 2u; ///< blades that are already moved
 
 struct WalkPush {
     FrameArray cullView;
     SubtreeArray subtrees; ///< by patch
     UintArray queue;       ///< room for each patch once
-    VisiblePatchArray live;   ///< room for each patch that owns blades
-    WalkLevelArray levels; ///< as many as the tree has, and one
-    uint startCount;       ///< patches of the levels that the walk begins with …
-    uint startLevel;       ///< … of which this is the last
-    uint level;            ///< 0 for those together, then 1, 2, …
+    VisiblePatchArray live;   ///< room for each non-empty patch
+    WalkLevelArray levels; ///< one more than the levels of the tree
+    uint startCount;       ///< patches of the levels at which the walk begins …
+    uint startLevel;       ///< … and the last of these levels
+    uint level;            ///< 0 for these levels together, then 1, 2, …
     uint reserved;
 };
 SHARED_LAYOUT(WalkPush, 56)
 
-/// Threads of a work-group of the depth pyramid along each axis, one per cell of the finest level:
-/// with them go the next two.
+/// Threads of a work-group of the depth pyramid along each axis, one per cell of the finest level.
+/// The work-group also fills the next two levels.
 SHARED_CONST uint pyramidThreads = 16u;
 
-/// All levels from this one on are filled by one work-group of so many threads.
+/// One work-group with this many threads fills all levels from this one on.
 SHARED_CONST uint pyramidFirstOfRest = 3u;
 SHARED_CONST uint pyramidRestThreads = 256u;
 
 struct PyramidPush {
     FrameArray frame;
-    float slack; ///< by which what was drawn is taken to be farther than its depth says
+    float slack; ///< depth by which drawn geometry is assumed farther
     uint reserved;
 };
 SHARED_LAYOUT(PyramidPush, 16)
@@ -117,70 +117,70 @@ SHARED_LAYOUT(PyramidPush, 16)
 /// Threads of a work-group of the rasteriser, one blade each.
 SHARED_CONST uint rasterThreads = 64u;
 
-/// Work-groups in one dimension that every device takes; beyond them threads loop.
+/// Work-groups in one dimension that every device supports; beyond them threads loop.
 SHARED_CONST uint maxGroups = 65535u;
 
-/// A blade that covers more pixels than this is not rasterised by one thread, but by a work-group;
-/// with several samples a pixel already one of so many pixels over the root of their number.
+/// A blade that covers more pixels is rasterised by a work-group instead of one thread. With
+/// several samples per pixel the limit is divided by the root of their number.
 SHARED_CONST float largeBladePixels = 64.0f;
 
-/// A blade that covers more pixels than this is asked for whether other grass hides it, …
+/// A blade that covers more pixels is tested for occlusion by other grass, …
 SHARED_CONST float testedPixels = 256.0f;
 
-/// … or, on a device that is quick to find that out, than this.
+/// … or, on a device with a fast test, a blade above this limit.
 SHARED_CONST float testedSmallPixels = 64.0f;
 
-/// A large blade is rasterised by several work-groups, each for so many of its pixels, …
+/// A large blade is rasterised by several work-groups, one per this many of its pixels, …
 SHARED_CONST float partPixels = 4096.0f;
 
-/// … but no more of them than these.
+/// … but at most this many.
 SHARED_CONST uint maxParts = 64u;
 
-/// So many parts of large blades can be listed: some hundred layers of them over a picture of 2
-/// million pixels. Blades beyond them are rasterised by one thread each.
+/// Capacity of the list of parts of large blades: some hundred layers of them over a picture of 2
+/// million pixels. Blades beyond it are rasterised by one thread each.
 SHARED_CONST uint maxLargeParts = 1048576u;
 
-/// So many blades can be listed that reach through the near plane, or of which a single thread must
-/// not have so many pixels.
+/// Capacity of the list of blades that reach through the near plane, or that have too many pixels
+/// for a single thread.
 SHARED_CONST uint maxCutBlades = 65536u;
 
-/// Where threads draw large blades, too, none draws one that may cover more pixels than this.
-/// llvmpipe ends all loops of an invocation after 65 535 turns, which eight blades share there, and
-/// each takes some more turns than pixels.
+/// Maximum pixels of a blade that one thread draws, if threads draw large blades, too. llvmpipe
+/// ends all loops of an invocation after 65 535 iterations, which eight blades share there, and
+/// each blade takes some more iterations than pixels.
 SHARED_CONST float maxPixelsOfThread = 4096.0f;
 
-/// Threads of a work-group that draws large blades, which numbers their cross-sections in 5 bits. With 64 an
+/// Threads of a work-group that draws large blades; 5 bits number their cross-sections. With 64 an
 /// H200 takes a twelfth longer.
 SHARED_CONST uint largeThreads = 32u;
 
-/// A work-group draws so many large blades together, so that its threads have something to do, but
-/// fewer where there are not enough for so many work-groups.
+/// Number of large blades that a work-group draws together, so that its threads have work; fewer if
+/// there are not enough blades for largeGroups work-groups.
 SHARED_CONST uint largeTogether = 6u;
 SHARED_CONST uint largeGroups = 4096u;
 
-/// The same of the late pass, where most segments are hidden, and of threads of such a work-group.
+/// The same for the late pass, where most segments are hidden, and the threads of its work-groups.
 SHARED_CONST uint lateTogether = 32u;
 SHARED_CONST uint lateGroups = 2048u;
 SHARED_CONST uint lateThreads = 128u;
 
-/// What draws the blades that cover many pixels: work-groups, or the thread that has the blade.
+/// Unit that draws the blades that cover many pixels: work-groups, or the thread of the blade.
 SHARED_CONST uint largeToGroups = 0u;
-SHARED_CONST uint largeToNobody = 1u;
+SHARED_CONST uint largeToNone = 1u;
 
-/// Of `listed` large blades a work-group takes so many at a time.
+/// Number of large blades that a work-group takes at a time, of `listed` blades.
 SHARED_FN uint largeOfGroup(uint listed)
 {
     return min(max(listed / largeGroups, 1u), largeTogether);
 }
 
-/// Work-groups that draw them.
+/// Number of work-groups that draw them.
 SHARED_FN uint groupsForLarge(uint listed)
 {
     const uint together = largeOfGroup(listed);
     return min((listed + together - 1u) / together, maxGroups);
 }
 
-/// The same of the late pass, of all that are listed by then.
+/// The same for the late pass, over all blades listed by then.
 SHARED_FN uint lateOfGroup(uint listed)
 {
     return min(max(listed / lateGroups, 1u), lateTogether);
@@ -192,7 +192,7 @@ SHARED_FN uint groupsForLate(uint listed)
     return min((listed + together - 1u) / together, maxGroups);
 }
 
-/// What a work-group draws: a large blade, or every `parts`-th bundle of its rows.
+/// The task of a work-group: a large blade, or every `parts`-th bundle of its rows.
 struct LargePart {
     vec3 v0; ///< the ribbon: see Ribbon
     float width;
@@ -205,9 +205,9 @@ struct LargePart {
     float scale;
     uint instance; ///< RasterPush::instance
     uint blade;    ///< resident id
-    uint part;  ///< 0–7 which of so many parts, 8–15; 0: nothing, there was no room for all parts;
-                ///< 16–22 the first segment that is drawn, 23–29 one past the last; of a blade that
-                ///< had its early pass all others are left to the late one
+    uint part;  ///< 0–7 number of this part, 8–15 number of parts; 0: nothing, the list was full;
+                ///< 16–22 the first drawn segment, 23–29 one past the last; after an early
+                ///< pass the late pass draws all other segments
 };
 SHARED_LAYOUT(LargePart, 80)
 
@@ -233,8 +233,8 @@ SHARED_FN uint packPart(uint number, uint parts, uint begin, uint end)
     return number | (parts << 8u) | (begin << 16u) | (end << 23u);
 }
 
-/// Between which segments a blade is drawn in the early pass, the first and one past the last:
-/// those of its quarters that are not late, and what lies between them.
+/// Segments of a blade in the early pass, the first and one past the last: from the first to the
+/// last of its quarters that are not late.
 SHARED_FN uvec2 firstSegments(uint late, uint segments)
 {
     const uint early = allQuarters & ~late;
@@ -247,33 +247,32 @@ SHARED_FN uvec2 firstSegments(uint late, uint segments)
 SHARED_BUFFER(LargePartArray, LargePart, )
 
 // Places in RasterPush::largeCount.
-SHARED_CONST uint largeParts = 0u; ///< parts that were listed, and work-groups for them
-SHARED_CONST uint largeEarly = 1u; ///< count: so many of them, the first, the early pass has drawn
+SHARED_CONST uint largeParts = 0u; ///< listed parts, and work-groups for them
+SHARED_CONST uint largeEarly = 1u; ///< count: parts of the early pass, which come first in the list
 SHARED_CONST uint largeCut = 2u;   ///< blades in RasterPush::cut, and work-groups for them
-SHARED_CONST uint largeLate = 3u;  ///< work-groups for the late pass; count: work-groups that have
-                                   ///< filled their cells of the ground's pyramid
+SHARED_CONST uint largeLate = 3u;  ///< work-groups for the late pass; count: work-groups that
+                                   ///< have filled their cells of the ground's pyramid
 
 /// Blades that share an entry of the table from resident ids to patches.
 SHARED_CONST uint nonEmptyPatchStride = 64u;
 
-/// Per sample what is seen there: 0 is the sky, then come the triangles of opaque.h, then the blades
-/// by their resident ids; above that the bits of the reversed depth. The larger is nearer, and
-/// among equals the later one wins, whoever comes first. Column by column of pixels, rowsOfColumn()
-/// each, then sample by sample: blades stand upright, and what threads beside one another read and
-/// write of them so lies together.
+/// The value of each sample: 0 for the sky, then the triangles of opaque.h, then the blades by
+/// resident id; above it the bits of the reversed depth. The larger value is nearer; at equal depth
+/// the larger number wins, in any draw order. Ordered by column of pixels, rowsOfColumn() each,
+/// then by sample: blades stand upright, so neighbouring threads access neighbouring memory.
 SHARED_BUFFER(VisibilityArray, uvec2, )
 
-/// Four rows begin at a multiple of 32 bytes.
+/// Rounds up to four rows, which begin at a multiple of 32 bytes.
 SHARED_FN uint rowsOfColumn(uint height)
 {
     return (height + 3u) & ~3u;
 }
 
-/// Of the large blades at so many places what shading asks of them is kept for all pixels that show
-/// them, …
+/// Capacity of the shading cache: the large blades at the first places of the list, for all pixels
+/// that show them, …
 SHARED_CONST uint maxSurfaces = 262144u;
 
-/// … and where it may be by resident id modulo this: of two that meet there one is shaded without.
+/// … and size of its table by resident id modulo this: of two blades in an entry one is not cached.
 SHARED_CONST uint surfacePlaceCount = 1048576u;
 
 /// Blades that share a word of RasterPush::seen.
@@ -287,38 +286,37 @@ SHARED_FN uint seenBit(uint blade, uint quarter)
 
 struct RasterPush {
     FrameArray frame;
-    FrameArray cullView; ///< by whose camera the visible blades were listed
+    FrameArray cullView; ///< whose camera selected the visible blades
     VisibilityArray visibility;
     WalkLevelArray rounds; ///< as in UpdatePush
     LargePartArray large;
-    WalkLevelArray largeCount; ///< how many are listed, and work-groups for them: see largeParts …
-    LargePartArray cut;        ///< those that are cut by the near plane
-    UintArray nonEmptyPatches;          ///< patches that own blades, in the order of their blades
-    UintArray firstNonEmptyPatches; ///< per nonEmptyPatchStride blades: index into `nonEmptyPatches` of the first one's patch
+    WalkLevelArray largeCount; ///< list lengths, and work-groups for the lists: see largeParts …
+    LargePartArray cut;        ///< blades that reach through the near plane
+    UintArray nonEmptyPatches;          ///< non-empty patches, in the order of their blades
+    UintArray firstNonEmptyPatches; ///< per nonEmptyPatchStride blades: index into nonEmptyPatches
 
-    /// The visibility history: a bit for each quarter of each blade, by its resident id, whether a
-    /// sample has shown it lately, see forgetsSeen(). The early pass draws those quarters of large
-    /// blades, the late pass all others that are not hidden: the bits decide when something is
-    /// drawn, and never whether it is seen. Address 0: blades are not asked whether others hide
-    /// them.
+    /// The visibility history: a bit for each quarter of each blade, by resident id, whether a
+    /// sample has shown it lately, see forgetsSeen(). The early pass draws these quarters of large
+    /// blades; the late pass draws all others that are not hidden. The bits decide the pass, never
+    /// the visibility. Address 0: blades are not tested for occlusion by other blades.
     UintArray seen;
     UintArray surfacePlaces; ///< per resident id modulo surfacePlaceCount: the place in `large`
-                             ///< where a blade with such an id was listed last
+                             ///< of the last listed blade with such an id
     UintArray surfaces;      ///< 12 words each: see shading_cache.glsl
-    WalkLevelArray tiles;    ///< by what they show: see tile_classification.h
+    WalkLevelArray tiles;    ///< lists of tiles by content: see tile_classification.h
     uvec2 size;              ///< [pixels]
     uint isBgr;              ///< 1: the picture's first channel is blue
-    uint round;              ///< whose list is rasterised: its first blades, or its last ones
-    uint firstBlade; ///< what the visibility has for the blade with the id 0: see VisibilityArray
-    uint instance;   ///< of a view that shows several: which one this is
+    uint round;              ///< round of the list to rasterise: its first blades, or its last ones
+    uint firstBlade; ///< visibility value of the blade with id 0: see VisibilityArray
+    uint instance;   ///< index of this instance in a view of several
 };
 SHARED_LAYOUT(RasterPush, 128)
 
-/// A collider is drawn as so many quads around its axis, in so many rings from each pole.
+/// A collider is drawn as this many quads around its axis, in this many rings from each pole.
 SHARED_CONST uint colliderSegments = 64u;
 SHARED_CONST uint colliderRings = 16u;
 
-/// Two in each quad: of both halves, and of what joins them.
+/// Two for each quad of both halves, and of the ring between them.
 SHARED_CONST uint colliderTriangles = 2u * colliderSegments * (2u * colliderRings + 1u);
 
 struct ViewPush {
@@ -326,11 +324,11 @@ struct ViewPush {
 };
 SHARED_LAYOUT(ViewPush, 8)
 
-/// How a view of a field came about since the frame before.
+/// Change of a view of a field since the previous frame.
 struct Motion {
-    mat4 clipBefore;        ///< from the field's places to the clip space of then
-    UintArray statesBefore; ///< of blades before they moved, where they have moved in this frame
-    uint moves;             ///< 0: none has, no time has passed
+    mat4 clipBefore;        ///< from the field's coordinates to the previous clip space
+    UintArray statesBefore; ///< states before the motion, for blades that moved in this frame
+    uint moves;             ///< 0: no blade has moved, no time has passed
     uint reserved;
 };
 SHARED_LAYOUT(Motion, 80)
@@ -352,25 +350,29 @@ SHARED_LAYOUT(HostInstance, 136)
 
 SHARED_BUFFER(HostInstanceArray, HostInstance, readonly)
 
-/// What the stages know that look at all instances of a host's view together.
+/// Side of the tiles in which a visibility is drawn into a host's picture [pixels].
+SHARED_CONST uint hostTile = 64u;
+
+/// Data of the stages that process all instances of a host's view together.
 struct HostViewPush {
     HostInstanceArray instances; ///< in the order of their RasterPush::firstBlade
-    VisibilityArray visibility;  ///< when it is lit: packLight() instead of what is seen
-    UintArray motions;           ///< of each sample, two halves; address 0: not wanted
-    uvec2 size; ///< [pixels]
+    VisibilityArray visibility;  ///< after lighting: packLight() instead of ids
+    UintArray motions;           ///< of each sample, two halves; address 0: off
+    UintArray tiles;             ///< of hostTile² pixels, row after row: 1 if it shows a blade
+    uvec2 size;                  ///< [pixels]
     uint instanceCount;
-    float slack; ///< by which the host's depth is taken to be farther than it says
+    float slack; ///< depth by which the host's geometry is assumed farther
 };
-SHARED_LAYOUT(HostViewPush, 40)
+SHARED_LAYOUT(HostViewPush, 48)
 
-/// Light in 32 bits, of three mantissas of 9 bits and an exponent of 5: within 1/512 of the largest
-/// channel. Never 0, which the visibility has where nothing is seen. Above 65 408 it is cut off.
+/// Light in 32 bits: three mantissas of 9 bits and an exponent of 5 bits. Error: 1/512 of the
+/// largest channel. Never 0, the visibility's value for no surface. Clamped to 65 408.
 /// (EXT_texture_shared_exponent)
 SHARED_FN uint packLight(vec3 light)
 {
     const vec3 bounded = clamp(light, vec3(0.0f), vec3(65408.0f));
     const float largest = max(max(bounded.x, bounded.y), max(bounded.z, 1.0f / 65536.0f));
-    // 2^exponent is above the largest, also after rounding.
+    // 2^exponent is above the largest channel, also after rounding.
     const float exponent = floor(log2(largest * 1.0015f)) + 1.0f;
     const vec3 mantissas = round(bounded * exp2(9.0f - exponent));
     const uint packed = uint(min(mantissas.x, 511.0f)) | (uint(min(mantissas.y, 511.0f)) << 9u) |
@@ -384,16 +386,16 @@ SHARED_FN vec3 unpackLight(uint packed)
     return scale * vec3(float(packed & 511u), float((packed >> 9u) & 511u), float((packed >> 18u) & 511u));
 }
 
-/// Threads of a work-group along each axis that begins a visibility with the host's depth.
+/// Threads along each axis of a work-group that initialises a visibility with the host's depth.
 SHARED_CONST uint seedThreads = 8u;
 
 /// Threads of a work-group that copies.
 SHARED_CONST uint copyThreads = 256u;
 
 struct CopyPush {
-    UintArray from; ///< both at a multiple of 16
+    UintArray from; ///< both aligned to 16 bytes
     UintArray to;
-    uint count; ///< of 16 bytes each
+    uint count; ///< in units of 16 bytes
     uint reserved;
 };
 SHARED_LAYOUT(CopyPush, 24)
@@ -407,20 +409,20 @@ struct GroundPush {
 };
 SHARED_LAYOUT(GroundPush, 32)
 
-/// Threads of a work-group that looks at clusters of the ground, one each, and words of their bits.
+/// Threads of a work-group that tests clusters of the ground, one each, and words of their bits.
 SHARED_CONST uint groundThreads = 128u;
 SHARED_CONST uint groundWords = groundThreads / 32u;
 
-/// Which clusters of the ground are drawn. A first dispatch finds those that are seen, a second
-/// writes their draws, in the order of the clusters.
+/// Culling of ground clusters. A first dispatch finds the visible clusters, a second writes their
+/// draws, in the order of the clusters.
 struct GroundCullPush {
     FrameArray frame;
     GroundClusterArray clusters; ///< of one part of the ground
-    IndexedDrawArray draws;      ///< as many
+    IndexedDrawArray draws;      ///< at most one per cluster
     UintArray seen;              ///< a bit for each cluster
-    UintArray drawCount;         ///< of them all
+    UintArray drawCount;         ///< number of all draws
     uint clusterCount;
-    uint firstCluster; ///< of the part among all
+    uint firstCluster; ///< first cluster of the part
 };
 SHARED_LAYOUT(GroundCullPush, 48)
 

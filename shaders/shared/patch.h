@@ -1,4 +1,4 @@
-// A node of the patch tree, as it lies in the field file and in GPU memory.
+// A node of the patch tree, as stored in the field file and in GPU memory.
 #ifndef SWARD_SHARED_PATCH_H
 #define SWARD_SHARED_PATCH_H
 
@@ -9,12 +9,12 @@ SHARED_BEGIN
 SHARED_CONST uint maxPatchBlades = 512u;
 SHARED_CONST uint noPatch = 0xffffffffu;
 
-/// One cell of the world octree that holds blades. A cell of at most 32 m owns up to 512 of the
-/// blades inside it, in progressive order; those it has no room for belong to its children. A wider
-/// cell owns none. All lengths are relative to the field's origin, in metres.
+/// One cell of the world octree that holds blades. A cell of at most 32 m contains up to 512 of the
+/// blades inside it, in progressive order; the remaining blades belong to its children. A wider
+/// cell contains none. All lengths are relative to the field's origin, in metres.
 struct Patch {
-    vec3 boundsLow;  ///< box of the whole subtree, with the reach of every bent blade
-    uint firstBlade; ///< the blades it owns: firstBlade … firstBlade + bladeCount − 1
+    vec3 boundsLow;  ///< bounds of the whole subtree, with the reach of every bent blade
+    uint firstBlade; ///< its own blades: firstBlade … firstBlade + bladeCount − 1
     vec3 boundsHigh;
     uint bladeCount;  ///< ≤ maxPatchBlades
     vec3 rootLow;     ///< root = rootLow + rootStep · (16-bit numbers)
@@ -26,10 +26,10 @@ struct Patch {
     float widthLow; ///< width = widthLow + widthStep · (6-bit number) [m]
     float widthStep;
     uint parent;     ///< index of the parent, noPatch at the root
-    uint firstChild; ///< its children follow one another in the array; noPatch if it has none
+    uint firstChild; ///< its children are consecutive in the array; noPatch if it has none
     uint childCount; ///< ≤ 8
     uint level;      ///< depth below the root of the tree
-    float rankLow; ///< share of the blades around that come before this patch's own, coarse to fine
+    float rankLow;   ///< share of the surrounding blades before this patch's own, coarse to fine
     float rankHigh; ///< the same for its last one; blade i of n has the rank low + (high − low)·(i
                     ///< + ½)/n
 };

@@ -1,4 +1,4 @@
-// How the patch tree is walked: from its coarse nodes down, no deeper than something is seen.
+// Traversal of the patch tree: from its coarse nodes down to the culled nodes.
 #ifndef SWARD_SHARED_PATCH_TREE_H
 #define SWARD_SHARED_PATCH_TREE_H
 
@@ -6,26 +6,26 @@
 
 SHARED_BEGIN
 
-/// What stands below a node and on it, as the file does not say it; found when a field is loaded.
+/// Data of a node and its subtree that the file does not contain; computed at load time.
 struct Subtree {
     uint blades;     ///< of the node and of all nodes below
-    float widest;    ///< [m] full width at the root that none of them exceeds
+    float widest;    ///< [m] maximum full width at the root of these blades
     float rankBelow; ///< the lowest progressive rank below the node; 1 if there is no node
 };
 SHARED_LAYOUT(Subtree, 12)
 
 SHARED_BUFFER(SubtreeArray, Subtree, readonly)
 
-/// A patch of which blades may be seen.
+/// A visible patch: some of its blades may be visible.
 struct VisiblePatch {
     uint patchIndex;
-    uint count; ///< its first so many
+    uint count; ///< number of its first blades to process
 };
 SHARED_LAYOUT(VisiblePatch, 8)
 
 SHARED_BUFFER(VisiblePatchArray, VisiblePatch, )
 
-/// How many nodes of a level are to be looked at: VkDispatchIndirectCommand and the number itself.
+/// The nodes of a level to test: VkDispatchIndirectCommand and the number of nodes.
 struct WalkLevel {
     uint groups[3];
     uint count;
@@ -34,18 +34,17 @@ SHARED_LAYOUT(WalkLevel, 16)
 
 SHARED_BUFFER(WalkLevelArray, WalkLevel, )
 
-/// Place among the walk's levels of what the walk brings home: the visible patches.
+/// Place of the walk's result among the walk's levels: the visible patches.
 SHARED_CONST uint liveLevel = 0u;
 
 /// Threads of a work-group of the walk, one node each.
 SHARED_CONST uint walkThreads = 64u;
 
-/// The walk begins with all nodes of the first levels at once, as many levels as have no more nodes
-/// than this: a few more tests of boxes instead of some dispatches that wait for each other.
+/// The walk begins with all nodes of the first levels at once, up to this number of nodes: a few
+/// more box tests instead of several dependent dispatches.
 SHARED_CONST uint walkStart = 8192u;
 
-/// The same on a GPU: on an H200 a step takes 9 µs however few nodes it has, and so many of
-/// them 11.
+/// The same on a GPU: on an H200 a step takes 9 µs with few nodes, and 11 µs with this number.
 SHARED_CONST uint walkStartOfGpu = 131072u;
 
 SHARED_END

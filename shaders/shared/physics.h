@@ -1,4 +1,4 @@
-// How a blade moves: Jahrmann & Wimmer, "Responsive Real-Time Grass Rendering for General 3D
+// Motion of a blade: Jahrmann & Wimmer, "Responsive Real-Time Grass Rendering for General 3D
 // Scenes", I3D 2017, section 5, in units of the blade's own height and relative to its root.
 #ifndef SWARD_SHARED_PHYSICS_H
 #define SWARD_SHARED_PHYSICS_H
@@ -25,7 +25,7 @@ SHARED_FN vec3 environmentAt(Gravity gravity, vec3 root)
     return gravity.strength * towards;
 }
 
-/// With it: g = gE + forward·‖gE‖·front.
+/// Gravity with that part: g = gE + forward·‖gE‖·front.
 SHARED_FN vec3 gravityAt(Gravity gravity, vec3 root, vec3 front)
 {
     const vec3 environment = environmentAt(gravity, root);
@@ -33,7 +33,7 @@ SHARED_FN vec3 gravityAt(Gravity gravity, vec3 root, vec3 front)
 }
 
 /// A stored turn, see BladeState, as a quotient of two complex numbers: the front is their real
-/// axis. So a tip right below its root has one, too.
+/// axis. So a tip right below its root has a turn, too.
 struct TurnQuotient {
     vec2 over;
     vec2 under;
@@ -45,7 +45,7 @@ SHARED_FN vec2 timesConjugate(vec2 a, vec2 b)
     return vec2(a.x * b.x + a.y * b.y, a.y * b.x - a.x * b.y);
 }
 
-/// The turn, into the ground plane if the tip lies below it.
+/// The turn, moved into the ground plane if the tip lies below it.
 SHARED_FN vec2 turnAbove(TurnQuotient turn)
 {
     const vec2 product = timesConjugate(turn.over, turn.under);
@@ -53,11 +53,11 @@ SHARED_FN vec2 turnAbove(TurnQuotient turn)
     if (dot(turn.over, turn.over) <= under)
         return (1.0f / under) * product;
     const float square = dot(product, product);
-    // A tip right below its root has no direction: let the blade lie down forward.
+    // A tip right below its root has no direction: the blade lies down forward.
     return square > 1e-30f ? inversesqrt(square) * product : vec2(1.0f, 0.0f);
 }
 
-/// Where such a tip points, along the blade's axes, unit, wherever it lies.
+/// Unit direction of such a tip along the blade's axes, also below the ground.
 SHARED_FN vec3 directionOfQuotient(TurnQuotient turn)
 {
     const float over = dot(turn.over, turn.over);
@@ -66,20 +66,20 @@ SHARED_FN vec3 directionOfQuotient(TurnQuotient turn)
     return (1.0f / (under + over)) * vec3(2.0f * product.x, 2.0f * product.y, under - over);
 }
 
-/// A blade whose tip's direction rises no more than this lies.
+/// A blade is lying if its tip's direction rises at most this much.
 SHARED_CONST float lyingBelow = 1e-3f;
 
-/// One step of `dt` [s] (section 5.2) of a tip that is seen at `turn`, `radius` heights from its
-/// root: tip' = recovery + gravity + wind, with the length kept, solved exactly for forces that
-/// stand still. Without the length the tip would relax towards rest + (g + w)/k with rate k; on the
-/// ball of all tips it turns towards the direction of that place, and the tangent of half the angle
-/// between them falls with rate k·|place|/|tip|. So any step is safe, and the frame rate does not
-/// matter. A turn is the tip's place on a plane onto which the ball is projected, where rotations
-/// of the ball are quotients of linear functions; the one that takes the target to the up-vector,
-/// then what is left made `fall` times as large, and then the same rotation back are, multiplied
-/// out, this one quotient. A blade that `lies` turns along the ground alone. With b = 1 −
-/// stiffness, as in the authors' demo, gravity and wind count b and recovery 1 − b/4; collision
-/// strength eta softens recovery. `force` is gravity and wind together, along the blade's axes.
+/// One step of `dt` [s] (section 5.2) of a tip at `turn`, `radius` heights from its root: tip' =
+/// recovery + gravity + wind, with constant length, solved exactly for constant forces. Without the
+/// length the tip would relax towards rest + (g + w)/k with rate k. On the sphere of all tips it
+/// turns towards the direction of that place; the tangent of half the angle between them falls with
+/// rate k·|place|/|tip|. So a step of any size is stable, and the result does not depend on the
+/// frame rate. A turn is the tip's place on a plane onto which the sphere is projected; rotations
+/// of the sphere are quotients of linear functions there. The quotient combines three steps:
+/// rotation of the target to the up-vector, scaling by `fall`, and the inverse rotation. A blade
+/// that `lies` turns along the ground only. With b = 1 − stiffness, as in the authors' demo,
+/// gravity and wind count b and recovery 1 − b/4; collision strength eta reduces recovery. `force`
+/// is gravity plus wind, along the blade's axes.
 SHARED_FN TurnQuotient relaxTurn(float stiffness, vec3 force, float recovery, vec2 turn, bool lies,
                                  float radius, float eta, float dt)
 {
@@ -94,7 +94,7 @@ SHARED_FN TurnQuotient relaxTurn(float stiffness, vec3 force, float recovery, ve
     TurnQuotient turned;
     turned.over = turn;
     turned.under = vec2(1.0f, 0.0f);
-    // Nothing pulls to any side.
+    // No sideways pull.
     if (strength < 1e-6f * k)
         return turned;
     const float fall = exp(-(strength / radius) * dt);
@@ -107,7 +107,7 @@ SHARED_FN TurnQuotient relaxTurn(float stiffness, vec3 force, float recovery, ve
     return turned;
 }
 
-/// The same of a valid `tip` [heights] in space, whose forces are given one by one.
+/// The same for a valid `tip` [heights] in space, with separate forces.
 SHARED_FN vec3 relaxTip(Blade blade, vec3 front, Gravity gravity, vec3 wind, float recovery,
                         vec3 tip, float eta, float dt)
 {
@@ -120,20 +120,20 @@ SHARED_FN vec3 relaxTip(Blade blade, vec3 front, Gravity gravity, vec3 wind, flo
                                                        direction.z < lyingBelow, radius, eta, dt)));
 }
 
-/// Rounds of pushing a blade out of all colliders near it. One collider takes one or two; between
-/// several a blade finds its place in some frames.
+/// Iterations of pushing a blade out of all colliders near it. One collider takes one or two;
+/// between several a blade converges over some frames.
 SHARED_CONST uint contactRounds = 3u;
 
-/// How much farther than the curve's middle the tip is pushed. The paper has 4, as if only v2
-/// moved; v1 goes with it, so that the middle moves by a quarter to a half of the tip's way, and 4
-/// overshoots: some blades between two colliders then jump to and fro.
+/// Factor of the tip's push for contacts of the curve's middle. The paper has 4, as if only v2
+/// moved. But v1 moves too, so the middle moves by a quarter to a half of the tip's way, and 4
+/// overshoots: some blades between two colliders then oscillate.
 SHARED_CONST float middleLever = 2.0f;
 
-/// The tip of a valid blade, `tipBefore` one step ago, after all colliders near it, as they were
-/// `back` [s] ago, have pushed it out at the tip and at the curve's middle, validated after each
-/// push. `pushed` grows by what the tip was moved [heights]; `resting` turns false where a collider
-/// that moves touches. Colliders that still disagree after all rounds, and rest, move it half of
-/// the way: else it could go to and fro between them for ever.
+/// The tip of a valid blade after all colliders near it, as of `back` [s] ago, have pushed it.
+/// Pushes apply to the tip and to the curve's middle, with a validation after each. `tipBefore`:
+/// one step ago. `pushed` grows by the tip's motion [heights]; `resting` turns false on contact
+/// with a moving collider. If resting colliders still push after all iterations, the tip moves half
+/// of the way: otherwise it could oscillate between them forever.
 SHARED_FN vec3 pushBlade(Blade blade, vec3 front, ColliderTable colliders, ColliderMask near,
                          vec3 tipBefore, vec3 tip, float back, SHARED_INOUT(float) pushed,
                          SHARED_INOUT(bool) resting)
@@ -169,16 +169,15 @@ SHARED_FN vec3 pushBlade(Blade blade, vec3 front, ColliderTable colliders, Colli
     return touched && resting ? poseBlade(blade.up, front, tipBefore + result).v2 : result;
 }
 
-/// Longest time the forces are taken to stand still [s], and how often at most one frame is
-/// divided.
+/// Longest time of constant forces [s], and maximum number of steps per frame.
 SHARED_CONST float longestStep = 0.034f;
 SHARED_CONST uint maxSteps = 16u;
 
-/// Between colliders at rest a blade sticks: slower than this [heights per second] it does not move
-/// at all. Without it blades between two overlapping colliders would tremble for ever.
+/// Friction between colliders at rest: a blade slower than this [heights per second] does not move.
+/// Otherwise blades between two overlapping colliders would tremble forever.
 SHARED_CONST float stickingSpeed = 0.06f;
 
-/// Moves a blade by the time `elapsed` [s] up to `time`, however long. `near` are the colliders
+/// Moves a blade by the time `elapsed` [s] up to `time`, for any duration. `near` are the colliders
 /// that may touch it. Returns its new state.
 SHARED_FN BladeState advanceBlade(Blade blade, Environment environment, ColliderMask near, BladeState state,
                                   float time, float elapsed)
@@ -203,7 +202,7 @@ SHARED_FN BladeState advanceBlade(Blade blade, Environment environment, Collider
         const vec3 direction = directionOfTurn(turn);
         const float radius = tipDistance(direction);
         const float before = pushed;
-        // The wind of the middle of the step stands for all of it.
+        // Use the wind at the middle of the step.
         const vec3 wind =
             windAlongAxes(environment.wind, blade.root, axes, direction, time - back - 0.5f * dt);
         turn =
@@ -214,7 +213,7 @@ SHARED_FN BladeState advanceBlade(Blade blade, Environment environment, Collider
             const vec3 tip = pushBlade(
                 blade, axes.front, environment.colliders, near, inSpace(axes, radius * direction),
                 inSpace(axes, tipDistance(moved) * moved), back, pushed, resting);
-            // What nothing touches stays as it would be without colliders, to the bit.
+            // Without contact the result equals that without colliders, to the bit.
             if (pushed > before)
                 turn = turnTowards(alongAxes(axes, normalize(tip)));
             eta = min(eta + (pushed - before), 1.0f);

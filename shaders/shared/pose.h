@@ -1,4 +1,4 @@
-// How a blade stands: what is stored of it, and the curve that this means. Jahrmann & Wimmer,
+// The pose of a blade: its stored state, and the curve of that state. Jahrmann & Wimmer,
 // "Responsive Real-Time Grass Rendering for General 3D Scenes", I3D 2017, section 5.3, in units of
 // the blade's own height and relative to its root.
 #ifndef SWARD_SHARED_POSE_H
@@ -10,10 +10,10 @@
 
 SHARED_BEGIN
 
-/// What moves between frames. A pose is a function of the tip's direction alone, so that this is
-/// all that is stored of it: 4 bytes; and where there are colliders 4 more.
+/// The state that changes between frames. A pose is a function of the tip's direction alone, so the
+/// stored state has 4 bytes, and 4 more with colliders.
 struct BladeState {
-    uint turn; ///< snorm16 × 2: towards the blade's front and to its side, each the tangent of half
+    uint turn; ///< snorm16 × 2: towards the blade's front and its side, each the tangent of half
                ///< the angle between the up-vector and the tip's direction; 0: straight up
     float eta; ///< [0, 1] strength of the last collision
 };
@@ -24,19 +24,18 @@ struct Pose {
     vec3 v2;
 };
 
-/// Half of a step of a stored tangent, and the rounding of a number near 1. The direction turns by
-/// twice that at most along each axis [rad].
+/// Half a step of a stored tangent, plus the rounding of a number near 1. The direction's error is
+/// at most twice that along each axis [rad].
 SHARED_CONST float turnMaxError = 1.54e-5f;
 
-/// The turn of a tip that is seen from its root in `direction`, along the blade's axes, unit and
-/// not below its ground plane: stereographic, so that no direction is stored worse than half as
-/// well as another.
+/// The turn of a tip in `direction` from its root, along the blade's axes, unit and not below its
+/// ground plane. Stereographic: the precision of all directions is equal within a factor of two.
 SHARED_FN vec2 turnTowards(vec3 direction)
 {
     return (1.0f / (1.0f + max(direction.z, 0.0f))) * vec2(direction.x, direction.y);
 }
 
-/// Where a tip with that turn points: unit, but for one that lies, which may be longer by
+/// The direction of a tip with this turn. Unit, except that a lying tip's may be longer by
 /// √2·turnMaxError.
 SHARED_FN vec3 directionOfTurn(vec2 turn)
 {
@@ -44,7 +43,7 @@ SHARED_FN vec3 directionOfTurn(vec2 turn)
     return (1.0f / (1.0f + square)) * vec3(2.0f * turn.x, 2.0f * turn.y, 1.0f - square);
 }
 
-/// The state of a blade with that turn.
+/// The state of a blade with this turn.
 SHARED_FN BladeState stateOfTurn(vec2 turn, float eta)
 {
     BladeState state;
@@ -53,7 +52,7 @@ SHARED_FN BladeState stateOfTurn(vec2 turn, float eta)
     return state;
 }
 
-/// The state of one whose tip is seen in `direction`, in space. `front` is unit and at right angles
+/// The state of a blade whose tip lies in `direction`, in space. `front` is unit and perpendicular
 /// to `up`.
 SHARED_FN BladeState stateOf(vec3 up, vec3 front, vec3 direction, float eta)
 {
@@ -65,8 +64,8 @@ SHARED_FN vec2 storedTurn(BladeState state)
     return vec2(unpackSnorm16(state.turn), unpackSnorm16(state.turn >> 16u));
 }
 
-/// Where the tip points, along the blade's axes: never below the ground plane, and as
-/// directionOfTurn() has it.
+/// Direction of the tip, along the blade's axes: never below the ground plane, as from
+/// directionOfTurn().
 SHARED_FN vec3 storedDirection(BladeState state)
 {
     return directionOfTurn(storedTurn(state));
@@ -78,10 +77,10 @@ SHARED_FN vec3 directionOf(vec3 up, vec3 front, BladeState state)
     return inSpace(axesTowards(up, front), storedDirection(state));
 }
 
-/// What a curve from the root over v1 = up · max(1 − side, 0.05) to a tip at unit distance, `side`
-/// from the up-vector's line, is to be multiplied by to be one height long: polynomials fitted to
-/// the exact length, within 2.1e-4; 1 where it is straight (the paper's estimate after Gravesen,
-/// (2·|v2−v0| + |v1−v0| + |v2−v1|)/3, is within 1.1e-2). Asserted by bezier_test.cpp.
+/// Factor that makes a curve one height long. The curve runs from the root over v1 = up · max(1 −
+/// side, 0.05) to a tip at unit distance, `side` from the up-vector's line. Polynomials fitted to
+/// the exact length, within 2.1e-4; 1 for a straight curve. (The paper's estimate after Gravesen,
+/// (2·|v2−v0| + |v1−v0| + |v2−v1|)/3, is within 1.1e-2.) Asserted by bezier_test.cpp.
 SHARED_FN float lengthCorrection(float side)
 {
     if (side > 0.95f)
@@ -91,14 +90,14 @@ SHARED_FN float lengthCorrection(float side)
     return (low * side - 0.037761414f) * side + 1.0f;
 }
 
-/// How far from its root [heights] a blade's tip is seen in `direction`, along its axes, as
-/// poseTowards() has it.
+/// Distance [heights] from the root of a blade's tip in `direction`, along its axes, as in
+/// poseTowards().
 SHARED_FN float tipDistance(vec3 direction)
 {
     return lengthCorrection(length(vec2(direction.x, direction.y)));
 }
 
-/// Steps 2 and 3 of poseBlade(), of a tip in `direction`, unit and not below the ground plane.
+/// Steps 2 and 3 of poseBlade(), for a tip in `direction`, unit and not below the ground plane.
 SHARED_FN Pose poseTowards(vec3 up, vec3 direction)
 {
     const float side = length(direction - up * dot(direction, up));
@@ -110,17 +109,17 @@ SHARED_FN Pose poseTowards(vec3 up, vec3 direction)
     return pose;
 }
 
-/// `direction`, which is unit, lifted to the ground plane if it points below it.
+/// Unit `direction`, lifted to the ground plane if it points below it.
 SHARED_FN vec3 keptAbove(vec3 up, vec3 front, vec3 direction)
 {
     const float rise = dot(up, direction);
     if (rise >= 0.0f)
         return direction;
     const vec3 lifted = direction - up * rise;
-    // A tip on the root has no direction: let the blade lie down forward.
+    // A tip on the root has no direction: the blade lies down forward.
     const float distance = length(lifted);
     const vec3 towards = distance > 1e-4f ? lifted / distance : front;
-    // Division has magnified the rounding of the first step: lift again.
+    // The division has magnified the rounding of the first step: lift again.
     return towards - up * min(dot(up, towards), 0.0f);
 }
 
@@ -129,9 +128,9 @@ SHARED_FN vec3 keptAbove(vec3 up, vec3 front, vec3 direction)
 ///   2. v1 = up · max(1 − l, 0.05), l the tip's distance from the up-vector's line: always slightly
 ///   curved;
 ///   3. both are scaled about the root until the curve is one height long.
-/// The paper applies 2 and 3 to whatever length the tip has, so that each frame's result differs
-/// from its own validation. Here the tip is brought to unit distance first: the pose is a function
-/// of the tip's direction alone, and validating twice changes nothing.
+/// The paper applies 2 and 3 to a tip of any length, so that each frame's result differs from its
+/// own validation. Here the tip is brought to unit distance first: the pose is a function of the
+/// tip's direction alone, and a second validation changes nothing.
 SHARED_FN Pose poseBlade(vec3 up, vec3 front, vec3 tip)
 {
     const vec3 lifted = tip - up * min(dot(up, tip), 0.0f);
@@ -139,7 +138,7 @@ SHARED_FN Pose poseBlade(vec3 up, vec3 front, vec3 tip)
     return poseTowards(up, keptAbove(up, front, distance > 1e-4f ? lifted / distance : front));
 }
 
-/// The pose that a stored state stands for.
+/// The pose of a stored state.
 SHARED_FN Pose poseOfState(BladeAxes axes, BladeState state)
 {
     const vec3 direction = storedDirection(state);

@@ -1,4 +1,4 @@
-// A blade as a ribbon across the view: where its edges are drawn, and how much each place weighs.
+// A blade as a ribbon across the view: its edges as drawn, and the weight of each place.
 #ifndef SWARD_SHARED_RIBBON_H
 #define SWARD_SHARED_RIBBON_H
 
@@ -9,14 +9,14 @@
 
 SHARED_BEGIN
 
-/// What is drawn of a blade. Places are relative to the field's origin.
+/// The drawn geometry of a blade. Positions are relative to the field's origin.
 struct Ribbon {
     vec3 v0; ///< the curve's control points
     vec3 v1;
     vec3 v2;
     vec3 axis;   ///< unit, across
-    float width; ///< [m] where the outline is 1
-    float fold;  ///< [0, 1]: how far the middle stands out, see foldOf()
+    float width; ///< [m] for an outline of 1
+    float fold;  ///< [0, 1]: height of the ridge, see foldOf()
     Outline outline;
 };
 
@@ -25,18 +25,18 @@ struct CrossSection {
     vec3 left;
     vec3 right;
     vec3 ridge;  ///< the middle
-    float wide;  ///< [m] as wide as the view sees the blade …
-    float drawn; ///< … and as wide as it is drawn; what is there weighs wide/drawn
+    float wide;  ///< [m] width of the blade in the view …
+    float drawn; ///< … and as drawn; the place has weight wide/drawn
 };
 
-/// The fold of a blade so wide on the screen: of one that is hardly wider than a pixel only the
-/// outline is left.
+/// The fold of a blade of this width on the screen: a blade hardly wider than a pixel keeps only
+/// its outline.
 SHARED_FN float foldOf(float fold, float widthPixels)
 {
     return fold * smoothstep(2.0f, 4.0f, widthPixels);
 }
 
-/// Direction of the curve at `t`, towards the tip, of any length.
+/// Direction of the curve at `t`, towards the tip, not normalised.
 SHARED_FN vec3 directionAt(Ribbon ribbon, float t)
 {
     const vec3 tangent = bezierTangent(ribbon.v0, ribbon.v1, ribbon.v2, t);
@@ -49,9 +49,9 @@ SHARED_FN vec3 tangentAt(Ribbon ribbon, float t)
     return normalize(directionAt(ribbon, t));
 }
 
-/// Which way a ribbon is drawn wider that is too narrow for its samples: as far across the view as
-/// unit `across`, and `level`, of any length, with the ground where the blade is not nearly level
-/// itself: askew, half of what is added would lie below the ground.
+/// Direction in which a ribbon that is too narrow for its samples is widened: its component across
+/// the view is unit `across`, and it follows `level` (any length) along the ground unless the blade
+/// is nearly level itself. A tilted direction would put half of the added width below the ground.
 SHARED_FN vec3 outwardsOf(vec3 across, vec3 level)
 {
     const float square = dot(level, level);
@@ -60,9 +60,9 @@ SHARED_FN vec3 outwardsOf(vec3 across, vec3 level)
     return across + (upright / max(upright * upright, 0.25f)) * (unit - upright * across);
 }
 
-/// The cross-section at `t`. Where the view sees less than `minWidth` [m at 1 m distance], be it
-/// that the blade is far, that it ends, or that it is seen edge-on, it is drawn that wide, across
-/// the view, so that few rows of samples miss it, and weighs the less.
+/// The cross-section at `t`. If its visible width is below `minWidth` [m at 1 m distance] (a far
+/// blade, a tip, or an edge-on view), it is drawn with that width, across the view, and a lower
+/// weight. So few rows of samples miss it.
 SHARED_FN CrossSection crossSectionAt(Ribbon ribbon, float t, vec3 eye, float minWidth)
 {
     const vec3 centre = bezierPoint(ribbon.v0, ribbon.v1, ribbon.v2, t);
@@ -75,15 +75,15 @@ SHARED_FN CrossSection crossSectionAt(Ribbon ribbon, float t, vec3 eye, float mi
     section.wide = edges.y - edges.x;
     section.drawn = section.wide;
     if (minWidth > 0.0f) {
-        // Across the chords that meet here, not the curve: the last ones would be cut askew and
-        // lose area. A chord from t to t + h runs like the curve at t + h/2.
+        // Across the chords that meet here, not the curve: otherwise the last chords would be cut
+        // at an angle and lose area. A chord from t to t + h has the curve's direction at t + h/2.
         const float half_ = 0.5f / max(ribbon.outline.segments, 1.0f);
         const vec3 chord = directionAt(ribbon, clamp(t, half_, 1.0f - half_));
         const vec3 ray = centre - eye;
         const float distance = length(ray);
         const vec3 side = cross(ray, chord);
         const float square = dot(side, side);
-        // A blade that points at the eye shows its width, whichever way that is turned.
+        // A blade that points at the eye shows its full width.
         const vec3 across = square > 1e-12f * dot(ray, ray) * dot(chord, chord)
                                 ? side * inversesqrt(square)
                                 : ribbon.axis;
@@ -103,24 +103,24 @@ SHARED_FN CrossSection crossSectionAt(Ribbon ribbon, float t, vec3 eye, float mi
     return section;
 }
 
-/// By how much a blade `distance` [m] away may be drawn wider than it is on either side [m].
+/// Maximum added width on either side [m] of a drawn blade `distance` [m] away.
 SHARED_FN float sectionMargin(float distance, float minWidth)
 {
     return minWidth * distance;
 }
 
-/// By how much at most a point of a ribbon lies beside its curve [m]: one so wide, of which no
-/// point is farther than `distance` [m].
+/// Maximum distance of a ribbon's point from its curve [m]: for a ribbon of this width whose points
+/// are at most `distance` [m] away.
 SHARED_FN float marginBeside(float width, float distance, float minWidth)
 {
     return 0.5f * outlineMost * width + sectionMargin(distance, minWidth);
 }
 
-/// What of a blade decides which samples it keeps where it weighs less than 1: each blade others,
-/// more with more weight and never others instead.
+/// Selects the samples that a blade keeps at a weight below 1. Different for each blade; a larger
+/// weight keeps additional samples and drops none.
 struct SampleMask {
     float threshold; ///< in (0, 1)
-    uint first;      ///< the sample that is kept first; the others follow in turn
+    uint first;      ///< the sample that is kept first; the others follow in cyclic order
     uint samples;    ///< per pixel
 };
 
@@ -134,7 +134,7 @@ SHARED_FN SampleMask sampleMaskOf(uint blade, uint samples)
     return mask;
 }
 
-/// How many samples of a pixel a place of weight `weight` keeps: weight · samples on the average
+/// Number of samples of a pixel that a place of weight `weight` keeps: weight · samples on average
 /// over blades.
 SHARED_FN uint keptCount(SampleMask mask, float weight)
 {
@@ -142,7 +142,7 @@ SHARED_FN uint keptCount(SampleMask mask, float weight)
                          : mask.samples;
 }
 
-/// Those samples, as bits.
+/// These samples, as bits.
 SHARED_FN uint keptBits(SampleMask mask, float weight)
 {
     const uint all = (1u << mask.samples) - 1u;

@@ -1,5 +1,5 @@
-// The outline of a blade and how finely it is cut. Jahrmann & Wimmer, I3D 2017, section 4.2, and
-// the authors' demo.
+// The outline of a blade and its tessellation. Jahrmann & Wimmer, I3D 2017, section 4.2, and the
+// authors' demo.
 #ifndef SWARD_SHARED_SHAPE_H
 #define SWARD_SHARED_SHAPE_H
 
@@ -10,17 +10,17 @@ SHARED_BEGIN
 // Species::shape.
 SHARED_CONST uint shapeTriangleTip = 0u; ///< full width up to the tip threshold, then a point
 SHARED_CONST uint shapeQuad = 1u;        ///< full width
-SHARED_CONST uint shapeTriangle = 2u;    ///< a point from the root on
+SHARED_CONST uint shapeTriangle = 2u;    ///< tapers to a point from the root on
 SHARED_CONST uint shapeQuadratic = 3u;   ///< one edge straight, the other a parabola
-SHARED_CONST uint shapeDandelion = 4u;   ///< lobes to both sides
+SHARED_CONST uint shapeDandelion = 4u;   ///< lobes on both sides
 SHARED_CONST uint shapeCount = 5u;
 
-/// Lobes of a dandelion's leaf on each side; each takes so many segments to show.
+/// Lobes of a dandelion's leaf on each side; each needs segmentsPerLobe segments.
 SHARED_CONST float dandelionLobes = 4.0f;
 SHARED_CONST float segmentsPerLobe = 4.0f;
 
-/// Left and right edge at `t` along the blade, about its curve, in widths: −½ … ½, a dandelion's up
-/// to 0.55.
+/// Left and right edge at `t` along the blade, relative to its curve, in widths: −½ … ½, a
+/// dandelion's up to 0.55.
 SHARED_FN vec2 outlineAt(uint shape, float tipThreshold, float t)
 {
     float half_ = 0.5f;
@@ -39,13 +39,13 @@ SHARED_FN vec2 outlineAt(uint shape, float tipThreshold, float t)
     return vec2(-half_, half_);
 }
 
-/// Whether both edges are always as far from the curve.
+/// Whether both edges always have the same distance from the curve.
 SHARED_FN bool isEven(uint shape)
 {
     return shape != shapeQuadratic;
 }
 
-/// Whether both edges come nearer to the curve towards the tip, or stay as far from it.
+/// Whether the edges' distance from the curve never grows towards the tip.
 SHARED_FN bool isTapering(uint shape)
 {
     return shape != shapeDandelion;
@@ -63,25 +63,25 @@ SHARED_FN float outlineArea(uint shape, float tipThreshold)
     return shape == shapeDandelion ? 0.57268f : 1.0f;
 }
 
-/// An outline cut into segments, as it is drawn.
+/// An outline divided into segments, as it is drawn.
 struct Outline {
     uint shape;
     float tipThreshold;
     float segments; ///< whole, ≥ 1
-    float scale;    ///< by which the chords are wider, so that the area is the outline's
+    float scale;    ///< widening of the chords that restores the outline's area
 };
 
-/// Beyond so many segments chords lose too little area to ask.
+/// Above this number of segments the chords' loss of area is negligible.
 SHARED_CONST float exactSegments = 20.0f;
 
-/// How much wider than its width anything of an outline is drawn, at most.
+/// Maximum drawn width of an outline, in units of its width.
 SHARED_CONST float outlineMost = 1.35f;
 
 /// Sum of the outline's widths at all i / segments between root and tip.
 SHARED_FN float innerWidths(uint shape, float tipThreshold, float segments)
 {
     if (shape == shapeTriangleTip) {
-        // The last so many, from `first` on, lie where it tapers: an arithmetic series.
+        // The last `count` ones, from `first` on, lie in the taper: an arithmetic series.
         const float first = floor(tipThreshold * segments) + 1.0f;
         const float count = max(segments - first, 0.0f);
         const float beyond =
@@ -113,10 +113,10 @@ SHARED_FN Outline outlineOf(uint shape, float tipThreshold, float segments)
     return outline;
 }
 
-/// Width at the root and at the tip of the single segment that is nearest to an outline, by least
-/// squares: it has its area A and its first moment M = ∫ t·width dt, so a + b·t with
-/// a = 4A − 6M, b = 12M − 6A. With the area alone there is too much below the tip, which is what
-/// one sees of grass behind grass: far away it would be a tenth too bright.
+/// Width at the root and at the tip of the best single segment for an outline, by least squares: it
+/// has the outline's area A and first moment M = ∫ t·width dt, so a + b·t with a = 4A − 6M, b = 12M
+/// − 6A. With equal area alone there is too much below the tip, the part of grass that is visible
+/// behind grass: far grass would be a tenth too bright.
 SHARED_FN vec2 singleSegment(uint shape, float tipThreshold)
 {
     if (shape == shapeTriangleTip)
@@ -128,7 +128,7 @@ SHARED_FN vec2 singleSegment(uint shape, float tipThreshold)
     return shape == shapeDandelion ? vec2(0.64894f, 0.49642f) : vec2(1.0f);
 }
 
-/// The edges at `t` as they are drawn.
+/// The edges at `t` as drawn.
 SHARED_FN vec2 edgesAt(Outline outline, float t)
 {
     if (outline.segments < 1.5f) {
@@ -139,26 +139,26 @@ SHARED_FN vec2 edgesAt(Outline outline, float t)
     return outline.scale * outlineAt(outline.shape, outline.tipThreshold, t);
 }
 
-/// Segments of a blade so large on the screen: so many that a chord strays from the curve by less
-/// than a quarter of a pixel, and that the outline shows; at most `most`, but for a dandelion's.
+/// Number of segments of a blade by size on the screen: chords deviate from the curve by less than
+/// a quarter of a pixel, and the outline is visible. At most `most`, except for a dandelion.
 /// `heightPixels` are those of its length, `size` [m].
 SHARED_FN float segmentsFor(vec3 v0, vec3 v1, vec3 v2, float size, uint shape, float heightPixels,
                             float widthPixels, float most)
 {
-    // L chords of a quadratic Bézier stray from it by at most |v0 − 2 v1 + v2| / (4 L²).
+    // L chords of a quadratic Bézier deviate from it by at most |v0 − 2 v1 + v2| / (4 L²).
     const float stray = length(v0 - 2.0f * v1 + v2) * (heightPixels / max(size, 1e-9f));
     const float curve = ceil(sqrt(stray));
     if (shape == shapeDandelion && widthPixels > 2.0f)
         return dandelionLobes * segmentsPerLobe;
-    // A tip shows where the blade is wider than a pixel.
+    // A tip is visible if the blade is wider than a pixel.
     const float tip = widthPixels > 3.0f ? 3.0f : (widthPixels > 1.0f ? 2.0f : 1.0f);
     return clamp(max(curve, tip), 1.0f, max(most, 1.0f));
 }
 
 /// Segments by distance, in steps, instead of by size on the screen: those of the first step that
-/// is farther, the last step's beyond them all.
+/// is farther, or the last step's beyond all steps.
 struct LevelSteps {
-    vec4 distance; ///< [m] rising
+    vec4 distance; ///< [m] ascending
     vec4 segments;
     uint count; ///< ≤ 4; 0: by size
 };
@@ -166,7 +166,7 @@ SHARED_LAYOUT(LevelSteps, 36)
 
 SHARED_FN float segmentsAt(LevelSteps steps, float distance)
 {
-    // Indices that are known when this is compiled keep a GPU from laying the steps into memory.
+    // Constant indices keep a GPU from placing the steps in memory.
     float segments = steps.segments[0];
     SHARED_UNROLL for (int i = 1; i < 4;
                        ++i) if (uint(i) < steps.count && distance >= steps.distance[i - 1])

@@ -1,4 +1,4 @@
-// How the blades of one species look. Slots 0–7 of a field.
+// The appearance of the blades of one species. Slots 0–7 of a field.
 #ifndef SWARD_SHARED_SPECIES_H
 #define SWARD_SHARED_SPECIES_H
 
@@ -11,15 +11,15 @@ SHARED_CONST uint maxSpecies = 8u;
 
 struct Species {
     vec3 rootColor;       ///< linear, at the root
-    float tipThreshold;   ///< [0, 1): where along the blade the taper to the tip begins
+    float tipThreshold;   ///< [0, 1): place along the blade where the taper to the tip begins
     vec3 tipColor;        ///< linear, at the tip
-    float groundTint;     ///< [0, 1]: how much of the ground's colour shows at the root
-    float colorVariation; ///< [0, 1]: how much blades and clumps differ
-    float translucency;   ///< [0, 1]: share of the light that comes through
+    float groundTint;     ///< [0, 1]: share of the ground's colour at the root
+    float colorVariation; ///< [0, 1]: variation between blades and between clumps
+    float translucency;   ///< [0, 1]: share of transmitted light
     float gloss;          ///< [0, 1]
     float dryness;        ///< [0, 1]: share of blades with yellowed tips
     uint shape;           ///< shapeTriangleTip … shapeDandelion
-    float fold;           ///< [0, 1]: 1: the halves of the blade meet in a right angle
+    float fold;           ///< [0, 1]; 1: the halves of the blade meet at a right angle
 };
 SHARED_LAYOUT(Species, 56)
 

@@ -1,4 +1,4 @@
-// What of the ground stands in the sun's light. docs/decisions/0020-a-shadow-map-of-the-ground.md
+// The shadow of the ground. docs/decisions/0020-a-shadow-map-of-the-ground.md
 #ifndef SWARD_SHARED_SUN_SHADOW_H
 #define SWARD_SHARED_SUN_SHADOW_H
 
@@ -8,33 +8,33 @@ SHARED_BEGIN
 
 SHARED_TABLE(SunDepthTable, float)
 
-/// The ground as the sun sees it: an orthographic map of what is nearest to the sun. Places are
-/// relative to the field's origin.
+/// The ground in the sun's view: an orthographic map of the surface nearest to the sun. Positions
+/// are relative to the field's origin.
 struct SunShadow {
     SunDepthTable depths; ///< size · size, 1 nearest to the sun, 0 farthest
     vec4 across;          ///< dot(across, (place, 1)): pixel of the map, from its first edge
     vec4 down;
     vec4 depth;    ///< dot(depth, (place, 1)): depth as in the map
-    uint size;     ///< pixels along an edge; 0: nothing is in the way
+    uint size;     ///< pixels along an edge; 0: no shadow
     float texel;   ///< [m] longer edge of a pixel
-    float epsilon; ///< depth by which something must be nearer to be in the way
+    float epsilon; ///< depth by which an occluder must be nearer
     uint reserved;
 };
 SHARED_LAYOUT(SunShadow, 72)
 
-/// A place is culled this many pixels above its ground, so that ground does not shade itself: the
+/// A place is tested this many pixels above its ground, so that ground does not shade itself. The
 /// four pixels below lie within 1.42 of it, and ground at any slope rises less than that over them,
-/// measured along its normal; the rest is for ground that is curved.
+/// measured along its normal; the rest is for curved ground.
 SHARED_CONST float shadowOffset = 2.0f;
 
-/// Share of the sun's disc seen from a place on ground with this unit normal, [0, 1]: the four
-/// pixels around it, each weighed by its nearness, so that a shadow's edge is a pixel wide.
+/// Share of the sun's disc that is visible from a place on ground with this unit normal, [0, 1]:
+/// the four pixels around it, weighted by nearness, so that a shadow's edge is a pixel wide.
 SHARED_FN float sunSeen(SunShadow shadow, vec3 place, vec3 normal)
 {
     if (shadow.size == 0u)
         return 1.0f;
     const vec4 lifted = vec4(place + normal * (shadowOffset * shadow.texel), 1.0f);
-    // Pixels have their depth in their middles.
+    // Depths are those of pixel centres.
     const vec2 at = vec2(dot(shadow.across, lifted), dot(shadow.down, lifted)) - 0.5f;
     const float depth = dot(shadow.depth, lifted) + shadow.epsilon;
 

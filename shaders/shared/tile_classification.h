@@ -1,5 +1,5 @@
-// The tiles of a picture by what they show. A device whose lanes cannot jump over what none of them
-// needs takes as long for a tile of sky as for one of grass, unless a shader without grass has it.
+// Tile classification: the tiles of a picture by content. A device without cheap branches takes as
+// long for a tile of sky as for one of grass, unless a shader without grass processes it.
 #ifndef SWARD_SHARED_TILE_CLASSIFICATION_H
 #define SWARD_SHARED_TILE_CLASSIFICATION_H
 
@@ -8,24 +8,24 @@
 
 SHARED_BEGIN
 
-/// Width and height of the tile of pixels that a work-group begins or resolves …
+/// Width and height of the tile of pixels that a work-group clears or resolves …
 SHARED_CONST uint rasterTile = 8u;
 
-/// … and of the one whose ground and colliders it lights.
+/// … and of the tile whose ground and colliders it lights.
 SHARED_CONST uint lightTile = 16u;
 
-// What is listed of them, each in a list of its own; by sort_tiles.comp tiles of lightTile …
-SHARED_CONST uint tilesOfOpaque = 0u; ///< with something opaque
-// … and of rasterTile, of which each is in one list.
+// Lists of tiles; sort_tiles.comp lists tiles of lightTile …
+SHARED_CONST uint tilesOfOpaque = 0u; ///< with opaque geometry
+// … and tiles of rasterTile, each in exactly one of these lists.
 SHARED_CONST uint tilesOfBlades = 1u; ///< with blades and without sky
 SHARED_CONST uint tilesWithoutBlades = 2u;
 SHARED_CONST uint tilesOfBladesAndSky = 3u;
-// Beside them, if a pixel has several samples:
-SHARED_CONST uint tilesOfSoft = 4u; ///< whose pixels get light from their neighbours
+// Additional list for several samples per pixel:
+SHARED_CONST uint tilesOfSoft = 4u; ///< tiles whose pixels exchange light with their neighbours
 SHARED_CONST uint tileLists = 5u;
 
-/// Work-groups side by side of a dispatch for a list; below one another are as many rows of them as
-/// it takes. Of 65 535, which every device takes, a list of 16 384 × 16 384 pixels has enough.
+/// Width of the dispatch for a list in work-groups; its height is the required number of rows. With
+/// 65 535 rows, which every device supports, it covers 16 384 × 16 384 pixels.
 SHARED_CONST uint tileGroups = 72u;
 
 /// Threads of a work-group that sorts, one for each tile of lightTile.
@@ -36,14 +36,14 @@ SHARED_FN uint tilesAlong(uint pixels, uint tile)
     return (pixels + tile - 1u) / tile;
 }
 
-/// Tiles for which a list of a picture has room.
+/// Capacity of a list, in tiles of a picture.
 SHARED_FN uint roomForTiles(uint width, uint height)
 {
     return tilesAlong(width, rasterTile) * tilesAlong(height, rasterTile);
 }
 
-/// Word of the buffer at which a list begins: `tileLists` WalkLevels come first, which count its
-/// tiles and are its dispatch. A tile is its column, and from bit 16 on its row.
+/// First word of a list in the buffer. The buffer begins with `tileLists` WalkLevels, which count a
+/// list's tiles and hold its dispatch. A tile is its column, and from bit 16 on its row.
 SHARED_FN uint firstOfTiles(uint list, uint width, uint height)
 {
     return 4u * tileLists + list * roomForTiles(width, height);

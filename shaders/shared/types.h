@@ -1,4 +1,4 @@
-// What lets one text be C++20 and GLSL 460. The only shared file with a condition on the language.
+// Compiles shared headers as C++20 and GLSL 460. The only shared file with a language condition.
 #ifndef SWARD_SHARED_TYPES_H
 #define SWARD_SHARED_TYPES_H
 
@@ -29,9 +29,9 @@
 #define SHARED_INOUT(Type) Type&
 #define SHARED_UNROLL
 #define SHARED_LAYOUT(Type, bytes) static_assert(sizeof(Type) == (bytes));
-// A buffer reached by its device address: a number here, a typed reference in GLSL.
+// A buffer by its device address: a number in C++, a typed reference in GLSL.
 #define SHARED_BUFFER(Name, Type, access) using Name = std::uint64_t;
-// A buffer that shared functions read: here the address of a device, or an array of the CPU's own.
+// A buffer that shared functions read: in C++ a device address, or an array of the CPU.
 #define SHARED_TABLE(Name, Type)                                                                   \
     union Name {                                                                                   \
         std::uint64_t address;                                                                     \
@@ -51,7 +51,7 @@
 #define SHARED_FN
 #define SHARED_CONST const
 #define SHARED_INOUT(Type) inout Type
-// Before a loop over a small array: else a GPU keeps the array in memory, to index it.
+// Before a loop over a small array: otherwise a GPU places the array in memory, to index it.
 #define SHARED_UNROLL [[unroll]]
 #define SHARED_LAYOUT(Type, bytes)
 #define SHARED_BUFFER(Name, Type, access)                                                          \
@@ -59,7 +59,7 @@
     {                                                                                              \
         Type at[];                                                                                 \
     };
-// Not readonly: what is passed to a function must not lose a qualifier.
+// Not readonly: a function argument must not lose a qualifier.
 #define SHARED_TABLE(Name, Type) SHARED_BUFFER(Name, Type, )
 
 #endif

@@ -1,4 +1,4 @@
-// How often the blades of a patch are moved.
+// Update rate of the blades of a patch.
 #ifndef SWARD_SHARED_UPDATE_RATE_H
 #define SWARD_SHARED_UPDATE_RATE_H
 
@@ -7,19 +7,19 @@
 SHARED_BEGIN
 
 struct UpdateRate {
-    float everyFrame; ///< [m] patches nearer than this move in every frame …
+    float everyFrame; ///< [m] nearer patches move in every frame …
     float everyThird; ///< [m] … those nearer than this in every third, in turn …
-    float longest;    ///< [s] … and all others when they have stood still for so long
+    float longest;    ///< [s] … and all others after this time without motion
     uint frame;       ///< running number of the frame
 };
 SHARED_LAYOUT(UpdateRate, 16)
 
-/// A blade that was thinned out when its patch last moved comes back as if it had stood in its wind
-/// for so long [s] as it is now.
+/// A blade that was thinned out at its patch's last update reappears as if it had been in its
+/// current wind for this time [s].
 SHARED_CONST float settlingTime = 12.0f;
 
-/// Whether the blades of patch `index` move in this frame, `distance` [m] from the eye and last
-/// moved `elapsed` [s] ago. What they missed they catch up: see advanceBlade().
+/// Whether the blades of patch `index`, `distance` [m] from the eye and last moved `elapsed` [s]
+/// ago, move in this frame. advanceBlade() catches up on the elapsed time.
 SHARED_FN bool movesNow(UpdateRate updateRate, uint index, float distance, float elapsed)
 {
     if (distance < updateRate.everyFrame || elapsed >= updateRate.longest)

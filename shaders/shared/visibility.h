@@ -1,4 +1,4 @@
-// The cull result of patches and blades in one view: the predicates of culling.h in their order.
+// The cull result of patches and blades in one view: the predicates of culling.h in order.
 #ifndef SWARD_SHARED_VISIBILITY_H
 #define SWARD_SHARED_VISIBILITY_H
 
@@ -13,18 +13,18 @@
 
 SHARED_BEGIN
 
-/// What becomes of a blade, and how it is drawn.
+/// The cull result of a blade, and its drawn size.
 struct Verdict {
     uint cullResult;
     float widthFactor; ///< 0 unless drawn
     float pixels;      ///< height on the screen [pixels]
-    vec3 v1;           ///< of the blade's curve; only where cullFrustum or cullOcclusion asks
+    vec3 v1;           ///< of the blade's curve; only valid with cullFrustum or cullOcclusion
     vec3 v2;
-    float margin; ///< [m] by which the blade reaches beyond it
+    float margin; ///< [m] maximum distance of the blade from the curve
 };
 
-/// Share of the blades that is drawn at `distance` [m]: lodFullShare where none is left out or
-/// fades, as everywhere without level of detail.
+/// Share of the blades that is drawn at `distance` [m]: lodFullShare if none is left out or fades,
+/// and always without level of detail.
 SHARED_FN float shareAt(Eyepoint view, float distance)
 {
     if (view.lodThreshold <= 0.0f)
@@ -32,29 +32,29 @@ SHARED_FN float shareAt(Eyepoint view, float distance)
     return lodShare(view.lodWidth * view.pixelsPerUnit / max(distance, 1e-6f), view.lodThreshold);
 }
 
-/// Width of a patch's blades [m]: the middle of what its numbers reach.
+/// Width of a patch's blades [m]: the middle of its range.
 SHARED_FN float middleWidth(Patch cell)
 {
     return cell.widthLow + 31.5f * cell.widthStep;
 }
 
-/// m² of blade (one side) per m² of ground around a patch's blades; no more than there is where
-/// they stand apart, at most maxLeafArea, and 0 where too few of them are its own to tell.
+/// m² of blade (one side) per m² of ground around a patch's blades. A lower bound for scattered
+/// blades, at most maxLeafArea, and 0 for patches with too few own blades.
 SHARED_FN float leafAreaAround(Patch cell)
 {
     const uint fewest = 4u;
     if (cell.bladeCount < fewest)
         return 0.0f;
     const float count = float(cell.bladeCount);
-    // So much wider than they span is the square that n places are scattered over, on average.
+    // Expected ratio of a square's width to the span of n places scattered in it.
     const float side = 65535.0f * cell.rootStep * (count + 1.0f) / (count - 1.0f);
     const float around = count / max(cell.rankHigh - cell.rankLow, 1e-6f);
     const float height = cell.heightLow + 127.5f * cell.heightStep;
-    // Outlines fill from a half to all of their rectangle.
+    // Outlines fill half to all of their rectangle.
     return min(0.7f * around * middleWidth(cell) * height / max(side * side, 1e-12f), maxLeafArea);
 }
 
-/// Largest cosine between the ground's normal around a patch and a ray from `eye` to it.
+/// Maximum cosine between the ground's normal around a patch and a ray from `eye` to it.
 SHARED_FN float steepestRay(vec3 eye, Patch cell)
 {
     const vec3 low = cell.boundsLow - eye;
@@ -63,19 +63,19 @@ SHARED_FN float steepestRay(vec3 eye, Patch cell)
     const float above =
         abs(dot(cell.coneAxis, middle)) + dot(abs(cell.coneAxis), 0.5f * (high - low));
     const float nearest = max(boxDistance(eye, cell.boundsLow, cell.boundsHigh), 1e-6f);
-    // That up-vectors are rounded makes no slope.
+    // Rounding of up-vectors does not count as slope.
     const float slope = sqrt(max(1.0f - cell.coneCosine * cell.coneCosine, 0.0f));
     return min(above / nearest + max(slope - octahedralMaxError, 0.0f), 1.0f);
 }
 
-/// What is drawn of a patch of which grass hides a part by itself.
+/// The leaf-area limit of a patch, part of whose grass the patch's own grass hides.
 struct LeafAreaLimit {
-    float share; ///< of its blades, see leafAreaShare(); lodFullShare: all
-    float height; ///< so many times as high they stand, see heightCompensation()
-    float light; ///< so much of the leaf area over them they are lit with, see leafAreaLight()
+    float share; ///< drawn share of its blades, see leafAreaShare(); lodFullShare: all
+    float height; ///< height compensation factor, see heightCompensation()
+    float light; ///< factor on the leaf area above the blades for lighting, see leafAreaLight()
 };
 
-/// Of all blades as they are.
+/// No limit: all blades, unchanged.
 SHARED_FN LeafAreaLimit noLeafAreaLimit()
 {
     LeafAreaLimit limit;
@@ -85,7 +85,7 @@ SHARED_FN LeafAreaLimit noLeafAreaLimit()
     return limit;
 }
 
-/// What is drawn of a patch where those behind are hidden.
+/// The leaf-area limit of a patch in a view.
 SHARED_FN LeafAreaLimit leafAreaLimitOf(Eyepoint view, Patch cell)
 {
     LeafAreaLimit limit = noLeafAreaLimit();
@@ -93,7 +93,7 @@ SHARED_FN LeafAreaLimit leafAreaLimitOf(Eyepoint view, Patch cell)
         return limit;
     const float nearest = max(boxDistance(view.eye, cell.boundsLow, cell.boundsHigh), 1e-6f);
     const float pixels = middleWidth(cell) * view.pixelsPerUnit / nearest;
-    // Most of what one sees is so near that neither density nor steepness could leave any out.
+    // Most visible patches are too near for a limit at any density or steepness.
     if (leafAreaShare(view.maxLeafArea, maxLeafArea, 0.0f, pixels) >= lodFullShare)
         return limit;
     const float leafArea = leafAreaAround(cell);
@@ -106,7 +106,7 @@ SHARED_FN LeafAreaLimit leafAreaLimitOf(Eyepoint view, Patch cell)
     return limit;
 }
 
-/// A blade as high as it stands where others are left out.
+/// A blade with height compensation.
 SHARED_FN Blade raised(Blade blade, float heightFactor)
 {
     Blade drawn = blade;
@@ -114,16 +114,16 @@ SHARED_FN Blade raised(Blade blade, float heightFactor)
     return drawn;
 }
 
-/// How large a blade is drawn.
+/// The drawn size of a blade.
 struct DrawnSize {
-    float widthFactor; ///< 0: not at all
+    float widthFactor; ///< 0: not drawn
     float pixels;      ///< height on the screen [pixels]
 };
 
-/// `limit`: leafAreaLimitOf() its patch, by which `blade` is raised().
+/// `limit`: leafAreaLimitOf() the patch; `blade` is raised() by it.
 SHARED_FN DrawnSize drawnSize(Eyepoint view, LeafAreaLimit limit, Blade blade, float rank, float distance)
 {
-    // Where blades are drawn wider, so many fewer of them are a layer.
+    // Widened blades reach a layer's area with fewer blades, in proportion.
     const float share = shareAt(view, distance);
     DrawnSize size;
     size.widthFactor =
@@ -132,25 +132,25 @@ SHARED_FN DrawnSize drawnSize(Eyepoint view, LeafAreaLimit limit, Blade blade, f
     return size;
 }
 
-/// So many pixels a blade covers that is seen from its broad side, `height` [pixels] high.
+/// Pixels that a blade of `height` [pixels] covers, seen from its broad side.
 SHARED_FN float pixelsCovered(Blade blade, float height, float widthFactor)
 {
     return height * height * widthFactor * blade.width / blade.height;
 }
 
-/// Progressive rank in [0, 1) of blade `i` of a patch among all blades around it.
+/// Progressive rank in [0, 1) of blade `i` of a patch among all surrounding blades.
 SHARED_FN float bladeRank(Patch cell, uint i)
 {
     return mix(cell.rankLow, cell.rankHigh, (float(i) + 0.5f) / float(cell.bladeCount));
 }
 
-/// By how much blades drawn wider and higher than they are may stand out of a node's bounds [m],
-/// none of them wider than `widest` [m].
+/// Maximum distance [m] that widened and raised blades reach beyond a node's bounds; `widest` [m]
+/// is the maximum width of its blades.
 SHARED_FN float patchMargin(Eyepoint view, Patch cell, float widest)
 {
     const vec3 farthest = max(abs(cell.boundsLow - view.eye), abs(cell.boundsHigh - view.eye));
     const float share = shareAt(view, length(farthest));
-    // No blade is higher than half its node's box, in which it may lie on any side of its root.
+    // A blade is at most half as high as its node's box, in which it may lie in any direction.
     const vec3 size = cell.boundsHigh - cell.boundsLow;
     const float highest = 0.5f * min(size.x, min(size.y, size.z));
     // lodWidthFactor() is at most 1/(0.95 share).
@@ -159,9 +159,9 @@ SHARED_FN float patchMargin(Eyepoint view, Patch cell, float widest)
            (view.maxLeafArea > 0.0f ? (maxHeightCompensation - 1.0f) * highest : 0.0f);
 }
 
-/// How many of the patch's blades, the first so many, level of detail may draw from this eyepoint:
-/// those behind them have no width wherever in its box they stand. All of them unless the eyepoint
-/// says that thinned blades are left alone.
+/// Number of the patch's blades, from the first, that level of detail may draw from this eyepoint:
+/// the blades after these have no width at any place in its box. All blades unless the eyepoint
+/// leaves thinned blades alone.
 SHARED_FN uint thickEnough(Eyepoint view, Patch cell)
 {
     if ((view.cullMask & leaveThinned) == 0u || view.lodThreshold <= 0.0f)
@@ -172,24 +172,24 @@ SHARED_FN uint thickEnough(Eyepoint view, Patch cell)
         return 0u;
     if (share >= cell.rankHigh)
         return cell.bladeCount;
-    // One more than bladeRank() says, for the rounding of both.
+    // One more than bladeRank() gives, for the rounding of both.
     const float count = float(cell.bladeCount);
     const float first = (share - cell.rankLow) / (cell.rankHigh - cell.rankLow) * count;
     return min(uint(ceil(first)) + 1u, cell.bladeCount);
 }
 
-/// Whether level of detail draws none of the blades below a node, the first of which has the rank
-/// `rankBelow`: they have no width wherever in its box they stand. Never unless the eyepoint says
-/// that thinned blades are left alone.
+/// Whether level of detail draws none of the blades below a node: they have no width at any place
+/// in its box. `rankBelow`: rank of the first of them. Always false unless the eyepoint leaves
+/// thinned blades alone.
 SHARED_FN bool thinnedBelow(Eyepoint view, Patch cell, float rankBelow)
 {
     return (view.cullMask & leaveThinned) != 0u && view.lodThreshold > 0.0f &&
            shareAt(view, boxDistance(view.eye, cell.boundsLow, cell.boundsHigh)) <= rankBelow;
 }
 
-/// Whether no blade of a node and of those below can be seen: its box, grown by half the width that
-/// the widest of them can be drawn with, lies outside a plane, or beyond the draw distance where
-/// that counts. `widest` is Subtree::widest. What is below a node that is culled would be, too.
+/// Whether all blades of a node and its subtree are invisible: its box, grown by half the maximum
+/// drawn width, lies outside a plane, or beyond the draw distance if that is tested. `widest` is
+/// Subtree::widest. Nodes below a culled node would be culled, too.
 SHARED_FN bool patchCulled(Eyepoint view, Patch cell, float widest)
 {
     if ((view.cullMask & cullPatch) == 0u)
@@ -207,8 +207,8 @@ SHARED_FN bool patchCulled(Eyepoint view, Patch cell, float widest)
            boxDistance(view.eye, cell.boundsLow, cell.boundsHigh) > view.drawDistance;
 }
 
-/// Whether a blade is seen so narrow that no sample is left to it wherever it is drawn, so that it
-/// may be left out of a picture without a trace; or beyond the cosine that somebody has set.
+/// Whether a blade is so narrow in the view that it keeps no sample wherever it is drawn, so that
+/// culling does not change the picture; or whether it exceeds the set cosine.
 SHARED_FN bool seenTooNarrow(Eyepoint view, Blade blade, uint index, vec3 axis, float distance,
                              float widthFactor)
 {
@@ -218,16 +218,16 @@ SHARED_FN bool seenTooNarrow(Eyepoint view, Blade blade, uint index, vec3 axis, 
     const float nearest = distance - blade.height;
     if (nearest <= 0.0f || view.minWidth <= 0.0f)
         return false;
-    // All of the blade is within its height of its root, so rays to it turn by no more than
+    // All points of the blade are within its height of its root, so rays to them turn by at most
     // asin(height/distance) ≤ π/2 · height/distance.
     const float sine = min(sqrt(1.0f - cosine * cosine) + 1.58f * blade.height / distance, 1.0f);
     const float widest = outlineMost * blade.width * widthFactor * sine;
     return keptSamples(widest / (view.minWidth * nearest), index, view.samples) == 0u;
 }
 
-/// The cull result of one blade of a patch that was not culled, in the order orientation, frustum,
-/// distance, level of detail. `limit`: leafAreaLimitOf() its patch, by which `blade` is raised(). `index`
-/// is its resident id.
+/// The cull result of one blade of a visible patch, in the order orientation, frustum, distance,
+/// level of detail. `limit`: leafAreaLimitOf() its patch; `blade` is raised() by it. `index` is its
+/// resident id.
 SHARED_FN Verdict cullBlade(Eyepoint view, LeafAreaLimit limit, Blade blade, uint index,
                              BladeState state, float rank)
 {

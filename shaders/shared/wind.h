@@ -1,5 +1,5 @@
-// The wind: sources of several kinds that add up to one vector for every place and time. Along
-// curved ground each blade feels what blows along its own ground plane. docs/algorithms/wind.md
+// The wind: the sum of several kinds of sources, one vector for each place and time. On curved
+// ground each blade feels the wind along its own ground plane. docs/algorithms/wind.md
 #ifndef SWARD_SHARED_WIND_H
 #define SWARD_SHARED_WIND_H
 
@@ -10,10 +10,11 @@
 
 SHARED_BEGIN
 
-/// Source `i` of a wind. A stage that has all of them as constants names them so before it includes
-/// this: then what they say takes no registers.
+/// Source `i` of a wind, and its lattice. A stage with constant sources defines both before it
+/// includes this file: then they take no registers.
 #ifndef WIND_SOURCE
 #define WIND_SOURCE(wind, i) wind.sources[i]
+#define WIND_LATTICE(wind) wind.lattice
 #endif
 
 SHARED_FN uint windCount(uint counts, uint kind)
@@ -21,8 +22,8 @@ SHARED_FN uint windCount(uint counts, uint kind)
     return (counts >> (4u * kind)) & 15u;
 }
 
-/// A source with what follows from the rest of it: a unit vector across its direction, level but
-/// for a wind that blows straight up or down, and 1/size.
+/// A source with its derived fields: a unit vector across its direction, level except for a
+/// vertical wind, and 1/size.
 SHARED_FN WindSource preparedSource(WindSource source)
 {
     WindSource prepared = source;
@@ -33,8 +34,8 @@ SHARED_FN WindSource preparedSource(WindSource source)
     return prepared;
 }
 
-/// Whether sources of two kinds that only differ in their amounts are felt alike: of their sum a
-/// blade feels as much as of each of them together. See windsAlike.
+/// Whether two sources differ only in their amounts, so that a blade's reaction to their sum equals
+/// the sum of the reactions. See windsAlike.
 SHARED_FN bool blowsLike(WindSource a, WindSource b)
 {
     const bool hasAmounts = (a.kind == windNoise || a.kind == windWave || a.kind == windGusts) &&
@@ -43,8 +44,8 @@ SHARED_FN bool blowsLike(WindSource a, WindSource b)
            a.lift == b.lift;
 }
 
-/// Height of the travelling wave at a place, in [0, 1]: three sines of unlike direction and length,
-/// as in the directional wave of Jahrmann & Wimmer's demo, laid along the wind instead of the x
+/// Height of the travelling wave at a place, in [0, 1]: three sines of different direction and
+/// length, as in the directional wave of Jahrmann & Wimmer's demo, along the wind instead of the x
 /// axis.
 SHARED_FN float windWaveAt(WindSource source, vec3 position, float time)
 {
@@ -56,13 +57,21 @@ SHARED_FN float windWaveAt(WindSource source, vec3 position, float time)
     return 1.0f - max(sum / 3.0f, 0.0f);
 }
 
-/// Amount in [0, 2] of the noise that the wind carries along. Level ground cuts a plane out of the
+/// A vector along the world's axes: noise is the same for fields that are turned differently.
+SHARED_FN vec3 inLattice(Wind wind, vec3 v)
+{
+    return vec3(dot(WIND_LATTICE(wind).x, v), dot(WIND_LATTICE(wind).y, v),
+                dot(WIND_LATTICE(wind).z, v));
+}
+
+/// Amount in [0, 2] of the noise that moves with the wind. Level ground cuts a plane out of the
 /// lattice: there it is noise in two dimensions, with a grain of `size` along the wind and twice
 /// that across. The position is stretched by half across.
-SHARED_FN float windNoiseAt(WindSource source, vec3 position, float time)
+SHARED_FN float windNoiseAt(Wind wind, WindSource source, vec3 position, float time)
 {
     const float along = dot(position, source.direction) - 2.0f * source.speed * time;
-    const vec3 stretched = (0.5f * source.perSize) * (position + source.direction * along);
+    const vec3 stretched =
+        inLattice(wind, (0.5f * source.perSize) * (position + source.direction * along));
     const float gust =
         0.65f * valueNoise(stretched) + 0.35f * valueNoise(2.7f * stretched + vec3(17.3f));
     return 2.0f * gust * gust;
@@ -71,21 +80,21 @@ SHARED_FN float windNoiseAt(WindSource source, vec3 position, float time)
 /// Share of a front's spacing over which it rises.
 SHARED_CONST float gustRise = 0.12f;
 
-/// Amount in [0, 1] of the gust fronts: front after front, each bent by noise, of its own strength
-/// along its length, 0 between one and the next.
-SHARED_FN float windGustAt(WindSource source, vec3 position, float time)
+/// Amount in [0, 1] of the gust fronts: successive fronts, each bent by noise, with varying
+/// strength along its length, 0 between two fronts.
+SHARED_FN float windGustAt(Wind wind, WindSource source, vec3 position, float time)
 {
     const float along = dot(position, source.direction);
-    const vec3 across = source.perSize * (position - source.direction * along);
+    const vec3 across = inLattice(wind, source.perSize * (position - source.direction * along));
     const float bend = 0.8f * (valueNoise(0.7f * across + vec3(5.1f)) - 0.5f);
-    // Behind a front the phase grows: what is felt rises first, and then dies away.
+    // Behind a front the phase grows: the wind rises first, and then decays.
     const float phase = (source.speed * time - along) * source.perSize + bend;
     const float front = floor(phase);
     const float s = phase - front;
     const float rise = clamp(s / gustRise, 0.0f, 1.0f);
     const float fall = clamp((1.0f - s) / (1.0f - gustRise), 0.0f, 1.0f);
     const float profile = rise * rise * (3.0f - 2.0f * rise) * fall * fall;
-    // Each front has a row of its own in the lattice.
+    // Each front has its own row in the lattice.
     const float own = valueNoise(across + vec3(0.0f, 0.0f, 7.0f * front));
     return profile * clamp(2.0f * own - 0.2f, 0.0f, 1.0f);
 }
@@ -97,8 +106,8 @@ SHARED_FN vec3 parabolicSine(vec3 x)
     return -4.0f * f * (vec3(1.0f) - abs(f));
 }
 
-/// Eddies, of length around 1 in any plane: a flow of the Arnold–Beltrami–Childress kind, free of
-/// divergence, that drifts by.
+/// Eddies, of length around 1 in any plane: a divergence-free, drifting flow of the
+/// Arnold–Beltrami–Childress kind.
 SHARED_FN vec3 windEddies(float size, float speed, vec3 position, float time)
 {
     const vec3 q = (position + vec3(0.48f, 0.57f, 0.67f) * (speed * time)) / size;
@@ -108,12 +117,12 @@ SHARED_FN vec3 windEddies(float size, float speed, vec3 position, float time)
 }
 
 /// Radial and swirling sources at `arm` [m] from their centre, over ground with unit `up`, per
-/// strength. The demo's numbers are kept, with its 75 and 30 length units as `size`. Near the
-/// centre the direction fades out, so that no place has none.
+/// strength. Uses the demo's numbers, with its 75 and 30 length units as `size`. Near the centre
+/// the direction fades out, so that it is defined everywhere.
 SHARED_FN vec3 windAround(WindSource source, vec3 arm, vec3 up, float time, bool isSwirl)
 {
     const float distance = length(arm);
-    // A hundredth of the size around the centre is still.
+    // Calm within a hundredth of the size around the centre.
     const vec3 away = arm / (distance + 0.01f * source.size);
     const float extent = isSwirl ? 30.0f : 75.0f;
     const float unit = extent / source.size;
@@ -126,22 +135,22 @@ SHARED_FN vec3 windAround(WindSource source, vec3 arm, vec3 up, float time, bool
     return (away + 1.5f * (1.0f - fade * fade) * cross(up, away)) * (fade * ring * ring * ring);
 }
 
-/// The amount of a wind with a direction, per strength, over ground with unit `up`. What would blow
-/// into the ground or out of it is turned aside into `eddies`, so that no place of a ball is always
-/// calm, and nothing is divided by what is left along the ground.
+/// A wind's amount times direction, per strength, over ground with unit `up`. The component into or
+/// out of the ground is turned into `eddies`: so no place of a sphere is always calm, and there is
+/// no division by the remaining component.
 SHARED_FN vec3 windAlong(Wind wind, WindSource source, vec3 direction, float amount, vec3 position,
                          vec3 up, float time)
 {
     const float head = (1.0f - source.lift) * abs(dot(source.direction, up));
     vec3 flow = direction;
-    if (head > 0.0f) // as nowhere on level ground
+    if (head > 0.0f) // 0 on level ground
         flow += head * windEddies(wind.eddySize, wind.eddySpeed, position, time);
     return amount * flow;
 }
 
-/// What a blade whose tip is seen in `direction`, unit and along its axes, feels of `flow`: along
-/// the ground alone, but for `lift`; and less where the blade lies along it (Jahrmann & Wimmer,
-/// section 5.1). One without a direction feels all. Along the blade's axes.
+/// The effect of `flow` on a blade whose tip lies in unit `direction`, along its axes. Along the
+/// ground only, except for `lift`; reduced if the blade lies along the wind (Jahrmann & Wimmer,
+/// section 5.1). No reduction for a zero direction. The result is along the blade's axes.
 SHARED_FN vec3 windFelt(WindSource source, vec3 flow, BladeAxes axes, vec3 direction)
 {
     vec3 wind = alongAxes(axes, flow);
@@ -151,14 +160,14 @@ SHARED_FN vec3 windFelt(WindSource source, vec3 flow, BladeAxes axes, vec3 direc
     return (1.0f - source.alignment * along) * wind;
 }
 
-/// Sum of the amounts, times strength, of sources that blow alike.
+/// Sum of amount times strength over sources that blow alike.
 SHARED_FN float windAmount(Wind wind, vec3 position, float time)
 {
     float sum = 0.0f;
     uint next = 0u;
     for (uint i = windCount(wind.counts, windNoise); i > 0u; --i) {
         const WindSource source = WIND_SOURCE(wind, next++);
-        sum += source.strength * windNoiseAt(source, position, time);
+        sum += source.strength * windNoiseAt(wind, source, position, time);
     }
     for (uint i = windCount(wind.counts, windWave); i > 0u; --i) {
         const WindSource source = WIND_SOURCE(wind, next++);
@@ -167,13 +176,13 @@ SHARED_FN float windAmount(Wind wind, vec3 position, float time)
     }
     for (uint i = windCount(wind.counts, windGusts); i > 0u; --i) {
         const WindSource source = WIND_SOURCE(wind, next++);
-        sum += source.strength * windGustAt(source, position, time);
+        sum += source.strength * windGustAt(wind, source, position, time);
     }
     return sum;
 }
 
-/// What a blade feels of sources that blow alike with `amount`, see windAmount(), in whose sum it
-/// is linear.
+/// The effect on a blade of sources that blow alike with `amount`, see windAmount(); linear in
+/// `amount`.
 SHARED_FN vec3 windOfAmount(Wind wind, float amount, vec3 position, BladeAxes axes, vec3 direction,
                             float time)
 {
@@ -184,9 +193,11 @@ SHARED_FN vec3 windOfAmount(Wind wind, float amount, vec3 position, BladeAxes ax
                     direction);
 }
 
-/// Sum over all sources of what a blade feels at `position`; see windFelt().
-SHARED_FN vec3 windAlongAxes(Wind wind, vec3 position, BladeAxes axes, vec3 direction, float time)
+/// Sum over all sources of the effect on a blade at `root` [m], relative to the field's origin;
+/// see windFelt(). Below, `position` is a place of the lattice, see WindLattice.
+SHARED_FN vec3 windAlongAxes(Wind wind, vec3 root, BladeAxes axes, vec3 direction, float time)
 {
+    const vec3 position = root + WIND_LATTICE(wind).origin;
     if ((wind.counts & windsAlike) != 0u)
         return windOfAmount(wind, windAmount(wind, position, time), position, axes, direction,
                             time);
@@ -194,7 +205,7 @@ SHARED_FN vec3 windAlongAxes(Wind wind, vec3 position, BladeAxes axes, vec3 dire
     uint next = 0u;
     for (uint i = windCount(wind.counts, windNoise); i > 0u; --i) {
         const WindSource source = WIND_SOURCE(wind, next++);
-        const float amount = source.strength * windNoiseAt(source, position, time);
+        const float amount = source.strength * windNoiseAt(wind, source, position, time);
         sum += windFelt(source,
                         windAlong(wind, source, source.direction, amount, position, axes.up, time),
                         axes, direction);
@@ -222,19 +233,18 @@ SHARED_FN vec3 windAlongAxes(Wind wind, vec3 position, BladeAxes axes, vec3 dire
         const WindSource source = WIND_SOURCE(wind, next++);
         sum += windFelt(source,
                         source.strength *
-                            windAround(source, position - source.centre, axes.up, time, false),
+                            windAround(source, root - source.centre, axes.up, time, false),
                         axes, direction);
     }
     for (uint i = windCount(wind.counts, windSwirl); i > 0u; --i) {
         const WindSource source = WIND_SOURCE(wind, next++);
-        sum += windFelt(source,
-                        source.strength *
-                            windAround(source, position - source.centre, axes.up, time, true),
-                        axes, direction);
+        sum += windFelt(
+            source, source.strength * windAround(source, root - source.centre, axes.up, time, true),
+            axes, direction);
     }
     for (uint i = windCount(wind.counts, windGusts); i > 0u; --i) {
         const WindSource source = WIND_SOURCE(wind, next++);
-        const float amount = source.strength * windGustAt(source, position, time);
+        const float amount = source.strength * windGustAt(wind, source, position, time);
         sum += windFelt(source,
                         windAlong(wind, source, source.direction, amount, position, axes.up, time),
                         axes, direction);
@@ -250,7 +260,7 @@ SHARED_FN vec3 windAt(Wind wind, vec3 position, vec3 up, float time)
     return inSpace(axes, windAlongAxes(wind, position, axes, vec3(0.0f), time));
 }
 
-/// What of the wind pulls at a blade with its tip at `tip` heights from the root: less the more the
+/// The wind's force on a blade with its tip at `tip` heights from the root: the force falls as the
 /// blade lies down.
 SHARED_FN vec3 windForce(Wind wind, vec3 root, vec3 up, vec3 tip, float time)
 {

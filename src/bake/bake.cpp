@@ -1,13 +1,16 @@
 #include "bake/bake.h"
 
-#include "bake/bake_steps.h"
-#include "bake/patch_tree.h"
+#include "bake/field_header.h"
+#include "bake/patches/patch_tree.h"
 #include "bake/plan.h"
-#include "bake/surface_sampler.h"
+#include "bake/report_totals.h"
+#include "bake/sample/surface_sampler.h"
+#include "bake/threads.h"
 #include "bake/warnings.h"
+#include "bake/whole_plan.h"
 #include "core/stopwatch.h"
 #include "field/write.h"
-#include "terrain/surface_query.h"
+#include "terrain/query/surface_query.h"
 
 #include <tbb/parallel_invoke.h>
 
@@ -19,8 +22,8 @@
 namespace sward::bake {
 namespace {
 
-// Blades that are baked at once, at about 130 bytes each: what bounds the memory of a large bake.
-// Tiles sample their surroundings again, so a little more than that goes into one.
+// Blades per tile, at about 130 bytes each. Bounds the memory of a large bake. A tile also samples
+// its surroundings, so the actual number is slightly larger.
 constexpr double bladesPerTile = 8e6;
 constexpr double maxBladesInOne = 12e6;
 
@@ -66,7 +69,7 @@ BakeResult bakeField(const terrain::GroundMesh& ground, const BakeSettings& sett
     withThreads(threadCount(threads), [&] {
         report = reportOf(ground, settings, threadCount(threads));
         Stopwatch watch;
-        // Connections are found by one thread while the others make the tree of rays.
+        // One thread finds the connections while the others build the ray tree.
         terrain::SurfaceFeatures features;
         std::optional<terrain::SurfaceQuery> rays;
         tbb::parallel_invoke(
@@ -87,7 +90,7 @@ BakeResult bakeField(const terrain::GroundMesh& ground, const BakeSettings& sett
         report.timing.sample = watch.lap();
         Totals totals;
         if (plan.plan.expected > maxBladesInOne) {
-            // Each tile has a tree of its own, and the memory.
+            // Each tile builds its own ray tree; free the memory of this one.
             whole.rays = nullptr;
             rays.reset();
         }
@@ -111,7 +114,7 @@ Report estimateBake(const terrain::GroundMesh& ground, const BakeSettings& setti
     constexpr double sampleSize = 400'000.0;
     withThreads(threadCount(threads), [&] {
         report = reportOf(ground, settings, threadCount(threads));
-        // Bake a thin field by the same steps …
+        // Bake a sparse field by the same steps …
         const double area = bearingArea(ground, settings.sides);
         const Plan full = planBake(area, extentOf(ground), settings, diagnostics);
         report.bladeScale = full.scale;
@@ -128,7 +131,7 @@ Report estimateBake(const terrain::GroundMesh& ground, const BakeSettings& setti
         const BakePlan plan = planWhole(whole, thin, diagnostics, progress);
         TileResult tile = bakeTile(whole, thin, plan, nullptr, progress);
 
-        // … and scale what grew: to the density asked for, or to the count.
+        // … and scale its counts to the requested density or count.
         const double share = std::max(double(tile.counts.kept), 1.0);
         const double factor = settings.count
                                   ? (tile.counts.kept == 0 ? 0.0 : double(*settings.count) / share)

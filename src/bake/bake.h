@@ -11,22 +11,22 @@
 
 namespace sward::bake {
 
-/// What grew, and how.
+/// Result of a bake.
 struct BakeResult {
-    field::Field field; ///< what grew
-    Report report; ///< input.path, output, load and write times and peak memory are the caller's to
-                   ///< fill
+    field::Field field; ///< the baked field
+    Report report; ///< the caller fills input.path, output, load and write times and
+                   ///< peak memory
 };
 
-/// Grows a field on `ground`. `threads` 0: as many as the machine has; the result is the same bytes
-/// for any number. Throws Error{usage} for settings out of range, Error{input} when more than
-/// maxBlades would grow, Error{interrupted} when cancelled. No root kept is a warning, not an
-/// error.
+/// Grows a field on `ground`. `threads` 0: all threads of the machine. The result has the same
+/// bytes for any number of threads. Throws Error{usage} for settings out of range, Error{input}
+/// when more than maxBlades would grow, Error{interrupted} when cancelled. Warns when no root is
+/// kept.
 BakeResult bakeField(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads,
                      Diagnostics& diagnostics, Progress& progress);
 
-/// What bakeField() would report, from a sample of at most 400 000 candidates: counts and bytes
-/// within 5 %.
+/// Estimates the report of bakeField() from at most 400 000 candidates. Counts and bytes are within
+/// 5 %.
 Report estimateBake(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads,
                     Diagnostics& diagnostics, Progress& progress);
 

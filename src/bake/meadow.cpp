@@ -62,7 +62,7 @@ void readMasks(SettingsReader& reader, const char* key, std::vector<Mask>& masks
     }
 }
 
-// The shortest decimal that reads back as the same float: 0.45, not 0.44999998807907104.
+// Shortest decimal that reads back as the same float: 0.45, not 0.44999998807907104.
 double shortest(float value)
 {
     return std::stod(fmt::format("{}", value));
@@ -150,7 +150,7 @@ Meadow parseMeadow(std::string_view text, const std::string& place)
 
 Meadow loadMeadow(const std::string& fileOrName)
 {
-    // A file of that name wins over a built-in.
+    // An existing file has precedence over a built-in meadow of the same name.
     std::error_code ignored;
     if (std::filesystem::is_regular_file(fileOrName, ignored)) {
         const std::vector<std::byte> bytes = readFile(fileOrName, std::size_t(1) << 24);

@@ -1,7 +1,7 @@
 #include "bake/plan.h"
 
-#include "bake/clumps.h"
-#include "bake/poisson_region.h"
+#include "bake/blades/clumps.h"
+#include "bake/sample/poisson_region.h"
 #include "bake/tile_region.h"
 #include "core/error.h"
 
@@ -16,10 +16,10 @@ constexpr double clampedBlades = 20e6;
 constexpr double fullScaleWidth = 20.0; // [m]
 constexpr double smallestScale = 1e-6;
 
-// Places in a patch have 16 bits on each axis.
+// Positions in a patch have 16 bits on each axis.
 constexpr double stepsPerPatch = 65535.0;
 
-// Bytes of one blade in the file: 16 packed, about 4 of key, a share of its patch.
+// Bytes of one blade in the file: 16 packed, about 4 for its key, plus its share of the patch.
 constexpr double bytesPerBlade = 21.0;
 
 } // namespace
@@ -40,7 +40,7 @@ Plan planBake(double area, double extent, const BakeSettings& settings, Diagnost
     if (settings.count) {
         plan.expected = double(*settings.count);
     } else if (settings.spacing) {
-        // Both roots of a pair may be moved by half a step along each axis.
+        // Quantisation may move both roots of a pair by half a step along each axis.
         plan.spacing =
             *settings.spacing + std::sqrt(3.0) * std::min(extent, widestPatch) / stepsPerPatch;
         plan.density = yield / (plan.spacing * plan.spacing);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bake/soft_range.h"
+#include "bake/filter/soft_range.h"
 
 #include <glm/vec3.hpp>
 
@@ -11,7 +11,7 @@
 
 namespace sward::bake {
 
-/// Why a proposed root was not kept. The order is the order of the tests, cheap before dear.
+/// Reason why a root was rejected. In the order of the tests, cheap tests first.
 enum class Reject {
     spacing,
     mask,
@@ -31,59 +31,59 @@ inline constexpr std::size_t rejectCount = 12;
 /// Key of a reason in the report.
 const char* nameOf(Reject reason);
 
-/// How many roots there were, and what became of them.
+/// Number of roots, kept and rejected.
 struct RootCounts {
-    std::uint64_t kept = 0;                            ///< roots of the field
-    std::uint64_t undersides = 0;                      ///< kept roots that look away from ground-up
+    std::uint64_t kept = 0;                            ///< roots in the field
+    std::uint64_t undersides = 0;                      ///< kept roots that face away from ground-up
     std::uint64_t proposed = 0;                        ///< roots before any filter
     std::array<std::uint64_t, rejectCount> rejected{}; ///< by Reject
 };
 
-/// What a bake did: the answer to "why is there no grass here".
+/// Statistics of a bake; explain where no grass grows.
 struct Report {
-    /// The ground.
+    /// The input ground.
     struct Input {
         std::string path;            ///< file or name
         std::uint64_t triangles = 0; ///< of all materials
-        double area = 0.0;           ///< [m²] of triangles that may bear grass, one side
+        double area = 0.0;           ///< [m²] of bearing triangles, one side
         glm::dvec3 low{0.0};         ///< corner of the world bounds [m]
-        glm::dvec3 high{0.0};        ///< and the other
-        SoftRange altitudes;    ///< [m] of triangles that may bear grass; unbounded if none asked
+        glm::dvec3 high{0.0};        ///< opposite corner [m]
+        SoftRange altitudes;    ///< [m] of bearing triangles; unbounded unless requested
         std::string hash;       ///< of the content, as hexadecimal digits
-    } input;                    ///< what grass was to grow on
-    std::uint64_t seed = 0;     ///< as it was asked for
-    int threads = 0;            ///< that took part
-    double bladeScale = 1.0;    ///< as it was chosen
+    } input;                    ///< the input ground
+    std::uint64_t seed = 0;     ///< as requested
+    int threads = 0;            ///< threads used
+    double bladeScale = 1.0;    ///< as chosen
     std::uint64_t proposed = 0; ///< roots before any filter
-    std::uint64_t kept = 0;     ///< roots of the field
+    std::uint64_t kept = 0;     ///< roots in the field
     std::array<std::uint64_t, rejectCount> rejected{}; ///< by Reject
-    double spacingRequested = 0.0;                     ///< [m]; 0 if none was
-    double spacingMinimum = 0.0;   ///< [m] of two roots of one sheet, as they are in the field
-    double relativeRadius = 0.0;   ///< minimum over that of a hexagonal packing of as many roots
+    double spacingRequested = 0.0;                     ///< [m]; 0: none requested
+    double spacingMinimum = 0.0;   ///< [m] between roots of one sheet, as stored
+    double relativeRadius = 0.0;   ///< minimum / spacing of a hexagonal packing
     double densityRequested = 0.0; ///< [1/m²]
     double densityReached = 0.0;   ///< [1/m²] kept roots per area
     /// Wall-clock seconds of each stage.
     struct Timing {
         double load = 0;          ///< of the input
-        double topology = 0;      ///< which triangles meet
-        double rays = 0;          ///< the tree for rays
+        double topology = 0;      ///< triangle connections
+        double rays = 0;          ///< ray tree
         double sample = 0;        ///< roots and filters
         double traits = 0;        ///< of blades
-        double patches = 0;       ///< and their order
+        double patches = 0;       ///< patches and blade order
         double write = 0;         ///< of the file
-        double total = 0;         ///< and what lies between
+        double total = 0;         ///< including everything between the stages
     } timing;                     ///< [s]
     std::uint64_t peakMemory = 0; ///< [bytes]
-    /// The file.
+    /// The output file.
     struct Output {
-        std::string path;              ///< as it was asked for
+        std::string path;              ///< as requested
         std::uint64_t bytes = 0;       ///< of the file
         std::uint64_t patches = 0;     ///< of its tree
-    } output;                          ///< what was written
-    std::vector<std::string> warnings; ///< for people, in the order of the work
+    } output;                          ///< the written file
+    std::vector<std::string> warnings; ///< readable text, in order of occurrence
 };
 
-/// The report as the JSON of the programs' contract.
+/// The report as JSON, the format that the programs print.
 std::string toJson(const Report& report);
 
 } // namespace sward::bake

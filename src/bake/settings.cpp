@@ -55,7 +55,7 @@ void requireRange(const char* name, double value, double low, double high)
         fail(ErrorKind::usage, "{} is {}, outside [{}, {}]", name, value, low, high);
 }
 
-// A file by what it says, not by where it lies.
+// Replaces a mask's file name by the hash of its content.
 Mask byContent(Mask mask)
 {
     if (mask.image != nullptr)

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "bake/excluded_area.h"
-#include "bake/mask.h"
+#include "bake/filter/excluded_area.h"
+#include "bake/filter/mask.h"
+#include "bake/filter/soft_range.h"
 #include "bake/meadow.h"
-#include "bake/soft_range.h"
 
 #include <glm/vec3.hpp>
 
@@ -14,66 +14,66 @@
 
 namespace sward::bake {
 
-/// Which side of a triangle bears grass. The front is where its corners turn anti-clockwise.
+/// Which side of a triangle bears grass. Corners turn anti-clockwise seen from the front.
 enum class Sides { front, back, both };
 
-/// How roots are spread: independently but for stratification; or as Poisson disks, no two nearer
-/// than a spacing; or as Poisson disks packed as densely as chance allows.
+/// Distribution of roots: independent and stratified; Poisson disks with a minimum spacing; or
+/// Poisson disks packed as densely as dart throwing allows.
 enum class Spread { uniform, poisson, poissonDense };
 
-/// Where blades grow to: 0 along the surface's normal, 1 against gravity (ground-up), or between.
+/// Growth direction: 0 along the surface normal, 1 against gravity (ground-up), or between.
 struct Alignment {
     double vertical = 0.0; ///< [0, 1]
 };
 
-/// What slope is measured from, and what gravity pulls against.
+/// Direction against gravity; slope is measured from it.
 struct GroundUp {
     glm::dvec3 direction{0.0, 1.0, 0.0}; ///< unit; used unless radial
-    bool radial = false;                 ///< away from `centre`
+    bool radial = false;                 ///< up points away from `centre`
     glm::dvec3 centre{0.0};              ///< world [m]
 
-    /// Unit up at a place in world space.
+    /// Unit up vector at a world position.
     glm::dvec3 at(glm::dvec3 place) const;
 
-    /// Height of a place [m]: along ground-up, or from the centre.
+    /// Height of a position [m]: along ground-up, or from the centre.
     double altitude(glm::dvec3 place) const;
 };
 
-/// Everything that decides where blades grow and how they look.
+/// All settings that determine where blades grow and how they look.
 struct BakeSettings {
     std::optional<double>
-        density; ///< [1/m²]; neither density nor count: 300, fewer if over 20 million
+        density; ///< [1/m²]; without density and count: 300, fewer if over 20 million
     std::optional<std::uint64_t> count; ///< blades kept, exactly
-    std::optional<double> spacing;   ///< [m] between roots, if Poisson disks; decides the density
-    Spread spread = Spread::uniform; ///< how roots lie to one another
-    std::uint64_t maxBlades = 200'000'000; ///< more are refused before sampling
-    std::optional<double> bladeScale;      ///< size of blades; none: smaller on small ground
-    std::uint64_t seed = 0;                ///< another one, another meadow
+    std::optional<double> spacing;   ///< [m] between roots of Poisson disks; sets the density
+    Spread spread = Spread::uniform; ///< distribution of roots
+    std::uint64_t maxBlades = 200'000'000; ///< larger bakes fail before sampling
+    std::optional<double> bladeScale;      ///< none: automatic, smaller on small ground
+    std::uint64_t seed = 0;                ///< seed of all random numbers
 
-    Sides sides = Sides::front; ///< of triangles, that bear grass
-    Alignment align;            ///< of blades, between normal and vertical
-    GroundUp groundUp;          ///< what slope and altitude refer to
+    Sides sides = Sides::front; ///< triangle sides that bear grass
+    Alignment align;            ///< growth between normal and vertical
+    GroundUp groundUp;          ///< reference of slope and altitude
 
-    // Where it grows, whatever the species; each species has a Habitat of its own besides.
+    // Filters for all species; each species also has its own Habitat.
     SoftRange slope{0.0, 180.0, 0.0};   ///< [degrees] from ground-up
     SoftRange altitude;                 ///< [m] along ground-up (from the centre, if radial)
     SoftRange curvature;                ///< [1/m] mean curvature, convex is positive
     SoftRange border;                   ///< [m] from the nearest border of the ground
-    SoftRange water;                    ///< [m] as altitude: above the level of water
-    SoftRange sky{0.0, 1.0, 0.0};       ///< share of the sky that a root sees
-    double minIsland = 0.0;             ///< [m²] smaller connected pieces bear nothing
-    double clearance = 0.0;             ///< [m] free height that a root needs; 0: not asked
+    SoftRange water;                    ///< [m] altitude above the water level
+    SoftRange sky{0.0, 1.0, 0.0};       ///< share of the sky visible from a root
+    double minIsland = 0.0;             ///< [m²] smaller connected pieces stay bare
+    double clearance = 0.0;             ///< [m] free height that a root needs; 0: not tested
     int exposureRays = 8;               ///< rays to the sky; 0: all roots are fully exposed
-    double rayLength = 8.0;             ///< [m] how far those rays look, at blade scale 1
+    double rayLength = 8.0;             ///< [m] length of those rays, at blade scale 1
     std::vector<Mask> masks;            ///< multiplied
-    std::vector<ExcludedArea> excluded; ///< with their meshes
-    Meadow meadow;                      ///< what is sown
+    std::vector<ExcludedArea> excluded; ///< areas without grass, with their meshes
+    Meadow meadow;                      ///< the species
 };
 
 /// Throws Error{usage} naming the setting, its value and its bounds.
 void validate(const BakeSettings& settings);
 
-/// What of the settings changes roots or blades, as JSON for the field's provenance.
+/// The settings that affect roots or blades, as JSON for the field's provenance.
 std::string toJson(const BakeSettings& settings);
 
 /// "normal", "vertical", "blend:0.3". Throws Error{usage}.
@@ -88,10 +88,10 @@ Spread parseSpread(const std::string& text);
 /// "front", "back", "both". Throws Error{usage}.
 Sides parseSides(const std::string& text);
 
-/// Reads the images of all masks, the species' too. Throws Error{io, input}.
+/// Reads the images of all masks, including the species' masks. Throws Error{io, input}.
 void loadMaskImages(BakeSettings& settings);
 
-/// Whether vertex colours are masks and not for show.
+/// Whether vertex colours are used as masks instead of for display.
 bool masksByVertexColor(const BakeSettings& settings);
 
 } // namespace sward::bake

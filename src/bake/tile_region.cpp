@@ -1,4 +1,5 @@
 #include "bake/tile_region.h"
+
 #include "core/error.h"
 #include "core/floor.h"
 #include "core/random.h"
@@ -15,8 +16,8 @@ namespace {
 
 constexpr std::size_t maxCells = 50'000'000;
 
-// Place of a cell along a Z-order curve that begins at the lowest cell: from zero on, ground that
-// crosses height 0 would be dealt as two sheets over one another.
+// Index of a cell along a Z-order curve that begins at the lowest cell. If it began at zero, ground
+// that crosses height 0 would be split into two layers.
 std::uint64_t curveOf(const CellNumber& cell, const CellNumber& lowest)
 {
     std::uint64_t code = 0;
@@ -60,7 +61,7 @@ double sizeOf(const Range& range)
     return cells;
 }
 
-// The vertices that triangles name, each once, in the order in which they do.
+// The vertices of the triangles, each once, in order of first use.
 std::vector<std::uint32_t> verticesOf(const terrain::GroundMesh& ground,
                                       const std::vector<std::uint32_t>& triangles)
 {
@@ -143,7 +144,7 @@ std::vector<std::vector<CellNumber>> dealTiles(const terrain::GroundMesh& ground
     for (const Cell& cell : sorted)
         total += cell.area;
 
-    // A run of the curve for each tile.
+    // Assign each tile one interval of the curve.
     std::vector<std::vector<CellNumber>> tiles(count);
     double before = 0.0;
     for (const Cell& cell : sorted) {
@@ -169,7 +170,7 @@ trianglesNear(const terrain::GroundMesh& ground, const std::vector<std::vector<C
         found.clear();
         const Range range = cellsOf(ground, t, margin);
         if (sizeOf(range) > 1e5) {
-            // Wider than it is worth to look at.
+            // Too many cells to visit: test the tiles instead.
             for (std::uint32_t i = 0; i < tiles.size(); ++i)
                 found.push_back(i);
         } else {
@@ -198,7 +199,7 @@ terrain::GroundMesh partOf(const terrain::GroundMesh& ground,
     part.hasColors = ground.hasColors;
     part.hasNormals = ground.hasNormals;
 
-    // Vertices in the order in which the triangles name them.
+    // Number the vertices in order of first use.
     std::unordered_map<std::uint32_t, std::uint32_t> vertexOf;
     for (const std::uint32_t v : verticesOf(ground, triangles)) {
         vertexOf[v] = static_cast<std::uint32_t>(part.positions.size());

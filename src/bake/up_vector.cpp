@@ -15,7 +15,7 @@ glm::dvec3 upVector(glm::dvec3 normal, glm::dvec3 groundUp, const Alignment& ali
 
 glm::dvec3 surfaceTangent(glm::dvec3 up, glm::dvec3 p0, glm::dvec3 p1, glm::dvec3 p2)
 {
-    // Of two edges, the one that lies better in the plane.
+    // Use the edge with the longer projection into the plane.
     const auto project = [&](glm::dvec3 edge) { return edge - up * glm::dot(up, edge); };
     const glm::dvec3 first = project(p1 - p0);
     const glm::dvec3 second = project(p2 - p0);
@@ -25,7 +25,7 @@ glm::dvec3 surfaceTangent(glm::dvec3 up, glm::dvec3 p0, glm::dvec3 p1, glm::dvec
     const double squared = useFirst ? firstSquared : secondSquared;
     if (squared > 0.0)
         return (useFirst ? first : second) / std::sqrt(squared);
-    // No edge at all: any direction will do.
+    // Both projections vanish: use an arbitrary direction.
     const glm::dvec3 any = std::abs(up.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 tangent = any - up * glm::dot(up, any);
     return tangent / std::sqrt(glm::dot(tangent, tangent));

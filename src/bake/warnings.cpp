@@ -9,12 +9,12 @@
 namespace sward::bake {
 namespace {
 
-// Shares of roots from which a warning is given.
+// Shares of roots above which a warning is given.
 constexpr double someUndersides = 0.01;
 constexpr double maxUndersides = 0.75;
 constexpr double hardlyAny = 0.01;
 
-// The option that rejects for a reason.
+// The option that causes a rejection.
 const char* optionOf(Reject reason)
 {
     static constexpr std::array<const char*, rejectCount> options{
@@ -30,7 +30,7 @@ std::uint64_t rejectedBy(const RootCounts& counts, Reject reason)
     return counts.rejected[static_cast<std::size_t>(reason)];
 }
 
-// "slope 120 (--slope), mask 30 (--mask)", most first; without spacing, which no filter decides.
+// "slope 120 (--slope), mask 30 (--mask)", largest first, without spacing, which no filter tests.
 std::string reasonsOf(const RootCounts& counts)
 {
     std::vector<Reject> reasons;
@@ -73,7 +73,7 @@ void warnAboutUndersides(const RootCounts& counts, Diagnostics& diagnostics)
             100.0 * share);
 }
 
-// An option without effect: its mask, border or mesh is not where its author expects it.
+// Warns of an option that rejects nothing; its mask, border or mesh is probably misplaced.
 void warnAboutIdle(const RootCounts& counts, const Report::Input& ground,
                    const BakeSettings& settings, Diagnostics& diagnostics)
 {

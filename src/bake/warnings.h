@@ -6,9 +6,8 @@
 
 namespace sward::bake {
 
-/// Warns of what users take for a defect, each with the option that mends it: no root kept, or next
-/// to none; roots on undersides; a border, a mask or an excluded area (whose mesh is there) that
-/// rejects nothing.
+/// Warns of likely mistakes and names the option that fixes each: no or almost no root kept; roots
+/// on undersides; a border, a mask or an excluded area (with a loaded mesh) that rejects nothing.
 void warnAboutRoots(const RootCounts& counts, const Report::Input& ground,
                     const BakeSettings& settings, Diagnostics& diagnostics);
 

@@ -92,7 +92,7 @@ void AtomicFile::flush()
 void AtomicFile::commit()
 {
     flush();
-    // Without permission to overwrite, a link refuses what has appeared in the meantime.
+    // A link fails if a file has appeared at `path` in the meantime.
     if (overwrite_) {
         if (::rename(temporary_.c_str(), path_.c_str()) != 0)
             fail(ErrorKind::io, "{}: cannot rename into place: {}", path_.string(),

@@ -7,8 +7,8 @@
 
 namespace sward {
 
-/// A file that appears whole or not at all: written beside its place under a temporary name, then
-/// synchronised and renamed by commit(). Without commit() nothing is left behind.
+/// A file that appears whole or not at all. It is written in the same folder under a temporary
+/// name; commit() synchronises and renames it. Without commit() nothing is left behind.
 class AtomicFile {
 public:
     /// Throws Error{io} if `path` exists and `overwrite` is false, or cannot be written.
@@ -17,7 +17,7 @@ public:
     AtomicFile& operator=(const AtomicFile&) = delete;
     ~AtomicFile();
 
-    /// Appends. Throws Error{io}, with the reason, when the disk does not take it.
+    /// Appends. Throws Error{io} with the reason if the disk rejects the bytes.
     void write(std::span<const std::byte> bytes);
     void write(std::string_view text) { write(std::as_bytes(std::span(text))); }
 
@@ -27,7 +27,7 @@ public:
     /// Hands all written bytes to the disk (fsync).
     void flush();
 
-    /// Puts the file in its place. Throws Error{io}.
+    /// Renames the file to its final path. Throws Error{io}.
     void commit();
 
 private:
@@ -38,7 +38,7 @@ private:
     bool committed_ = false;
 };
 
-/// Throws Error{io} if `path` exists and `overwrite` is false: asked before long work begins.
+/// Throws Error{io} if `path` exists and `overwrite` is false. To be called before long work.
 void refuseOverwrite(const std::filesystem::path& path, bool overwrite);
 
 /// Writes `text` as a whole file.

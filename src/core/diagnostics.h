@@ -13,18 +13,18 @@ namespace sward {
 /// The library collects them; the program prints them and writes them into its report.
 class Diagnostics {
 public:
-    /// Nobody reads more, and a file may give cause for as many as it has bytes.
+    /// Bounds memory: a damaged file may cause as many warnings as it has bytes.
     static constexpr std::size_t warningLimit = 1000;
 
-    /// Adds a warning. A text that has been given already is not repeated; behind the limit comes
-    /// one that says so.
+    /// Adds a warning. Repeated texts are dropped. After the limit, one last warning says that more
+    /// were dropped.
     template <typename... Args>
     void warn(fmt::format_string<Args...> format, Args&&... args)
     {
         add(fmt::format(format, std::forward<Args>(args)...));
     }
 
-    /// In the order in which they were given.
+    /// In the order of the calls of warn().
     const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:

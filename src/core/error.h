@@ -8,20 +8,20 @@
 
 namespace sward {
 
-/// What kind of trouble an Error reports. The value is the exit code of the programs.
+/// Category of an Error. The value is the exit code of the programs.
 enum class ErrorKind {
     usage = 1,   ///< the command line or a setting is wrong
     io = 2,      ///< a file cannot be read or written, or would be overwritten
-    input = 3,   ///< a file was read, but what it says is not valid
+    input = 3,   ///< a file was read, but its content is not valid
     runtime = 4, ///< the device was lost, there is no display
     unsupported =
-        5, ///< valid, but beyond this program: an extension, a file version, no Vulkan device
+        5, ///< valid, but not supported: an extension, a file version, no Vulkan device
     difference = 7, ///< a comparison found a difference
     interrupted = 130,
 };
 
-/// The only exception that Sward throws: the world is wrong. Its message names the file, the thing,
-/// the value and the bound, for the person who must mend it.
+/// The only exception that Sward throws: for faults outside the program. Its message names the
+/// file, the item, the value and the bound, so that a user can correct it.
 class Error : public std::runtime_error {
 public:
     /// Use fail().
@@ -32,7 +32,7 @@ public:
     }
 
     ErrorKind kind() const { return kind_; }                 ///< what is wrong
-    int exitCode() const { return static_cast<int>(kind_); } ///< of a program that ends with it
+    int exitCode() const { return static_cast<int>(kind_); } ///< of a program that this error ends
 
 private:
     ErrorKind kind_;

@@ -44,8 +44,8 @@ SinCos exactSinCos(double radians)
     const double r = (radians - turns * halfPiHigh) - turns * halfPiLow;
     const double r2 = r * r;
 
-    // Taylor series on |r| ≤ π/4; the first term left out is below 1e-16. Factors of a term to the
-    // one before it: of the sine 1/(2n (2n + 1)), of the cosine 1/((2n − 1) 2n).
+    // Taylor series on |r| ≤ π/4; the first term left out is below 1e-16. Ratios of successive
+    // terms: 1/(2n (2n + 1)) for the sine, 1/((2n − 1) 2n) for the cosine.
     constexpr double sines[] = {1.0 / 272.0, 1.0 / 210.0, 1.0 / 156.0, 1.0 / 110.0,
                                 1.0 / 72.0,  1.0 / 42.0,  1.0 / 20.0,  1.0 / 6.0};
     constexpr double cosines[] = {1.0 / 240.0, 1.0 / 182.0, 1.0 / 132.0, 1.0 / 90.0,

@@ -2,10 +2,10 @@
 
 namespace sward {
 
-// Trigonometry made of +, −, ×, ÷ and √ alone. The C library picks another implementation, with
-// other last bits, on a CPU with fused multiply-add; whatever decides where a blade stands uses
-// these instead, so that every x86-64 CPU bakes the same bytes. Errors are asserted in
-// exact_math_test.cpp.
+// Trigonometry from +, −, ×, ÷ and √ alone. On CPUs with fused multiply-add the C library uses
+// another implementation with other last bits. Code that decides where a blade stands uses these
+// functions instead, so that every x86-64 CPU bakes the same bytes. exact_math_test.cpp asserts the
+// errors.
 
 struct SinCos {
     double sin;

@@ -4,10 +4,10 @@
 
 namespace sward {
 
-/// Ends the program with `message` and its place.
+/// Ends the program with `message` and its source location.
 [[noreturn]] void expectationFailed(const char* message, std::source_location where);
 
-/// States what must hold if the program itself is right; checked in every build.
+/// Checks an invariant of the program itself, in every build.
 inline void expect(bool condition, const char* message,
                    std::source_location where = std::source_location::current())
 {

@@ -4,8 +4,8 @@
 
 namespace sward {
 
-/// The largest integer that is not above `x`, which must be within ±2⁶². Without SSE4.1, which not
-/// every x86-64 has, std::floor is a call.
+/// The largest integer not above `x`; |x| ≤ 2⁶². Replaces std::floor, which is a function call
+/// without SSE4.1; baseline x86-64 lacks SSE4.1.
 inline std::int64_t floorOf(double x)
 {
     const auto towardsZero = static_cast<std::int64_t>(x);

@@ -26,7 +26,7 @@ spdlog::level::level_enum toSpdlog(Level level)
     return spdlog::level::info;
 }
 
-// One logger for the process, to stderr: results own stdout.
+// One logger for the process. It writes to stderr because results go to stdout.
 spdlog::logger& logger()
 {
     static const std::unique_ptr<spdlog::logger> instance = [] {
@@ -38,7 +38,7 @@ spdlog::logger& logger()
     return *instance;
 }
 
-// The line that stays last. Whoever writes to stderr holds the mutex.
+// The status line, kept last on stderr. Writing to stderr requires the mutex.
 struct StatusLine {
     std::mutex mutex;
     std::string text;
@@ -85,7 +85,7 @@ void write(Level level, const std::string& text)
     StatusLine& status = statusLine();
     const std::lock_guard lock(status.mutex);
     status.erase();
-    // Warnings and errors say what they are; plain progress does not need a label.
+    // Warnings and errors get a label; progress messages do not.
     const char* label = level == Level::error     ? "error: "
                         : level == Level::warning ? "warning: "
                                                   : "";

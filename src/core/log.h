@@ -9,12 +9,12 @@ namespace sward::log {
 
 enum class Level { debug, info, warning, error };
 
-/// Sets the lowest level that reaches stderr; info at the start.
+/// Sets the lowest level that reaches stderr. The default is info.
 void setLevel(Level level);
 
-/// Shows `line` as the last one on stderr in place of the one before, until the next call; an empty
-/// text takes it away. Lines of the log are written above it. From any thread. For a progress bar:
-/// it needs a terminal that understands control sequences.
+/// Shows `line` as the last line on stderr until the next call, for a progress bar. An empty text
+/// removes it. Log lines are written above it. Callable from any thread. Needs a terminal with
+/// control sequences.
 void setStatusLine(const std::string& line);
 
 /// Writes one line to stderr. Programs log; libraries return numbers and fill Diagnostics.

@@ -26,7 +26,7 @@ struct Descriptor {
     }
 };
 
-// Opens a regular file and tells its size.
+// Opens a regular file and returns its size.
 std::size_t openRegular(const std::filesystem::path& path, Descriptor& file)
 {
     file.fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -46,7 +46,7 @@ std::size_t pageSize()
     return size;
 }
 
-/// The whole pages of memory that bytes lie on.
+/// The whole memory pages that contain a byte range.
 struct Pages {
     std::byte* begin = nullptr;
     std::size_t size = 0; ///< [bytes]
@@ -100,7 +100,7 @@ bool isInMemory(std::span<const std::byte> bytes) noexcept
     Pages pages = pagesOf(bytes);
     while (pages.size > 0) {
         const std::size_t size = std::min(pages.size, isThere.size() * pageSize());
-        // What the system does not tell counts as there: then a reader waits.
+        // If the system gives no answer, the bytes count as present; reading them may then wait.
         if (::mincore(pages.begin, size, isThere.data()) != 0)
             return true;
         const std::size_t count = (size + pageSize() - 1) / pageSize();

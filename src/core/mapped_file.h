@@ -23,15 +23,14 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Whether bytes of a mapped file can be read without waiting for a disk, as far as the system
-/// says.
+/// Whether bytes of a mapped file can be read without waiting for a disk, according to the system.
 bool isInMemory(std::span<const std::byte> bytes) noexcept;
 
-/// Asks the system to bring them, and does not wait.
+/// Asks the system to load the bytes into memory, without waiting.
 void bringIntoMemory(std::span<const std::byte> bytes) noexcept;
 
-/// Reads a whole file of at most `limit` bytes. Throws Error{io} if it cannot, Error{input} if
-/// larger.
+/// Reads a whole file of at most `limit` bytes. Throws Error{io} if it cannot be read, Error{input}
+/// if it is larger.
 std::vector<std::byte> readFile(const std::filesystem::path& path,
                                 std::size_t limit = std::size_t(4) << 30);
 

@@ -20,7 +20,7 @@ void Progress::advance(std::uint64_t steps)
     const std::uint64_t before = done_.fetch_add(steps, std::memory_order_relaxed);
     if (!callback_ || total_ == 0)
         return;
-    // Report when a whole per cent has been crossed.
+    // Report when the count crosses a whole per cent.
     const std::uint64_t after = before + steps;
     if (before * 100 / total_ != after * 100 / total_)
         callback_(stage_, static_cast<double>(after) / static_cast<double>(total_));

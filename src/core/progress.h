@@ -7,15 +7,15 @@
 
 namespace sward {
 
-/// How far a long piece of work has come. The worker counts, any number of threads at once; whoever
-/// started it watches through the callback and may cancel.
+/// Progress of a long piece of work. Any number of worker threads count steps. The caller observes
+/// them through the callback and may cancel.
 class Progress {
 public:
-    /// Called with the stage's name and the share done in [0, 1], at most about a hundred times a
-    /// stage, from whichever thread crossed the mark.
+    /// Called with the stage's name and the share done in [0, 1], at most about 100 times per
+    /// stage, from the thread that crossed the mark.
     using Callback = std::function<void(const std::string& stage, double share)>;
 
-    /// Without a callback nobody watches.
+    /// Without a callback, progress is not reported.
     explicit Progress(Callback callback = {})
         : callback_(std::move(callback))
     {
@@ -27,9 +27,9 @@ public:
     /// Counts `steps` more. Throws Error{interrupted} if cancelled.
     void advance(std::uint64_t steps);
 
-    /// Asks the work to stop at its next count; safe from a signal handler.
+    /// Makes the next advance() or begin() throw. Safe from a signal handler.
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
-    /// Whether somebody has.
+    /// Whether cancel() has been called.
     bool isCancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
 
 private:

@@ -4,8 +4,8 @@
 
 namespace sward {
 
-// Random numbers without a generator: each is a function of what it is for. Nothing is carried from
-// one to the next, so the order and number of threads cannot matter.
+// Stateless random numbers: each is a function of its key and indices. Results do not depend on the
+// order or number of threads.
 
 /// Mixes 64 bits so that every input bit reaches every output bit (the finaliser of SplitMix64,
 /// Steele, Lea & Flood 2014).

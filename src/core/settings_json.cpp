@@ -17,7 +17,7 @@ double readNumber(const nlohmann::json& value, const std::string& place, double 
     if (!value.is_number())
         fail(ErrorKind::input, "{}: expected a number, found {}", place, value.dump());
     const double number = value.get<double>();
-    // Written so that NaN fails too.
+    // Written so that NaN fails, too.
     if (!(number >= low && number <= high))
         fail(ErrorKind::input, "{}: {} is outside [{}, {}]", place, number, low, high);
     return number;
@@ -36,8 +36,8 @@ void readVector(const nlohmann::json& value, const std::string& place, double lo
             readNumber(value[std::size_t(i)], place, low, high));
 }
 
-// The parser makes about 100 bytes of a value of two, and some of what follows it walks down by
-// recursion: both are counted before anything is made of the text.
+// Bounds depth and number of values before the text is parsed. A 2-byte value costs the parser
+// about 100 bytes, and later code descends by recursion.
 void requireBounds(std::string_view text, const std::string& place)
 {
     std::size_t depth = 0;

@@ -12,17 +12,17 @@
 
 namespace sward {
 
-/// Reads a JSON object strictly: every key must be asked for, every value be in its range. An
+/// Reads a JSON object strictly: every key must be read, every value must be in its range. An
 /// unknown key is an error that proposes the nearest known one. Include from .cpp files only.
 class SettingsReader {
 public:
-    /// `place` names the object in messages: a file, then the path inside it.
+    /// `place` names the object in messages: the file, then the path inside it.
     SettingsReader(const nlohmann::json& object, std::string place);
 
-    /// Who asks knows the key.
+    /// Whether `key` exists. Marks it as known.
     bool has(std::string_view key);
 
-    /// Each leaves `value` alone when the key is absent. Throws Error{input} on a wrong type, a
+    /// Each leaves `value` unchanged if the key is absent. Throws Error{input} on a wrong type, a
     /// value that is not finite, or one outside [low, high].
     void read(const char* key, double& value, double low, double high);
     void read(const char* key, float& value, double low, double high);
@@ -34,15 +34,15 @@ public:
     void read(const char* key, glm::vec3& value, double low, double high);
     void read(const char* key, glm::dvec3& value, double low, double high);
 
-    /// Reads `key`, or its former name if the file still has that, which adds a warning. Throws
+    /// Reads `key`, or its former name if the file uses that, which adds a warning. Throws
     /// Error{input} if the file has both.
     void readRenamed(const char* key, const char* former, float& value, double low, double high);
 
     /// One text for each former name that was read.
     const std::vector<std::string>& warnings() const { return warnings_; }
 
-    /// Index into `words` of the text under `key`; `value` if it is absent. Throws Error{input}
-    /// that lists the words, and names the nearest, if it is none of them.
+    /// Index into `words` of the text under `key`; `value` if the key is absent. Throws
+    /// Error{input} with the list of words and the nearest one if the text is not among them.
     std::uint32_t readWord(const char* key, std::span<const std::string_view> words,
                            std::uint32_t value);
 
@@ -50,7 +50,7 @@ public:
     const nlohmann::json& child(const char* key);
     std::string placeOf(std::string_view key) const;
 
-    /// Throws Error{input} if the object has a key that nobody asked for.
+    /// Throws Error{input} if the object has a key that was not read.
     void finish() const;
 
 private:
@@ -63,11 +63,11 @@ private:
     std::vector<std::string> warnings_;
 };
 
-inline constexpr std::size_t jsonDepthLimit = 128;       ///< arrays and objects inside each other
+inline constexpr std::size_t jsonDepthLimit = 128;       ///< nesting depth of arrays and objects
 inline constexpr std::size_t jsonValueLimit = 8'000'000; ///< arrays, objects and commas
 
-/// Parses text as JSON. Throws Error{input} that names `place`, and says where the text is wrong or
-/// beyond the limits.
+/// Parses text as JSON. Throws Error{input} that names `place` and the position if the text is
+/// malformed or beyond the limits.
 nlohmann::json parseJson(std::string_view text, const std::string& place);
 
 /// The entry of `known` nearest to `word` by edit distance, or an empty text if none is near.

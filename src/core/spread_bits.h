@@ -4,8 +4,8 @@
 
 namespace sward {
 
-/// Spreads the lower 21 bits of `x` so that two zeros follow each: three such numbers, shifted by
-/// 0, 1 and 2, are a place on the Morton curve.
+/// Inserts two zeros after each of the lower 21 bits of `x`. Three such numbers, shifted by 0, 1
+/// and 2, form a Morton code.
 constexpr std::uint64_t spreadBits(std::uint32_t x)
 {
     std::uint64_t bits = x & 0x1fffffU;
@@ -17,7 +17,7 @@ constexpr std::uint64_t spreadBits(std::uint32_t x)
     return bits;
 }
 
-/// Place on the Morton curve of a cell with numbers below 2²¹.
+/// Morton code of a cell with coordinates below 2²¹.
 constexpr std::uint64_t mortonCode(std::uint32_t x, std::uint32_t y, std::uint32_t z)
 {
     return spreadBits(x) | spreadBits(y) << 1 | spreadBits(z) << 2;

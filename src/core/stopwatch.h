@@ -4,10 +4,10 @@
 
 namespace sward {
 
-/// Tells how long pieces of work take.
+/// Measures durations.
 class Stopwatch {
 public:
-    /// Seconds since it was made or last asked.
+    /// Seconds since construction or the last call.
     double lap()
     {
         const auto now = std::chrono::steady_clock::now();

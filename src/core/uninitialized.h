@@ -10,10 +10,10 @@
 
 namespace sward {
 
-/// Leaves what it makes room for as it is, where std::allocator would write zeros: memory is then
-/// touched first by the thread that fills it, and never where nothing is written. Large blocks come
-/// from the system and go back to it at once, in huge pages where it grants them: a page fault for
-/// every 2 MiB, not every 4 KiB.
+/// Allocator that leaves new elements uninitialised, where std::allocator would write zeros. The
+/// thread that fills memory then touches it first, and unwritten memory is never touched. Large
+/// blocks come from the system in huge pages where available (a page fault per 2 MiB, not per 4
+/// KiB) and return to it at once.
 template <typename T>
 struct UninitializedAllocator : std::allocator<T> {
     template <typename U>
@@ -38,7 +38,7 @@ struct UninitializedAllocator : std::allocator<T> {
             ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
         if (place == MAP_FAILED)
             throw std::bad_alloc();
-        ::madvise(place, bytes, MADV_HUGEPAGE); // a wish, not a condition
+        ::madvise(place, bytes, MADV_HUGEPAGE); // a hint; failure is harmless
         return static_cast<T*>(place);
     }
 
@@ -66,7 +66,7 @@ private:
     static constexpr std::size_t large = std::size_t(1) << 20; ///< [bytes]
 };
 
-/// A vector whose resize() leaves new elements unwritten; for plain structs by the million.
+/// A vector whose resize() leaves new elements unwritten; for millions of plain structs.
 template <typename T>
 using UninitializedVector = std::vector<T, UninitializedAllocator<T>>;
 

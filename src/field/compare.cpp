@@ -73,7 +73,7 @@ double angleBetween(const glm::dvec3& a, const glm::dvec3& b)
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-// A blade in world space, with the patch whose steps quantised it.
+// A blade in world space, with the patch that quantised it.
 struct Placed {
     shared::Blade blade;
     const shared::Patch& patch;
@@ -107,8 +107,8 @@ Comparison compare(const FieldView& first, const FieldView& second, const glm::d
     const std::vector<std::uint32_t> firstPatches = patchOfBlades(first);
     const std::vector<std::uint32_t> secondPatches = patchOfBlades(second);
 
-    // Both sides were rounded, so twice the error of packing is no difference. A facing is measured
-    // around a rounded up-vector.
+    // Both sides were rounded, so differences up to twice the packing error are ignored. A facing
+    // is measured around a rounded up-vector.
     constexpr double upTolerance = 2.0 * double(shared::octahedralMaxError);
     constexpr double facingTolerance =
         2.0 * double(shared::facingMaxError + shared::octahedralMaxError);
@@ -142,7 +142,7 @@ Comparison compare(const FieldView& first, const FieldView& second, const glm::d
             ++result.traitsDiffer;
     }
 
-    // See the contract: a transform changes last bits, and with them a few decisions.
+    // As documented at compare(): a transform changes last bits, and with them a few decisions.
     const double allowed = transform == glm::dmat4(1.0)
                                ? 0.0
                                : 1e-4 * double(std::max(first.blades.size(), second.blades.size()));

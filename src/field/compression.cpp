@@ -12,14 +12,14 @@
 namespace sward::field {
 namespace {
 
-// Higher levels gain nothing on quantised blades and cost many times as much.
+// Higher levels gain nothing on quantised blades and take several times as long.
 constexpr int level = 3;
 
-// Bytes that are regrouped at once: they stay in the cache between regrouping and zstd.
+// Bytes regrouped per step: a block stays in the cache between regrouping and zstd.
 constexpr std::size_t blockBytes = std::size_t(1) << 16;
 
-// Calls visit(byte of the element, first element, number of elements) for block after block in the
-// order in which the bytes are stored.
+// Calls visit(byte of the element, first element, number of elements) for each block, in storage
+// order.
 template <typename Visit>
 void forEachBlock(std::size_t rawBytes, std::size_t elementBytes, Visit visit)
 {
@@ -72,7 +72,7 @@ void decompress(std::span<const std::byte> stored, std::size_t elementBytes,
     const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(),
                                                                        ZSTD_freeDCtx);
     ZSTD_inBuffer in{stored.data(), stored.size(), 0};
-    // How many bytes there were; less than asked for only at the end of the frame.
+    // Returns the number of bytes decompressed; less than `size` only at the end of the frame.
     const auto take = [&](std::byte* bytes, std::size_t size) {
         ZSTD_outBuffer out{bytes, size, 0};
         while (out.pos < out.size) {
@@ -97,7 +97,7 @@ void decompress(std::span<const std::byte> stored, std::size_t elementBytes,
         for (std::size_t i = 0; i < n; ++i)
             to[i * elementBytes] = block[i];
     });
-    // The frame ends with its checks, and the chunk with the frame.
+    // The frame must end with its checksum, and the chunk with the frame.
     std::byte beyond = {};
     if (take(&beyond, 1) != 0 || in.pos != in.size)
         fail(ErrorKind::input, "{}: decompresses to more than {} bytes, or bytes follow its end",

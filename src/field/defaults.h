@@ -9,25 +9,25 @@
 
 namespace sward::field {
 
-/// A view that was saved.
+/// A saved view.
 struct Camera {
-    std::string name = "camera";    ///< for people
+    std::string name = "camera";    ///< shown to users
     glm::dvec3 eye{0.0};            ///< world [m]
     glm::dvec3 target{0.0};         ///< world [m]
     glm::vec3 up{0.0f, 1.0f, 0.0f}; ///< of the picture
     float fovY = 45.0f;             ///< [degrees]
 };
 
-/// What a viewer starts with. Directions and attractor are in world space.
+/// Initial settings of a viewer. Directions and attractor are in world space.
 struct Defaults {
-    Wind wind;                                     ///< of before there were several
+    Wind wind;                                     ///< of files with a single wind source
     glm::vec3 gravityDirection{0.0f, -1.0f, 0.0f}; ///< unit
     glm::dvec3 attractor{0.0};                     ///< world [m]
     float gravityStrength = 6.5f;                  ///< [1/s] heights per second
     float attractorBlend = 0.0f;                   ///< [0, 1]
     float recovery = 6.0f;                         ///< [1/s]
     float drawDistance = 1e9f;                     ///< [m]
-    std::vector<Camera> cameras;                   ///< in the order they were saved
+    std::vector<Camera> cameras;                   ///< in the order of saving
 };
 
 } // namespace sward::field

@@ -19,13 +19,13 @@ struct GroundRange {
     std::uint32_t level = 0;      ///< of detail
     std::uint32_t material = 0;   ///< index into DisplayGround::materials
     std::uint32_t firstIndex = 0; ///< of DisplayGround::indices
-    std::uint32_t indexCount = 0; ///< three a triangle
+    std::uint32_t indexCount = 0; ///< three per triangle
 };
 
-/// The ground as it is drawn; it bears nothing any more.
+/// The ground as it is drawn. No blades grow from it.
 struct DisplayGround {
     std::vector<shared::GroundVertex> vertices;    ///< relative to the origin
-    std::vector<std::uint32_t> indices;            ///< three a triangle
+    std::vector<std::uint32_t> indices;            ///< three per triangle
     std::vector<GroundRange> ranges;               ///< by level and material
     std::vector<shared::GroundMaterial> materials; ///< of the ranges
     std::vector<Image> images;                     ///< of the materials

@@ -18,19 +18,19 @@ namespace {
 // Enough to show a shape, few enough for a terminal.
 constexpr std::size_t barCount = 16;
 
-// A bar for every ten degrees.
+// One bar per ten degrees.
 constexpr std::size_t slopeBars = 18;
 
-// Edge of a cell in median distances of neighbours. For roots at random the median is
-// 0.47/√density, for the densest blue noise about 0.9: a full cell has 57 to 830 blades.
+// Edge of a cell in median neighbour distances. For random roots the median is 0.47/√density, for
+// the densest blue noise about 0.9/√density: a full cell has 57 to 830 blades.
 constexpr double cellDistances = 16.0;
 
-// Patches that all searches together look into; usually it is some forty for each.
+// Patches that all searches together may visit; a search usually visits about 40.
 constexpr std::uint64_t maxVisits = 4'000'000;
 
-// A cube that holds roots whose up-vectors are nearest to one direction.
+// A cube of roots whose up-vectors are nearest to one direction.
 struct Cube {
-    int direction = 0; // 2·axis, and 1 more where the up-vectors point against it
+    int direction = 0; // 2·axis, plus 1 if the up-vectors point against the axis
     std::int64_t x = 0;
     std::int64_t y = 0;
     std::int64_t along = 0; // the axis
@@ -47,7 +47,7 @@ struct CubeHash {
     }
 };
 
-// The values of `low` to `low + steps · step` over all patches that own blades.
+// Minimum of `low` and maximum of `low + steps · step` over all patches that own blades.
 template <typename Low, typename Step>
 std::pair<double, double> rangeOf(const FieldView& field, Low low, Step step, float steps)
 {
@@ -74,7 +74,7 @@ double slopeOf(const FieldView& field, const shared::Blade& blade)
            (180.0 / 3.14159265358979323846);
 }
 
-// Distances from sampled roots to their neighbours, the smallest first.
+// Distances from sampled roots to their nearest neighbours, in ascending order.
 std::vector<double> sampledDistances(const FieldView& field)
 {
     const std::size_t blades = field.blades.size();
@@ -82,7 +82,7 @@ std::vector<double> sampledDistances(const FieldView& field)
     std::vector<double> distances;
     RootSearch search(field);
     for (std::size_t k = 0; k < samples && search.visited() < maxVisits; ++k) {
-        // One from each of equal stretches of the file.
+        // One sample from each of equal stretches of the file.
         const double within = samples == blades ? 0.5 : uniform(0, k, 0);
         const double at = (double(k) + within) * double(blades) / double(samples);
         const std::size_t index = std::min(static_cast<std::size_t>(at), blades - 1);
@@ -99,8 +99,8 @@ double cellEdge(const std::vector<double>& distances)
     return median > 0.0 ? std::exp2(std::ceil(std::log2(cellDistances * median))) : 1.0;
 }
 
-// Adds up, cell by cell, what share of a square a blade's piece of ground fills when it is seen
-// along the cell.
+// Sums per cell the share of a square that a blade's piece of ground covers, seen along the cell's
+// axis.
 class Cells {
 public:
     explicit Cells(double edge)
@@ -121,7 +121,7 @@ public:
 
     Histogram densities() const
     {
-        // Join the cubes of a column that touch: sloping ground passes through several.
+        // Join touching cubes of a column: sloping ground passes through several.
         std::vector<std::pair<Cube, double>> cubes(sums_.begin(), sums_.end());
         std::sort(cubes.begin(), cubes.end());
         std::vector<double> densities;
@@ -144,7 +144,7 @@ public:
 private:
     std::int64_t cellOf(double x) const
     {
-        // A number beyond all cells, or none, is in the outermost.
+        // Coordinates beyond all cells, and NaN, go into the outermost cell.
         constexpr double outermost = 1e18;
         const double cell = std::floor(x / edge_);
         return static_cast<std::int64_t>(cell > -outermost ? std::min(cell, outermost)
@@ -168,7 +168,7 @@ void Histogram::add(double value)
 {
     const double last = double(bars_.size() - 1);
     const double place = (value - low_) / (high_ - low_) * double(bars_.size());
-    // Where the edges are the same, the place is no number.
+    // If both edges are equal, `place` is NaN.
     ++bars_[place > 0.0 ? static_cast<std::size_t>(std::min(place, last)) : 0];
     least_ = count_ == 0 ? value : std::min(least_, value);
     largest_ = count_ == 0 ? value : std::max(largest_, value);

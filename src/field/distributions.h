@@ -8,10 +8,10 @@
 
 namespace sward::field {
 
-/// How often values fall into bars of equal width between two edges.
+/// Counts values in bars of equal width between two edges.
 class Histogram {
 public:
-    /// `high` > `low`, or all values are the same and go into the first bar.
+    /// `high` > `low`; if both are equal, all values go into the first bar.
     Histogram(double low, double high, std::size_t bars);
 
     /// Values outside the edges count in the first or last bar.
@@ -22,7 +22,7 @@ public:
     const std::vector<std::uint64_t>& bars() const { return bars_; }
     std::uint64_t count() const { return count_; } ///< the sum of the bars
 
-    // Of the values themselves; 0 without any.
+    // Minimum and maximum of the values themselves; 0 without any.
     double least() const { return count_ == 0 ? 0.0 : least_; }
     double largest() const { return count_ == 0 ? 0.0 : largest_; }
     double mean() const { return count_ == 0 ? 0.0 : sum_ / double(count_); }
@@ -37,7 +37,7 @@ private:
     double sum_ = 0.0;
 };
 
-/// Roots whose nearest neighbour is looked for, at most: fewer where a damaged tree would make the
+/// Maximum number of roots whose nearest neighbour is searched. Fewer if a damaged tree makes the
 /// search long.
 inline constexpr std::size_t neighbourSamples = 10000;
 
@@ -55,11 +55,11 @@ struct Distributions {
     double cell;                ///< [m] edge of a cell
 };
 
-/// One pass over the blades, and a search for the sampled roots. A cell is a square column along
-/// the axis that the up-vectors in it are nearest to, as far as it is occupied without a gap of an
-/// edge's length; its blades stand on edge² / |cosine| of ground, as far as up-vectors are the
-/// ground's normals. What a border cuts off counts as ground. The edge is the power of two not
-/// below sixteen times the median distance of neighbours: some hundred blades in a full cell.
+/// One pass over the blades, plus a search for the sampled roots. A cell is a square column along
+/// the axis nearest to its blades' up-vectors, continued while gaps are shorter than an edge. The
+/// ground below its blades is edge² / |cosine|, if up-vectors are normals of the ground. Ground
+/// beyond a border counts, too. The edge is the least power of two ≥ 16 times the median distance
+/// of neighbours: some hundred blades in a full cell.
 Distributions distributionsOf(const FieldView& field);
 
 struct BladeSize {
@@ -67,8 +67,8 @@ struct BladeSize {
     float width = 0.02f; ///< at the root
 };
 
-/// Mean size [m] of the blades, from the middle of each patch's range; that of a BladeSize if there
-/// are none.
+/// Mean size [m] of the blades, from the middle of each patch's range. Without blades, the default
+/// of BladeSize.
 BladeSize meanBladeSize(const FieldView& field);
 
 } // namespace sward::field

@@ -21,14 +21,14 @@
 
 namespace sward::field {
 
-/// Where a blade comes from: the triangle of the input and the number of the try on it.
+/// Origin of a blade: the triangle of the input and the candidate number on it.
 struct BladeKey {
     std::uint32_t triangle = 0;  ///< of the input, from 0
-    std::uint32_t candidate = 0; ///< number of the try, from 0
+    std::uint32_t candidate = 0; ///< number of the candidate, from 0
 };
 
-/// The blade's name outside the field, the same for the same triangle and try whatever else
-/// changes: a hash of both, below 2⁵³ so that every program can read it as a number.
+/// The blade's stable id outside the field: a hash of triangle and candidate alone. It is below
+/// 2⁵³, so that every program can read it as a number.
 std::uint64_t bladeId(BladeKey key);
 
 /// Names of the shapes of a blade, shared::shapeTriangleTip … shapeDandelion.
@@ -41,20 +41,20 @@ struct Species {
     shared::Species look = {}; ///< as shaders see it
 };
 
-/// A meadow, baked: the only bridge between the offline half and the running half.
+/// A baked meadow: the only data that the offline half passes to the running half.
 struct Field {
     glm::dvec3 origin{0.0};             ///< world = origin + position
     std::vector<shared::Patch> patches; ///< [0] is the root of the tree; parents before children
     UninitializedVector<shared::PackedBlade> blades; ///< patch after patch, in progressive order
     UninitializedVector<BladeKey> keys;              ///< one per blade
     std::vector<Species> species;                    ///< 1 to 8
-    DisplayGround ground;                            ///< to be drawn below the blades
-    Defaults defaults;                               ///< to begin with
+    DisplayGround ground;                            ///< drawn below the blades
+    Defaults defaults;                               ///< initial settings
     std::string provenance = "{}"; ///< JSON: tool version, input hash, settings, seed
-    std::string copyright;         ///< for people
+    std::string copyright;         ///< shown to users
 };
 
-/// A verified field that lies elsewhere, usually in a mapped file.
+/// A verified field that is stored elsewhere, usually in a mapped file.
 struct FieldView {
     glm::dvec3 origin{0.0};                      ///< world = origin + position
     std::span<const shared::Patch> patches;      ///< as Field::patches
@@ -66,10 +66,10 @@ struct FieldView {
     const std::string* provenance = nullptr;     ///< never null
     const std::string* copyright = nullptr;      ///< never null
 
-    /// Box of everything that can be seen, relative to the origin; empty if there is nothing.
+    /// Box of everything visible, relative to the origin; empty if there is nothing.
     Aabb bounds() const;
 
-    /// Of a blade by its place: bladeId() of its key, or the place where the field has no keys.
+    /// Id of a blade by its index: bladeId() of its key, or the index if the field has no keys.
     std::uint64_t idOf(std::size_t blade) const;
 };
 

@@ -5,9 +5,9 @@
 
 namespace sward::field::format {
 
-// The byte format of a field file, little endian. docs/field_format.md is the norm; this says the
-// same in C++. A file is the header, the chunk table, then the chunks, each on a 64-byte boundary,
-// zeros between.
+// The byte format of a field file, little endian, as specified by docs/field_format.md. A file is
+// the header, the chunk table, then the chunks. Each chunk starts on a 64-byte boundary, with zeros
+// between.
 
 inline constexpr std::array<char, 8> magic{'S', 'W', 'A', 'R', 'D', '\r', '\n', '\x1a'};
 inline constexpr std::uint16_t majorVersion = 1;
@@ -24,7 +24,7 @@ struct FileHeader {
     std::uint64_t fileBytes;
     std::uint32_t chunkCount;
     std::uint32_t reserved;       ///< 0
-    std::array<double, 3> origin; ///< [m] world position of the field's own origin
+    std::array<double, 3> origin; ///< [m] world position of the field's origin
     std::uint64_t
         tableHash; ///< XXH3 of this header with tableHash = 0, followed by the chunk table
 };
@@ -33,7 +33,7 @@ static_assert(sizeof(FileHeader) == 64);
 using ChunkId = std::array<char, 8>;
 
 // Flags of a chunk.
-inline constexpr std::uint32_t critical = 1; ///< a reader that does not know the chunk must refuse
+inline constexpr std::uint32_t critical = 1; ///< readers must reject an unknown chunk
 inline constexpr std::uint32_t compressed = 2; ///< stored as one zstd frame
 inline constexpr std::uint32_t knownFlags = critical | compressed;
 

@@ -9,7 +9,7 @@
 
 namespace sward::field {
 
-// Ground images as one run of bytes: for each its width, height (uint32) and pixels.
+// Ground images as a byte sequence: per image its width, height (uint32) and pixels.
 
 std::vector<std::byte> imagesBytes(const std::vector<Image>& images);
 

@@ -10,7 +10,7 @@
 
 namespace sward::field {
 
-/// Statistics of a field for people and programs.
+/// Statistics of a field for users and programs.
 struct Summary {
     std::uint64_t blades = 0;              ///< of the field
     std::uint64_t patches = 0;             ///< of its tree
@@ -27,31 +27,30 @@ struct Summary {
 };
 Summary summarise(const FieldView& field);
 
-/// How two fields differ after `transform` (world to world) has been applied to the first.
+/// Differences of two fields after `transform` (world to world) is applied to the first.
 struct Comparison {
-    std::uint64_t matched = 0;            ///< blades of both, by their keys
+    std::uint64_t matched = 0;            ///< blades in both, by their keys
     std::uint64_t onlyFirst = 0;          ///< blades without a match
     std::uint64_t onlySecond = 0;         ///< blades without a match
-    double largestRootDistance = 0.0;     ///< [m] over matched blades, less what packing explains
+    double largestRootDistance = 0.0;     ///< [m] over matched blades, minus the packing error
     double largestUpAngle = 0.0;          ///< [rad]
     double largestFacingAngle = 0.0;      ///< [rad] between width axes in world space
     double largestHeightDifference = 0.0; ///< relative
     double largestWidthDifference = 0.0;  ///< relative
-    std::uint64_t traitsDiffer = 0; ///< matched blades that differ by more than packing explains
+    std::uint64_t traitsDiffer = 0; ///< matched blades that differ by more than the packing error
     std::vector<std::string>
-        reasons; ///< empty: the same within `tolerance` and the errors of packing
+        reasons; ///< empty: equal within `tolerance` and the packing errors
 };
 
 enum class Match { order, id };
 
-/// Compares blade by blade, paired by their order in the files or by id. Roots may differ by
-/// `tolerance` [m], measured on the packed roots; up, facing, height, width and stiffness by twice
-/// their packing errors (and the rotation of a facing frame by the error of up). Exposure and tint
-/// come from rays and images and are not compared. `transform` must be a rotation with uniform
-/// scale. Unless it is the identity, one blade in ten thousand may be missing on a side and one may
-/// have other traits: a transform changes the last bits of places and areas, and with them now and
-/// then whether a triangle gets one blade more, or which of two clumps equally far away a blade
-/// belongs to.
+/// Compares blade by blade, paired by file order or by id. Roots may differ by `tolerance` [m],
+/// measured on the packed roots; up, facing, height, width and stiffness by twice their packing
+/// errors (facing also by the error of up). Exposure and tint come from rays and images and are not
+/// compared. `transform` must be a rotation with uniform scale. Unless it is the identity, 1 blade
+/// in 10 000 may be missing per side, and 1 in 10 000 may have other traits. Reason: a transform
+/// changes last bits of places and areas. These decide whether a triangle gets one blade more, or
+/// which of two equally distant clumps owns a blade.
 Comparison compare(const FieldView& first, const FieldView& second, const glm::dmat4& transform,
                    Match match, double tolerance);
 

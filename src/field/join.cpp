@@ -17,18 +17,18 @@ namespace {
 /// Children of a node of the patch tree.
 constexpr std::size_t widestNode = 8;
 
-/// Of PackedBlade::look: three bits from here are the species' slot.
+/// First of the three bits of PackedBlade::look that hold the species' slot.
 constexpr unsigned speciesBit = 21;
 
-/// Widens a box that was moved, in parts of its largest coordinate: what it holds was rounded by
-/// half a step of a float, and so was the box.
+/// Widens a moved box by this share of its largest coordinate: the box and its content were each
+/// rounded by half a step of a float.
 constexpr float roundingOfMove = 1.0f / 4194304.0f; // two steps
 
-/// A member's way into the joined field.
+/// How a member is placed in the joined field.
 struct Move {
-    glm::dvec3 by{0.0};                     ///< [m] its origin from the joined one
-    std::array<std::uint32_t, 8> species{}; ///< joined slot of each of its own
-    std::vector<std::uint32_t> firstBlades; ///< joined place of each patch's blades
+    glm::dvec3 by{0.0};                     ///< [m] the member's origin relative to the joined one
+    std::array<std::uint32_t, 8> species{}; ///< joined slot per slot of the member
+    std::vector<std::uint32_t> firstBlades; ///< joined index of each patch's first blade
 };
 
 glm::vec3 moved(const glm::vec3& place, const Move& move)
@@ -59,7 +59,7 @@ bool areAlike(const Species& a, const Species& b)
            a.look.fold == b.look.fold;
 }
 
-// Slots of the member's species; new ones are added to the table.
+// Assigns slots to the member's species; new species are added to the table.
 void joinSpecies(const Member& member, Move& move, std::vector<Species>& table)
 {
     for (std::size_t i = 0; i < member.view.species.size(); ++i) {
@@ -95,7 +95,7 @@ Move moveOf(const Member& member, const glm::dvec3& origin)
     return move;
 }
 
-// What is counted with 32 bits over all members.
+// Checks that 32 bits can count patches, blades and corners of all members.
 void checkCounts(std::span<const Member> members)
 {
     struct {
@@ -127,7 +127,7 @@ struct Above {
     Aabb box;
 };
 
-// Up to eight under one node, and so on until one is left.
+// Groups up to eight nodes under one, repeatedly, until one is left.
 Above buildAbove(std::span<const Member> members, std::span<const Move> moves)
 {
     std::vector<Above> row;
@@ -154,7 +154,7 @@ Above buildAbove(std::span<const Member> members, std::span<const Move> moves)
     return row.empty() ? Above() : std::move(row[0]);
 }
 
-// A node that owns no blades: it knows no more than where it is.
+// A node without blades: only its box and place in the tree are set.
 shared::Patch patchAbove(const Above& above)
 {
     shared::Patch patch = {};
@@ -179,7 +179,7 @@ shared::Patch patchOf(const Member& member, std::uint32_t index, const Move& mov
     return patch;
 }
 
-// Lays all patches out level by level, blades after blades in the same order.
+// Lays all patches out level by level, and their blades in the same order.
 void layOut(std::span<const Member> members, std::vector<Move>& moves, JoinedFields& joined)
 {
     const Above top = buildAbove(members, moves);
@@ -221,7 +221,7 @@ void layOut(std::span<const Member> members, std::vector<Move>& moves, JoinedFie
     }
 }
 
-// A member's patches come in their own order, so that the n-th place is the n-th patch's.
+// A member's patches keep their order, so the n-th entry belongs to the n-th patch.
 void copyBlades(const FieldView& view, const Move& move, Field& field)
 {
     for (std::size_t p = 0; p < view.patches.size(); ++p) {
@@ -265,21 +265,21 @@ void copyGround(const DisplayGround& from, const Move& move, DisplayGround& to)
 
 void copyTexts(std::span<const Member> members, Field& field)
 {
-    std::vector<std::string> nonEmptyPatches;
+    std::vector<std::string> owners;
     field.provenance = "{\"fields\":[";
     for (const Member& member : members) {
         const FieldView& view = member.view;
         field.provenance += (&member == members.data() ? "" : ",") + *view.provenance;
-        if (!view.copyright->empty() && std::find(nonEmptyPatches.begin(), nonEmptyPatches.end(),
-                                                  *view.copyright) == nonEmptyPatches.end())
-            nonEmptyPatches.push_back(*view.copyright);
+        if (!view.copyright->empty() &&
+            std::find(owners.begin(), owners.end(), *view.copyright) == owners.end())
+            owners.push_back(*view.copyright);
         if (&member != members.data())
             field.defaults.cameras.insert(field.defaults.cameras.end(),
                                           view.defaults->cameras.begin(),
                                           view.defaults->cameras.end());
     }
     field.provenance += "]}";
-    for (const std::string& owner : nonEmptyPatches)
+    for (const std::string& owner : owners)
         field.copyright += (field.copyright.empty() ? "" : "\n") + owner;
 }
 

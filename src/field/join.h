@@ -10,38 +10,38 @@
 
 namespace sward::field {
 
-/// A field among several that are joined, and its name for messages.
+/// One of the fields to join, with its name for messages.
 struct Member {
     FieldView view;   ///< verified
-    std::string name; ///< a file's, for people
+    std::string name; ///< of its file, for messages
 };
 
-/// Where a patch of a joined field comes from.
+/// Source of a patch of a joined field.
 struct PatchSource {
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-    std::uint32_t member = none; ///< place among the members; none: a node above theirs
-    std::uint32_t patch = 0;     ///< of that member
+    std::uint32_t member = none; ///< index of the member; none: a node above the members' trees
+    std::uint32_t patch = 0;     ///< index in that member
 };
 
-/// Several fields as one, which is drawn like any other.
+/// Several fields joined into one.
 struct JoinedFields {
     Field field;                      ///< passes verify()
-    std::vector<PatchSource> sources; ///< of each of its patches
+    std::vector<PatchSource> sources; ///< one per patch
 };
 
-/// Farther than this from the first field's origin nothing that is moved may lie [m]: there a float
-/// keeps half a millimetre.
+/// Largest distance [m] of moved content from the first field's origin. At this distance the
+/// rounding of a float is half a millimetre.
 inline constexpr double farthestJoined = 16384.0;
 
-/// Joins `members` (one or more) under one tree of patches. Every patch keeps its blades, in their
-/// order and bit by bit but for the species' slot, and every blade its key: ids are those of its
-/// own field, so that blades of two members may have the same. Origin, defaults and the order of
-/// the species' slots begin with the first member's; species that are alike in name and look become
-/// one, and cameras of all are kept. World places stay as they are, to half a millimetre where the
-/// origins differ. Provenance is {"fields": [each one's]}; keys are left out unless all have them.
-/// Throws Error{input} naming the member if there are more than maxSpecies species together, if one
-/// lies farther than farthestJoined, or if 32 bits do not count the patches, blades or corners.
+/// Joins one or more `members` under one patch tree. Every patch keeps its blades, in order and
+/// bit-identical except for the species' slot. Every blade keeps its key, so blades of two members
+/// may share an id. Origin, defaults and the first species' slots are the first member's. Species
+/// with equal name and look are merged; cameras of all members are kept. World places move by at
+/// most half a millimetre, if origins differ. Provenance is {"fields": [one per member]}; keys are
+/// dropped unless all members have them. Throws Error{input} naming the member if there are more
+/// than maxSpecies species, a member is beyond farthestJoined, or 32 bits cannot count patches,
+/// blades or corners.
 JoinedFields join(std::span<const Member> members);
 
 } // namespace sward::field

@@ -18,13 +18,13 @@ glm::dvec3 rootOf(const FieldView& field, const shared::Patch& patch, std::size_
     return glm::dvec3(shared::unpackBlade(field.blades[index], patch).root);
 }
 
-// Of `from` to the patch's box.
+// Squared distance from `from` to the patch's box.
 double squaredDistance(const shared::Patch& patch, const glm::dvec3& from)
 {
     const glm::dvec3 nearest =
         glm::clamp(from, glm::dvec3(patch.boundsLow), glm::dvec3(patch.boundsHigh));
     const double squared = glm::dot(nearest - from, nearest - from);
-    // What is no number cannot be put into order.
+    // NaN cannot be ordered.
     return squared < unreached ? squared : unreached;
 }
 
@@ -40,7 +40,7 @@ void RootSearch::visit(const shared::Patch& patch, std::size_t self, const glm::
             best = std::min(best, glm::dot(difference, difference));
     }
 
-    // Near children first: what they find spares the far ones.
+    // Near children first: what they find prunes the far ones.
     const std::size_t before = waiting_.size();
     for (std::uint32_t c = 0; c < patch.childCount; ++c)
         waiting_.emplace_back(squaredDistance(field_.patches[patch.firstChild + c], from),
@@ -51,7 +51,7 @@ void RootSearch::visit(const shared::Patch& patch, std::size_t self, const glm::
 
 std::optional<double> RootSearch::nearest(std::size_t index)
 {
-    // Patches follow one another in the order of their blades.
+    // Patches are sorted by their blades.
     const auto after = std::upper_bound(
         field_.patches.begin(), field_.patches.end(), index,
         [](std::size_t blade, const shared::Patch& patch) { return blade < patch.firstBlade; });

@@ -10,7 +10,7 @@
 
 namespace sward::field {
 
-/// Looks for nearest roots in the patch tree, whose boxes hold all roots below them.
+/// Searches for nearest roots in the patch tree, whose boxes contain all roots below them.
 class RootSearch {
 public:
     /// The field must outlive the search.
@@ -23,7 +23,7 @@ public:
     /// none at a finite distance.
     std::optional<double> nearest(std::size_t index);
 
-    /// Patches looked into so far.
+    /// Patches visited so far.
     std::uint64_t visited() const { return visited_; }
 
 private:

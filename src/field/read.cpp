@@ -21,7 +21,7 @@
 namespace sward::field {
 
 struct MappedField::Contents {
-    std::optional<MappedFile> file; ///< unless the caller holds the bytes
+    std::optional<MappedFile> file; ///< unless the caller owns the bytes
     std::span<const std::byte> bytes;
     std::vector<BladeKey> keys;
     std::vector<Species> species;
@@ -38,7 +38,7 @@ namespace {
 
 using Bytes = std::span<const std::byte>;
 
-// The file while it is read: its bytes, its header and its verified chunk table.
+// A file being read: its bytes, header and verified chunk table.
 class Reader {
 public:
     Reader(Bytes bytes, std::string place)
@@ -52,7 +52,7 @@ public:
     const format::FileHeader& header() const { return header_; }
     const std::string& place() const { return place_; }
 
-    // An array used where it lies in the file; empty if the chunk is absent and not critical.
+    // An array used in place; empty if the chunk is absent and not critical.
     template <typename T>
     std::span<const T> mapped(const format::ChunkId& id, bool required) const
     {
@@ -66,7 +66,7 @@ public:
                 static_cast<std::size_t>(entry->elementCount)};
     }
 
-    // A copy of an array, decompressed where it is.
+    // A copy of an array, decompressed if needed.
     template <typename T>
     std::vector<T> copied(const format::ChunkId& id, bool required) const
     {

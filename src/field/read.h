@@ -10,12 +10,11 @@
 
 namespace sward::field {
 
-/// A field file, mapped or held by the caller, and verified; blades and patches are used where they
-/// lie.
+/// A verified field file, mapped or held by the caller. Blades and patches are used in place.
 class MappedField {
 public:
     MappedField(MappedField&&) noexcept;            ///< views stay valid
-    MappedField& operator=(MappedField&&) noexcept; ///< the field before is gone
+    MappedField& operator=(MappedField&&) noexcept; ///< discards the former field
     ~MappedField();
 
     /// Valid as long as this object.
@@ -31,14 +30,13 @@ private:
     std::unique_ptr<Contents> contents_;
 };
 
-/// Maps `path` and verifies everything (hashes, ranges, indices, every number) before it hands out
-/// a view. Throws Error{io} if it cannot be read, Error{input} naming the file and what is wrong
-/// with it if any byte is missing or changed, Error{unsupported} with both versions if the file is
-/// newer.
+/// Maps `path` and verifies hashes, ranges, indices and all numbers before it returns a view.
+/// Throws Error{io} if the file cannot be read, Error{input} naming the file and the fault if any
+/// byte is missing or changed, Error{unsupported} with both versions if the file is newer.
 MappedField readField(const std::filesystem::path& path);
 
-/// The same for a file that the caller holds in memory, perhaps out of an archive of its own:
-/// `bytes` begin at a multiple of 4 and outlive the result. Errors call it `name`.
+/// The same for a file that the caller holds in memory. `bytes` start at a multiple of 4 and
+/// outlive the result. Error messages call the file `name`.
 MappedField readField(std::span<const std::byte> bytes, const std::string& name);
 
 } // namespace sward::field

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-// Farther than this from the world's origin a double no longer keeps a millimetre.
+// Beyond this distance from the world's origin a double does not resolve a millimetre.
 constexpr double farthest = 1e12;
 constexpr double widestValue = 1e30;
 

@@ -8,8 +8,8 @@
 
 namespace sward::field {
 
-// The parts of a field that are kept as JSON text: small, and read by people too. Reading is strict
-// and throws Error{input} naming `place`.
+// The parts of a field stored as JSON text: small, and also read by people. Reading is strict and
+// throws Error{input} naming `place`.
 
 std::string speciesText(const std::vector<Species>& species);
 std::vector<Species> parseSpecies(std::string_view text, const std::string& place);

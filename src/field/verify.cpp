@@ -19,7 +19,7 @@ bool isInUnit(float x)
     return x >= 0.0f && x <= 1.0f;
 }
 
-// The numbers of one patch.
+// Verifies the numbers of one patch.
 void verifyPatchNumbers(const shared::Patch& patch, std::size_t index, const std::string& place)
 {
     if (!isFinite(patch.boundsLow) || !isFinite(patch.boundsHigh) ||
@@ -51,12 +51,12 @@ void verifyTree(const FieldView& field, const std::string& place)
     for (std::size_t p = 0; p < field.patches.size(); ++p) {
         const shared::Patch& patch = field.patches[p];
         verifyPatchNumbers(patch, p, place);
-        // Blades follow one another without gap.
+        // Blades must be contiguous.
         if (patch.firstBlade != nextBlade)
             fail(ErrorKind::input, "{}: patch {} begins at blade {} instead of {}", place, p,
                  patch.firstBlade, nextBlade);
         nextBlade += patch.bladeCount;
-        // Children follow one another in the order of their parents, so each has exactly one.
+        // Children are contiguous, in the order of their parents: each has exactly one parent.
         if (p == 0 ? patch.parent != shared::noPatch || patch.level != 0 : patch.parent >= p)
             fail(ErrorKind::input, "{}: patch {} has the parent {}", place, p, patch.parent);
         if (patch.childCount > 8)

@@ -24,7 +24,7 @@
 namespace sward::field {
 namespace {
 
-// A chunk ready to be written: either bytes of its own or a span of the field.
+// A chunk ready to be written: either its own bytes or a span of the field.
 struct Chunk {
     format::ChunkEntry entry = {};
     UninitializedVector<std::byte> owned;
@@ -38,7 +38,7 @@ std::uint64_t aligned(std::uint64_t offset)
 
 class ChunkList {
 public:
-    // Stores an array as it lies in memory.
+    // Stores an array as it is in memory.
     template <typename T>
     void addPlain(format::ChunkId id, std::span<const T> elements, std::uint32_t flags)
     {
@@ -53,7 +53,7 @@ public:
         add(id, elements, flags | format::compressed).stored = std::as_bytes(elements);
     }
 
-    // Compresses what is to be, all chunks at once.
+    // Compresses the flagged chunks and hashes all, in parallel.
     void compressAll()
     {
         std::vector<std::future<void>> work;
@@ -88,7 +88,7 @@ private:
     std::vector<Chunk> chunks_;
 };
 
-// Gives each chunk its place, and the header the hash of it all.
+// Assigns each chunk its offset, and the header its hash.
 format::FileHeader layOut(std::vector<Chunk>& chunks, const glm::dvec3& origin)
 {
     std::uint64_t offset = sizeof(format::FileHeader) + chunks.size() * sizeof(format::ChunkEntry);
@@ -131,7 +131,7 @@ void writePadding(AtomicFile& file, std::uint64_t& at)
     at += count;
 }
 
-// All chunks of a field. Texts and images are made here, arrays stay where they are.
+// All chunks of a field. Texts and images are encoded here; arrays are referenced.
 struct Encoded {
     std::string species;
     std::string defaults;
@@ -163,7 +163,7 @@ struct Encoded {
     Encoded& operator=(const Encoded&) = delete;
 };
 
-// A file read from front to back, in blocks: mapped, its pages would count as memory.
+// Reads a file from front to back in blocks: mapped, its pages would count as memory.
 class Rereading {
 public:
     explicit Rereading(const std::filesystem::path& path)
@@ -172,7 +172,7 @@ public:
     {
     }
 
-    // Whether the next bytes are these.
+    // Whether the next bytes equal `meant`.
     bool matches(std::span<const std::byte> meant)
     {
         return eachBlock(meant.size(), [&](std::span<const std::byte> block, std::size_t at) {
@@ -268,7 +268,7 @@ std::uint64_t writeField(const Field& field, const std::filesystem::path& path, 
     }
     writePadding(file, at);
 
-    // Trust nothing: what is on the disk must be what was meant before it takes its name.
+    // Verify the bytes on the disk before the file gets its name.
     file.flush();
     checkWritten(file.temporaryPath(), path, encoded.header, chunks);
     file.commit();

@@ -7,10 +7,10 @@
 
 namespace sward::field {
 
-/// Writes `field` to `path`: under a temporary name, read back and verified, then renamed. Returns
+/// Writes `field` to `path` under a temporary name, reads it back, verifies and renames it. Returns
 /// the number of bytes. The bytes depend on `field` alone. Throws Error{io} if the file exists and
-/// `overwrite` is false or the disk does not take it; then nothing is left and an old file is
-/// whole.
+/// `overwrite` is false, or if the disk rejects the bytes. On error an old file stays intact and no
+/// new one is left.
 std::uint64_t writeField(const Field& field, const std::filesystem::path& path, bool overwrite);
 
 /// Bytes that writeField() would write.

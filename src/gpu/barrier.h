@@ -6,9 +6,9 @@
 
 namespace sward::gpu {
 
-// The hazards between passes, by name: what was recorded before is done, and its writes are seen,
-// before what follows begins. They hold for buffers; images also change layout (image_use.h).
-// Waiting for the execution of earlier readers is contained in each of them.
+// Named barriers between passes. Commands recorded before have completed and their writes are
+// visible when later ones begin; this includes waiting for earlier readers. They cover buffers;
+// images also change layout (image_use.h).
 
 struct Access {
     VkPipelineStageFlags2 stages;
@@ -24,7 +24,7 @@ constexpr Access transferAccess{VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
                                 VK_ACCESS_2_TRANSFER_READ_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT};
 constexpr Access computeAccess{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
                                VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT};
-/// Clear, fill or copy, and compute shaders beside them.
+/// Clear, fill or copy, and concurrent compute shaders.
 constexpr Access fillAccess{
     VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
     VK_ACCESS_2_TRANSFER_WRITE_BIT | VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT};
@@ -53,7 +53,7 @@ inline void memoryBarrier(const Recording& commands, const Access& before, const
     commands.vk->CmdPipelineBarrier2(commands, &dependency);
 }
 
-/// Whatever came before → clear, fill or copy: the first barrier of a frame that reuses its lists.
+/// Any access → clear, fill or copy: the first barrier of a frame that reuses its lists.
 inline void anythingToTransfer(const Recording& commands)
 {
     memoryBarrier(commands, anyAccess, transferAccess);

@@ -10,7 +10,7 @@
 namespace sward::gpu {
 namespace {
 
-// Vulkan knows no empty buffer; 16 bytes hold any one element that is never read.
+// Vulkan has no empty buffers; 16 bytes hold any one element that is never read.
 constexpr VkDeviceSize smallestBuffer = 16;
 
 } // namespace

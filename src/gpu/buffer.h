@@ -26,16 +26,16 @@ class Buffer {
 public:
     Buffer() = default;
 
-    /// A buffer of no bytes still has an address: it is given 16 that nobody uses. Throws
-    /// Error{runtime} if there is not enough memory, Error{unsupported} beyond the device's bound.
+    /// An empty buffer gets 16 unused bytes, so that it has an address. Throws Error{runtime} if
+    /// there is not enough memory, Error{unsupported} beyond the device's limit.
     Buffer(const DeviceContext& context, const BufferSettings& settings);
 
     VkBuffer get() const { return buffer_.get(); }
     VkDeviceAddress address() const { return address_; }
     VkDeviceSize bytes() const { return bytes_; }
 
-    /// The bytes, if the memory is for upload or readback; else empty. What the CPU writes before a
-    /// submission is seen by the device; what the device writes is seen after a barrier to the host
+    /// The bytes of mapped memory (upload or readback); else empty. CPU writes before a submission
+    /// are visible to the device. Device writes are visible to the CPU after a barrier to the host
     /// and a fence.
     std::span<std::byte> mapped() const { return {mapped_, mapped_ == nullptr ? 0 : bytes_}; }
 

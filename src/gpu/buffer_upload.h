@@ -9,7 +9,7 @@
 
 namespace sward::gpu {
 
-/// A way for bytes from the CPU into buffers of the device.
+/// Interface for copying bytes from the CPU into device buffers.
 class BufferUpload {
 public:
     BufferUpload() = default;
@@ -17,7 +17,7 @@ public:
     BufferUpload& operator=(const BufferUpload&) = delete;
     virtual ~BufferUpload() = default;
 
-    /// Copies `bytes` to `target` from byte `offset` on. The source may die afterwards.
+    /// Copies `bytes` to `target` at byte `offset`. The source may be freed afterwards.
     virtual void toBuffer(const Buffer& target, std::span<const std::byte> bytes,
                           VkDeviceSize offset = 0) = 0;
 

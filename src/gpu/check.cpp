@@ -25,8 +25,8 @@ ErrorKind kindOf(VkResult result)
     }
 }
 
-// The results of Vulkan 1.3 and of what shows pictures in a window. Vulkan's own header of names is
-// in another package on each distribution.
+// The results of Vulkan 1.3 and of presentation. The header with Vulkan's own names belongs to
+// different packages on different distributions.
 struct NamedResult {
     VkResult result;
     const char* name;
@@ -76,7 +76,7 @@ void check(VkResult result, const char* call, std::source_location where)
     if (result == VK_SUCCESS) [[likely]]
         return;
 
-    // Name the file without its folders: those are the build machine's affair.
+    // Name the file without its folders, which depend on the build machine.
     std::string_view file = where.file_name();
     file.remove_prefix(file.find_last_of('/') + 1);
     if (result == VK_ERROR_DEVICE_LOST)

@@ -42,7 +42,7 @@ VkCommandBuffer CommandPool::allocate(const std::string& name) const
 
 void begin(VkCommandBuffer commands)
 {
-    // What was recorded and never submitted is dropped.
+    // Drops commands that were recorded and never submitted.
     check(vkResetCommandBuffer(commands, 0), "vkResetCommandBuffer");
     VkCommandBufferBeginInfo beginning{};
     beginning.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;

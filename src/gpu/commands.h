@@ -12,7 +12,7 @@
 
 namespace sward::gpu {
 
-/// Command buffers that may be recorded anew, one at a time.
+/// Command buffers that can be recorded repeatedly, one at a time.
 class CommandPool {
 public:
     explicit CommandPool(const DeviceContext& context); ///< for the context's queue
@@ -28,10 +28,10 @@ private:
     Owned<VkCommandPool, &DeviceFunctions::DestroyCommandPool> pool_;
 };
 
-/// Begins recording what is submitted once; the device must be done with what was recorded before.
+/// Begins recording for one submission. The device must have completed the former commands.
 void begin(VkCommandBuffer commands);
 
-/// Ends recording and submits; the fence, if any, is signalled when all is done.
+/// Ends recording and submits. The fence, if any, is signalled on completion.
 void endAndSubmit(const DeviceContext& context, VkCommandBuffer commands, VkFence fence,
                   std::span<const VkSemaphoreSubmitInfo> waits = {},
                   std::span<const VkSemaphoreSubmitInfo> signals = {});
@@ -44,7 +44,7 @@ void submitAndWait(const DeviceContext& context,
 Fence createFence(const DeviceContext& context, bool signalled);
 Semaphore createSemaphore(const DeviceContext& context, const std::string& name);
 
-/// Waits without a bound: a device that hangs is lost sooner or later, and then this throws.
+/// Waits without a timeout. A hanging device is eventually lost; then this throws Error{runtime}.
 void wait(const DeviceContext& context, VkFence fence);
 
 } // namespace sward::gpu

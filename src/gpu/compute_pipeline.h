@@ -15,7 +15,7 @@ namespace sward::gpu {
 
 struct ComputePipelineSettings {
     std::string name{};
-    std::string shader{}; ///< as the ShaderLibrary knows it
+    std::string shader{}; ///< name in the ShaderLibrary
     std::uint32_t pushConstantBytes = 0;
     std::vector<VkDescriptorSetLayout> setLayouts{};
     std::vector<SpecializationConstant> constants{};
@@ -43,9 +43,9 @@ private:
     Pipeline pipeline_;
 };
 
-/// Work groups in x and y that together are at least `groups`, within what the device takes in one
-/// dimension (65 535 on lavapipe). The shader counts `gl_WorkGroupID.y * gl_NumWorkGroups.x +
-/// gl_WorkGroupID.x` and lets those beyond `groups` return.
+/// Work-groups in x and y, together at least `groups`, within the device's limit per dimension (65
+/// 535 on lavapipe). The shader computes its index as `gl_WorkGroupID.y * gl_NumWorkGroups.x +
+/// gl_WorkGroupID.x` and returns if that is not below `groups`.
 VkExtent2D groupGrid(const DeviceContext& context, std::uint64_t groups);
 
 /// ⌈count / size⌉

@@ -10,8 +10,7 @@
 
 namespace sward::gpu {
 
-/// Features that are used where a device has them. What every device must have is listed in
-/// features.cpp.
+/// Features that are used if the device has them. features.cpp lists the required ones.
 struct OptionalFeatures {
     bool wireframe = false;                 ///< fillModeNonSolid
     bool bufferInt64Atomics = false;        ///< shaderBufferInt64Atomics
@@ -23,23 +22,23 @@ struct OptionalFeatures {
     bool sampleRateShading = false;         ///< of the same name
 };
 
-/// Debug functions of the device; null where VK_EXT_debug_utils is not there.
+/// Debug functions of the device; null without VK_EXT_debug_utils.
 struct DebugFunctions {
     PFN_vkSetDebugUtilsObjectNameEXT setObjectName = nullptr; ///< names a handle
     PFN_vkCmdBeginDebugUtilsLabelEXT beginLabel = nullptr;    ///< of a pass
     PFN_vkCmdEndDebugUtilsLabelEXT endLabel = nullptr;        ///< of a pass
 };
 
-/// All that a pass needs to know of a device. Owns nothing: the handles belong to a Device, or to
-/// the program that Sward is a guest of. Must outlive whatever was made with it.
+/// Everything that passes need of a device. Owns nothing: the handles belong to a Device or to the
+/// host program. Must outlive everything made with it.
 struct DeviceContext {
-    VkPhysicalDevice physical = VK_NULL_HANDLE; ///< that the device was made of
-    VkDevice device = VK_NULL_HANDLE;           ///< that draws
+    VkPhysicalDevice physical = VK_NULL_HANDLE; ///< of the device
+    VkDevice device = VK_NULL_HANDLE;           ///< the logical device
     VkQueue queue = VK_NULL_HANDLE; ///< graphics and compute; used by one thread at a time
     std::uint32_t queueFamily = 0;  ///< of the queue
 
-    /// A queue for copies beside it, used by nobody else, or null; and its family. The device then
-    /// has the feature timelineSemaphore.
+    /// An exclusive queue for copies, or null, and its family. With a copy queue the device has the
+    /// feature timelineSemaphore.
     VkQueue copyQueue = VK_NULL_HANDLE;
     std::uint32_t copyQueueFamily = 0; ///< of the copyQueue
 
@@ -53,28 +52,28 @@ struct DeviceContext {
     std::uint32_t subgroupSize = 0;                            ///< [threads]
     std::uint32_t timestampValidBits = 0;                      ///< of the queue; 0: no timestamps
 
-    OptionalFeatures features; ///< that are enabled
+    OptionalFeatures features; ///< enabled ones
     DebugFunctions debug;      ///< null without the extension
-    DeviceFunctions vk;        ///< all that is called of the device
+    DeviceFunctions vk;        ///< Vulkan functions of the device
 
-    const VkAllocationCallbacks* allocation = nullptr; ///< a host's, or null
-    VkPipelineCache pipelineCache = VK_NULL_HANDLE;    ///< a host's, or null
-    HostMemory hostMemory;                             ///< a host's, or no functions
+    const VkAllocationCallbacks* allocation = nullptr; ///< the host's, or null
+    VkPipelineCache pipelineCache = VK_NULL_HANDLE;    ///< the host's, or null
+    HostMemory hostMemory;                             ///< the host's, or no functions
 
-    /// Whether it is a CPU that plays a GPU.
+    /// Whether the device is a CPU implementation.
     bool isCpu() const { return type == VK_PHYSICAL_DEVICE_TYPE_CPU; }
 
     /// Size of the largest device-local heap [bytes].
     std::uint64_t deviceLocalBytes() const;
 };
 
-/// Describes a device that a host program made. It must have been created with the features that
-/// requiredFeatureNames() lists; `enabled` says which of the others it has. Only `hasDebugUtils`
-/// says whether the debug functions may be asked for.
+/// Describes a device that a host program created with the features of requiredFeatureNames().
+/// `enabled` lists the enabled optional features. `hasDebugUtils`: whether the debug functions may
+/// be loaded.
 DeviceContext describeDevice(VkPhysicalDevice physical, VkDevice device, std::uint32_t queueFamily,
                              VkQueue queue, const OptionalFeatures& enabled, bool hasDebugUtils);
 
-/// Name and version of a driver in one text.
+/// Name and version of a driver as one text.
 std::string driverText(const VkPhysicalDeviceDriverProperties& driver);
 
 /// [bytes]

@@ -7,7 +7,7 @@
 namespace sward::gpu {
 namespace {
 
-/// Copies of one batch, at most: their list is made once.
+/// Maximum copies of one batch: the list is allocated once.
 constexpr std::size_t maxCopies = 4096;
 
 Semaphore createCounter(const DeviceContext& context, const char* name)
@@ -64,7 +64,7 @@ CopyRing::~CopyRing()
 {
     if (submitted_ == 0)
         return;
-    // A lost device copies nothing.
+    // A lost device performs no copies.
     VkSemaphore semaphore = done_.get();
     VkSemaphoreWaitInfo wait{};
     wait.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO;

@@ -15,9 +15,9 @@
 
 namespace sward::gpu {
 
-/// Brings bytes into one buffer while frames go on, in batches of bounded size, each from mapped
-/// memory of its own. A batch is recorded into commands of the caller's; or, where the context has
-/// a queue for copies, submitted to that. Nobody waits, but for the end.
+/// Copies bytes into one buffer while frames continue, in batches of bounded size, each with its
+/// own mapped memory. The caller's command buffer records a batch; or, if the context has a copy
+/// queue, the batch is submitted there. Only the destructor waits.
 class CopyRing {
 public:
     /// `context` and `target` outlive it.
@@ -31,24 +31,24 @@ public:
     std::uint32_t batches() const { return static_cast<std::uint32_t>(batches_.size()); }
     VkDeviceSize batchBytes() const { return batchBytes_; }
 
-    /// With a queue: whether the copies of a batch have been made, or it has none. Never waits.
+    /// With a queue: whether the batch's copies have completed, or it has none. Never waits.
     bool isDone(std::uint32_t batch);
 
-    /// Empties a batch whose copies have been made.
+    /// Empties a batch whose copies have completed.
     void begin(std::uint32_t batch);
 
-    /// Room for `bytes` that come to `offset` of the target; empty when the batch is full. The
-    /// caller fills it at once.
+    /// Mapped memory for `bytes` that go to `offset` of the target; empty if the batch is full. The
+    /// caller fills it immediately.
     std::span<std::byte> add(std::uint32_t batch, VkDeviceSize offset, VkDeviceSize bytes);
 
-    /// Records a batch's copies, between barriers of the caller's.
+    /// Records a batch's copies. The caller records barriers before and after.
     void record(const Recording& commands, std::uint32_t batch) const noexcept;
 
     /// Submits a batch to the queue.
     void submit(std::uint32_t batch);
 
-    /// With a queue: what the submission of commands waits for that read what batches seen done
-    /// have copied. It has happened; waiting makes it seen.
+    /// With a queue: the semaphore wait for submissions that read batches for which isDone()
+    /// returned true. It is already signalled; the wait makes the copies visible.
     VkSemaphoreSubmitInfo copied() const;
 
     VkDeviceSize bytes() const { return batches_.size() * batchBytes_; } ///< of mapped memory
@@ -59,7 +59,7 @@ private:
         std::vector<VkBufferCopy> copies;
         VkDeviceSize used = 0;
         VkCommandBuffer commands = VK_NULL_HANDLE;
-        std::uint64_t number = 0; ///< the semaphore's value when it is done
+        std::uint64_t number = 0; ///< the semaphore's value when the batch is done
     };
 
     const DeviceContext& context_;

@@ -12,7 +12,7 @@ void setName(const DeviceContext& context, VkObjectType type, std::uint64_t obje
     naming.objectType = type;
     naming.objectHandle = object;
     naming.pObjectName = name.c_str();
-    // A name that could not be stored is no reason to stop.
+    // A failure to store a name is ignored.
     context.debug.setObjectName(context.device, &naming);
 }
 

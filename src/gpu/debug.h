@@ -9,7 +9,7 @@
 
 namespace sward::gpu {
 
-/// Vulkan's number for a kind of object.
+/// Vulkan's enumerator for a type of object.
 template <typename Handle>
 constexpr VkObjectType objectType = VK_OBJECT_TYPE_UNKNOWN;
 template <>
@@ -45,8 +45,8 @@ inline constexpr VkObjectType objectType<VkSemaphore> = VK_OBJECT_TYPE_SEMAPHORE
 void setName(const DeviceContext& context, VkObjectType type, std::uint64_t object,
              const std::string& name);
 
-/// Names an object: captures and validation messages then speak of "cull/tiles" instead of 0x55d0….
-/// Without VK_EXT_debug_utils nothing happens.
+/// Names an object: captures and validation messages then show "cull/tiles" instead of 0x55d0….
+/// Does nothing without VK_EXT_debug_utils.
 template <typename Handle>
 void setName(const DeviceContext& context, Handle object, const std::string& name)
 {
@@ -54,7 +54,7 @@ void setName(const DeviceContext& context, Handle object, const std::string& nam
     setName(context, objectType<Handle>, reinterpret_cast<std::uint64_t>(object), name);
 }
 
-/// Labels what is recorded while it lives.
+/// Labels the commands recorded during its lifetime.
 class LabelScope {
 public:
     LabelScope(const DeviceContext& context, VkCommandBuffer commands, const char* label);

@@ -13,7 +13,7 @@ namespace sward::gpu {
 
 namespace {
 
-/// A family of queues that copy and do nothing else: such copies run beside everything.
+/// A queue family that only copies: its copies run concurrently with all other work.
 std::optional<std::uint32_t> copyFamilyOf(VkPhysicalDevice physical)
 {
     const auto families = queueFamiliesOf(physical, vkGetPhysicalDeviceQueueFamilyProperties);
@@ -32,7 +32,7 @@ Device::Device(const Instance& instance, const DeviceSettings& settings)
     const std::vector<DeviceReport> devices = listDevices(instance, settings.surface);
     report_ = devices[chooseDevice(devices, settings.selection)];
 
-    // Enable what is required, and of the optional features what is there.
+    // Enable the required features, and the optional ones that are available.
     FeatureChain wanted;
     const OptionalFeatures enabled = enableFeatures(report_.physical, wanted);
 
@@ -55,7 +55,7 @@ Device::Device(const Instance& instance, const DeviceSettings& settings)
         settings.wantsCopyQueue ? copyFamilyOf(report_.physical) : std::nullopt;
     if (copyFamily)
         addQueue(*copyFamily);
-    wanted.vulkan12.timelineSemaphore = VK_TRUE; // of every device that is new enough
+    wanted.vulkan12.timelineSemaphore = VK_TRUE; // every device of Vulkan 1.2 has it
 
     VkDeviceCreateInfo create{};
     create.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
@@ -83,7 +83,7 @@ Device::Device(const Instance& instance, const DeviceSettings& settings)
 
 Device::~Device()
 {
-    // A lost device is no reason to keep it.
+    // A lost device is destroyed all the same.
     vkDeviceWaitIdle(device_.get());
 }
 

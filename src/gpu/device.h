@@ -12,17 +12,17 @@
 namespace sward::gpu {
 
 struct DeviceSettings {
-    /// Index, or part of the name in any case; empty takes the best (chooseDevice()).
+    /// Index, or part of the name in any case; empty selects the best (chooseDevice()).
     std::string selection{};
 
     /// A surface that the device must be able to present to, if any.
     VkSurfaceKHR surface = VK_NULL_HANDLE;
 
-    bool wantsCopyQueue = false; ///< DeviceContext::copyQueue, where there is a family for copies
+    bool wantsCopyQueue = false; ///< DeviceContext::copyQueue, if there is a family for copies
 };
 
-/// A device of our own with one queue for graphics, compute and, given a surface, presenting. Stays
-/// where it was made, because what is made with it refers to its context.
+/// A device created by Sward, with one queue for graphics, compute and, given a surface,
+/// presenting. Not movable, because objects made with it refer to its context.
 class Device {
 public:
     /// Throws Error{usage} or Error{unsupported} as chooseDevice() does.

@@ -39,14 +39,14 @@ std::string lowerCase(std::string_view text)
     return lower;
 }
 
-// The number that `text` is, if it is nothing but digits.
+// The number in `text`, if it consists of digits only.
 std::optional<std::size_t> indexIn(std::string_view text)
 {
     if (text.empty() || !std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; }))
         return std::nullopt;
     std::size_t index = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
-    // A number too large for any machine fits no device.
+    // A number that overflows matches no device.
     return error == std::errc{} ? index : static_cast<std::size_t>(-1);
 }
 
@@ -118,7 +118,7 @@ std::size_t chooseDevice(std::span<const DeviceReport> devices, std::string_view
              "no Vulkan device was found; install the graphics card's driver, or Debian's "
              "mesa-vulkan-drivers, which also draws on the CPU");
 
-    // Take the best of those that fit and will do.
+    // Take the best of the devices that match and are suitable.
     std::optional<std::size_t> best;
     bool anyFits = false;
     for (std::size_t i = 0; i < devices.size(); ++i) {

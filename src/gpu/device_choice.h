@@ -10,20 +10,20 @@
 
 namespace sward::gpu {
 
-/// Why the device will not do, one reason each; empty if it will.
+/// Reasons why the device is unsuitable; empty if it is suitable.
 std::vector<std::string> rejections(const DeviceReport& device);
 
 /// "discrete GPU", "CPU", …
 std::string_view typeName(VkPhysicalDeviceType type);
 
-/// One line per device: index, name, type, driver, API version, memory, and the reasons against it.
+/// One line per device: index, name, type, driver, API version, memory, and reasons for rejection.
 std::string describe(std::span<const DeviceReport> devices);
 
-/// Picks a device and returns its place in `devices`. `selection` is an index, a part of a name in
-/// any case, or empty. Among the devices that fit, discrete comes before integrated before virtual
-/// before CPU, then the lower index. Throws Error{usage} with the list of devices if none fits the
-/// selection; Error{unsupported} with the reasons if those that fit will not do, or if there are
-/// none at all.
+/// Picks a device and returns its index in `devices`. `selection` is an index, a part of a name in
+/// any case, or empty. Among matching devices the order is discrete, integrated, virtual, CPU, then
+/// the lower index. Throws Error{usage} with the list of devices if none matches the selection;
+/// Error{unsupported} with the reasons if the matching ones are unsuitable, or if there are none at
+/// all.
 std::size_t chooseDevice(std::span<const DeviceReport> devices, std::string_view selection);
 
 } // namespace sward::gpu

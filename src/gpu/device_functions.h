@@ -4,8 +4,8 @@
 
 namespace sward::gpu {
 
-// Vulkan's functions that passes and what they are made of call, by the name behind "vk". What only
-// a program with a device of its own needs is linked instead.
+// The Vulkan functions that passes and gpu objects call, without the prefix "vk". Functions that
+// only a program with its own device needs are linked instead.
 // clang-format off
 #define SWARD_DEVICE_FUNCTIONS(each)                                                               \
     each(AllocateMemory) each(FreeMemory) each(MapMemory)                                          \
@@ -35,10 +35,10 @@ struct DeviceFunctions {
 #undef SWARD_DEVICE_FUNCTION
 };
 
-/// Those of the loader that the program is linked with.
+/// The functions of the loader that the program is linked with.
 const DeviceFunctions& linkedFunctions();
 
-/// Those that a device names itself. Throws Error{unsupported} that names one that is not there.
+/// Loads the functions from a device. Throws Error{unsupported} that names a missing one.
 DeviceFunctions loadFunctions(VkDevice device, PFN_vkGetDeviceProcAddr getDeviceProcAddr);
 
 } // namespace sward::gpu

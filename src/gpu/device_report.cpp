@@ -12,7 +12,7 @@
 namespace sward::gpu {
 namespace {
 
-// The first family with graphics and compute; with a surface, one that presents if there is any.
+// The first family with graphics and compute; with a surface, one that presents if available.
 void findQueue(DeviceReport& report, VkSurfaceKHR surface)
 {
     const auto families =
@@ -55,7 +55,7 @@ DeviceReport reportOn(VkPhysicalDevice physical, std::size_t index, VkSurfaceKHR
     report.index = index;
     report.physical = physical;
 
-    // A device older than 1.3 does not know the structs that follow.
+    // A device older than 1.3 does not support the structs below.
     VkPhysicalDeviceProperties basic{};
     vkGetPhysicalDeviceProperties(physical, &basic);
     report.name = basic.deviceName;

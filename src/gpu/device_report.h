@@ -11,10 +11,10 @@
 
 namespace sward::gpu {
 
-/// What a device is and whether it will do. Plain values, so that the choice can be tested without
-/// hardware.
+/// Properties of a device and its suitability. Plain values, so that the choice can be tested
+/// without hardware.
 struct DeviceReport {
-    std::size_t index = 0;                                     ///< what --device takes
+    std::size_t index = 0;                                     ///< index for --device
     std::string name;                                          ///< of the device
     VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER; ///< GPU or CPU
     std::string driver;                                        ///< name and version
@@ -22,15 +22,15 @@ struct DeviceReport {
     std::uint64_t memoryBytes = 0;                             ///< of the largest device-local heap
 
     bool hasQueue = false;                    ///< one family with graphics and compute
-    bool presents = true;                     ///< to the surface in question, if there is one
+    bool presents = true;                     ///< to the given surface, if there is one
     bool hasSubgroups = false;                ///< ballot and arithmetic in compute shaders
     std::vector<std::string> missingFeatures; ///< Vulkan's names
 
-    VkPhysicalDevice physical = VK_NULL_HANDLE; ///< to make a device of
+    VkPhysicalDevice physical = VK_NULL_HANDLE; ///< the device itself
     std::uint32_t queueFamily = 0;              ///< with graphics and compute, if there is one
 };
 
-/// All devices of the machine, in the driver's order. With a surface, `presents` speaks of it.
+/// All devices of the machine, in the driver's order. `presents` refers to `surface`, if given.
 std::vector<DeviceReport> listDevices(const Instance& instance,
                                       VkSurfaceKHR surface = VK_NULL_HANDLE);
 

@@ -28,7 +28,7 @@ constexpr Required required[] = {
      [](FeatureChain& chain) -> VkBool32& { return chain.vulkan13.dynamicRendering; }},
     {"synchronization2",
      [](FeatureChain& chain) -> VkBool32& { return chain.vulkan13.synchronization2; }},
-    // glslang writes LocalSizeId for Vulkan 1.3, which this feature allows.
+    // glslang emits LocalSizeId for Vulkan 1.3, which requires this feature.
     {"maintenance4", [](FeatureChain& chain) -> VkBool32& { return chain.vulkan13.maintenance4; }},
 };
 

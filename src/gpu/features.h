@@ -9,7 +9,7 @@
 
 namespace sward::gpu {
 
-/// The feature structs of Vulkan 1.0 to 1.3, linked to each other. Stays where it was made.
+/// The feature structs of Vulkan 1.0 to 1.3, linked to each other. Not movable.
 struct FeatureChain {
     VkPhysicalDeviceFeatures2 core{};            ///< the head of the chain
     VkPhysicalDeviceVulkan11Features vulkan11{}; ///< of Vulkan 1.1
@@ -21,18 +21,18 @@ struct FeatureChain {
     FeatureChain& operator=(const FeatureChain&) = delete;
 };
 
-/// Vulkan's names of the features without which a device is rejected.
+/// Vulkan's names of the required features.
 std::vector<std::string> requiredFeatureNames();
 
-/// Those of them that `supported` lacks.
+/// The required features that `supported` lacks.
 std::vector<std::string> missingFeatures(FeatureChain& supported);
 
-/// Sets in `wanted` the required features and the optional ones that are `supported`; returns the
-/// latter.
+/// Sets in `wanted` the required features and the `supported` optional ones. Returns the optional
+/// ones.
 OptionalFeatures enableFeatures(FeatureChain& supported, FeatureChain& wanted);
 
-/// The same for what `physical` supports, asked of the loader that the program is linked with.
-/// Throws Error{unsupported} that names the device and what it lacks.
+/// The same for the features of `physical`, queried through the linked loader. Throws
+/// Error{unsupported} that names the device and the missing features.
 OptionalFeatures enableFeatures(VkPhysicalDevice physical, FeatureChain& wanted);
 
 } // namespace sward::gpu

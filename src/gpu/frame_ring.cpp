@@ -20,7 +20,7 @@ FrameRing::FrameRing(const DeviceContext& context, std::uint32_t slots)
 
 FrameRing::~FrameRing()
 {
-    // Command buffers must not die while the device reads them. A lost device reads nothing.
+    // Command buffers must outlive their execution. A lost device executes nothing.
     for (const Slot& slot : slots_) {
         VkFence done = slot.done.get();
         vkWaitForFences(context_.device, 1, &done, VK_TRUE, UINT64_MAX);
@@ -40,8 +40,8 @@ void FrameRing::submit(const Frame& frame, std::span<const VkSemaphoreSubmitInfo
 {
     expect(frame.slot == next_, "frames are submitted in the order in which they were begun");
 
-    // The fence falls just before the submission that raises it: a frame that was begun and never
-    // submitted then leaves nobody waiting.
+    // Reset the fence just before the submission that signals it: then no wait blocks on a frame
+    // that was begun and never submitted.
     VkFence done = slots_[frame.slot].done.get();
     check(vkResetFences(context_.device, 1, &done), "vkResetFences");
     endAndSubmit(context_, frame.commands, done, waits, signals);

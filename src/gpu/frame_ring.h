@@ -12,12 +12,12 @@
 
 namespace sward::gpu {
 
-/// Frames in flight: while the device works on one, the CPU records the next.
+/// Frames in flight: the CPU records the next frame while the device executes another.
 class FrameRing {
 public:
     struct Frame {
-        std::uint32_t slot;       ///< in [0, slots()): which of the frame's own buffers to use
-        VkCommandBuffer commands; ///< recording
+        std::uint32_t slot;       ///< in [0, slots()): index of the frame's own buffers
+        VkCommandBuffer commands; ///< being recorded
     };
 
     explicit FrameRing(const DeviceContext& context, std::uint32_t slots = 2);
@@ -25,10 +25,10 @@ public:
     FrameRing& operator=(const FrameRing&) = delete;
     ~FrameRing();
 
-    /// Waits until the device is done with the slot's former frame, then begins recording.
+    /// Waits for the slot's former frame, then begins recording.
     Frame begin();
 
-    /// Submits what begin() returned.
+    /// Submits the result of begin().
     void submit(const Frame& frame, std::span<const VkSemaphoreSubmitInfo> waits = {},
                 std::span<const VkSemaphoreSubmitInfo> signals = {});
 

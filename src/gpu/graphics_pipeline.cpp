@@ -7,7 +7,7 @@
 namespace sward::gpu {
 namespace {
 
-// The modules of a pipeline in Vulkan's form; they die when the pipeline is made.
+// The modules of a pipeline in Vulkan's form; destroyed once the pipeline is made.
 struct Stages {
     std::vector<ShaderModule> modules;
     std::vector<VkPipelineShaderStageCreateInfo> stages;

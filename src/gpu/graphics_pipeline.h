@@ -15,18 +15,18 @@ namespace sward::gpu {
 
 enum class Blend {
     off,
-    alpha, ///< colour · alpha + what is there · (1 − alpha)
+    alpha, ///< colour · alpha + destination · (1 − alpha)
 };
 
-/// Vertices come from device addresses, so there is no vertex input; viewport and scissor are
+/// Shaders fetch vertices by device address, so there is no vertex input. Viewport and scissor are
 /// dynamic.
 struct GraphicsPipelineSettings {
     std::string name{}; ///< for debuggers
 
-    std::string vertexShader{};                 ///< the name of its source
+    std::string vertexShader{};                 ///< name of its source
     std::string tessellationControlShader{};    ///< empty: none
     std::string tessellationEvaluationShader{}; ///< empty: none
-    std::string fragmentShader{};               ///< empty: depth alone
+    std::string fragmentShader{};               ///< empty: only depth
     std::uint32_t patchControlPoints = 0;       ///< with tessellation: at least 1
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST; ///< without tessellation
 
@@ -36,37 +36,37 @@ struct GraphicsPipelineSettings {
 
     std::vector<VkFormat> colorFormats{};         ///< of the attachments
     VkFormat depthFormat = VK_FORMAT_UNDEFINED;   ///< undefined: no depth attachment
-    VkFormat stencilFormat = VK_FORMAT_UNDEFINED; ///< of an attachment that is left alone
-    std::uint32_t writtenColors = ~0u;            ///< bits; what is drawn leaves others alone
+    VkFormat stencilFormat = VK_FORMAT_UNDEFINED; ///< of an attachment that stays unchanged
+    std::uint32_t writtenColors = ~0u;            ///< bit mask; other attachments stay unchanged
     VkRenderPass renderPass = VK_NULL_HANDLE;     ///< null: dynamic rendering
     std::uint32_t subpass = 0;                    ///< of the render pass
-    std::uint32_t samples = 1;                    ///< a pixel
+    std::uint32_t samples = 1;                    ///< per pixel
 
-    bool depthTest = true;                            ///< with a depth attachment
-    bool depthWrite = true;                           ///< where the test passes
+    bool depthTest = true;                            ///< needs a depth attachment
+    bool depthWrite = true;                           ///< if the test passes
     VkCompareOp depthCompare = VK_COMPARE_OP_GREATER; ///< reversed Z: near is 1
 
     VkCullModeFlags cullMode = VK_CULL_MODE_NONE;            ///< of faces
-    VkFrontFace frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE; ///< which side is in front
+    VkFrontFace frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE; ///< winding of front faces
     VkPolygonMode polygonMode = VK_POLYGON_MODE_FILL; ///< lines: the device needs `wireframe`
-    Blend blend = Blend::off;                         ///< with what is there
+    Blend blend = Blend::off;                         ///< with the destination
 };
 
-/// A pipeline that draws. Must outlive the commands that were recorded with it.
+/// A graphics pipeline. Must outlive the commands that use it.
 class GraphicsPipeline {
 public:
     GraphicsPipeline() = default;
 
-    /// Throws Error{runtime} or Error{unsupported} where the device cannot.
+    /// Throws Error{runtime} or Error{unsupported} if the device cannot create it.
     GraphicsPipeline(const DeviceContext& context, const ShaderLibrary& shaders,
                      const GraphicsPipelineSettings& settings);
 
     VkPipeline get() const { return pipeline_.get(); }       ///< the handle
     const PipelineLayout& layout() const { return layout_; } ///< of all its shaders
 
-    void bind(const Recording& commands) const; ///< for what is drawn from here on
+    void bind(const Recording& commands) const; ///< for the draws recorded next
 
-    /// Gives its shaders their constants, `pushConstantBytes` of them.
+    /// Sets the push constants of its shaders; exactly `pushConstantBytes` bytes.
     template <typename T>
     void push(const Recording& commands, const T& constants) const
     {

@@ -8,8 +8,7 @@
 
 namespace sward::gpu {
 
-/// Owns a Vulkan object that is destroyed through its parent: Unique<VkPipeline,
-/// vkDestroyPipeline>.
+/// Owns a Vulkan object that its parent destroys: Unique<VkPipeline, vkDestroyPipeline>.
 template <typename Handle, auto destroy, typename Parent = VkDevice>
 class Unique {
 public:
@@ -77,7 +76,7 @@ private:
 using Fence = Owned<VkFence, &DeviceFunctions::DestroyFence>;
 using Semaphore = Owned<VkSemaphore, &DeviceFunctions::DestroySemaphore>;
 using ImageView = Owned<VkImageView, &DeviceFunctions::DestroyImageView>;
-// A host with a loader of its own has no functions to link with, and no surface of ours.
+// With the host's own loader there are no functions to link with, and Sward makes no surface.
 #ifndef VK_NO_PROTOTYPES
 using Surface = Unique<VkSurfaceKHR, vkDestroySurfaceKHR, VkInstance>;
 #endif

@@ -62,7 +62,7 @@ DeviceContext describeDevice(const HostDevice& host, const InstanceFunctions& in
     context.pipelineCache = host.pipelineCache;
     context.hostMemory = host.memory;
 
-    // Read what the device says of itself.
+    // Query the device's properties.
     VkPhysicalDeviceVulkan13Properties properties13{};
     properties13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES;
     VkPhysicalDeviceSubgroupProperties subgroup{};

@@ -10,37 +10,37 @@
 
 namespace sward::gpu {
 
-/// A device that a host program made, with the features that requiredFeatureNames() lists, and what
-/// the host wants done its own way.
+/// A device that a host program created with the features of requiredFeatureNames(), and the host's
+/// replacements for loader and allocators.
 struct HostDevice {
-    VkInstance instance = VK_NULL_HANDLE;       ///< that the device is of
-    VkPhysicalDevice physical = VK_NULL_HANDLE; ///< that the device was made of
-    VkDevice device = VK_NULL_HANDLE;           ///< that draws
-    VkQueue queue = VK_NULL_HANDLE;             ///< draws and computes
+    VkInstance instance = VK_NULL_HANDLE;       ///< of the device
+    VkPhysicalDevice physical = VK_NULL_HANDLE; ///< of the device
+    VkDevice device = VK_NULL_HANDLE;           ///< the logical device
+    VkQueue queue = VK_NULL_HANDLE;             ///< for graphics and compute
     std::uint32_t queueFamily = 0;              ///< of the queue
-    OptionalFeatures features{};                ///< that are enabled, see enableFeatures()
+    OptionalFeatures features{};                ///< enabled ones, see enableFeatures()
     bool hasDebugUtils = false;                 ///< whether VK_EXT_debug_utils is enabled
 
-    /// The host's loader. Sward then calls no function that the program is linked with.
+    /// The host's loader. If set, Sward calls no linked Vulkan functions.
     PFN_vkGetInstanceProcAddr getInstanceProcAddr = nullptr;
-    PFN_vkGetDeviceProcAddr getDeviceProcAddr = nullptr; ///< null: asked of the former
+    PFN_vkGetDeviceProcAddr getDeviceProcAddr = nullptr; ///< null: queried through the former
 
     const VkAllocationCallbacks* allocation = nullptr; ///< for all objects; outlives them
     VkPipelineCache pipelineCache = VK_NULL_HANDLE;    ///< for all pipelines; outlives the context
-    HostMemory memory{};                               ///< for all memory, if it has functions
+    HostMemory memory{};                               ///< for all memory, if set
 };
 
-/// Describes it. Throws Error{unsupported} where the loader lacks a function.
+/// Describes the device. Throws Error{unsupported} if the loader lacks a function.
 DeviceContext describeDevice(const HostDevice& host);
 
-/// What describing asks of the device's instance.
+/// The instance functions that the description needs.
 struct InstanceFunctions {
-    PFN_vkGetPhysicalDeviceProperties2 properties = nullptr;              ///< of its name
+    PFN_vkGetPhysicalDeviceProperties2 properties = nullptr;              ///< of the same name
     PFN_vkGetPhysicalDeviceMemoryProperties memory = nullptr;             ///< likewise
     PFN_vkGetPhysicalDeviceQueueFamilyProperties queueFamilies = nullptr; ///< likewise
 };
 
-/// The same with functions that are known already.
+/// The same with functions that are already loaded.
 DeviceContext describeDevice(const HostDevice& host, const InstanceFunctions& instance,
                              const DeviceFunctions& device);
 

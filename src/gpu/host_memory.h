@@ -6,33 +6,33 @@
 
 namespace sward::gpu {
 
-/// Memory for one buffer or image, as a host's allocator is asked for it.
+/// A request to a host's allocator: memory for one buffer or image.
 struct MemoryRequest {
     VkMemoryRequirements requirements{}; ///< of the buffer or image
-    std::uint32_t type = 0;              ///< index of the memory type, one that they allow
+    std::uint32_t type = 0;              ///< index of an allowed memory type
     bool isMapped = false;               ///< the CPU reads or writes it; the type is host-coherent
     bool hasAddress = false;             ///< allocated with VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT
-    const char* name = "";               ///< of what it is for, in words
+    const char* name = "";               ///< describes its purpose
 };
 
-/// What the allocator gives: a part of some memory.
+/// The allocator's result: a range of a memory object.
 struct MemoryPiece {
-    VkDeviceMemory memory = VK_NULL_HANDLE; ///< of the type that was asked for
+    VkDeviceMemory memory = VK_NULL_HANDLE; ///< of the requested type
     VkDeviceSize offset = 0;                ///< [bytes] a multiple of the alignment required
-    void* mapped = nullptr;                 ///< its first byte, if it was to be mapped
-    void* token = nullptr;                  ///< the allocator's own, to know it again
+    void* mapped = nullptr;                 ///< its first byte, if mapping was requested
+    void* token = nullptr;                  ///< the allocator's own identifier
 };
 
-/// A host's allocator of device memory, as two functions. They are called by the thread that calls
-/// what throws (never by what records), and by destructors; they throw nothing.
+/// A host's allocator of device memory, as two functions. They are called on the thread that calls
+/// a throwing function or a destructor, never while recording; they must not throw.
 struct HostMemory {
-    void* allocator = nullptr; ///< handed to both
+    void* allocator = nullptr; ///< passed to both functions
 
-    /// Fills in the piece; VK_SUCCESS or why not.
+    /// Fills in the piece. Returns VK_SUCCESS or an error.
     VkResult (*allocate)(void* allocator, const MemoryRequest& request,
                          MemoryPiece& piece) = nullptr;
 
-    /// Nothing is in the piece any more.
+    /// Frees the piece, which is no longer in use.
     void (*release)(void* allocator, const MemoryPiece& piece) = nullptr;
 };
 

@@ -32,7 +32,7 @@ VkResult boundsOf(const DeviceContext& context, const ImageSettings& settings,
                                                     usageOf(settings), flagsOf(settings), &bound);
 }
 
-// Whether shaders store into images of the format as which they are to store.
+// Whether shaders can store into such images through the format `storedAs`.
 bool isStoredAsSaid(const DeviceContext& context, const ImageSettings& settings)
 {
     if (settings.storedAs == VK_FORMAT_UNDEFINED)
@@ -42,7 +42,7 @@ bool isStoredAsSaid(const DeviceContext& context, const ImageSettings& settings)
     return (stored.optimalTilingFeatures & VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT) != 0;
 }
 
-// Reject what the device cannot make, in words, before the driver is asked for it.
+// Rejects unsupported settings with a message before calling the driver.
 void refuseUnsupported(const DeviceContext& context, const ImageSettings& settings)
 {
     VkImageFormatProperties bound{};
@@ -65,7 +65,7 @@ void refuseUnsupported(const DeviceContext& context, const ImageSettings& settin
              settings.name, settings.samples, context.name);
 }
 
-/// A view's format, and what it is for: an image may be for more than one of its formats can be.
+/// Format and usage of a view: the image's usage may exceed what one of its formats supports.
 struct Seen {
     VkFormat format;
     VkImageUsageFlags usage;
@@ -137,7 +137,7 @@ Image::Image(const DeviceContext& context, const ImageSettings& settings)
     context.vk.GetImageMemoryRequirements(context.device, image, &requirements);
     memoryBytes_ = requirements.size;
 
-    // An image that is only copied has no use for views, and Vulkan allows none.
+    // An image with only transfer usage needs no views, and Vulkan allows none.
     constexpr VkImageUsageFlags onlyCopied =
         VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
     if ((settings.usage & ~onlyCopied) == 0)

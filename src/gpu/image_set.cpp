@@ -56,7 +56,7 @@ ImageSet::ImageSet(const DeviceContext& context, const ImageSetLayout& layout,
 {
     expect(!isSet_.empty(), "an image set has images");
 
-    // A pool that holds this one set.
+    // A pool for this one set.
     std::vector<VkDescriptorPoolSize> sizes;
     if (layout.sampledCount() > 0)
         sizes.push_back({VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, layout.sampledCount()});

@@ -21,8 +21,8 @@ struct ImageSetSettings {
     VkShaderStageFlags stages = VK_SHADER_STAGE_ALL;
 };
 
-/// What shaders see of images: an array of sampled ones at binding 0, an array of storage images at
-/// binding 1. A binding of no elements is left out.
+/// Layout of a descriptor set of images: sampled images at binding 0, storage images at binding 1.
+/// Empty bindings are omitted.
 class ImageSetLayout {
 public:
     ImageSetLayout() = default;
@@ -38,8 +38,8 @@ private:
     std::uint32_t storageCount_ = 0;
 };
 
-/// The images themselves. Every element is set before the set is bound, since lavapipe knows no
-/// partially bound sets; and no element is set while the device uses the set.
+/// A descriptor set of images. Every element must be set before the set is bound, since lavapipe
+/// lacks partially bound sets. No element may be set while the device uses the set.
 class ImageSet {
 public:
     ImageSet() = default;

@@ -37,12 +37,12 @@ State stateOf(ImageUse use)
         return {VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                 {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT}};
     case ImageUse::present:
-        // The semaphore of the presentation orders what comes after.
+        // The presentation's semaphore orders later accesses.
         return {VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, {VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE}};
     case ImageUse::undefined:
         break;
     }
-    // An image that is used anew every frame waits for whatever the frame before did with it.
+    // An image reused every frame waits for all accesses of the frame before.
     return {VK_IMAGE_LAYOUT_UNDEFINED, anyAccess};
 }
 

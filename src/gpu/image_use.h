@@ -8,9 +8,9 @@
 
 namespace sward::gpu {
 
-/// What an image is for between two barriers: one layout, one set of stages.
+/// Use of an image between two barriers: one layout, one set of stages.
 enum class ImageUse {
-    undefined,      ///< only as what was before: contents are given up
+    undefined,      ///< only as the former use: contents are discarded
     colorTarget,    ///< attachment
     depthTarget,    ///< attachment, tested and written
     sampled,        ///< read through a sampler by any shader
@@ -20,15 +20,15 @@ enum class ImageUse {
     present,        ///< shown by the window system
 };
 
-/// The layout in which an image is for that.
+/// The image layout for a use.
 VkImageLayout layoutOf(ImageUse use);
 
-/// Takes all levels of an image from one use to the next; waits for the former, shows its writes to
-/// the latter.
+/// Transitions all levels of an image between uses. Waits for the former use; makes its writes
+/// visible to the latter.
 void transition(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, ImageUse before,
                 ImageUse after);
 
-/// The same.
+/// The same for an Image.
 void transition(VkCommandBuffer commands, const Image& image, ImageUse before, ImageUse after);
 
 /// The same for one mip level.

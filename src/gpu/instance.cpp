@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* validationLayer = "VK_LAYER_KHRONOS_validation";
 
-// Writes a message into the log that was given with the messenger.
+// Appends a message to the log that was passed to the messenger.
 VKAPI_ATTR VkBool32 VKAPI_CALL listen(VkDebugUtilsMessageSeverityFlagBitsEXT,
                                       VkDebugUtilsMessageTypeFlagsEXT,
                                       const VkDebugUtilsMessengerCallbackDataEXT* message,
@@ -59,7 +59,7 @@ VkDebugUtilsMessengerCreateInfoEXT describeMessenger(ValidationLog& log)
             .flags = 0,
             .messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
                                VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
-            // Not the general type: there the loader talks of other programs' layers and drivers.
+            // Not the general type: there the loader reports other programs' layers and drivers.
             .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT |
                            VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT,
             .pfnUserCallback = listen,
@@ -79,14 +79,14 @@ void destroyMessenger(VkInstance instance, VkDebugUtilsMessengerEXT messenger,
 Instance::Instance(const InstanceSettings& settings)
     : log_(std::make_unique<ValidationLog>())
 {
-    // Ask the loader for its age: device functions of 1.3 are called through it.
+    // Require a loader of 1.3 or later: device functions of 1.3 are called through it.
     std::uint32_t version = 0;
     check(vkEnumerateInstanceVersion(&version), "vkEnumerateInstanceVersion");
     if (version < requiredApiVersion)
         fail(ErrorKind::unsupported, "the Vulkan loader has version {}.{}, needed is 1.3",
              VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version));
 
-    // Take validation and debug names where they are installed.
+    // Use validation and debug names if they are installed.
     isValidating_ = settings.validation && layerIsInstalled(validationLayer);
     hasDebugUtils_ = isValidating_ || extensionIsThere(nullptr, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     std::vector<const char*> layers;
@@ -98,7 +98,7 @@ Instance::Instance(const InstanceSettings& settings)
     for (const std::string& extension : settings.extensions)
         extensions.push_back(extension.c_str());
 
-    // Listen from the first call on, synchronisation included.
+    // Collect messages from the first call on, including synchronisation validation.
     VkDebugUtilsMessengerCreateInfoEXT messenger = describeMessenger(*log_);
     constexpr VkValidationFeatureEnableEXT synchronization =
         VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;

@@ -12,14 +12,14 @@
 
 namespace sward::gpu {
 
-/// What every part of this library is written against.
+/// Vulkan version that this library requires.
 constexpr std::uint32_t requiredApiVersion = VK_API_VERSION_1_3;
 
-/// What an instance is made with.
+/// Settings of an instance.
 struct InstanceSettings {
-    std::string application = "sward"; ///< its name, which drivers are told
+    std::string application = "sward"; ///< name reported to drivers
 
-    /// Asks for the validation layer, with synchronisation validation, if it is installed.
+    /// Enables the validation layer, with synchronisation validation, if installed.
     bool validation = false;
 
     /// Instance extensions of the window system; empty without a window.
@@ -30,8 +30,8 @@ struct InstanceSettings {
 void destroyMessenger(VkInstance instance, VkDebugUtilsMessengerEXT messenger,
                       const VkAllocationCallbacks* allocator);
 
-/// The connection to Vulkan. Knows no window system: the caller names the extensions that a surface
-/// needs.
+/// The connection to Vulkan. Independent of window systems: the caller names the extensions that a
+/// surface needs.
 class Instance {
 public:
     /// Throws Error{unsupported} if there is no Vulkan driver, the loader is older than 1.3, or an
@@ -40,13 +40,13 @@ public:
 
     VkInstance get() const { return instance_.get(); } ///< the handle
 
-    /// Whether the validation layer listens. False if it was not asked for or is not installed.
+    /// Whether the validation layer is active. False if not requested or not installed.
     bool isValidating() const { return isValidating_; }
 
     /// Whether objects may be named and command buffers labelled.
     bool hasDebugUtils() const { return hasDebugUtils_; }
 
-    ValidationLog& validationLog() const { return *log_; } ///< what the layer has said
+    ValidationLog& validationLog() const { return *log_; } ///< messages of the layer
 
 private:
     std::unique_ptr<ValidationLog> log_;

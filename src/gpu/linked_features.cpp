@@ -1,5 +1,4 @@
-// Apart from the rest of features.cpp, so that a host with a loader of its own links no function of
-// Vulkan.
+// Separate from features.cpp, so that a host with its own loader links no Vulkan functions.
 #include "core/error.h"
 #include "gpu/features.h"
 

@@ -1,5 +1,5 @@
-// Apart from what hosts with a loader of their own need: who does not ask for these is not linked
-// with Vulkan's loader.
+// Separate file: hosts with their own loader do not use these functions, and so do not link
+// Vulkan's loader.
 #include "gpu/device_functions.h"
 #include "gpu/host_device.h"
 

@@ -13,25 +13,25 @@ namespace {
 
 constexpr double bytesPerMiB = 1024.0 * 1024.0;
 
-struct Wish {
+struct Flags {
     VkMemoryPropertyFlags required;
     VkMemoryPropertyFlags preferred;
     VkMemoryPropertyFlags avoided;
 };
 
-Wish wishFor(MemoryUse use)
+Flags flagsFor(MemoryUse use)
 {
     constexpr VkMemoryPropertyFlags mapped =
         VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     switch (use) {
     case MemoryUse::upload:
-        // Leave the small window into the device's own memory to others.
+        // Leave the small CPU-visible window of device memory to others.
         return {mapped, 0,
                 VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_HOST_CACHED_BIT};
     case MemoryUse::constants:
         return {mapped, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, VK_MEMORY_PROPERTY_HOST_CACHED_BIT};
     case MemoryUse::readback:
-        // Reading memory that the CPU does not cache is a hundred times slower.
+        // The CPU reads uncached memory a hundred times slower.
         return {mapped, VK_MEMORY_PROPERTY_HOST_CACHED_BIT, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT};
     case MemoryUse::device:
         break;
@@ -39,7 +39,7 @@ Wish wishFor(MemoryUse use)
     return {VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT};
 }
 
-/// A block of its own, mapped if it is to be.
+/// Allocates a separate block, mapped if requested.
 VkResult allocateBlock(const DeviceContext& context, const MemoryRequest& request, const void* next,
                        MemoryPiece& piece)
 {
@@ -53,7 +53,7 @@ VkResult allocateBlock(const DeviceContext& context, const MemoryRequest& reques
     if (result != VK_SUCCESS)
         return result;
     setName(context, piece.memory, request.name);
-    // Freeing the memory ends the mapping.
+    // Freeing the memory also unmaps it.
     return request.isMapped ? context.vk.MapMemory(context.device, piece.memory, 0, VK_WHOLE_SIZE,
                                                    0, &piece.mapped)
                             : VK_SUCCESS;
@@ -67,7 +67,7 @@ Memory allocate(const DeviceContext& context, const VkMemoryRequirements& requir
     if (!type)
         fail(ErrorKind::unsupported, "{} has no memory type for '{}'", context.name, name);
 
-    // Say what did not fit and into what, since the cure is a smaller thing or another device.
+    // The error names object, size and heap: the remedy is a smaller object or another device.
     const MemoryRequest request{requirements, *type, use != MemoryUse::device, hasAddress,
                                 name.c_str()};
     const VkDeviceSize heap =
@@ -124,15 +124,15 @@ Memory::~Memory()
 std::optional<std::uint32_t> chooseMemoryType(const VkPhysicalDeviceMemoryProperties& memory,
                                               std::uint32_t allowed, MemoryUse use)
 {
-    const Wish wish = wishFor(use);
+    const Flags wanted = flagsFor(use);
     std::optional<std::uint32_t> best;
     int bestScore = 0;
     for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i) {
         const VkMemoryPropertyFlags flags = memory.memoryTypes[i].propertyFlags;
-        if ((allowed >> i & 1U) == 0 || (flags & wish.required) != wish.required)
+        if ((allowed >> i & 1U) == 0 || (flags & wanted.required) != wanted.required)
             continue;
         const int score =
-            4 * std::popcount(flags & wish.preferred) - std::popcount(flags & wish.avoided);
+            4 * std::popcount(flags & wanted.preferred) - std::popcount(flags & wanted.avoided);
         if (!best || score > bestScore) {
             best = i;
             bestScore = score;

@@ -11,7 +11,7 @@
 
 namespace sward::gpu {
 
-/// Memory of a device: a block of its own, or a piece that a host's allocator has given.
+/// Device memory: a separate block, or a piece from a host's allocator.
 class Memory {
 public:
     Memory() = default;
@@ -29,22 +29,21 @@ private:
     MemoryPiece piece_;
 };
 
-/// Who touches the memory.
+/// How CPU and device access the memory.
 enum class MemoryUse {
-    device,    ///< the device alone
+    device,    ///< device only
     upload,    ///< written by the CPU, read once by the device; mapped
-    constants, ///< a few kilobytes that the CPU writes and every thread reads: in the device's own
-               ///< memory where the CPU can write there; mapped
+    constants, ///< a few kilobytes that the CPU writes and every thread reads: in device-local
+               ///< memory if the CPU can write there; mapped
     readback,  ///< written by the device, read by the CPU; mapped
 };
 
-/// The best of the memory types whose bits are set in `allowed`; none if no type has what `use`
-/// needs.
+/// The best of the memory types whose bits are set in `allowed`; none if no type suits `use`.
 std::optional<std::uint32_t> chooseMemoryType(const VkPhysicalDeviceMemoryProperties& memory,
                                               std::uint32_t allowed, MemoryUse use);
 
-/// Memory for one buffer or one image, bound to it. Throws Error{runtime} that names the thing, the
-/// size and the heap if there is not enough.
+/// Memory for one buffer or one image, bound to it. Throws Error{runtime} that names the object,
+/// the size and the heap if there is not enough.
 Memory allocateFor(const DeviceContext& context, VkBuffer buffer, MemoryUse use,
                    const std::string& name);
 Memory allocateFor(const DeviceContext& context, VkImage image, const std::string& name);

@@ -8,7 +8,7 @@
 
 namespace sward::gpu {
 
-/// Owns an object of a device, whose context outlives it: Owned<VkPipeline,
+/// Owns an object of a device; the context outlives it: Owned<VkPipeline,
 /// &DeviceFunctions::DestroyPipeline>.
 template <typename Handle, auto destroy>
 class Owned {

@@ -17,11 +17,11 @@ namespace sward::gpu {
 
 using Pipeline = Owned<VkPipeline, &DeviceFunctions::DestroyPipeline>;
 
-/// What every Vulkan device grants, and all that lavapipe has.
+/// The minimum that Vulkan guarantees, and the limit of lavapipe.
 constexpr std::uint32_t maxPushConstantBytes = 128;
 
-/// What a pipeline's shaders are given: push constants and descriptor sets for images. Buffers come
-/// as addresses inside the push constants.
+/// Inputs of a pipeline's shaders: push constants, and descriptor sets for images. Buffers are
+/// passed as addresses inside the push constants.
 class PipelineLayout {
 public:
     PipelineLayout() = default;
@@ -31,7 +31,7 @@ public:
 
     VkPipelineLayout get() const { return layout_.get(); }
 
-    /// `constants` has exactly the layout's bytes.
+    /// The size of `constants` must equal the layout's push constant bytes.
     template <typename T>
     void push(const Recording& commands, const T& constants) const
     {
@@ -53,7 +53,7 @@ struct SpecializationConstant {
     std::uint32_t value = 0;
 };
 
-/// Constants in the form that Vulkan takes; refers to them and to itself.
+/// Specialisation constants in Vulkan's form; holds pointers to `constants` and to itself.
 class Specialization {
 public:
     explicit Specialization(std::span<const SpecializationConstant> constants);

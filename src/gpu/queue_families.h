@@ -7,8 +7,7 @@
 
 namespace sward::gpu {
 
-/// All families of queues of a device; `ask` is vkGetPhysicalDeviceQueueFamilyProperties of
-/// whichever loader.
+/// All queue families of a device. `ask` is vkGetPhysicalDeviceQueueFamilyProperties of any loader.
 inline std::vector<VkQueueFamilyProperties>
 queueFamiliesOf(VkPhysicalDevice physical, PFN_vkGetPhysicalDeviceQueueFamilyProperties ask)
 {

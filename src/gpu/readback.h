@@ -16,10 +16,10 @@
 
 namespace sward::gpu {
 
-// Reading back waits for the device: it serves tests, pictures and dumps, not frames.
+// Readback waits for the device: for tests, pictures and dumps, not for frames.
 
-/// The `bytes` of `source` from byte `offset` on, once all submitted work is done. The buffer's
-/// usage includes VK_BUFFER_USAGE_TRANSFER_SRC_BIT. Larger buffers come in pieces through 32 MiB of
+/// Reads `bytes` of `source` from byte `offset`, after all submitted work. The buffer's usage
+/// includes VK_BUFFER_USAGE_TRANSFER_SRC_BIT. Larger buffers are read in pieces through 32 MiB of
 /// staging.
 std::vector<std::byte> readBuffer(const DeviceContext& context, const Buffer& source,
                                   VkDeviceSize offset, VkDeviceSize bytes);
@@ -37,8 +37,8 @@ std::vector<T> readBufferAs(const DeviceContext& context, const Buffer& source)
     return elements;
 }
 
-/// The pixels of one mip level in tightly packed rows, top row first. `use` is what the image was
-/// last used for, and stays that. The image has one sample and VK_IMAGE_USAGE_TRANSFER_SRC_BIT.
+/// The pixels of one mip level in tightly packed rows, top row first. `use` is the image's current
+/// use, which is restored. The image has one sample and VK_IMAGE_USAGE_TRANSFER_SRC_BIT.
 std::vector<std::byte> readImage(const DeviceContext& context, const Image& source, ImageUse use,
                                  std::uint32_t level = 0);
 

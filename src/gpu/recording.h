@@ -7,18 +7,18 @@
 
 namespace sward::gpu {
 
-/// A command buffer that is being recorded, and the functions that record.
+/// A command buffer in recording state, with the functions that record into it.
 class Recording {
 public:
-    /// By the functions of its device.
+    /// Uses the functions of the context's device.
     Recording(const DeviceContext& context, VkCommandBuffer commands)
         : vk(&context.vk)
         , commands_(commands)
     {
     }
 
-    /// By those that the program is linked with. Implicit: it is the same where nobody has brought
-    /// a loader of their own.
+    /// Uses the linked functions. Implicit, since both are the same unless a host brings its own
+    /// loader.
     Recording(VkCommandBuffer commands)
         : vk(&linkedFunctions())
         , commands_(commands)

@@ -10,20 +10,20 @@
 
 namespace sward::gpu {
 
-/// An image in ImageUse::colorTarget that is drawn into.
+/// A colour attachment; its image is in ImageUse::colorTarget.
 struct ColorAttachment {
     VkImageView view = VK_NULL_HANDLE;         ///< of one mip level
-    VkImageView resolve = VK_NULL_HANDLE;      ///< of one sample; receives the average, if given
-    std::optional<std::array<float, 4>> clear; ///< none: what is there stays …
-    bool isLoaded = true; ///< … or, where nothing is drawn, may become anything
-    bool isKept = true;   ///< false: the samples are needed no more once they are resolved
+    VkImageView resolve = VK_NULL_HANDLE;      ///< of one sample; receives the average, if set
+    std::optional<std::array<float, 4>> clear; ///< none: contents are kept …
+    bool isLoaded = true; ///< … or become undefined where nothing is drawn, if false
+    bool isKept = true;   ///< false: the samples are discarded after the resolve
 };
 
-/// An image in ImageUse::depthTarget.
+/// A depth attachment; its image is in ImageUse::depthTarget.
 struct DepthAttachment {
     VkImageView view = VK_NULL_HANDLE; ///< of one mip level
-    std::optional<float> clear;        ///< reversed Z: 0 is far; none: what is there stays
-    bool isKept = true;                ///< false: it is needed no more
+    std::optional<float> clear;        ///< reversed Z: 0 is far; none: contents are kept
+    bool isKept = true;                ///< false: contents are discarded afterwards
 };
 
 constexpr std::size_t maxColorAttachments = 4;
@@ -31,10 +31,10 @@ constexpr std::size_t maxColorAttachments = 4;
 /// Sets viewport and scissor to the whole extent, y downwards, depth from 0 to 1.
 void setArea(VkCommandBuffer commands, VkExtent2D extent);
 
-/// Draws into images while it lives (dynamic rendering). Begins with setArea().
+/// Dynamic rendering into images during its lifetime. Begins with setArea().
 class RenderingScope {
 public:
-    /// At most maxColorAttachments, all of this extent or larger.
+    /// At most maxColorAttachments, each at least as large as `extent`.
     RenderingScope(VkCommandBuffer commands, VkExtent2D extent,
                    std::span<const ColorAttachment> colors,
                    const std::optional<DepthAttachment>& depth = std::nullopt);

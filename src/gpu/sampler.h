@@ -13,7 +13,7 @@ using Sampler = Owned<VkSampler, &DeviceFunctions::DestroySampler>;
 
 struct SamplerSettings {
     std::string name{};
-    VkFilter filter = VK_FILTER_LINEAR; ///< between pixels, and likewise between mip levels
+    VkFilter filter = VK_FILTER_LINEAR; ///< between pixels and between mip levels
     VkSamplerAddressMode address = VK_SAMPLER_ADDRESS_MODE_REPEAT;
 };
 

@@ -14,7 +14,7 @@ namespace sward::gpu {
 
 using ShaderModule = Owned<VkShaderModule, &DeviceFunctions::DestroyShaderModule>;
 
-/// SPIR-V modules by the name of their source: "ground.vert" finds the file "ground.vert.spv".
+/// SPIR-V modules by the name of their source: "ground.vert" refers to "ground.vert.spv".
 class ShaderLibrary {
 public:
     /// `files` must outlive the library.

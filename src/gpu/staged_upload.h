@@ -12,8 +12,8 @@
 
 namespace sward::gpu {
 
-/// Brings bytes into buffers by commands that somebody else submits: they wait in mapped memory of
-/// their own until these have completed.
+/// Uploads bytes into buffers with commands that the caller submits. Its mapped memory holds the
+/// bytes until these commands have completed.
 class StagedUpload : public BufferUpload {
 public:
     /// `context` outlives it.
@@ -21,18 +21,18 @@ public:
 
     using BufferUpload::toBuffer;
 
-    /// The target lives, and stays where its handle is, until the copy has been made.
+    /// The target, at a fixed handle address, must live until the copy has completed.
     void toBuffer(const Buffer& target, std::span<const std::byte> bytes,
                   VkDeviceSize offset = 0) override;
 
-    /// Records copies of at most `maxBytes` more, and a barrier to whatever comes after them.
-    /// Nobody uses the targets on the device before.
+    /// Records copies of at most `maxBytes` more, and a barrier to all later commands. The device
+    /// must not use the targets before.
     void record(const Recording& commands, VkDeviceSize maxBytes) noexcept;
 
-    bool isRecorded() const { return next_ == copies_.size(); } ///< all of it
+    bool isRecorded() const { return next_ == copies_.size(); } ///< everything
 
-    /// Frees the mapped memory; the device is done with all commands that have been recorded, which
-    /// are those of everything.
+    /// Frees the mapped memory. Everything must be recorded, and the recorded commands must have
+    /// completed.
     void release();
 
     VkDeviceSize bytes() const; ///< of mapped memory
@@ -46,8 +46,8 @@ private:
 
     const DeviceContext* context_;
     std::vector<Copy> copies_;
-    std::size_t next_ = 0;      ///< the first copy that is not recorded as a whole …
-    VkDeviceSize recorded_ = 0; ///< … and what of it is
+    std::size_t next_ = 0;      ///< the first copy that is not fully recorded …
+    VkDeviceSize recorded_ = 0; ///< … and its bytes recorded so far
 };
 
 } // namespace sward::gpu

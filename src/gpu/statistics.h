@@ -5,11 +5,11 @@
 
 namespace sward::gpu {
 
-/// What is left of a series of measurements; all zero for an empty one.
+/// Summary of a series of measurements; all zero for an empty series.
 struct Statistics {
     double min = 0.0;
-    double median = 0.0; ///< for an even number the mean of the middle two
-    double p99 = 0.0;    ///< the smallest value that is not exceeded by 99 % of all (nearest rank)
+    double median = 0.0; ///< for an even count the mean of the middle two
+    double p99 = 0.0;    ///< the smallest value that 99 % of all do not exceed (nearest rank)
     std::size_t count = 0;
 };
 

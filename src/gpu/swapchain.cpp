@@ -10,14 +10,14 @@
 namespace sward::gpu {
 namespace {
 
-// More than there are frames in flight, so that a semaphore's former frame is done when its turn
-// comes.
+// More than the frames in flight, so that a semaphore's former frame has completed before the
+// semaphore is reused.
 constexpr std::size_t availableSemaphores = 8;
 
-// A window that is hidden may never hand out an image; look after events once a second.
+// A hidden window may never provide an image; return to event handling once a second.
 constexpr std::uint64_t acquireTimeout = 1'000'000'000; // [ns]
 
-// How often acquire() makes new images before it lets the caller look after events.
+// Rebuilds per acquire() before the caller may handle events.
 constexpr int acquireAttempts = 3;
 
 VkSurfaceFormatKHR queryFormat(const DeviceContext& context, VkSurfaceKHR surface)
@@ -33,7 +33,7 @@ VkSurfaceFormatKHR queryFormat(const DeviceContext& context, VkSurfaceKHR surfac
 
 VkCompositeAlphaFlagBitsKHR chooseAlpha(VkCompositeAlphaFlagsKHR supported)
 {
-    // The window is opaque wherever that can be said.
+    // The window is opaque if the surface supports it.
     return (supported & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR) != 0
                ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
                : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
@@ -86,7 +86,7 @@ std::optional<Swapchain::Target> Swapchain::acquire()
         case VK_NOT_READY:
             return std::nullopt;
         case VK_SUBOPTIMAL_KHR:
-            // The image is good for one more frame.
+            // The image is still usable for this frame.
             mustRebuild_ = true;
             break;
         default:
@@ -121,7 +121,7 @@ void Swapchain::present(const Target& target)
 
 void Swapchain::rebuild()
 {
-    // Old images must not be in use any more.
+    // Old images must no longer be in use.
     check(vkDeviceWaitIdle(context_.device), "vkDeviceWaitIdle");
     images_.clear();
     ++generation_;
@@ -132,7 +132,7 @@ void Swapchain::rebuild()
     const std::optional<VkExtent2D> extent = chooseSurfaceExtent(capabilities, wanted_);
     extent_ = extent.value_or(VkExtent2D{0, 0});
     if (!extent) {
-        // Ask again at the next acquire().
+        // Retry at the next acquire().
         swapchain_ = {};
         mustRebuild_ = true;
         return;

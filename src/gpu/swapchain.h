@@ -12,16 +12,15 @@
 
 namespace sward::gpu {
 
-/// The images that a window shows. Made anew by itself when the window has changed; has no images
-/// while the window is minimised. Waits for the vertical blank (FIFO). The surface is the caller's
-/// and outlives it.
+/// The images of a window. Rebuilt automatically when the window changes; without images while the
+/// window is minimised. Presents in FIFO mode (vertical blank). The caller owns the surface, which
+/// must outlive the swapchain.
 class Swapchain {
 public:
-    /// One image to draw into. The submission that draws waits for `available` and signals
-    /// `finished`.
+    /// One image to draw into. The drawing submission waits for `available` and signals `finished`.
     struct Target {
         std::uint32_t index;
-        VkImage image; ///< in ImageUse::undefined; present() wants it in ImageUse::present
+        VkImage image; ///< in ImageUse::undefined; in ImageUse::present for present()
         VkImageView view;
         VkSemaphore available;
         VkSemaphore finished;
@@ -33,13 +32,12 @@ public:
     Swapchain& operator=(const Swapchain&) = delete;
     ~Swapchain();
 
-    /// Says that the window's size has changed. The images follow at the next acquire().
+    /// Sets the window's new size. The images follow at the next acquire().
     void resize(VkExtent2D extent);
 
-    /// The next image, or nothing while the window has no pixels or shows nothing: then the caller
-    /// waits for events and asks again. May wait for the device and replace all images. An image
-    /// that was acquired must be drawn to and presented. Throws Error{runtime} if the surface or
-    /// the device is lost.
+    /// The next image, or nothing while the window is minimised or hidden: then the caller waits
+    /// for events and retries. May wait for the device and replace all images. An acquired image
+    /// must be drawn to and presented. Throws Error{runtime} if the surface or the device is lost.
     std::optional<Target> acquire();
 
     void present(const Target& target);
@@ -49,7 +47,7 @@ public:
     VkImageUsageFlags usage() const { return usage_; } ///< colour target; transfers where possible
     std::uint32_t imageCount() const { return static_cast<std::uint32_t>(images_.size()); }
 
-    /// Grows whenever the images are replaced: whatever was made for the old ones must follow.
+    /// Increases whenever the images are replaced; objects made for the old ones must be rebuilt.
     std::uint64_t generation() const { return generation_; }
 
 private:
@@ -72,9 +70,9 @@ private:
 
     Unique<VkSwapchainKHR, vkDestroySwapchainKHR> swapchain_;
     std::vector<SwapchainImage> images_;
-    std::vector<Semaphore> available_; ///< in turn
+    std::vector<Semaphore> available_; ///< used in turn
     std::vector<Semaphore>
-        finished_; ///< by image; kept over rebuilds, since a present may still wait
+        finished_; ///< per image; kept over rebuilds, since a present may still wait
     std::size_t nextAvailable_ = 0;
 };
 

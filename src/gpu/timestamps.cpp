@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t notMeasured = std::numeric_limits<std::uint32_t>::max();
 
-// A query's answer with its availability.
+// A query's result with its availability.
 struct Query {
     std::uint64_t ticks;
     std::uint64_t isAvailable;
@@ -89,7 +89,7 @@ std::vector<double> Timestamps::history(std::string_view name) const
     const auto found = std::ranges::find(series_, name, &Series::name);
     if (found == series_.end())
         return {};
-    // Turn the ring so that the latest comes last.
+    // Rotate the ring so that the latest comes last.
     std::vector<double> values = found->milliseconds;
     std::ranges::rotate(values, values.begin() + static_cast<std::ptrdiff_t>(found->next));
     return values;
@@ -104,7 +104,7 @@ void Timestamps::collectSlot(std::uint32_t slot)
     using Sum = std::pair<std::string, double>;
     std::vector<Sum> sums;
     for (std::uint32_t scope = 0; scope < names.size(); ++scope) {
-        // Without an answer there is nothing to measure; waiting for one could take for ever.
+        // Without a result the scope is not measured; waiting for one could block forever.
         std::array<Query, 2> queries{};
         const VkResult result =
             vkGetQueryPoolResults(context_.device, queries_.get(), firstQuery(slot) + 2 * scope, 2,
@@ -116,7 +116,7 @@ void Timestamps::collectSlot(std::uint32_t slot)
         if (queries[0].isAvailable == 0 || queries[1].isAvailable == 0)
             continue;
 
-        // Subtract within the valid bits, so that one turn of the counter does no harm.
+        // Subtract within the valid bits, so that one wrap of the counter is harmless.
         const std::uint64_t ticks = (queries[1].ticks - queries[0].ticks) & validBits;
         const double milliseconds =
             static_cast<double>(ticks) * double(context_.limits.timestampPeriod) * 1e-6;

@@ -16,28 +16,27 @@ namespace sward::gpu {
 
 struct TimestampSettings {
     std::uint32_t slots = 2;             ///< frames in flight
-    std::uint32_t scopes = 112;          ///< the most of one frame
-    std::uint32_t historyFrames = 4'096; ///< older measurements are forgotten
+    std::uint32_t scopes = 112;          ///< maximum per frame
+    std::uint32_t historyFrames = 4'096; ///< older measurements are dropped
 };
 
-/// How long the device takes for named parts of a frame. A part begins when everything before it is
-/// done and ends when everything in it is. On a queue without timestamps nothing is measured.
+/// Device durations of named scopes of a frame. A scope begins when all earlier commands are done
+/// and ends when its own are. On a queue without timestamps nothing is measured.
 class Timestamps {
 public:
     explicit Timestamps(const DeviceContext& context, const TimestampSettings& settings = {});
 
-    /// Takes over what the slot's former frame measured, and makes room for the new one. The device
-    /// must be done with that frame, as it is after FrameRing::begin(), and a frame that is begun
-    /// is submitted. Recorded outside of any rendering.
+    /// Collects the measurements of the slot's former frame and prepares the new one. The former
+    /// frame must have completed, as after FrameRing::begin(), and every begun frame must be
+    /// submitted. To be recorded outside of a rendering.
     void beginFrame(VkCommandBuffer commands, std::uint32_t slot);
 
-    /// Begins a part; returns what end() takes. Parts may contain each other; what several parts of
-    /// one name take is added up. Beyond the settings'
-    /// number of scopes a part is not measured.
+    /// Begins a scope; returns the argument of end(). Scopes may nest; durations of scopes with the
+    /// same name are added. Scopes beyond the settings' limit are not measured.
     std::uint32_t begin(VkCommandBuffer commands, std::string_view name);
     void end(VkCommandBuffer commands, std::uint32_t scope);
 
-    /// Takes over what all slots have measured. The device must be done with them.
+    /// Collects the measurements of all slots, whose frames must have completed.
     void collect();
 
     /// Names in the order in which they first appeared.
@@ -47,13 +46,13 @@ public:
     std::vector<double> history(std::string_view name) const;
     Statistics statistics(std::string_view name) const { return statisticsOf(history(name)); }
 
-    /// Forgets all durations, after warming up for instance; what is in flight still counts.
+    /// Drops all durations, for example after warm-up; frames in flight still count.
     void clearHistory() { series_.clear(); }
 
 private:
     struct Series {
         std::string name;
-        std::vector<double> milliseconds; ///< a ring once it is full
+        std::vector<double> milliseconds; ///< a ring once full
         std::size_t next = 0;
     };
 
@@ -69,7 +68,7 @@ private:
     std::vector<Series> series_;
 };
 
-/// Measures and labels what is recorded while it lives.
+/// Measures and labels the commands recorded during its lifetime.
 class TimedScope {
 public:
     TimedScope(Timestamps& timestamps, const DeviceContext& context, VkCommandBuffer commands,

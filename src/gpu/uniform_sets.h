@@ -11,7 +11,7 @@
 
 namespace sward::gpu {
 
-/// The layout of a set of one uniform buffer, at binding 0, for compute shaders.
+/// Layout of a descriptor set with one uniform buffer at binding 0, for compute shaders.
 class UniformSetLayout {
 public:
     UniformSetLayout() = default;
@@ -23,20 +23,20 @@ private:
     Owned<VkDescriptorSetLayout, &DeviceFunctions::DestroyDescriptorSetLayout> layout_;
 };
 
-/// Any device takes uniform buffers that lie at multiples of it [bytes].
+/// Alignment of uniform buffers [bytes] that every device accepts.
 constexpr VkDeviceSize uniformAlignment = 256;
 
 struct UniformSetsSettings {
     std::string name{};
     VkBuffer buffer =
         VK_NULL_HANDLE;      ///< with VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT; outlives the sets
-    VkDeviceSize offset = 0; ///< of the first [bytes], a multiple of uniformAlignment …
-    VkDeviceSize bytes = 0;  ///< … and of each, so that they lie on end
+    VkDeviceSize offset = 0; ///< start of the first part [bytes], a multiple of uniformAlignment …
+    VkDeviceSize bytes = 0;  ///< … and size of each; the parts are contiguous
     std::uint32_t count = 1;
 };
 
-/// Sets for parts of one size of a buffer, which lie on end. Sets of any UniformSetLayout fit any
-/// pipeline that was made with one.
+/// Descriptor sets for contiguous parts of a buffer, all of one size. The sets of every
+/// UniformSetLayout are compatible with pipelines made with any other.
 class UniformSets {
 public:
     UniformSets() = default;

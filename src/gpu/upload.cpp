@@ -13,7 +13,7 @@
 namespace sward::gpu {
 namespace {
 
-// Copies into images start at multiples of the pixel's size and of four; 16 serves every format.
+// Offsets of copies into images are multiples of the pixel size and of 4; 16 suits every format.
 constexpr VkDeviceSize stagingAlignment = 16;
 
 VkDeviceSize alignUp(VkDeviceSize bytes)
@@ -21,7 +21,7 @@ VkDeviceSize alignUp(VkDeviceSize bytes)
     return (bytes + stagingAlignment - 1) / stagingAlignment * stagingAlignment;
 }
 
-// The whole of one level, as a corner of a blit.
+// The far corner of a level, for blits.
 VkOffset3D farCorner(VkExtent2D extent)
 {
     return {static_cast<std::int32_t>(extent.width), static_cast<std::int32_t>(extent.height), 1};
@@ -46,7 +46,7 @@ Uploader::Uploader(const DeviceContext& context, VkDeviceSize stagingBytes)
 
 Uploader::~Uploader()
 {
-    // Staging memory must not die while the device copies from it. A lost device copies nothing.
+    // Staging memory must outlive the device's copies. A lost device copies nothing.
     for (const Half& half : halves_) {
         VkFence done = half.done.get();
         vkWaitForFences(context_.device, 1, &done, VK_TRUE, UINT64_MAX);
@@ -58,12 +58,12 @@ void Uploader::toBuffer(const Buffer& target, std::span<const std::byte> bytes, 
     expect(offset <= target.bytes() && bytes.size() <= target.bytes() - offset,
            "the bytes fit into the buffer");
 
-    // Wait for whatever used the target before.
+    // Wait for earlier accesses to the target.
     if (!bytes.empty())
         anythingToTransfer(halfWithRoom(1).commands);
 
     while (!bytes.empty()) {
-        // Fill what is left of the half.
+        // Fill the rest of the half.
         Half& half = halfWithRoom(1);
         const VkDeviceSize room = half.staging.bytes() - half.used;
         const VkDeviceSize size = std::min<VkDeviceSize>(room, bytes.size());
@@ -86,7 +86,7 @@ void Uploader::toImage(const Image& target, std::span<const std::byte> pixels)
 
     transition(halfWithRoom(1).commands, target, ImageUse::undefined, ImageUse::transferTarget);
     for (std::uint32_t row = 0; row < extent.height;) {
-        // Take as many whole rows as the half has room for.
+        // Copy as many whole rows as fit into the half.
         Half& half = halfWithRoom(rowBytes);
         const VkDeviceSize room = (half.staging.bytes() - half.used) / rowBytes;
         const auto rows =
@@ -118,7 +118,7 @@ void Uploader::makeMips(const Image& target)
         fail(ErrorKind::unsupported, "{} cannot make mip levels of format {}", context_.name,
              static_cast<int>(target.format()));
 
-    // Halve each level into the next; a level is finished once the next has been made from it.
+    // Downsample each level into the next; a level is complete once the next has been made from it.
     VkCommandBuffer commands = halfWithRoom(1).commands;
     for (std::uint32_t level = 1; level < target.mips(); ++level) {
         transitionMip(commands, target, level - 1, ImageUse::transferTarget,
@@ -147,7 +147,7 @@ Uploader::Half& Uploader::halfWithRoom(VkDeviceSize bytes)
     if (halves_[current_].used + bytes > halves_[current_].staging.bytes())
         flush();
 
-    // Wait until the device has emptied the half before filling it anew.
+    // Wait until the device has copied the half before refilling it.
     Half& half = halves_[current_];
     if (!half.isRecording) {
         wait(context_, half.done.get());
@@ -164,7 +164,7 @@ void Uploader::flush()
     if (!half.isRecording)
         return;
 
-    // Show what was copied to everything that is submitted later.
+    // Make the copies visible to all later submissions.
     memoryBarrier(half.commands, transferAccess, anyAccess);
     VkFence done = half.done.get();
     check(vkResetFences(context_.device, 1, &done), "vkResetFences");

@@ -15,8 +15,8 @@
 
 namespace sward::gpu {
 
-/// Brings bytes from the CPU into buffers and images through a staging buffer of bounded size,
-/// however many there are: while the device copies one half, the CPU fills the other.
+/// Copies bytes from the CPU into buffers and images through a staging buffer of bounded size. The
+/// device copies one half while the CPU fills the other.
 class Uploader : public BufferUpload {
 public:
     static constexpr VkDeviceSize defaultStagingBytes = VkDeviceSize(32) << 20;
@@ -29,11 +29,11 @@ public:
     void toBuffer(const Buffer& target, std::span<const std::byte> bytes,
                   VkDeviceSize offset = 0) override;
 
-    /// Fills level 0 with tightly packed rows, makes the other levels by halving, and leaves the
-    /// image ready to be sampled. Former contents are given up.
+    /// Fills level 0 with tightly packed rows, makes the other levels by downsampling, and leaves
+    /// the image in ImageUse::sampled. Former contents are discarded.
     void toImage(const Image& target, std::span<const std::byte> pixels);
 
-    /// Submits what is left and waits until everything is in its place. Nothing is promised before.
+    /// Submits the remaining copies and waits for all. Uploads are complete only afterwards.
     void finish();
 
 private:
@@ -45,7 +45,7 @@ private:
         bool isRecording = false;
     };
 
-    /// The half that is being filled, recording, with room for at least `bytes`.
+    /// The half being filled, in recording state, with room for at least `bytes`.
     Half& halfWithRoom(VkDeviceSize bytes);
     void flush();
     void makeMips(const Image& target);

@@ -5,7 +5,7 @@
 namespace sward::gpu {
 namespace {
 
-// A mistake in a frame repeats with every frame; the first hundred texts are enough to mend it.
+// An error in a frame repeats every frame; the first hundred messages suffice to fix it.
 constexpr std::size_t keptMessages = 100;
 
 } // namespace

@@ -7,7 +7,7 @@
 
 namespace sward::gpu {
 
-/// What the validation layers had to say: warnings and errors, gathered from any thread.
+/// Messages of the validation layers: warnings and errors, collected from any thread.
 class ValidationLog {
 public:
     void add(std::string message);
@@ -15,8 +15,8 @@ public:
 
     std::size_t count() const;
 
-    /// All messages, one under the other; empty if there are none. Beyond the first hundred
-    /// messages only the number grows.
+    /// All messages, one per line; empty if there are none. Beyond the first hundred messages only
+    /// the count grows.
     std::string text() const;
 
 private:

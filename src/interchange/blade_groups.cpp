@@ -9,10 +9,10 @@ namespace {
 
 constexpr std::uint32_t noGroup = std::numeric_limits<std::uint32_t>::max();
 
-// A subtree of less than this part of the largest group is not worth a draw of its own.
+// A subtree with less than this share (1/32) of the largest group gets no draw of its own.
 constexpr std::uint64_t minShare = 32;
 
-// Blades of each patch and everything below it.
+// Number of blades of each patch and its subtree.
 std::vector<std::uint64_t> subtreeCounts(std::span<const shared::Patch> patches)
 {
     std::vector<std::uint64_t> counts(patches.size());
@@ -36,7 +36,7 @@ public:
 
     std::vector<BladeGroup> run()
     {
-        // Parents come before children: each patch asks what has become of its parent.
+        // Parents precede children, so the parent's group is known.
         for (std::uint32_t p = 0; p < patches_.size(); ++p) {
             groupOf_[p] = choose(p);
             if (groupOf_[p] == noGroup || patches_[p].bladeCount == 0)
@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    // The group of patch `p`, which may be a new one.
+    // Chooses the group of patch `p`; may create one.
     std::uint32_t choose(std::uint32_t p)
     {
         if (counts_[p] == 0)
@@ -62,12 +62,12 @@ private:
         const bool aboveIsWhole = above != noGroup && counts_[patches_[p].parent] <= largest_;
         if (aboveIsWhole)
             return above;
-        // Cells too wide to own blades are in no group; theirs begin below.
+        // Cells too wide to own blades are in no group.
         const bool isWhole = counts_[p] <= largest_;
         if (!isWhole && patches_[p].bladeCount == 0)
             return noGroup;
-        // Representatives, and what is too little for a group, join the representatives of the
-        // cell around them while there is room.
+        // Representatives and subtrees too small for a group join the parent's group while there is
+        // room.
         const std::uint64_t joining = isWhole ? counts_[p] : patches_[p].bladeCount;
         const bool mayJoin = !isWhole || counts_[p] < largest_ / minShare;
         if (mayJoin && above != noGroup && reserved_[above] + joining <= largest_) {
@@ -84,7 +84,7 @@ private:
     std::vector<std::uint64_t> counts_;
     std::vector<std::uint32_t> groupOf_;
     std::vector<BladeGroup> groups_;
-    std::vector<std::uint64_t> reserved_; // blades of each group, with those still to come
+    std::vector<std::uint64_t> reserved_; // blades per group, including later ones
 };
 
 } // namespace

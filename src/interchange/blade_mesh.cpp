@@ -9,10 +9,10 @@
 namespace sward::interchange {
 namespace {
 
-// Long enough for any blade to come to rest [s].
+// Time after which any blade is at rest [s].
 constexpr float untilRest = 1e6f;
 
-// A blade at the origin of level ground that has come to rest.
+// Rest pose of a blade at the origin on level ground.
 shared::Pose restPose(const field::Defaults& defaults, float stiffness)
 {
     const glm::vec3 up(0.0f, 1.0f, 0.0f);
@@ -43,14 +43,14 @@ BladeMesh bladeMesh(const shared::Species& species, const field::Defaults& defau
 {
     const shared::Pose pose = restPose(defaults, stiffness);
     BladeMesh mesh;
-    // A channel that neither end has is black whatever it is multiplied by.
+    // A channel that is 0 at both ends stays 0.
     mesh.baseColor = glm::max(species.rootColor, species.tipColor);
     const glm::vec3 divisor = glm::max(mesh.baseColor, glm::vec3(1e-6f));
 
-    // A row across has its two edges, and between them the ridge of a folded blade.
+    // A row has two edges, and between them the ridge of a folded blade.
     const auto add = [&](float x, float ridge, float along) {
         const glm::vec3 centre = shared::bezierPoint(glm::vec3(0.0f), pose.v1, pose.v2, along);
-        // A straight curve ends at its own control point, without a direction there.
+        // Avoid the end: a straight curve may have no derivative there.
         const glm::vec3 speed = shared::bezierTangent(glm::vec3(0.0f), pose.v1, pose.v2, along);
         const glm::vec3 tangent = glm::normalize(glm::dot(speed, speed) > 1e-12f ? speed : pose.v1);
         const glm::vec3 normal(0.0f, 0.0f - tangent.z, tangent.y);

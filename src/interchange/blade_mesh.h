@@ -11,22 +11,22 @@
 namespace sward::interchange {
 
 /// The blade of one species as triangles: a ribbon along the Bézier curve of shared/physics.h. It
-/// starts at the origin, grows along +Y and leans to +Z; its curve is one long and its root, along
-/// X, one wide, so that a scale of (width, height, height) makes a blade of it.
+/// starts at the origin, grows along +Y and leans to +Z. Its length is 1, its root width along X is
+/// 1, so that a scale of (width, height, height) gives a blade.
 struct BladeMesh {
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;     ///< unit; the side that looks to +Z
+    std::vector<glm::vec3> normals;     ///< unit; of the side facing +Z
     std::vector<glm::vec2> uvs;         ///< across from left, along from the root
     std::vector<glm::vec3> colors;      ///< linear, [0, 1], to be multiplied by `baseColor`
     glm::vec3 baseColor{1.0f};          ///< linear: the larger of root and tip colour per channel
     std::vector<std::uint32_t> indices; ///< triangles, counter-clockwise seen from +Z
 };
 
-/// Rows of quads of a ribbon of this shape.
+/// Rows of quads for a blade shape.
 std::uint32_t bladeSegments(std::uint32_t shape);
 
-/// The mesh of `species` as a blade of `stiffness` [0, 1] rests on level ground: no wind, gravity
-/// and recovery as the field's defaults have them. Outline and fold are the species'.
+/// The mesh of `species` for a resting blade of `stiffness` [0, 1] on level ground: no wind,
+/// gravity and recovery from the field's defaults, outline and fold from the species.
 BladeMesh bladeMesh(const shared::Species& species, const field::Defaults& defaults,
                     float stiffness);
 

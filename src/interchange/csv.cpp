@@ -15,7 +15,7 @@ constexpr std::string_view csvHeader =
     "id,x,y,z,ux,uy,uz,facing,height,width,stiffness,species,exposure,tint_r,tint_g,tint_b,clump,"
     "patch\n";
 
-// Rows are gathered until this many bytes, so that a million of them are few writes.
+// Buffer size of rows, to reduce the number of writes.
 constexpr std::size_t csvWriteSize = std::size_t(1) << 20;
 
 void appendRow(fmt::memory_buffer& text, std::uint64_t id, const glm::dvec3& origin,

@@ -4,12 +4,12 @@
 
 namespace sward::interchange {
 
-/// What every export is told beside the field and the file's name.
+/// Settings of every export, besides field and file name.
 struct ExportSettings {
-    std::string source = "field";    ///< what the field is called in messages
+    std::string source = "field";    ///< name of the field in messages
     bool overwrite = false;          ///< replace an existing file
     bool withGround = false;         ///< .glb only: the drawn ground beneath the blades
-    std::string generator = "Sward"; ///< the program's name and version, for the file's own notes
+    std::string generator = "Sward"; ///< name and version of the program, stored in the file
 };
 
 } // namespace sward::interchange

@@ -22,7 +22,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* extension = "EXT_mesh_gpu_instancing";
 
-// The container's header, and those of its two chunks.
+// The container's header and two chunk headers.
 constexpr std::uint64_t headerBytes = 12 + 2 * 8;
 
 std::size_t addBladeMesh(GltfDocument& document, const BladeMesh& mesh, const std::string& name,
@@ -47,7 +47,7 @@ std::size_t addBladeMesh(GltfDocument& document, const BladeMesh& mesh, const st
                                                               {"material", material}}})}});
 }
 
-// Mesh and material of species i get the number i.
+// Mesh and material of species i have index i.
 void addSpecies(GltfDocument& document, const field::FieldView& field)
 {
     const std::vector<float> stiffness = meanStiffness(field);
@@ -65,7 +65,7 @@ void addSpecies(GltfDocument& document, const field::FieldView& field)
     }
 }
 
-// The instances of a group, species by species.
+// The instances of a group, by species.
 std::vector<std::vector<Instance>> bySpecies(const field::FieldView& field, const BladeGroup& group,
                                              const std::string& source)
 {
@@ -75,7 +75,7 @@ std::vector<std::vector<Instance>> bySpecies(const field::FieldView& field, cons
     return result;
 }
 
-// The node of the instances of one species in one group; their bytes are reserved.
+// Adds the node for one species in one group; reserves its bytes.
 std::size_t addInstances(GltfDocument& document, const BladeGroup& group, const std::string& name,
                          std::uint32_t species, std::span<const Instance> instances)
 {
@@ -99,7 +99,7 @@ std::size_t addInstances(GltfDocument& document, const BladeGroup& group, const 
                                   {"extensions", {{extension, {{"attributes", attributes}}}}}});
 }
 
-// The whole JSON; the first pass over the blades.
+// Builds the JSON in a first pass over the blades.
 void describe(GltfDocument& document, const field::FieldView& field,
               const std::vector<BladeGroup>& groups, const ExportSettings& settings,
               Progress& progress)
@@ -122,7 +122,7 @@ void describe(GltfDocument& document, const field::FieldView& field,
         progress.advance(groups[g].bladeCount);
     }
 
-    // The origin stands once more where nobody rounds it.
+    // Store the origin again in extras, in double precision.
     const ordered_json origin = {field.origin.x, field.origin.y, field.origin.z};
     ordered_json root = {{"name", "field"}, {"translation", origin}};
     if (!children.empty())
@@ -140,7 +140,7 @@ void writeWords(AtomicFile& file, std::initializer_list<std::uint32_t> words)
 
 void refuseLargeGlb(const std::filesystem::path& path, std::uint64_t blades, std::uint64_t bytes)
 {
-    // Lengths in the file are of 32 bits.
+    // Lengths in the file have 32 bits.
     constexpr std::uint64_t largest = std::numeric_limits<std::uint32_t>::max();
     if (bytes > largest)
         fail(ErrorKind::unsupported,
@@ -152,7 +152,7 @@ void refuseLargeGlb(const std::filesystem::path& path, std::uint64_t blades, std
 void writeGlb(const field::FieldView& field, const std::filesystem::path& path,
               const ExportSettings& settings, Progress& progress)
 {
-    // Refuse before any work what the blades alone make too large.
+    // Check the size of the blades before any work.
     const std::uint64_t blades = field.blades.size();
     refuseLargeGlb(path, blades, headerBytes + blades * glbBytesPerBlade);
 

@@ -9,18 +9,18 @@
 
 namespace sward::interchange {
 
-/// Bytes of the binary part that one blade takes in a .glb.
+/// Bytes of one blade in the binary part of a .glb.
 inline constexpr std::uint64_t glbBytesPerBlade = 76;
 
-/// Writes a glTF 2.0 binary with EXT_mesh_gpu_instancing: the scene's node holds the field's origin
-/// as its translation, below it one node for each group of blades and species, whose mesh is that
-/// species' blade (docs/exports.md has the attributes). Blades are streamed; two passes over them.
-/// Throws Error{unsupported}, naming the bytes, before anything is written if the file would be
-/// larger than 4 GiB, which its 32-bit length cannot say; Error{io}; Error{interrupted}.
+/// Writes a glTF 2.0 binary with EXT_mesh_gpu_instancing. The scene's node has the field's origin
+/// as translation; below it is one node per group and species, with that species' blade mesh
+/// (docs/exports.md has the attributes). Streams the blades in two passes. Throws
+/// Error{unsupported} naming the size, before anything is written, if the file would exceed the 4
+/// GiB of its 32-bit length; Error{io}; Error{interrupted}.
 void writeGlb(const field::FieldView& field, const std::filesystem::path& path,
               const ExportSettings& settings, Progress& progress);
 
-/// The check of writeGlb: throws unless a file of `bytes` with `blades` can be a .glb.
+/// Size check of writeGlb(): throws if `bytes` with `blades` are too large for a .glb.
 void refuseLargeGlb(const std::filesystem::path& path, std::uint64_t blades, std::uint64_t bytes);
 
 } // namespace sward::interchange

@@ -14,7 +14,7 @@
 
 namespace sward::interchange {
 
-/// What an accessor says about its numbers.
+/// Description of an accessor.
 struct GltfAccessor {
     std::size_t view = 0;
     int componentType = 5126;
@@ -24,8 +24,8 @@ struct GltfAccessor {
     std::optional<Aabb> bounds = std::nullopt; ///< least and largest of a VEC3
 };
 
-/// The JSON of a glTF with one buffer, and the part of that buffer that is known beforehand; what
-/// is large is only given its place and follows in the order in which it was reserved.
+/// The JSON of a glTF with one buffer, and the first part of that buffer. Large views are only
+/// reserved; their bytes follow in the order of reservation.
 class GltfDocument {
 public:
     /// `copyright` may be empty.
@@ -37,12 +37,12 @@ public:
     /// A view of `bytes`, copied. `target`: 34962 vertices, 34963 indices, 0 anything else.
     std::size_t addView(std::span<const std::byte> bytes, int target);
 
-    /// A view of `bytes` (a multiple of four) that come later; no addView() after it.
+    /// Reserves a view of `bytes` (a multiple of four) written later; no addView() after it.
     std::size_t reserveView(std::uint64_t bytes);
 
     std::size_t addAccessor(const GltfAccessor& accessor);
 
-    /// A vertex attribute or an index array of its own view.
+    /// Adds a vertex attribute or an index array in its own view.
     template <typename T>
     std::size_t addArray(std::span<const T> values, GltfAccessor accessor, int target)
     {
@@ -51,7 +51,7 @@ public:
         return addAccessor(accessor);
     }
 
-    /// Appends to the top-level array `name` and returns the place.
+    /// Appends to the top-level array `name` and returns the index.
     std::size_t add(const char* name, nlohmann::ordered_json element);
 
     /// Names an extension that a reader must know.

@@ -84,7 +84,7 @@ std::optional<std::size_t> addGround(GltfDocument& document, const field::Displa
     for (const field::GroundRange& range : ground.ranges) {
         if (range.level != 0 || range.indexCount == 0)
             continue;
-        // What all ranges share is written before the first.
+        // Write the shared vertices before the first range.
         if (primitives.empty()) {
             attributes = addVertices(document, ground);
             for (const field::Image& image : ground.images)

@@ -7,9 +7,9 @@
 
 namespace sward::interchange {
 
-/// Adds the drawn ground at its finest level, with materials and images (PNG), as a mesh on a node
-/// of its own whose positions are relative to the field's origin. Returns the node; nothing if the
-/// field has no ground.
+/// Adds the drawn ground at its finest level, with materials and images (PNG), as a mesh on a
+/// separate node with positions relative to the field's origin. Returns the node; none without a
+/// ground.
 std::optional<std::size_t> addGround(GltfDocument& document, const field::DisplayGround& ground);
 
 } // namespace sward::interchange

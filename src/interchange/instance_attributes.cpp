@@ -69,7 +69,7 @@ void storeClump(const Instance& i, std::byte* to)
     put<float, 1>(to, {static_cast<float>(i.blade.clump)});
 }
 
-// 53 bits as four numbers of 16, the lowest first: every consumer reads each of them exactly.
+// Stores 53 bits as four 16-bit numbers, lowest first; every reader represents them exactly.
 void storeId(const Instance& i, std::byte* to)
 {
     put<std::uint16_t, 4>(

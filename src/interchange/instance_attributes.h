@@ -8,9 +8,9 @@
 
 namespace sward::interchange {
 
-/// One attribute of EXT_mesh_gpu_instancing: what it is called and how an instance fills it. Every
-/// element is a multiple of four bytes, so that arrays follow one another without gaps, and none is
-/// of unsigned integers of 32 bits, which glTF forbids for attributes of one's own.
+/// One attribute of EXT_mesh_gpu_instancing and its writer. Every element is a multiple of four
+/// bytes, so arrays follow one another without gaps. None is unsigned 32-bit integer, which glTF
+/// forbids for custom attributes.
 struct InstanceAttribute {
     const char* name;
     const char* type;  ///< SCALAR, VEC3, VEC4
@@ -20,10 +20,10 @@ struct InstanceAttribute {
     void (*store)(const Instance& instance, std::byte* to);
 };
 
-/// TRANSLATION first, then the others, in the order in which they lie in the file.
+/// All attributes in file order, TRANSLATION first.
 std::span<const InstanceAttribute> instanceAttributes();
 
-/// One array after the other for `instances`.
+/// The arrays of all attributes for `instances`, concatenated.
 std::vector<std::byte> attributeBytes(std::span<const Instance> instances);
 
 } // namespace sward::interchange

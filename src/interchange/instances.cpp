@@ -20,7 +20,7 @@ bool isFinite(const shared::Blade& blade)
 
 glm::quat orientation(const glm::vec3& up, float facing)
 {
-    // Single precision has left the frame square to some 1e-7; make it exact before it is a turn.
+    // The frame is orthogonal to about 1e-7; orthonormalise it before conversion to a rotation.
     const glm::dvec3 y = glm::normalize(glm::dvec3(up));
     const glm::dvec3 axis(shared::widthAxis(up, facing));
     const glm::dvec3 z = glm::normalize(glm::cross(y, axis));

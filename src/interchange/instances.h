@@ -14,13 +14,13 @@ namespace sward::interchange {
 /// A blade as an instance of its species' blade mesh.
 struct Instance {
     shared::Blade blade;
-    std::uint64_t id;   ///< field::bladeId, or its place in the field if the file has no keys
+    std::uint64_t id;   ///< field::bladeId, or the blade's index without keys
     glm::vec3 place;    ///< [m] relative to the group
     glm::quat rotation; ///< see orientation()
 };
 
-/// Blade `index`, which is of patch `patch`. Throws Error{input} that names `source` if a number of
-/// it is not finite.
+/// Blade `index` of patch `patch`. Throws Error{input} naming `source` if one of its numbers is not
+/// finite.
 shared::Blade bladeOf(const field::FieldView& field, std::uint32_t patch, std::size_t index,
                       const std::string& source);
 
@@ -29,8 +29,8 @@ shared::Blade bladeOf(const field::FieldView& field, std::uint32_t patch, std::s
 std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGroup& group,
                                   const std::string& source);
 
-/// Unit quaternion, w ≥ 0, that turns +Y to `up` and +Z to where the blade looks and leans, by the
-/// frame of shared/blade.h; +X then is the opposite of its width axis.
+/// Unit quaternion, w ≥ 0, that turns +Y to `up` and +Z to the blade's lean direction, by the frame
+/// of shared/blade.h; +X is then opposite to its width axis.
 glm::quat orientation(const glm::vec3& up, float facing);
 
 /// Mean stiffness of each species' blades; 0.5 for a species without blades.

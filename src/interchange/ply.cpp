@@ -13,13 +13,13 @@
 namespace sward::interchange {
 namespace {
 
-// Readers have buffers of some hundred characters for a line.
+// Line limit: some readers have buffers of a few hundred characters.
 constexpr std::size_t longestComment = 200;
 
-// Points are gathered until this many bytes, so that a million of them are few writes.
+// Buffer size of points, to reduce the number of writes.
 constexpr std::size_t plyWriteSize = std::size_t(1) << 20;
 
-// "comment …" lines of a text that may have lines of its own.
+// Formats a text, possibly of several lines, as "comment …" lines.
 std::string commentLines(std::string_view text)
 {
     std::string lines;
@@ -29,7 +29,7 @@ std::string commentLines(std::string_view text)
             lines += lines.empty() ? "comment " : "\ncomment ";
             length = 0;
         }
-        // Anything but printable ASCII would depend on the reader.
+        // Replace non-printable and non-ASCII characters, which readers treat differently.
         if (c != '\n') {
             lines += c >= ' ' && c <= '~' ? c : '?';
             ++length;
@@ -76,7 +76,7 @@ public:
             add(static_cast<std::uint8_t>(std::lround(255.0f * blade.tint[channel])));
         add(static_cast<std::uint8_t>(blade.species));
         add(static_cast<std::uint8_t>(blade.clump));
-        // Ids are below 2⁵³.
+        // A double is exact for ids, which are below 2⁵³.
         add(static_cast<double>(id));
     }
 

@@ -29,7 +29,7 @@ void appendPlace(Out out, const Instance& i)
     appendVector(out, i.place.x, i.place.y, i.place.z);
 }
 
-// quath: half precision, so five digits say all of it.
+// quath has half precision: five digits suffice.
 void appendOrientation(Out out, const Instance& i)
 {
     fmt::format_to(out, "({:.5g}, {:.5g}, {:.5g}, {:.5g})", i.rotation.w, i.rotation.x,
@@ -104,7 +104,7 @@ void appendArray(Out out, const InstanceArray& array, const std::vector<Instance
     fmt::format_to(out, "]{}\n", array.metadata);
 }
 
-// A name for a prim that nothing else has: letters, digits and underscores.
+// Unique prim names of letters, digits and underscores.
 std::vector<std::string> prototypeNames(const field::FieldView& field)
 {
     std::vector<std::string> names;
@@ -137,7 +137,7 @@ void appendGroup(Out out, const BladeGroup& group, std::size_t index,
     for (const InstanceArray& array : arrays)
         appendArray(out, array, instances);
 
-    // Prototypes below the instancer are drawn through it alone.
+    // Prototypes below the instancer are drawn only through it.
     std::string targets;
     for (const std::string& name : prototypes)
         targets += fmt::format("{}</Field/group_{}/Prototypes/{}>", targets.empty() ? "" : ", ",
@@ -175,7 +175,7 @@ void writeUsda(const field::FieldView& field, const std::filesystem::path& path,
     const std::vector<std::string> prototypes = prototypeNames(field);
     appendHeader(out, field, settings);
 
-    // The blades of the species, once, where nobody draws them.
+    // Define each species' blade once, as an undrawn prototype.
     const std::vector<float> stiffness = meanStiffness(field);
     fmt::format_to(out, "    class Scope \"Blades\"\n    {{\n");
     for (std::size_t s = 0; s < prototypes.size(); ++s)

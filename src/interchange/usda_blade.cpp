@@ -38,7 +38,7 @@ std::string usdBlade(const std::string& name, const BladeMesh& mesh, const share
     Aabb bounds;
     for (const glm::vec3& position : mesh.positions)
         bounds.add(position);
-    // Few readers follow a material to a primvar: it has one colour, the mesh has all of them.
+    // Few readers support primvars in materials: the material has only the mean colour.
     std::vector<glm::vec3> colors;
     glm::vec3 mean(0.0f);
     for (const glm::vec3& color : mesh.colors) {

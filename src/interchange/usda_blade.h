@@ -6,8 +6,8 @@
 
 namespace sward::interchange {
 
-/// The prim /Field/Blades/`name`: an Xform with the blade's mesh, whose displayColor goes from root
-/// to tip, and its material, a UsdPreviewSurface of the mean colour. `name` must be an identifier.
+/// The prim /Field/Blades/`name`: an Xform with mesh (displayColor from root to tip) and material,
+/// a UsdPreviewSurface of the mean colour. `name` must be an identifier.
 std::string usdBlade(const std::string& name, const BladeMesh& mesh,
                      const shared::Species& species);
 

@@ -5,10 +5,10 @@
 
 namespace sward::interchange {
 
-/// `text` in quotation marks as a USD layer has strings: what would end or break it is escaped.
+/// `text` as a quoted USD string, with escapes.
 std::string usdString(std::string_view text);
 
-/// `name` with an underscore in place of what an identifier of USD may not have.
+/// `name` with invalid characters of a USD identifier replaced by underscores.
 std::string usdIdentifier(std::string_view name);
 
 } // namespace sward::interchange

@@ -13,7 +13,7 @@
 namespace sward::render {
 namespace {
 
-/// Where a blade stands and how it is bent, in world space.
+/// The place and pose of a blade in world space.
 FieldRenderer::BladeRecord recordOf(const shared::Blade& blade, const shared::BladeState& state,
                                     glm::dvec3 origin)
 {
@@ -28,7 +28,7 @@ FieldRenderer::BladeRecord recordOf(const shared::Blade& blade, const shared::Bl
     return record;
 }
 
-/// The elements of a buffer that are those of some blades.
+/// Reads the elements of a buffer that belong to some blades.
 template <typename T>
 std::vector<T> readPart(const gpu::DeviceContext& context, const gpu::Buffer& buffer,
                         BladePart part)
@@ -77,8 +77,8 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
         }
     }
 
-    // The list knows how wide blades were drawn, and the cull results which of them other grass has
-    // hidden.
+    // The list has the drawn width of each blade. The cull results, if kept, say which listed
+    // blades other grass hides.
     const auto drawn = [&](const shared::VisibleBlade& blade) {
         if (!cullResults.empty() && cullResults[blade.blade] != shared::cullResultDrawn)
             return;

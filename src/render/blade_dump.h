@@ -2,9 +2,9 @@
 
 #include "field/field.h"
 #include "gpu/context.h"
-#include "render/field_buffers.h"
+#include "render/cull/field_buffers.h"
 #include "render/field_renderer.h"
-#include "render/streaming.h"
+#include "render/streaming/streaming.h"
 
 #include <cstdint>
 #include <span>
@@ -12,14 +12,13 @@
 
 namespace sward::render {
 
-/// The state of every blade as it was left by the last frame, in the order of the file. Waits for
-/// the device.
+/// The state of every blade after the last frame, in file order. Waits for the device.
 std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& context,
                                                    const FieldBuffers& buffers,
                                                    const field::FieldView& field);
 
-/// The same for one patch, whose blades lie in `parts` of the memory; none: nothing. Which of them
-/// were drawn wider is not asked.
+/// The same for one patch, whose blades are in memory at `parts`; empty without parts. Leaves the
+/// width factors unset.
 std::vector<FieldRenderer::BladeRecord>
 readPatch(const gpu::DeviceContext& context, const FieldBuffers& buffers,
           const field::FieldView& field, std::uint32_t patch, std::span<const BladePart> parts);

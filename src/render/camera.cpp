@@ -18,12 +18,12 @@ struct Axes {
 
 Axes axesOf(const Camera& camera)
 {
-    // A camera that looks at its own place looks north.
+    // If eye and target coincide, the camera looks north.
     glm::dvec3 forward = camera.target - camera.eye;
     const double distance = glm::length(forward);
     forward = distance > 0.0 ? forward / distance : glm::dvec3(0.0, 0.0, -1.0);
 
-    // An up-vector along the view says nothing: take the axis that is most across it.
+    // If the up-vector is parallel to the view, use the axis most perpendicular to it.
     glm::dvec3 right = glm::cross(forward, glm::dvec3(camera.up));
     if (glm::length(right) < 1e-6 * glm::length(glm::dvec3(camera.up)) ||
         glm::length(camera.up) == 0.0f) {
@@ -41,8 +41,8 @@ struct DepthRange {
     double near, far;
 };
 
-/// Near and far from the nearest and farthest place of `content`, where the camera leaves them
-/// open.
+/// Near and far distance from the nearest and farthest point of `content`, unless the camera sets
+/// them.
 DepthRange depthRange(const Camera& camera, const Aabb& content, glm::dvec3 eye)
 {
     double near = 0.05;
@@ -52,7 +52,7 @@ DepthRange depthRange(const Camera& camera, const Aabb& content, glm::dvec3 eye)
         const glm::dvec3 high(content.high);
         const glm::dvec3 gap = glm::max(glm::max(low - eye, eye - high), glm::dvec3(0.0));
         const double size = glm::length(high - low);
-        // Half of the way to the box, and inside it close enough for a blade before the lens.
+        // Half the distance to the box; inside it, near enough for a blade in front of the lens.
         near = std::max({0.5 * glm::length(gap), std::min(0.05, 1e-3 * size), 1e-6});
         far = 1.01 * glm::length(glm::max(glm::abs(low - eye), glm::abs(high - eye)));
     }
@@ -82,7 +82,7 @@ ViewMatrices viewMatrices(const Camera& camera, glm::dvec3 origin, glm::uvec2 si
     const double focal = 1.0 / std::tan(0.5 * glm::radians(static_cast<double>(camera.fovY)));
     const double aspect = static_cast<double>(size.x) / static_cast<double>(size.y);
 
-    // Rows of view and projection in one: clip = row · (position, 1). Depth along the view is w.
+    // Rows of view · projection: clip = row · (position, 1). w is the depth along the view.
     const auto row = [&](const glm::dvec3& axis) { return glm::dvec4(axis, -glm::dot(axis, eye)); };
     const glm::dvec4 depth = row(axes.forward);
     const glm::dvec2 shift = 2.0 * glm::dvec2(jitter) /
@@ -97,7 +97,7 @@ ViewMatrices viewMatrices(const Camera& camera, glm::dvec3 origin, glm::uvec2 si
     for (glm::length_t column = 0; column < 4; ++column)
         view.viewProjection[column] =
             glm::vec4(glm::dvec4(x[column], y[column], z[column], depth[column]));
-    // What is inside has −w ≤ x ≤ w, −w ≤ y ≤ w (y downwards), 0 ≤ z ≤ w.
+    // Visible points have −w ≤ x ≤ w, −w ≤ y ≤ w (y downwards), 0 ≤ z ≤ w.
     view.planes = {normalisedPlane(depth + x), normalisedPlane(depth - x),
                    normalisedPlane(depth - y), normalisedPlane(depth + y),
                    normalisedPlane(depth - z), normalisedPlane(z)};

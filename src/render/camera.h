@@ -11,8 +11,8 @@
 
 namespace sward::render {
 
-/// Where the picture is taken from. Places are in world space and double precision; what the GPU
-/// sees is relative to the field's origin.
+/// Position and orientation of the view. Places are in world space and double precision; the GPU
+/// uses places relative to the field's origin.
 struct Camera {
     glm::dvec3 eye{0.0, 1.7, 5.0};  ///< world [m]
     glm::dvec3 target{0.0};         ///< world [m]
@@ -28,17 +28,17 @@ struct ViewMatrices {
     std::array<glm::vec4, 6>
         planes{};               ///< left right bottom top near far: unit normal inward, offset
     glm::vec3 eye{0.0f};        ///< relative to `origin`
-    float pixelsPerUnit = 1.0f; ///< height [pixels] of something 1 m tall at 1 m
+    float pixelsPerUnit = 1.0f; ///< height [pixels] of an object of 1 m at 1 m
 };
 
-/// `jitter` moves the picture by so many pixels. `content` is the box of what can be seen, relative
-/// to `origin`; it decides near and far where the camera does not.
+/// `jitter` shifts the picture [pixels]. `content` is the box of everything visible, relative to
+/// `origin`; it sets near and far unless the camera does.
 ViewMatrices viewMatrices(const Camera& camera, glm::dvec3 origin, glm::uvec2 size,
                           const Aabb& content, glm::vec2 jitter = glm::vec2(0.0f));
 
-/// Cameras that show all of `content` (relative to `origin`), with `groundUp` as up: from above at
-/// an angle (fit), standing in it at eye level (eye), straight down (top), along the ground from
-/// its border (edge).
+/// Cameras that show all of `content` (relative to `origin`), with `groundUp` as up: obliquely from
+/// above (fit), standing inside at eye level (eye), straight down (top), along the ground from its
+/// border (edge).
 enum class CameraPreset { fit, eye, top, edge };
 Camera presetCamera(CameraPreset preset, const Aabb& content, glm::dvec3 origin, glm::vec3 groundUp,
                     float aspect);

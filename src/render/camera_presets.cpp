@@ -15,19 +15,19 @@
 namespace sward::render {
 namespace {
 
-constexpr double fieldOfView = 40.0; ///< vertical [degrees], that of a 50 mm lens on a wide picture
-constexpr double filled = 0.85;      ///< share of the frame that a whole view fills
+constexpr double fieldOfView = 40.0; ///< [degrees], vertical; a 50 mm lens in landscape format
+constexpr double filled = 0.85;      ///< share of the frame that the scene fills
 
-/// What a preset looks at, relative to the field's origin.
+/// The subject of a preset, relative to the field's origin.
 struct Scene {
     Aabb box;
-    std::vector<glm::vec3> points; ///< whose hull is to be seen
+    std::vector<glm::vec3> points; ///< their hull must be visible
     glm::dvec3 up;
-    /// Height along `up` of the ground on the line through a place; nothing where there is none.
+    /// Height along `up` of the ground at a place; none where there is no ground.
     std::function<std::optional<double>(glm::dvec3)> groundHeight;
 };
 
-// By so much a side must be longer to count: the tips of a few blades turn no view.
+// Least ratio of two sides that counts: the tips of a few blades must not turn the view.
 constexpr double clearlyLonger = 1.02;
 
 /// The longer and the shorter horizontal direction of the box.
@@ -54,8 +54,8 @@ Sides sidesOf(const Scene& scene)
     return best;
 }
 
-/// The camera nearest to the scene that looks along `forward` and has all of it in `filled` of the
-/// frame, in the middle. Each point bounds the eye by a half space per side of the frame; the
+/// The camera nearest to the scene that looks along `forward` with the whole scene centred in
+/// `filled` of the frame. Each point bounds the eye by a half-space per side of the frame; the
 /// tightest pair of opposite sides decides.
 Camera framing(const Scene& scene, glm::dvec3 origin, glm::dvec3 forward, glm::dvec3 up,
                double aspect)
@@ -94,7 +94,7 @@ Camera framing(const Scene& scene, glm::dvec3 origin, glm::dvec3 forward, glm::d
     return camera;
 }
 
-/// A camera `height` [m] above the ground at `place` that looks at `target`.
+/// A camera `height` [m] above the ground at `place`, looking at `target`.
 Camera standing(const Scene& scene, glm::dvec3 origin, glm::dvec3 place, double height,
                 glm::dvec3 target)
 {
@@ -107,9 +107,9 @@ Camera standing(const Scene& scene, glm::dvec3 origin, glm::dvec3 place, double 
     return camera;
 }
 
-/// The rise per distance at which to look along the longer side: `usual`, unless all that lies
-/// ahead is below the picture, or in its lowest tenth, as on top of an arch. What is nearest to the
-/// horizon is in the middle then.
+/// Slope of the view along the longer side: `usual`, unless everything ahead is below the picture
+/// or in its lowest tenth, as on top of an arch. Then the point nearest to the horizon is in the
+/// middle.
 double slopeAhead(const Scene& scene, glm::dvec3 eye, const Sides& sides, double usual,
                   double aspect)
 {
@@ -132,7 +132,7 @@ Camera presetOf(CameraPreset preset, const Scene& scene, glm::dvec3 origin, doub
     const Sides sides = sidesOf(scene);
     const glm::dvec3 centre(scene.box.centre());
     const glm::dvec3 up = scene.up;
-    // People are 1.7 m tall on a meadow, and shrink with a garden of less than eight metres.
+    // Eye level is 1.7 m, scaled down for gardens shorter than 8 m.
     const double scale = std::min(1.0, sides.length / 8.0);
 
     switch (preset) {
@@ -140,7 +140,7 @@ Camera presetOf(CameraPreset preset, const Scene& scene, glm::dvec3 origin, doub
         return framing(scene, origin, -up, aspect >= 1.0 ? sides.shorter : sides.longer, aspect);
     case CameraPreset::eye: {
         Camera camera = standing(scene, origin, centre, 1.7 * scale, centre);
-        // A little downwards: two thirds of the picture are meadow.
+        // Slightly downwards: grass fills two thirds of the picture.
         const double slope = slopeAhead(scene, camera.eye - origin, sides, -0.15, aspect);
         camera.target = camera.eye + 10.0 * scale * (sides.longer + slope * up);
         return camera;
@@ -154,7 +154,7 @@ Camera presetOf(CameraPreset preset, const Scene& scene, glm::dvec3 origin, doub
     case CameraPreset::fit:
         break;
     }
-    // Three-quarter view: 40° beside the longer side's normal, 24° from above.
+    // Three-quarter view: azimuth 40° from the longer side's normal, elevation 24°.
     const double azimuth = glm::radians(40.0);
     const double elevation = glm::radians(24.0);
     const glm::dvec3 towards = std::cos(azimuth) * sides.shorter + std::sin(azimuth) * sides.longer;
@@ -174,7 +174,7 @@ Scene sceneOf(const Aabb& content, glm::vec3 groundUp)
         scene.points.emplace_back((corner & 1u) != 0 ? scene.box.high.x : scene.box.low.x,
                                   (corner & 2u) != 0 ? scene.box.high.y : scene.box.low.y,
                                   (corner & 4u) != 0 ? scene.box.high.z : scene.box.low.z);
-    // Nothing is known of the ground but its box: stand on top of it.
+    // Only the ground's box is known: stand on top of it.
     const glm::dvec3 size(scene.box.size());
     const double top = glm::dot(glm::dvec3(scene.box.centre()), scene.up) +
                        0.5 * glm::dot(glm::abs(scene.up), size);
@@ -182,7 +182,7 @@ Scene sceneOf(const Aabb& content, glm::vec3 groundUp)
     return scene;
 }
 
-/// Height along `up` at which the line through `place` leaves the ground for the last time.
+/// Greatest height along `up` at which the line through `place` meets the ground.
 std::optional<double> groundHeight(const field::DisplayGround& ground, glm::dvec3 up,
                                    glm::dvec3 place)
 {
@@ -195,7 +195,7 @@ std::optional<double> groundHeight(const field::DisplayGround& ground, glm::dvec
         if (range.level != 0)
             continue;
         for (std::size_t i = 0; i + 2 < range.indexCount; i += 3) {
-            // Where the line meets the triangle, seen along `up`: barycentrics by signed areas.
+            // Intersect the line with the triangle, seen along `up`: barycentrics by signed areas.
             glm::dvec2 flat[3];
             double height[3];
             for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -236,8 +236,8 @@ Camera presetCamera(CameraPreset preset, const field::FieldView& field, glm::vec
     if (!field.bounds().isEmpty())
         scene.points.clear();
 
-    // Boxes have room for every way a blade may bend; roots and tips tell where it stands. Some
-    // ten thousand, from all over the field, are enough.
+    // Patch boxes include every possible bend; roots and tips give the actual extent. About 20 000
+    // blades, spread over the whole field, are enough.
     const std::size_t stride = std::max<std::size_t>(field.blades.size() / 20'000, 1);
     for (const shared::Patch& cell : field.patches) {
         const std::size_t end = std::size_t(cell.firstBlade) + cell.bladeCount;

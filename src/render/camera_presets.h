@@ -8,8 +8,8 @@ struct FieldView;
 
 namespace sward::render {
 
-/// The preset cameras of camera.h for a field whose shape is known: they frame its patches and its
-/// ground instead of its box, and stand on the ground where they stand.
+/// The preset cameras of camera.h for a field whose shape is known: they frame its patches and
+/// ground instead of its box, and their eye height starts at the actual ground.
 Camera presetCamera(CameraPreset preset, const field::FieldView& field, glm::vec3 groundUp,
                     float aspect);
 

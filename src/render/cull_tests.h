@@ -8,7 +8,7 @@
 
 namespace sward::render {
 
-/// A test of culling by its name in files and on the command line.
+/// A culling test and its name in files and on the command line.
 struct CullTest {
     std::string_view name;
     std::uint32_t bit; ///< of FrameSettings::cullMask

@@ -8,9 +8,9 @@
 #include "gpu/device.h"
 #include "gpu/upload.h"
 #include "render/blade_dump.h"
-#include "render/cull_view.h"
-#include "render/field_renderer_parts.h"
-#include "render/geometry_choice.h"
+#include "render/cull/cull_view.h"
+#include "render/preview/field_renderer_parts.h"
+#include "render/tessellation/geometry_choice.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
@@ -60,7 +60,7 @@ TargetSettings targetFor(const gpu::DeviceContext& context, const field::FieldVi
             .sortsTiles = isForCpu};
 }
 
-/// Throws Error{unsupported} if the visibility has not numbers for all that may be seen.
+/// Throws Error{unsupported} if the visibility cannot number all blades and triangles.
 void expectNumbers(const gpu::DeviceContext& context, std::uint64_t blades, std::uint64_t triangles)
 {
     constexpr std::uint64_t ofColliders =
@@ -73,7 +73,7 @@ void expectNumbers(const gpu::DeviceContext& context, std::uint64_t blades, std:
              context.name, blades, triangles, most - ofColliders);
 }
 
-/// Uploads all that a field brings, and waits for it.
+/// Uploads the field's data and waits for it.
 template <typename T, typename... Arguments>
 T uploaded(const gpu::DeviceContext& context, const Arguments&... arguments)
 {
@@ -144,7 +144,7 @@ FieldRenderer::FieldRenderer(const gpu::DeviceContext& context, const field::Fie
 FieldRenderer::FieldRenderer(FieldRenderer&&) noexcept = default;
 FieldRenderer::~FieldRenderer() = default;
 
-/// What pictures take is known when they have been made once.
+/// Pictures are allocated once to measure their memory.
 MemoryPlan FieldRenderer::Parts::planWithin(const field::FieldView& field)
 {
     const FieldBuffers::Records records = recordsFor(context, geometry, settings);
@@ -180,7 +180,7 @@ void FieldRenderer::Parts::fit(glm::uvec2 size)
     tessellated->resize(size);
 }
 
-/// Brings what is seen, and thins out what is drawn to what is there.
+/// Streams visible blades in, and raises the thinning to the resident blades.
 void FieldRenderer::Parts::stream(shared::Frame& frame, const FrameSettings& wanted,
                                   glm::uvec2 size, std::uint32_t slot)
 {
@@ -216,7 +216,7 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
     sunShadow.describe(frame);
     slots[slot].frame.fill(frame);
 
-    // What is asked for the first time is made now.
+    // Create pipelines that a frame needs for the first time.
     blades.prepare(shaders, frame);
     const std::uint32_t debugMode = knownDebugMode(wanted.debug);
     const bool paintsWind = wanted.debug == DebugMode::wind;
@@ -287,7 +287,7 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
         .findsHidden = findsHidden};
 
     parts.blades.begin(commands, time);
-    // What the ground hides needs neither be moved nor drawn.
+    // Blades hidden by the ground are neither moved nor drawn.
     if (parts.raster)
         parts.rasterOpaque(commands, slot, timestamps);
     else
@@ -303,7 +303,7 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
         parts.recordStreaming(commands, slot, time);
     parts.blades.findVisiblePatches(commands, cullView.address, timestamps);
     if (findsReasons) {
-        // All blades are drawn, in the colours of what becomes of them.
+        // Draw all blades in the colours of their cull results.
         parts.blades.moveAndList(commands, cullView, 0, {}, timestamps);
         parts.slots[slot].recordCounts(commands, parts.blades.buffers().draw());
         parts.blades.beginAgain(commands);

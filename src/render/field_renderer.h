@@ -1,8 +1,8 @@
 #pragma once
 
 #include "field/field.h"
-#include "render/blade_record.h"
 #include "render/camera.h"
+#include "render/field/blade_record.h"
 #include "render/field_renderer_settings.h"
 #include "render/frame_settings.h"
 
@@ -25,74 +25,74 @@ class Timestamps;
 namespace sward::render {
 
 /// Draws one field into the caller's pictures. Starts no threads, owns no window, submits nothing
-/// while recording (but see copied()); construction uploads the field and waits for it.
+/// while recording (but see copied()). The constructor uploads the field and waits for it.
 class FieldRenderer {
 public:
-    using Settings = FieldRendererSettings; ///< what stays the same from frame to frame
+    using Settings = FieldRendererSettings; ///< constant over all frames
 
-    /// Outlived by the context. `field` may die, except that dumpBlades() needs it again. Throws
-    /// Error{runtime} when the device's memory, or the budget, is too small, naming both sizes;
-    /// Error{unsupported} where a geometry is asked for that the device cannot draw.
+    /// The context must outlive it. `field` may be destroyed, but dumpBlades() needs it again.
+    /// Throws Error{runtime} if the device's memory or the budget is too small, naming both sizes;
+    /// Error{unsupported} if the device cannot draw the requested geometry.
     FieldRenderer(const gpu::DeviceContext&, const field::FieldView&, const Settings&);
-    FieldRenderer(const gpu::Device&, const field::FieldView&, const Settings&); ///< of our own
+    FieldRenderer(const gpu::Device&, const field::FieldView&, const Settings&); ///< of Sward
     FieldRenderer(FieldRenderer&&) noexcept; ///< only between frames
     ~FieldRenderer();
 
-    /// A picture to draw into: in layout COLOR_ATTACHMENT_OPTIMAL when the commands run, and left
-    /// in it. Where the geometry is raster its usage includes TRANSFER_DST, unless it is `stored`.
+    /// A picture to draw into. It is in layout COLOR_ATTACHMENT_OPTIMAL before and after the
+    /// commands run. For raster geometry its usage includes TRANSFER_DST, unless it is `stored`.
     struct Target {
         VkImage image = VK_NULL_HANDLE;    ///< one sample, one layer
         VkImageView view = VK_NULL_HANDLE; ///< of the image
         glm::uvec2 size{0};                ///< [pixels]
 
-        /// A view of the image for storage, as R8G8B8A8_UNORM, into which the bytes of the image's
-        /// own format are stored. Null if there is none: the picture is then copied to the image.
+        /// A storage view of the image as R8G8B8A8_UNORM; the shader stores bytes in the image's
+        /// own format. Null: the picture is copied to the image.
         VkImageView stored = VK_NULL_HANDLE;
     };
 
-    /// Records one frame: moves the blades of visible patches to `time` [s] (monotone; any step is
-    /// safe), culls, draws ground, sky and blades. `slot` < framesInFlight, whose former commands
-    /// have completed. `jitter` [pixels]. `timestamps` may be null; else the caller has begun their
-    /// frame, and the scopes update (which culls as well), ground, sky, pyramid, blades and resolve
-    /// are measured. Nothing is allocated unless the target's size has changed; then the device is
-    /// waited for. The first target that cannot be stored into has a picture made to copy from. A
-    /// mixture of winds, colliders and --debug wind have their pipelines made at their first frame.
+    /// Records one frame: moves the blades of visible patches to `time` [s] (monotone, any step),
+    /// culls, draws ground, sky and blades. The former commands of `slot` < framesInFlight must
+    /// have completed. `jitter` is in pixels. `timestamps` may be null; otherwise the caller has
+    /// begun its frame, and the scopes update (includes culling), ground, sky, pyramid, blades and
+    /// resolve are measured. A new target size allocates and waits for the device. The first target
+    /// without storage view allocates a picture to copy from. New mixtures of winds, colliders and
+    /// --debug wind create pipelines at their first frame.
     void record(VkCommandBuffer commands, const Target& target, const Camera& camera,
                 const FrameSettings& settings, double time, std::uint32_t slot = 0,
                 gpu::Timestamps* timestamps = nullptr, glm::vec2 jitter = glm::vec2(0.0f));
 
-    /// Moves all blades to `time` and draws nothing: frames before the first that is wanted.
+    /// Moves all blades to `time` and draws nothing: for frames before the first one shown.
     void recordUpdateOnly(VkCommandBuffer commands, const FrameSettings& settings, double time,
                           std::uint32_t slot = 0);
 
-    /// Brings more of what record() would draw of a streamed field, and draws nothing. Returns true
-    /// when nothing is left to be brought that fits; the frames between them have completed then.
+    /// Streams more blades of the view that record() would draw; draws nothing. Returns true when
+    /// no further blade fits or is missing. Frames in between must have completed.
     bool recordStreaming(VkCommandBuffer commands, glm::uvec2 size, const Camera& camera,
                          const FrameSettings& settings, double time, std::uint32_t slot = 0);
 
-    /// What the submission of a streamed field's frame waits for where its context has a queue for
-    /// copies, to which record() submits: it has happened already, and is made seen.
+    /// The semaphore wait for submitting a streamed field's frame, if the context has a copy queue,
+    /// to which record() submits. It is already signalled; the wait makes the copies visible.
     std::optional<VkSemaphoreSubmitInfo> copied() const;
 
     /// Counts of the frame last recorded in `slot`, after its commands have completed.
     FrameStats stats(std::uint32_t slot = 0) const;
 
-    using BladeRecord = render::BladeRecord; ///< what dumpBlades() tells of each
+    using BladeRecord = render::BladeRecord; ///< result of dumpBlades()
 
-    /// Reads every blade's state back, in the order of the file; waits for the device. Throws
-    /// Error{unsupported} of a field that is streamed.
+    /// Reads back every blade's state in file order; waits for the device. Throws
+    /// Error{unsupported} if the field is streamed.
     std::vector<BladeRecord> dumpBlades(const field::FieldView& field) const;
 
-    /// The same for one patch, without `lodWidth`; nothing if its blades are not in memory.
+    /// The same for one patch, without `lodWidth`; empty if its blades are not resident.
     std::vector<BladeRecord> dumpPatch(const field::FieldView& field, std::uint32_t patch) const;
 
-    /// What draws the blades, never automatic, and why it does.
+    /// The geometry in use, never automatic, and the reason.
     Geometry geometry() const;
     const char* geometryReason() const; ///< in words
 
-    bool isStreamed() const;         ///< not all blades fit
-    std::size_t deviceBytes() const; ///< device memory held
-    Aabb content() const;            ///< what can be seen, relative to the field's origin
+    bool isStreamed() const;         ///< not all blades fit in memory
+    std::size_t deviceBytes() const; ///< device memory in use
+    Aabb content() const;            ///< box of everything visible, relative to the origin
 
 private:
     struct Parts;

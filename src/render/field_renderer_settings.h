@@ -12,38 +12,37 @@
 
 namespace sward::render {
 
-/// What stays the same from frame to frame of a FieldRenderer.
+/// Settings of a FieldRenderer that are constant over all frames.
 struct FieldRendererSettings {
-    VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB; ///< of every target
+    VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB; ///< of all targets
     std::uint32_t samples = 4;                      ///< 1 or 4 per pixel
-    std::uint32_t framesInFlight = 1;               ///< frames recorded before one is waited for
+    std::uint32_t framesInFlight = 1;               ///< frames recorded before waiting for one
     Geometry geometry = Geometry::automatic;        ///< how blades are drawn
 
-    /// Whether the rasteriser does what suits a CPU, whose lanes wait for one another and cannot
-    /// jump over what none of them needs: a thread draws each blade, nobody asks which of them
-    /// others hide, and tiles of the picture are shaded by what they show. Where nothing is said,
-    /// on a CPU device. Changes no picture but for single samples at edges.
+    /// Whether the rasteriser uses its CPU variant: a thread per blade, no occlusion test between
+    /// blades, and tile classification for shading. Reason: on a CPU all SIMD lanes execute every
+    /// branch. Unset: on CPU devices only. Pictures differ at most in single samples at edges.
     std::optional<bool> rastersForCpu{};
 
-    /// Whether the rasteriser finds out of blades of some dozen pixels that others hide them; where
-    /// nothing is said, not on a CPU device. Never changes a picture.
+    /// Whether the rasteriser tests blades of about a dozen pixels for occlusion, too. Unset: not
+    /// on CPU devices. Never changes a picture.
     std::optional<bool> testsSmallBlades{};
 
     bool recordCullResults =
-        false; ///< keep each blade's cull result for dumpBlades(); 20 bytes a blade
+        false; ///< records cull results for dumpBlades(); 20 bytes per blade
 
-    /// The rasteriser updates and draws so many patches at a time, with 16 bytes for each of their
-    /// blades; 0: as many as hold an eighth of all blades, or 16 million.
+    /// Patches that the rasteriser updates and draws per round, with 16 bytes per blade. 0: as many
+    /// as hold an eighth of all blades, or 16 million blades.
     std::uint32_t roundPatches = 0;
 
-    /// Bytes of device memory for everything, pictures up to largestTarget [pixels] among it;
-    /// 0: what it takes. A field of which not all blades fit is streamed (decision 0026): what
-    /// is seen comes by and by, and what it views outlives the renderer.
+    /// Device memory budget [bytes], including pictures up to largestTarget [pixels]; 0: unlimited.
+    /// If not all blades fit, the field is streamed (decision 0026): visible blades appear
+    /// gradually, and the viewed field data must outlive the renderer.
     std::uint64_t deviceBytes = 0;
-    glm::uvec2 largestTarget{1920, 1080}; ///< [pixels] that deviceBytes hold room for
-    bool waitsForDisk = false;            ///< else what is not in the CPU's memory comes later
+    glm::uvec2 largestTarget{1920, 1080}; ///< [pixels] that deviceBytes includes
+    bool waitsForDisk = false;            ///< false: blades not in CPU memory are loaded later
 
-    /// SPIR-V modules, which outlive the renderer; empty: those that are built in.
+    /// SPIR-V modules; must outlive the renderer. Empty: the built-in ones.
     std::span<const EmbeddedFile> shaders{};
 };
 

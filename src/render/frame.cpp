@@ -11,9 +11,9 @@
 namespace sward::render {
 namespace {
 
-/// Segments of a blade at most, unless they are fixed: what a blade of 0.3 m, bent to half its
-/// height, takes 1.1 m away at 1080 rows of pixels to stray by no more than a quarter of one. As
-/// many as in a reference picture, and as a work-group of the rasteriser's looks at together.
+/// Default maximum of segments per blade. With 16, a blade of 0.3 m, bent to half its height and
+/// 1.1 m away, deviates by at most a quarter pixel at 1080 rows. Equals the reference pictures'
+/// number, and the segments that a work-group of the rasteriser tests together.
 constexpr std::uint32_t defaultMaxSegments = 16;
 
 glm::vec3 unitOr(glm::vec3 v, glm::vec3 otherwise)
@@ -22,8 +22,8 @@ glm::vec3 unitOr(glm::vec3 v, glm::vec3 otherwise)
     return size > 0.0f ? v / size : otherwise;
 }
 
-/// Air that hides a tenth of what lies as far away as the content is long, or as far as its nearest
-/// part if that is farther: enough to see depth, and never so much that it hides what is looked at.
+/// Fog density that hides a tenth of an object at the length of the content, or at its nearest
+/// point if that is farther: enough to show depth without hiding the content.
 float chosenFog(const Aabb& content, glm::vec3 eye)
 {
     if (content.isEmpty())
@@ -56,13 +56,13 @@ shared::LevelSteps levelStepsOf(std::span<const LevelStep> steps)
     return result;
 }
 
-/// Blades so high on the screen [pixels] move in every frame, and lower ones in every third down to
-/// where a gust on a far hill does not show.
+/// Blades at least this high on the screen [pixels] move every frame, or every third frame. Below
+/// the second limit gusts are not visible.
 constexpr float everyFramePixels = 24.0f;
 constexpr float everyThirdPixels = 1.0f;
 
-/// What stands farther moves when it has stood still for so long [s], lest it be caught far from
-/// where it belongs.
+/// Longest interval between moves of farther blades [s], so that their pose does not lag far
+/// behind.
 constexpr float longestStandstill = 10.0f;
 
 shared::UpdateRate updateRateOf(const FrameSettings& settings, const FieldShape& field,
@@ -77,14 +77,14 @@ shared::UpdateRate updateRateOf(const FrameSettings& settings, const FieldShape&
     return updateRate;
 }
 
-/// The least extent of a box along a unit vector, over its corners.
+/// The minimum of a box along a unit vector, over its corners.
 float lowestAlong(const Aabb& box, glm::vec3 axis)
 {
     return glm::dot(box.centre(), axis) - 0.5f * glm::dot(glm::abs(axis), box.size());
 }
 
-/// How dense the air is at the eye [1/m]; what the settings say is so at the foot of what can be
-/// seen.
+/// Fog density at the eye [1/m]. The density of the settings applies at the lowest point of the
+/// content.
 float fogAtEye(const FieldShape& field, glm::vec3 eye, const FrameSettings& settings,
                glm::vec3 skyUp)
 {
@@ -93,11 +93,11 @@ float fogAtEye(const FieldShape& field, glm::vec3 eye, const FrameSettings& sett
     const float foot = field.content.isEmpty() ? 0.0f : lowestAlong(field.content, skyUp);
     if (settings.fogHeight <= 0.0f)
         return base;
-    // Far below the ground there is as much as a float holds.
+    // Far below the ground, limit the exponent to the range of a float.
     return base * std::exp(std::min((foot - glm::dot(eye, skyUp)) / settings.fogHeight, 80.0f));
 }
 
-/// The sky is where things do not fall to, seen from `eye`.
+/// Up direction of the sky at `eye`: against gravity.
 glm::vec3 skyUpOf(const shared::Gravity& gravity, glm::vec3 eye)
 {
     const glm::vec3 pull = unitOr(gravity.attractor - eye, gravity.direction);
@@ -109,8 +109,8 @@ glm::vec3 skyUpOf(const shared::Gravity& gravity, glm::vec3 eye)
 void project(shared::Frame& frame, const glm::mat4& viewProjection, glm::vec3 eye)
 {
     frame.viewProjection = viewProjection;
-    // The ray whose clip coordinates are (x, y, ·, 1): the rows x, y, w of the matrix, solved for
-    // it. A parallel view has none.
+    // Direction of the ray with clip coordinates (x, y, ·, 1): rows x, y, w of the matrix, solved
+    // for it. A parallel view has none.
     const glm::dmat4 m(viewProjection);
     const glm::dmat3 rows(glm::dvec3(m[0].x, m[0].y, m[0].w), glm::dvec3(m[1].x, m[1].y, m[1].w),
                           glm::dvec3(m[2].x, m[2].y, m[2].w));
@@ -141,7 +141,7 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     frame.environment.gravity = gravityOf(settings, field.origin);
     frame.environment.recovery = settings.environment.recovery;
 
-    // What is left out.
+    // Culling.
     frame.view.cullMask = settings.cullMask | (settings.leavesThinned ? shared::leaveThinned : 0u);
     frame.view.drawDistance = settings.environment.drawDistance;
     frame.view.lodThreshold = settings.levelOfDetail ? settings.lodThreshold : 0.0f;

@@ -11,21 +11,21 @@
 
 namespace sward::render {
 
-/// What of a field, beside its buffers, decides about a frame.
+/// Properties of a field, besides its buffers, that a frame depends on.
 struct FieldShape {
     glm::dvec3 origin{0.0};
     Aabb content;           ///< relative to the origin
-    field::BladeSize blade; ///< a typical one
+    field::BladeSize blade; ///< typical size
 };
 
-/// Writes into a frame how its picture is seen, with an eye at `eye`.
+/// Writes the projection of a frame's picture, for an eye at `eye`.
 void project(shared::Frame& frame, const glm::mat4& viewProjection, glm::vec3 eye);
 
 /// Writes a camera into a frame.
 void look(shared::Frame& frame, const ViewMatrices& view);
 
-/// Camera, settings and time as the shaders read them. The addresses and counts of buffers are left
-/// to FieldBuffers::describe() and FrameTables::write().
+/// Camera, settings and time in shader form. FieldBuffers::describe() and FrameTables::write() add
+/// the addresses and counts of buffers.
 shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
                       const FrameSettings& settings, double time, std::uint32_t samples);
 

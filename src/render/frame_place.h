@@ -9,13 +9,13 @@
 
 namespace sward::render {
 
-/// Where shaders find a shared::Frame: by its address, and in a set of its own, as constants
+/// How shaders access a shared::Frame: by address, and as constants in a descriptor set
 /// (shaders/frame_constants.glsl).
 struct FramePlace {
     VkDeviceAddress address = 0;
     VkDescriptorSet constants = VK_NULL_HANDLE;
 
-    /// For the compute shaders that are dispatched from here on.
+    /// For the compute shaders dispatched next.
     void bind(const gpu::Recording& commands, const gpu::PipelineLayout& layout,
               std::uint32_t setIndex) const
     {

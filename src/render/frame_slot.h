@@ -3,9 +3,9 @@
 #include "gpu/buffer.h"
 #include "gpu/context.h"
 #include "gpu/uniform_sets.h"
+#include "render/field/frame_tables.h"
 #include "render/frame_place.h"
 #include "render/frame_settings.h"
-#include "render/frame_tables.h"
 #include "shaders/shared/frame.h"
 
 #include <vulkan/vulkan.h>
@@ -22,7 +22,7 @@ public:
 
     FramePlace place() const { return {buffer_.address(), set_.get(0)}; }
 
-    /// Where the shaders will read it.
+    /// Writes the constants for the shaders.
     void fill(const shared::Frame& frame) const;
 
 private:
@@ -30,21 +30,20 @@ private:
     gpu::UniformSets set_;
 };
 
-/// What each frame in flight has of its own.
+/// Per-slot resources of frames in flight.
 struct FrameSlot {
     FrameSlot(const gpu::DeviceContext& context, const gpu::UniformSetLayout& layout);
 
     FrameConstants frame;    ///< of the picture
-    FrameConstants cullView; ///< as blades are culled by, where that is another
+    FrameConstants cullView; ///< for culling, if it has its own camera
     FrameConstants listing;  ///< for listing all blades
     gpu::Buffer draw;        ///< shared::DrawArguments, read by the CPU
     FrameTables tables;
 
-    /// Copies the counts of the update, recorded before, to where counts() finds them.
+    /// Copies the counts of the update, recorded before, to the memory that counts() reads.
     void recordCounts(VkCommandBuffer commands, const gpu::Buffer& drawArguments) const;
 
-    /// What became of `blades` blades, of which so many were resident, in the frame whose commands
-    /// have completed.
+    /// Statistics of `blades` blades, `resident` of them in memory, for the slot's completed frame.
     FrameStats counts(std::uint64_t blades, std::uint64_t resident) const;
 
     static VkDeviceSize bytes(); ///< of device memory

@@ -4,11 +4,11 @@
 
 namespace sward::render {
 
-/// What became of the blades of a frame. resident = drawn + lod + all of culled; total = resident +
+/// Blade statistics of a frame. resident = drawn + lod + all of culled; total = resident +
 /// streamedOut.
 struct FrameStats {
     std::uint64_t total = 0;             ///< blades of the field
-    std::uint64_t streamedOut = 0;       ///< not in memory
+    std::uint64_t streamedOut = 0;       ///< not resident
     std::uint64_t resident = 0;          ///< in memory
     std::uint64_t simulated = 0;         ///< moved in this frame
     std::uint64_t drawn = 0;             ///< in the picture

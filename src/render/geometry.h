@@ -4,7 +4,7 @@ namespace sward::render {
 
 /// How blades are drawn.
 enum class Geometry {
-    automatic,    ///< raster where the device can, else tessellation
+    automatic,    ///< raster if the device supports it, else tessellation
     tessellation, ///< by the graphics pipeline
     raster,       ///< by compute shaders
 };

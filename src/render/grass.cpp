@@ -5,11 +5,11 @@
 #include "gpu/barrier.h"
 #include "gpu/debug.h"
 #include "gpu/shader_library.h"
-#include "render/host_raster.h"
-#include "render/placed_field.h"
-#include "render/pyramid_pass.h"
-#include "render/update_cull_pass.h"
-#include "render/walk_pass.h"
+#include "render/cull/pyramid_pass.h"
+#include "render/cull/update_cull_pass.h"
+#include "render/cull/walk_pass.h"
+#include "render/field/placed_field.h"
+#include "render/raster/host_raster.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ struct Grass::Parts {
         update.prepare(shaders, culling);
     }
 
-    /// An instance that commands in flight may still use.
+    /// A removed instance that commands in flight may still use.
     struct Removed {
         std::unique_ptr<PlacedField> field;
         std::uint32_t lastFrame = 0;
@@ -58,29 +58,29 @@ struct Grass::Parts {
     std::vector<Removed> removed;
     std::uint64_t lastId = 0;
 
-    // The frame that is being recorded.
-    std::vector<std::uint32_t> frameOfSlot; ///< number of the frame last begun in each
-    std::uint32_t frame = 0;                ///< its number, from 1
+    // The frame being recorded.
+    std::vector<std::uint32_t> frameOfSlot; ///< number of the frame last begun per slot
+    std::uint32_t frame = 0;                ///< its number, starting at 1
     std::uint32_t slot = 0;
     std::uint32_t viewCount = 0;
     double time = 0.0;
     UpdateCullPass::Variant moving;
-    std::vector<const PlacedField*> instances; ///< that have blades; null: removed since
+    std::vector<const PlacedField*> instances; ///< with blades; null: removed since begin()
 
-    /// How each view is drawn.
+    /// How a view is drawn.
     struct ViewDrawing {
-        const char* obstacle = nullptr; ///< to rasterising it
+        const char* obstacle = nullptr; ///< why it is not rasterised; null: none
         std::uint32_t samples = 1;
         bool isRastered = false; ///< in this frame
     };
     std::vector<ViewDrawing> drawings;
 
-    /// What hides the blades of a view, in each slot.
+    /// Depth pyramid of a view in a slot.
     struct ViewDepth {
         DepthCells cells;
-        const PyramidPass* pyramid = nullptr; ///< null: nothing hides any
+        const PyramidPass* pyramid = nullptr; ///< null: no occlusion test
     };
-    std::vector<ViewDepth> depths; ///< view after view of slot after slot
+    std::vector<ViewDepth> depths;                                          ///< [slot][view]
     std::map<std::tuple<std::uint32_t, bool, float>, PyramidPass> pyramids; ///< by their settings
 
     ViewDepth& depthOf(std::uint32_t view) { return depths[slot * settings.maxViews + view]; }
@@ -143,7 +143,7 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
     expect(slot < parts.settings.framesInFlight, "the slot is one of the frames in flight");
     expect(frame.views.size() <= parts.settings.maxViews, "a frame has at most maxViews");
 
-    // The slot's former frame has completed, and every one before it.
+    // The slot's former frame and all earlier ones have completed.
     std::erase_if(parts.removed, [&](const Parts::Removed& removed) {
         return removed.lastFrame <= parts.frameOfSlot[slot];
     });
@@ -181,7 +181,7 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
 
 shared::DepthPyramid Grass::Parts::lookAtDepth(const HostView& view, ViewDepth& depth)
 {
-    // Depths say nothing of what a frozen camera sees.
+    // The view's depth does not apply to a frozen camera.
     if (!view.depth || view.cullViewFrom)
         return {};
     const PyramidPass::Settings wanted{view.depth->samples, view.hasReversedZ, view.depth->slack};
@@ -218,7 +218,7 @@ void Grass::recordUpdate(VkCommandBuffer buffer) noexcept
     const gpu::Recording commands(parts.context, buffer);
     const gpu::LabelScope label(parts.context, commands, "grass/update");
 
-    // Wait for the frame before, and empty what it has filled.
+    // Wait for the frame before, and clear its lists and counts.
     gpu::memoryBarrier(commands, gpu::anyAccess, gpu::transferAccess);
     for (const auto& [id, field] : parts.placed) {
         if (!field->isInFrame(parts.frame))
@@ -226,14 +226,14 @@ void Grass::recordUpdate(VkCommandBuffer buffer) noexcept
         commands.vk->CmdFillBuffer(commands, field->moved().get(), 0, VK_WHOLE_SIZE, 0);
         for (std::uint32_t view = 0; view < parts.viewCount; ++view)
             field->list(view).clear(commands);
-        // No blade is still on its way from the straight pose it was baked in.
+        // Treats every blade as settled: none is still moving from the straight pose of the bake.
         if (field->beginsToMove())
             field->states().rest(commands,
                                  static_cast<float>(parts.time - double(shared::settlingTime)));
     }
     gpu::transferToCompute(commands);
 
-    // Each view moves what none before it has moved.
+    // Each view moves only blades that no earlier view has moved.
     parts.walkAll(commands, 0, parts.viewCount, true);
     for (std::uint32_t view = 0; view < parts.viewCount; ++view) {
         if (view > 0)
@@ -262,7 +262,7 @@ void Grass::recordCull(VkCommandBuffer buffer, std::uint32_t view) noexcept
     parts.forEach([&](const PlacedField& field) { field.list(view).clear(commands); });
     const Parts::ViewDepth& depth = parts_->depthOf(view);
     if (depth.pyramid != nullptr) {
-        // Of all frames of the view only one says where the cells lie.
+        // All fields share the view's pyramid: fill it once.
         bool isFilled = false;
         parts.forEach([&](const PlacedField& field) {
             if (!std::exchange(isFilled, true))
@@ -315,12 +315,7 @@ void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view,
     const Parts::ViewDrawing& drawing = parts.drawings[view];
     if (drawing.isRastered && visibility != nullptr &&
         target.settings().samples == drawing.samples) {
-        const shared::HostViewPush push = parts.raster.pushFor(parts.slot, view);
-        if (push.instanceCount == 0)
-            return;
-        visibility->bind(commands);
-        visibility->push(commands, push);
-        commands.vk->CmdDraw(commands, 3, 1, 0, 0);
+        parts.raster.recordDraw(commands, parts.slot, view, *visibility);
         return;
     }
     target.pipeline().bind(commands);

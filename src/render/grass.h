@@ -1,11 +1,11 @@
 #pragma once
 
 #include "gpu/context.h"
-#include "render/blade_target.h"
+#include "render/field/resident_field.h"
 #include "render/frame_settings.h"
 #include "render/host_view.h"
 #include "render/placement.h"
-#include "render/resident_field.h"
+#include "render/tessellation/blade_target.h"
 
 #include <vulkan/vulkan.h>
 
@@ -15,92 +15,92 @@
 
 namespace sward::render {
 
-/// A field that stands somewhere in the host's world, with blades that move by themselves.
+/// A field placed in the host's world, with its own animated blades.
 struct FieldInstance {
     std::shared_ptr<const ResidentField> field{}; ///< several instances may share it
-    Placement placement{};                        ///< where it stands
+    Placement placement{};                        ///< its placement
 };
 
-/// Names an instance for as long as there is one, and never another.
+/// Identifies an instance; never reused.
 enum class InstanceId : std::uint64_t {};
 
-/// What pushes blades aside: a capsule, or a ball where both ends are one. World space.
+/// A capsule that pushes blades aside, or a ball if both ends coincide. World space.
 struct HostCollider {
     glm::dvec3 from{0.0};     ///< [m]
     glm::dvec3 to{0.0};       ///< [m]
     double radius = 0.5;      ///< [m]
-    glm::vec3 velocity{0.0f}; ///< [m/s] at which it has come here
+    glm::vec3 velocity{0.0f}; ///< [m/s] of its movement to here
 };
 
-/// One frame as the host wants it.
+/// Description of one frame by the host.
 struct GrassFrame {
-    double time = 0.0;                 ///< [s], never falling; a step of any length is safe
-    std::span<const HostView> views{}; ///< that blades are moved for and may be drawn in
+    double time = 0.0;                 ///< [s], never decreasing; steps of any length
+    std::span<const HostView> views{}; ///< blades are moved for these and drawn in these
 
-    /// Wind, gravity, sun, sky and level of detail, all in world space. Its colliders are not
-    /// looked at, and no air lies between where `fogDensity` is below 0.
+    /// Wind, gravity, sun, sky and level of detail, all in world space. Its colliders are ignored,
+    /// and there is no fog if `fogDensity` is below 0.
     const FrameSettings& settings;
     std::span<const HostCollider> colliders{}; ///< at most shared::maxColliders
 };
 
-/// All the grass of a host's world: it moves once in a frame, and is drawn in any view. Uses one
+/// All the grass of a host's world. It moves once per frame and is drawn in any view. Uses one
 /// thread at a time and one queue family, submits nothing and never waits. docs/engine.md
 class Grass {
 public:
-    /// What stays the same from frame to frame.
+    /// Settings that are constant over all frames.
     struct Settings {
-        std::uint32_t framesInFlight = 2;      ///< slots: frames recorded before one is waited for
-        std::uint32_t maxViews = 4;            ///< of a frame
-        bool keepsMotion = false;              ///< for motion vectors; 4 bytes a blade
-        std::uint32_t maxListed = 0xffffffffu; ///< blades of an instance drawn in a view, 16 bytes
+        std::uint32_t framesInFlight = 2;      ///< slots: frames recorded before waiting for one
+        std::uint32_t maxViews = 4;            ///< per frame
+        bool keepsMotion = false;              ///< for motion vectors; 4 bytes per blade
+        std::uint32_t maxListed = 0xffffffffu; ///< blades per instance and view, 16 bytes each
     };
 
-    Grass(const gpu::DeviceContext& context, const Settings& settings); ///< context outlives it
+    Grass(const gpu::DeviceContext& context, const Settings& settings); ///< context must outlive it
     Grass(const Grass&) = delete;
     Grass& operator=(const Grass&) = delete;
     ~Grass(); ///< after the commands of the last frame
 
-    /// From the next frame on. Throws Error{runtime} where memory does not suffice.
+    /// Takes effect in the next frame. Throws Error{runtime} if there is not enough memory.
     InstanceId add(const FieldInstance& instance);
     void move(InstanceId id, const Placement& placement); ///< from the next frame on
-    void remove(InstanceId id); ///< its memory is freed when its last frame's slot is begun anew
+    void remove(InstanceId id); ///< frees its memory when its last frame's slot is reused
 
-    /// Begins a frame in `slot`, whose former commands have completed: writes what the frame's
-    /// commands read, makes what is needed for the first time. Records nothing; throws as add().
+    /// Begins a frame in `slot`, whose former commands have completed: writes the frame's constants
+    /// and creates objects on first use. Records nothing. Throws as add() does.
     void begin(std::uint32_t slot, const GrassFrame& frame);
 
-    /// Moves the blades that any of the frame's views may see, each once. After begin(), once, and
-    /// outside of a rendering, as recordCull().
+    /// Moves each blade that any of the frame's views may see, once. Call once after begin(),
+    /// outside of a rendering; the same holds for recordCull().
     void recordUpdate(VkCommandBuffer commands) noexcept;
 
-    /// Lists the blades that one of the frame's views sees, after recordUpdate(), and after the
-    /// drawing of the view's depth, if any, has been made visible to compute shaders.
+    /// Lists the visible blades of one view. Call after recordUpdate(), and after the view's depth,
+    /// if any, has been made visible to compute shaders.
     void recordCull(VkCommandBuffer commands, std::uint32_t view) noexcept;
 
-    /// Rasterises them by compute shaders, after recordCull() of the view, outside of a rendering
-    /// and as soon as the view's depth, if any, is complete: what it hides is not lit. Much faster
-    /// than the tessellator. Records nothing where whyTessellated() has a reason.
+    /// Rasterises the listed blades by compute shaders, much faster than the tessellator. Call
+    /// after recordCull() of the view, outside of a rendering, once the view's depth, if any, is
+    /// complete: hidden blades are not lit. Records nothing if whyTessellated() has a reason.
     void recordRaster(VkCommandBuffer commands, std::uint32_t view) noexcept;
 
-    /// Why recordDraw() tessellates the blades of one of the frame's views; null if it draws what
-    /// recordRaster() has rasterised.
+    /// Why recordDraw() tessellates the blades of one view; null if it draws the result of
+    /// recordRaster().
     const char* whyTessellated(std::uint32_t view) const noexcept;
 
-    /// Draws them, inside the host's rendering, whose viewport, as large as the view and with
-    /// depths from 0 to 1, and scissor are set: what recordRaster() has found if the target has as
-    /// many samples as the view, else by the tessellator. Any number of times after recordCull().
+    /// Draws the blades inside the host's rendering, with scissor and viewport set: the view's
+    /// size, depths from 0 to 1. Draws the result of recordRaster() if target and view have equal
+    /// samples, else tessellates. Callable repeatedly after recordCull().
     void recordDraw(VkCommandBuffer commands, std::uint32_t view,
                     const BladeTarget& target) const noexcept;
 
-    /// Draws no more than their depth: a shadow's map, into a target without colours.
+    /// Draws only depth, into a target without colours: for shadow maps.
     void recordDepth(VkCommandBuffer commands, std::uint32_t view,
                      const BladeTarget& target) const noexcept;
 
-    /// What became of the blades of a view, of all instances together, in the frame last begun in
-    /// `slot`; after its commands have completed. `simulated` counts for all views.
+    /// Blade statistics of a view, over all instances, for the frame last begun in `slot`; after
+    /// its commands have completed. `simulated` counts for all views.
     FrameStats stats(std::uint32_t view, std::uint32_t slot) const;
 
-    VkDeviceSize deviceBytes() const; ///< without the fields themselves
+    VkDeviceSize deviceBytes() const; ///< excludes the fields themselves
 
 private:
     struct Parts;

@@ -9,11 +9,11 @@
 namespace sward::render {
 namespace {
 
-/// A parallel projection is looked at from so many sizes of its content away: distances to it are
-/// the same within a thousandth, and single precision has digits left.
+/// Eye distance of a parallel projection, in sizes of its content: distances then differ by less
+/// than a thousandth, within single precision.
 constexpr double parallelDistance = 1000.0;
 
-/// Below this share of the picture's axes a projection's fourth row does not depend on the place.
+/// A projection is parallel if its fourth row is below this share of its first row.
 constexpr double parallelShare = 1e-9;
 
 glm::dvec4 rowOf(const glm::dmat4& matrix, glm::length_t row)
@@ -23,12 +23,12 @@ glm::dvec4 rowOf(const glm::dmat4& matrix, glm::length_t row)
 
 glm::vec4 normalisedPlane(const glm::dvec4& plane)
 {
-    // A plane at infinity leaves nothing out.
+    // A plane at infinity culls nothing.
     const double size = glm::length(glm::dvec3(plane));
     return size > 0.0 ? glm::vec4(plane / size) : glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
 }
 
-/// The place of which a projection sees all others: where x, y and w vanish.
+/// The centre of a projection: the place where x, y and w are 0.
 glm::dvec3 eyeOf(const glm::dvec4& x, const glm::dvec4& y, const glm::dvec4& w)
 {
     const glm::dmat3 rows = glm::transpose(glm::dmat3(glm::dvec3(x), glm::dvec3(y), glm::dvec3(w)));
@@ -66,7 +66,7 @@ ViewMatrices viewMatricesOf(const glm::dmat4& fieldToClip, bool hasReversedZ, gl
         return view;
     }
 
-    // Towards the near side, where reversed depth grows.
+    // Towards the near side, in the direction of increasing reversed depth.
     glm::dvec3 towards = glm::normalize(glm::cross(glm::dvec3(x), glm::dvec3(y)));
     if (glm::dot(towards, glm::dvec3(z)) < 0.0)
         towards = -towards;

@@ -13,48 +13,47 @@
 
 namespace sward::render {
 
-/// Depth of what the host has drawn, so that blades behind it are left out.
+/// Depth of the host's scene; blades behind it are culled.
 struct HostDepth {
-    VkImageView view = VK_NULL_HANDLE; ///< of the depth aspect, one layer, one mip level, as large
-                                       ///< as the view's picture, whose first pixel is its first
-    VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL; ///< when it is read
+    VkImageView view = VK_NULL_HANDLE; ///< depth aspect, one layer, one mip level; at least as
+                                       ///< large as the view's picture, with the same first pixel
+    VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL; ///< while it is read
     std::uint32_t samples = 1;                                       ///< 1, 2, 4 or 8
-    /// By how much what was drawn may be farther than its depth says: two steps of 32 or 24 bits;
-    /// 16 bits have 3e-5.
+    /// How much farther a surface may be than its depth: two steps of 32 or 24 bits; 3e-5 for 16
+    /// bits.
     float slack = 1.2e-7f;
 };
 
-/// One view of a frame as an engine has it: an eye of two, a shadow's cascade, a mirror.
+/// One view of an engine's frame: an eye of a stereo pair, a shadow cascade, a mirror.
 struct HostView {
-    /// From the world to Vulkan's clip space, of a perspective or a parallel projection; a picture
-    /// with y upwards is the viewport's affair, except that `depth` is then not to be given.
+    /// From the world to Vulkan's clip space, perspective or parallel. A picture with y upwards
+    /// must be handled by the viewport and must not set `depth`.
     glm::dmat4 worldToClip{1.0};
     glm::uvec2 size{1};        ///< [pixels] of the picture
-    std::uint32_t samples = 1; ///< per pixel of it
-    bool hasReversedZ = true;  ///< 1 near and 0 far; else 0 near and 1 far
+    std::uint32_t samples = 1; ///< per pixel
+    bool hasReversedZ = true;  ///< true: 1 near and 0 far; false: 0 near and 1 far
 
-    /// How blades are drawn: see Grass::recordRaster(). Automatic is the compute rasteriser on a
-    /// GPU and the tessellator on a CPU, which lights the pixels of the former more slowly. Shadow
-    /// maps want the tessellator.
+    /// How blades are drawn: see Grass::recordRaster(). Automatic: the compute rasteriser on a GPU;
+    /// the tessellator on a CPU, where it lights pixels faster. Shadow maps need the tessellator.
     Geometry geometry = Geometry::automatic;
 
-    /// Blades are culled from here instead: a frozen camera.
+    /// Culling uses this matrix instead: a frozen camera.
     std::optional<glm::dmat4> cullViewFrom{};
 
-    /// The worldToClip of the frame before, for motion vectors; not given: the same as now.
+    /// The worldToClip of the frame before, for motion vectors; unset: same as now.
     std::optional<glm::dmat4> clipBefore{};
 
-    /// What hides blades; not given: nothing.
+    /// Occluders; unset: none.
     std::optional<HostDepth> depth{};
 };
 
-/// The view's matrix as blades are culled by it: `fieldToClip` in the host's convention becomes one
-/// with reversed Z, its planes, eye and sharpness. A parallel projection is culled by an eye so far
-/// away that its rays are parallel; `content` is the box of what can be seen.
+/// The view's matrix for culling: converts `fieldToClip` from the host's convention to reversed Z,
+/// with planes, eye and pixels per unit. A parallel projection gets an eye so distant that its rays
+/// are parallel. `content` is the box of everything visible.
 ViewMatrices viewMatricesOf(const glm::dmat4& fieldToClip, bool hasReversedZ, glm::uvec2 size,
                             const Aabb& content);
 
-/// Whether all rays of a projection are parallel: distances then mean nothing.
+/// Whether all rays of a projection are parallel; it then has no distances.
 bool isParallel(const glm::dmat4& toClip);
 
 } // namespace sward::render

@@ -14,15 +14,15 @@
 namespace sward::render {
 namespace {
 
-constexpr double brightest = 1000.0; ///< radiance; the sky's is about one
-constexpr double densest = 1000.0;   ///< [1/m] nothing is seen through a millimetre
+constexpr double brightest = 1000.0; ///< radiance; that of the sky is about 1
+constexpr double densest = 1000.0;   ///< [1/m] visibility below a millimetre
 
-/// Share of light per air mass that clear air with a little haze takes away, as an exponent.
+/// Extinction per air mass (exponent) of clear air with a little haze.
 constexpr glm::dvec3 extinction(0.08, 0.14, 0.26);
 
 double airMass(double elevation)
 {
-    // Defined down to the horizon.
+    // The formula is defined for elevations ≥ 0.
     const double above = std::max(elevation, 0.0);
     return 1.0 / (std::sin(glm::radians(above)) + 0.50572 * std::pow(above + 6.07995, -1.6364));
 }

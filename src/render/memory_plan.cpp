@@ -11,17 +11,16 @@ namespace {
 
 using shared::pageBlades;
 
-/// Fewer pages than these draw no meadow: a page of each is coming, seen, or leaving.
+/// Minimum number of pages that can show a field: some are being loaded, some seen, some leaving.
 constexpr std::uint64_t minPages = 16;
 
-/// What one frame brings at most [bytes]: copied in half a millisecond or so, and 240 MiB in a
-/// second of 60 frames.
+/// Maximum upload per frame [bytes]: copies in about half a millisecond; at 60 frames/s, 240 MiB/s.
 constexpr std::uint64_t maxFrameBytes = std::uint64_t(4) << 20;
 
-/// Levels of the walk, counts, and species: a few of each.
+/// Levels of the walk, counts, and species.
 constexpr std::uint64_t smallBytes = std::uint64_t(64) << 10;
 
-/// Patches, what is below them, when they moved, and the lists of the walk.
+/// Patches, subtrees, times of their last moves, and the lists of the walk.
 std::uint64_t treeBytes(const field::FieldView& field)
 {
     constexpr std::uint64_t perPatch = sizeof(shared::Patch) + sizeof(shared::Subtree) +
@@ -32,7 +31,7 @@ std::uint64_t treeBytes(const field::FieldView& field)
            smallBytes;
 }
 
-/// The list of visible blades, and what counts its rounds.
+/// The list of visible blades, and the counts of its rounds.
 std::uint64_t roundBytes(const PatchSizes& sizes, const field::FieldView& field,
                          const FieldBuffers::Records& records, std::uint64_t places, bool isPaged)
 {
@@ -50,7 +49,7 @@ std::uint64_t MiB(std::uint64_t bytes)
 
 Streaming::Settings streamingOf(std::uint64_t pages, const MemoryBudget& budget)
 {
-    // Small pools are not turned over in a frame.
+    // Limit a frame to an eighth of a small pool.
     const std::uint64_t pageBytes = pageBlades * sizeof(shared::PackedBlade);
     return {.framesInFlight = budget.framesInFlight,
             .frameBytes =
@@ -58,7 +57,7 @@ Streaming::Settings streamingOf(std::uint64_t pages, const MemoryBudget& budget)
             .waitsForDisk = budget.waitsForDisk};
 }
 
-/// Bytes of a field's buffers with so many pages of its blades.
+/// Bytes of a field's buffers with `pages` pages of its blades.
 std::uint64_t pagedBytes(const PatchSizes& sizes, const field::FieldView& field,
                          const FieldBuffers::Records& records, const MemoryBudget& budget,
                          std::uint64_t pages)
@@ -87,7 +86,7 @@ MemoryPlan planFor(const field::FieldView& field, const FieldBuffers::Records& w
     if (whole <= budget.bytes)
         return plan;
 
-    // As many pages as fit, found by halving.
+    // Bisect the largest number of pages that fits.
     const PatchSizes sizes(field.patches);
     std::uint64_t fit = 0;
     std::uint64_t tooMany = field.blades.size() / pageBlades + 1;

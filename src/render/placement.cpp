@@ -24,11 +24,12 @@ FrameSettings inField(const Placement& placement, FrameSettings world)
 {
     const auto shrink = static_cast<float>(1.0 / placement.scale);
 
-    // What pulls and blows.
+    // Gravity and wind.
     field::Defaults& environment = world.environment;
     environment.gravityDirection = placement.directionInField(environment.gravityDirection);
     environment.attractor = placement.placeInField(environment.attractor);
     environment.drawDistance *= shrink;
+    world.windFrame = {placement.position, placement.rotation, placement.scale};
     for (WindSource& wind : world.winds) {
         wind.source.direction = placement.directionInField(wind.source.direction);
         wind.source.size *= shrink;
@@ -44,7 +45,7 @@ FrameSettings inField(const Placement& placement, FrameSettings world)
             point.move = placement.placeInField(point.move) - turned;
     }
 
-    // How far from the eye what is done.
+    // Distances from the eye.
     world.buckets.distance *= shrink;
     for (LevelStep& step : world.levelSteps)
         step.distance *= shrink;

@@ -8,8 +8,8 @@
 
 namespace sward::render {
 
-/// Where a field stands in the host's world: world = position + scale · rotation · place, with
-/// places as the field's file counts them, its origin included.
+/// Placement of a field in the host's world: world = position + scale · rotation · place. Places
+/// are in the field file's coordinates, with its origin added.
 struct Placement {
     glm::dvec3 position{0.0};                ///< world [m]
     glm::dquat rotation{1.0, 0.0, 0.0, 0.0}; ///< unit
@@ -18,12 +18,12 @@ struct Placement {
     /// From the field's places, relative to `origin`, to the world.
     glm::dmat4 toWorld(glm::dvec3 origin) const;
 
-    glm::dvec3 placeInField(glm::dvec3 world) const;       ///< the place of a place
-    glm::vec3 directionInField(glm::vec3 direction) const; ///< of the same length
+    glm::dvec3 placeInField(glm::dvec3 world) const;       ///< inverse of the placement
+    glm::vec3 directionInField(glm::vec3 direction) const; ///< keeps the length
 };
 
-/// Settings that count in the world as the field counts: lengths are divided by the scale, places
-/// and directions turned. Strengths stay: they are in heights of a blade, whatever its size.
+/// Converts settings from world space to the field's space: divides lengths by the scale,
+/// transforms places and directions. Strengths stay: they are in blade heights.
 FrameSettings inField(const Placement& placement, FrameSettings world);
 
 } // namespace sward::render

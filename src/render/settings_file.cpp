@@ -2,9 +2,9 @@
 
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
-#include "render/detail_settings.h"
-#include "render/environment_settings.h"
 #include "render/look_settings.h"
+#include "render/settings/detail_settings.h"
+#include "render/settings/environment_settings.h"
 
 #include <nlohmann/json.hpp>
 
@@ -30,7 +30,7 @@ std::vector<std::string> readSettings(std::string_view text, const std::string& 
 {
     const nlohmann::json json = parseJson(text, place);
     SettingsReader reader(json, place);
-    std::string about; // for those who read the file
+    std::string about; // a comment in the file
     reader.read("about", about);
     readEnvironment(reader, settings);
     std::vector<std::string> warnings = readDetail(reader, settings);

@@ -9,12 +9,12 @@
 
 namespace sward::render {
 
-/// Reads a settings file (docs/settings.md) over `settings`: what it does not name stays. Throws
-/// Error{io} if it cannot be read, Error{input} that names the key. Returns one warning for each
-/// key that is written by its former name.
+/// Reads a settings file (docs/settings.md) into `settings`. Absent keys keep their values. Throws
+/// Error{io} if it cannot be read, Error{input} that names the key. Returns one warning per key
+/// that uses its former name.
 std::vector<std::string> readSettings(const std::filesystem::path& path, FrameSettings& settings);
 
-/// The same from a text; `place` names it in messages.
+/// The same from a text; messages call it `place`.
 std::vector<std::string> readSettings(std::string_view text, const std::string& place,
                                       FrameSettings& settings);
 

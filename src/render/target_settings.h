@@ -13,20 +13,19 @@ namespace sward::render {
 
 constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
 
-/// What the pipelines of all drawing passes have in common.
+/// Settings shared by the pipelines of all drawing passes.
 struct TargetSettings {
     VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB;
     std::uint32_t samples = 4;
     std::uint32_t debugMode = shared::debugAsTold; ///< see knownDebugMode()
-    bool mayBePaged = false;                       ///< blades may be in memory in part
+    bool mayBePaged = false;                       ///< some blades may not be resident
     bool mayFold = true;                           ///< there are folded blades
-    std::uint32_t onlyShape = shared::shapeCount;  ///< of all blades, if they have the same
-    bool groupsDrawLarge = true; ///< work-groups draw large blades; else a thread each blade
-    bool sortsTiles = false;     ///< tiles of the picture are shaded by what they show
+    std::uint32_t onlyShape = shared::shapeCount;  ///< of all blades, if they share one
+    bool groupsDrawLarge = true; ///< work-groups draw large blades; else one thread per blade
+    bool sortsTiles = false;     ///< tile classification for shading
 };
 
-/// What pipelines know of a frame's debug mode: that there is none, that it is the wind's, which
-/// takes more than others, or nothing.
+/// Specialisation for a frame's debug mode: none, wind (more expensive), or read from the frame.
 constexpr std::uint32_t knownDebugMode(DebugMode mode)
 {
     static_assert(std::uint32_t(DebugMode::none) == shared::debugNothing &&
@@ -35,13 +34,13 @@ constexpr std::uint32_t knownDebugMode(DebugMode mode)
                                                               : shared::debugAsTold;
 }
 
-/// What the shading of a frame's blades is to know.
+/// Specialisation for shading a frame's blades.
 struct Shading {
     std::uint32_t debugMode = shared::debugAsTold; ///< see knownDebugMode()
     bool limitsLeafArea =
-        false; ///< what other grass hides is not drawn, see shared::leafAreaShare()
+        false; ///< leaf-area limit, see shared::leafAreaShare()
     bool hasShadingCache =
-        false; ///< of large blades, see ShadingCachePass; where blades hide others
+        false; ///< for large blades, see ShadingCachePass; needs the occlusion test
     auto operator<=>(const Shading&) const = default;
 };
 

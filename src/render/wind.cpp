@@ -2,6 +2,7 @@
 
 #include "core/expect.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -10,21 +11,37 @@
 namespace sward::render {
 namespace {
 
-/// A size that makes a turning wind the same everywhere [m].
+/// Size [m] at which a turning wind is uniform.
 constexpr float everywhere = 1e9f;
 
-shared::WindSource relativeTo(glm::dvec3 origin, const WindSource& wind)
+shared::WindSource relativeTo(glm::dvec3 origin, const WindSource& wind, const glm::quat& toWorld)
 {
     shared::WindSource result = wind.source;
     const float length = glm::length(result.direction);
     result.direction = length > 0.0f ? result.direction / length : glm::vec3(1.0f, 0.0f, 0.0f);
-    // A wave or gust of no size would divide by zero.
+    // A zero size of a wave or gust would divide by zero.
     result.size = std::max(result.size, 1e-3f);
     result.centre = glm::vec3(wind.centre - origin);
-    return shared::preparedSource(result);
+    shared::WindSource prepared = shared::preparedSource(result);
+    // Across the wind as the world sees it, so that waves of tilted fields meet those of others.
+    shared::WindSource inWorld = result;
+    inWorld.direction = toWorld * result.direction;
+    prepared.side = glm::conjugate(toWorld) * shared::preparedSource(inWorld).side;
+    return prepared;
 }
 
 } // namespace
+
+shared::WindLattice latticeOf(glm::dvec3 origin, const WindFrame& frame)
+{
+    glm::dvec3 place = frame.position + frame.scale * (frame.rotation * origin);
+    place -= windPeriod * glm::round(place / windPeriod);
+    const glm::dquat toField = glm::conjugate(frame.rotation);
+    return {.origin = glm::vec3(toField * place / frame.scale),
+            .x = glm::vec3(toField * glm::dvec3(1.0, 0.0, 0.0)),
+            .y = glm::vec3(toField * glm::dvec3(0.0, 1.0, 0.0)),
+            .z = glm::vec3(toField * glm::dvec3(0.0, 0.0, 1.0))};
+}
 
 WindSource windSource(std::uint32_t kind)
 {
@@ -44,8 +61,8 @@ WindSource windSource(std::uint32_t kind)
     case shared::windWave:
         s.size = 7.0f;
         break;
-    // The rings of the paper's helicopter pull whatever a blade's direction, and move at 10 of its
-    // lengths a second; those of its swirl at 15.
+    // The paper's helicopter rings pull independently of a blade's direction. They travel at 10
+    // blade lengths per second; its swirl at 15.
     case shared::windRadial:
         s.size = 75.0f;
         s.speed = 10.0f;
@@ -98,21 +115,24 @@ void scaleWind(std::vector<WindSource>& sources, float strength)
         wind.source.strength *= strength / before;
 }
 
-std::vector<shared::WindSource> blowing(const std::vector<WindSource>& sources, glm::dvec3 origin)
+std::vector<shared::WindSource> blowing(const std::vector<WindSource>& sources, glm::dvec3 origin,
+                                        const WindFrame& frame)
 {
     std::vector<shared::WindSource> result;
     for (const WindSource& wind : sources)
         if (wind.source.strength > 0.0f)
-            result.push_back(relativeTo(origin, wind));
+            result.push_back(relativeTo(origin, wind, glm::quat(frame.rotation)));
     std::stable_sort(result.begin(), result.end(),
                      [](const auto& a, const auto& b) { return a.kind < b.kind; });
     return result;
 }
 
-shared::Wind together(std::span<const shared::WindSource> sources, float extent)
+shared::Wind together(std::span<const shared::WindSource> sources, float extent,
+                      const shared::WindLattice& lattice)
 {
     expect(sources.size() <= shared::maxWindSources, "at most maxWindSources blow at once");
     shared::Wind wind = {};
+    wind.lattice = lattice;
     std::ranges::copy(sources, wind.sources);
     if (!sources.empty() && std::ranges::all_of(sources, [&](const shared::WindSource& source) {
             return shared::blowsLike(sources.front(), source);

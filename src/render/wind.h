@@ -3,6 +3,7 @@
 #include "field/field.h"
 #include "shaders/shared/wind.h"
 
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
@@ -11,31 +12,48 @@
 
 namespace sward::render {
 
-/// One source of wind where the world counts from, and in double precision.
+/// A source of wind in world space and double precision.
 struct WindSource {
-    shared::WindSource source = {}; ///< its `centre` is ignored
+    shared::WindSource source = {}; ///< its `centre` is unused
     glm::dvec3 centre{0.0};         ///< world [m]
 };
 
-/// A source of one kind (shared::windNoise …) that blows with `strength` and its other numbers as
-/// the settings file has them by default.
+/// Where a field's places lie in the world that the wind blows through: world = position + scale ·
+/// rotation · place. Fields of one world share waves, gusts and noise whatever their frames.
+struct WindFrame {
+    glm::dvec3 position{0.0};                ///< world [m]
+    glm::dquat rotation{1.0, 0.0, 0.0, 0.0}; ///< unit
+    double scale = 1.0;                      ///< > 0
+};
+
+/// Patterns repeat after this distance along the world's axes [m]: beyond it single precision would
+/// show steps.
+inline constexpr double windPeriod = 131072.0;
+
+/// The lattice of a field with that `origin` in its own places.
+shared::WindLattice latticeOf(glm::dvec3 origin, const WindFrame& frame);
+
+/// A source of one kind (shared::windNoise …) with the given `strength` and the settings file's
+/// defaults otherwise.
 WindSource windSource(std::uint32_t kind);
 
-/// The sources of a field's own breeze: waves and carried noise that share its strength.
+/// The sources of a field's own breeze: waves and advected noise that share its strength.
 std::vector<WindSource> sourcesOf(const field::Wind& breeze);
 
-/// Sum of the strengths [1/s]: no more than about this blows anywhere.
+/// Sum of the strengths [1/s]: approximate upper bound of the wind anywhere.
 float windStrength(const std::vector<WindSource>& sources);
 
-/// Makes `strength` of windStrength(); sources that have none stay as they are.
+/// Scales sources so that windStrength() is `strength`. Sources without strength stay.
 void scaleWind(std::vector<WindSource>& sources, float strength);
 
-/// What blows at all, as the shaders read it: relative to `origin`, kind after kind.
-std::vector<shared::WindSource> blowing(const std::vector<WindSource>& sources, glm::dvec3 origin);
+/// The sources with non-zero strength in shader form: relative to `origin`, sorted by kind.
+std::vector<shared::WindSource> blowing(const std::vector<WindSource>& sources, glm::dvec3 origin,
+                                        const WindFrame& frame = {});
 
-/// Such sources, at most shared::maxWindSources, as the shaders know them. Eddies are twice as
-/// large as the finest source with a direction, but no larger than a quarter of `extent` [m], the
-/// size of what is seen, and as quick as the quickest.
-shared::Wind together(std::span<const shared::WindSource> sources, float extent);
+/// Combines at most shared::maxWindSources such sources for shaders. Eddies are twice as large as
+/// the finest source with a direction, but at most a quarter of `extent` [m], the size of the
+/// visible content; their speed is the fastest source's.
+shared::Wind together(std::span<const shared::WindSource> sources, float extent,
+                      const shared::WindLattice& lattice = latticeOf(glm::dvec3(0.0), {}));
 
 } // namespace sward::render

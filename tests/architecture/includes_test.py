@@ -23,6 +23,7 @@ FOLDERS = {
     "bake": "src/bake",
     "gpu": "src/gpu",
     "render": "src/render",
+    "c": "src/c",
     "apps_common": "src/apps/common",
     "sward": "src/apps/sward",
     "sward_view": "src/apps/sward_view",
@@ -39,6 +40,7 @@ MAY_USE = {
     "bake": "core shared terrain field fmt glm nlohmann tbb meshoptimizer",
     "gpu": "core fmt glm vulkan",
     "render": "core shared field gpu fmt glm nlohmann vulkan",
+    "c": "core shared field gpu render glm vulkan",
     "apps_common": "core fmt glm nlohmann cli11 posix",
     "sward": "core shared terrain field interchange bake apps_common fmt glm nlohmann cli11 posix",
     "sward_view": "core shared field gpu render apps_common fmt glm nlohmann cli11 posix "
@@ -73,15 +75,23 @@ THIRD_PARTY = {
 # Headers that only these files may see, wherever else their library would allow them; neither may
 # another file see them through a header of ours.
 ONLY_IN = {
-    "tinygltf": ["terrain/gltf_*"],
-    "openmesh": ["terrain/topology*", "terrain/half_edges*", "terrain/mesh_import*",
-                 "terrain/*openmesh*"],
-    "embree": ["terrain/surface_query*"],
-    "png": ["terrain/png_pixels*"],
-    "openexr": ["terrain/exr_heights*"],
-    "draco": ["terrain/draco_geometry*"],
-    "intrinsics": ["terrain/surface_query*"],
+    "tinygltf": ["terrain/gltf/*"],
+    "openmesh": ["terrain/topology/topology*", "terrain/topology/half_edges*",
+                 "terrain/mesh_files/mesh_import*", "terrain/*openmesh*"],
+    "embree": ["terrain/query/surface_query*"],
+    "png": ["terrain/image/png_pixels*"],
+    "openexr": ["terrain/heightmap/exr_heights*"],
+    "draco": ["terrain/gltf/draco_geometry*"],
+    "intrinsics": ["terrain/query/surface_query*"],
     "spdlog": ["src/core/log.cpp"],
+}
+
+# Folders inside a library. Each may include those before it, and what lies in the library's own folder.
+INSIDE = {
+    "render": "field streaming cull settings resolve raster tessellation preview",
+    "bake": "filter sample patches blades tiles",
+    "terrain": "topology image heightmap gltf mesh_files procedural query",
+    "sward_view": "interface panels window headless",
 }
 
 # Headers that would double the build if other headers passed them on; these light ones may.
@@ -104,8 +114,8 @@ def target_of(root, kind, header):
     for name, patterns in THIRD_PARTY.items():
         if any(fnmatch(header, pattern) for pattern in patterns):
             return name
-    # The headers of the C++ library have neither folder nor suffix.
-    return "std" if re.fullmatch(r"[a-z_0-9]+", header) else None
+    # The headers of the C++ library have neither folder nor suffix; three are those of C.
+    return "std" if re.fullmatch(r"[a-z_0-9]+|std(bool|def|int)\.h", header) else None
 
 
 def includes_of(file):
@@ -144,8 +154,25 @@ def complaint(root, path, kind, header):
     for seen in {target} | (carried_by(root, header) if kind == '"' else set()):
         if seen in ONLY_IN and not any(fnmatch(path, place) for place in ONLY_IN[seen]):
             return f"only {', '.join(ONLY_IN[seen])} may see {seen} ({header})"
+    if target == library and (reason := wrong_folder(path, file_of(root, header), library)):
+        return reason
     if path.endswith(".h") and target in NOT_IN_HEADERS and header not in NOT_IN_HEADERS[target]:
         return f"a header must not pass on {header}"
+    return None
+
+
+def wrong_folder(path, included, library):
+    """Why a file may not include another of its own library; None if it may."""
+    order = INSIDE.get(library, "").split()
+    folders = []
+    for file in (path, included):
+        parts = file[len(FOLDERS[library]) + 1:].split("/")
+        folders.append(parts[0] if len(parts) > 1 else "")
+        if folders[-1] and order and folders[-1] not in order:
+            return f"{folders[-1]} is no known folder of {library}"
+    own, other = folders
+    if own in order and other in order and order.index(other) > order.index(own):
+        return f"{own} must not see {other}"
     return None
 
 
@@ -212,7 +239,7 @@ class PlantedIncludesAreCaught(unittest.TestCase):
             ("src/apps/sward/a.cpp", '#include "gpu/device.h"', "sward must not see gpu"),
             ("src/apps/sward_view/a.cpp", '#include "bake/bake.h"', "sward_view must not see bake"),
             ("src/interchange/a.cpp", '#include "bake/bake.h"', "interchange must not see bake"),
-            ("terrain/topology.cpp", "#include <embree3/rtcore.h>", "may see embree"),
+            ("terrain/topology/topology.cpp", "#include <embree3/rtcore.h>", "may see embree"),
             ("terrain/recipe.cpp", "#include <tiny_gltf.h>", "may see tinygltf"),
             ("terrain/load.cpp", "#include <OpenMesh/Core/Mesh.hh>", "may see openmesh"),
             ("src/core/b.h", "#include <nlohmann/json.hpp>", "a header must not pass on"),
@@ -221,13 +248,15 @@ class PlantedIncludesAreCaught(unittest.TestCase):
             ("src/core/a.cpp", '#include "core/missing.h"', "belongs to no known library"),
             ("shaders/shared/b.h", "#include <fmt/core.h>", "shared must not see fmt"),
             ("src/elsewhere/a.cpp", "#include <vector>", "belongs to no library"),
-            ("terrain/load.cpp", '#include "terrain/gltf_outer.h"', "may see tinygltf"),
+            ("terrain/load.cpp", '#include "terrain/gltf/outer.h"', "may see tinygltf"),
+            ("src/render/cull/a.cpp", '#include "render/raster/raster.h"', "cull must not see raster"),
+            ("src/render/odd/a.cpp", '#include "render/pass.h"', "odd is no known folder of render"),
         ]
         house = {path: "#pragma once\n" for path in (
             "src/field/field.h", "terrain/mesh.h", "src/render/pass.h", "src/gpu/device.h",
-            "src/bake/bake.h")}
-        house["terrain/gltf_inner.h"] = "#pragma once\n#include <tiny_gltf.h>\n"
-        house["terrain/gltf_outer.h"] = '#pragma once\n#include "terrain/gltf_inner.h"\n'
+            "src/bake/bake.h", "src/render/raster/raster.h")}
+        house["terrain/gltf/inner.h"] = "#pragma once\n#include <tiny_gltf.h>\n"
+        house["terrain/gltf/outer.h"] = '#pragma once\n#include "terrain/gltf/inner.h"\n'
         for path, line, reason in planted:
             with self.subTest(path=path, line=line):
                 offences = self.offences_of({**house, path: "// One line before.\n" + line + "\n"})
@@ -239,8 +268,12 @@ class PlantedIncludesAreCaught(unittest.TestCase):
             "src/core/error.h": "#pragma once\n#include <fmt/core.h>\n",
             "src/core/json.h": "#pragma once\n#include <nlohmann/json_fwd.hpp>\n",
             "src/core/json.cpp": '#include "core/json.h"\n#include <nlohmann/json.hpp>\n',
-            "terrain/gltf_import.cpp": '#include "core/error.h"\n#include <tiny_gltf.h>\n',
-            "terrain/topology.cpp": "#include <OpenMesh/Core/Mesh.hh>\n#include <vector>\n",
+            "terrain/gltf/import.cpp": '#include "core/error.h"\n#include <tiny_gltf.h>\n',
+            "terrain/topology/topology.cpp": "#include <OpenMesh/Core/Mesh.hh>\n#include <vector>\n",
+            "src/render/pass.h": "#pragma once\n",
+            "src/render/cull/cull.h": '#pragma once\n#include "render/pass.h"\n',
+            "src/render/raster/raster.cpp": '#include "render/cull/cull.h"\n',
+            "src/render/grass.cpp": '#include "render/cull/cull.h"\n',
         }), [])
 
 

@@ -95,7 +95,7 @@ class Tiles(ClusterTest):
         for damage in (content[:-9], content[:5000] + bytes([content[5000] ^ 1]) + content[5001:], b""):
             self.tile_file(1).write_bytes(damage)
             self.merge_fails(INPUT, "0-1,3-4", missing="0,3-4", damaged="1")
-        # Asked again, tiles replace what is damaged, and leave the others alone.
+        # A second run replaces damaged tiles and keeps the others.
         for index in (0, 1, 3, 4):
             self.assertNotIn("there already", self.tile(index).stdout)
         self.assertIn("there already", self.tile(2).stdout)
@@ -117,7 +117,7 @@ class Tiles(ClusterTest):
         done = self.refused("merge", "plan.json", "tiles", "-o", "out.sward", code=INPUT,
                             names=["damaged (3)", "belongs to plan"])
         self.assertIn(self.tile_file(3).name, done.stderr)
-        # Nor is the work of another plan replaced unasked.
+        # Tiles of another plan are not replaced either.
         before = digest(self.tile_file(3))
         self.refused("tile", "plan.json", "--index", "3", "-o", "tiles", code=INPUT,
                      names=[self.tile_file(3).name, "--force"])

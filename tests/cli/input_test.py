@@ -194,13 +194,13 @@ class Input(CliTest):
         self.assertNotIn("warning: m.stl", done.stderr)
         self.sward("compare", "glb.sward", "stl.sward", "--match", "id", "--tolerance", "1e-4")
 
-        # Without its flags the program says which to try.
+        # Without its flags the program names the flags to try.
         done = self.sward("bake", "m.stl", "-o", "wrong.sward", "--count", "10")
         self.assertIn("--up-axis z", done.stderr)
         self.assertIn("--units cm", done.stderr)
 
     def test_compressed_gltf_of_the_wrong_kind(self):
-        # What Draco and meshopt need is checked by unit tests; here the codes that a user sees.
+        # Unit tests cover Draco and meshopt; this tests exit codes.
         draco = {"extensionsRequired": ["KHR_draco_mesh_compression"], "meshes": [{"primitives": [{
             "attributes": {"POSITION": 0}, "indices": 1, "extensions": {
                 "KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {"POSITION": 0}}}}]}]}
@@ -216,7 +216,7 @@ class Input(CliTest):
         self.assertIn("gone.mtl", done.stderr)
 
     def test_samples_made_by_others_are_read(self):
-        # Nothing of the project lies there; where the folder is, its files must work.
+        # The folder contains no project files; commands must work there.
         samples = sorted((ROOT.parent / "shared/samples").glob("**/*.gl[tb]*"))
         samples += sorted((ROOT.parent / "shared/samples").glob("heightmap*.png"))
         for mesh in [ROOT / "assets/meshes/landscape.glb", *samples]:

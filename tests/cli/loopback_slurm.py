@@ -165,7 +165,7 @@ def user_name():
 
 
 def free_ports(count):
-    """Ports that nobody listens at now."""
+    """Unused ports."""
     sockets = [socket.socket() for _ in range(count)]
     try:
         for one in sockets:

@@ -44,7 +44,7 @@ class Output(CliTest):
                      names=["no/r.json"])
         (self.folder / "file").write_text("x")
         self.refused("bake", "plane", "-o", "file/f.sward", code=IO, names=["file/f.sward"])
-        # Nobody, root included, can make a file there.
+        # No user, root included, can create a file there.
         self.refused("bake", "plane", "-o", "/proc/f.sward", "--count", "10", code=IO,
                      names=["/proc/f.sward"])
         self.refused("terrain", "plane", "-o", "/proc/f.glb", code=IO, names=["/proc/f.glb"])

@@ -11,7 +11,7 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-# Where needs.py lies.
+# Folder of needs.py.
 sys.path.append(str(ROOT / "tests/support"))
 PROGRAM = Path(os.environ.get("SWARD_PROGRAM", ROOT / "build/release/bin/sward")).resolve()
 

@@ -3,14 +3,14 @@
 #include <cstdint>
 #include <span>
 
-/// What the fuzzers call, and what the corpora are replayed through: a function for each kind of
-/// input that comes from outside. Whatever the bytes are, it returns: with something valid, or
-/// after an sward::Error, the one way in which a bad file may end.
+/// Entry points of fuzzers and of corpus replays: one function per kind of external input. For any
+/// bytes it returns, either with a valid object or after an sward::Error; a bad file may not end in
+/// any other way.
 namespace sward::fuzz {
 
 using Bytes = std::span<const std::uint8_t>;
 
-void fieldReader(Bytes bytes);     ///< a field file; its hashes are mended first
+void fieldReader(Bytes bytes);     ///< a field file; its hashes are repaired first
 void gltfImport(Bytes bytes);      ///< a .glb or .gltf
 void heightmapImport(Bytes bytes); ///< the first bytes choose format, size and a mask
 void mask(Bytes bytes);            ///< the first bytes choose: an image and a channel, or words

@@ -1,5 +1,5 @@
-// Reading a field file yields a verified view or an Error. Hashes are mended first, or no change
-// would ever come past them.
+// Reading a field file gives a verified view or an Error. Hashes are repaired first; otherwise
+// every change would fail the hash check.
 
 #include "core/error.h"
 #include "field/format.h"

@@ -1,5 +1,5 @@
-// Writes the samples into the folders of a corpus: make_corpus FOLDER. What fuzzers have found
-// since lies beside them and stays.
+// Writes the samples into the folders of a corpus: make_corpus FOLDER. Keeps the inputs found by
+// fuzzers.
 
 #include "fuzz/samples.h"
 

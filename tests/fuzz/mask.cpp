@@ -1,11 +1,11 @@
-// A mask that is accepted says the same when it is written, and its image a share everywhere.
+// An accepted mask is equal after writing and reading, and its image gives shares in [0, 1].
 
-#include "bake/mask.h"
+#include "bake/filter/mask.h"
 
 #include "core/error.h"
 #include "core/expect.h"
 #include "fuzz/memory_file.h"
-#include "terrain/channel_image.h"
+#include "terrain/image/channel_image.h"
 
 #include <iterator>
 #include <optional>
@@ -17,7 +17,7 @@ void mask(Bytes bytes)
     static constexpr const char* extensions[] = {".png", ".jpg", ".tga", ".bmp"};
     if (bytes.size() < 2)
         return;
-    // Half of all are the words of --mask, half the image they name.
+    // Half of the inputs are texts of --mask, half are images.
     if ((bytes[0] & 0x80U) != 0) {
         const std::string text(reinterpret_cast<const char*>(bytes.data()) + 1, bytes.size() - 1);
         if (const std::optional<bake::Mask> read = bake::readMask(text)) {

@@ -1,4 +1,4 @@
-// A meadow that is accepted can be written and is accepted again.
+// An accepted meadow is accepted again after writing.
 
 #include "bake/meadow.h"
 

@@ -7,8 +7,7 @@
 
 namespace sward::fuzz {
 
-/// A file in memory under names that readers can open and cull by, in a folder that holds nothing
-/// else.
+/// A file in memory under names that readers can open, alone in its folder.
 class MemoryFile {
 public:
     MemoryFile();
@@ -16,7 +15,7 @@ public:
     MemoryFile& operator=(const MemoryFile&) = delete;
     ~MemoryFile();
 
-    /// Puts `bytes` in the place of what it held; returns its path with this extension.
+    /// Replaces the content by `bytes`; returns the path with this extension.
     std::filesystem::path hold(Bytes bytes, const std::string& extension,
                                const std::string& stem = "input");
 
@@ -27,7 +26,7 @@ private:
     std::filesystem::path folder_;
 };
 
-/// The one file of a process: names are made once, not for every input.
+/// The single file of a process; its names are created once.
 MemoryFile& memoryFile();
 
 } // namespace sward::fuzz

@@ -1,4 +1,4 @@
-// Every input that a fuzzer starts from or has found goes through its entry in the ordinary build.
+// Runs every start input and every found input of the fuzzers in the ordinary build.
 
 #include "core/mapped_file.h"
 #include "fuzz/entries.h"
@@ -12,7 +12,7 @@
 namespace sward::fuzz {
 namespace {
 
-constexpr std::chrono::seconds patience{60}; // that any input may cost
+constexpr std::chrono::seconds patience{60}; // longest time per input
 
 Bytes bytesOf(const auto& container)
 {

@@ -1,11 +1,11 @@
 #include "fuzz/samples.h"
 
 #include "bake/meadow.h"
-#include "bake/tile_files.h"
+#include "bake/tiles/tile_files.h"
 #include "core/mapped_file.h"
 #include "field/write.h"
 #include "fuzz/memory_file.h"
-#include "render/settings_text.h"
+#include "render/settings/settings_text.h"
 #include "support/fields/fields.h"
 #include "terrain/load.h"
 #include "terrain/recipe.h"
@@ -16,7 +16,7 @@
 namespace sward::fuzz {
 namespace {
 
-// A triangle with everything that a glTF can say of it.
+// A triangle with every feature of glTF.
 terrain::GlbBuilder richGlb()
 {
     terrain::GlbBuilder builder = terrain::triangleGlb();
@@ -177,7 +177,7 @@ void addMasks(std::vector<Sample>& all)
             {"mask", std::string(text).substr(0, 7) + ".txt", "\x80" + std::string(text)});
 }
 
-// A square of two triangles whose material shows an image.
+// A square of two triangles with an image.
 terrain::GroundMesh paintedSquare()
 {
     Diagnostics diagnostics;

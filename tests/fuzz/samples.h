@@ -12,7 +12,7 @@ struct Sample {
     std::string bytes;
 };
 
-/// Something of every kind that the entries read, made anew each time.
+/// One sample of every kind of input; creates them on each call.
 std::vector<Sample> samples();
 
 } // namespace sward::fuzz

@@ -1,10 +1,10 @@
-// Settings that are accepted can be written and are accepted again.
+// Accepted settings are accepted again after writing.
 
 #include "core/error.h"
 #include "core/expect.h"
 #include "fuzz/memory_file.h"
+#include "render/settings/settings_text.h"
 #include "render/settings_file.h"
-#include "render/settings_text.h"
 
 #include <string>
 

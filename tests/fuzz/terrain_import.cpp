@@ -1,4 +1,4 @@
-// Loading ground yields what validate() accepts, or an Error.
+// Loading ground gives a mesh accepted by validate(), or an Error.
 
 #include "core/diagnostics.h"
 #include "core/error.h"
@@ -24,8 +24,7 @@ void loadGround(Bytes bytes, const std::string& extension,
     }
 }
 
-// Large grounds are allowed, but would let a fuzzer do nothing else: the numbers of cells and
-// segments that a recipe asks for.
+// Limits the cells and segments of a recipe: large grounds are valid, but slow down the fuzzer.
 bool isSmall(const nlohmann::json& recipe)
 {
     constexpr double most = 64.0;
@@ -43,7 +42,7 @@ bool isSmall(const nlohmann::json& recipe)
 
 void gltfImport(Bytes bytes)
 {
-    // A GLB tells itself by its first bytes.
+    // The first bytes identify a GLB.
     loadGround(bytes, ".glb");
 }
 
@@ -67,7 +66,7 @@ void heightmapImport(Bytes bytes)
     if (extension == ".r16")
         settings.heightmap.size = glm::uvec2(bytes[1], bytes[2]);
     const Bytes file = bytes.subspan(3);
-    // The map may be its own mask, as an image or as what it is not.
+    // Use the map as its own mask, as a valid or an invalid image.
     if ((bytes[0] & 0x40U) != 0)
         settings.heightmap.holeMask =
             memoryFile().hold(file, (bytes[1] & 1U) != 0 ? ".jpg" : ".png").string();

@@ -1,9 +1,9 @@
-// Reading what lies between plan, tile and merge yields something that its reader accepts, or an
-// Error. Hashes are mended first, or no change would ever come past them.
+// Reading the files between plan, tile and merge gives an accepted object or an Error. Hashes are
+// repaired first; otherwise every change would fail the hash check.
 
-#include "bake/tile_files.h"
+#include "bake/tiles/tile_files.h"
 
-#include "bake/patch_tree.h"
+#include "bake/patches/patch_tree.h"
 #include "core/error.h"
 #include "core/expect.h"
 #include "fuzz/memory_file.h"
@@ -18,7 +18,7 @@
 namespace sward::fuzz {
 namespace {
 
-// The first byte chooses the kind of file; its own first letters then are right.
+// The first byte chooses the kind of file; the file's magic is then set correctly.
 constexpr std::array<const char*, 3> kinds = {"SWPART02", "SWTILE01", "SWIMAG01"};
 constexpr std::size_t kindBytes = 8;
 

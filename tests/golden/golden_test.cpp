@@ -12,7 +12,7 @@
 
 namespace sward::golden {
 
-/// What ctest calls a scene.
+/// Name of a scene in ctest.
 void PrintTo(const Scene& scene, std::ostream* out);
 void PrintTo(const Scene& scene, std::ostream* out)
 {
@@ -38,7 +38,7 @@ std::vector<std::string> withFolders(std::vector<std::string> arguments)
 
 class GoldenPicture : public testing::TestWithParam<Scene> {};
 
-// The real programs, end to end: bake, draw, compare with the picture that a person has accepted.
+// Runs the programs end to end: bake, draw, compare with the accepted picture.
 TEST_P(GoldenPicture, LooksAsItDid)
 {
     const Scene& scene = GetParam();
@@ -48,7 +48,7 @@ TEST_P(GoldenPicture, LooksAsItDid)
     const fs::path field = folder / "field.sward";
     const fs::path actualPath = folder / "actual.png";
 
-    // Grow the field.
+    // Bake the field.
     std::vector<std::string> bake = withFolders(scene.bake);
     bake.insert(bake.begin(), "bake");
     bake.insert(bake.end(), {"-o", field.string(), "-q"});
@@ -58,8 +58,8 @@ TEST_P(GoldenPicture, LooksAsItDid)
     // Draw it.
     std::vector<std::string> render{"render", field.string(), "-o", actualPath.string(),
                                     "--size", size,           "-q", "--validation"};
-    // The rasteriser as it is on a GPU, unless a scene says otherwise: what is automatic depends on
-    // the device.
+    // Use the GPU rasteriser unless a scene sets another: the automatic choice depends on the
+    // device.
     const auto says = [&scene](const char* option) {
         return std::find(scene.render.begin(), scene.render.end(), option) != scene.render.end();
     };
@@ -88,7 +88,7 @@ TEST_P(GoldenPicture, LooksAsItDid)
     if (difference.share() <= allowedShare)
         return;
 
-    // Leave everything that is needed to see why.
+    // Save the pictures to explain the failure.
     writePicture(expected, folder / "expected.png");
     writePicture(amplifiedDifference(expected, actual), folder / "difference.png");
     ADD_FAILURE() << "more than " << 100.0 * allowedShare << " % of the pixels differ\n"

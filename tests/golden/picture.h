@@ -18,10 +18,10 @@ struct Picture {
 Picture readPicture(const std::filesystem::path& path);
 void writePicture(const Picture& picture, const std::filesystem::path& path);
 
-/// What two pictures of one size differ in.
+/// Difference of two pictures of one size.
 struct Difference {
     std::size_t pixels = 0;          ///< of one picture
-    std::size_t differentPixels = 0; ///< with a channel off by more than tolerance
+    std::size_t differentPixels = 0; ///< pixels with a channel difference above the tolerance
     int largest = 0;                 ///< of any channel
 
     double share() const
@@ -31,8 +31,8 @@ struct Difference {
     }
 };
 
-/// Largest difference of a channel that is not seen, of 255: drivers round, and fuse multiplication
-/// and addition, in their own ways.
+/// Largest invisible difference of a channel, of 255: drivers differ in rounding and in fused
+/// multiply-add.
 constexpr int tolerance = 3;
 
 /// Largest share of pixels that may differ by more: an edge may fall on the other side of a sample.

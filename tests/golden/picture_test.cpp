@@ -25,7 +25,7 @@ TEST(PictureComparison, CountsPixelsBeyondTheToleranceOnceEach)
     EXPECT_EQ(compare(expected, actual).differentPixels, 0u);
     EXPECT_EQ(compare(expected, actual).largest, tolerance);
 
-    // One beyond it, up and down, in two channels of one pixel and one of the last.
+    // Exceed the tolerance by one, up and down, in two channels of one pixel and one of the last.
     actual.rgb[0] = 100 + tolerance + 1;
     actual.rgb[2] = 0;
     actual.rgb.back() = 100 - tolerance - 1;

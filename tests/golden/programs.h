@@ -6,7 +6,7 @@
 
 namespace sward::golden {
 
-/// What a finished program leaves: its exit code (−1 if a signal ended it), and all it said.
+/// Result of a program: exit code (−1 if a signal ended it) and output.
 struct Finished {
     int code = -1;
     std::string output;

@@ -4,10 +4,10 @@ namespace sward::golden {
 
 const std::vector<Scene>& scenes()
 {
-    // At most 10 000 blades each: lavapipe draws them on the CPU. They are larger than in life, so
-    // that so few cover the ground and are wider than a pixel.
+    // At most 10 000 blades each: lavapipe draws them on the CPU. They are oversized, so that few
+    // blades cover the ground and are wider than a pixel.
     static const std::vector<Scene> all{
-        // Grass that stands on a surface's own normal, whichever way that points.
+        // Grass along the surface normal, in any direction.
         {"sphere", {"sphere", "--count", "8000", "--blade-scale", "4"}, {"--camera", "fit"}},
         {"hills", {"hills", "--count", "10000", "--blade-scale", "6"}, {"--camera", "fit"}},
         {"hills_tessellated",
@@ -25,7 +25,7 @@ const std::vector<Scene>& scenes()
          {"arch", "--count", "8000", "--blade-scale", "2"},
          {"--camera", "CAMERAS/arch_from_below.json"}},
 
-        // A terrain that another program made: textures, several nodes, a painted mask.
+        // A terrain of another program: textures, several nodes, a painted mask.
         {"landscape",
          {"MESHES/landscape.glb", "--count", "10000", "--blade-scale", "6", "--mask",
           "vertex-color:R"},
@@ -45,14 +45,14 @@ const std::vector<Scene>& scenes()
          {"--camera", "top", "--wind-strength", "0", "--collider", "sphere:-2,1,-1,3", "--collider",
           "capsule:-5,0,6,7,0,1,1"}},
 
-        // No blade at all: ground and sky alone.
+        // No blades: only ground and sky.
         {"empty", {"plane", "--slope", "45:90", "--density", "10"}, {"--camera", "fit"}},
 
-        // Blades left out and widened far away, and all of them.
+        // Thinned and widened distant blades, and all blades.
         {"thinned", {"dunes", "--count", "10000"}, {"--camera", "edge", "--lod", "on"}},
         {"not_thinned", {"dunes", "--count", "10000"}, {"--camera", "edge", "--lod", "off"}},
 
-        // What the debugging colours show.
+        // Debug colours.
         {"debug_wind",
          {"sphere", "--count", "8000", "--blade-scale", "4"},
          {"--camera", "fit", "--debug", "wind", "--frames", "60:60"}},

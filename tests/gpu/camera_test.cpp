@@ -55,8 +55,8 @@ TEST(Camera, PlanesEncloseWhatTheProjectionShows)
     EXPECT_GT(inside, 500);
 }
 
-/// What stands at a place of the picture lies on the ray through it, as far along as its w says,
-/// and so its depth tells where: as the shaders have it that shade what the rasteriser has found.
+/// A point of the picture lies on its pixel's ray, at a distance given by w, so depth determines
+/// its position. Shaders that shade the rasteriser's result use this.
 TEST(Camera, RaysMeetWhatIsSeen)
 {
     const ViewMatrices view = viewMatrices(slanted(), {}, size, box);
@@ -90,8 +90,7 @@ TEST(Camera, OfParallelRaysThereAreNone)
         EXPECT_EQ(ray, glm::vec3(0.0f));
 }
 
-/// The air thins upwards from the foot of what can be seen, and is never so thick that it is no
-/// number.
+/// The air thins upwards from the lowest visible point, and its density stays finite.
 TEST(Camera, StandsInAirThatThinsUpwards)
 {
     const FieldShape field{.content = box, .blade = {}};
@@ -164,7 +163,7 @@ TEST(Camera, LooksStraightDownWithoutLosingItsAxes)
     EXPECT_NEAR(clip.w, 10.0f, 1e-4f);
 }
 
-/// Largest |x| or |y| over the field's roots and tips, in halves of the picture; 0 is its middle.
+/// Largest |x| or |y| of the field's roots and tips, in half pictures; 0 is the centre.
 float reachOf(const field::Field& field, const Camera& camera, glm::uvec2 picture)
 {
     const field::FieldView view = field::viewOf(field);
@@ -213,8 +212,8 @@ TEST(Camera, StandsAboveTheGroundWhereThePresetPutsIt)
     EXPECT_NEAR(presetCamera(CameraPreset::edge, view, up, 1.5f).eye.y, 303.0, 1e-4);
 }
 
-/// How many blades the preset `eye` shows of a lawn that is `extent` [m] long, eight metres above
-/// whose middle there is a little ground to stand on.
+/// Number of blades that the preset `eye` shows of a lawn `extent` [m] long. Above its centre, at
+/// eight metres, there is a small ground to stand on.
 int shownFromAbove(float extent)
 {
     field::Field field =
@@ -249,9 +248,9 @@ int shownFromAbove(float extent)
 TEST(Camera, LooksAtTheFieldFromOnTopOfAnArch)
 {
     EXPECT_GT(shownFromAbove(6.0f), 100);
-    // Of this one its very end would be in the picture's lowest rows.
+    // The far end of this lawn would be in the picture's lowest rows.
     EXPECT_GT(shownFromAbove(37.0f), 100);
-    // Where one sees the field anyway, one looks ahead.
+    // The view is horizontal where the field is visible anyway.
     const field::Field lawn = test::makeField({.surface = test::Surface::plane, .extent = 40.0f});
     const Camera ahead = presetCamera(CameraPreset::eye, field::viewOf(lawn),
                                       glm::vec3(0.0f, 1.0f, 0.0f), 16.0f / 9.0f);

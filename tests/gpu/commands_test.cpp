@@ -36,7 +36,7 @@ TEST_F(CommandsTest, AreDoneWhenSubmitAndWaitReturns)
 
 TEST_F(CommandsTest, OfFramesInFlightRunInOrderAndTakeTurnsInTheirSlots)
 {
-    // Each frame notes its number behind those before and moves the last one along.
+    // Each frame appends its number and increments the last one.
     constexpr std::uint32_t frames = 10;
     const Buffer numbers = createWords(context(), frames);
     FrameRing ring(context(), 3);

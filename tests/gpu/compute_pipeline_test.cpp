@@ -39,8 +39,7 @@ protected:
                  .constants = std::move(constants)}};
     }
 
-    // Sends numbers through the shader as often as asked for, each round upon the last one's
-    // result.
+    // Runs the shader repeatedly, each round on the previous result.
     static std::vector<std::uint32_t> run(const ComputePipeline& pipeline,
                                           const std::vector<std::uint32_t>& numbers, int rounds)
     {
@@ -104,7 +103,7 @@ TEST_F(ComputePipelineTest, SeesTheRoundBeforeAfterABarrier)
 
 TEST_F(ComputePipelineTest, ReachesEveryElementBeyondOneDimensionOfGroups)
 {
-    // On lavapipe one dimension ends at 65 535 groups, that is 4.2 million elements.
+    // On lavapipe a dimension has at most 65 535 groups, that is 4.2 million elements.
     const std::vector<std::uint32_t> numbers = randomNumbers(4'500'000);
     EXPECT_TRUE(run(createSquare({}), numbers, 1) == squares(numbers, 0));
 }

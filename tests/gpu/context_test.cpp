@@ -15,8 +15,7 @@ namespace {
 
 using HostDevice = test::GpuTest;
 
-// A device as a host program would make it: by Vulkan alone, with the features that are asked of
-// it.
+// Creates a device as a host program would: with plain Vulkan and the required features.
 UniqueRoot<VkDevice, vkDestroyDevice> createHostDevice(const DeviceContext& like)
 {
     FeatureChain supported;

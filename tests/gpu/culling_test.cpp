@@ -1,4 +1,4 @@
-// Who is drawn: the device against the predicates on the CPU, and against what can be seen.
+// Tests culling on the device against the predicates on the CPU, and against the visible picture.
 
 #include "core/random.h"
 #include "render/camera.h"
@@ -36,7 +36,7 @@ Camera randomCamera(std::uint64_t index)
     camera.target = {at(5.0, 3), at(5.0, 4), at(5.0, 5)};
     camera.up = glm::vec3(glm::dvec3(at(1.0, 6), 1.0, at(1.0, 7)));
     camera.fovY = static_cast<float>(30.0 + 60.0 * uniform(seed, index, 8));
-    // Every second one ends within the field, so that near and far planes cut blades, too.
+    // Every second camera ends inside the field, so that near and far planes also cut blades.
     if (index % 2 == 1) {
         camera.near = 1.5f;
         camera.far = 7.0f;
@@ -51,7 +51,7 @@ protected:
         , patches_(field::patchOfBlades(field::viewOf(field_)))
         , states_(field_.blades.size())
     {
-        // Bent in every direction, as a storm leaves them.
+        // Bend the blades in every direction, as after a storm.
         for (std::size_t i = 0; i < states_.size(); ++i) {
             const auto part = [i](std::uint32_t d) {
                 return static_cast<float>(1.4 * uniform(seed, i, 50 + d) - 0.7);
@@ -65,10 +65,10 @@ protected:
         const Aabb content = field::viewOf(field_).bounds();
         FrameSettings settings;
         settings.cullMask = mask;
-        settings.leavesThinned = false; // every blade has a verdict
+        settings.leavesThinned = false; // every blade has a cull result
         settings.lodThreshold = 2.0f;
         settings.environment.drawDistance = 8.0f;
-        settings.updateRate.everyFrame = 1e6f; // wherever it stands
+        settings.updateRate.everyFrame = 1e6f; // at any distance
         return frameOf({{}, content, bench_.bladeSize()}, viewMatrices(camera, {}, size, content),
                        settings, 1.0, 1);
     }
@@ -90,9 +90,9 @@ protected:
     std::vector<shared::BladeState> states_;
 };
 
-/// Whether rounding may decide: a blade within `margin` of a threshold (relative, or metres for a
-/// plane). The device computes with the same formulas in the same precision, so 1e-5 is some fifty
-/// times its rounding over ten metres.
+/// Whether rounding may change the result: a blade within `margin` of a threshold (relative, or
+/// metres for a plane). The device uses the same formulas in the same precision; 1e-5 is about
+/// fifty times its rounding over ten metres.
 bool isClose(const shared::Frame& frame, const shared::Blade& blade, std::uint32_t index,
              shared::BladeState state, const shared::Verdict& verdict)
 {
@@ -122,7 +122,7 @@ bool isClose(const shared::Frame& frame, const shared::Blade& blade, std::uint32
         if (std::abs(reach + reserve) < margin)
             return true;
     }
-    // The last blade of the share has next to no width left.
+    // The last blade of the share has almost no width.
     return verdict.cullResult == shared::cullResultDrawn && verdict.widthFactor < 1e-3f;
 }
 
@@ -165,7 +165,8 @@ TEST_F(CullingTest, CullsAsTheCpuDoesSaveWhereRoundingDecides)
     for (const std::uint32_t cullResult :
          {shared::cullResultDrawn, shared::cullResultPatch, shared::cullResultOrientation,
           shared::cullResultFrustum, shared::cullResultDistance, shared::cullResultLod})
-        EXPECT_GT(seen[cullResult], 0u) << "no camera of this test gives cull result " << cullResult;
+        EXPECT_GT(seen[cullResult], 0u)
+            << "no camera of this test gives cull result " << cullResult;
 }
 
 TEST_F(CullingTest, CullsTheSameWhoeverTakesAPatch)
@@ -242,7 +243,7 @@ TEST_F(CullingTest, ListsExactlyTheDrawnBladesEachOnce)
         }
         EXPECT_EQ(listed.size(), result.draw.cullResults[shared::cullResultDrawn])
             << "camera " << c;
-        // Just as many chunks as they need.
+        // Exactly the required number of chunks.
         EXPECT_EQ(result.draw.vertexCount, shared::drawChunk);
         EXPECT_EQ(result.draw.instanceCount,
                   (listed.size() + shared::drawChunk - 1) / shared::drawChunk);
@@ -259,7 +260,7 @@ TEST_F(CullingTest, CountsAddUpToAllBladesForEveryMask)
         EXPECT_EQ(sum, field_.blades.size()) << "mask " << mask;
         EXPECT_EQ(result.draw.simulated + result.draw.cullResults[shared::cullResultPatch],
                   field_.blades.size());
-        // A test that is switched off removes nobody.
+        // A disabled test culls no blade.
         const std::array tests = {std::pair(shared::cullPatch, shared::cullResultPatch),
                                   std::pair(shared::cullOrientation, shared::cullResultOrientation),
                                   std::pair(shared::cullFrustum, shared::cullResultFrustum),
@@ -300,8 +301,8 @@ TEST_F(CullingTest, DropsNoBladeOfWhichAPointIsInThePicture)
                     const float w = clip.w * (1.0f - 1e-4f);
                     ASSERT_FALSE(std::abs(clip.x) < w && std::abs(clip.y) < w && clip.z > 0.0f &&
                                  clip.z < w)
-                        << "blade " << i << " is seen, but has cull result " << result.cullResults[i]
-                        << "; camera " << c << ", seed " << seed;
+                        << "blade " << i << " is seen, but has cull result "
+                        << result.cullResults[i] << "; camera " << c << ", seed " << seed;
                 }
             }
         }

@@ -1,4 +1,4 @@
-// Level of detail hides as much of the ground as all blades would, and jumps no more than a drive.
+// Level of detail covers as much ground as all blades; its jumps stay below those of a drive.
 
 #include "core/srgb.h"
 #include "picture.h"
@@ -27,8 +27,8 @@ protected:
     void measureLeafArea(glm::vec2 heights, double maxShift);
 };
 
-/// Means over each tile of `of` the difference of a channel's 8-bit values, the three of a tile
-/// together.
+/// Mean over each tile of `of` applied to the difference of 8-bit channel values; all three
+/// channels together.
 template <typename Function>
 std::vector<glm::dvec3> tileMeans(const std::vector<std::byte>& a, const std::vector<std::byte>& b,
                                   Function of)
@@ -130,7 +130,7 @@ std::array<double, bands> lightOf(const std::vector<std::byte>& pixels, std::uin
 
 void DetailTest::measureCoverage(Geometry geometry, bool forCpu)
 {
-    // Black blades on bright ground: the light that is missing is what they cover.
+    // Black blades on bright ground: the missing light is the covered area.
     std::array<double, bands> ground{};
     std::array<double, bands> all{};
     std::array<double, bands> some{};
@@ -153,8 +153,8 @@ void DetailTest::measureCoverage(Geometry geometry, bool forCpu)
         FrameSettings settings = FrameSettings::of(field::viewOf(field));
         settings.winds.clear();
         settings.fogDensity = 0.0f;
-        // White ground: of gray that lies between two codes 8 bits round whole pixels alike, but
-        // not what blades are mixed and filtered into, by a tenth of what these few blades cover.
+        // White ground: 8 bits round grey between two codes equally for all pixels, but not the
+        // mixed and filtered blades; the error would be a tenth of the coverage.
         settings.exposure = 1000.0f;
         settings.environment.drawDistance = 1e6f;
         FrameSettings without = settings;
@@ -205,9 +205,9 @@ TEST_F(DetailTest, GrassRasterisedForACpuHidesAsMuchOfTheGroundAtEveryDistance)
     measureCoverage(Geometry::raster, true);
 }
 
-/// Of dense grass that is so high [m], and so flat before the eye that a ray to the far end has
-/// eighty times its cross section of blades in its way, what others hide is left out, and no
-/// channel of a tile shifts by more than `maxShift`.
+/// Tests dense grass of these heights [m], viewed so flat that a ray to the far end crosses eighty
+/// blade cross-sections. Hidden blades are left out, and no channel of a tile shifts by more than
+/// `maxShift`.
 void DetailTest::measureLeafArea(glm::vec2 heights, double maxShift)
 {
     const field::Field field = test::makeField({.blades = 800'000,
@@ -242,14 +242,14 @@ void DetailTest::measureLeafArea(glm::vec2 heights, double maxShift)
 
 TEST_F(DetailTest, WhatIsHiddenByOtherGrassIsLeftOutWithoutATrace)
 {
-    // Lit by where they stand the far ones would be darker by 3.3; none higher than it is, the
-    // tessellator would shift a tile by 2.43.
+    // With light by their position the far blades would be darker by 3.3; with unchanged heights
+    // the tessellator would shift a tile by 2.43.
     measureLeafArea({0.6f, 1.2f}, 2.25);
 }
 
 TEST_F(DetailTest, OfGrassOfOneHeightNoTraceIsLeftEither)
 {
-    // Raised and lit like blades of all heights they would be darker by 4.
+    // Raised and lit like blades of all heights, they would be darker by 4.
     measureLeafArea({0.9f, 0.9f}, 2.75);
 }
 

@@ -119,7 +119,7 @@ TEST(DeviceChoice, NamesThePackageOfASoftwareDeviceIfNoneWillDo)
 {
     EXPECT_EQ(errorOf({}, "").kind(), ErrorKind::unsupported);
     EXPECT_THAT(errorOf({}, "").what(), HasSubstr("mesa-vulkan-drivers"));
-    // Without any device there is nothing that a selection could be wrong about.
+    // Without any device the error is about the devices, not the selection.
     EXPECT_EQ(errorOf({}, "0").kind(), ErrorKind::unsupported);
 
     std::vector<DeviceReport> devices = threeDevices();

@@ -1,4 +1,4 @@
-// Motion vectors: where a point of a blade was in the frame before, minus where it is.
+// Motion vectors: previous position of a blade's point minus its current position.
 
 #include "host_picture.h"
 
@@ -41,8 +41,8 @@ protected:
         return most;
     }
 
-    /// The share of the grass's pixels whose motion is that of a point there which stood at
-    /// `before` · place in the clip space of the frame before.
+    /// Share of the grass's pixels whose motion is that of a point with previous clip position
+    /// `before` · place.
     double shareThatCameFrom(const HostView& view, const glm::dmat4& before) const
     {
         const std::vector<float> depths = picture_.depths();
@@ -102,7 +102,7 @@ TEST_F(GrassMotionTest, IsThatOfAnInstanceThatMoves)
     drawAt(grass, 60.02, view);
     const glm::dmat4 before = view.worldToClip * glm::inverse(moved.toWorld({}));
     EXPECT_GT(shareThatCameFrom(view, before), 0.95);
-    // The next frame knows that it stands.
+    // The next frame has no motion.
     drawAt(grass, 60.04, view);
     EXPECT_LT(largest(), 1e-3f);
 }
@@ -116,7 +116,7 @@ TEST_F(GrassMotionTest, IsThatOfBladesInTheWindAndNoneAtAStandstill)
     const HostView view = lookingFrom({1.0, 2.0, 4.0});
     drawAt(grass, 0.0, view);
     EXPECT_EQ(largest(), 0.0f);
-    // Until one of its fronts has passed.
+    // Until a wind front has passed.
     drawAt(grass, 0.5, view);
     float moved = 0.0f;
     for (int frame = 6; frame < 60; ++frame) {

@@ -1,4 +1,4 @@
-// A host's views by the compute rasteriser show what they show by the tessellator.
+// A host's views are equal by the compute rasteriser and by the tessellator.
 
 #include "host_picture.h"
 
@@ -27,12 +27,12 @@ protected:
         test::GrassTest::SetUp();
         if (!context().features.bufferInt64Atomics)
             GTEST_SKIP() << "the device has no 64-bit atomics";
-        // Frozen, so that both ways have the same blades to draw.
+        // Freeze the blades, so that both methods draw the same.
         settings_.winds.clear();
     }
 
-    /// Grass of what `add` adds, drawn by either way; the pictures are the caller's. A wall
-    /// `wall` metres away is the host's, if given.
+    /// Draws the grass added by `add` with both methods into the caller's pictures. If given, the
+    /// host has a wall `wall` metres away.
     template <class Add>
     void drawBoth(const Add& add, const HostView& view, const HostPicture& tessellated,
                   const HostPicture& rasterised, std::optional<double> wall = std::nullopt)
@@ -96,7 +96,7 @@ TEST_F(GrassRasterTest, ShowsWhatTheTessellatorShows)
         view.samples = samples;
         drawBoth(adding(turned), view, tessellated, rasterised);
         EXPECT_GT(tessellated.covered(), pixelCount / 10);
-        // Edges lie within a 256th of a pixel of one another, so that few samples change hands.
+        // Edges differ by at most 1/256 pixel, so that few samples change.
         EXPECT_LT(meanApart(tessellated.pixels(), rasterised.pixels()), 1.5);
         EXPECT_NEAR(double(rasterised.covered()), double(tessellated.covered()),
                     0.01 * double(pixelCount));
@@ -116,7 +116,7 @@ TEST_F(GrassRasterTest, HasTheDepthThatTheTessellatorHas)
         const std::vector<float> b = rasterised.depths();
         std::size_t apart = 0;
         for (std::size_t i = 0; i < a.size(); ++i) {
-            // Reversed depth is 0.1 m over the distance, about.
+            // Reversed depth is about 0.1 m divided by the distance.
             const float near = isReversed ? a[i] : 1.0f - a[i];
             apart += std::abs(a[i] - b[i]) > 0.01f * near + 1e-6f ? 1u : 0u;
         }
@@ -135,7 +135,7 @@ TEST_F(GrassRasterTest, StandsBehindWhatTheHostHasDrawn)
         const HostPicture rasterised(context(), target);
         HostView view = rasterView({2.0, 2.5, 4.0}, isReversed);
         view.samples = samples;
-        // In the middle of the grass: it hides some of it, and some of it stands before it.
+        // The wall is in the middle of the grass: it hides some blades and is hidden by others.
         drawBoth(adding({resident, {}}), view, tessellated, rasterised, 5.2);
         EXPECT_LT(meanApart(tessellated.pixels(), rasterised.pixels()), 1.5);
         EXPECT_NEAR(double(rasterised.covered()), double(tessellated.covered()),
@@ -157,7 +157,7 @@ TEST_F(GrassRasterTest, DrawsManyInstancesByOneList)
                            {.position = {(i % 8 - 3.5) * 0.6, 0.0, (i / 8 - 3.5) * 0.6},
                             .rotation = glm::angleAxis(0.1 * i, glm::dvec3(0.0, 1.0, 0.0)),
                             .scale = 0.1 + 0.002 * i}}));
-        // What goes between two frames is not drawn by what is left of it.
+        // A removed instance leaves no pixels.
         grass.remove(ids[20]);
     };
     drawBoth(add, view, tessellated, rasterised);
@@ -177,8 +177,8 @@ TEST_F(GrassRasterTest, HasTheDebugColoursThatTheTessellatorHas)
         SCOPED_TRACE(int(mode));
         settings_.debug = mode;
         drawBoth(adding({resident, {}}), view, tessellated, rasterised);
-        // Edges differ by more where debug colours stand against the background; the colours of
-        // the mode itself make the larger difference.
+        // Edges of debug colours differ more against the background; the colours of the mode make
+        // the larger difference.
         const double byMode = meanApart(plain.pixels(), rasterised.pixels());
         EXPECT_GT(byMode, 2.0);
         EXPECT_LT(meanApart(tessellated.pixels(), rasterised.pixels()), 0.4 * byMode);
@@ -232,7 +232,7 @@ TEST_F(GrassRasterTest, SaysWhyItDoesNot)
     EXPECT_EQ(grass.whyTessellated(0) != nullptr, context().isCpu());
     views[0].geometry = Geometry::raster;
     grass.begin(0, {.time = 1.0, .views = views, .settings = settings_});
-    // Memory for what is not rasterised is given back.
+    // Memory of the rasteriser is released when it is unused.
     const VkDeviceSize with = grass.deviceBytes();
     views[0].geometry = Geometry::tessellation;
     grass.begin(0, {.time = 1.0, .views = views, .settings = settings_});

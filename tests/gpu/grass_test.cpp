@@ -1,4 +1,4 @@
-// Grass in a host's own frames: instances, how they move, come and go.
+// Grass in a host's frames: instances, their motion, adding and removing.
 
 #include "gpu/frame_ring.h"
 #include "host_picture.h"
@@ -34,8 +34,9 @@ TEST_F(GrassTest, DrawsTheSameInEitherConventionOfDepth)
 
 TEST_F(GrassTest, LooksTheSameWhereWorldAndCameraAreMovedTogether)
 {
-    // A field that is turned, moved far away and doubled looks like itself from a camera that was
-    // turned, moved and doubled with it, in a world of which that holds, too.
+    // Rotating, moving and scaling a field, its camera and its world together does not change the
+    // picture. Waves belong to the world and stay where they are, so the wind is the same everywhere.
+    settings_.winds = {windSource(shared::windTurning)};
     const auto resident = upload(field_);
     const Placement placement{.position = {3e4, -2e3, 5e4},
                               .rotation = glm::angleAxis(1.1, glm::normalize(glm::dvec3(1, 2, -1))),
@@ -79,11 +80,11 @@ TEST_F(GrassTest, LooksTheSameWhereWorldAndCameraAreMovedTogether)
 
 TEST_F(GrassTest, MovesEachBladeOnceForTwoViews)
 {
-    // Without level of detail, so that both views ask for the same of a patch.
+    // Without level of detail, so that both views need the same blades of a patch.
     settings_.levelOfDetail = false;
     settings_.updateRate.everyFrame = 1e6f;
     const auto resident = upload(field_);
-    // From either side, so near that each sees blades that the other does not.
+    // From either side and near, so that each view sees blades hidden from the other.
     const HostView views[]{lookingFrom({0.3, 0.8, 2.2}), lookingFrom({0.3, 0.8, -2.2})};
     Grass both(context(), oneSlot_);
     Grass first(context(), oneSlot_);
@@ -110,8 +111,7 @@ TEST_F(GrassTest, MovesEachBladeOnceForTwoViews)
 
 TEST_F(GrassTest, ComesAndGoesWhileFramesAreInFlight)
 {
-    // Sixteen instances; in every frame one goes, one comes, one moves, and the picture's size
-    // changes.
+    // Sixteen instances; each frame removes one, adds one, moves one, and resizes the picture.
     constexpr std::uint32_t slots = 2;
     Grass grass(context(), {.framesInFlight = slots});
     const auto resident = std::make_shared<ResidentField>(context(), field::viewOf(field_));
@@ -133,7 +133,7 @@ TEST_F(GrassTest, ComesAndGoesWhileFramesAreInFlight)
             std::make_unique<HostPicture>(context(), HostPicture::Settings{.size = extent});
         HostView view = lookingFrom({1.0, 4.0, 7.0});
         view.size = extent;
-        // The first two frames bring the field; it is drawn from the second on.
+        // The first two frames upload the field; it is drawn from the second on.
         resident->recordUpload(recorded.commands, frame == 0   ? resident->stagingBytes() / 2
                                                   : frame == 1 ? VK_WHOLE_SIZE
                                                                : 0);
@@ -158,7 +158,7 @@ TEST_F(GrassTest, ComesAndGoesWhileFramesAreInFlight)
     EXPECT_EQ(grass.stats(0, 1).total, 16 * field_.blades.size());
     EXPECT_GT(pictures[1]->covered(), 1000u);
 
-    // What was removed has been freed, but for what the last frames may use.
+    // Removed instances are freed, except those of the last frames.
     EXPECT_LE(grass.deviceBytes(), bytesOf16 + slots * bytesOf16 / 16);
     EXPECT_EQ(resident->stagingBytes(), 0u);
     for (const InstanceId id : ids)

@@ -1,5 +1,5 @@
-// What the views of a host's frame see of the grass: behind its things, from a frozen camera, into
-// a shadow's map, with several samples.
+// Views of a host's frame: behind its objects, from a frozen camera, into a shadow map, with
+// several samples.
 
 #include "host_picture.h"
 
@@ -76,7 +76,7 @@ TEST_F(GrassViewTest, LeavesOutWhatTheHostsDepthHidesAndNoPixelChanges)
             EXPECT_GT(fewer.culledOcclusion + fewer.culledPatch, all.culledPatch + 500u);
             EXPECT_LT(fewer.drawn, all.drawn - 500u);
             EXPECT_GT(fewer.drawn, 500u);
-            // The order of the list decides between equal depths, and about the last digit.
+            // The order of the list determines the result at equal depths and the last digit.
             EXPECT_LT(test::pixelsApart(expected, picture.pixels(), 4), 20u)
                 << isReversed << samples;
         }
@@ -110,8 +110,8 @@ TEST_F(GrassViewTest, IsCulledFromAFrozenCamera)
     EXPECT_GT(picture.covered(), 200u);
 }
 
-/// From the world to a map of 6 m × 6 m around the origin, seen from above, from 5 m to −5 m: by
-/// parallel rays, or from a camera 400 m away.
+/// Transform from the world to a map of 6 m × 6 m around the origin, seen from above, from 5 m to
+/// −5 m: by parallel rays, or from a camera 400 m away.
 glm::dmat4 mapFromAbove(bool isParallel, bool isReversed)
 {
     const double height = isParallel ? 5.0 : 400.0;
@@ -153,7 +153,7 @@ TEST_F(GrassViewTest, DrawsAShadowsMapByParallelRaysAsFromFarAway)
         const auto expectedPixels = double(seen(map, isReversed));
         EXPECT_GT(expected.drawn, 1000u);
 
-        // Distances mean nothing to parallel rays.
+        // Parallel rays ignore the draw distance.
         settings_.environment.drawDistance = 50.0f;
         view.worldToClip = mapFromAbove(true, isReversed);
         EXPECT_TRUE(isParallel(view.worldToClip));

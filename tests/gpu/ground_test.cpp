@@ -1,7 +1,7 @@
-// Which parts of the ground are drawn, and that nobody can tell.
+// Tests which parts of the ground are drawn, and that culling does not change the picture.
 
 #include "picture.h"
-#include "render/ground_clusters.h"
+#include "render/preview/ground_clusters.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
 
@@ -15,7 +15,7 @@
 namespace sward::render {
 namespace {
 
-/// Hills of `cells` × `cells` squares, 40 m wide, so steep that they hide one another.
+/// Makes hills of `cells` × `cells` squares, 40 m wide, steep enough to hide one another.
 void putHills(field::Field& field, int cells)
 {
     field::DisplayGround& ground = field.ground;
@@ -76,8 +76,8 @@ TEST(GroundClustersTest, HoldEachTriangleOnceAndAllOfIt)
         area += double(cluster.high.x - cluster.low.x) * double(cluster.high.z - cluster.low.z);
     }
     EXPECT_EQ(next, sorted.size());
-    // Neighbours lie together: in the order of rows each box would be 40 m wide, some 30 times the
-    // area.
+    // Neighbours are stored together; in row order each box would be 40 m wide, with about 30 times
+    // the area.
     EXPECT_LT(area, 4.0 * 40.0 * 40.0);
 }
 

@@ -1,9 +1,8 @@
-// Measures what the grass of a host's frames takes, by either way of drawing it:
+// Measures the cost of grass in a host's frames, by either method of drawing:
 //   sward_host_bench FIELD.sward SCENE.json [raster|tessellation] [samples=N] [instances=N]
 //   [frames=N]
-// The host has drawn nothing but a depth that is as far as it can be, of which Sward makes all that
-// it makes of any. Prints one line of JSON, medians in milliseconds by timestamps of the device,
-// and by the clock for the CPU.
+// The host's depth is at the far plane; Sward processes it like any other. Prints one line of JSON:
+// medians in milliseconds by device timestamps, and by the clock for the CPU.
 #include "field/read.h"
 #include "gpu/commands.h"
 #include "gpu/device.h"
@@ -72,7 +71,7 @@ glm::dmat4 worldToClip(const nlohmann::json& camera)
                                     glm::dvec3(0.0, 1.0, 0.0));
 }
 
-/// A square of instances that together are as wide as the field, turned by turns.
+/// A square of instances as wide as the field in total, each rotated.
 void addInstances(render::Grass& grass, const std::shared_ptr<render::ResidentField>& field,
                   int count)
 {
@@ -132,7 +131,7 @@ void run(const Options& options)
     const auto seconds = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     };
-    // Half a second, so that the device has its clock up, then the frames that count.
+    // Warm up half a second to reach the device's clock, then measure.
     int counted = 0;
     for (int frame = 0; counted < options.numbers.at("frames"); ++frame) {
         if (counted == 0 && seconds() < 0.5)

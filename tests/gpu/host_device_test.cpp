@@ -1,4 +1,4 @@
-// What a host has done its own way: its loader, its allocator, its callbacks, its pipeline cache.
+// Uses a host's own loader, allocator, callbacks and pipeline cache.
 
 #include "core/error.h"
 #include "gpu/commands.h"
@@ -152,7 +152,7 @@ protected:
                 .getInstanceProcAddr = vkGetInstanceProcAddr};
     }
 
-    /// What somebody draws with a context of their own.
+    /// Draws with a custom context.
     std::vector<std::byte> drawnWith(const gpu::DeviceContext& own) const
     {
         auto resident = std::make_shared<ResidentField>(own, field::viewOf(field_));
@@ -190,7 +190,7 @@ TEST_F(HostDeviceTest, DrawsTheSameByTheHostsLoaderAllocatorAndCallbacks)
     EXPECT_EQ(own.maxBufferBytes, context().maxBufferBytes);
     EXPECT_LT(test::pixelsApart(expected, drawnWith(own), 4), 10u);
 
-    // Each piece came back, from few blocks; each of the driver's allocations, too.
+    // All pieces were returned, from few blocks, and all of the driver's allocations.
     EXPECT_GT(pool.given, 15);
     EXPECT_EQ(pool.returned, pool.given);
     EXPECT_LT(pool.blocks(), 6u);

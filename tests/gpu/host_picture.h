@@ -28,7 +28,7 @@ float depthAt(double distance, bool isReversed);
 /// A view of the origin.
 render::HostView lookingFrom(glm::dvec3 eye, bool isReversed = true);
 
-/// A host's colour and depth, and what draws grass into them.
+/// A host's colour and depth, and functions to draw grass into them.
 class HostPicture {
 public:
     struct Settings {
@@ -41,12 +41,12 @@ public:
 
     HostPicture(const gpu::DeviceContext& context, const Settings& settings);
 
-    /// Clears the depth to the farthest, and to what a wall so far away before the left half of
-    /// the picture has; leaves it ready to be sampled.
+    /// Clears the depth to the far plane, and the left half to a wall at `distance`; leaves it
+    /// ready to be sampled.
     void recordWall(VkCommandBuffer commands, double distance) const;
     render::HostDepth depth() const; ///< after recordWall()
 
-    /// Records a picture of nothing but one view's grass, and of the wall if there is one.
+    /// Records a picture with only one view's grass, and the wall if there is one.
     void record(VkCommandBuffer commands, const render::Grass& grass, std::uint32_t view,
                 bool hasWall = false) const;
 
@@ -74,8 +74,8 @@ class GrassTest : public GpuTest {
 protected:
     static std::shared_ptr<render::ResidentField> upload(const field::Field& made);
 
-    /// One frame, waited for: what each view sees in a picture of its own, with a wall so far away
-    /// before the first, if any.
+    /// Draws one frame and waits: each view into its own picture, with a wall at a distance before
+    /// the first, if given.
     void drawFrame(render::Grass& grass, double time, std::span<const render::HostView> views,
                    std::span<const HostPicture* const> pictures,
                    std::span<const render::HostCollider> colliders = {},

@@ -35,7 +35,7 @@ protected:
                  .mips = mips}};
     }
 
-    // Through staging of this size, which no picture below fits into.
+    // Uploads through staging of this size, smaller than any picture below.
     static void upload(const Image& image, std::span<const std::byte> pixels)
     {
         Uploader uploader(context(), 4'096);

@@ -1,4 +1,4 @@
-// Blades that cover many pixels: drawn together, in parts, by quarters, and cut by the near plane.
+// Blades that cover many pixels: drawn together, in parts, in quarters, and cut by the near plane.
 
 #include "picture.h"
 #include "shaders/shared/passes.h"
@@ -17,7 +17,7 @@ namespace {
 constexpr glm::uvec2 size{321, 179};
 constexpr std::uint32_t tile = 32;
 
-// As tests/viewer/geometry_test.py has them: PSNR [dB] over the grass, lower where a pixel of four
+// As in tests/viewer/geometry_test.py: PSNR [dB] over the grass, lower where a pixel of four
 // samples shows both halves of a fold; mean signed difference of any tile, of 255.
 constexpr double minPsnr = 40.0;
 constexpr double minPsnrOfThickets = 39.0; ///< at 320 × 180 many pixels show several blades
@@ -94,9 +94,8 @@ protected:
                 {.samples = samples, .geometry = geometry, .rastersForCpu = forCpu}};
     }
 
-    /// Expects that both ways of the rasteriser draw the picture of the graphics pipeline:
-    /// work-groups that share large blades, and a thread for each blade. No less than `least`
-    /// blades are drawn.
+    /// Expects that both methods of the rasteriser match the graphics pipeline: work-groups that
+    /// share large blades, and a thread for each blade. At least `least` blades are drawn.
     static void expectPipelinesPicture(const field::Field& field, std::uint32_t samples,
                                        const Camera& camera, FrameSettings settings,
                                        glm::uvec2 pixels, std::uint64_t least,
@@ -123,7 +122,7 @@ protected:
         }
     }
 
-    /// A rasteriser as on a GPU that asks of every large blade whether others hide it.
+    /// A rasteriser as on a GPU that tests every large blade for occlusion.
     static FieldRenderer askingRendererOf(const field::Field& field, std::uint32_t samples)
     {
         return {device(),
@@ -134,8 +133,8 @@ protected:
                  .testsSmallBlades = true}};
     }
 
-    /// By how much a byte of the picture of some frames differs from one in which nobody asks, at
-    /// most.
+    /// Largest difference of a byte in some frames between a renderer with occlusion tests and one
+    /// without.
     static int whatAskingChanges(FieldRenderer& renderer, const Camera& camera,
                                  FrameSettings settings, glm::uvec2 pixels, int frames)
     {
@@ -164,7 +163,7 @@ TEST_F(LargeBlades, AmidAThicketLookAsTheGraphicsPipelineDrawsThem)
                                    minPsnrOfThickets);
 }
 
-/// The graphics pipeline clips by itself; the rasteriser finds what may be cut, and cuts it.
+/// The graphics pipeline clips in hardware; the rasteriser detects and clips blades itself.
 TEST_F(LargeBlades, TheNearPlaneCutsThemAsTheGraphicsPipelineDoes)
 {
     for (const std::uint32_t samples : {1u, 4u}) {
@@ -186,8 +185,8 @@ TEST_F(LargeBlades, TheNearPlaneCutsThemAsTheGraphicsPipelineDoes)
     }
 }
 
-/// So many that a work-group takes several at a time, with cross-sections of some in one turn and
-/// in the next.
+/// Many blades, so that a work-group takes several at a time; cross-sections of some are split over
+/// two turns.
 TEST_F(LargeBlades, DrawnTogetherLookAsTheGraphicsPipelineDrawsThem)
 {
     const field::Field field = test::makeField({.blades = 40000,
@@ -201,11 +200,11 @@ TEST_F(LargeBlades, DrawnTogetherLookAsTheGraphicsPipelineDrawsThem)
     settings.levelOfDetail = false;
     Camera camera;
     camera.eye = {0.0, 3.2, 7.0};
-    // Large ones, for the most part.
+    // Most of them are large.
     expectPipelinesPicture(field, 1, camera, settings, size, 2 * shared::largeGroups);
 }
 
-/// So large that several work-groups share a blade, each with some of its rows.
+/// Large enough that several work-groups share a blade, each with some of its rows.
 TEST_F(LargeBlades, InPartsLookAsTheGraphicsPipelineDrawsThem)
 {
     const field::Field field = test::makeField({.blades = 60,
@@ -221,13 +220,13 @@ TEST_F(LargeBlades, InPartsLookAsTheGraphicsPipelineDrawsThem)
                                2u * size, 20);
 }
 
-/// Bits of each blade decide which of its quarters is drawn first, and whether its surface is kept,
-/// and never what is seen: amid
-/// the blades, from above, and in the first frame after a jump from one to the other.
+/// Bits of each blade determine which quarter is drawn first and whether its surface is kept. They
+/// must not change the picture: amid the blades, from above, and in the first frame after a jump
+/// between the two.
 TEST_F(LargeBlades, WhicheverQuarterWasSeenBeforeThePictureIsTheSame)
 {
     const field::Field field = foldedThicket();
-    // Of several rounds the first alone has two turns.
+    // With several rounds, only the first has two turns.
     struct Way {
         std::uint32_t samples;
         std::uint32_t roundPatches; ///< 0: all in one round
@@ -263,8 +262,8 @@ TEST_F(LargeBlades, WhicheverQuarterWasSeenBeforeThePictureIsTheSame)
     }
 }
 
-/// Where surfaces are kept is found by id, and ids so far apart share a place: of two blades that
-/// do one is found anew. Some hundreds of them stand here before the eye.
+/// Surfaces are stored by id modulo the table size. Of two blades with the same slot, one is
+/// recomputed. Some hundreds of such blades are in view.
 TEST_F(LargeBlades, ThatShareAPlaceForTheirSurfacesHaveTheirOwn)
 {
     const field::Field field = tallGrass(shared::surfacePlaceCount + 400'000, 70.0f);
@@ -277,8 +276,8 @@ TEST_F(LargeBlades, ThatShareAPlaceForTheirSurfacesHaveTheirOwn)
     EXPECT_GT(renderer.stats().drawn, 10'000u);
 }
 
-/// A work-group of the late pass has room for some hundred segments and a few quads at a time, and
-/// takes the rest in further rounds: blades of 64 segments, so many that groups have a dozen.
+/// A work-group of the late pass has room for a few hundred segments and a few quads at a time and
+/// takes the rest in further rounds. Tests blades of 64 segments, a dozen per group.
 TEST_F(LargeBlades, OfManySegmentsLeaveNoneOut)
 {
     for (const std::uint32_t samples : {1u, 4u}) {

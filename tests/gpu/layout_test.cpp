@@ -1,4 +1,4 @@
-// Every struct that both languages read, sent through a shader.
+// Sends every struct shared by both languages through a shader.
 
 #include "core/embedded.h"
 #include "gpu/barrier.h"
@@ -27,7 +27,7 @@ namespace sward::render {
 namespace {
 
 /// Numbers the scalars of structs 1, 2, 3, … in the order of their members. Each number is a float
-/// bit pattern, which neither language takes for a denormal; references take two.
+/// bit pattern that is not a denormal; references take two.
 class Counter {
 public:
     void fill(float& x) { x = ++count_; }
@@ -46,7 +46,11 @@ public:
     {
         fillAll(g.direction, g.strength, g.attractor, g.blend, g.forward);
     }
-    void fill(shared::Wind& w) { fillAll(w.counts, w.eddySize, w.eddySpeed, w.sum, w.sources); }
+    void fill(shared::Wind& w)
+    {
+        fillAll(w.counts, w.eddySize, w.eddySpeed, w.sum, w.lattice.origin, w.lattice.x,
+                w.lattice.y, w.lattice.z, w.sources);
+    }
     void fill(shared::WindSource& s)
     {
         fillAll(s.direction, s.strength, s.centre, s.size, s.speed, s.rate, s.turn, s.alignment,
@@ -193,7 +197,7 @@ std::size_t fillValues(Values& v)
     n.fillAll(v.motionPush.frame, v.motionPush.motion);
     n.fillAll(v.hostInstance.raster, v.hostInstance.motion);
     shared::HostViewPush& h = v.hostViewPush;
-    n.fillAll(h.instances, h.visibility, h.motions, h.size, h.instanceCount, h.slack);
+    n.fillAll(h.instances, h.visibility, h.motions, h.tiles, h.size, h.instanceCount, h.slack);
     n.fillAll(v.pageChange.page, v.pageChange.place, v.pageChange.edges);
     shared::PagePush& p = v.pagePush;
     n.fillAll(p.changes, p.pages, p.states, p.etas, p.patches, p.subtrees, p.patchTimes,

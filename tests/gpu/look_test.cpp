@@ -1,5 +1,5 @@
-// What the picture shows beside blades: colliders where they are, sun and air as the settings say,
-// and grass as bright as the reference at every distance.
+// Tests colliders, sun and air in the picture, and that grass is as bright as the reference at
+// every distance.
 
 #include "core/srgb.h"
 #include "picture.h"
@@ -64,7 +64,7 @@ protected:
     test::Picture picture{context(), size};
 };
 
-/// Bare ground seen from above, so that a metre is as wide everywhere.
+/// Bare ground seen from above, so that a metre has the same width everywhere.
 void lookDown(Camera& camera)
 {
     camera.eye = {0.0, 40.0, 0.01};
@@ -95,7 +95,7 @@ TEST_F(LookTest, ColliderIsDrawnWhereItIs)
     int inside = 0;
     for (std::uint32_t y = 0; y < size.y; ++y)
         for (std::uint32_t x = 0; x < size.x; ++x) {
-            // How near the ray through the pixel comes to each collider's middle.
+            // Distance of the pixel's ray to each collider's centre.
             const glm::vec2 clip = 2.0f * (glm::vec2(x, y) + 0.5f) / glm::vec2(size) - 1.0f;
             const glm::vec4 p = toWorld * glm::vec4(clip, 0.5f, 1.0f);
             const glm::vec3 ray = glm::normalize(glm::vec3(p) / p.w - view.eye);
@@ -112,7 +112,7 @@ TEST_F(LookTest, ColliderIsDrawnWhereItIs)
             // of one metre stands out by a fortieth.
             if (outside < -0.12f) {
                 ++inside;
-                // Red, or so bright as the sun's spot on it.
+                // Red, or as bright as the sun's highlight on it.
                 ASSERT_TRUE(now.r > now.g + 40 || now.r > 235) << x << ", " << y;
             } else if (outside > 0.15f) {
                 ASSERT_EQ(now.r, then.r) << x << ", " << y;
@@ -121,7 +121,7 @@ TEST_F(LookTest, ColliderIsDrawnWhereItIs)
         }
     EXPECT_GT(inside, 300);
 
-    // It goes as it came, shadow and all.
+    // Removing it also removes its shadow.
     scene.settings.colliders.clear();
     EXPECT_EQ(test::differingPixels(draw(scene), before), 0u);
 }
@@ -143,7 +143,7 @@ TEST_F(LookTest, ColliderShadesTheGroundAndTakesItsShadowWithIt)
         const glm::uvec2 p((0.5f + 0.5f * glm::vec2(clip) / clip.w) * glm::vec2(size));
         return luminanceOf(at(pixels, p.x, p.y)) < 0.7 * luminanceOf(at(before, p.x, p.y));
     };
-    // Two metres up and the sun half risen: two metres to the left.
+    // The collider is two metres up and the sun at 45°: the shadow is two metres to the left.
     const auto first = draw(scene);
     EXPECT_TRUE(darkAt(first, {-2.0f, 0.0f, 0.0f}));
     EXPECT_FALSE(darkAt(first, {-2.0f, 0.0f, 3.0f}));
@@ -171,7 +171,7 @@ std::array<double, 8> radialMeans(const std::vector<std::byte>& pixels, std::uin
 
 TEST_F(LookTest, GrassIsAsBrightAsTheReferenceAtEveryDistance)
 {
-    // Seen from its rim, so that the far end is at the draw distance of a field of 60 m.
+    // View from its edge, so that the far end is at the draw distance of a field of 60 m.
     Scene scene(test::makeField({.blades = 60'000,
                                  .extent = 60.0f,
                                  .heightLow = 0.3f,
@@ -193,7 +193,7 @@ TEST_F(LookTest, GrassIsAsBrightAsTheReferenceAtEveryDistance)
         std::array<double, 8> wanted{};
         constexpr int pictures = 4;
         for (int i = 0; i < pictures; ++i) {
-            // Other places of the same field, so that single blades do not decide.
+            // Move over the same field, so that single blades do not affect the result.
             Camera camera = scene.camera;
             camera.eye.x += 0.3 * i;
             camera.target.x += 0.3 * i;
@@ -232,7 +232,7 @@ TEST(Look, SunIsRedderAndWeakerTheLowerItStands)
         EXPECT_GT(now.x / now.z, before.x / before.z) << elevation;
         before = now;
     }
-    // Below the horizon as at it.
+    // Below the horizon equals at the horizon.
     EXPECT_EQ(sunColorAt(-20.0), sunColorAt(0.0));
 }
 
@@ -248,7 +248,7 @@ TEST(Look, SunIsTurnedClockwiseFromNorth)
 
 TEST_F(LookTest, AirThinsWithHeight)
 {
-    // From high above, what lies in a shallow haze is seen; along the ground it is not.
+    // From high above, a shallow haze hides little; along the ground it hides everything.
     Scene scene(bare(400.0f));
     scene.settings.fogDensity = 0.05f;
     scene.settings.sunColor = glm::vec3(0.0f); // the ground is darker than the air

@@ -1,5 +1,5 @@
-// Grass is as bright at every distance as a reference of it: no ring shows where level of detail
-// thins, widens and softens it.
+// Grass is as bright as a reference at every distance: level of detail causes no visible ring by
+// thinning, widening and softening.
 
 #include "core/srgb.h"
 #include "picture.h"
@@ -21,8 +21,8 @@ constexpr std::size_t rings = 8;
 constexpr glm::uvec2 size(128, 80);
 constexpr float side = 40.0f;   ///< [m] of the flat field
 constexpr double nearest = 2.5; ///< [m] from the eye's foot to the first ring
-/// [m] Blades are 0.06 pixels wide there, one in five is drawn. Nearer to the rim the sky behind it
-/// shines into the filter of soft pixels.
+/// [m] Blades are 0.06 pixels wide there, one in five is drawn. Nearer to the far edge the sky
+/// enters the filter of soft pixels.
 constexpr double farthest = 26.0;
 
 class LuminanceTest : public test::GpuTest {};

@@ -22,8 +22,8 @@ VkPhysicalDeviceMemoryProperties memoryTypes(const std::vector<VkMemoryPropertyF
     return memory;
 }
 
-// A discrete device: host memory that is not for everyone, its own, its own through a window,
-// cached.
+// A discrete device: plain host memory, device memory, device memory visible to the host, cached
+// host memory.
 const VkPhysicalDeviceMemoryProperties discrete =
     memoryTypes({0, local, mapped, mapped | cached, local | mapped});
 constexpr std::uint32_t all = ~0U;
@@ -42,7 +42,7 @@ TEST(MemoryType, ComesFromTheAllowedOnes)
     EXPECT_EQ(chooseMemoryType(discrete, 0b11000, MemoryUse::upload), 3U);
     EXPECT_EQ(chooseMemoryType(discrete, 0b10100, MemoryUse::readback), 2U);
     EXPECT_EQ(chooseMemoryType(discrete, 0b00011, MemoryUse::upload), std::nullopt);
-    // Where the CPU cannot write into the device's own memory.
+    // If the CPU cannot write to device memory.
     EXPECT_EQ(chooseMemoryType(discrete, 0b01111, MemoryUse::constants), 2U);
 }
 
@@ -58,7 +58,7 @@ using MemoryBound = test::GpuTest;
 
 TEST_F(MemoryBound, IsNamedWithTheThingThatDoesNotFit)
 {
-    // One byte more than the whole heap, where a buffer may be as large.
+    // One byte more than the heap, if a buffer may have this size.
     const VkDeviceSize bytes = context().deviceLocalBytes() + 1;
     if (bytes <= context().maxBufferBytes) {
         try {

@@ -1,4 +1,4 @@
-// What is hidden is left out, and the picture does not know.
+// Culls hidden blades without changing the picture.
 
 #include "core/random.h"
 #include "picture.h"
@@ -36,23 +36,23 @@ Camera randomCamera(std::uint64_t index)
 
 class OcclusionTest : public test::GpuTest {
 protected:
-    /// Compares pictures of random cameras with and without culling by frustum and occlusion. Where
-    /// blades hide others, surfaces of large ones come from another shader, which may round the
-    /// last bit of a colour otherwise: a step of 255, of one pixel in fifty pictures at most.
+    /// Compares pictures of random cameras with and without culling by frustum and occlusion. With
+    /// occlusion, another shader computes surfaces of large blades, which may round the last bit of
+    /// a colour differently: a step of 255, of one pixel in fifty pictures at most.
     static void compare(std::uint32_t samples, std::uint64_t cameras, bool levelOfDetail)
     {
         const field::Field field = test::makeField(
             {.surface = test::Surface::sphere, .blades = 1500, .extent = 10.0f, .seed = seed});
         FieldRenderer::Settings wanted;
         wanted.samples = samples;
-        // Of two blades at the same depth the rasteriser shows the one with the larger id; the
-        // tessellator the one that comes first in the list, whose order changes from run to run.
+        // At equal depth the rasteriser shows the blade with the larger id. The tessellator shows
+        // the first in the list, whose order varies between runs.
         wanted.geometry = Geometry::raster;
         wanted.rastersForCpu = false;
         FieldRenderer renderer(device(), field::viewOf(field), wanted);
         FrameSettings settings = FrameSettings::of(field::viewOf(field));
         settings.levelOfDetail = levelOfDetail;
-        // Sizes that are no multiple of anything.
+        // A size that is no multiple of a tile.
         test::Picture all(context(), {67, 41});
         test::Picture culled(context(), {67, 41});
         std::uint64_t hidden = 0;
@@ -118,8 +118,8 @@ TEST_F(OcclusionTest, HidesNothingInTheFirstFrameAfterATurn)
     EXPECT_EQ(test::differingPixels(turned, picture.pixels()), 0u);
 }
 
-/// Walks through a thicket and compares its pictures with those of all blades. Returns how many
-/// were listed before grass hid grass, and how many drawn.
+/// Walks through a thicket and compares its pictures with those of all blades. Returns the number
+/// of blades listed before occlusion by grass, and the number drawn.
 struct Walked {
     std::uint64_t listed = 0;
     std::uint64_t drawn = 0;
@@ -134,15 +134,15 @@ Walked walkThroughThicket(const gpu::Device& device, std::uint32_t samples, bool
     wanted.rastersForCpu = false;
     wanted.testsSmallBlades = testsSmallBlades;
     wanted.recordCullResults = true;
-    // Another one draws what is expected, so that each frame follows the one before.
+    // A second renderer draws the expected pictures, so that frames stay consecutive.
     FieldRenderer whole(device, field::viewOf(field), wanted);
     FieldRenderer renderer(device, field::viewOf(field), wanted);
     FrameSettings settings = FrameSettings::of(field::viewOf(field));
     test::Picture picture(device.context(), {321, 179});
     Walked walked;
     for (int step = 0; step < 6; ++step) {
-        // The first frame begins with what other cameras have seen, the second one leaves out at
-        // first what the first has not, and the wind has moved blades.
+        // The first frame uses visibility of other cameras. The second skips blades that the first
+        // did not see, and the wind has moved blades.
         for (int frame = 0; frame < 2; ++frame) {
             const double time = 1.0 + 0.25 * step + 0.1 * frame;
             settings.cullMask = visible;
@@ -173,15 +173,15 @@ TEST_F(OcclusionTest, GrassHidesGrassAndNoByteOfAnyPicture)
         SCOPED_TRACE(samples);
         const Walked large = walkThroughThicket(device(), samples, false);
         EXPECT_LT(large.drawn, large.listed * 2 / 3);
-        // Those that are hidden of the smaller ones, too.
+        // Also count the hidden small blades.
         const Walked all = walkThroughThicket(device(), samples, true);
         EXPECT_EQ(all.listed, large.listed);
         EXPECT_LT(all.drawn, large.drawn * 9 / 10);
     }
 }
 
-/// From above nothing is seen of what stands below a plane. Boxes as large as the picture ask
-/// the coarsest cells, which the work-group fills that is done last, or a pass of their own.
+/// From above, a plane hides everything below it. Boxes as large as the picture test the coarsest
+/// cells, filled by the last work-group or in a separate pass.
 TEST_F(OcclusionTest, GroundThatFillsThePictureHidesWholePatches)
 {
     field::Field field = test::makeField({.blades = 3000, .extent = 10.0f, .seed = seed});
@@ -201,7 +201,7 @@ TEST_F(OcclusionTest, GroundThatFillsThePictureHidesWholePatches)
                 SCOPED_TRACE(testing::Message() << nameOf(geometry) << ", " << samples
                                                 << " samples, " << size.x << " columns");
                 test::Picture picture(context(), size);
-                // What is counted begins anew with each frame, and so do the cells.
+                // Counters and cells are reset in each frame.
                 for (int frame = 0; frame < 2; ++frame) {
                     picture.draw(renderer, camera, settings, 1.0);
                     EXPECT_EQ(renderer.stats().culledPatch, renderer.stats().resident);

@@ -1,4 +1,4 @@
-// Ground and colliders by compute shaders: the same as by the graphics pipeline, and tight.
+// Ground and colliders by compute shaders: equal to the graphics pipeline, and without holes.
 
 #include "picture.h"
 #include "shaders/shared/opaque.h"
@@ -55,7 +55,7 @@ void putTriangle(field::DisplayGround& ground, std::array<glm::vec3, 3> corners)
     }
 }
 
-/// All triangles are of one material.
+/// Assigns one material to all triangles.
 void endGround(field::DisplayGround& ground)
 {
     ground.ranges = {{.level = 0,
@@ -64,7 +64,7 @@ void endGround(field::DisplayGround& ground)
                       .indexCount = static_cast<std::uint32_t>(ground.indices.size())}};
 }
 
-/// A field whose only ground is yet to be made.
+/// A field without blades; the caller adds the ground.
 field::Field fieldWithoutBlades()
 {
     field::Field field = test::makeField({.blades = 16, .extent = 1.0f});
@@ -74,7 +74,7 @@ field::Field fieldWithoutBlades()
     return field;
 }
 
-/// No blade is drawn, and no air stands before the ground.
+/// Settings without blades and air.
 FrameSettings bareSettings(const field::Field& field)
 {
     FrameSettings settings = FrameSettings::of(field::viewOf(field));
@@ -86,7 +86,7 @@ FrameSettings bareSettings(const field::Field& field)
 
 using OpaqueTest = test::GpuTest;
 
-/// Waves of squares, 40 m wide; each of `images` images has a share of them.
+/// Waves of squares, 40 m wide; each of `images` images covers a part.
 field::Field wavesWith(std::uint32_t images, std::uint32_t cells)
 {
     field::Field field = fieldWithoutBlades();
@@ -142,7 +142,7 @@ Camera around(int i)
 
 TEST_F(OpaqueTest, LooksAsByTheGraphicsPipeline)
 {
-    // More images than a dispatch knows, and triangles of some and of thousands of pixels.
+    // More images than a dispatch supports, and triangles of some and of thousands of pixels.
     for (const std::uint32_t cells : {5u, 60u}) {
         const field::Field field = wavesWith(10, cells);
         for (const std::uint32_t samples : {1u, 4u}) {
@@ -173,16 +173,16 @@ TEST_F(OpaqueTest, LooksAsByTheGraphicsPipeline)
                     << cells << " squares, " << samples << " samples, camera " << i;
                 seen += 211u * 131u;
             }
-            // With one sample a few that lie on an edge, to a 256th of a pixel. With four the
-            // pipeline looks beyond a triangle's edge where that hides the middle of a pixel.
+            // With one sample, samples on an edge may differ (1/256 pixel). With four samples, the
+            // pipeline extrapolates beyond a triangle's edge that hides the pixel centre.
             EXPECT_LT(far, samples == 1 ? seen / 10000 : seen / 500)
                 << cells << " squares, " << samples << " samples";
         }
     }
 }
 
-/// So many triangles, each half of a square of `side` m and nearer to +z than the one before. One
-/// of 97 shows its front.
+/// Makes `count` triangles, each half of a square of `side` m and nearer to +z than the one before.
+/// One of 97 shows its front.
 void putCrowd(field::DisplayGround& ground, std::uint32_t count, float side)
 {
     const auto across = static_cast<std::uint32_t>(6.5f / side);
@@ -203,7 +203,7 @@ void putCrowd(field::DisplayGround& ground, std::uint32_t count, float side)
 TEST_F(OpaqueTest, DrawsWhatHasNoRoomInItsLists)
 {
     // A metre is 24 pixels: boxes of 41 × 41 pixels, and of 10 × 10, all of them in the picture.
-    // Those that come last, and find the lists full, are the nearest.
+    // The last triangles are the nearest; they find the lists full.
     field::Field field = fieldWithoutBlades();
     putCrowd(field.ground, shared::maxLargeTriangles + 4000, 1.4f);
     putCrowd(field.ground, 2 * shared::maxMiddleTriangles + 4000, 0.3f);
@@ -216,7 +216,7 @@ TEST_F(OpaqueTest, DrawsWhatHasNoRoomInItsLists)
             0xff000000u | (0x9e3779b9u * static_cast<std::uint32_t>(i / 3) >> 8u);
     const FrameSettings settings = bareSettings(field);
     Camera camera;
-    // Askew: no edge runs through the middles of a row of pixels.
+    // Tilt the view, so that no edge runs through pixel centres.
     camera.eye = {0.0, 0.0, 10.0};
     camera.target = {0.0, 0.0, 0.0};
     camera.up = {0.3f, 1.0f, 0.0f};
@@ -228,20 +228,20 @@ TEST_F(OpaqueTest, DrawsWhatHasNoRoomInItsLists)
         picture.draw(renderer, camera, settings, 1.0);
         pictures.push_back(picture.pixels());
     }
-    // Edges are everywhere, and to a 256th of a pixel a sample may lie on either side of one.
+    // A sample within 1/256 pixel of an edge may lie on either side.
     EXPECT_LT(farPixels(pictures[0], pictures[1], 6), 200u * 200u / 400u);
 }
 
 TEST_F(OpaqueTest, NobodySeesThroughAClosedSurface)
 {
-    // A ball from inside, of triangles of all shapes: black, with a bright sky behind it.
+    // A sphere from inside, with triangles of all shapes: black, with a bright sky behind it.
     field::Field field = fieldWithoutBlades();
     constexpr int rings = 40;
     constexpr int segments = 70;
     const auto place = [](int ring, int segment) {
         const double down = std::numbers::pi * std::pow(double(ring) / rings, 1.7);
         const double turn = 2.0 * std::numbers::pi * (segment % segments) / segments;
-        // A pole is one place, not nearly one.
+        // A pole must be exactly one point.
         const double reach = ring == 0 || ring == rings ? 0.0 : std::sin(down);
         return glm::vec3(glm::dvec3(17.3 * reach * std::cos(turn), 17.3 * std::cos(down),
                                     17.3 * reach * std::sin(turn)));
@@ -267,7 +267,7 @@ TEST_F(OpaqueTest, NobodySeesThroughAClosedSurface)
         for (int i = 0; i < 24; ++i) {
             Camera camera;
             const double turn = 2.0 * std::numbers::pi * i / 24.0;
-            // Some are so near to the surface that the near plane cuts it.
+            // Some cameras are near enough that the near plane cuts the surface.
             const double away = i % 3 == 0 ? 16.9 : 9.0 * std::sin(7.0 * turn);
             camera.eye = away * glm::normalize(glm::dvec3(std::cos(turn), std::sin(3.0 * turn),
                                                           std::sin(turn)));
@@ -278,7 +278,7 @@ TEST_F(OpaqueTest, NobodySeesThroughAClosedSurface)
             int brightest = 0;
             for (std::size_t p = 0; p < pixels.size(); ++p)
                 brightest = std::max(brightest, p % 4 == 3 ? 0 : valueAt(pixels, p));
-            // A single sample of four would make 128 and more.
+            // A single leaking sample of four would give 128 or more.
             EXPECT_LT(brightest, 90) << samples << " samples, camera " << i;
         }
     }

@@ -1,4 +1,4 @@
-#include "render/patch_sizes.h"
+#include "render/field/patch_sizes.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ TEST(PatchSizes, NoChoiceOfPatchesHasMoreBladesThanTheLargest)
         std::uint64_t blades = 0;
         for (std::size_t n = 0; n <= sizes.size(); ++n) {
             ASSERT_EQ(known.maxBladesOf(n), blades);
-            // So many fit whichever they are, and with one blade less they do not.
+            // This number fits for any choice of patches, and not with one blade less.
             if (n > 0 && sizes[n - 1] > 0) {
                 ASSERT_GE(known.patchesWithin(blades), n);
                 ASSERT_LT(known.patchesWithin(blades - 1), n);

@@ -46,8 +46,8 @@ std::vector<shared::BladeState> randomStates(std::size_t count)
     return states;
 }
 
-/// Two sources of any kinds, gravity of any direction, and as many colliders among the blades of a
-/// cube of 10 m: balls and capsules, at rest and on their way.
+/// Two wind sources of any kinds, gravity of any direction, and `colliders` colliders among the
+/// blades of a cube of 10 m: spheres and capsules, at rest and moving.
 FrameSettings randomEnvironment(std::uint64_t run, std::size_t colliders)
 {
     FrameSettings settings;
@@ -87,7 +87,7 @@ FrameSettings randomEnvironment(std::uint64_t run, std::size_t colliders)
     return settings;
 }
 
-/// The same as the device is given it, in the CPU's own memory.
+/// The device's environment in host memory.
 struct CpuEnvironment {
     CpuEnvironment(const FrameSettings& settings, const shared::Frame& frame, float elapsed)
         : winds(blowing(settings.winds, glm::dvec3(0.0)))
@@ -124,8 +124,8 @@ int quanta(std::uint32_t a, std::uint32_t b)
     return std::abs(signedOf(a) - signedOf(b));
 }
 
-/// Largest difference of what is stored of a tip, in steps of its 16-bit numbers, and of the
-/// collision's strength, in 65 535ths.
+/// Largest difference of stored tips, in steps of their 16-bit numbers, and of the collision's
+/// strength, in 65 535ths.
 int difference(const shared::BladeState& a, const shared::BladeState& b)
 {
     return std::max({quanta(a.turn, b.turn), quanta(a.turn >> 16, b.turn >> 16),
@@ -134,7 +134,7 @@ int difference(const shared::BladeState& a, const shared::BladeState& b)
 
 class MovesBlades : public PhysicsTest {
 protected:
-    /// Single steps of many lengths, from identical states, on the device and on the CPU.
+    /// Compares single steps of many lengths, from identical states, on the device and on the CPU.
     void compareWithCpu(std::size_t colliders, std::size_t allowedPerThousand,
                         std::uint32_t groups = 0)
     {
@@ -144,7 +144,7 @@ protected:
         const std::vector<std::uint32_t> patches = field::patchOfBlades(view);
         const std::vector<shared::BladeState> before = randomStates(field.blades.size());
         test::UpdateBench bench(context(), view, {.groups = groups});
-        // Some work-groups take more patches than they can at a time.
+        // Some work-groups get more patches than they process at a time.
         ASSERT_TRUE(groups == 0 ||
                     field.patches.size() > std::size_t(groups) * shared::patchesTogether);
 
@@ -162,7 +162,7 @@ protected:
             const auto result =
                 bench.run(frame, settings, before, elapsed, UpdateCullPass::Scope::all);
 
-            // The device takes the time since the patch was last moved from two stored floats.
+            // The device computes the elapsed time from two stored floats.
             const float stored = frame.time - (frame.time - elapsed);
             const CpuEnvironment cpu(settings, frame, elapsed);
             for (std::size_t i = 0; i < field.blades.size(); ++i) {
@@ -170,9 +170,9 @@ protected:
                 const shared::Blade blade = shared::unpackBlade(field.blades[i], cell);
                 const shared::BladeState expected = shared::advanceBlade(
                     blade, cpu.environment, cpu.near(cell, stored), before[i], frame.time, stored);
-                // Both round the same formulas; one step is what rounding alone explains (and all
-                // that lavapipe shows), a tip close above its root may amplify it a little, and one
-                // at the edge of a collider more.
+                // Both round the same formulas: rounding alone explains one step (lavapipe shows no
+                // more). A tip close above its root may amplify it a little, and one at the edge of
+                // a collider more.
                 const int steps = difference(result.states[i], expected);
                 if (colliders == 0) {
                     ASSERT_LE(steps, 4) << "blade " << i << ", run " << run << ", " << elapsed
@@ -214,8 +214,8 @@ TEST_F(MovesBlades, AmongAFewCollidersWhoeverTakesAPatch)
     compareWithCpu(24, 2, 2);
 }
 
-/// The longest way to go, and every blade among as many colliders as there may be: no driver's
-/// patience ends before the last blade.
+/// Largest work: every blade among the maximum number of colliders. No driver may time out before
+/// the last blade.
 TEST_F(PhysicsTest, MovesEveryBladeAmongCollidersThatLieOnOneHeap)
 {
     const field::Field field = test::makeField({.blades = 3000, .extent = 1.0f});
@@ -227,7 +227,7 @@ TEST_F(PhysicsTest, MovesEveryBladeAmongCollidersThatLieOnOneHeap)
     }
     settings.cullMask = 0;
     settings.levelOfDetail = false;
-    settings.updateRate.everyFrame = 1e6f; // wherever it stands
+    settings.updateRate.everyFrame = 1e6f; // at any distance
     const std::vector<shared::BladeState> before(field.blades.size());
     test::UpdateBench bench(context(), field::viewOf(field));
     const auto result = bench.run(frameOf({}, ViewMatrices{}, settings, 20.0, 1), settings, before,

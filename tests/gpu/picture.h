@@ -20,7 +20,7 @@ public:
     Picture(const gpu::DeviceContext& context, glm::uvec2 size, bool isStored = false,
             VkFormat format = VK_FORMAT_R8G8B8A8_SRGB);
 
-    /// One frame, waited for. `jitter` [pixels].
+    /// Draws one frame and waits. `jitter` [pixels].
     void draw(render::FieldRenderer& renderer, const render::Camera& camera,
               const render::FrameSettings& settings, double time,
               glm::vec2 jitter = glm::vec2(0.0f));
@@ -34,11 +34,11 @@ private:
     gpu::Image image_;
 };
 
-/// A field with what draws it.
+/// A field with its renderer.
 struct FieldScene {
     field::Field field;
     render::FieldRenderer renderer;
-    render::FrameSettings settings; ///< the field's
+    render::FrameSettings settings; ///< settings of the field
     render::Camera camera;
 
     FieldScene(const gpu::Device& device, field::Field made,

@@ -1,4 +1,4 @@
-// What the rasteriser does on a device whose lanes cannot jump: the same picture another way.
+// The rasteriser for devices without divergent branches gives the same picture.
 
 #include "picture.h"
 #include "support/fields/fields.h"
@@ -20,8 +20,8 @@ protected:
     }
 };
 
-/// Tiles that are shaded by what they show show the same: at sizes that are no multiple of a tile,
-/// with tiles of each kind, beside colliders, and when the next frame shows something else.
+/// Shading tiles by content does not change the picture: at sizes that are no multiple of a tile,
+/// with tiles of each kind, beside colliders, and after the content changes.
 TEST_F(RasterForCpu, WithoutLargeBladesEachByteIsThatOfTheOtherWay)
 {
     const field::Field field = test::makeField({.blades = 3000, .extent = 8.0f});
@@ -52,7 +52,7 @@ TEST_F(RasterForCpu, WithoutLargeBladesEachByteIsThatOfTheOtherWay)
     }
 }
 
-/// Blades that hide one another are all drawn, each by a thread, and the nearest are seen.
+/// Draws blades that hide one another, each by one thread; the nearest are visible.
 TEST_F(RasterForCpu, LargeBladesLookAsWorkGroupsDrawThem)
 {
     const field::Field field = test::thicket();
@@ -65,14 +65,14 @@ TEST_F(RasterForCpu, LargeBladesLookAsWorkGroupsDrawThem)
         picture.draw(forGpu, test::onTheWay(step), settings, 1.0);
         const auto expected = picture.pixels();
         picture.draw(forCpu, test::onTheWay(step), settings, 1.0);
-        // A sample may lie so near to an edge that sums decide.
+        // Samples near an edge may depend on the order of sums.
         EXPECT_LT(test::differingPixels(expected, picture.pixels()), size.x * size.y / 1000)
             << "step " << step;
         EXPECT_GT(forCpu.stats().drawn, forGpu.stats().drawn) << "step " << step;
     }
 }
 
-/// A CPU's lanes share what its driver allows a thread: none of these blades is too much for one.
+/// CPU lanes share a thread's local memory: each of these blades fits.
 TEST_F(RasterForCpu, LosesNothingOfBladesThatFillThePicture)
 {
     const field::Field field = test::thicket();

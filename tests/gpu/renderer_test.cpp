@@ -5,9 +5,9 @@
 #include "gpu/commands.h"
 #include "gpu/upload.h"
 #include "picture.h"
-#include "render/attachments.h"
 #include "render/camera_presets.h"
-#include "render/field_buffers.h"
+#include "render/cull/field_buffers.h"
+#include "render/preview/attachments.h"
 #include "shaders/shared/bezier.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
@@ -90,7 +90,7 @@ TEST_F(RendererTest, DrawsTheSamePictureOfTheSameMomentTwice)
     for (const std::uint32_t samples : {1u, 4u}) {
         FieldRenderer::Settings wanted;
         wanted.samples = samples;
-        // The tessellator's pictures depend on the order of the list where two depths are equal.
+        // The tessellator's pictures depend on the list's order at equal depths.
         wanted.geometry = Geometry::raster;
         Scene scene = meadow(1000, wanted);
         test::Picture picture(context(), {128, 80});
@@ -120,7 +120,7 @@ TEST_F(RendererTest, DrawsTheSameInRoundsAsAtOnce)
         pictures[i] = picture.pixels();
         stats[i] = scene.renderer.stats();
         bytes[i] = scene.renderer.deviceBytes();
-        // Of a part of the field, which has fewer rounds.
+        // View a part of the field, which needs fewer rounds.
         Camera nearer = scene.camera;
         nearer.eye = glm::mix(nearer.eye, nearer.target, 0.9);
         picture.draw(scene.renderer, nearer, scene.settings, 2.2);
@@ -133,11 +133,11 @@ TEST_F(RendererTest, DrawsTheSameInRoundsAsAtOnce)
     EXPECT_EQ(stats[0].drawn, stats[1].drawn);
     EXPECT_EQ(stats[0].simulated, stats[1].simulated);
     EXPECT_EQ(sumOf(stats[1]), stats[1].resident);
-    // The list of a round is shorter by what it saves.
+    // The savings are the shorter list of a round.
     EXPECT_LT(bytes[1] + 1000 * sizeof(shared::VisibleBlade), bytes[0]);
 }
 
-/// As small meshes have it.
+/// Small meshes give such a field.
 TEST_F(RendererTest, DrawsAFieldOfOnePatch)
 {
     const field::Field field = test::makeField({.blades = 60, .extent = 1.0f});
@@ -248,7 +248,7 @@ TEST_F(RendererTest, FrustumCullingChangesNoPixel)
         const auto at = [c](double reach, std::uint32_t d) {
             return reach * (2.0 * uniform(seed, c, d) - 1.0);
         };
-        // Mostly among the blades, where they are cut by the picture's edge.
+        // Mostly among the blades, where the picture's edge cuts them.
         scene.camera.eye = {at(2.2, 0), at(2.2, 1), at(2.2, 2)};
         scene.camera.target = {at(2.0, 3), at(2.0, 4), at(2.0, 5)};
         scene.settings.cullMask = 0;
@@ -275,15 +275,16 @@ TEST_F(RendererTest, LooksTheSameFarFromTheOrigin)
         picture.draw(scene.renderer, scene.camera, scene.settings, 1.0);
         return picture.pixels();
     };
-    // Powers of two, so that the camera's own place is not rounded.
+    // Powers of two, so that the camera position is exact; multiples of windPeriod, since the wind
+    // belongs to the world.
     const auto here = pictureAt(glm::dvec3(0.0));
-    const auto there = pictureAt({1048576.0, 8192.0, -4194304.0});
+    const auto there = pictureAt(windPeriod * glm::dvec3(8.0, 1.0, -32.0));
     EXPECT_LE(test::differingPixels(here, there), 96u * 60u / 200u);
 }
 
 TEST_F(RendererTest, DrawsTheSameBladesHoweverFinelyTheyAreCut)
 {
-    // More blades than a driver that counts vertices in 16 bits takes at once.
+    // More blades than a driver with 16-bit vertex counts supports at once.
     Scene scene = meadow(6000);
     scene.settings.cullMask = 0;
     test::Picture picture(context(), {160, 100});
@@ -338,7 +339,7 @@ TEST_F(RendererTest, MovesWhatNobodySeesWhenOnlyUpdating)
 
 TEST_F(RendererTest, StandsInItsWindFromTheFirstPictureOn)
 {
-    // Ten seconds later nothing but the gusts has changed: the mean bend is about the same.
+    // Ten seconds later only the gusts have changed: the mean bend is about the same.
     Scene scene = meadow(800);
     scaleWind(scene.settings.winds, 0.0f);
     test::Picture picture(context(), {32, 20});
@@ -377,7 +378,7 @@ TEST_F(RendererTest, KeepsWhatCollisionsLeaveFromTheFirstColliderOn)
     const std::size_t pressed = touched();
     EXPECT_GT(pressed, blades / 100);
 
-    // It goes on fading when the ball has gone, and no memory is taken twice.
+    // It continues to fade without the collider, and no memory is allocated twice.
     scene.settings.colliders.clear();
     picture.draw(scene.renderer, scene.camera, scene.settings, 1.2);
     EXPECT_EQ(touched(), pressed);

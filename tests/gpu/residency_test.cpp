@@ -1,10 +1,10 @@
-// Which blades of a field are to be in memory, where there is room for some of them.
+// Tests which blades become resident if memory is limited.
 
 #include "core/random.h"
 #include "render/camera.h"
+#include "render/field/patch_tree.h"
 #include "render/frame.h"
-#include "render/patch_tree.h"
-#include "render/residency.h"
+#include "render/streaming/residency.h"
 #include "shaders/shared/visibility.h"
 #include "support/fields/fields.h"
 
@@ -52,7 +52,7 @@ protected:
         return camera;
     }
 
-    /// Looks once, and brings all that fits.
+    /// Updates once and loads everything that fits.
     static void settle(Residency& residency, const shared::Eyepoint& view, float threshold)
     {
         while (!residency.survey(view, threshold, 100))
@@ -115,13 +115,13 @@ TEST_F(ResidencyTest, BringsAllThatIsSeenWhereItFits)
 
 TEST_F(ResidencyTest, HasWhatIsDrawnOfAThinnedField)
 {
-    // With so little room that hardly any camera has all it sees.
+    // With too little memory for almost any camera.
     const field::FieldView field = field::viewOf(cloud());
     const std::vector<shared::Subtree> subtrees = subtreesOf(field);
     Residency residency(field, 12);
     std::size_t thinned = 0;
     for (std::uint64_t c = 0; c < 40; ++c) {
-        // Wider blades are seen from farther aside, so that it is looked for again.
+        // Wider blades are visible from farther aside, which causes a new search.
         shared::Eyepoint view = eyeAt(randomCamera(c));
         const float threshold = view.lodThreshold;
         float thinning = 1.0f;
@@ -141,7 +141,7 @@ TEST_F(ResidencyTest, HasWhatIsDrawnOfAThinnedField)
             if (cell.bladeCount == 0 || shared::patchCulled(view, cell, subtrees[p].widest))
                 continue;
             const float distance = shared::boxDistance(view.eye, cell.boundsLow, cell.boundsHigh);
-            // A share beyond all blades is not a share of this many.
+            // A share above 1 is not representable here.
             const float share =
                 view.lodWidth * view.pixelsPerUnit / std::max(distance, 1e-6f) / view.lodThreshold;
             if (share > cell.rankLow * 1.0001f) {

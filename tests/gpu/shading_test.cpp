@@ -1,9 +1,9 @@
-// The light that grass and ground leave one another.
+// Light that grass and ground let pass to each other.
 
 #include "core/random.h"
 #include "picture.h"
-#include "render/grass_cover.h"
-#include "render/sun_shadow.h"
+#include "render/field/grass_cover.h"
+#include "render/preview/sun_shadow.h"
 #include "support/fields/display_ground.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
@@ -93,7 +93,7 @@ TEST(GrassCover, EndsWithinACellOfTheLastBlade)
 
 TEST(GrassCover, OfTheFirstBladesStandsForAll)
 {
-    // More blades than are read: the same within what sampling allows.
+    // More blades than are sampled: equal within the sampling error.
     const field::Field field =
         test::makeField({.blades = maxCoverBlades + maxCoverBlades / 2, .extent = 60.0f});
     const LeafAreaGrid grid = leafAreaOf(field::viewOf(field));
@@ -137,7 +137,7 @@ TEST_F(ShadingTest, GrassDarkensTheGroundBetweenItAndNoOther)
     grown.settings.environment.drawDistance = 1e9f;
     const auto before = bare.draw(picture);
     const auto after = grown.draw(picture);
-    // The grass is in the middle third; left and right of it not a byte changes.
+    // The grass is in the middle third; no byte changes left and right of it.
     std::size_t ground = 0;
     for (std::uint32_t y = 0; y < size.y; ++y)
         for (std::uint32_t x = 0; x < size.x; ++x) {
@@ -147,13 +147,13 @@ TEST_F(ShadingTest, GrassDarkensTheGroundBetweenItAndNoOther)
             ASSERT_EQ(green(before, x, y), green(after, x, y)) << x << ", " << y;
         }
     EXPECT_GT(ground, 1000u);
-    // Grass that is too far away to be drawn leaves the ground as it is.
+    // Grass beyond the draw distance does not shade the ground.
     Scene shade(island(3000));
     shade.settings.environment.drawDistance = 1e-3f;
     shade.settings.cullMask = shared::cullDistance;
     EXPECT_EQ(test::differingPixels(shade.draw(picture), before), 0u);
 
-    // Between the blades it is darker than where there are none.
+    // The ground is darker between the blades.
     int darkest = 255;
     for (std::uint32_t x = size.x / 2 - 5; x < size.x / 2 + 5; ++x)
         darkest = std::min(darkest, green(after, x, size.y / 2));
@@ -191,7 +191,7 @@ TEST_F(ShadingTest, GroundLiesInTheShadowOfWhatStandsBetweenItAndTheSun)
     const auto light = open.draw(picture);
     const auto shadow = covered.draw(picture);
 
-    // The roof is 2 m up and the sun half risen: the shadow lies 2 m to the left.
+    // The roof is 2 m up and the sun at 45°: the shadow is 2 m to the left.
     const auto pixelOf = [&](glm::vec3 place) {
         const ViewMatrices view = viewMatrices(open.camera, {}, size, {});
         const glm::vec4 clip = view.viewProjection * glm::vec4(place, 1.0f);
@@ -207,13 +207,13 @@ TEST_F(ShadingTest, GroundLiesInTheShadowOfWhatStandsBetweenItAndTheSun)
 
 TEST_F(ShadingTest, GroundDoesNotShadeItself)
 {
-    // The sun from high to low: nothing that faces it is hidden.
+    // Sun from high to low: no surface that faces it is shadowed.
     test::Picture picture(context(), size);
     for (const float height : {2.0f, 0.5f, 0.1f}) {
         Scene plane(roofed(0.0f));
         plane.settings.sunDirection = {1.0f, height, 0.3f};
         const auto pixels = plane.draw(picture);
-        // A plane in the sun has one colour.
+        // A sunlit plane has one colour.
         const int middle = green(pixels, size.x / 2, size.y / 2);
         for (std::uint32_t x = size.x / 4; x < size.x - size.x / 4; ++x)
             ASSERT_NEAR(green(pixels, x, size.y / 2), middle, 1) << height << " at " << x;
@@ -255,7 +255,7 @@ TEST(SunShadow, HoldsAllOfItsGround)
             EXPECT_GT(glm::dot(shadow.depth, p), 0.0f);
             EXPECT_LT(glm::dot(shadow.depth, p), 1.0f);
         }
-        // What is nearer to the sun is deeper in the map.
+        // Points nearer to the sun have greater depth in the map.
         EXPECT_GT(glm::dot(glm::vec3(shadow.depth), sun), 0.0f);
     }
     EXPECT_EQ(sunShadowOf(Aabb{}, up, 256).size, 0u);

@@ -1,4 +1,4 @@
-// A target that shaders store into shows what is copied to another.
+// A target that shaders store to gives the same bytes as one that is copied to.
 
 #include "core/error.h"
 #include "picture.h"
@@ -25,7 +25,7 @@ constexpr gpu::ImageSettings settingsOf(VkFormat format, VkFormat storedAs)
 
 class StoredTarget : public test::GpuTest {
 protected:
-    /// Some GPUs may have none; the software driver has.
+    /// Some GPUs lack storage support; the software driver has it.
     static bool canBe(VkFormat format)
     {
         const bool isThere =
@@ -35,8 +35,8 @@ protected:
     }
 };
 
-/// In turn on two targets and on one that is copied to, whose sizes change, sorted by tiles or not,
-/// with soft grass or without.
+/// Alternates between two stored targets and one copied target, with changing sizes, with and
+/// without tile sorting and soft grass.
 TEST_F(StoredTarget, HasTheBytesOfOneThatIsCopiedTo)
 {
     if (!canBe(VK_FORMAT_R8G8B8A8_SRGB))
@@ -51,14 +51,14 @@ TEST_F(StoredTarget, HasTheBytesOfOneThatIsCopiedTo)
             FieldRenderer stores(device(), field::viewOf(field), wanted);
             for (const glm::uvec2 size : {glm::uvec2(161, 90), glm::uvec2(16, 16)}) {
                 test::Picture copied(context(), size);
-                // A renderer takes each target as it is: the third is copied to.
+                // A renderer handles each target by its usage: the third is copied to.
                 test::Picture targets[3] = {test::Picture(context(), size, true),
                                             test::Picture(context(), size, true),
                                             test::Picture(context(), size)};
                 for (int step = 0; step < 4; ++step) {
                     SCOPED_TRACE(testing::Message() << samples << " samples, " << size.x << " × "
                                                     << size.y << ", step " << step);
-                    // Far away each blade is finer than a pixel, and the film is soft.
+                    // Distant blades are finer than a pixel, and the picture is soft.
                     Camera camera;
                     camera.eye = {0.0, 6.0, 18.0 + 20.0 * step};
                     const double time = 1.0 + 0.1 * step;
@@ -72,7 +72,7 @@ TEST_F(StoredTarget, HasTheBytesOfOneThatIsCopiedTo)
         }
 }
 
-/// What is stored into lies the other way round, too.
+/// A stored target may have the reversed channel order.
 TEST_F(StoredTarget, MayHaveBlueFirst)
 {
     constexpr VkFormat format = VK_FORMAT_B8G8R8A8_SRGB;

@@ -1,4 +1,4 @@
-// Fields larger than the memory that they may take: what is seen comes by and by.
+// Fields larger than their memory budget: visible blades are loaded gradually.
 
 #include "core/error.h"
 #include "gpu/commands.h"
@@ -46,13 +46,13 @@ Camera lookingFrom(glm::dvec3 eye, glm::dvec3 target)
     return camera;
 }
 
-/// Over a corner, and what is seen is a small part of the field.
+/// Camera over a corner; a small part of the field is visible.
 Camera lookingAtCorner()
 {
     return lookingFrom({-27.0, 1.6, -27.0}, {-31.0, 0.3, -31.0});
 }
 
-/// Along the field, over all of it.
+/// Camera along the field; all of it is visible.
 Camera lookingAlong()
 {
     return lookingFrom({-31.0, 1.0, -31.0}, {20.0, -4.0, 20.0});
@@ -79,8 +79,8 @@ protected:
 
     static FrameSettings settings() { return FrameSettings::of(field::viewOf(meadow())); }
 
-    /// A budget with room for a share of the blades: each takes 36 bytes where all are there and
-    /// none has met a collider, and 32 with its part of what brings it.
+    /// A budget for a share of the blades: each takes 36 bytes if all are resident and none has met
+    /// a collider, and 32 with its part of the upload buffers.
     static std::uint64_t budgetWith(double share, FieldRenderer::Settings wanted)
     {
         wanted.deviceBytes = std::uint64_t(1) << 40;
@@ -172,15 +172,15 @@ TEST_F(StreamingTest, ThinsOutWhatDoesNotFitAndKeepsTheNearest)
     expectCountsAddUp(stats);
     EXPECT_GT(stats.drawn, 1000u);
     EXPECT_LT(stats.drawn, whole.stats().drawn);
-    // It stays as it is: nothing comes and goes for ever.
+    // The state is stable: nothing is loaded or evicted any more.
     for (int frame = 0; frame < 5; ++frame) {
         picture.draw(part, lookingAlong(), fine, 0.0);
         EXPECT_EQ(part.stats().resident, stats.resident);
     }
     EXPECT_EQ(test::differingPixels(picture.pixels(), first), 0u);
 
-    // The nearest ground, at the bottom of the picture, is as it was; and the grass is as dense:
-    // the mean of the picture stays.
+    // The nearest ground, at the bottom of the picture, is unchanged. The density is equal: the
+    // mean of the picture stays.
     const std::size_t near = std::size_t(size.x) * 4 * (size.y - size.y / 8);
     const std::vector<std::byte> nearExpected(expected.begin() + near, expected.end());
     const std::vector<std::byte> nearPixels(first.begin() + near, first.end());
@@ -193,8 +193,8 @@ TEST_F(StreamingTest, ThinsOutWhatDoesNotFitAndKeepsTheNearest)
     EXPECT_NEAR(sum[1] / sum[0], 1.0, 0.03);
 }
 
-/// Draws frames with some of them in flight, and tells what the last picture was. `cameraAt` is
-/// asked with the share of the way, `step` [s].
+/// Draws frames with some of them in flight; returns the last picture. `cameraAt` gets the share of
+/// the path, `step` [s].
 template <typename CameraAt>
 std::vector<std::byte> play(const gpu::DeviceContext& context, FieldRenderer& renderer,
                             std::uint32_t framesInFlight, double step, const CameraAt& cameraAt)
@@ -268,7 +268,7 @@ TEST_F(StreamingTest, TakesAQueueForCopiesWhereThereIsOne)
     const gpu::Device own(instance(), {.wantsCopyQueue = true});
     gpu::DeviceContext both = own.context();
     if (both.copyQueue == VK_NULL_HANDLE) {
-        // Where there is no other, the same does it: nobody else uses it meanwhile.
+        // Without a second queue use the same one; no other thread uses it here.
         both.copyQueue = both.queue;
         both.copyQueueFamily = both.queueFamily;
     }
@@ -278,7 +278,7 @@ TEST_F(StreamingTest, TakesAQueueForCopiesWhereThereIsOne)
     FieldRenderer part(both, field::viewOf(meadow()), wanted);
     play(both, part, 2, 0.0, flying);
 
-    // Whatever has come and gone, what is seen at last is as it always is.
+    // The final picture is independent of earlier loads and evictions.
     const auto still = [](double) { return lookingAtCorner(); };
     FieldRenderer whole(both, field::viewOf(meadow()), rasterised());
     const auto expected = play(both, whole, 1, 0.0, still);
@@ -302,14 +302,14 @@ TEST_F(StreamingTest, SaysWhatItNeedsWhereThereIsTooLittle)
     };
     const std::string message = messageWith(std::uint64_t(1) << 20);
     EXPECT_NE(message.find("a budget of 1 MiB"), std::string::npos) << message;
-    // What it names as the least does, and a mebibyte less does not.
+    // The named minimum works, and a mebibyte less does not.
     const std::size_t at = message.find("at least ");
     ASSERT_NE(at, std::string::npos) << message;
     const std::uint64_t least = std::stoull(message.substr(at + 9));
     EXPECT_EQ(messageWith(least << 20), "");
     EXPECT_NE(messageWith((least - 1) << 20), "");
 
-    // Nobody knows of all blades.
+    // Cull results of all blades are unavailable.
     wanted.deviceBytes = budgetWith(0.5, wanted);
     const FieldRenderer part(device(), field::viewOf(meadow()), wanted);
     try {

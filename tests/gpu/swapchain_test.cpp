@@ -23,7 +23,7 @@ struct CloseWindow {
     void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
 };
 
-// A window on an X server of its own. Members go in the reverse order of their making.
+// A window on its own X server. Members are destroyed in reverse order.
 class Stage {
 public:
     Stage()
@@ -67,7 +67,7 @@ private:
     std::unique_ptr<Device> device_;
 };
 
-// Clears the next image, shows it, and says whether there was one.
+// Clears and presents the next image; returns whether there was one.
 bool showFrame(FrameRing& ring, Swapchain& swapchain)
 {
     const std::optional<Swapchain::Target> target = swapchain.acquire();
@@ -114,7 +114,7 @@ TEST(Swapchain, SurvivesResizingAndMinimising)
                               static_cast<int>(size.height));
             glfwPollEvents();
             swapchain.resize(size);
-            // The X server may answer a frame later than it was asked.
+            // The X server may answer a frame late.
             for (int frame = 0; frame < 20 && swapchain.extent().width != size.width; ++frame) {
                 showFrame(ring, swapchain);
                 glfwPollEvents();

@@ -5,7 +5,7 @@
 
 namespace sward::test {
 
-/// Blades as high as a man, close together: each hides dozens behind it, and covers many pixels.
+/// Dense blades of a person's height: each hides dozens behind it, and covers many pixels.
 field::Field thicket();
 
 /// A walk through it, with turns.

@@ -17,7 +17,7 @@ using testing::ElementsAre;
 
 class TimestampsTest : public test::GpuTest {
 protected:
-    // Something that takes the device a while.
+    // Work that takes the device some time.
     static void work(VkCommandBuffer commands, const Buffer& buffer)
     {
         anythingToTransfer(commands);
@@ -67,7 +67,7 @@ TEST_F(TimestampsTest, MeasureNamedPartsThatFitIntoTheWhole)
         // The counters are whole ticks, so sums may be off by two of them.
         EXPECT_LE(first[i] + second[i], total[i] + 2e-6 * double(context().limits.timestampPeriod));
     }
-    // All of it happened while the CPU waited; the clocks may differ by a thousandth.
+    // The CPU waited for all of it; the clocks may differ by a thousandth.
     EXPECT_LE(std::accumulate(total.begin(), total.end(), 0.0), 1.001 * wall.count());
     EXPECT_EQ(timestamps.statistics("total").count, std::size_t(frames));
     EXPECT_TRUE(timestamps.history("third").empty());

@@ -3,10 +3,10 @@
 #include "core/embedded.h"
 #include "field/field.h"
 #include "gpu/shader_library.h"
-#include "render/field_buffers.h"
-#include "render/frame_tables.h"
-#include "render/update_cull_pass.h"
-#include "render/walk_pass.h"
+#include "render/cull/field_buffers.h"
+#include "render/cull/update_cull_pass.h"
+#include "render/cull/walk_pass.h"
+#include "render/field/frame_tables.h"
 #include "shaders/shared/frame.h"
 
 #include <span>
@@ -14,14 +14,14 @@
 
 namespace sward::test {
 
-/// Runs the walk and the update and cull pass of the product by themselves on one field.
+/// Runs the product's walk and its update and cull pass alone on one field.
 class UpdateBench {
 public:
     struct Settings {
         std::uint32_t walkStart = 8;
-        bool recordCullResults = true; ///< else nobody is told of each blade, only of their numbers
-        std::uint32_t groups = 0; ///< work-groups that share all patches; 0: as many as the product
-        bool hasAllFeatures = true; ///< else shaders have code for what a frame asks for alone
+        bool recordCullResults = true; ///< else only the counts are recorded
+        std::uint32_t groups = 0;      ///< work-groups for all patches; 0: the product's number
+        bool hasAllFeatures = true;    ///< else shaders contain only the frame's features
     };
 
     UpdateBench(const gpu::DeviceContext& context, const field::FieldView& field,
@@ -33,14 +33,14 @@ public:
 
     struct Result {
         std::vector<shared::BladeState> states;
-        std::vector<std::uint32_t> cullResults;    ///< if they are recorded
-        std::vector<shared::VisibleBlade> visible; ///< only those that are listed
+        std::vector<std::uint32_t> cullResults;    ///< if recorded
+        std::vector<shared::VisibleBlade> visible; ///< only listed blades
         shared::DrawArguments draw;
     };
 
-    /// One pass at `frame.time` over blades in `states` that were last moved `elapsed` [s] before,
-    /// in the settings' wind and among their colliders, which move from where they were `elapsed`
-    /// before. Addresses and counts of the frame are filled in.
+    /// One pass at `frame.time` over blades in `states` last moved `elapsed` [s] before, in the
+    /// settings' wind and among their colliders, which move from their positions `elapsed` before.
+    /// Fills in addresses and counts of the frame.
     Result run(shared::Frame frame, const render::FrameSettings& settings,
                std::span<const shared::BladeState> states, float elapsed,
                render::UpdateCullPass::Scope scope);

@@ -16,8 +16,8 @@ namespace {
 using testing::ContainsRegex;
 using testing::HasSubstr;
 
-// Proof that silence of the log means something: each misuse is recorded, looked for, and never
-// submitted.
+// Shows that the validation log detects errors: each misuse is recorded, found in the log, and
+// never submitted.
 class ValidationTest : public test::GpuTest {
 protected:
     static Buffer createBuffer(const std::string& name,

@@ -16,7 +16,7 @@ VirtualDisplay::VirtualDisplay()
     if (::pipe(pipe.data()) != 0)
         throw std::runtime_error("no pipe to Xvfb");
 
-    // Let the server pick a free number and write it into the pipe once it is ready.
+    // The server picks a free number and writes it to the pipe when it is ready.
     const std::string writeEnd = std::to_string(pipe[1]);
     server_ = fork();
     if (server_ == 0) {

@@ -6,7 +6,7 @@
 
 namespace sward::test {
 
-/// An X server without a screen, for as long as it lives.
+/// An X server without a screen; the destructor ends it.
 class VirtualDisplay {
 public:
     /// Throws std::runtime_error if Xvfb does not start.
@@ -15,7 +15,7 @@ public:
     VirtualDisplay& operator=(const VirtualDisplay&) = delete;
     ~VirtualDisplay();
 
-    /// What DISPLAY must be to reach it.
+    /// Value of DISPLAY for it.
     const std::string& name() const { return name_; }
 
 private:

@@ -1,13 +1,13 @@
-// How many visible patches there can be at most, as the host tells it: never too few, or blades
-// would be missing in the picture, and not many more than there are, or it would be of no use.
+// The host's upper bound on visible patches: never too small, because blades would be missing, and
+// not much larger than the actual number.
 
 #include "core/random.h"
 #include "gpu/upload.h"
 #include "render/camera.h"
-#include "render/field_buffers.h"
+#include "render/cull/field_buffers.h"
+#include "render/cull/visible_patch_bound.h"
+#include "render/field/patch_tree.h"
 #include "render/frame.h"
-#include "render/patch_tree.h"
-#include "render/visible_patch_bound.h"
 #include "shaders/shared/visibility.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
@@ -25,7 +25,7 @@ constexpr std::uint64_t seed = 29;
 constexpr glm::uvec2 size(320, 180);
 constexpr std::size_t allNodes = std::numeric_limits<std::size_t>::max();
 
-/// In a cube of 10 m, around it, and so far away that most blades are thinned out.
+/// Cameras in a cube of 10 m, around it, and far enough that most blades are thinned out.
 Camera randomCamera(std::uint64_t index)
 {
     const auto at = [index](double reach, std::uint32_t dimension) {
@@ -52,7 +52,7 @@ shared::Eyepoint viewOf(const field::FieldView& field, std::uint64_t camera, boo
         .view;
 }
 
-/// As a walk from the root finds them if nothing is hidden.
+/// Number of patches found by a walk from the root without occlusion.
 std::uint64_t visiblePatches(const field::FieldView& field, const shared::Eyepoint& view,
                              bool toldOfEach)
 {
@@ -142,7 +142,7 @@ TEST_F(RoundsTest, AreAsManyAsTheVisiblePatchesMayFill)
 
     shared::Frame everywhere = {};
     EXPECT_EQ(buffers.roundCount(everywhere, nonEmptyPatches), (nonEmptyPatches + 2) / 3);
-    // No more than are in memory.
+    // At most the resident number.
     EXPECT_EQ(buffers.roundCount(everywhere, 7), 3u);
     EXPECT_EQ(buffers.roundCount(everywhere, 0), 1u);
     // Away from the field, and to a corner of it.

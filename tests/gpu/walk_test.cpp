@@ -1,10 +1,10 @@
-// The walk down the patch tree: it finds what looking at every patch would find, and counts the
+// The walk down the patch tree finds the same patches as a test of every patch, and counts the
 // rest.
 
 #include "core/random.h"
 #include "render/camera.h"
+#include "render/field/patch_tree.h"
 #include "render/frame.h"
-#include "render/patch_tree.h"
 #include "shaders/shared/visibility.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
@@ -26,7 +26,7 @@ constexpr std::uint32_t everything = shared::cullPatch | shared::cullOrientation
                                      shared::cullFrustum | shared::cullDistance |
                                      shared::leaveThinned;
 
-/// Cameras in a cube of 10 m, around it, and so far away that most blades are thinned out.
+/// Cameras in a cube of 10 m, around it, and far enough that most blades are thinned out.
 Camera randomCamera(std::uint64_t index)
 {
     const auto at = [index](double reach, std::uint32_t dimension) {
@@ -140,8 +140,8 @@ TEST_F(WalkTest, FindsTheSameWhereverItBegins)
     }
 }
 
-/// The counts, with blades that are thinned out and those of patches that nobody sees in one: below
-/// a node that is thinned out nobody asks who is seen.
+/// The counts, with thinned-out blades and blades of invisible patches in one number: below a
+/// thinned-out node, visibility is not tested.
 std::array<std::uint32_t, shared::cullResultCount> joined(const shared::DrawArguments& draw)
 {
     std::array<std::uint32_t, shared::cullResultCount> counts{};
@@ -170,7 +170,7 @@ TEST_F(WalkTest, CountsTheSameWhetherOrNotEachBladeIsToldOf)
         spared += field_.blades.size() - result.draw.simulated;
     }
     EXPECT_GT(thinned, 1000u);
-    // What is thinned out is not even moved.
+    // Thinned-out blades are not moved.
     EXPECT_GT(spared, thinned / 2);
 }
 

@@ -22,7 +22,7 @@ class Bundle(unittest.TestCase):
         cls.made = Path(folder.name) / "made"
         done = subprocess.run([ROOT / "scripts/bundle", "--build", BUILD, "--out", cls.made], capture_output=True, text=True)
         assert done.returncode == 0, done.stdout + done.stderr
-        # Nobody will find it where it was made.
+        # Move it away from its build folder.
         cls.bundle = Path(folder.name) / "else where"
         cls.made.rename(cls.bundle)
 

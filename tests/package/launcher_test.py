@@ -9,7 +9,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 COMPILER = os.environ.get("SWARD_TEST_CXX", "c++")
-# Symbol versions of the small library that stands for those of a driver.
+# Symbol versions of the small library that represents a driver's libraries.
 OLD = "V1 { global: first; local: *; };\n"
 NEW = OLD + "V2 { global: second; } V1;\n"
 

@@ -1,4 +1,4 @@
-// A host that is not linked with Vulkan's loader, and finds it when it runs.
+// A host that loads Vulkan's loader at run time instead of linking it.
 #include <dlfcn.h>
 #include <glm/ext/matrix_transform.hpp>
 #include <sward/field/read.h>

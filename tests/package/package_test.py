@@ -267,7 +267,7 @@ class DebianPackages(GuestTest):
         self.assertEqual(self.run_here(root / "bin/sward-view", "--version"), "sward-view 0.1.0\n")
         self.assertTrue((root / "lib/cmake/sward/swardConfig.cmake").is_file())
         self.assertTrue((root / "include/sward/render/field_renderer.h").is_file())
-        # Debugging information would be ten times of what is needed.
+        # Debug information would be ten times larger.
         self.assertLess(sum(file.stat().st_size for file in root.rglob("*")), 60e6)
 
 
@@ -321,7 +321,7 @@ class Embed(GuestTest):
         picture = self.picture_of(field)
         self.assert_looks_as_accepted(picture)
 
-        # Sky behind; the post in front of some grass and behind other.
+        # Background sky; a post in front of some grass and behind other grass.
         red, _, blue = picture.getpixel((320, 20))
         self.assertGreater(blue, red)
         soil = list(picture.crop((30, 90, 320, 230)).getdata())

@@ -22,7 +22,7 @@ class SiteTest(unittest.TestCase):
         for wanted in ("Sward in your engine", "Resource states", "Level of detail",
                        "The field file", "FieldRenderer::record", "readField"):
             self.assertIn(wanted, everything)
-        # The gallery: what a page shows lies beside it, where two of one name would be one.
+        # Gallery: images are in the page's folder, so their names must be unique.
         shown = set(re.findall(r'<img src="([^"]+)"', everything))
         self.assertIn("landscape.jpg", shown)
         names = [path.name for path in (SOURCE / "docs").glob("**/*.[jp][pn]g")]

@@ -1,9 +1,9 @@
 #include "support/meshes.h"
 
 #include "core/exact_math.h"
-#include "terrain/heightfield.h"
-#include "terrain/primitives.h"
-#include "terrain/soup.h"
+#include "terrain/heightmap/heightfield.h"
+#include "terrain/procedural/primitives.h"
+#include "terrain/topology/soup.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -122,7 +122,7 @@ GroundMesh moebius(std::uint32_t segments)
     for (std::uint32_t i = 0; i < segments; ++i) {
         const std::uint32_t a = 2 * i;
         const std::uint32_t b = a + 1;
-        // After one turn the sides have changed places.
+        // After one turn the sides are swapped.
         const bool last = i + 1 == segments;
         const std::uint32_t c = last ? 1 : a + 2;
         const std::uint32_t d = last ? 0 : a + 3;

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-/// Small grounds whose every property can be told by hand. All are valid, with normals, one
-/// material "ground" and one node "ground", everything bearing.
+/// Small grounds with properties known by hand. All are valid, with normals, one material "ground"
+/// and one node "ground", everything bearing.
 namespace sward::meshes {
 
 /// Ground of these corners; its normals come from topology.

@@ -69,7 +69,7 @@ class BenchTest(unittest.TestCase):
         self.assertFalse((self.folder / "far.sward").exists())
         self.assertGreater(near["blades"]["drawn"], 0)
         self.assertEqual((far["blades"]["resident"], far["blades"]["drawn"]), (BLADES, 0))
-        # What it does not say is that of the other.
+        # Missing keys come from the other scene.
         self.assertGreater(self.stats("far.json", "--fields", ".", "--moving")["blades"]["drawn"], 0)
 
     def test_the_command_line_wins_over_a_scene(self):
@@ -146,7 +146,7 @@ class BenchTest(unittest.TestCase):
             self.assertEqual(tuple(run["stats"]["size"]), size)
             for name, times in run["stats"]["gpu_ms"].items():
                 self.assertTrue(0 <= times["min"] <= times["median"] <= times["p99"], f"{name}: {times}")
-        # What was kept is enough to draw it again.
+        # The kept field suffices to draw it again.
         self.run_script("--redraw", out / "measured.json", "--out", self.folder / "again")
         names = {path.name for path in out.iterdir()}
         self.assertEqual(names - {"measured.json"}, {path.name for path in (self.folder / "again").iterdir()})
@@ -196,7 +196,7 @@ class BenchTest(unittest.TestCase):
         self.assertEqual([run["x"] for run in runs], [1, 4, 16, 1, 4, 16])
         self.assertEqual(len(self.marks(out / "growth.svg", "circle")), len(runs))
         self.assertIn("| outside, 1× |", text)
-        # Whoever looks outwards sees the same ground however much lies behind: three fields, not six.
+        # A camera that looks outwards sees the same ground for any field size: three fields, not six.
         self.assertEqual({path.name for path in self.folder.glob("*.sward")}, {"1M.sward", "growth-outside-4.sward", "16M.sward"})
 
     def test_time_against_drawn_blades_has_more_of_them_the_farther_they_are_drawn(self):
@@ -226,7 +226,7 @@ class BenchTest(unittest.TestCase):
         self.assertEqual(len(self.marks(out / "culling-other.svg", "rect", **{"class": "bar"})) % len(runs), 0)
 
     def test_coverage_is_told_by_bands_of_distance_that_add_up(self):
-        # Of some hundred pixels with grass a single sample each says too little.
+        # One sample for each of a few hundred grass pixels is too noisy.
         runs, text, _ = self.measured("coverage", "other", blades=10 * BLADES, size=(160, 90))
         for run in runs:
             found, reference = run["coverage"]["found"], run["coverage"]["reference"]

@@ -1,4 +1,4 @@
-#include "apps/sward_view/bookmarks.h"
+#include "apps/sward_view/window/bookmarks.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

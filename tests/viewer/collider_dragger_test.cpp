@@ -1,4 +1,4 @@
-#include "apps/sward_view/collider_dragger.h"
+#include "apps/sward_view/window/collider_dragger.h"
 #include "support/fields/fields.h"
 
 #include <glm/geometric.hpp>
@@ -15,7 +15,7 @@ glm::dvec3 upright(const glm::dvec3&)
 }
 
 /// A ball on a level square, seen from above at an angle.
-class ColliderHandTest : public testing::Test {
+class ColliderDraggerTest : public testing::Test {
 protected:
     Sight towards(const glm::dvec3& place) const
     {
@@ -38,13 +38,13 @@ protected:
     double time_ = 0.0;
 };
 
-TEST_F(ColliderHandTest, TakesOnlyWhatItPointsAt)
+TEST_F(ColliderDraggerTest, TakesOnlyWhatItPointsAt)
 {
     EXPECT_FALSE(hand_.grab(balls_, towards({3.0, 0.0, 0.0}), ground_, time_));
     EXPECT_TRUE(hand_.grab(balls_, towards({0.1, 0.5, 0.0}), ground_, time_));
 }
 
-TEST_F(ColliderHandTest, LaysTheBallOnTheGroundBelowTheMouse)
+TEST_F(ColliderDraggerTest, LaysTheBallOnTheGroundBelowTheMouse)
 {
     ASSERT_TRUE(hand_.grab(balls_, towards({0.0, 0.45, 0.0}), ground_, time_));
     hand_.drag(towards({2.0, 0.0, 1.0}), ground_, upright);
@@ -52,7 +52,7 @@ TEST_F(ColliderHandTest, LaysTheBallOnTheGroundBelowTheMouse)
     EXPECT_LT(glm::distance(middle(), glm::dvec3(2.0, 0.45, 1.0)), 1e-6);
 }
 
-TEST_F(ColliderHandTest, TellsTheShadersHowFastItMoves)
+TEST_F(ColliderDraggerTest, TellsTheShadersHowFastItMoves)
 {
     ASSERT_TRUE(hand_.grab(balls_, towards({0.0, 0.45, 0.0}), ground_, time_));
     hand_.drag(towards({0.3, 0.0, 0.0}), ground_, upright);
@@ -62,7 +62,7 @@ TEST_F(ColliderHandTest, TellsTheShadersHowFastItMoves)
     EXPECT_NEAR(static_cast<double>(seen.velocity.x), 0.3 / dt, 0.01 / dt);
 }
 
-TEST_F(ColliderHandTest, RollsOnWhenItIsThrownAndComesToRest)
+TEST_F(ColliderDraggerTest, RollsOnWhenItIsThrownAndComesToRest)
 {
     ASSERT_TRUE(hand_.grab(balls_, towards({0.0, 0.45, 0.0}), ground_, time_));
     for (int i = 1; i <= 20; ++i) {
@@ -83,7 +83,7 @@ TEST_F(ColliderHandTest, RollsOnWhenItIsThrownAndComesToRest)
     EXPECT_LT(rested.x, x + 3.0);
 }
 
-TEST_F(ColliderHandTest, LeavesTheBallWhereItIsLetGoAtRest)
+TEST_F(ColliderDraggerTest, LeavesTheBallWhereItIsLetGoAtRest)
 {
     ASSERT_TRUE(hand_.grab(balls_, towards({0.0, 0.45, 0.0}), ground_, time_));
     for (int i = 0; i < 60; ++i) {

@@ -1,7 +1,7 @@
 // The keys `culling` and `detail` of settings files: what they set, and what they refuse.
 #include "core/error.h"
 #include "core/settings_json.h"
-#include "render/detail_settings.h"
+#include "render/settings/detail_settings.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -154,7 +154,7 @@ class DetailTest(unittest.TestCase):
 
     def test_segments_of_a_file_are_seen(self):
         self.bake("plane", "--count", 300, "--blade-scale", 6)
-        # The tessellator shows that of two blades at one depth which comes first in the list.
+        # Of two blades at equal depth, the tessellator shows the first in the list.
         def picture(**detail):
             return self.render("--camera", "eye", "--geometry", "raster", "--settings", self.file("s1.json", {"detail": detail, "wind": []}))
         one, seven = picture(segments=1), picture(segments=7)

@@ -37,7 +37,7 @@ def drop(display_name, window, uris):
     send("XdndPosition", [0, (300 << 16) | 300, 0, atom("XdndActionCopy")])
     send("XdndDrop", [0, 0, 0, 0])
 
-    # Hand the list over when it is asked for, and wait for the thanks.
+    # Send the list on request, and wait for the confirmation.
     text = "".join(uri + "\r\n" for uri in uris).encode()
     end = time.monotonic() + PATIENCE
     while time.monotonic() < end:

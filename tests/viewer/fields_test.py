@@ -57,7 +57,7 @@ class FieldsTest(unittest.TestCase):
                               f"{total} blades are shown")
 
     def drop(self, viewer, *paths):
-        # In a process of its own: Xlib ends the whole program when something is wrong.
+        # Use a separate process: Xlib ends the whole program on an error.
         subprocess.run([sys.executable, Path(__file__).with_name("drop.py"), self.display.name,
                         viewer.window.number, *(path.as_uri() for path in paths)], check=True)
 
@@ -80,7 +80,7 @@ class FieldsTest(unittest.TestCase):
     def test_one_is_dropped_beside_the_rest(self):
         viewer = self.open(self.hills)
         before = viewer.shows("Field/File")
-        # Without Shift it takes the place of the rest, with it, it comes beside it.
+        # A drop without Shift replaces the fields, with Shift it adds to them.
         self.display.xdotool("mousemove", "--window", viewer.window.number, 600, 300)
         self.display.xdotool("keydown", "Shift_L")
         viewer.wait_frames(2)
@@ -148,7 +148,7 @@ class FieldsTest(unittest.TestCase):
         self.wait_for_total(viewer, 1800)
         bake("plane", 400, moving)
         self.wait_for_total(viewer, 1900)
-        # What is grown again takes the place of the one that is chosen.
+        # A rebake replaces the chosen field.
         viewer.click("Field/Show 1", 0.2)
         viewer.press("Ground", panel="Meadow")
         viewer.display.xdotool("type", "--window", viewer.window.number, "--delay", "150", "plane")

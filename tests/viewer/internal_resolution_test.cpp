@@ -9,7 +9,7 @@ namespace {
 
 constexpr double wanted = 0.1; ///< [s]
 
-/// The scale after `frames` frames on a device that takes `fixed` and, for all pixels, `pixels`.
+/// The scale after `frames` frames on a device with time `fixed` plus `pixels` for all pixels.
 double settled(InternalResolution& resolution, double fixed, double pixels, int frames = 200)
 {
     for (int i = 0; i < frames; ++i)

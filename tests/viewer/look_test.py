@@ -73,10 +73,10 @@ class LookTest(unittest.TestCase):
         evening = self.render({"clouds": 0, "sun": {"azimuth": 180, "elevation": 4}})
         self.assertLess(sum(evening), sum(usual))
         self.assertGreater(self.render({"clouds": 1})[0], usual[0])
-        # Air without end: one colour, that of the sky near the horizon, whatever grows.
+        # Dense air: one colour, that of the sky near the horizon, with any ground.
         fog = self.render({"clouds": 0, "fog": 10})
         self.assertGreater(fog[2], usual[2])
-        # A sky below: what was the horizon is haze.
+        # An inverted up-vector: the sky is below, and the former horizon is haze.
         self.assertNotEqual(self.render({"clouds": 0, "up": [0, -1, 0]}), usual)
 
     def test_a_wrong_look_is_refused_by_name(self):

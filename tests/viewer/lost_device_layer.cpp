@@ -1,5 +1,5 @@
-// A Vulkan layer under which the device is lost: so many submissions as SWARD_LOST_AFTER says go
-// through, then nothing more does. For one device at a time, which is all that our programs have.
+// A Vulkan layer that simulates a lost device: SWARD_LOST_AFTER submissions succeed, then all calls
+// fail. Supports one device at a time, which suffices for our programs.
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
@@ -9,7 +9,7 @@
 
 namespace {
 
-// Of the next layer, or the driver.
+// Entry point of the next layer or the driver.
 PFN_vkGetInstanceProcAddr nextInstanceProc = nullptr;
 PFN_vkGetDeviceProcAddr nextDeviceProc = nullptr;
 VkDevice theDevice = VK_NULL_HANDLE;
@@ -26,7 +26,7 @@ bool isLost()
     return submissionsLeft <= 0;
 }
 
-// What the device is still about must end, since in truth it goes on.
+// Wait for running work, because the real device continues.
 VkResult lost()
 {
     next<PFN_vkDeviceWaitIdle>("vkDeviceWaitIdle")(theDevice);

@@ -1,5 +1,5 @@
-"""What becomes of the programs when the device is lost: a message, exit code 4, nothing half written.
-A layer of our own plays the driver that gives up, after so many submissions."""
+"""The programs report a lost device by a message and exit code 4, and leave no partial file.
+Our own layer simulates the loss after a number of submissions."""
 
 import os
 import subprocess

@@ -108,7 +108,7 @@ class OpeningTest(unittest.TestCase):
     def test_the_window_is_there_in_a_second_and_usable_before_its_field(self):
         begin = time.monotonic()
         viewer = self.open("hills", field=False)
-        # Nothing of what takes long comes before it: it takes a tenth of that.
+        # No slow work precedes the window: it opens in a tenth of this limit.
         self.assertLess(time.monotonic() - begin, 1.0)
         baker = viewer.wait(lambda: self.child_of(viewer), "the baker runs")
         os.kill(baker, signal.SIGSTOP)
@@ -147,7 +147,7 @@ class OpeningTest(unittest.TestCase):
         self.assert_ends_well(viewer)
 
     def test_a_disk_that_is_full_ends_a_bake_and_harms_nothing(self):
-        # No file may grow beyond a limit; that says so, since the signal for it stays ignored.
+        # Limit the file size; writing then fails with an error, because the signal stays ignored.
         viewer = self.open(self.field, restore_signals=False)
         self.set_ground(viewer, "hills")
         _, most = resource.prlimit(viewer.process.pid, resource.RLIMIT_FSIZE)
@@ -168,7 +168,7 @@ class OpeningTest(unittest.TestCase):
         viewer = self.open("--panel", "field", field=False)
         for file in (self.field, self.mesh):
             with self.subTest(file=file.name):
-                # In a process of its own: Xlib ends the whole program when something is wrong.
+                # Use a separate process: Xlib ends the whole program on an error.
                 subprocess.run([sys.executable, Path(__file__).with_name("drop.py"),
                                 self.display.name, viewer.window.number, file.as_uri()], check=True)
                 viewer.wait_for_value("Field/File", lambda shown: shown == str(file),
@@ -181,7 +181,7 @@ class OpeningTest(unittest.TestCase):
         subprocess.run([SWARD, "bake", "hills", "--count", "700", "--blade-scale", "8", "-o",
                         self.field, "--force", "-q"], check=True)
         viewer.wait_for_value("Field/Blades", lambda shown: shown == "700", "it shows the new one")
-        # Damaged, then gone: the last whole one stays.
+        # A damaged, then deleted file: the last valid field stays.
         other = self.folder / "damaged"
         other.write_bytes(self.field.read_bytes()[:2000])
         other.rename(self.field)
@@ -194,7 +194,7 @@ class OpeningTest(unittest.TestCase):
     def test_a_file_that_is_cut_and_removed_while_it_is_shown_harms_nothing(self):
         viewer = self.open(self.field, "--camera", "top", "--panel", "field")
         viewer.key("space")
-        # In place, as `cp` does it: whoever had only mapped the file would end by a signal.
+        # Overwrite in place, as `cp` does: a program that maps the file would get a signal.
         os.truncate(self.field, 100)
         for x in range(450, 700, 16):
             viewer.click_at(x, 260)
@@ -215,7 +215,7 @@ class OpeningTest(unittest.TestCase):
         viewer = self.open(mesh, "--meadow", meadow, "--watch", "--panel", "field")
         blades = viewer.shows("Field/Blades")
         self.assertIn("Field/bluegrass", viewer.controls())
-        # Other grass, as high as before: what was sown is told by its species.
+        # Other grass of the same height: the species identify the meadow.
         text = meadow.read_text()
         meadow.write_text(text.replace('"bluegrass"', '"moorgrass"'))
         viewer.wait(lambda: "Field/moorgrass" in viewer.controls(), "the other meadow is sown")

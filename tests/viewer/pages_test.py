@@ -98,7 +98,7 @@ class HelpTest(unittest.TestCase):
                     self.assertNotRegex(option.usage, r"\b(INT|UINT|FLOAT|TEXT)\b")
 
     def test_stated_defaults_are_the_defaults(self):
-        # What is said in words has no spelling on the command line.
+        # Prose values have no command-line spelling.
         words = {"unlimited", "any", "all", "auto"}
         plain = said(SWARD, "bake", "plane", "--print-config")
         options = [option for option in self.pages["sward", "bake"].options

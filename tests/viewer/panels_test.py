@@ -63,7 +63,7 @@ class PanelsTest(unittest.TestCase):
         # At eye level, near the draw distance, every test has something to leave out.
         near = self.folder / "near.json"
         near.write_text(json.dumps({"culling": {"draw_distance": 18}}))
-        # What is thin, edge-on or hidden depends on the pixels; a busy machine would change them.
+        # Thin, edge-on and hidden blades depend on the resolution, which changes on a busy machine.
         viewer = self.open(self.field, "--camera", "eye", "--settings", near, "--panel", "culling",
                            "--resolution", "0.4")
         viewer.key("space")
@@ -181,7 +181,7 @@ class PanelsTest(unittest.TestCase):
         viewer.press("Take sequence", panel="Capture")
 
     def test_a_film_is_made_by_ffmpeg(self):
-        # Stands in for it: notes what it is asked for, and writes what it is given.
+        # A replacement for ffmpeg: records its arguments and its input.
         viewer = self.open(self.field, "--panel", "capture", environment=self.ffmpeg(
             'for last; do :; done; echo "$@" >asked.txt; cat >"$last"'))
         self.take_video(viewer)
@@ -248,7 +248,7 @@ class PanelsTest(unittest.TestCase):
     def test_a_bookmark_is_there_in_the_next_run(self):
         calm = (self.field, "--wind-strength", "0", "--panel", "meadow", "--resolution", "0.4")
         viewer = self.open(*calm)
-        # The panel begins with what the field was baked with.
+        # The panel initially shows the settings of the field's bake.
         self.assertEqual((viewer.shows("Meadow/Amount"), viewer.shows("Meadow/Count")),
                          ("count", "1500"))
         home = self.grass(viewer)
@@ -293,7 +293,7 @@ class PanelsTest(unittest.TestCase):
         self.assertEqual(set(kinds), {"", "number", "toggle", "choice", "color", "text", "place",
                                       "compass", "button"})
         self.assertGreater(sum(len(names) for kind, names in kinds.items() if kind), 60)
-        # Numbers without a unit are shares, counts, or say in words what they are.
+        # Numbers without a unit are shares, counts, or described by words.
         for name in ("Wind/1/Strength", "Physics/Recovery", "Look/Azimuth", "Culling/Draw distance",
                      "Colliders/Radius", "Capture/Apart", "Meadow/Slope to"):
             viewer.open_panel(name.split("/")[0])
@@ -311,7 +311,7 @@ class PanelsTest(unittest.TestCase):
     def test_the_key_sheet_has_every_key(self):
         sources = ROOT / "src" / "apps" / "sward_view"
         names = {"ESCAPE": "Escape", "HOME": "Home", "SPACE": "Space", "PERIOD": ".", "TAB": "Tab"}
-        codes = re.findall(r"{GLFW_KEY_(\w+), Key::", (sources / "window.cpp").read_text())
+        codes = re.findall(r"{GLFW_KEY_(\w+), Key::", (sources / "window/window.cpp").read_text())
         self.assertGreater(len(codes), 10)
         viewer = self.open(self.field)
         viewer.key("h")

@@ -1,4 +1,4 @@
-#include "apps/sward_view/reference_sum.h"
+#include "apps/sward_view/headless/reference_sum.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "core/atomic_file.h"
+#include "render/settings/settings_text.h"
 #include "render/settings_file.h"
-#include "render/settings_text.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

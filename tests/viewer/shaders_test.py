@@ -48,7 +48,7 @@ class ShadersTest(unittest.TestCase):
         return red, green, blue
 
     def rewrite(self, path, before, after):
-        # As editors do: another file takes its place.
+        # Replace the file, as editors do.
         text = (self.shaders / path).read_text()
         self.assertIn(before, text)
         new = self.folder / "new"
@@ -60,8 +60,8 @@ class ShadersTest(unittest.TestCase):
         red, green, blue = self.sky()
         self.assertGreater(blue, red)
 
-        # A colour, in a file that stages include.
-        sky = "sky/sky_light.glsl"
+        # Change a colour in an included file.
+        sky = "preview/sky_light.glsl"
         self.rewrite(sky, SUM, SUM + "\n    color *= vec3(1.0, 0.1, 0.1);")
         viewer.wait(lambda: self.sky()[0] > self.sky()[2] + 60, "the sky is red")
 
@@ -75,11 +75,11 @@ class ShadersTest(unittest.TestCase):
         self.assertGreater(self.sky()[0], self.sky()[2] + 60, "the last good picture stays")
 
         # Something right elsewhere does not hide the mistake.
-        self.rewrite("film/film.frag", "#version 460", "#version 460\n")
+        self.rewrite("preview/film.frag", "#version 460", "#version 460\n")
         viewer.wait_frames(20)
         self.assertIn("sky_light.glsl:", viewer.shows("Message/Shaders"))
 
-        # Mended, it goes on.
+        # After the repair it works again.
         self.rewrite(sky, "    this is none\n", "")
         self.rewrite(sky, "vec3(1.0, 0.1, 0.1)", "vec3(0.1, 1.0, 0.1)")
         viewer.wait(lambda: self.sky()[1] > self.sky()[0] + 60, "the sky is green")

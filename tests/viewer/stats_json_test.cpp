@@ -1,4 +1,4 @@
-#include "apps/sward_view/stats_json.h"
+#include "apps/sward_view/headless/stats_json.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -24,7 +24,7 @@ TEST(ThickEnough, LeavesOutOnlyBladesThatHaveNoWidthWhereTheyStand)
     std::size_t left = 0;
     for (const float far : {1.0f, 10.0f, 40.0f, 300.0f, 5000.0f})
         for (const float scale : {150.0f, 900.0f}) {
-            // Of few layers, since there are not many.
+            // Few layers, because there are few blades.
             const Eyepoint view =
                 eyeAt({0.3f * far, 0.05f * far, far}, scale, scale > 500.0f ? 0.01f : 0.0f);
             for (const Patch& cell : field.patches)

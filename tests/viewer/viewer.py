@@ -60,7 +60,7 @@ class Viewer:
                          what)
 
     def wait_frames(self, count):
-        """Until the list of controls was written so many times: as many frames at least."""
+        """Waits until the list of controls was written `count` times: at least as many frames."""
         for _ in range(count):
             before = self.told.stat().st_mtime_ns
             self.wait(lambda: self.told.exists() and self.told.stat().st_mtime_ns != before,

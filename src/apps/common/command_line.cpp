@@ -15,7 +15,7 @@
 namespace sward::apps {
 namespace {
 
-// The innermost command that was named.
+// The innermost command on the command line.
 const CLI::App& chosenApp(const CLI::App& app)
 {
     const CLI::App* chosen = &app;
@@ -42,7 +42,7 @@ std::vector<std::string> knownWords(const CLI::App& app)
     return words;
 }
 
-// Proposes a known word for the first argument that was not expected.
+// Proposes a known word for the first unexpected argument.
 std::string proposal(const CLI::App& app)
 {
     for (const std::string& argument : app.remaining(true)) {
@@ -54,8 +54,8 @@ std::string proposal(const CLI::App& app)
     return {};
 }
 
-// Ends the parsing with a page, which CLI11 prints as it prints a version: with a newline behind
-// it.
+// Ends the parsing by an exception with a page; CLI11 prints it like a version, with a newline
+// after it.
 [[noreturn]] void answer(std::string page)
 {
     if (page.ends_with('\n'))
@@ -71,7 +71,7 @@ void prepareApp(CLI::App& app, const std::string& program)
     app.set_version_flag("--version", versionText(program), "Print the version and exit");
     app.set_help_flag("-h,--help", "Print this help and exit");
     useHelpText(app);
-    // They travel as the version does. In no group, so that --help does not grow by them.
+    // Handled like the version. In no group, so that --help does not list them.
     app.add_flag_callback(
            "--man", [&app, program] { answer(manualPage(app, program)); },
            "Print the manual page and exit")
@@ -88,7 +88,7 @@ std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* 
         app.parse(argc, argv);
         return std::nullopt;
     } catch (const CLI::Success& wanted) {
-        // Help and version travel as exceptions; CLI11 knows their texts.
+        // CLI11 throws help and version as exceptions and prints their texts.
         std::ostringstream out;
         std::ostringstream err;
         app.exit(wanted, out, err);

@@ -20,7 +20,7 @@ constexpr const char* exitCodes =
     ".SH ENVIRONMENT\n"
     ".TP\n.B NO_COLOR\nIf set, nothing is coloured, on a terminal neither.\n";
 
-// Text of roff: a backslash and a dot at the beginning mean something there.
+// Escapes text for roff: backslashes and leading dots are special.
 std::string roff(const std::string& text)
 {
     std::string result;
@@ -43,7 +43,7 @@ std::vector<const CLI::App*> commandsOf(const CLI::App& app)
         [](const CLI::App* command) { return !command->get_name().empty(); });
 }
 
-// Those that --help shows.
+// The options that --help shows.
 std::vector<const CLI::Option*> optionsOf(const CLI::App& app)
 {
     return app.get_options([](const CLI::Option* option) { return !option->get_group().empty(); });
@@ -85,14 +85,14 @@ std::string optionsText(const CLI::App& app)
     return text;
 }
 
-// A footer is set as it is, line by line.
+// Keeps the lines of a footer.
 std::string footerText(const CLI::App& app)
 {
     const std::string footer = app.get_footer();
     return footer.empty() ? "" : ".PP\n.nf\n" + roff(footer) + "\n.fi\n";
 }
 
-// Words that stand in a type or a description as a|b|c or {a,b,c}.
+// Words listed in a type or a description as a|b|c or {a,b,c}.
 std::vector<std::string> wordsOf(const CLI::Option& option)
 {
     std::vector<std::string> words;
@@ -117,7 +117,7 @@ std::string joined(const std::vector<std::string>& words, const char* between)
     return text;
 }
 
-// The words that may stand behind an app's name, and those behind its options.
+// The words that may follow an app's name, and those that may follow its options.
 std::string completionCase(const CLI::App& app, const std::string& name)
 {
     std::vector<std::string> options;

@@ -8,7 +8,7 @@ class App;
 
 namespace sward::apps {
 
-// What a terminal offers beside --help, made from the same texts.
+// Manual page and completion, generated from the texts of --help.
 
 /// The manual page in roff (man 7), with all commands.
 std::string manualPage(const CLI::App& app, const std::string& program);

@@ -10,9 +10,9 @@ namespace sward::apps {
 namespace {
 
 constexpr std::size_t columns = 80;
-constexpr std::size_t textColumn = 28; ///< where descriptions begin
+constexpr std::size_t textColumn = 28; ///< first column of descriptions
 
-// The words of `text` in lines that begin at `indent`, all but the first, and end before the last
+// Wraps `text` into lines that begin at `indent`, all but the first, and end before the last
 // column.
 std::string wrapped(const std::string& text, std::size_t indent)
 {
@@ -34,7 +34,7 @@ std::string wrapped(const std::string& text, std::size_t indent)
     return result + "\n";
 }
 
-// A name and what it means, side by side if the name is short.
+// A name and its description, on one line if the name is short.
 std::string entry(const std::string& name, const std::string& text)
 {
     const std::string left = "  " + name;
@@ -61,7 +61,7 @@ bool isPositional(const CLI::Option* option)
     return option->get_positional() && option->get_lnames().empty() && option->get_snames().empty();
 }
 
-// Those of no group are hidden.
+// Options without a group are hidden.
 std::vector<const CLI::Option*> optionsIn(const CLI::App& app, const std::string& group)
 {
     return app.get_options([&group](const CLI::Option* option) {
@@ -91,7 +91,7 @@ std::string groupText(const CLI::App& app, const std::string& group)
     std::string text;
     for (const CLI::Option* option : optionsIn(app, group))
         text += entry(nameAndValue(*option), describe(*option));
-    // Newer versions of CLI11 shout the name of the group that nobody names.
+    // Newer versions of CLI11 call the default group "OPTIONS".
     return text.empty() ? text : "\n" + (group == "OPTIONS" ? "Options" : group) + ":\n" + text;
 }
 
@@ -107,7 +107,7 @@ public:
         if (!positionals.empty())
             text += "\nArguments:\n" + positionals;
 
-        // The group of --help comes last where nothing else is in it.
+        // Print the group of --help last if it holds nothing else.
         const std::string general = app->get_help_ptr()->get_group();
         std::vector<std::string> groups = app->get_groups();
         const std::size_t always = app->get_version_ptr() == nullptr ? 1 : 2;

@@ -9,16 +9,15 @@ class Option;
 
 namespace sward::apps {
 
-/// Makes --help of `app`, and of the commands that are added to it afterwards, a page of 80 columns
-/// whose form does not depend on the version of CLI11.
+/// Sets the --help format of `app` and of commands added afterwards: 80 columns, independent of the
+/// version of CLI11.
 void useHelpText(CLI::App& app);
 
-/// What stands in for the value of an option, or for a positional: "MIN:MAX", "FILE...". Empty for
-/// a flag.
+/// Placeholder of the value of an option or positional: "MIN:MAX", "FILE...". Empty for a flag.
 std::string valueName(const CLI::Option& option);
 
-/// The description of an option, then in brackets whether it is required, its default, the options
-/// that exclude it and its environment variable.
+/// The description of an option. Brackets add: required, its default, the options that exclude it,
+/// its environment variable.
 std::string describe(const CLI::Option& option);
 
 } // namespace sward::apps

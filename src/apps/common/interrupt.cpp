@@ -10,7 +10,7 @@
 namespace sward::apps {
 namespace {
 
-// A signal handler takes no argument, so what it touches has to live here.
+// Global, because a signal handler takes no argument.
 std::atomic<bool> requested = false;
 std::atomic<Progress*> watched = nullptr;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<Progress*>::is_always_lock_free,
@@ -18,7 +18,7 @@ static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<Progress*>::
 
 extern "C" void onSignal(int number)
 {
-    // The second signal meets the default action, for work that does not listen.
+    // Restore the default action, so that a second signal ends work that does not poll the flag.
     std::signal(number, SIG_DFL);
     requested.store(true);
     if (Progress* progress = watched.load())
@@ -53,7 +53,7 @@ void throwIfInterrupted(const char* stage)
 CancelOnInterrupt::CancelOnInterrupt(Progress& progress)
 {
     expect(watched.exchange(&progress) == nullptr, "one Progress at a time listens to signals");
-    // A signal that came before this moment counts too.
+    // A signal before this moment counts too.
     if (interruptRequested())
         progress.cancel();
 }

@@ -6,8 +6,8 @@ class Progress;
 
 namespace sward::apps {
 
-/// While it lives, SIGINT and SIGTERM raise a flag instead of ending the program; a second signal
-/// ends it at once. One at a time, made by runProgram().
+/// During its lifetime, SIGINT and SIGTERM set a flag instead of ending the program; a second
+/// signal ends it immediately. One at a time, made by runProgram().
 class InterruptFlag {
 public:
     InterruptFlag();
@@ -16,13 +16,13 @@ public:
     ~InterruptFlag();
 };
 
-/// Whether a signal has asked the program to end.
+/// Whether a signal was received.
 bool interruptRequested() noexcept;
 
-/// Throws Error{interrupted} if a signal has asked the program to end; `stage` says during what.
+/// Throws Error{interrupted} if a signal was received; `stage` names the current work.
 void throwIfInterrupted(const char* stage);
 
-/// While it lives, a signal also cancels `progress`, so that work in a library stops. One at a
+/// During its lifetime, a signal also cancels `progress`, so that library work stops. One at a
 /// time.
 class CancelOnInterrupt {
 public:

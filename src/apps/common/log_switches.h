@@ -6,7 +6,7 @@ class App;
 
 namespace sward::apps {
 
-/// -q and -v, and what becomes of the progress bar. Stays where it is while a CLI::App knows it.
+/// The switches -q, -v and --progress. Must not move while a CLI::App refers to it.
 struct LogSwitches {
     enum class Bar { automatic, always, never };
 
@@ -20,7 +20,7 @@ struct LogSwitches {
     /// Adds --progress auto|always|never to `app`.
     void addBar(CLI::App& app);
 
-    /// Sets the level of the log accordingly.
+    /// Sets the log level.
     void apply() const;
 
     /// Whether a progress bar is to be shown: in `automatic` only on a terminal.

@@ -11,7 +11,7 @@ namespace sward::apps {
 
 void writeResult(std::string_view text)
 {
-    // Both streams may be one terminal.
+    // Clear the status line: both streams may be the same terminal.
     log::setStatusLine("");
     const bool written =
         std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;

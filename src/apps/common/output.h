@@ -4,7 +4,7 @@
 
 namespace sward::apps {
 
-/// Writes a result to stdout. Throws Error{io} if stdout does not take it (a full disk).
+/// Writes a result to stdout. Throws Error{io} if writing fails (a full disk).
 void writeResult(std::string_view text);
 
 } // namespace sward::apps

@@ -9,7 +9,7 @@
 namespace sward::apps {
 namespace {
 
-// The whole text as a number; nothing if anything is left over.
+// The whole text as a number; none if characters remain.
 template <typename Number>
 std::optional<Number> wholeText(std::string_view text)
 {
@@ -21,7 +21,7 @@ std::optional<Number> wholeText(std::string_view text)
     return number;
 }
 
-// A decimal number or a fraction of two.
+// A decimal number or a fraction of two numbers.
 std::optional<double> realNumber(std::string_view text)
 {
     const std::size_t slash = text.find('/');

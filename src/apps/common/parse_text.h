@@ -9,8 +9,8 @@
 
 namespace sward::apps {
 
-// Texts of the command line. Each function throws Error{usage} that names `option`, the text and
-// what would be right.
+// Parsers of command-line values. Each throws Error{usage} naming `option`, the text and the
+// expected form.
 
 /// "1920x1080": width and height, each in [1, largest].
 glm::uvec2 parseSize(std::string_view option, std::string_view text, std::uint32_t largest);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int runtimeCode = static_cast<int>(ErrorKind::runtime);
 
-// Says what went wrong; the exception is the one being handled.
+// Reports the exception being handled.
 int reportException(std::string_view name)
 {
     try {
@@ -22,7 +22,7 @@ int reportException(std::string_view name)
         log::error("{}", error.what());
         return error.exitCode();
     } catch (const std::bad_alloc&) {
-        // Formatting would ask for memory again.
+        // Formatting would allocate memory.
         std::fputs("error: not enough memory\n", stderr);
         return runtimeCode;
     } catch (const std::exception& error) {
@@ -46,7 +46,7 @@ int runProgram(std::string_view name, const std::function<int()>& body) noexcept
             return reportException(name);
         }
     } catch (...) {
-        // The message itself could not be written; the code still says that it failed.
+        // Writing the message failed; return the error code.
         return runtimeCode;
     }
 }

@@ -5,9 +5,9 @@
 
 namespace sward::apps {
 
-/// The body of main(). Runs `body` and returns its exit code; whatever it throws becomes a message
-/// on stderr and an exit code: Error its own, everything else 4. While it runs, SIGINT and SIGTERM
-/// only raise the flag of interrupt.h; if `body` then returns 0 the result stands.
+/// The body of main(). Runs `body` and returns its exit code. Prints an exception on stderr and
+/// returns its exit code: that of an Error, else 4. SIGINT and SIGTERM only set the flag of
+/// interrupt.h meanwhile; if `body` then returns 0, the result is valid.
 int runProgram(std::string_view name, const std::function<int()>& body) noexcept;
 
 } // namespace sward::apps

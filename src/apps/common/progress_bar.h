@@ -6,8 +6,8 @@
 
 namespace sward::apps {
 
-/// A line on stderr that shows how far a Progress has come: the log's status line, above which log
-/// messages are written. It is taken away in the end. One at a time.
+/// Shows a Progress on stderr as the log's status line, below the log messages. The destructor
+/// removes it. One at a time.
 class ProgressBar {
 public:
     explicit ProgressBar(bool shown);
@@ -15,11 +15,11 @@ public:
     ProgressBar& operator=(const ProgressBar&) = delete;
     ~ProgressBar();
 
-    /// What a Progress calls, from any thread; empty if nothing is to be shown. The bar must
+    /// Callback for a Progress, called from any thread; empty if no bar is shown. The bar must
     /// outlive it.
     Progress::Callback callback();
 
-    /// Takes the line away until the next step.
+    /// Removes the line until the next step.
     void clear();
 
 private:

@@ -8,7 +8,7 @@ bool stderrIsTerminal();
 /// Whether stderr may be coloured: a terminal, and NO_COLOR (no-color.org) is not set.
 bool stderrTakesColor();
 
-/// Columns of the terminal at stderr; 80 if it does not say.
+/// Columns of the terminal at stderr; 80 if unknown.
 int stderrColumns();
 
 } // namespace sward::apps

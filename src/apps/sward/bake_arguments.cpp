@@ -11,7 +11,7 @@
 namespace sward::apps {
 namespace {
 
-// How a bake is run and where its result goes does not decide the result.
+// Options that do not affect the result: how the bake runs and where its output goes.
 constexpr std::array<std::string_view, 11> aboutTheRun = {
     "--output", "--threads", "--report",   "--dry-run", "--force", "--print-config",
     "--quiet",  "--verbose", "--progress", "--tiles",   "--help"};
@@ -52,7 +52,7 @@ BakeRequest requestOf(const std::vector<std::string>& arguments, const std::stri
     CLI::App app;
     BakeOptions options;
     options.add(app);
-    // CLI11 takes them last first. What a plan leaves open does not matter here.
+    // CLI11 expects reversed order. Missing required options are allowed here.
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
     reversed.emplace_back("--output=unused");
     try {

@@ -11,12 +11,12 @@ class App;
 
 namespace sward::apps {
 
-/// The options that decide a bake's result, as they were given to `app`: what another process must
-/// be given to bake the same.
+/// The options of `app` that determine a bake's result; another process needs them to bake the
+/// same.
 std::vector<std::string> bakeArguments(const CLI::App& app);
 
-/// The request that such arguments stand for. Throws Error{input} naming `place` if they are not
-/// options of a bake, and what BakeOptions::request() throws.
+/// Parses such arguments to a request. Throws Error{input} naming `place` if they are not options
+/// of a bake, and as BakeOptions::request() does.
 BakeRequest requestOf(const std::vector<std::string>& arguments, const std::string& place);
 
 } // namespace sward::apps

@@ -36,8 +36,8 @@ void checkOutputs(const BakeRequest& request)
         fail(ErrorKind::usage, "{}: is named both as the field and as the report", request.output);
 }
 
-// Grows the field and writes it, or estimates; load time and the rest of the report are the
-// caller's.
+// Bakes and writes the field, or estimates it. The caller fills in load time and the rest of the
+// report.
 bake::Report grow(const BakeRequest& request, const terrain::GroundMesh& ground,
                   Diagnostics& diagnostics, Progress& progress)
 {
@@ -83,19 +83,19 @@ public:
         const terrain::GroundMesh ground = loadGround(request, diagnostics);
         loadExcluded(request, diagnostics);
         const double loading = watch.lap();
-        // Who wants to know how the ground hangs together pays for the answer.
+        // Compute the topology line only when verbose, because it takes time.
         if (options_.log.verbose)
             log::debug("{}", topologyLine(terrain::analyse(ground)));
         const double connecting = watch.lap();
 
-        // Grow, while a bar shows how far it is and a signal may end it.
+        // Bake with a progress bar; a signal cancels it.
         ProgressBar bar(options_.log.showBar());
         Progress progress(bar.callback());
         const CancelOnInterrupt cancel(progress);
         bake::Report report = grow(request, ground, diagnostics, progress);
         bar.clear();
 
-        // Fill in what only the program knows.
+        // Fill in values known only here.
         report.input.path = fmt::format("{}", fmt::join(request.inputs, ", "));
         report.timing.load = loading;
         report.timing.topology += connecting;

@@ -16,13 +16,13 @@ constexpr int maxThreads = 1024;
 constexpr double largestBladeScale = 1e6;
 constexpr std::uint32_t maxHeightSamples = 32768; // on a side
 
-// The text of an option, or its default; the parsers of the bake say what is wrong with it.
+// Parses an option's text, or its default; the bake's parsers report errors.
 bake::SoftRange softRange(const char* option, const std::string& text, bake::SoftRange full)
 {
     return text.empty() ? full : bake::parseSoftRange(option, text, full);
 }
 
-// What is wrong with a seed: strtoull, which CLI11 takes, reads -1 and numbers that are too large.
+// Describes an invalid seed. CLI11's strtoull accepts -1 and numbers that are too large.
 std::string seedTrouble(const std::string& text)
 {
     std::uint64_t seed = 0;
@@ -33,7 +33,7 @@ std::string seedTrouble(const std::string& text)
                : fmt::format("'{}' is not a whole number from 0 to {}", text, UINT64_MAX);
 }
 
-// "FILE:margin" and "M" are one area, though they stand apart on the command line.
+// Joins "FILE:margin" and "M", which the shell separates, to one area.
 std::vector<std::string> joinMargins(const std::vector<std::string>& words)
 {
     std::vector<std::string> areas;
@@ -96,7 +96,7 @@ void BakeOptions::addGround(CLI::App& app)
     option("--occlude-node", import.occluderNodes, "GLOB",
            "Nodes of INPUT that block rays and are drawn but bear no grass");
 
-    // What the file of a heightmap does not say.
+    // Settings missing in a heightmap file.
     terrain::HeightmapSettings& map = import.heightmap;
     const auto parsed = [&](const char* name, const char* type, const char* text, auto&& take) {
         return app.add_option_function<std::string>(name, take, text)
@@ -304,7 +304,7 @@ BakeRequest BakeOptions::request() const
     if (!printConfig)
         bake::loadMaskImages(settings);
 
-    // A file is needed for what is kept.
+    // An output file is required to keep the result.
     if (!printConfig && request.inputs.empty())
         fail(ErrorKind::usage,
              "INPUT is missing: a mesh, a heightmap, a recipe, or a built-in such as hills.\n"

@@ -15,26 +15,26 @@ class App;
 
 namespace sward::apps {
 
-/// What `sward bake` is asked to do.
+/// A parsed `sward bake` command.
 struct BakeRequest {
-    std::vector<std::string> inputs;    ///< files or built-in names; appended to one ground
+    std::vector<std::string> inputs;    ///< files or built-in names; joined to one ground
     std::vector<std::string> occluders; ///< the same; block rays, bear nothing
     terrain::ImportSettings import;
     bake::BakeSettings settings;
-    int threads = 0;    ///< 0: as many as the machine has
+    int threads = 0;    ///< 0: all threads of the machine
     std::string output; ///< empty in a dry run
     std::string report; ///< empty: none
     bool dryRun = false;
     bool overwrite = false;
 };
 
-/// The options of `sward bake` as they stand on the command line.
+/// The command-line options of `sward bake`.
 class BakeOptions {
 public:
     /// Adds every option to `app`; this object must outlive the parsing.
     void add(CLI::App& app);
 
-    /// Everything read and checked, but for the ground and the meshes of excluded areas. Throws
+    /// Reads and checks everything except the ground and the meshes of excluded areas. Throws
     /// Error{usage} naming the option, Error{io, input} for a meadow or a mask.
     BakeRequest request() const;
 
@@ -48,7 +48,7 @@ private:
     void addBlades(CLI::App& app);
     void addRun(CLI::App& app);
 
-    // What needs no second look goes straight in here, the rest is text until request().
+    // Values that need no further parsing; others are text until request().
     BakeRequest direct_;
     double density_ = 0.0;
     double spacing_ = 0.0;

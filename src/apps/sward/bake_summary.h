@@ -1,17 +1,17 @@
 #pragma once
 
 #include "bake/report.h"
-#include "terrain/topology.h"
+#include "terrain/topology/topology.h"
 
 #include <cstdint>
 #include <string>
 
 namespace sward::apps {
 
-/// "3.1 MB": bytes as people read them.
+/// "3.1 MB": a readable size.
 std::string sizeText(std::uint64_t bytes);
 
-/// "meadow.sward: 182344 blades in 1212 patches, 3.1 MB, 2.3 s"; `name` stands in front.
+/// "meadow.sward: 182344 blades in 1212 patches, 3.1 MB, 2.3 s"; `name` comes first.
 std::string resultLine(const std::string& name, const bake::Report& report);
 
 /// "kept 182344 of 200000 proposed roots; rejected: 16000 slope, 1656 clearance".
@@ -20,7 +20,7 @@ std::string rejectionLine(const bake::Report& report);
 /// "load 0.1 s, topology 0.2 s, …"
 std::string timingLine(const bake::Report::Timing& timing);
 
-/// Says what a bake came to: its warnings and reasons on the log, the result line on stdout.
+/// Prints the result of a bake: warnings and reasons on the log, the result line on stdout.
 void tell(const std::string& name, const bake::Report& report);
 
 /// "topology: 1 component, 40 border edges, 0 creases, 3 non-manifold edges, …"

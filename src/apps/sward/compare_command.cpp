@@ -16,7 +16,7 @@ bool hasIds(const field::FieldView& field)
     return field.keys.size() == field.blades.size();
 }
 
-// The comparison as a table, then the verdict.
+// The comparison as a table, followed by the verdict.
 std::string tableOf(const field::FieldView& first, const field::FieldView& second,
                     const field::Comparison& found, field::Match match)
 {

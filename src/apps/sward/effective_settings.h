@@ -6,7 +6,7 @@
 
 namespace sward::apps {
 
-/// Everything that decides the result of a bake, defaults included, as JSON for people and
+/// All settings that determine the result of a bake, defaults included, as JSON for people and
 /// programs.
 std::string effectiveSettings(const BakeRequest& request);
 

@@ -8,7 +8,7 @@ namespace sward::apps {
 
 void loadExcluded(BakeRequest& request, Diagnostics& diagnostics)
 {
-    // Which parts of the ground bear grass is not asked of them.
+    // Ignore globs of bearing parts for these meshes.
     terrain::ImportSettings placing = request.import;
     placing.bearingNodes.clear();
     placing.bearingMaterials.clear();

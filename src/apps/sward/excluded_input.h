@@ -5,8 +5,7 @@
 
 namespace sward::apps {
 
-/// Loads the meshes of the request's excluded areas, which lie in the same space as its ground.
-/// Throws Error.
+/// Loads the meshes of the request's excluded areas, in the same space as the ground.
 void loadExcluded(BakeRequest& request, Diagnostics& diagnostics);
 
 } // namespace sward::apps

@@ -24,11 +24,11 @@ namespace {
 using Writer = void (*)(const field::FieldView&, const std::filesystem::path&,
                         const interchange::ExportSettings&, Progress&);
 
-// Each format by its extension.
+// A format, chosen by the extension.
 struct Format {
     const char* extension;
     Writer write;
-    bool hasGround; // can take the drawn ground with it
+    bool hasGround; // can include the drawn ground
 };
 constexpr Format formats[] = {{".glb", interchange::writeGlb, true},
                               {".ply", interchange::writePly, false},
@@ -67,7 +67,7 @@ public:
 
     int run() const override
     {
-        // Refuse before any work.
+        // Check before any work.
         const Format format = formatOf(output_);
         if (settings_.withGround && !format.hasGround)
             fail(ErrorKind::usage, "{}: --with-ground needs a .glb output", output_);

@@ -3,7 +3,7 @@
 #include "apps/common/interrupt.h"
 #include "core/log.h"
 #include "terrain/file_kind.h"
-#include "terrain/heightmap.h"
+#include "terrain/heightmap/heightmap.h"
 #include "terrain/plausibility.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ terrain::GroundMesh loadOne(const std::string& input, const terrain::ImportSetti
     return mesh;
 }
 
-// Ground that somebody modelled may lie wrong; what is generated, or only blocks rays, does not.
+// Check modelled ground for orientation and units; generated ground and occluders need no check.
 terrain::GroundMesh loadBearing(const std::string& input, const BakeRequest& request,
                                 Diagnostics& diagnostics)
 {
@@ -54,7 +54,7 @@ terrain::GroundMesh loadGround(const BakeRequest& request, Diagnostics& diagnost
     for (std::size_t i = 1; i < request.inputs.size(); ++i)
         terrain::append(ground, loadBearing(request.inputs[i], request, diagnostics));
 
-    // Occluders lie in the same space as the ground; what bears grass is not asked of them.
+    // Occluders are in the same space as the ground; ignore globs of bearing parts.
     terrain::ImportSettings occluding = request.import;
     occluding.bearingNodes.clear();
     occluding.bearingMaterials.clear();

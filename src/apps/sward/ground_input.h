@@ -6,8 +6,8 @@
 
 namespace sward::apps {
 
-/// The ground of a bake: its inputs joined in order, then the occluders, which bear nothing. Throws
-/// Error.
+/// Loads the ground of a bake: its inputs joined in order, then the occluders, which bear nothing.
+/// Throws Error.
 terrain::GroundMesh loadGround(const BakeRequest& request, Diagnostics& diagnostics);
 
 } // namespace sward::apps

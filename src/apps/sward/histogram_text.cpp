@@ -16,7 +16,7 @@ constexpr std::size_t barColumns = 40;
 
 struct Row {
     const char* key;   // in JSON
-    const char* title; // for people
+    const char* title; // heading
     const char* counted;
     const field::Histogram* histogram;
 };
@@ -36,7 +36,7 @@ std::vector<Row> rowsOf(const field::Distributions& all)
     };
 }
 
-// Where bar `index` begins.
+// Lower bound of bar `index`.
 double edge(const field::Histogram& histogram, std::size_t index)
 {
     return histogram.low() +
@@ -49,7 +49,7 @@ std::string barsText(const field::Histogram& histogram)
     const std::uint64_t tallest = *std::max_element(bars.begin(), bars.end());
     if (tallest == 0)
         return {};
-    // Bars without anything before the first and after the last are left out.
+    // Omit empty bars before the first and after the last nonempty one.
     const auto isSome = [](std::uint64_t count) { return count > 0; };
     const auto first =
         static_cast<std::size_t>(std::find_if(bars.begin(), bars.end(), isSome) - bars.begin());

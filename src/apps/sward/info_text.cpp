@@ -136,7 +136,7 @@ std::string infoJson(const std::string& file, const field::FieldView& field,
                                   {"up", arrayOf(glm::dvec3(camera.up))},
                                   {"fov_y_deg", camera.fovY}});
     all["copyright"] = *field.copyright;
-    // Provenance is JSON already; a text that is not stays a text.
+    // Embed provenance as JSON; keep text that is not JSON as text.
     ordered_json provenance = ordered_json::parse(*field.provenance, nullptr, false);
     all["provenance"] = provenance.is_discarded() ? ordered_json(*field.provenance) : provenance;
     if (distributions != nullptr)

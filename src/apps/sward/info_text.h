@@ -8,7 +8,7 @@
 
 namespace sward::apps {
 
-/// What is in a field file of `fileBytes`, for people; with `distributions` if there are any.
+/// Describes a field file of `fileBytes` as readable text; with `distributions` if given.
 std::string infoText(const std::string& file, const field::FieldView& field,
                      std::uint64_t fileBytes, const field::Distributions* distributions = nullptr);
 

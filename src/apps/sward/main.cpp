@@ -39,7 +39,7 @@ int run(int argc, char** argv)
         if (command->isChosen())
             return command->run();
 
-    // Nothing was asked for: say what there is.
+    // No command: print the help.
     fmt::print(stderr, "{}", program.help());
     return static_cast<int>(sward::ErrorKind::usage);
 }

@@ -6,9 +6,11 @@
 #include "apps/sward/output_files.h"
 #include "apps/sward/subcommand.h"
 #include "apps/sward/working_folder.h"
-#include "bake/bake_steps.h"
-#include "bake/patch_tree.h"
-#include "bake/tile_files.h"
+#include "bake/field_header.h"
+#include "bake/patches/patch_tree.h"
+#include "bake/report_totals.h"
+#include "bake/threads.h"
+#include "bake/tiles/tile_files.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/log.h"
@@ -27,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "0,3-5": as a Slurm job array takes it.
+// "0,3-5": the list format of a Slurm job array.
 std::string arrayText(const std::vector<std::uint32_t>& indices)
 {
     std::string text;
@@ -43,7 +45,7 @@ std::string arrayText(const std::vector<std::uint32_t>& indices)
     return text;
 }
 
-// The field that plan wrote without blades.
+// The field without blades that plan wrote.
 field::Field fieldWithoutBlades(const fs::path& plan)
 {
     const field::MappedField mapped = field::readField(bake::barePath(bake::partsFolder(plan)));
@@ -105,7 +107,7 @@ public:
             if (!fs::exists(bake::tilePath(folder_, i), ignored))
                 missing.push_back(i);
         }
-        // Every tile is verified; blades are kept only while a field can come of them.
+        // Verify every tile; keep blades only while no tile has failed.
         for (std::uint32_t i = 0; i < plan.tiles; ++i) {
             throwIfInterrupted("merge");
             if (std::binary_search(missing.begin(), missing.end(), i))
@@ -152,7 +154,7 @@ public:
     }
 
 private:
-    // What the plan was made with; files are named from its folder.
+    // Settings of the plan; file names are relative to its folder.
     bake::BakeSettings settingsOf(const bake::TilePlan& plan) const
     {
         const WorkingFolder working(plan.folder, plan_);

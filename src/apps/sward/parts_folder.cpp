@@ -1,6 +1,6 @@
 #include "apps/sward/parts_folder.h"
 
-#include "bake/tile_files.h"
+#include "bake/tiles/tile_files.h"
 #include "core/error.h"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A hidden name beside a folder that no other process takes.
+// A hidden name beside a folder, unique to this process.
 fs::path beside(const fs::path& place, const char* role)
 {
     return place.parent_path() /

@@ -4,23 +4,23 @@
 
 namespace sward::apps {
 
-/// The folder of a plan's parts, which appears whole or not at all: filled under another name
-/// beside its place, then put there. Unless keep() is called, everything is as it was before.
+/// The folder of a plan's parts. Appears whole or not at all: it is filled under a temporary name
+/// beside its place and then renamed. Without keep(), the destructor restores the former state.
 class PartsFolder {
 public:
-    /// Throws Error{io}, also if what is in its place is no folder of a plan and not empty.
+    /// Throws Error{io}, also if the existing folder is neither a plan's folder nor empty.
     explicit PartsFolder(std::filesystem::path place);
     PartsFolder(const PartsFolder&) = delete;
     PartsFolder& operator=(const PartsFolder&) = delete;
     ~PartsFolder();
 
-    /// Where the parts are written.
+    /// Folder to write the parts to.
     const std::filesystem::path& filling() const { return filling_; }
 
-    /// Puts the folder in its place. Throws Error{io}.
+    /// Renames the folder to its place. Throws Error{io}.
     void put();
 
-    /// Gives up what was in its place before.
+    /// Deletes the folder that was replaced.
     void keep();
 
 private:

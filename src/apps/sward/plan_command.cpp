@@ -7,8 +7,11 @@
 #include "apps/sward/ground_input.h"
 #include "apps/sward/parts_folder.h"
 #include "apps/sward/subcommand.h"
-#include "bake/bake_steps.h"
-#include "bake/tile_files.h"
+#include "bake/field_header.h"
+#include "bake/report_totals.h"
+#include "bake/threads.h"
+#include "bake/tiles/tile_files.h"
+#include "bake/whole_plan.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/log.h"
@@ -89,7 +92,7 @@ public:
     }
 
 private:
-    // Parts and the bare field first, the plan last: whoever sees it finds everything.
+    // Write parts and the empty field first, the plan last: an existing plan is complete.
     static std::size_t write(terrain::GroundMesh& ground, const BakeRequest& request,
                              bake::TilePlan& plan, const fs::path& output, Diagnostics& diagnostics,
                              Progress& progress)
@@ -108,7 +111,7 @@ private:
         PartsFolder parts(bake::partsFolder(output));
         field::writeField(bake::fieldWithoutBlades(ground, settings, plan.plan, report),
                           bake::barePath(parts.filling()), true);
-        // All parts share the images; from here on nobody looks at a pixel.
+        // All parts share the images; their pixels are not used after this.
         bake::writeImages(parts.filling(), plan.id, ground);
         for (terrain::GroundImage& image : ground.images)
             image.rgba = {};

@@ -1,6 +1,6 @@
 #include "apps/sward/provenance_text.h"
 
-#include "bake/soft_range.h"
+#include "bake/filter/soft_range.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -19,7 +19,7 @@ using nlohmann::json;
 
 constexpr std::size_t nameColumns = 18;
 constexpr std::size_t speciesColumns = 20;
-constexpr std::size_t speciesAbreast = 3; ///< species in one table
+constexpr std::size_t speciesAbreast = 3; ///< species per table
 
 // Settings of three numbers, low, high and the width of the fade, with their units.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> ranges{{{"slope", "degrees"},
@@ -139,7 +139,7 @@ std::string row(std::size_t indent, const std::string& key, const std::string& v
                        nameColumns - indent, value);
 }
 
-// Keys down, species across.
+// Table with keys as rows and species as columns.
 std::string speciesText(const json& species)
 {
     std::string text;
@@ -161,7 +161,7 @@ std::string speciesText(const json& species)
     return text;
 }
 
-// Settings, those of the meadow after the others, its species last.
+// Settings, followed by those of the meadow and its species.
 std::string settingsText(const json& settings)
 {
     std::string text;

@@ -9,10 +9,10 @@ class App;
 
 namespace sward::apps {
 
-/// One verb of the program with its options. The program owns all of them; the chosen one runs.
+/// One subcommand with its options. The program owns all of them; the chosen one runs.
 class Subcommand {
 public:
-    /// Adds the verb `name` to `program`; `example` is shown at the end of its help.
+    /// Adds the subcommand `name` to `program`; `example` is shown at the end of its help.
     Subcommand(CLI::App& program, const std::string& name, const std::string& description,
                const std::string& example);
     Subcommand(const Subcommand&) = delete;
@@ -21,7 +21,7 @@ public:
 
     bool isChosen() const;
 
-    /// Does the work and returns the exit code. Throws Error.
+    /// Runs the command and returns the exit code. Throws Error.
     virtual int run() const = 0;
 
 protected:

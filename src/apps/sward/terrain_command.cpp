@@ -4,7 +4,7 @@
 #include "core/atomic_file.h"
 #include "core/diagnostics.h"
 #include "core/log.h"
-#include "terrain/gltf_export.h"
+#include "terrain/gltf/export.h"
 #include "terrain/load.h"
 
 #include <CLI/CLI.hpp>

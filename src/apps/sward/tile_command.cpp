@@ -6,8 +6,8 @@
 #include "apps/sward/excluded_input.h"
 #include "apps/sward/subcommand.h"
 #include "apps/sward/working_folder.h"
-#include "bake/bake_steps.h"
-#include "bake/tile_files.h"
+#include "bake/threads.h"
+#include "bake/tiles/tile_files.h"
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>
@@ -58,13 +58,13 @@ public:
                  plan.tiles - 1);
         const fs::path output = fs::absolute(bake::tilePath(folder_, index_));
         const fs::path parts = fs::absolute(bake::partsFolder(plan_));
-        // Who asks twice gets the same file; a damaged one is replaced.
+        // Keep an existing valid file; replace a damaged one.
         if (!force_ && isDone(output, plan.id)) {
             writeResult(
                 fmt::format("{}: is there already; --force bakes it again\n", output.string()));
             return 0;
         }
-        // Files of the settings are named from the folder in which the plan was made.
+        // File names of the settings are relative to the folder of the plan command.
         const WorkingFolder working(plan.folder, plan_);
         std::error_code trouble;
         fs::create_directories(output.parent_path(), trouble);
@@ -92,7 +92,7 @@ public:
     }
 
 private:
-    // Whether the tile is there. A damaged one is not; the work of another plan stays whole.
+    // Whether the tile file is valid. False for a damaged one; throws for the file of another plan.
     static bool isDone(const fs::path& output, const std::string& id)
     {
         std::error_code ignored;

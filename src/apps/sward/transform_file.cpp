@@ -20,7 +20,7 @@ using nlohmann::json;
 
 constexpr std::size_t largestFile = std::size_t(1) << 20; ///< [bytes] a matrix is far smaller
 constexpr double largestNumber = 1e12;
-// How far columns may be from perpendicular and equally long, relative: six written digits.
+// Relative tolerance of orthogonal, equally long columns: six written digits.
 constexpr double looseness = 1e-5;
 
 // The numbers of an array, all of them finite and bounded.
@@ -33,7 +33,7 @@ std::vector<double> numbersOf(const json& array, std::size_t size, const std::st
         if (!entry.is_number())
             fail(ErrorKind::input, "{}: expected a number, found {}", place, entry.dump());
         numbers.push_back(entry.get<double>());
-        // Written so that NaN fails too.
+        // The negation also catches NaN.
         if (!(std::abs(numbers.back()) <= largestNumber))
             fail(ErrorKind::input, "{}: {} is beyond {}", place, numbers.back(), largestNumber);
     }
@@ -48,13 +48,13 @@ glm::dmat4 matrixOf(const json& array, const std::string& place)
     glm::dmat4 matrix(1.0);
     const std::size_t rows = array.size();
 
-    // Sixteen numbers, column by column.
+    // Read sixteen numbers, column by column.
     if (rows == 16) {
         const std::vector<double> numbers = numbersOf(array, 16, place);
         return glm::make_mat4(numbers.data());
     }
 
-    // Rows of a 4×4 matrix or of a rotation.
+    // Read rows of a 4×4 matrix or of a rotation.
     if (rows != 3 && rows != 4)
         fail(ErrorKind::input, "{}: expected 4 rows, 3 rows or 16 numbers, found {} entries", place,
              rows);

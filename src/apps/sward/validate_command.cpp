@@ -19,7 +19,7 @@ public:
 
     int run() const override
     {
-        // Reading is checking: it throws at the first thing that is wrong.
+        // Reading validates: it throws at the first error.
         const field::MappedField field = field::readField(file_);
         writeResult(fmt::format("{}: valid, {} blades in {} patches\n", file_,
                                 field.view().blades.size(), field.view().patches.size()));

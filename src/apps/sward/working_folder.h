@@ -5,10 +5,10 @@
 
 namespace sward::apps {
 
-/// Makes a folder the one from which files are named, until it goes out of scope.
+/// Changes the working folder until it goes out of scope.
 class WorkingFolder {
 public:
-    /// Throws Error{io} naming `place`, which names the folder, and the folder.
+    /// Throws Error{io} naming the folder and `place`, where the folder is named.
     WorkingFolder(const std::filesystem::path& folder, const std::string& place);
     WorkingFolder(const WorkingFolder&) = delete;
     WorkingFolder& operator=(const WorkingFolder&) = delete;

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t linesKept = 40; ///< of what it says
+constexpr std::size_t linesKept = 40; ///< of its output
 constexpr int runtimeCode = static_cast<int>(ErrorKind::runtime);
 
 // The program `sward` beside this one: in a build folder, in a bundle and when installed.
@@ -34,7 +34,7 @@ fs::path swardProgram()
     return program;
 }
 
-// Without the sequences that erase a line and colour it.
+// Removes the sequences that erase and colour a line.
 std::string plain(std::string_view line)
 {
     std::string text;
@@ -137,7 +137,7 @@ bool Baking::poll()
     int status = 0;
     if (::waitpid(child_, &status, WNOHANG) != child_)
         return false;
-    // What it said between the last look and its end.
+    // Read the output since the last poll.
     for (;;) {
         const ssize_t count = ::read(said_, buffer.data(), buffer.size());
         if (count <= 0)
@@ -167,7 +167,7 @@ void Baking::takeIn(std::string_view text)
         takeLine(plain(unfinished_));
         unfinished_.clear();
     }
-    // A bar is finished by the next one; show it now.
+    // The next bar ends the line of a bar; show the current one now.
     if (const auto progress = parseProgress(plain(unfinished_)))
         progress_ = *progress;
 }

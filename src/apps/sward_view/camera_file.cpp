@@ -17,7 +17,7 @@ constexpr double largestPlace = 1e12;               ///< [m], far beyond the Moo
 constexpr std::size_t largestCameraFile = 1u << 20; ///< [bytes] a camera takes a hundred
 constexpr double alongUpCosine = 0.99999;           ///< within 0.25 degrees of the up-vector
 
-// A camera needs a direction, and another one for up.
+// Checks that the view direction is nonzero and not parallel to up.
 void checkDirections(const render::Camera& camera, const std::string& place)
 {
     const glm::dvec3 view = camera.target - camera.eye;
@@ -73,7 +73,7 @@ CameraPath chooseCamera(const std::string& name, const field::FieldView& field, 
     if (found != std::end(presets))
         return CameraPath(render::presetCamera(found->preset, field, groundUpOf(field), aspect));
 
-    // A word that is neither a preset nor a file is most likely a misspelt preset.
+    // A word that is neither a preset nor a file is probably a misspelt preset.
     if (!std::filesystem::exists(name) && name.find_first_of("./") == std::string::npos)
         fail(ErrorKind::usage, "--camera: '{}' is not fit, eye, top or edge, and no such file",
              name);

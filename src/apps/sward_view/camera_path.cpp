@@ -21,8 +21,8 @@ constexpr std::size_t largestPathFile = 1u
 constexpr std::size_t maxStops = 200'000;
 constexpr double longest = 1e9; ///< [s]
 
-// Cubic of Hermite through `a` and `b` at share `s`, its slopes from the neighbours of both
-// (Catmull & Rom 1974, for any distances in time).
+// Cubic Hermite curve through `a` and `b` at share `s`, with slopes from their neighbours (Catmull
+// & Rom 1974, for non-uniform times).
 template <typename V>
 V curve(const V& before, const V& a, const V& b, const V& after, const double (&times)[4], double s)
 {
@@ -110,7 +110,7 @@ std::string cameraPathText(const CameraPath& path, double step)
     for (std::size_t i = 0; i < count; ++i) {
         const double time = static_cast<double>(i) * step;
         const render::Camera c = path.at(time);
-        // A tenth of a millisecond and of a millimetre are finer than what is recorded.
+        // Round below the precision of the recording: 1e-5 s and 1e-5 m.
         const auto rounded = [](double value) { return std::round(value * 1e5) / 1e5; };
         json.push_back({{"time", rounded(time)},
                         {"eye", {rounded(c.eye.x), rounded(c.eye.y), rounded(c.eye.z)}},

@@ -11,17 +11,17 @@
 
 namespace sward::view {
 
-/// A camera on its way: a timed list, or one camera that stands still.
+/// A camera path: a timed list of cameras, or one static camera.
 class CameraPath {
 public:
     CameraPath() = default;
     explicit CameraPath(const render::Camera& still) { add(0.0, still); }
 
-    /// Later than all before.
+    /// Adds a camera; `time` must be later than all before.
     void add(double time, const render::Camera& camera);
 
-    /// At `time` [s], on a smooth curve through all places; before the first and after the last it
-    /// stands still. There is at least one.
+    /// Camera at `time` [s], on a smooth curve through all cameras; constant before the first and
+    /// after the last. Requires at least one.
     render::Camera at(double time) const;
 
     bool isEmpty() const { return stops_.empty(); }
@@ -37,14 +37,14 @@ private:
     std::vector<Stop> stops_;
 };
 
-/// Reads a camera file (camera_file.h), or a list of such objects that have "time" [s] besides, in
-/// ascending order. Throws as readCamera() does.
+/// Reads a camera file (camera_file.h), or a list of such objects with "time" [s] in ascending
+/// order. Throws as readCamera() does.
 CameraPath readCameraPath(const std::filesystem::path& path, glm::vec3 up);
 
-/// The same from a text; `name` names it in messages.
+/// The same from a text; messages name `name`.
 CameraPath readCameraPath(std::string_view text, const std::string& name, glm::vec3 up);
 
-/// The list as text, from its first time on at fixed `steps` [s] as it was recorded.
+/// The path as text, sampled every `step` [s] from its first time.
 std::string cameraPathText(const CameraPath& path, double step);
 
 } // namespace sward::view

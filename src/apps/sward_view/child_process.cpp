@@ -28,7 +28,7 @@ pid_t spawn(std::vector<std::string> arguments, int said, std::optional<int> inp
     ::posix_spawn_file_actions_init(&actions);
     if (input)
         ::posix_spawn_file_actions_adddup2(&actions, *input, STDIN_FILENO);
-    // Our own stdout is for our own result.
+    // Redirect its stdout, because stdout carries this program's result.
     ::posix_spawn_file_actions_adddup2(&actions, said, STDOUT_FILENO);
     ::posix_spawn_file_actions_adddup2(&actions, said, STDERR_FILENO);
     pid_t child = -1;

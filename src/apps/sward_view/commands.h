@@ -8,14 +8,14 @@ class App;
 
 namespace sward::view {
 
-// Each adds one command to the command line. When it is the one that was chosen, parsing sets
-// `chosen` to what it does.
+// Each function adds one command to the command line. Parsing sets `chosen` to the chosen command's
+// action.
 
 void addRenderCommand(CLI::App& app, apps::Command& chosen);
 void addBenchCommand(CLI::App& app, apps::Command& chosen);
 void addDevicesCommand(CLI::App& app, apps::Command& chosen);
 
-/// The window: the program's own positional argument and options, without a command's name.
+/// The window: positional arguments and options of the program itself, without a command.
 void addWindowCommand(CLI::App& app, apps::Command& chosen);
 
 } // namespace sward::view

@@ -5,8 +5,8 @@
 
 namespace sward::view {
 
-/// "all", "none" or a list like "patch,frustum" as bits of shared::cullPatch and so on. Throws
-/// Error{usage} for another word. "occlusion" is known but has no bit yet: nothing is culled by it.
+/// "all", "none" or a list like "patch,frustum,occlusion" as bits of shared::cullPatch and so on.
+/// Throws Error{usage} for another word.
 std::uint32_t parseCullList(std::string_view text);
 
 } // namespace sward::view

@@ -8,10 +8,10 @@
 
 namespace sward::view {
 
-/// Fields that are drawn together: one as it lies in its file, several joined.
+/// Fields that are drawn together; several are joined to one.
 class FieldGroup {
 public:
-    /// One or more, which outlive it. Throws what field::join() throws.
+    /// One or more members, which must outlive this. Throws as field::join() does.
     explicit FieldGroup(std::vector<field::Member> members);
     FieldGroup(const FieldGroup&) = delete;
     FieldGroup& operator=(const FieldGroup&) = delete;
@@ -20,12 +20,12 @@ public:
     const field::FieldView& view() const { return view_; }
     std::span<const field::Member> members() const { return members_; }
 
-    /// Whose a patch of the view is. It owns blades, or there is one member.
+    /// The member and patch that a view's patch comes from. Requires own blades or a single member.
     field::PatchSource sourceOf(std::uint32_t patch) const;
 
 private:
     std::vector<field::Member> members_;
-    field::JoinedFields joined_; ///< nothing for one alone
+    field::JoinedFields joined_; ///< empty for a single field
     field::FieldView view_;
 };
 

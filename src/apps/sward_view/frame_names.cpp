@@ -32,7 +32,7 @@ FrameNames::FrameNames(const std::string& pattern)
             ++i;
             continue;
         }
-        // A width, with or without a zero in front, and a d.
+        // Parse a width, with an optional leading zero, and a d.
         std::size_t end = i + 1;
         while (end < pattern.size() && isDigit(pattern[end]))
             ++end;

@@ -6,8 +6,8 @@
 
 namespace sward::view {
 
-/// Names of the pictures of a run: one name, or a pattern like f_%04d.png with the frame's number
-/// in it. %% is a per cent sign.
+/// File names of the pictures of a run: one name, or a pattern like f_%04d.png with the frame
+/// number. %% is a per cent sign.
 class FrameNames {
 public:
     /// Throws Error{usage} if the pattern has another % or more than one number, or does not end in

@@ -17,7 +17,7 @@
 namespace sward::view {
 namespace {
 
-// What --gpu-memory takes [bytes].
+// Range of --gpu-memory [bytes].
 constexpr std::uint64_t minMemory = std::uint64_t(1) << 20;
 constexpr std::uint64_t maxMemory = std::uint64_t(1) << 44;
 
@@ -30,7 +30,7 @@ render::Geometry parseGeometry(const std::string& word)
     fail(ErrorKind::usage, "--geometry: '{}' is not one of auto, tessellation, raster", word);
 }
 
-/// Of an option that says no, yes, or leaves it to what suits best.
+/// Parses an option with the values no, yes and automatic (none).
 std::optional<bool> parseChoice(const char* option, const std::string& word, const char* no,
                                 const char* yes)
 {
@@ -53,7 +53,7 @@ render::DebugMode parseDebug(const std::string& word)
         return render::DebugMode::wind;
     if (word == "reason")
         return render::DebugMode::reason;
-    // Three modes of the shaders' own, which no window shows: bands of distance.
+    // Three shader modes that the window does not offer: bands of distance.
     constexpr std::array<std::string_view, 3> bands{"near", "middle", "far"};
     const auto* const found = std::find(bands.begin(), bands.end(), word);
     if (found != bands.end())

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/common/log_switches.h"
-#include "apps/sward_view/scene.h"
+#include "apps/sward_view/headless/scene.h"
 #include "render/field_renderer.h"
 #include "render/frame_settings.h"
 
@@ -18,8 +18,8 @@ class App;
 
 namespace sward::view {
 
-/// What render, bench and the window have in common on the command line: which fields, on which
-/// device, from where and how it is drawn. Stays where it is while a CLI::App knows it.
+/// Common command-line options of render, bench and the window: fields, device, camera and drawing.
+/// Must not move while a CLI::App refers to it.
 struct FrameOptions {
     std::vector<std::string> fields;       ///< files, drawn together
     glm::uvec2 size{1280, 720};            ///< [pixels]
@@ -29,29 +29,29 @@ struct FrameOptions {
     std::optional<bool> levelOfDetail;     ///< unset: the settings'
     std::optional<int> tessellationLevel;  ///< unset: the settings'; 0: by size on the screen
     render::Geometry geometry = render::Geometry::automatic;
-    std::optional<bool> rastersForCpu; ///< unset: as suits the device
+    std::optional<bool> rastersForCpu; ///< unset: chosen by the device
     render::DebugMode debug = render::DebugMode::none;
     std::optional<float> drawDistance;       ///< [m]; unset: the field's
     std::optional<float> windStrength;       ///< [1/s]; unset: the field's or the settings'
     std::string settingsFile;                ///< empty: none
-    std::optional<SceneText> sceneCamera;    ///< one or a path, instead of `camera`
-    std::optional<SceneText> sceneSettings;  ///< under the settings file's
-    bool watch = false;                      ///< the window reads it again when it changes
+    std::optional<SceneText> sceneCamera;    ///< a camera or a path, instead of `camera`
+    std::optional<SceneText> sceneSettings;  ///< overridden by the settings file
+    bool watch = false;                      ///< reload the settings file when it changes
     std::vector<render::Collider> colliders; ///< beside those of the settings
     double fixedStep = 1.0 / 60.0;           ///< [s] between frames
-    std::uint64_t gpuMemory = 0; ///< [bytes] of the device that may be taken; 0: what it takes
-    std::string device;          ///< index or part of the name; empty: the best
+    std::uint64_t gpuMemory = 0;             ///< [bytes] of device memory; 0: unlimited
+    std::string device;                      ///< index or part of the name; empty: the best
     bool validation = false;
     apps::LogSwitches log;
 
-    /// Adds the switches of every command: size, camera, device, wind, distances, log.
+    /// Adds the options of every command: size, camera, device, wind, distances, log.
     void addShared(CLI::App& app);
 
-    /// Adds the switches of render and bench alone: geometry, culling, fixed step, debug.
+    /// Adds the options of render and bench only: geometry, culling, fixed step, debug.
     void addMeasured(CLI::App& app);
 
-    /// The frame settings that follow, starting from what the field has saved, then the settings
-    /// file. Throws what readSettings() throws, and Error{usage} for too many colliders.
+    /// The resulting frame settings: those saved in the field, overridden by the settings file and
+    /// the options. Throws as readSettings() does, and Error{usage} for too many colliders.
     render::FrameSettings settingsFor(const field::FieldView& view) const;
 };
 

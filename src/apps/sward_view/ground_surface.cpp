@@ -69,7 +69,7 @@ std::optional<GroundSurface::Hit> GroundSurface::hit(const glm::dvec3& eye,
                                                      const glm::dvec3& direction) const
 {
     const glm::dvec3 from = eye - origin_;
-    // A direction along an axis has infinite inverses, and the comparisons above are right then.
+    // A zero component has an infinite inverse; the comparisons in enters() still hold.
     const glm::dvec3 inverse = 1.0 / direction;
     double nearest = std::numeric_limits<double>::infinity();
     for (const Run& run : runs_) {

@@ -11,10 +11,10 @@
 
 namespace sward::view {
 
-/// The ground as it is shown, for rays: where the mouse points to, where somebody stands.
+/// Ray queries on the displayed ground, for picking and walking.
 class GroundSurface {
 public:
-    /// `field` outlives it.
+    /// `field` must outlive this.
     explicit GroundSurface(const field::FieldView& field);
 
     struct Hit {
@@ -22,11 +22,11 @@ public:
         glm::dvec3 place{0.0}; ///< world [m]
     };
 
-    /// The nearest place of the ground ahead of `eye` (world), on either side of it.
+    /// The nearest ground point ahead of `eye` (world), on either triangle side.
     std::optional<Hit> hit(const glm::dvec3& eye, const glm::dvec3& direction) const;
 
 private:
-    /// Triangles that follow one another lie side by side; a box around some spares their tests.
+    /// Consecutive triangles are near each other; a box around a run skips their tests.
     struct Run {
         Aabb box;
         std::uint32_t firstIndex;

@@ -7,13 +7,13 @@ namespace sward::view {
 namespace {
 
 constexpr double ratio = 0.8;      ///< from one scale to the next lower
-constexpr double tolerance = 1.15; ///< a frame may take so much longer than wanted
-constexpr double room = 0.6;       ///< share of the wanted time below which more pixels fit
+constexpr double tolerance = 1.15; ///< factor above the wanted time that is allowed
+constexpr double room = 0.6;       ///< share of the wanted time below which the scale rises
 
-// Blades are thinned by so much more at most: wider ones would look like leaves.
+// Largest thinning of blades: wider ones would look like leaves.
 constexpr double maxThinning = 4.0;
 
-// The nearest of the scales that there are, not above `scale`.
+// The largest available scale not above `scale`.
 double stepBelow(double scale)
 {
     const double steps = std::ceil(std::log(scale) / std::log(ratio) - 1e-9);
@@ -26,7 +26,7 @@ double stepBelow(double scale)
 void InternalResolution::add(double seconds)
 {
     if (seconds > tolerance * wanted_) {
-        // As if all of the time went with the pixels, but at most to half: the next frame tells.
+        // Assume time proportional to pixels, but at most halve the scale.
         quick_ = 0;
         const double share = std::max(std::sqrt(wanted_ / seconds), 0.5);
         scale_ = stepBelow(std::max(scale_ * share, lowest));

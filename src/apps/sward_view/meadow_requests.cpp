@@ -20,7 +20,7 @@ void addEach(std::vector<std::string>& arguments, const char* option, const std:
     }
 }
 
-// A number of a field that anybody may have written; nothing if it is none.
+// A number of untrusted field data; none if it is invalid.
 std::optional<double> numberIn(const nlohmann::json& json, const char* key)
 {
     const auto found = json.find(key);
@@ -74,7 +74,7 @@ MeadowRequests requestsOf(const std::string& provenance)
     if (masks != settings->end() && masks->is_array())
         for (const auto& mask : *masks) {
             const std::string text = mask.is_string() ? mask.get<std::string>() : std::string();
-            // Of an image there is no more than a number that tells it from others.
+            // A field holds only the hash of a mask image, not the image.
             if (!text.empty() && !text.starts_with("texture:"))
                 requests.masks += (requests.masks.empty() ? "" : " ") + text;
         }

@@ -11,17 +11,17 @@
 namespace sward::view {
 namespace {
 
-constexpr double slack = 1.5;        ///< [pixels] beside a blade that still count
-constexpr int curvePieces = 8;       ///< a blade is looked at in so many places
-constexpr double behindGround = 1.0; ///< [heights] a blade may root behind what hides its foot
-constexpr int patchesAtMost = 256;   ///< that are read back; farther ones have tiny blades
+constexpr double slack = 1.5;        ///< [pixels] tolerance beside a blade
+constexpr int curvePieces = 8;       ///< number of test points per blade
+constexpr double behindGround = 1.0; ///< [heights] tolerance for blades rooted behind the hit
+constexpr int patchesAtMost = 256;   ///< most patches read back; farther ones have tiny blades
 
 struct Candidate {
     double entered; ///< [m]
     std::uint32_t patch;
 };
 
-// Patches whose box the sight enters, the nearest first.
+// Patches whose box the line of sight enters, nearest first.
 std::vector<Candidate> candidatesOf(const field::FieldView& field, const Sight& sight,
                                     double farthest)
 {
@@ -44,7 +44,7 @@ std::vector<Candidate> candidatesOf(const field::FieldView& field, const Sight& 
     return found;
 }
 
-// Where along the sight a blade is passed, or infinity.
+// Distance along the line of sight at which it passes a blade, or infinity.
 double passes(const Sight& sight, const render::FieldRenderer::BladeRecord& record,
               const shared::Blade& blade)
 {
@@ -57,7 +57,7 @@ double passes(const Sight& sight, const render::FieldRenderer::BladeRecord& reco
         if (along <= 0.0)
             continue;
         const double aside = glm::length(arm - along * sight.direction);
-        // Between two places lies half a piece.
+        // The nearest test point is at most half a piece away.
         const double reach = 0.5 * static_cast<double>(blade.width) +
                              slack * along * sight.pixelSize +
                              0.5 * static_cast<double>(blade.height) / curvePieces;
@@ -67,7 +67,7 @@ double passes(const Sight& sight, const render::FieldRenderer::BladeRecord& reco
     return std::numeric_limits<double>::infinity();
 }
 
-// The id that an export of its own field gives it.
+// The blade's id in an export of its own field.
 std::uint64_t idOf(const PickedBlade& picked, const ShownField& shown)
 {
     const field::FieldView& own = shown.group.members()[picked.source.member].view;
@@ -104,7 +104,7 @@ std::optional<PickedBlade> pickBlade(const render::FieldRenderer& renderer, cons
             break;
         const shared::Patch& cell = field.patches[candidate.patch];
         const auto records = renderer.dumpPatch(field, candidate.patch);
-        // Nothing is read of what is not in memory, and nothing was drawn of it.
+        // A non-resident patch has no records and was not drawn.
         for (std::uint32_t i = 0; i < records.size(); ++i) {
             if (onlyDrawn && records[i].cullResult != shared::cullResultDrawn)
                 continue;
@@ -130,7 +130,7 @@ PickedBlade lookAgain(const render::FieldRenderer& renderer, const ShownField& s
     PickedBlade again = picked;
     const auto records = renderer.dumpPatch(shown.view, picked.patch);
     if (records.empty())
-        return picked; // it has left the memory
+        return picked; // no longer resident
     again.now = records.at(picked.place);
     again.now.id = picked.now.id;
     return again;

@@ -19,24 +19,24 @@ struct Sight {
     double pixelSize = 0.001;  ///< [m] of one pixel at 1 m
 };
 
-/// Through `pixel` of a picture of `size` pixels.
+/// The line of sight through `pixel` of a picture of `size` pixels.
 Sight sightThrough(const render::Camera& camera, glm::vec2 pixel, glm::uvec2 size);
 
-/// A blade that was pointed at.
+/// A picked blade.
 struct PickedBlade {
-    std::uint32_t patch = 0;                ///< of all that is shown
-    std::uint32_t place = 0;                ///< in that patch
-    field::PatchSource source;              ///< its field, and the patch of that
+    std::uint32_t patch = 0;                ///< in the joined view
+    std::uint32_t place = 0;                ///< index in that patch
+    field::PatchSource source;              ///< its field, and its patch there
     shared::Blade blade = {};               ///< relative to the field's origin
     render::FieldRenderer::BladeRecord now; ///< with the id in its own field
 };
 
-/// The nearest blade that the sight passes, within a pixel or two, before the ground. `onlyDrawn`:
-/// not those that were left out of the last frame. Waits for the device.
+/// The nearest blade within a pixel or two of the line of sight and in front of the ground.
+/// `onlyDrawn`: ignore blades not drawn in the last frame. Waits for the device.
 std::optional<PickedBlade> pickBlade(const render::FieldRenderer& renderer, const ShownField& shown,
                                      const Sight& sight, bool onlyDrawn);
 
-/// The same blade as it is now.
+/// The current state of the same blade.
 PickedBlade lookAgain(const render::FieldRenderer& renderer, const ShownField& shown,
                       const PickedBlade& picked);
 

@@ -12,7 +12,7 @@
 namespace sward::view {
 namespace {
 
-constexpr int channels = 3; ///< alpha says nothing in a finished picture
+constexpr int channels = 3; ///< without alpha: the picture is opaque
 
 void append(void* target, void* bytes, int size)
 {
@@ -28,7 +28,7 @@ void writePng(const Picture& picture, const std::filesystem::path& path, bool ov
     const std::size_t pixels = picture.size.x * std::size_t(picture.size.y);
     expect(pixels > 0 && picture.rgba.size() == 4 * pixels, "a picture has four bytes a pixel");
 
-    // Leave alpha out.
+    // Drop alpha.
     std::vector<std::uint8_t> rgb(channels * pixels);
     for (std::size_t i = 0; i < pixels; ++i)
         std::memcpy(&rgb[channels * i], &picture.rgba[4 * i], channels);

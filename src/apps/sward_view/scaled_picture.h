@@ -9,7 +9,7 @@
 
 namespace sward::view {
 
-/// The picture that is drawn before it is spread over the window: as large as that, or smaller.
+/// The internal picture, scaled to the window afterwards; of the window's size or smaller.
 class ScaledPicture {
 public:
     explicit ScaledPicture(const gpu::DeviceContext& context)
@@ -17,15 +17,15 @@ public:
     {
     }
 
-    /// Has the window's size times `scale`, in the format of its images. Waits for the device if
-    /// that is new.
+    /// Sets the size to the window's size times `scale`, and the window's format. Waits for the
+    /// device if either changes.
     void resize(VkExtent2D window, double scale, VkFormat format);
 
     const gpu::Image& image() const { return image_; }
     glm::uvec2 size() const { return {image_.extent().width, image_.extent().height}; }
 
-    /// From ImageUse::colorTarget over the whole of the window's image, which is then a
-    /// colorTarget; the picture is a transferSource.
+    /// Scales the picture (ImageUse::colorTarget) to the whole window image. Leaves the window
+    /// image as colorTarget and the picture as transferSource.
     void spread(VkCommandBuffer commands, const gpu::Swapchain::Target& target,
                 VkExtent2D window) const;
 

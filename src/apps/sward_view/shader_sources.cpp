@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t linesTold = 8; ///< of a complaint: what follows, follows from it
+constexpr std::size_t linesTold = 8; ///< of an error; later lines are consequential errors
 
 bool isStage(const std::string& path)
 {
@@ -29,9 +29,9 @@ bool isStage(const std::string& path)
                        [&path](std::string_view ending) { return path.ends_with(ending); });
 }
 
-std::string moduleOf(const std::string& state)
+std::string moduleOf(const std::string& stage)
 {
-    return fs::path(state).filename().string() + ".spv";
+    return fs::path(stage).filename().string() + ".spv";
 }
 
 std::vector<std::string> words(const std::string& text)
@@ -43,7 +43,7 @@ std::vector<std::string> words(const std::string& text)
     return result;
 }
 
-// "out: a b c", as make reads it.
+// Reads a make dependency file: "out: a b c".
 std::set<std::string> readDepfile(const fs::path& path)
 {
     std::ifstream in(path);
@@ -55,7 +55,7 @@ std::set<std::string> readDepfile(const fs::path& path)
     return files;
 }
 
-// The lines that name a place first; the rest only says that there are such.
+// Keeps the lines with a source position and drops summaries.
 std::string told(const std::string& said)
 {
     std::istringstream in(said);
@@ -149,7 +149,7 @@ bool ShaderSources::poll()
         if (!last_.contains(path))
             changed.insert(path);
     known_ = last_;
-    // Of a state that was never compiled nobody knows what it reads.
+    // A stage that was never compiled has unknown includes: compile it.
     std::vector<std::string> stages;
     for (const auto& [path, time] : known_) {
         if (!isStage(path))
@@ -164,9 +164,9 @@ bool ShaderSources::poll()
     }
     if (stages.empty())
         return false;
-    // What the user has just written is what he wants to hear of first.
+    // Compile the stages just edited first, so that their errors come first.
     std::stable_partition(stages.begin(), stages.end(),
-                          [&](const std::string& state) { return changed.contains(state); });
+                          [&](const std::string& stage) { return changed.contains(stage); });
     begin(std::move(stages));
     return false;
 }
@@ -177,12 +177,12 @@ void ShaderSources::begin(std::vector<std::string> stages)
     done_ = false;
     results_.clear();
     thread_ = std::thread([this, stages = std::move(stages)] {
-        for (const std::string& state : stages) {
+        for (const std::string& stage : stages) {
             Result result;
             try {
-                result = compile(state);
+                result = compile(stage);
             } catch (const std::exception& error) {
-                result = {state, {}, {}, error.what()};
+                result = {stage, {}, {}, error.what()};
             }
             const std::lock_guard lock(mutex_);
             results_.push_back(std::move(result));
@@ -194,16 +194,16 @@ void ShaderSources::begin(std::vector<std::string> stages)
     });
 }
 
-ShaderSources::Result ShaderSources::compile(const std::string& state) const
+ShaderSources::Result ShaderSources::compile(const std::string& stage) const
 {
-    const fs::path module = scratch_ / moduleOf(state);
+    const fs::path module = scratch_ / moduleOf(stage);
     const fs::path depfile = module.string() + ".d";
     std::vector<std::string> glslang{programOf("glslangValidator")};
     for (std::string& flag : words(SWARD_GLSLANG_FLAGS))
         glslang.push_back(std::move(flag));
     for (std::string& argument :
          std::vector<std::string>{"-I" + folder_.parent_path().string(), "--depfile",
-                                  depfile.string(), "-o", module.string(), state})
+                                  depfile.string(), "-o", module.string(), stage})
         glslang.push_back(std::move(argument));
     ChildEnd end = runChild(std::move(glslang));
     if (endedWell(end)) {
@@ -215,10 +215,10 @@ ShaderSources::Result ShaderSources::compile(const std::string& state) const
     }
     if (!endedWell(end)) {
         const std::string complaint = told(end.said);
-        return {state, {}, {}, complaint.empty() ? state + ": does not compile" : complaint};
+        return {stage, {}, {}, complaint.empty() ? stage + ": does not compile" : complaint};
     }
     const std::vector<std::byte> bytes = readFile(module);
-    Result result{state,
+    Result result{stage,
                   std::vector<std::uint32_t>(bytes.size() / sizeof(std::uint32_t)),
                   readDepfile(depfile),
                   {}};
@@ -226,7 +226,7 @@ ShaderSources::Result ShaderSources::compile(const std::string& state) const
     return result;
 }
 
-// Takes in what has been compiled.
+// Collects the compiled stages.
 bool ShaderSources::end()
 {
     {
@@ -238,17 +238,17 @@ bool ShaderSources::end()
     std::string complaint;
     for (Result& result : results_) {
         if (!result.complaint.empty()) {
-            broken_.insert(result.state);
+            broken_.insert(result.stage);
             if (complaint.empty())
                 complaint = std::move(result.complaint);
             continue;
         }
-        broken_.erase(result.state);
-        reads_[result.state] = std::move(result.reads);
-        compiled_[moduleOf(result.state)] = std::move(result.words);
+        broken_.erase(result.stage);
+        reads_[result.stage] = std::move(result.reads);
+        compiled_[moduleOf(result.stage)] = std::move(result.words);
     }
-    // A state that is gone is nobody's trouble.
-    std::erase_if(broken_, [this](const std::string& state) { return !known_.contains(state); });
+    // Drop errors of deleted stages.
+    std::erase_if(broken_, [this](const std::string& stage) { return !known_.contains(stage); });
     complaint_ = std::move(complaint);
     if (!complaint_.empty())
         log::error("{}", complaint_);

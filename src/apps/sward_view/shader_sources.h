@@ -15,56 +15,55 @@
 
 namespace sward::view {
 
-/// SPIR-V modules for a renderer, some of them compiled anew.
+/// SPIR-V modules for a renderer, some of them recompiled.
 struct ShaderModules {
-    std::map<std::string, std::vector<std::uint32_t>> compiled; ///< by their names
-    std::vector<EmbeddedFile> files; ///< those built in, or their successors
+    std::map<std::string, std::vector<std::uint32_t>> compiled; ///< by name
+    std::vector<EmbeddedFile> files; ///< built-in modules, or their replacements
 };
 
-/// The folder of shaders that the program was built from, or a copy: compiles what changes in it,
-/// as the build does, in a thread of its own. Both programs of the build, glslangValidator and
-/// spirv-val, are looked for in $PATH.
+/// A folder of shader sources. Recompiles changed files as the build does, in a separate thread.
+/// Finds glslangValidator and spirv-val in $PATH.
 class ShaderSources {
 public:
-    /// `folder` is called "shaders", as includes call it; it is taken to be what is built in.
-    /// Throws Error{io} if it is not there or is called otherwise.
+    /// `folder` must be named "shaders", as includes expect; its content is assumed to equal the
+    /// built-in one. Throws Error{io} if it is missing or named otherwise.
     ShaderSources(std::filesystem::path folder, std::span<const EmbeddedFile> builtIn);
     ShaderSources(const ShaderSources&) = delete;
     ShaderSources& operator=(const ShaderSources&) = delete;
     ~ShaderSources();
 
-    /// Looks at the folder, and compiles what stands changed at two looks in a row, with all that
-    /// includes it. Never waits. Whether there are other modules than before: once everything
-    /// compiles again.
+    /// Polls the folder without waiting. Compiles files changed and then stable at two polls, and
+    /// their dependents. Returns whether new modules are available: only once everything compiles
+    /// again.
     bool poll();
 
-    /// The last ones that all compiled; null until something has changed.
+    /// The last complete set of modules; null until a change.
     std::shared_ptr<const ShaderModules> modules() const { return modules_; }
 
-    /// What the compiler finds wrong, with file and line; empty if nothing is.
+    /// Compiler errors with file and line; empty if there are none.
     const std::string& complaint() const { return complaint_; }
 
 private:
     using Look = std::map<std::string, std::filesystem::file_time_type>; ///< by the file's path
-    /// A state that was compiled, or was not.
+    /// Result of compiling a stage.
     struct Result {
-        std::string state; ///< its path
+        std::string stage; ///< its path
         std::vector<std::uint32_t> words;
-        std::set<std::string> reads; ///< it and what it includes
+        std::set<std::string> reads; ///< the stage and its includes
         std::string complaint;
     };
 
     Look look() const;
     void begin(std::vector<std::string> stages);
     bool end();
-    Result compile(const std::string& state) const;
+    Result compile(const std::string& stage) const;
 
     std::filesystem::path folder_;
-    std::filesystem::path scratch_; ///< of the compiler
+    std::filesystem::path scratch_; ///< output folder of the compiler
     std::span<const EmbeddedFile> builtIn_;
-    Look known_;                                                 ///< what was compiled
-    Look last_;                                                  ///< what was seen last
-    std::map<std::string, std::set<std::string>> reads_;         ///< by state, once it was compiled
+    Look known_;                                                 ///< stage at the last compilation
+    Look last_;                                                  ///< stage at the last poll
+    std::map<std::string, std::set<std::string>> reads_;         ///< by stage, once compiled
     std::set<std::string> broken_;                               ///< stages that do not compile
     std::map<std::string, std::vector<std::uint32_t>> compiled_; ///< by module
     std::shared_ptr<const ShaderModules> modules_;
@@ -73,7 +72,7 @@ private:
     std::thread thread_;
     std::mutex mutex_;
     bool done_ = false;
-    bool ends_ = false; ///< the compiler is to stop
+    bool ends_ = false; ///< asks the compiler to stop
     std::vector<Result> results_;
 };
 

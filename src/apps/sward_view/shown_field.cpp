@@ -10,11 +10,10 @@
 namespace sward::view {
 namespace {
 
-/// A file that is larger is mapped [bytes]: its copy would take the memory of others.
+/// Larger files are mapped instead of copied [bytes], to limit the memory.
 constexpr std::uintmax_t largestCopy = std::uintmax_t(1) << 30;
 
-// A copy of a file: whoever writes over it while it is shown harms nothing. Nothing for a large
-// one.
+// Copies a file, so that overwriting it while it is shown does no harm. Empty for a large file.
 std::vector<std::byte> bytesOf(const std::filesystem::path& file)
 {
     std::error_code unknown;
@@ -30,7 +29,7 @@ std::vector<field::Member> membersOf(const OpenedFields& fields)
     return members;
 }
 
-// What one is, it says; of several the first does.
+// A single field has its own summary; several get one of the joined view.
 field::Summary summaryOf(const OpenedFields& fields, const field::FieldView& together)
 {
     return fields.size() == 1 ? fields[0]->summary : field::summarise(together);

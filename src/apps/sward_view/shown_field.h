@@ -3,7 +3,7 @@
 #include "apps/sward_view/field_group.h"
 #include "apps/sward_view/ground_surface.h"
 #include "apps/sward_view/meadow_requests.h"
-#include "apps/sward_view/watched_file.h"
+#include "apps/sward_view/window/watched_file.h"
 #include "field/inspect.h"
 #include "field/read.h"
 
@@ -19,32 +19,32 @@
 
 namespace sward::view {
 
-/// What was opened, and the file that holds its field: itself, or what was baked on it.
+/// An opened input and its field file: the input itself, or the field baked on it.
 struct FieldSource {
     std::string input;                      ///< a field, or a ground
     std::filesystem::path file;             ///< the field
-    std::string report;                     ///< of its bake, for people; empty for a field
-    WatchedFile watched;                    ///< the input, as it was before it was read
-    WatchedFile watchedMeadow;              ///< the file of what was sown, if there is one
-    std::optional<MeadowRequests> requests; ///< that it was baked with here
+    std::string report;                     ///< readable report of the bake; empty for a field
+    WatchedFile watched;                    ///< the input, before it was read
+    WatchedFile watchedMeadow;              ///< the meadow file, if there is one
+    std::optional<MeadowRequests> requests; ///< requests of a bake by this window
 };
 
-/// A field on the CPU's side. It may be shown alone or among others.
+/// A field in host memory, shown alone or with others.
 struct OpenedField {
-    /// Throws what readField() throws.
+    /// Throws as readField() does.
     explicit OpenedField(FieldSource source);
 
     FieldSource source;
-    std::vector<std::byte> bytes; ///< of the file, unless it is large
+    std::vector<std::byte> bytes; ///< content of the file, unless it is large
     field::MappedField mapped;
     field::Summary summary;
     std::string name; ///< the last part of its input
 };
 using OpenedFields = std::vector<std::shared_ptr<OpenedField>>;
 
-/// The fields that are shown together, with what the window asks of them.
+/// The fields shown together, with derived values for the window.
 struct ShownField {
-    /// One or more. Throws what field::join() throws.
+    /// One or more members. Throws as field::join() does.
     explicit ShownField(OpenedFields members);
 
     /// Whether one of them was opened from `input`.
@@ -55,25 +55,25 @@ struct ShownField {
     const field::FieldView& view; ///< of all
     field::Summary summary;       ///< of all
     GroundSurface ground;
-    std::string name; ///< for the title
+    std::string name; ///< window title
 };
 
-/// Reads fields, and joins them with others, while the window goes on.
+/// Reads fields and joins them with others in the background.
 class FieldLoader {
 public:
-    /// Reads `sources` and puts them between `others`, the first at `place`.
+    /// Reads `sources` and inserts them into `others`, the first at `place`.
     FieldLoader(std::vector<FieldSource> sources, OpenedFields others, std::size_t place);
     FieldLoader(const FieldLoader&) = delete;
     FieldLoader& operator=(const FieldLoader&) = delete;
     ~FieldLoader();
 
-    /// What is read, in words.
+    /// Description of the current work.
     const std::string& title() const { return title_; }
 
-    /// Whether it has ended; never waits.
+    /// Whether it has finished; never waits.
     bool isDone();
 
-    /// The fields, after it has ended. Throws what readField() and join() threw.
+    /// Returns the fields after the end. Throws the errors of readField() and join().
     std::unique_ptr<ShownField> take();
 
 private:

@@ -4,10 +4,10 @@
 
 namespace sward::view {
 
-/// A folder of our own, taken away with all that is in it when this object goes.
+/// A temporary folder; the destructor deletes it with its content.
 class TemporaryFolder {
 public:
-    /// Throws Error{io} if there is no room for it.
+    /// Throws Error{io} if it cannot be created.
     TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "apps/sward_view/baking.h"
-#include "apps/sward_view/collider_dragger.h"
 #include "apps/sward_view/meadow_requests.h"
 #include "apps/sward_view/picking.h"
-#include "apps/sward_view/recent_files.h"
 #include "apps/sward_view/shown_field.h"
+#include "apps/sward_view/window/collider_dragger.h"
+#include "apps/sward_view/window/recent_files.h"
 #include "gpu/timestamps.h"
 #include "render/frame_settings.h"
 
@@ -17,27 +17,27 @@
 
 namespace sward::view {
 
-/// The time of the field, as the user lets it pass.
+/// Field time, controlled by the user.
 struct FieldTime {
     double now = 0.0;   ///< [s]
     double scale = 1.0; ///< field seconds per second
     bool paused = false;
-    bool stepOnce = false;    ///< takes one step of `step` although it is paused
+    bool stepOnce = false;    ///< advance one `step` while paused
     double step = 1.0 / 60.0; ///< [s]
 };
 
-/// A field before and after it was baked again.
+/// Changes between a field and its new bake.
 struct BakeDifference {
     std::uint64_t bladesBefore = 0, bladesAfter = 0;
     double heightBefore = 0.0, heightAfter = 0.0; ///< [m] mean
 };
 
-/// What the panels ask the viewer for; it does that between two frames.
+/// Requests of the panels; the viewer fulfils them between two frames.
 struct Requests {
-    std::vector<std::string> open;     ///< instead of what is shown
-    std::vector<std::string> add;      ///< to what is shown
-    std::optional<std::size_t> remove; ///< a field by its number
-    std::optional<std::size_t> choose; ///< the field that is baked again
+    std::vector<std::string> open;     ///< replaces the shown fields
+    std::vector<std::string> add;      ///< adds to the shown fields
+    std::optional<std::size_t> remove; ///< index of the field to remove
+    std::optional<std::size_t> choose; ///< field for the next bake
     std::optional<std::string> loadSettings;
     std::optional<std::string> saveSettings;
     std::optional<std::string> saveCamera;
@@ -45,7 +45,7 @@ struct Requests {
     bool resetSettings = false;
     bool bake = false;
     bool cancelBake = false;
-    bool compare = false; ///< the field before the last bake, or the one after it
+    bool compare = false; ///< toggles between the fields before and after the bake
     bool frameField = false;
     bool goHome = false;
     bool walk = false;   ///< or no longer
@@ -56,9 +56,9 @@ struct Requests {
     bool forgetTimes = false;
 };
 
-/// Everything that the panels show and turn. What is turned is obeyed by the next frame.
+/// Everything that the panels show and change. The next frame uses the changes.
 struct ViewerState {
-    // Turned by the panels.
+    // Changed by the panels.
     render::FrameSettings settings;
     FieldTime time;
     MeadowRequests meadow;
@@ -70,40 +70,40 @@ struct ViewerState {
     std::string sequenceFiles = "frame_%04d.png";
     std::string pathFile = "camera_path.json";
     std::string videoFile = "sward.mp4";
-    std::string another;               ///< field or ground that is typed in
-    bool dropAdds = false;             ///< what is dropped is shown beside the rest
-    bool makesVideo = false;           ///< of a sequence, instead of numbered pictures
+    std::string another;               ///< typed name of a field or ground
+    bool dropAdds = false;             ///< dropped files are added to the shown fields
+    bool makesVideo = false;           ///< record a sequence as a video
     int sequenceLength = 120;          ///< frames
     float sequenceStep = 1.0f / 30.0f; ///< [s]
     bool showWindArrows = false;
     bool showColliders = false;
     Requests requests;
 
-    // Told by the viewer.
+    // Set by the viewer.
     const ShownField* field = nullptr; ///< none yet: null
-    std::size_t chosen = 0;            ///< of its members
+    std::size_t chosen = 0;            ///< index of the chosen member
     const gpu::Timestamps* times = nullptr;
     const RecentFiles* recent = nullptr;
     render::FrameStats counts;
     std::size_t deviceBytes = 0;
     double frameSeconds = 0.0; ///< smoothed
     std::string device;
-    std::string loading; ///< what is being read; empty: nothing
+    std::string loading; ///< current load; empty: none
     const Baking* baking = nullptr;
-    std::string bakeReport; ///< of the last bake, by reason
+    std::string bakeReport; ///< report of the last bake, by reason
     std::optional<BakeDifference> difference;
-    bool showsFormer = false; ///< the field before the last bake
+    bool showsFormer = false; ///< shows the field before the last bake
     std::optional<PickedBlade> picked;
     std::string error;       ///< stays until it is closed
     std::string shaderError; ///< stays until the shaders compile again
-    std::string notice;      ///< goes by itself
-    bool hasFfmpeg = false;  ///< which makes films
+    std::string notice;      ///< disappears automatically
+    bool hasFfmpeg = false;  ///< required for videos
     float heading = 0.0f;    ///< [rad] of the view: 0 is +x, π/2 is +z
     bool walking = false;
     bool recording = false;
     bool replaying = false;
     double flySpeed = 0.0;        ///< [m/s]
-    std::size_t sequenceDone = 0; ///< pictures; 0 while none is taken
+    std::size_t sequenceDone = 0; ///< pictures taken; 0: no sequence
 };
 
 } // namespace sward::view

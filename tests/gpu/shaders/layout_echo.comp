@@ -170,6 +170,10 @@ void put(Environment environment)
     put(environment.wind.eddySize);
     put(environment.wind.eddySpeed);
     put(environment.wind.sum);
+    put(environment.wind.lattice.origin);
+    put(environment.wind.lattice.x);
+    put(environment.wind.lattice.y);
+    put(environment.wind.lattice.z);
     for (uint i = 0u; i < maxWindSources; ++i)
         put(environment.wind.sources[i]);
     put(uvec2(environment.colliders));
@@ -374,6 +378,7 @@ void main()
     put(uvec2(sources.at[0].hostViewPush.at[1].instances));
     put(uvec2(sources.at[0].hostViewPush.at[1].visibility));
     put(uvec2(sources.at[0].hostViewPush.at[1].motions));
+    put(uvec2(sources.at[0].hostViewPush.at[1].tiles));
     put(sources.at[0].hostViewPush.at[1].size);
     put(sources.at[0].hostViewPush.at[1].instanceCount);
     put(sources.at[0].hostViewPush.at[1].slack);

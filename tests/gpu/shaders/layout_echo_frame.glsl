@@ -64,6 +64,6 @@ void putFrame()
     put(FRAME.shadow);
     put(FRAME.fogFalloff);
     put(FRAME.lowSun);
-    for (int i = 0; i < 55; ++i)
+    for (int i = 0; i < FRAME.reserved.length(); ++i)
         put(FRAME.reserved[i]);
 }

@@ -15,7 +15,7 @@
 namespace sward::test {
 namespace {
 
-// Half of what a patch may own: small fields have patches enough so.
+// Half of a patch's maximum, so that small fields have enough patches.
 constexpr std::uint32_t maxOwned = shared::maxPatchBlades / 2;
 
 /// Random numbers of one blade.
@@ -84,7 +84,7 @@ struct Node {
     float rankLow;
 };
 
-/// Everything of a patch that follows from the blades of its subtree and the number it owns.
+/// Makes a patch from the blades of its subtree and the number it owns.
 shared::Patch patchOf(const Node& node, const std::vector<shared::Blade>& blades,
                       std::uint32_t owned)
 {
@@ -105,7 +105,7 @@ shared::Patch patchOf(const Node& node, const std::vector<shared::Blade>& blades
         cell.coneCosine = std::max(
             std::min(cell.coneCosine, glm::dot(cell.coneAxis, blades[i].up) - 2e-4f), -1.0f);
 
-    // Steps that take the owned blades from end to end of their numbers.
+    // Choose quantisation steps for the range of the owned blades.
     Aabb roots;
     float height[2] = {1e9f, 0.0f};
     float width[2] = {1e9f, 0.0f};
@@ -138,7 +138,7 @@ shared::Patch patchOf(const Node& node, const std::vector<shared::Blade>& blades
     return cell;
 }
 
-/// The octants of a node that the blades it does not own fall into.
+/// Divides the blades that a node does not own into its octants.
 std::array<Node, 8> divide(const Node& node, const std::vector<shared::Blade>& blades,
                            std::uint32_t owned, std::uint32_t index, float rankHigh)
 {
@@ -198,7 +198,7 @@ field::Field makeField(const FieldSettings& settings)
     if (settings.blades == 0)
         return field;
 
-    // Drawn independently of each other, so that every prefix is spread alike.
+    // Independent random blades, so that every prefix has the same distribution.
     std::vector<shared::Blade> blades(settings.blades);
     Node root{{}, glm::vec3(-0.5f * settings.extent), settings.extent, shared::noPatch, 0, 0.0f};
     for (std::size_t i = 0; i < blades.size(); ++i) {
@@ -220,7 +220,7 @@ field::Field makeField(const FieldSettings& settings)
             field.blades.push_back(shared::packBlade(blades[node.blades[k]], cell));
             field.keys.push_back({node.blades[k], 0});
         }
-        // Children come behind all that wait already.
+        // Append children behind all waiting nodes.
         for (Node& child : divide(node, blades, owned, index, cell.rankHigh)) {
             if (child.blades.empty())
                 continue;

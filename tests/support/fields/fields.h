@@ -9,14 +9,14 @@
 
 namespace sward::test {
 
-/// What the blades of a made field stand on.
+/// Ground of a generated field.
 enum class Surface {
     cloud,  ///< anywhere in a cube, with up-vectors of every direction; no ground is drawn
     plane,  ///< a square at height 0
     sphere, ///< a ball around the origin
 };
 
-/// A field without a bake, for tests of what comes after it.
+/// A field generated without a bake, for tests of later stages.
 struct FieldSettings {
     Surface surface = Surface::plane;
     std::size_t blades = 4096;

@@ -5,15 +5,15 @@
 namespace sward::test {
 namespace {
 
-// Keeps the device from the first test that asks for it to the end of the program, but not beyond:
-// at exit the driver may already be gone.
+// Keeps the device from its first use to the end of the tests, not longer: at exit the driver may
+// be unloaded.
 class HeadlessEnvironment : public testing::Environment {
 public:
     void TearDown() override
     {
         if (!instance_)
             return;
-        // The device says on its way out what was left behind.
+        // The destructor of the device reports leaks.
         device_.reset();
         const gpu::ValidationLog& log = instance_->validationLog();
         EXPECT_EQ(log.count(), 0U) << log.text();
@@ -42,14 +42,14 @@ private:
 
 HeadlessEnvironment& environment()
 {
-    // GoogleTest owns what it is given.
+    // GoogleTest owns the environment.
     static auto* const environment = new HeadlessEnvironment;
     static const testing::Environment* const added = testing::AddGlobalTestEnvironment(environment);
     static_cast<void>(added);
     return *environment;
 }
 
-// Registered before main(): GoogleTest takes no environments once it runs.
+// Register before main(): GoogleTest accepts no environments later.
 [[maybe_unused]] const HeadlessEnvironment& registered = environment();
 
 } // namespace

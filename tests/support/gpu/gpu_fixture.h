@@ -7,9 +7,9 @@
 
 namespace sward::test {
 
-/// A test on a headless device that is made once per program, with validation and synchronisation
-/// validation. Whatever the validation layer says fails the test. SWARD_GPU_ENVIRONMENT
-/// (tests/CMakeLists.txt) makes the device lavapipe.
+/// A test on a headless device, made once per program, with validation and synchronisation
+/// validation. Any validation message fails the test. SWARD_GPU_ENVIRONMENT (tests/CMakeLists.txt)
+/// selects lavapipe.
 class GpuTest : public testing::Test {
 protected:
     void SetUp() override;

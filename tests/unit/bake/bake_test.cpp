@@ -63,7 +63,7 @@ TEST(Bake, StandsBladesAlongTheNormalOfASphere)
             largest =
                 std::max(largest, std::acos(std::min(glm::dot(radial, glm::dvec3(blade.up)), 1.0)));
         }
-    // Packing, and what the interpolated normal of a 128-sided sphere misses.
+    // Error of packing and of the interpolated normal of a 128-sided sphere.
     EXPECT_LE(largest, double(shared::octahedralMaxError) + 1e-3);
 }
 

@@ -1,6 +1,6 @@
-#include "bake/blade_traits.h"
+#include "bake/blades/blade_traits.h"
 #include "support/meshes.h"
-#include "terrain/heightfield.h"
+#include "terrain/heightmap/heightfield.h"
 #include "unit/bake/bake_settings.h"
 #include "unit/bake/place_trial.h"
 
@@ -21,7 +21,7 @@ terrain::GroundMesh level(double side, std::uint32_t cells = 32)
                                 [](double, double) { return 0.0; });
 }
 
-// Settings of one species whose blades are all alike where nothing else changes them.
+// Settings of one species with equal blades unless something else varies them.
 BakeSettings alike()
 {
     BakeSettings settings = tests::plainSettings(1.0);
@@ -59,7 +59,7 @@ TEST(Facing, IsSharedByAClumpAndNotByItsNeighbours)
     glm::dvec3 sum(0.0);
     for (std::size_t i = 0; i < blades.size(); ++i)
         if (const Clumps::Clump* const clump = clumps.nearest(roots[i].position)) {
-            // A tenth of a turn is left to chance: 18° to either side.
+            // A tenth of a turn is random: 18° to either side.
             ASSERT_GT(glm::dot(glm::dvec3(frontOf(blades[i])), clump->direction(mesh)), 0.94);
             sum += glm::dvec3(frontOf(blades[i]));
         }
@@ -204,7 +204,7 @@ TEST(Tufts, GatherBladesWithoutLosingOne)
     double near = 0.0;
     double alone = 0.0;
     for (std::size_t i = 0; i < blades.size(); ++i) {
-        // On the ground, no farther from its root than a tuft reaches.
+        // On the ground, within the reach of a tuft.
         ASSERT_LT(place.query().nearest(glm::dvec3(blades[i].root)).distance, 1e-5);
         ASSERT_LT(glm::length(blades[i].root - roots[i].position), 0.75f);
         ASSERT_GT(glm::dot(blades[i].up, glm::normalize(blades[i].root)), 0.99f);

@@ -1,7 +1,7 @@
-#include "bake/clumps.h"
+#include "bake/blades/clumps.h"
 #include "core/random.h"
 #include "support/meshes.h"
-#include "terrain/heightfield.h"
+#include "terrain/heightmap/heightfield.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ glm::vec3 placeOn(const terrain::GroundMesh& mesh, std::uint64_t i)
 
 TEST(Clumps, StandAboutTheirSpacingApart)
 {
-    // Whether triangles are far larger than clumps or far smaller.
+    // Triangles far larger and far smaller than clumps.
     for (const std::uint32_t cells : {4U, 400U}) {
         const terrain::GroundMesh mesh = ground(20.0, cells);
         double clumps = 0.0;
@@ -44,7 +44,7 @@ TEST(Clumps, NearestIsNearest)
     const terrain::GroundMesh mesh = ground(12.0, 50);
     const double spacing = 0.7;
     const Clumps clumps(mesh, spacing, 3);
-    // All clumps that are nearest to some place.
+    // All clumps that are nearest to some position.
     std::map<std::uint64_t, glm::vec3> all;
     for (std::uint64_t i = 0; i < 50'000; ++i)
         if (const Clumps::Clump* found = clumps.nearest(placeOn(mesh, i)))

@@ -1,5 +1,5 @@
-#include "bake/poisson_region.h"
-#include "bake/root_source.h"
+#include "bake/sample/poisson_region.h"
+#include "bake/sample/root_source.h"
 #include "core/exact_math.h"
 #include "support/meshes.h"
 #include "unit/bake/bake_settings.h"
@@ -11,7 +11,7 @@
 #include <cmath>
 #include <vector>
 
-// Every unit of area gets its share, wherever cells of whatever kind begin and end.
+// Every unit of area gets the expected density, independent of the borders of cells.
 namespace sward::bake {
 namespace {
 
@@ -68,8 +68,8 @@ TEST(Density, IsStratifiedFarBelowChance)
     EXPECT_LE((chiSquare - cells) / std::sqrt(2.0 * cells), -10.0);
 }
 
-// Counts in 64 strips across an axis, all strips a pitch apart laid over each other, relative to
-// their mean. Only a square of whole pitches counts.
+// Counts in 64 strips across an axis, folded by a pitch and relative to their mean. Uses only a
+// square of whole pitches.
 std::vector<double> strips(const Roots& roots, glm::length_t axis, double pitch, double offset)
 {
     std::vector<double> counts(64, 0.0);
@@ -90,14 +90,14 @@ std::vector<double> strips(const Roots& roots, glm::length_t axis, double pitch,
 
 TEST(Density, HasNoSeamAtTheBordersOfCells)
 {
-    // The mesh lies askew, so that none of its own lines falls on a border.
+    // The mesh is rotated, so that none of its lines coincides with a border.
     const terrain::GroundMesh ground =
         meshes::rotated(meshes::grid(96, 192.0), glm::angleAxis(0.3, glm::dvec3(0.0, 1.0, 0.0)));
     const double density = 40.0;
     for (const Spread spread : {Spread::uniform, Spread::poisson}) {
         const Roots roots = rootsOf(ground, density, spread);
         // Cells of 32 m (tiles, patches) and 4 m (patches), and cubes of disks (decision 0015): 20
-        // of the 23.5 parts of what a root depends on.
+        // of the 23.5 parts of a root's reach.
         BakeSettings settings = tests::plainSettings(density);
         settings.spread = spread;
         RootPlan plan;

@@ -1,4 +1,4 @@
-#include "bake/exposure.h"
+#include "bake/filter/exposure.h"
 #include "support/meshes.h"
 #include "unit/bake/bake_settings.h"
 #include "unit/bake/place_trial.h"
@@ -13,7 +13,7 @@ namespace {
 
 TEST(Exposure, IsTheCosineWeightedShareOfTheSky)
 {
-    // An endless wall hides half of the sky of whatever stands before it on one side or the other.
+    // An infinite wall hides half of the sky of roots on either side.
     terrain::GroundMesh ground = meshes::square(2.0);
     terrain::GroundMesh wall = meshes::soup(
         {{-50, -50, 0}, {50, -50, 0}, {-50, 50, 0}, {50, 50, 0}}, {{0, 1, 2}, {2, 1, 3}});
@@ -55,7 +55,7 @@ TEST(Exposure, LooksNoFartherThanItsRays)
     BakeSettings settings = tests::plainSettings(1.0);
     settings.exposureRays = 200;
     const terrain::SurfaceQuery query(mesh);
-    // Under a wide roof 3 m up, rays of r metres end before it at cosines below 3/r: cos² of them.
+    // Under a wide roof 3 m up, rays of r metres miss it at cosines below 3/r: a share of cos².
     for (const auto& [length, share] : {std::pair(2.9, 1.0), std::pair(6.0, 0.25)}) {
         const Exposure exposure(mesh, settings, length, query);
         for (const RootSample& root : tests::evenRoots(mesh, 2.0))

@@ -1,7 +1,7 @@
-#include "bake/mask.h"
+#include "bake/filter/mask.h"
 #include "core/error.h"
 #include "support/meshes.h"
-#include "terrain/heightfield.h"
+#include "terrain/heightmap/heightfield.h"
 #include "unit/bake/bake_settings.h"
 #include "unit/bake/place_trial.h"
 
@@ -50,7 +50,7 @@ TEST(TextureMask, MultipliesDensityByWhatIsPainted)
     settings.masks = {texture(image(2, {0.0, 1.0, 0.25, 0.5}))};
     const terrain::GroundMesh mesh = mapped(10.0, 1.0);
     const tests::Trial trial = tests::tryRoots(mesh, settings, 400.0);
-    // Within half a pixel of its middle a field is mixed with its neighbours; there they are pure.
+    // Within half a pixel of its border a field mixes with its neighbours; the centres are pure.
     std::array<double, 4> counts{};
     for (const RootSample& root : trial.kept) {
         const double x = double(root.position.x) / 5.0;
@@ -133,7 +133,7 @@ TEST(CheckMasks, NamesTheMaterialThatLacksSomething)
     mesh.hasColors = true;
     EXPECT_EQ(complaint(Mask()), "");
     EXPECT_EQ(complaint(painted), "");
-    // What bears no grass lacks nothing.
+    // Ground that bears no grass needs no mask data.
     std::fill(mesh.bears.begin(), mesh.bears.end(), std::uint8_t(0));
     EXPECT_EQ(complaint(own), "");
 }

@@ -1,6 +1,6 @@
 #include "bake/bake.h"
-#include "bake/patch_tree.h"
-#include "bake/progressive_order.h"
+#include "bake/patches/patch_tree.h"
+#include "bake/sample/progressive_order.h"
 #include "support/meshes.h"
 #include "unit/bake/bake_settings.h"
 
@@ -53,8 +53,8 @@ TEST(PatchTree, GivesBladesToCellsOfAtMost32Metres)
 
 TEST(PatchTree, PatchesAreNotNearlyEmptyWhateverTheDensity)
 {
-    // A factor of four, as between a cell and its children: so every way is met in which cells
-    // fill.
+    // Cover a factor of four, the ratio of a cell to its children, to test all fill levels of
+    // cells.
     for (const double density : {12.0, 15.0, 19.0, 24.0, 30.0, 38.0}) {
         const field::Field field = grow(meshes::square(64.0), density);
         std::size_t nonEmptyPatches = 0;
@@ -75,7 +75,7 @@ TEST(PatchTree, BoundsHoldTheReachOfEveryBladeBelow)
         for (std::uint32_t i = 0; i < patch.bladeCount; ++i) {
             const shared::Blade blade =
                 shared::unpackBlade(field.blades[patch.firstBlade + i], patch);
-            // All the way up: every ancestor's box and cone hold it too.
+            // Every ancestor's box and cone contain it too.
             const shared::Patch* at = &patch;
             while (true) {
                 for (glm::length_t axis = 0; axis < 3; ++axis) {

@@ -1,8 +1,8 @@
 #include "unit/bake/place_trial.h"
 
-#include "bake/triangle_points.h"
+#include "bake/sample/triangle_points.h"
 #include "core/random.h"
-#include "terrain/topology.h"
+#include "terrain/topology/topology.h"
 
 #include <cmath>
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "bake/root_filter.h"
+#include "bake/filter/root_filter.h"
 #include "bake/settings.h"
 #include "terrain/ground_mesh.h"
-#include "terrain/surface_features.h"
-#include "terrain/surface_query.h"
+#include "terrain/query/surface_query.h"
+#include "terrain/topology/surface_features.h"
 
 #include <array>
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace sward::tests {
 
-/// Everything a filter asks, for one ground.
+/// All inputs of a filter for one ground.
 class Place {
 public:
     Place(const terrain::GroundMesh& ground, const bake::BakeSettings& settings,
@@ -31,7 +31,7 @@ private:
 std::vector<bake::RootSample> evenRoots(const terrain::GroundMesh& ground, double density,
                                         std::uint64_t seed = 0);
 
-/// What became of them.
+/// Result of filtering.
 struct Trial {
     std::vector<bake::RootSample> kept;
     std::array<std::uint64_t, bake::rejectCount> rejected{};

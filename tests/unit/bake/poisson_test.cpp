@@ -1,5 +1,5 @@
-#include "bake/poisson_disk.h"
-#include "bake/root_source.h"
+#include "bake/sample/poisson_disk.h"
+#include "bake/sample/root_source.h"
 #include "core/error.h"
 #include "core/random.h"
 #include "support/meshes.h"
@@ -46,7 +46,7 @@ std::vector<glm::dvec3> placesOf(const Roots& roots)
     return places;
 }
 
-// Share of uniform places on the ground that no root is within the spacing of.
+// Share of uniform random ground points without a root within the spacing.
 double uncovered(const terrain::GroundMesh& ground, const Roots& roots, double spacing)
 {
     std::map<std::array<int, 3>, std::vector<glm::dvec3>> cells;
@@ -174,7 +174,7 @@ TEST(PoissonDisk, IsTheSameForAnyNumberOfThreads)
 
 TEST(PoissonDisk, ThinsEvenlyUnderAMask)
 {
-    // Density goes with the mask, and sparse places keep wider spacings.
+    // Density is proportional to the mask, and sparse areas have wider spacings.
     terrain::GroundMesh ground = meshes::square(8.0);
     ground.hasColors = true;
     const std::size_t full = sampleOf(ground, poisson(0.05)).roots.size();
@@ -239,7 +239,7 @@ TEST(PoissonLattice, KeepsRegionsOfOneKindApart)
         const PoissonLattice::Key key = lattice.regionOf(place);
         kinds[std::size_t(PoissonLattice::kindOf(key))].push_back({place, key});
 
-        // What a box says includes what its places say.
+        // The regions of a box include those of its points.
         std::vector<PoissonLattice::Key> keys;
         lattice.addRegionsOf(place - 0.3, place + 0.1, keys);
         ASSERT_EQ(std::count(keys.begin(), keys.end(), key), 1);

@@ -1,6 +1,6 @@
 #include "bake/bake.h"
-#include "bake/local_ranks.h"
-#include "bake/progressive_order.h"
+#include "bake/patches/local_ranks.h"
+#include "bake/sample/progressive_order.h"
 #include "shaders/shared/blade.h"
 #include "support/meshes.h"
 #include "unit/bake/bake_settings.h"

@@ -1,7 +1,7 @@
-#include "bake/root_filter.h"
+#include "bake/filter/root_filter.h"
 #include "core/random.h"
 #include "support/meshes.h"
-#include "terrain/heightfield.h"
+#include "terrain/heightmap/heightfield.h"
 #include "unit/bake/bake_settings.h"
 #include "unit/bake/place_trial.h"
 
@@ -158,7 +158,7 @@ TEST(WaterFilter, MeasuresFromAPlanetsCentre)
 
 TEST(Clearance, LeavesTheFootprintOfABoxBareToTheMillimetre)
 {
-    // The box, 2 m wide, hovers 1 m above the ground: part of the scene, then an occluder.
+    // The box, 2 m wide, is 1 m above the ground: part of the scene, then an occluder.
     for (const bool bears : {true, false}) {
         terrain::GroundMesh mesh = meshes::boxAbovePlane();
         for (std::size_t t = 2; t < mesh.bears.size(); ++t)
@@ -169,7 +169,7 @@ TEST(Clearance, LeavesTheFootprintOfABoxBareToTheMillimetre)
         const RootSample any = tests::evenRoots(mesh, 1.0).front();
         int inside = 0;
         for (std::uint64_t i = 0; i < 20'000; ++i) {
-            // Crowd the roots about the edge.
+            // Place the roots around the edge.
             const double rim = 1.0 + 0.004 * (uniform(1, i, 0) - 0.5);
             const double along = 2.0 * uniform(1, i, 1) - 1.0;
             RootSample root = any;
@@ -223,7 +223,7 @@ TEST(SkyFilter, AsksForTheOpenAndForTheShade)
     settings.sky = {0.5, 1.0, 0.0};
     const Trial open = tryRoots(mesh, settings, 20.0);
     ASSERT_GT(open.kept.size(), 500U);
-    // Away from the roof's other sides.
+    // Ignore the roof's other sides.
     for (const RootSample& root : open.kept)
         ASSERT_FALSE(root.position.x > 0.5f && root.position.x < 3.0f &&
                      std::fabs(root.position.z) < 3.0f);
@@ -319,7 +319,7 @@ TEST(Occluder, BuriesWhatIsInsideOrUnderIt)
         if (dome.positions[dome.triangles[t].x].y < -0.5f)
             dome.triangles[t] = glm::uvec3(dome.triangles[t].x);
     EXPECT_NEAR(buried(dome), 50.0 * 3.14159 * 2.25, 40.0);
-    // None under a box in the air, none under a roof whichever way it faces.
+    // None under a box in the air or under a roof of either orientation.
     EXPECT_EQ(buried(meshes::moved(meshes::cube(2.0), {0, 1.5, 0})), 0.0);
     EXPECT_EQ(buried(meshes::square(4.0, 0.5)), 0.0);
     terrain::GroundMesh ceiling = meshes::square(4.0, 0.5);
@@ -330,7 +330,7 @@ TEST(Occluder, BuriesWhatIsInsideOrUnderIt)
 
 TEST(RootFilter, AnswersOnAPartAsOnTheWhole)
 {
-    // Hills with a roof, and of them the part around the middle with its halo.
+    // Hills with a roof, and the part around the centre with its halo.
     terrain::GroundMesh whole =
         terrain::heightfield({glm::dvec2(40.0), glm::uvec2(80U)},
                              [](double x, double z) { return std::sin(x) * std::cos(0.7 * z); });
@@ -358,7 +358,7 @@ TEST(RootFilter, AnswersOnAPartAsOnTheWhole)
     part.nodeOf.clear();
     part.bears.clear();
     for (std::uint32_t t = 0; t < whole.triangles.size(); ++t) {
-        // The rays of this test look no farther than 2 m, and the roof is in the part.
+        // Rays of this test reach 2 m, and the roof is in the part.
         const glm::vec3 at = whole.positions[whole.triangles[t].x];
         if (std::max(std::fabs(at.x), std::fabs(at.z)) > float(half) + 4.0f)
             continue;

@@ -1,11 +1,11 @@
 #include "bake/bake.h"
-#include "bake/poisson_region.h"
+#include "bake/sample/poisson_region.h"
 #include "field/inspect.h"
 #include "field/verify.h"
 #include "shaders/shared/blade.h"
 #include "support/meshes.h"
-#include "terrain/landforms.h"
-#include "terrain/primitives.h"
+#include "terrain/procedural/landforms.h"
+#include "terrain/procedural/primitives.h"
 #include "unit/bake/bake_settings.h"
 #include "unit/bake/spread.h"
 
@@ -18,7 +18,7 @@
 #include <cmath>
 #include <functional>
 
-// What holds on meshes that are no gentle hills.
+// Properties on difficult meshes.
 namespace sward::bake {
 namespace {
 
@@ -32,7 +32,7 @@ std::ostream& operator<<(std::ostream& out, const Ground& ground)
     return out << ground.name;
 }
 
-// Two sheets 2 mm apart that look away from each other, bent along x.
+// Two sheets 2 mm apart that face away from each other, bent along x.
 terrain::GroundMesh leaf()
 {
     std::vector<glm::dvec3> positions;
@@ -88,7 +88,7 @@ std::vector<shared::Blade> bladesOf(const field::Field& field)
     return blades;
 }
 
-// Roots whose up-vectors look within 70° of `up`.
+// Roots whose up-vectors are within 70° of `up`.
 std::vector<glm::dvec3> sheetOf(const std::vector<shared::Blade>& blades, const glm::vec3& up)
 {
     std::vector<glm::dvec3> places;

@@ -1,4 +1,4 @@
-#include "bake/surface_sampler.h"
+#include "bake/sample/surface_sampler.h"
 #include "support/meshes.h"
 #include "unit/bake/bake_settings.h"
 

@@ -1,4 +1,4 @@
-#include "bake/spatial_order.h"
+#include "bake/patches/spatial_order.h"
 #include "core/random.h"
 
 #include <glm/geometric.hpp>

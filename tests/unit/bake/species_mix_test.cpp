@@ -1,7 +1,7 @@
-#include "bake/species_mix.h"
+#include "bake/filter/species_mix.h"
 #include "core/random.h"
 #include "support/meshes.h"
-#include "terrain/heightfield.h"
+#include "terrain/heightmap/heightfield.h"
 #include "unit/bake/bake_settings.h"
 #include "unit/bake/place_trial.h"
 
@@ -123,7 +123,7 @@ TEST(SpeciesShares, AreDrawnInProportion)
 
 TEST(Species, KeepToTheirHabitats)
 {
-    // Fescue on steep ground, reed below 0 m before everybody else, grass on what is level.
+    // Fescue on steep ground, reed with priority below 0 m, grass on level ground.
     const terrain::GroundMesh mesh =
         terrain::heightfield({glm::dvec2(20.0), glm::uvec2(64U)},
                              [](double x, double) { return 0.08 * x * std::fabs(x); });

@@ -1,5 +1,5 @@
-#include "bake/patch_tree.h"
-#include "bake/tile_files.h"
+#include "bake/patches/patch_tree.h"
+#include "bake/tiles/tile_files.h"
 #include "core/error.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(TileFile, GivesBackWhatWasWritten)
     EXPECT_EQ(tile.cells[0].blades.size(), 3U);
 }
 
-// The hashes of these files are right: somebody means it.
+// The hashes of these files are correct: a deliberate forgery.
 TEST(TileFile, RefusesPatchesOutsideOfTheirCell)
 {
     const auto path = std::filesystem::path(testing::TempDir()) / "sward_tile_bad.blades";

@@ -1,8 +1,8 @@
-#include "bake/bake_steps.h"
-#include "bake/bake_tile.h"
-#include "bake/patch_tree.h"
+#include "bake/patches/patch_tree.h"
+#include "bake/tiles/bake_tile.h"
+#include "bake/whole_plan.h"
 #include "support/meshes.h"
-#include "terrain/heightfield.h"
+#include "terrain/heightmap/heightfield.h"
 #include "unit/bake/bake_settings.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "bake/bake_tile.h"
-#include "bake/patch_tree.h"
+#include "bake/patches/patch_tree.h"
+#include "bake/tiles/bake_tile.h"
 #include "support/meshes.h"
 #include "unit/bake/bake_settings.h"
 

@@ -1,4 +1,4 @@
-#include "bake/bake_steps.h"
+#include "bake/report_totals.h"
 #include "bake/warnings.h"
 #include "support/meshes.h"
 #include "unit/bake/bake_settings.h"

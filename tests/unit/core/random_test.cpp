@@ -47,8 +47,8 @@ TEST(Random, NeighbouringIndicesAndDimensionsAreUncorrelated)
 
 TEST(Random, StaysTheSameForEver)
 {
-    // A change of these values changes every baked field: it needs a new file version and a word in
-    // the log.
+    // A change of these values changes every baked field; it needs a new file version and a
+    // changelog entry.
     EXPECT_EQ(hashBits(0, 0), 0xca23bb4e5daf0ff5ULL);
     EXPECT_EQ(hashBits(42, 123456789), 0xdf2b7e67a025d515ULL);
 }

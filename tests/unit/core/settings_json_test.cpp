@@ -109,7 +109,7 @@ TEST(SettingsReader, RefusesTextThatIsNotJson)
 
 TEST(ParseJson, CountsDepthAndValuesBeforeItMakesThem)
 {
-    // What stands in a text does not count, nor does what a backslash shields.
+    // Characters inside strings and escaped quotes do not count.
     const std::string text = R"({"a": "[[[[,,,,{{{{\"[[[[", "b": ["\\", 1]})";
     EXPECT_EQ(parseJson(text, "f")["b"][1], 1);
     const std::string fits = std::string(jsonDepthLimit, '[') + std::string(jsonDepthLimit, ']');

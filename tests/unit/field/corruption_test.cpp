@@ -74,7 +74,7 @@ TEST(DamagedField, SomethingBehindTheEndIsACleanError)
     expectRefused(path, "64 more bytes");
 }
 
-// Replaces bytes and mends all hashes, as somebody who means harm would.
+// Replaces bytes and repairs all hashes, as a malicious author would.
 std::vector<std::byte> forge(std::vector<std::byte> bytes, std::size_t at, std::byte value)
 {
     bytes[at] = value;
@@ -100,8 +100,8 @@ std::vector<std::byte> forge(std::vector<std::byte> bytes, std::size_t at, std::
 
 TEST(ForgedField, NeverCrashesTheReader)
 {
-    // With right hashes the content itself is what must hold. Some bytes may be changed freely (a
-    // colour); those that make indices, counts or numbers impossible must be refused; nothing may
+    // With correct hashes, the content itself is validated. Some bytes may change freely (a
+    // colour). Changes that make indices, counts or numbers invalid must be refused. Nothing may
     // crash.
     const std::vector<std::byte> bytes = sampleBytes();
     const auto path = tests::temporaryFile("forged.sward");
@@ -111,7 +111,7 @@ TEST(ForgedField, NeverCrashesTheReader)
         writeBytes(path, forge(bytes, at, values[at % 3]));
         try {
             const MappedField field = readField(path);
-            // A view that was handed out can be walked without leaving it.
+            // A returned view can be traversed without leaving it.
             for (const shared::Patch& patch : field.view().patches)
                 ASSERT_LE(std::uint64_t(patch.firstBlade) + patch.bladeCount,
                           field.view().blades.size());

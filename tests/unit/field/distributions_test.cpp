@@ -148,7 +148,7 @@ TEST(Distributions, DensityOfASlopeIsOfTheSlopeAndNotOfItsPlan)
 
 TEST(Distributions, TwoStoreysAreTwoCells)
 {
-    // Lift the representatives, which are spread over the whole square, to a floor of their own.
+    // Lift the representatives, which are spread over the whole square, to a separate level.
     constexpr float storey = 10.0f;
     Field field = makeField({.blades = 20000, .extent = 8.0f});
     for (shared::Patch& patch : field.patches)

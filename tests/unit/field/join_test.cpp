@@ -46,7 +46,7 @@ TEST(JoinedFields, AreAFieldThatHasEveryBladeOnceBitByBit)
     const std::vector<Field> fields{fieldAt({0, 0, 0}, 3000, 1), fieldAt({64, 0, -32}, 1000, 2),
                                     tests::sampleField()};
     std::vector<Member> members = membersOf(fields);
-    // As near as may be: the sample stands elsewhere.
+    // At the smallest allowed distance: the sample has another position.
     members[2].view.origin = glm::dvec3(0.0, 32.0, 0.0);
     const JoinedFields joined = join(members);
     const FieldView view = viewOf(joined.field);
@@ -87,7 +87,7 @@ TEST(JoinedFields, AreAFieldThatHasEveryBladeOnceBitByBit)
 
 TEST(JoinedFields, KeepTheWorldPlacesOfBladesAndGround)
 {
-    // Not a multiple of 32 m, far from the world's origin, nearly as far apart as may be.
+    // Not a multiple of 32 m, far from the world's origin, nearly at the largest allowed distance.
     const std::vector<Field> fields{fieldAt({1e6, 0, 0}, 500, 1),
                                     fieldAt({1e6 + 12345.678, -98.7, 16300.3}, 500, 2)};
     const JoinedFields joined = join(membersOf(fields));
@@ -99,7 +99,7 @@ TEST(JoinedFields, KeepTheWorldPlacesOfBladesAndGround)
             continue;
         const Field& own = fields[source.member];
         const shared::Patch& patch = own.patches[source.patch];
-        const double bound = source.member == 0 ? 0.0 : 0.0015; // the place, and its own rounding
+        const double bound = source.member == 0 ? 0.0 : 0.0015; // position and its rounding
         for (std::uint32_t i = 0; i < patch.bladeCount; ++i) {
             const shared::Blade there =
                 shared::unpackBlade(view.blades[view.patches[p].firstBlade + i], view.patches[p]);
@@ -108,7 +108,7 @@ TEST(JoinedFields, KeepTheWorldPlacesOfBladesAndGround)
                                     own.origin + glm::dvec3(here.root)),
                       bound);
             EXPECT_EQ(there.height, here.height);
-            // The box was moved with what it holds.
+            // The box moved with its content.
             EXPECT_TRUE(glm::all(glm::lessThanEqual(view.patches[p].boundsLow, there.root)));
             EXPECT_TRUE(glm::all(glm::lessThanEqual(there.root, view.patches[p].boundsHigh)));
         }

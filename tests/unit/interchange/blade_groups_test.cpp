@@ -56,8 +56,8 @@ TEST(BladeGroups, AreNoLargerThanAllowed)
 
 TEST(BladeGroups, AreFew)
 {
-    // A subtree that is a group has an ancestor that was too large to be one: with four children a
-    // cell on a plane, groups are a quarter full on average, or fuller.
+    // The parent of a group's subtree was too large to be a group. With four children per cell on a
+    // plane, groups are at least a quarter full on average.
     const field::Field field = makeField({.blades = 100000, .extent = 100.0f});
     for (const std::uint64_t largest : {1000U, 4000U, 16000U})
         EXPECT_LE(groupBlades(field::viewOf(field), largest).size(), 6 * 100000 / largest + 1);
@@ -98,13 +98,13 @@ TEST(BladeGroups, KeepTheOrderFromCoarseToFine)
 
 TEST(BladeGroups, StandTogether)
 {
-    // A group of whole subtrees is one cell of the tree; boxes of such groups hardly overlap.
+    // A group of whole subtrees is one cell of the tree; such boxes hardly overlap.
     const field::Field field = makeField({.blades = 30000, .extent = 100.0f});
     double area = 0.0;
     for (const BladeGroup& group : groupBlades(field::viewOf(field), 1000))
         if (group.patches.front() != 0)
             area += double(group.bounds.size().x) * double(group.bounds.size().z);
-    // Reach of bent blades and the representatives of cells above widen them.
+    // The reach of bent blades and the representatives of upper cells enlarge them.
     EXPECT_LT(area, 3.0 * 100.0 * 100.0);
 }
 

@@ -20,7 +20,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A folder of this process that is thrown away.
+// A temporary folder of this process.
 class ExportFiles : public testing::Test {
 protected:
     ExportFiles()
@@ -145,7 +145,7 @@ TEST_F(ExportFiles, PassTheCopyrightOn)
     EXPECT_THAT(textOf("x.glb"), HasSubstr(R"("copyright":"© 2024 \"A\"\nelement vertex 7")"));
     EXPECT_THAT(textOf("x.glb"), HasSubstr(R"("generator":"tool 1")"));
     EXPECT_THAT(textOf("x.usda"), HasSubstr("string copyright = \"© 2024 \\\"A\\\"\\nelement"));
-    // No line of a text becomes a line of the header.
+    // Lines of the text must not become header lines.
     EXPECT_THAT(textOf("x.ply"),
                 HasSubstr("comment ?? 2024 \"A\"\ncomment element vertex 7\nelement vertex 10\n"));
 }
@@ -165,7 +165,7 @@ TEST_F(ExportFiles, LongNotesAreBrokenForReadersWithShortLines)
 
 TEST_F(ExportFiles, GlbBeyondFourGigabytesIsRefusedWithTheNumberBeforeAnyWork)
 {
-    // Sixty million blades that nobody may touch: reading one would end the test.
+    // Sixty million blades in inaccessible memory: reading one would end the test.
     constexpr std::size_t count = 60'000'000;
     void* const reserved = ::mmap(nullptr, count * sizeof(shared::PackedBlade), PROT_NONE,
                                   MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);

@@ -10,7 +10,7 @@
 namespace sward::shared {
 namespace {
 
-// Length by a polyline of so many pieces: the reference.
+// Length of a polyline of `pieces` pieces, as reference.
 double polylineLength(dvec3 v1, dvec3 v2, int pieces)
 {
     double sum = 0.0;

@@ -51,7 +51,7 @@ BladeState after(int frames, const Blade& blade, BladeState state,
     return state;
 }
 
-/// How deep tip or middle lie inside a collider, in heights.
+/// Depth of tip or middle inside a collider, in heights.
 float depthOf(const Blade& blade, const BladeState& state, const Collider& collider)
 {
     const Collider seen = colliderSeenFrom(collider, blade.root, blade.height, 0.0f);
@@ -77,7 +77,7 @@ TEST(Collider, PushesAPointOntoItsSurface)
             ASSERT_EQ(push, vec3(0.0f));
         }
     }
-    // On the segment itself there is no way out but the one that is named.
+    // On the segment itself, only the fallback direction is defined.
     EXPECT_EQ(pushOut(sphere(vec3(0.0f), 2.0f), vec3(0.0f), vec3(0, 0, 1)), vec3(0, 0, 2));
 }
 
@@ -114,7 +114,7 @@ TEST(Collision, PressesABladeDownAndItRisesAgain)
         const tests::EnvironmentTables free;
         const tests::EnvironmentTables under({}, {ball});
         Blade blade = bladeAt(dice, vec3(dice.number(-0.5f, 0.5f), 0, dice.number(-0.5f, 0.5f)));
-        // Softer ones may lie on the other side for good.
+        // Softer blades may stay on the other side.
         blade.stiffness = dice.number(0.5f, 0.9f);
 
         const BladeState rest = after(300, blade, BladeState{0, 0.0f}, free);
@@ -127,7 +127,7 @@ TEST(Collision, PressesABladeDownAndItRisesAgain)
         ASSERT_GT(hit.eta, 0.005f);
         ASSERT_GT(length(tipOf(blade, down) - tipOf(blade, rest)), 0.005f);
 
-        // Without the ball it comes back, all the way; and the strength of the contact has gone.
+        // Without the sphere it returns completely, and the contact's strength has decayed.
         const BladeState soon = after(30, blade, down, free);
         const BladeState late = after(2400, blade, down, free);
         ASSERT_LE(soon.eta, down.eta);
@@ -176,7 +176,7 @@ TEST(Collision, BetweenOverlappingCollidersAtRestNothingTrembles)
 
 TEST(Collision, MeetsABladeBetweenTwoFrames)
 {
-    // At 6 m/s and 10 frames a second the ball is never where the blade stands.
+    // At 6 m/s and 10 frames per second the sphere skips the blade's position between frames.
     tests::Dice dice(6);
     Collider ball = sphere(vec3(0.3f, 0.3f, 0.0f), 0.2f);
     ball.velocity = vec3(6, 0, 0);

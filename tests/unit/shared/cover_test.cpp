@@ -1,4 +1,4 @@
-// Light below grass, and how much of it stands where.
+// Light below grass, and leaf area by height.
 
 #include "core/random.h"
 #include "shaders/shared/cover.h"

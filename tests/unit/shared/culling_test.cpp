@@ -148,7 +148,7 @@ TEST(LeafAreaLimit, OfWhatIsInARaysWaySoMuchIsLeftAndNeverLess)
         if (share < 0.999f * lodFullShare) {
             EXPECT_LE(share * inTheWay, std::max(1.001f * most * wide, inTheWay / 255.0f));
         }
-        // Nothing jumps where any of it changes a little.
+        // The function is continuous in all arguments.
         EXPECT_NEAR(leafAreaShare(most, 1.001f * leafArea, cosine, pixels), share, 0.002f * share);
         EXPECT_NEAR(leafAreaShare(most, leafArea, 1.001f * cosine, pixels), share, 0.002f * share);
         EXPECT_NEAR(leafAreaShare(most, leafArea, cosine, 1.001f * pixels), share, 0.008f * share);
@@ -180,7 +180,7 @@ TEST(LeafAreaLimit, RiseBySoMuchAsMoreIsLeftOutAndNeverJump)
         const float share = dice.number(1.0f / 256.0f, lodFullShare);
         const float spread = dice.number(0.0f, 1.0f);
         const float rise = heightCompensation(share, one, spread);
-        // Lengths of 1/1024th, rounded, are all that it may jump.
+        // The only allowed jump is the rounding of lengths to 1/1024.
         constexpr float step = 1.001f / 1024.0f;
         EXPECT_GE(rise, 1.0f);
         EXPECT_LE(rise, maxHeightCompensation);
@@ -189,7 +189,7 @@ TEST(LeafAreaLimit, RiseBySoMuchAsMoreIsLeftOutAndNeverJump)
         EXPECT_NEAR(heightCompensation(1.001f * share, one, spread), rise, step);
         EXPECT_NEAR(heightCompensation(share, 1.001f * one, spread), rise, step);
         EXPECT_NEAR(heightCompensation(share, one, 0.999f * spread), rise, step);
-        // More light where more is left out, none more where all is drawn.
+        // More light if more is left out, no extra light if everything is drawn.
         const float light = leafAreaLight(share, spread);
         EXPECT_LE(light, leafAreaLight(std::min(1.01f * share, 1.0f), spread));
         EXPECT_LE(light, leafAreaLight(share, std::min(spread + 0.01f, 1.0f)));

@@ -1,4 +1,4 @@
-// Light in 32 bits, as a host's visibility holds it.
+// Light packed into 32 bits, as in a host's visibility buffer.
 
 #include "shaders/shared/passes.h"
 

@@ -59,9 +59,8 @@ TEST(Occlusion, ABoxOnTheScreenHoldsAllThatIsInIt)
     EXPECT_GT(known, 50'000);
 }
 
-/// Points near a curve, none farther away than the margin; and the box is no larger than one around
-/// the box that its control points and the margin span, but for what the margin's reach is rounded
-/// to.
+/// Points within the margin of a curve are in its box. The box is at most that of the control
+/// points plus the margin, except for rounding of the margin.
 TEST(Occlusion, ACurveOnTheScreenHoldsAllThatIsNearIt)
 {
     tests::Dice dice(7);
@@ -149,7 +148,7 @@ TEST(Occlusion, AFewCellsAreEnoughForAnyBox)
             EXPECT_TRUE((box.high.x >> finer) - (box.low.x >> finer) >= pyramidReach ||
                         (box.high.y >> finer) - (box.low.y >> finer) >= pyramidReach);
         }
-        // Where there are fewer levels the coarsest of them has to do.
+        // With fewer levels use the coarsest.
         EXPECT_EQ(pyramidLevelFor(box, 2), std::min(level, 1u));
     }
 }

@@ -13,7 +13,7 @@ float angle(vec3 a, vec3 b)
     return std::atan2(length(cross(a, b)), dot(a, b));
 }
 
-/// Largest angle between many directions and what becomes of them [rad].
+/// Largest angle between many directions and their decoded values [rad].
 template <typename Encode, typename Decode>
 float largestError(Encode encode, Decode decode)
 {
@@ -28,7 +28,7 @@ float largestError(Encode encode, Decode decode)
     return largest;
 }
 
-// The bounds are not idle: the worst directions come near them.
+// The bounds are tight: the worst directions come near them.
 
 TEST(Octahedral, StaysWithinTheStatedErrorOnTheWholeSphere)
 {

@@ -58,7 +58,7 @@ float fromRest(const Blade& blade, const BladeState& state)
     return length(poseOfState(axesTowards(blade.up, frontOfBlade(blade)), state).v2 - blade.up);
 }
 
-/// Of a blade whose tip points anywhere above its ground, or lies on it.
+/// State of a blade with its tip anywhere above its ground or on it.
 BladeState stateTowards(const Blade& blade, const vec3& direction, float eta)
 {
     const vec3 front = frontOfBlade(blade);
@@ -178,7 +178,7 @@ TEST(Physics, ABentBladeRisesAgainAndNeverSwingsBeyond)
     for (int i = 0; i < 2000; ++i) {
         const Blade blade = randomBlade(dice);
         BladeState state = stateTowards(blade, dice.direction(), 0.0f);
-        // Energy does not grow: the tip's distance from rest never increases without forces.
+        // Energy does not grow: without forces the tip's distance from rest never increases.
         float last = fromRest(blade, state);
         for (int frame = 0; frame < 120; ++frame) {
             const float now = displacementAfter(blade, state, downward(0.0f), still(),
@@ -272,7 +272,7 @@ TEST(Physics, TurnsWithTheWorld)
 
 TEST(Physics, TwoStepsAreOne)
 {
-    // While its forces stand still and its length is kept, how time is divided does not matter.
+    // With constant forces and kept length, the division of time does not matter.
     tests::Dice dice(12);
     for (int i = 0; i < 20'000; ++i) {
         const Blade blade = randomBlade(dice);
@@ -285,7 +285,7 @@ TEST(Physics, TwoStepsAreOne)
         const float dt = dice.number(0.0f, 0.5f);
         const vec3 once = step(tip, dt);
         const vec3 first = step(tip, 0.3f * dt);
-        // Lying down in between is another path.
+        // Exclude blades that touch the ground in between.
         if (dot(first, blade.up) < 2e-3f || dot(once, blade.up) < 2e-3f)
             continue;
         ASSERT_NEAR(length(once), 1.0f, 1e-5f);
@@ -293,7 +293,7 @@ TEST(Physics, TwoStepsAreOne)
     }
 }
 
-/// Angle between two directions, of which neither need be quite unit.
+/// Angle between two directions, which need not be exactly unit.
 double angleBetween(vec3 a, vec3 b)
 {
     const glm::dvec3 x = glm::normalize(glm::dvec3(a));
@@ -328,7 +328,7 @@ TEST(Physics, TurnsTowardsItsTargetUntilAShareOfTheTangentIsLeft)
         ASSERT_NEAR(after, 2.0 * std::atan(left), 2e-5 * (1.0 + before)) << "blade " << i;
         // In the plane of both.
         ASSERT_NEAR(angleBetween(direction, turned), before - after, 1e-4) << "blade " << i;
-        // What is kept of it is that direction, or where it meets the ground.
+        // The stored direction equals it, or its contact with the ground.
         const vec3 kept = directionOfTurn(turnAbove(quotient));
         below += turned.z < 0.0f ? 1 : 0;
         ASSERT_LT(length(kept - keptAbove(vec3(0, 0, 1), vec3(1, 0, 0), turned)), 1e-4f);
@@ -349,8 +349,7 @@ TEST(Physics, FallsWhereItLeansWhenItIsPulledStraightDown)
         ASSERT_LT(length(normalize(soon) - vec2(0.6f, -0.8f)), 1e-5f);
         ASSERT_LT(length(turned(0.5f) - vec2(0.6f, -0.8f)), 1e-5f);
     }
-    // One that stands upright does not know where to, and stays; one right below its root lies
-    // down forward.
+    // An upright blade has no direction and stays; one right below its root lies down forward.
     EXPECT_EQ(
         turnAbove(relaxTurn(0.0f, vec3(0, 0, -20), recovery, vec2(0.0f), false, 1.0f, 0.0f, 0.1f)),
         vec2(0.0f));

@@ -1,4 +1,4 @@
-// Quarters of a blade, of which each has been seen or not.
+// Quarters of a blade and their visibility bits.
 #include "shaders/shared/frame.h"
 #include "shaders/shared/passes.h"
 
@@ -47,7 +47,7 @@ TEST(Quarters, TheEarlyPassDrawsAllThatAreNotLate)
                     EXPECT_LE(first.x, i) << "late " << late << ", " << segments << " segments";
                     EXPECT_GT(first.y, i) << "late " << late << ", " << segments << " segments";
                 }
-            // And none that is late at either end.
+            // No late quarter at either end.
             if (first.x < first.y && segments >= quarters) {
                 EXPECT_EQ(late & (1u << quarterOf(float(first.x), float(segments))), 0u);
                 EXPECT_EQ(late & (1u << quarterOf(float(first.y - 1), float(segments))), 0u);

@@ -1,5 +1,5 @@
-// The moving tip against the same model in double precision: fine steps, no stored state, the
-// curve's length by fine quadrature, wind and pose written down once more.
+// The moving tip against the same model in double precision: fine steps, no stored state, curve
+// length by fine quadrature, independent code for wind and pose.
 
 #include "unit/shared/random_vectors.h"
 #include "unit/shared/winds.h"

@@ -1,4 +1,4 @@
-// Outlines, and ribbons that are never drawn narrower than samples lie apart.
+// Outlines, and ribbons that are never drawn narrower than the sample spacing.
 #include "shaders/shared/ribbon.h"
 #include "shaders/shared/update_rate.h"
 #include "shaders/shared/visibility.h"
@@ -76,8 +76,8 @@ TEST(Outline, HasItsFirstMomentInASingleSegment)
         }
 }
 
-/// What the rasteriser takes for granted of an outline: where it is widest from a place on, and
-/// whether its middle lies on the curve.
+/// Assumptions of the rasteriser about an outline: where it is widest from a point on, and whether
+/// its middle lies on the curve.
 TEST(Outline, TapersAndIsEvenWhereItIsSaidToBe)
 {
     for (uint shape = 0; shape < shapeCount; ++shape)
@@ -144,7 +144,7 @@ TEST(CrossSection, IsNeverNarrowerThanTheLeastAndWeighsWhatItIs)
         const float true_ = ribbon.width * (edges.y - edges.x) * std::abs(dot(ribbon.axis, across));
         ASSERT_NEAR(section.wide, true_, 1e-3f * true_ + 1e-7f);
         widened += section.drawn > section.wide ? 1 : 0;
-        // Nobody stands out farther than culling reckons with.
+        // No point is farther out than culling assumes.
         const float reach =
             0.5f * outlineMost * ribbon.width + sectionMargin(length(centre), least);
         ASSERT_LE(length(section.left - centre), 1.001f * reach);
@@ -154,8 +154,8 @@ TEST(CrossSection, IsNeverNarrowerThanTheLeastAndWeighsWhatItIs)
     EXPECT_LT(widened, 90'000);
 }
 
-/// What the rasteriser takes for uncut by a plane has no point beyond it, whatever its outline and
-/// fold, wherever it is looked at from and however narrow it is seen.
+/// A curve that the rasteriser considers uncut by a plane has no point beyond it, for any outline,
+/// fold, view direction and width.
 TEST(CrossSection, OfACurveInsideAPlaneLiesInside)
 {
     tests::Dice dice(29);
@@ -172,7 +172,7 @@ TEST(CrossSection, OfACurveInsideAPlaneLiesInside)
         const vec3 eye = 3.0f * dice.direction();
         const float minWidth = run % 3 == 0 ? 0.0f : dice.number(0.0f, 0.02f);
         const float margin = marginBeside(ribbon.width, length(ribbon.v0 - eye) + 1.0f, minWidth);
-        // As close as it may come.
+        // At the smallest allowed distance.
         const vec3 normal = dice.direction();
         const float lowest =
             std::min({dot(normal, ribbon.v0), dot(normal, ribbon.v1), dot(normal, ribbon.v2)});

@@ -1,4 +1,4 @@
-// Lists of a picture's tiles: room for all, none in another's way, and work-groups enough.
+// Lists of a picture's tiles: capacity for all, no overlap, and enough work-groups.
 
 #include "shaders/shared/tile_classification.h"
 

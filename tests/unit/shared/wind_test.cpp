@@ -144,7 +144,7 @@ TEST(Wind, OfSourcesThatBlowAlikeIsFeltAsOfEachOfThem)
             source.lift = lift;
             source.alignment = alignment;
         }
-        // One of three differs in something, and must not be taken together with the others.
+        // One of three differs in a property and must not be merged with the others.
         switch (i % 6) {
         case 1:
             sources[1].lift = 0.5f * lift;
@@ -179,7 +179,7 @@ TEST(Wind, OfSourcesThatBlowAlikeIsFeltAsOfEachOfThem)
 
 TEST(Wind, TravelsAgainstThePlaceAtItsSpeed)
 {
-    // What is here now was upstream before.
+    // The current local wind was upstream before.
     tests::Dice dice(4);
     for (const std::uint32_t kind : {windNoise, windWave, windGusts}) {
         const WindSource source = tests::windSourceOf(kind, 2.0f);
@@ -200,7 +200,7 @@ TEST(Wind, NoiseIsFinerAlongThanAcrossAndHasNoFineGrain)
     const auto along = speedsAlong(source, source.direction, step, 2048);
     const auto across = speedsAlong(source, side, step, 2048);
 
-    // Neighbours move together, places far from each other do not.
+    // Near points are correlated, far points are not.
     EXPECT_GT(correlation(along, 1), 0.85);
     EXPECT_LT(std::abs(correlation(along, 32)), 0.2);
     // The same pattern is twice as long across.
@@ -235,8 +235,8 @@ TEST(Wind, WavesHaveTheirLength)
 
 TEST(Wind, OnABallHasNoPlaceThatIsAlwaysCalm)
 {
-    // Where the wind meets the ball head-on it is turned aside: over a minute no place has less
-    // than half of the mean speed, nor more than twice.
+    // Where the wind meets the sphere head-on it is deflected: over a minute the mean speed of
+    // every point is between half and twice the overall mean.
     for (const std::uint32_t kind : {windNoise, windWave, windGusts}) {
         const WindSource source = tests::windSourceOf(kind, 2.0f);
         const auto meanSpeed = [&](vec3 up) {
@@ -293,7 +293,7 @@ TEST(Wind, TurningIsTheSineOfTheKnownSystem)
     for (const float time : {0.0f, 3.0f, 20.0f, 50.0f})
         EXPECT_LT(length(one(source, vec3(3, 0, 4), time) - vec3(2, 4, 2) * std::sin(0.1f * time)),
                   1e-4f);
-    // Its direction turns about the up-vector when it is told to.
+    // The direction rotates about the up-vector when set.
     source.direction = vec3(1, 0, 0);
     source.turn = 0.1f;
     const vec3 turned = one(source, vec3(0.0f), 5.0f * pi);

@@ -27,6 +27,9 @@ public:
     shared::Wind wind() const
     {
         shared::Wind wind = {};
+        wind.lattice.x = {1.0f, 0.0f, 0.0f};
+        wind.lattice.y = {0.0f, 1.0f, 0.0f};
+        wind.lattice.z = {0.0f, 0.0f, 1.0f};
         wind.eddySize = 5.0f;
         wind.eddySpeed = 2.5f;
         std::copy(sources_.begin(), sources_.end(), wind.sources);

@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-// Everything that a glTF can refer to, in one small file.
+// Every kind of glTF reference in one small file.
 GlbBuilder richGlb()
 {
     GlbBuilder builder = triangleGlb();
@@ -41,7 +41,7 @@ GlbBuilder richGlb()
     return builder;
 }
 
-// What a damaged file does: it loads, or is refused in words that name it.
+// A damaged file must load or be refused by an error that names it.
 void expectNoCrash(const std::string& name, const std::string& content, const std::string& what)
 {
     try {
@@ -190,7 +190,7 @@ TEST(GltfDamage, RefusesRingsOfNodesAndTwoParents)
     EXPECT_EQ(kindOf(deep), ErrorKind::input);
 }
 
-// Files of a few kilobytes that ask for gigabytes, or for hours.
+// Files of a few kilobytes that request gigabytes, or hours.
 TEST(GltfDamage, RefusesToBecomeMuchLargerThanItsFile)
 {
     std::string message;

@@ -28,7 +28,7 @@ ErrorKind kindOfDraco(const GlbBuilder& builder, std::string* message = nullptr)
     return ErrorKind::difference;
 }
 
-// What a triangle is, whatever its number: its corners' places, the least first, to `grain` [m].
+// Order-independent triangle: its corner positions, smallest first, rounded to `grain` [m].
 using Corners = std::array<std::array<long, 3>, 3>;
 
 std::vector<Corners> trianglesOf(const GroundMesh& mesh, double grain)

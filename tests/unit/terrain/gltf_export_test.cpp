@@ -1,7 +1,7 @@
 #include "core/error.h"
 #include "core/mapped_file.h"
 #include "support/meshes.h"
-#include "terrain/gltf_export.h"
+#include "terrain/gltf/export.h"
 #include "unit/terrain/glb_builder.h"
 
 #include <gmock/gmock.h>

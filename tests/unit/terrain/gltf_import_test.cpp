@@ -86,7 +86,7 @@ TEST(GltfImport, ReadsNamesInEveryWriting)
                   1U)
             << uri;
     }
-    // An absolute name is looked for beside the file, too.
+    // An absolute name is also resolved in the file's folder.
     document["buffers"][0]["uri"] = "/Täler & Höhen/50% + #1.bin";
     EXPECT_EQ(load(folder.write("a.gltf", document.dump()), {}, diagnostics).triangles.size(), 1U);
 }

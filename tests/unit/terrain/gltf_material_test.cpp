@@ -128,7 +128,7 @@ TEST(GltfMaterial, AppliesTextureTransforms)
 
 TEST(GltfMaterial, RotatesTextureCoordinatesAsTheExtensionHasIt)
 {
-    // The example of its text: the lower left quarter of the image, turned.
+    // The example of the specification: the lower left quarter of the image, rotated.
     GlbBuilder builder = texturedGlb(png(1, 1, {1, 2, 3, 4}));
     builder.document["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] =
         builder.floats({0, 0, 1, 0, 0, 1}, "VEC2");
@@ -203,7 +203,7 @@ TEST(GltfMaterial, DecodesNoMoreThanTheImagesOfAFileMayCost)
 {
     // Ten thousand images in one view are one image.
     GlbBuilder same = texturedGlb(png(1, 1, {1, 2, 3, 4}));
-    // Each of these is its own, and counts as a quarter of a megapixel: 2048 of them are decoded.
+    // Each of these is separate and counts as a quarter of a megapixel: 2048 of them are decoded.
     GlbBuilder many = texturedGlb(png(1, 1, {1, 2, 3, 4}));
     const std::string uri = "data:image/png;base64," + base64(png(1, 1, {1, 2, 3, 4}));
     for (GlbBuilder* const builder : {&same, &many}) {
@@ -233,7 +233,7 @@ TEST(GltfMaterial, WarnsOfTexturesInOtherFormats)
     EXPECT_EQ(mesh.materials[0].image, GroundMaterial::noImage);
     EXPECT_THAT(diagnostics.warnings(), ElementsAre(HasSubstr("EXT_texture_webp")));
 
-    // With a plain image beside it nothing is lost.
+    // An additional plain image avoids any loss.
     builder.document["textures"][0]["source"] = 0;
     Diagnostics none;
     EXPECT_EQ(loadContent("a.glb", builder.glb(), {}, &none).materials[0].image, 0U);

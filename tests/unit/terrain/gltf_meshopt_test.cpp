@@ -1,6 +1,6 @@
 #include "core/error.h"
 #include "core/random.h"
-#include "terrain/meshopt_filters.h"
+#include "terrain/gltf/meshopt_filters.h"
 #include "unit/terrain/compressed_glb.h"
 
 #include <glm/geometric.hpp>
@@ -43,7 +43,7 @@ TEST(GltfMeshopt, DecodesEveryModeToTheVeryBytes)
             for (const bool shortIndices : {false, true}) {
                 const GlbBuilder builder = meshoptGrid(
                     20, {.extension = name, .indexMode = mode, .shortIndices = shortIndices});
-                // The codec turns triangles round within themselves, so compare the sequence.
+                // The codec rotates the corners of triangles, so compare the sequence.
                 const GroundMesh mesh = loadContent("a.glb", builder.glb());
                 EXPECT_EQ(mesh.triangles.size(), 800U);
                 if (std::string(mode) == "INDICES") {
@@ -99,7 +99,7 @@ int largestDifference(const std::vector<Value>& a, const std::vector<Value>& b)
     return largest;
 }
 
-// Our filters against the library's, which may err by one unit in the last place.
+// Compares our filters with the library's, which may err by one unit in the last place.
 TEST(GltfMeshopt, FiltersAsTheLibraryDoes)
 {
     constexpr std::size_t count = 4096;

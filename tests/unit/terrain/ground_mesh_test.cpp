@@ -1,7 +1,7 @@
 #include "core/error.h"
 #include "support/meshes.h"
 #include "terrain/ground_mesh.h"
-#include "terrain/soup.h"
+#include "terrain/topology/soup.h"
 #include "unit/terrain/glb_builder.h"
 
 #include <glm/geometric.hpp>

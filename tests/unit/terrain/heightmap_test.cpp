@@ -1,6 +1,6 @@
 #include "core/error.h"
-#include "terrain/height_samples.h"
-#include "terrain/heightfield.h"
+#include "terrain/heightmap/height_samples.h"
+#include "terrain/heightmap/heightfield.h"
 #include "unit/terrain/glb_builder.h"
 #include "unit/terrain/image_files.h"
 
@@ -183,8 +183,8 @@ TEST(Heightmap, LeavesHolesWhereTheMaskIsBlack)
     ImportSettings settings = mapped({8.0, 8.0}, {0.0, 1.0});
     Diagnostics diagnostics;
 
-    // Two by two pixels: the upper left quarter is a hole. The next mask counts from 0 to 1, as
-    // labels do.
+    // Two by two pixels: the upper left quarter is a hole. The next mask has values 0 and 1, as
+    // label images do.
     for (const std::uint16_t white : {std::uint16_t(255), std::uint16_t(1)}) {
         settings.heightmap.holeMask =
             folder.write("holes.png", greyPng({2, 2}, {0, white, white, white}, 8));
@@ -247,7 +247,7 @@ TEST(Heightmap, RefusesSizesOutOfBoundsBeforeAnythingIsMade)
 
     EXPECT_THAT(messageOf("m.png", greyPng({1, 6}, six, 16), ErrorKind::input), HasSubstr("1x6"));
 
-    // A small file whose header says 30000 x 30000, 1.8 GB, in sound words.
+    // A small file whose header declares 30000 x 30000, 1.8 GB, with valid checksums.
     std::string png = greyPng({3, 2}, six, 16);
     for (const std::size_t at : {16U, 20U})
         png.replace(at, 4, std::string("\0\0\x75\x30", 4));

@@ -1,6 +1,6 @@
 #include "core/error.h"
-#include "terrain/channel_image.h"
-#include "terrain/image_sampling.h"
+#include "terrain/image/channel_image.h"
+#include "terrain/image/image_sampling.h"
 #include "unit/terrain/image_files.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "support/meshes.h"
-#include "terrain/landforms.h"
 #include "terrain/load.h"
-#include "terrain/surface_query.h"
-#include "terrain/topology.h"
+#include "terrain/procedural/landforms.h"
+#include "terrain/query/surface_query.h"
+#include "terrain/topology/topology.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -50,7 +50,7 @@ TEST(MeshImport, KeepsFacesThatAreNotManifold)
 
 TEST(MeshImport, TakesNothingBehindTheCornersOfAnOffFaceForAnotherFace)
 {
-    // Colours in all their forms, and what a reader took for a face of −1 corners.
+    // Colours in all forms, and text that a reader parsed as a face of −1 corners.
     for (const char* const rest : {"", " 255 0 0", " 0.1 0.2 0.3 1.0", " 7", " -1", " 3 0 1 2"}) {
         const GroundMesh mesh = loadContent(
             "a.off",

@@ -1,5 +1,5 @@
 #include "core/random.h"
-#include "terrain/noise.h"
+#include "terrain/procedural/noise.h"
 
 #include <gtest/gtest.h>
 #include <xxhash.h>

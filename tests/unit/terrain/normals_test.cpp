@@ -1,7 +1,7 @@
 #include "support/meshes.h"
-#include "terrain/landforms.h"
-#include "terrain/soup.h"
-#include "terrain/topology.h"
+#include "terrain/procedural/landforms.h"
+#include "terrain/topology/soup.h"
+#include "terrain/topology/topology.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "support/meshes.h"
-#include "terrain/landforms.h"
 #include "terrain/plausibility.h"
-#include "terrain/primitives.h"
+#include "terrain/procedural/landforms.h"
+#include "terrain/procedural/primitives.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <gmock/gmock.h>
@@ -88,7 +88,7 @@ TEST(Plausibility, SuspectsCentimetresAndMillimetres)
     EXPECT_THAT(warningsOf(scaled(hills(), 100.0f), false), ElementsAre(HasSubstr("--units cm")));
     EXPECT_THAT(warningsOf(scaled(hills(), 1e3f), false), ElementsAre(HasSubstr("--units cm")));
     EXPECT_THAT(warningsOf(scaled(hills(), 1e5f), false), ElementsAre(HasSubstr("--units mm")));
-    // glTF is in metres: only the incredible is doubted.
+    // glTF is in metres: warn only of extreme sizes.
     EXPECT_THAT(warningsOf(scaled(hills(), 100.0f), true), IsEmpty());
     EXPECT_THAT(warningsOf(scaled(hills(), 1e3f), true), IsEmpty());
     EXPECT_THAT(warningsOf(scaled(hills(), 1e4f), true), ElementsAre(HasSubstr("--units cm")));

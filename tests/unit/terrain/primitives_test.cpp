@@ -1,6 +1,6 @@
 #include "support/meshes.h"
-#include "terrain/primitives.h"
-#include "terrain/topology.h"
+#include "terrain/procedural/primitives.h"
+#include "terrain/topology/topology.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 #include "core/exact_math.h"
 #include "support/meshes.h"
-#include "terrain/heightfield.h"
-#include "terrain/landforms.h"
-#include "terrain/primitives.h"
-#include "terrain/surface_features.h"
+#include "terrain/heightmap/heightfield.h"
+#include "terrain/procedural/landforms.h"
+#include "terrain/procedural/primitives.h"
+#include "terrain/topology/surface_features.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -112,9 +112,9 @@ TEST(MeanCurvature, OfACubeIsThatOfTheSphereThroughItsCorners)
 TEST(MeanCurvature, IsZeroWhereNothingCanBeSaid)
 {
     EXPECT_THAT(curvatureOf(meshes::triangle()), Each(0.0f));
-    // The pages of a book are flat; at its spine three triangles turn nothing.
+    // The pages of a book are flat; at its spine three triangles give no curvature.
     EXPECT_THAT(curvatureOf(meshes::book()), Each(0.0f));
-    // A leaf of two sheets, back to back: their rim is where they turn over.
+    // Two triangles back to back: they meet at a rim that turns over.
     const GroundMesh leaf = meshes::soup({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}}, {{0, 1, 2}, {0, 2, 1}});
     EXPECT_THAT(curvatureOf(leaf), Each(testing::Truly([](float c) { return std::isfinite(c); })));
     EXPECT_THAT(curvatureOf(meshes::moebius(64)),

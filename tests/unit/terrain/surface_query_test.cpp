@@ -1,8 +1,8 @@
 #include "core/random.h"
 #include "support/meshes.h"
-#include "terrain/landforms.h"
-#include "terrain/surface_query.h"
-#include "terrain/triangle_geometry.h"
+#include "terrain/procedural/landforms.h"
+#include "terrain/query/surface_query.h"
+#include "terrain/topology/triangle_geometry.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

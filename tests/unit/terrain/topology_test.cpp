@@ -1,6 +1,6 @@
 #include "support/meshes.h"
-#include "terrain/heightfield.h"
-#include "terrain/topology.h"
+#include "terrain/heightmap/heightfield.h"
+#include "terrain/topology/topology.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -118,7 +118,7 @@ TEST(Topology, CountsATriangleThatIsThereTwiceOnce)
     EXPECT_EQ(topology.components, 1U);
     EXPECT_EQ(topology.borderEdgeCount, 4U);
     EXPECT_EQ(topology.nonManifoldEdgeCount, 0U);
-    // Their borders are those of the first, wherever their corners begin: edge 1–2 is inside.
+    // Their borders equal those of the first, for any first corner: edge 1–2 is inside.
     EXPECT_EQ(topology.borderEdges[2], 0b110);
     EXPECT_EQ(topology.borderEdges[3], 0b101);
 }

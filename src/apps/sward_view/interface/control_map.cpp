@@ -7,7 +7,7 @@
 namespace sward::view {
 namespace {
 
-constexpr double interval = 0.1; ///< [s] between two writings
+constexpr double interval = 0.1; ///< [s] between two writes
 
 } // namespace
 
@@ -20,7 +20,7 @@ void ControlMap::finishFrame(double seconds)
             json[name] = {{"x", place.x},           {"y", place.y},         {"width", place.width},
                           {"height", place.height}, {"shows", place.shows}, {"about", place.about},
                           {"kind", place.kind}};
-        // Renamed, so that a reader never sees half of it; no disk need hear of it.
+        // Rename, so that a reader never sees a partial file; no sync to the disk.
         const std::filesystem::path part = path_.string() + ".part";
         std::ofstream(part) << json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
         std::error_code ignored;

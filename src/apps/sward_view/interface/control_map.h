@@ -7,8 +7,7 @@
 
 namespace sward::view {
 
-/// Where each control of a frame lies and what it shows: a test, or another program, finds it by
-/// its name.
+/// Position and value of each control of a frame; tests and other programs find controls by name.
 class ControlMap {
 public:
     struct Place {
@@ -18,12 +17,12 @@ public:
         std::string kind;  ///< "number", "toggle" …; empty for what only tells
     };
 
-    /// Where write() puts it; empty: nowhere.
+    /// Sets the output file; empty: none.
     void writeTo(std::filesystem::path path) { path_ = std::move(path); }
 
     void add(const std::string& name, Place place) { places_[name] = std::move(place); }
 
-    /// Writes what was added as JSON, whole, a few times a second at most, and forgets it.
+    /// Writes the added controls as JSON, at most a few times a second, and clears them.
     void finishFrame(double seconds);
 
 private:

@@ -106,7 +106,7 @@ bool Controls::number(const char* name, float& value, const Extent& extent, cons
     const bool turned =
         ImGui::SliderFloat(hidden(name).c_str(), &value, extent.low, extent.high, format.c_str(),
                            extent.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
-    // Typed in with Ctrl+click it may be anything.
+    // Clamp: Ctrl+click accepts any typed value.
     if (turned)
         value = std::clamp(value, extent.low, extent.high);
     finish(name, fmt::format("{:g}", value),
@@ -203,7 +203,7 @@ bool Controls::direction(const char* name, glm::vec3& value, const char* about)
                                "How much of it points up (above 0) or down");
     if (!turned)
         return false;
-    // Straight up it still knows where it was heading.
+    // Keep a small horizontal part, so that a vertical direction keeps its heading.
     const float flat = std::max(std::cos(glm::radians(rise)), 1e-4f);
     value = {flat * std::cos(glm::radians(heading)), std::sin(glm::radians(rise)),
              flat * std::sin(glm::radians(heading))};
@@ -219,13 +219,13 @@ bool Controls::compass(const char* name, glm::vec3& value, float ahead, const ch
     ImGui::InvisibleButton(hidden(name).c_str(), {dialSize, dialSize});
     const ImVec2 middle{corner.x + 0.5f * dialSize, corner.y + 0.5f * dialSize};
 
-    // Clockwise from up, as one looks down on the ground.
+    // Clockwise from up, as seen from above.
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const glm::vec2 pull(mouse.x - middle.x, mouse.y - middle.y);
     const bool turned = ImGui::IsItemActive() && glm::length(pull) > 2.0f;
     if (turned) {
         heading = ahead + std::atan2(pull.x, -pull.y);
-        // Straight up it has no heading that could be kept otherwise.
+        // Avoid zero length; a vertical direction would lose its heading.
         const float length = std::max(flat, 1e-4f);
         value = glm::normalize(
             glm::vec3(length * std::cos(heading), value.y, length * std::sin(heading)));

@@ -11,18 +11,17 @@
 
 namespace sward::view {
 
-/// What a number may be.
+/// Range of a number.
 struct Extent {
     float low = 0.0f;
     float high = 1.0f;
     const char* unit = "";       ///< "m", "1/s"; empty: none
-    const char* format = "%.2f"; ///< with the unit behind it if it shows a number
+    const char* format = "%.2f"; ///< includes the unit
     bool logarithmic = false;
 };
 
-/// The controls that panels are made of: a name on the left, the control on the right, and a
-/// tooltip that says what it does, its unit and its range. What turns something returns whether it
-/// did.
+/// Panel controls: a name on the left, the control on the right, and a tooltip with purpose, unit
+/// and range. A function that edits a value returns whether it changed.
 class Controls {
 public:
     Controls(const Style& style, ControlMap& map)
@@ -31,12 +30,12 @@ public:
     {
     }
 
-    /// The panel that what follows belongs to: the first half of each control's name in the map.
+    /// Sets the panel of the following controls: the first half of each control's name in the map.
     void beginPanel(std::string name) { panel_ = std::move(name); }
 
     void heading(const char* text);
     void section(const char* text);
-    void note(const std::string& text); ///< dim, wrapped
+    void note(const std::string& text); ///< dim, wrapped text
     void fact(const char* name, const std::string& shows, const char* about = nullptr);
 
     bool number(const char* name, float& value, const Extent& extent, const char* about);
@@ -54,14 +53,14 @@ public:
     /// A unit vector by two angles: around the vertical and above the horizon.
     bool direction(const char* name, glm::vec3& value, const char* about);
 
-    /// The heading of a unit vector by an arrow that is dragged around: up on the dial is where
-    /// `ahead` [rad] points, the heading of the view. How much it rises stays.
+    /// Edits the heading of a unit vector by a dial. Up on the dial is `ahead` [rad], the heading
+    /// of the view. Keeps the elevation.
     bool compass(const char* name, glm::vec3& value, float ahead, const char* about);
 
-    /// As wide as the panel, or as its text.
+    /// A button as wide as the panel or as its text.
     bool button(const char* name, const char* about, bool wide = false);
 
-    /// Tells the map of the item drawn last, if that item was drawn by other means.
+    /// Adds the last item to the map, if it was drawn by other means.
     void tell(const char* name, const std::string& shows, const char* about);
 
     const Style& style() const { return style_; }

@@ -13,14 +13,14 @@ namespace sward::view {
 namespace {
 
 constexpr std::uint32_t bufferedFrames = 3; ///< more than are in flight
-constexpr std::uint32_t imageSets = 8;      ///< the letters are the only image
+constexpr std::uint32_t imageSets = 8;      ///< the font atlas is the only image
 
 bool isLinear(VkFormat format)
 {
     return format == VK_FORMAT_B8G8R8A8_SRGB || format == VK_FORMAT_R8G8B8A8_SRGB;
 }
 
-// Dear ImGui 1.86 knows no dynamic rendering.
+// Dear ImGui 1.86 does not support dynamic rendering.
 VkRenderPass createRenderPass(const gpu::DeviceContext& context, VkFormat format)
 {
     VkAttachmentDescription color{};
@@ -74,10 +74,10 @@ Interface::Context::Context()
 {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
-    // Nothing is kept between runs behind the user's back.
+    // Save no settings file.
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
-    // Sliders are turned by the mouse; letters are keys of the camera.
+    // No keyboard navigation: the mouse moves sliders, letters are keys of the camera.
     io.ConfigWindowsMoveFromTitleBarOnly = true;
 }
 
@@ -154,7 +154,7 @@ bool Interface::takesKeys() const
 
 VkFramebuffer Interface::framebufferFor(const gpu::Swapchain::Target& target)
 {
-    // The swapchain has waited for the device before it gave up the old images.
+    // The swapchain waited for the device before it destroyed the old images.
     if (generation_ != swapchain_.generation()) {
         framebuffers_.clear();
         framebuffers_.resize(swapchain_.imageCount());

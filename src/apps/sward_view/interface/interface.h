@@ -16,11 +16,10 @@ struct GLFWwindow;
 
 namespace sward::view {
 
-/// Dear ImGui in a window of ours. One at a time; everything that draws controls does so between
-/// begin() and end().
+/// Dear ImGui in a Window. One at a time; draw controls only between begin() and end().
 class Interface {
 public:
-    /// After the window has its own callbacks, which are called as before.
+    /// Create it after the window's own callbacks, which are still called.
     Interface(const gpu::Instance& instance, const gpu::Device& device,
               const gpu::Swapchain& swapchain, GLFWwindow* window);
     Interface(const Interface&) = delete;
@@ -30,13 +29,13 @@ public:
     void begin();
     void end();
 
-    /// Between begin() and end(): whether the mouse, or the keys, are for a control.
+    /// Between begin() and end(): whether a control uses the mouse, or the keys.
     bool takesMouse() const;
     bool takesKeys() const;
 
     const Style& style() const { return *style_; }
 
-    /// Draws what end() has left over an image in ImageUse::colorTarget, and leaves it in that.
+    /// Draws the output of end() over an image in ImageUse::colorTarget and keeps that use.
     void record(VkCommandBuffer commands, const gpu::Swapchain::Target& target);
 
 private:
@@ -44,14 +43,14 @@ private:
     using Framebuffer = gpu::Unique<VkFramebuffer, vkDestroyFramebuffer>;
     using DescriptorPool = gpu::Unique<VkDescriptorPool, vkDestroyDescriptorPool>;
 
-    /// ImGui's own state, which its functions find by themselves.
+    /// ImGui's global context.
     struct Context {
         Context();
         Context(const Context&) = delete;
         Context& operator=(const Context&) = delete;
         ~Context();
     };
-    /// Its connection to window and device.
+    /// ImGui's window and device backends.
     struct Backends {
         Backends() = default;
         Backends(const Backends&) = delete;
@@ -69,7 +68,7 @@ private:
     DescriptorPool descriptors_;
     std::unique_ptr<Backends> backends_;
     std::vector<Framebuffer> framebuffers_; ///< by the image's index
-    std::uint64_t generation_ = 0;          ///< of the images they were made for
+    std::uint64_t generation_ = 0;          ///< generation of their images
 };
 
 } // namespace sward::view

@@ -15,8 +15,8 @@ namespace sward::view {
 namespace {
 
 constexpr int circlePieces = 40;
-constexpr double nearestDepth = 1e-3; ///< [m] before the eye; what is nearer has no place
-constexpr int arrowsAcross = 5;       ///< of the wind, along each side of the field
+constexpr double nearestDepth = 1e-3; ///< [m] near clipping depth
+constexpr int arrowsAcross = 5;       ///< wind arrows along each side of the field
 
 } // namespace
 
@@ -64,7 +64,7 @@ void Overlay::tell(const ViewerState& state, ControlMap& map) const
 
 void Overlay::line(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float width) const
 {
-    // w is the depth along the view: cut there what lies behind the eye.
+    // w is the view depth: clip parts behind the eye.
     glm::dvec4 a = clip_ * glm::dvec4(from - origin_, 1.0);
     glm::dvec4 b = clip_ * glm::dvec4(to - origin_, 1.0);
     if (a.w < nearestDepth && b.w < nearestDepth)
@@ -147,7 +147,7 @@ void Overlay::drawWinds(const ViewerState& state) const
 
 void Overlay::drawFrustum(const render::Camera& frozen) const
 {
-    // Four corners of its picture, as far as the field reaches.
+    // Corners of its picture at the far end of the field.
     const glm::dvec3 ahead = glm::normalize(frozen.target - frozen.eye);
     glm::dvec3 right = glm::cross(ahead, glm::dvec3(frozen.up));
     if (glm::length(right) < 1e-9)

@@ -11,17 +11,17 @@
 
 namespace sward::view {
 
-/// Lines over the picture, below the panels: what has a place in the world but is not grass.
+/// Lines over the picture and below the panels, for objects in the world other than grass.
 class Overlay {
 public:
-    /// For a picture of `size` pixels taken by `camera`, with the field's content around it.
+    /// Overlay for a picture of `size` pixels taken by `camera`.
     Overlay(const Style& style, const render::Camera& camera, glm::uvec2 size,
             const ShownField& field);
 
-    /// What the state shows: colliders, wind arrows, the frozen frustum, the picked blade.
+    /// Draws the enabled parts of the state: colliders, wind arrows, frozen frustum, picked blade.
     void draw(const ViewerState& state) const;
 
-    /// Tells the map where in the picture the colliders are.
+    /// Adds the screen positions of the colliders to the map.
     void tell(const ViewerState& state, ControlMap& map) const;
 
 private:

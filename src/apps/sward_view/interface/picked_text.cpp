@@ -14,7 +14,7 @@
 namespace sward::view {
 namespace {
 
-// In the order of shared::cullResultDrawn ….
+// Ordered as shared::cullResultDrawn ….
 constexpr std::array<const char*, shared::cullResultCount> cullResultTexts{
     "drawn",
     "left out with its patch",
@@ -41,14 +41,15 @@ shared::Gravity gravityOf(const render::FrameSettings& settings, const glm::dvec
     return gravity;
 }
 
-// The wind at the blade's tip, as the shader of the update takes it.
+// Wind at the blade's tip, computed as in the update shader.
 glm::vec3 windOn(const PickedBlade& picked, const field::FieldView& field,
                  const render::FrameSettings& settings, const glm::vec3& tip, double time)
 {
     const std::vector<shared::WindSource> sources = render::blowing(settings.winds, field.origin);
     const Aabb bounds = field.bounds();
     const glm::vec3 size = bounds.isEmpty() ? glm::vec3(0.0f) : bounds.size();
-    const shared::Wind wind = render::together(sources, std::max({size.x, size.y, size.z}));
+    const shared::Wind wind = render::together(sources, std::max({size.x, size.y, size.z}),
+                                               render::latticeOf(field.origin, {}));
     return shared::windForce(wind, picked.blade.root, picked.blade.up, tip,
                              static_cast<float>(time));
 }

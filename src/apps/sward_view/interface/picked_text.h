@@ -8,14 +8,14 @@
 
 namespace sward::view {
 
-/// A line about a blade: what it is, its value, and what that means.
+/// A line about a blade: name, value and explanation.
 struct PickedLine {
     std::string name;
     std::string text;
     std::string about;
 };
 
-/// What is known of a blade, and the forces that pull at it at `time` [s].
+/// Properties of a blade, and the forces on it at `time` [s].
 std::vector<PickedLine> pickedLines(const PickedBlade& picked, const ShownField& shown,
                                     const render::FrameSettings& settings, double time);
 

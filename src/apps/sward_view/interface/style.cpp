@@ -32,7 +32,7 @@ ImFont* addFont(std::string_view name, float size)
     ImFontConfig config;
     config.FontDataOwnedByAtlas = false;
     config.OversampleH = 2;
-    // ImGui takes a pointer that it could write to, and does not.
+    // ImGui takes a non-const pointer, but does not write to it.
     return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(
         const_cast<unsigned char*>(found->bytes.data()), static_cast<int>(found->bytes.size()),
         size, &config, glyphs.data());
@@ -43,7 +43,7 @@ ImFont* addFont(std::string_view name, float size)
 Style::Style(bool linear)
     : linear_(linear)
 {
-    // The first is what ImGui takes by itself.
+    // The first font is ImGui's default.
     addFont("Roboto-Regular.ttf", textSize);
     heading_ = addFont("Roboto-Medium.ttf", headingSize);
     ImGuiStyle& style = ImGui::GetStyle();

@@ -19,11 +19,11 @@ constexpr std::uint32_t alarm = 0xe0705a;
 constexpr std::uint32_t cool = 0x6fb3d8;
 } // namespace palette
 
-/// Colours, spacings and letters of the interface.
+/// Colours, spacings and fonts of the interface.
 class Style {
 public:
-    /// `linear`: whether what is drawn into turns linear colours into sRGB by itself. Needs an
-    /// ImGui context; loads the letters into it.
+    /// `linear`: whether the target converts linear colours to sRGB. Requires an ImGui context;
+    /// loads the fonts into it.
     explicit Style(bool linear);
 
     ImVec4 color(std::uint32_t rgb, float alpha = 1.0f) const;

@@ -9,9 +9,9 @@
 namespace sward::view {
 namespace {
 
-constexpr double radiusShare = 0.025; ///< of the field's size: a ball that one sees at once
+constexpr double radiusShare = 0.025; ///< of the field's size: clearly visible
 
-// A ball on the ground in the middle of the field.
+// A sphere on the ground at the centre of the field.
 render::Collider newCollider(const ViewerState& state, bool isCapsule)
 {
     render::Collider collider;

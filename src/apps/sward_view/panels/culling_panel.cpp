@@ -10,11 +10,11 @@
 namespace sward::view {
 namespace {
 
-constexpr float farthest = 20'000.0f; ///< [m] that the slider knows
+constexpr float farthest = 20'000.0f; ///< [m] end of the slider
 
 constexpr std::array debugWords{"none", "level of detail", "patches", "wind", "reason"};
 
-// A control of the panel for each test, in the order of render::cullTests.
+// One control per test, in the order of render::cullTests.
 struct Row {
     const char* name;
     const char* about;
@@ -33,7 +33,7 @@ constexpr std::array<Row, 5> rows{
      {"Occlusion", "Blades behind the ground", shared::cullResultOcclusion,
       &render::FrameStats::culledOcclusion}}};
 
-// A dot in the colour that "reason" paints, and a count.
+// A dot in the colour of the "reason" debug mode, and a count.
 void drawCount(Controls& controls, const char* name, std::uint32_t cullResult, std::uint64_t count)
 {
     const glm::vec3 color = shared::cullResultColor(cullResult);

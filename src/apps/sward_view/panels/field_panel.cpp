@@ -12,14 +12,14 @@ namespace {
 constexpr float removeWidth = 62.0f; ///< [pixels] of the button and its space
 constexpr float addWidth = 40.0f;    ///< [pixels]
 
-// The provenance, indented; as it is if it is no JSON.
+// The provenance, indented; unchanged if it is no JSON.
 std::string indented(const std::string& provenance)
 {
     const auto json = nlohmann::json::parse(provenance, nullptr, false);
     return json.is_discarded() ? provenance : json.dump(2);
 }
 
-// Several are chosen from, one by one; each may go.
+// Lists several fields to choose from or remove.
 void drawMembers(Controls& controls, ViewerState& state)
 {
     const ShownField& shown = *state.field;
@@ -81,7 +81,7 @@ void drawField(Controls& controls, ViewerState& state)
                       "Blades of this species");
 }
 
-// A long text, below everything else.
+// Draws the provenance last, because it is long.
 void drawProvenance(Controls& controls, const ViewerState& state)
 {
     const field::FieldView view = state.field->members.at(state.chosen)->mapped.view();
@@ -109,7 +109,7 @@ void drawShown(Controls& controls, ViewerState& state)
     drawField(controls, state);
 }
 
-// What is named, or was opened before: instead of what is shown, or beside it.
+// Opens a typed or recent name: replaces the shown fields or adds to them.
 void drawOthers(Controls& controls, ViewerState& state)
 {
     controls.section("Another");

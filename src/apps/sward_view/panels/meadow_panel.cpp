@@ -57,7 +57,7 @@ void drawMeadowPanel(Controls& controls, ViewerState& state)
     controls.number("Slope to", meadow.slopeHigh, {0.0f, 180.0f, "°", "%.0f"},
                     "Nothing grows on steeper slopes; undersides are above 90°");
     controls.number("Slope fades", meadow.slopeSoft, {0.0f, 90.0f, "°", "%.0f"},
-                    "Beyond both ends grass thins out over so many degrees");
+                    "Beyond both ends grass thins out over this many degrees");
     controls.text("Masks", meadow.masks, "vertex-color:R",
                   "Multiply the density: vertex-color:C, texture:FILE:C or material-texture:C, "
                   "with C one of R G B A and perhaps :invert; separated by blanks");

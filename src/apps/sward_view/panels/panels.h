@@ -7,7 +7,7 @@
 
 namespace sward::view {
 
-// Each draws one panel into the window that ImGui has open, and turns what belongs to it.
+// Each function draws one panel into the open ImGui window and edits its settings.
 
 void drawFieldPanel(Controls& controls, ViewerState& state);
 void drawMeadowPanel(Controls& controls, ViewerState& state);

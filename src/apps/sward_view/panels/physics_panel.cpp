@@ -27,7 +27,7 @@ void drawPhysicsPanel(Controls& controls, ViewerState& state)
     controls.section("Time");
     FieldTime& time = state.time;
     controls.toggle("Paused", time.paused, "Stops wind and blades (Space)");
-    controls.number("Pace", time.scale, {0.0f, 4.0f, "", "%.2f x"},
+    controls.number("Speed", time.scale, {0.0f, 4.0f, "", "%.2f x"},
                     "Field seconds per second of yours");
     controls.number("Step", time.step, {0.001f, 0.5f, "s", "%.3f", true},
                     "Length of a single step");

@@ -1,0 +1,96 @@
+// The colours of one blade, from species, ground, clump, meadow and random variation.
+#ifndef SWARD_BLADE_COLORS_GLSL
+#define SWARD_BLADE_COLORS_GLSL
+
+#include "shaders/blade/drawn_blade.glsl"
+#include "shaders/lighting.glsl"
+#include "shaders/shared/cull_result_color.h"
+#include "shaders/shared/noise.h"
+#include "shaders/shared/visibility.h"
+
+struct BladeColors {
+    vec3 root; ///< linear
+    vec3 tip;  ///< linear
+};
+
+float chance(uint key)
+{
+    return float(mixUint(key) >> 8u) * (1.0 / 16777215.0);
+}
+
+/// `index` is the resident id, so that a blade has the same colour in every picture.
+BladeColors bladeColors(Blade blade, Species species, uint index)
+{
+    const float clump = chance(blade.clump * 977u + 11u);
+    const float single = chance(index * 16u + blade.hash);
+    const float other = chance(index * 16u + blade.hash + 0x9e3779b9u);
+    // Wide patches of drier and lusher growth, some metres across.
+    const float meadow = 0.65 * valueNoise(blade.root / 2.3) + 0.35 * valueNoise(blade.root / 0.7);
+
+    // Variation between whole slopes.
+    const float region = valueNoise(blade.root / 13.0 + 71.0);
+
+    const float amount = species.colorVariation;
+    const float light = 1.0 + amount * (0.9 * (single - 0.5) + 0.6 * (clump - 0.5) + 0.5 * (meadow - 0.5) + 0.4 * (region - 0.5));
+    // Lush grass is bluer and darker, dry grass is yellower.
+    const float hue = amount * (0.7 * (clump - 0.5) + 0.5 * (other - 0.5) + 1.1 * (meadow - 0.5) + 1.2 * (region - 0.5));
+    const vec3 shift = vec3(1.0 + 0.75 * hue, 1.0 + 0.10 * hue, 1.0 - 0.45 * hue);
+
+    BladeColors colors;
+    colors.root = mix(species.rootColor * shift, decodeSrgb(blade.tint), species.groundTint) * light;
+    colors.tip = species.tipColor * shift * light;
+
+    // Some blades have dried from the tip downwards.
+    const float dry = smoothstep(0.0, 0.25, species.dryness * (0.6 + 0.8 * meadow) - other);
+    const vec3 straw = vec3(0.42, 0.32, 0.13) * (0.7 + 0.6 * single);
+    colors.tip = mix(colors.tip, straw, 0.8 * dry);
+    colors.root = mix(colors.root, straw * 0.6, 0.25 * dry);
+    return colors;
+}
+
+/// The lighting inputs of a blade, computed once per blade.
+struct BladeSurface {
+    vec4 root;     ///< colour, and the share of the sun that reaches the root
+    vec4 tip;      ///< colour, and the share of the sun that reaches the tip
+    vec4 material; ///< open sky, translucency, gloss, leaf area index
+};
+
+/// A ray gets deeper into grass under a leaf-area limit than into the whole field. So every place is lit and coloured
+/// as a higher one, with the share `above` of the leaf area over it.
+BladeSurface liftedSurface(BladeSurface surface, float above)
+{
+    const float root = 1.0 - heightWithLeafShare(above);
+    surface.root = vec4(mix(surface.root.rgb, surface.tip.rgb, tipShareAt(root)), mix(surface.root.w, surface.tip.w, root));
+    surface.material.w *= above;
+    return surface;
+}
+
+/// `limit`: leafAreaLimitOf() the blade's patch.
+BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, LeafAreaLimit limit)
+{
+    const Blade blade = drawn.blade;
+    const Species species = drawn.species;
+    BladeColors colors = bladeColors(blade, species, visible.blade);
+    if (debugMode() == 1u)
+        colors.tip = mix(vec3(0.1, 0.6, 0.1), vec3(1.0, 0.1, 0.0),
+                         clamp(log2(max(widthFactorOf(visible), 1.0)) / 4.0, 0.0, 1.0));
+    else if (debugMode() == 2u)
+        colors.tip = colorOf(visible.patchIndex);
+    else if (debugMode() == debugReason)
+        colors.tip = cullResultColor(FRAME.cullResults.at[placeOf(uvec2(FRAME.pages), visible.blade)]);
+    if (paintsWind)
+        colors.tip = colorOfWind(blade.root, blade.up);
+    if (debugMode() != debugNothing)
+        colors.root = 0.4 * colors.tip;
+
+    // The blade's own ground blocks the sun where the sun is below that ground.
+    const float risen = smoothstep(-0.15, 0.25, dot(blade.up, FRAME.sunDirection));
+    BladeSurface surface;
+    surface.root = vec4(colors.root, risen * sunSeen(FRAME.shadow, drawn.ribbon.v0, blade.up));
+    surface.tip = vec4(colors.tip, risen * sunSeen(FRAME.shadow, drawn.ribbon.v2, blade.up));
+    surface.material = vec4(blade.exposure, species.translucency, species.gloss,
+                            leafAreaAt(FRAME.cover, blade.root));
+    return limit.light < 1.0 ? liftedSurface(surface, limit.light) : surface;
+}
+
+#endif

@@ -1,0 +1,30 @@
+// Assigns visible patches to work-groups of the update. The including stage has a push constant `push` of type
+// UpdatePush. `patchesOfGroup` is patchesTogether if a work-group takes neighbours together where there are many
+// patches, and 1 if it never does.
+#ifndef SWARD_OWN_PATCHES_GLSL
+#define SWARD_OWN_PATCHES_GLSL
+
+#include "shaders/shared/passes.h"
+
+/// Whether there are enough visible patches for a work-group to take neighbours instead of scattered patches.
+bool areMany()
+{
+    return patchesOfGroup > 1u && gl_NumWorkGroups.x > updateGroupsFrom;
+}
+
+/// The first visible patch that a work-group takes in iteration `turn`.
+uint firstOfIteration(uint turn)
+{
+    const uint before = turn * patchesTogether * gl_NumWorkGroups.x;
+    return before + (areMany() ? patchesTogether : 1u) * gl_WorkGroupID.x;
+}
+
+/// The visible patch at a place of the list; if all patches are moved, the non-empty patch.
+VisiblePatch liveAt(uint place)
+{
+    if (push.onlyUpdate != 0u)
+        return VisiblePatch(push.nonEmptyPatches.at[place], 0u);
+    return push.live.at[place];
+}
+
+#endif

@@ -1,4 +1,0 @@
-#version 460
-#extension GL_GOOGLE_include_directive : require
-// A stage of blades by tessellation.
-#include "shaders/grass/blade_fragment.glsl"

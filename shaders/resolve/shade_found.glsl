@@ -1,0 +1,26 @@
+// The light of a visible place of a blade.
+#ifndef SWARD_RASTER_SHADE_FOUND_GLSL
+#define SWARD_RASTER_SHADE_FOUND_GLSL
+
+#include "shaders/blade/blade_light.glsl"
+#include "shaders/raster/seen_blade.glsl"
+#include "shaders/raster/seen_place.glsl"
+
+/// The film colour of the place, and 1 − softness.
+vec4 shadeFound(SeenBlade seen, Found found)
+{
+    const Ribbon ribbon = seen.ribbon;
+    BladePoint point;
+    point.position = found.point;
+    point.place = found.place;
+    point.tangent = tangentOf(curveOf(ribbon), point.place.y);
+    point.axis = ribbon.axis;
+    point.up = normalize(ribbon.v1 - ribbon.v0);
+    point.fold = isFolded(ribbon) ? ribbon.fold : 0.0;
+    point.rootColor = seen.surface.root;
+    point.tipColor = seen.surface.tip;
+    point.material = seen.surface.material;
+    return vec4(bladePicture(point), 1.0 - softness(length(FRAME.view.eye - point.position), 1.0));
+}
+
+#endif

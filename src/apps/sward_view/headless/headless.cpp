@@ -1,0 +1,212 @@
+#include "apps/sward_view/headless/headless.h"
+
+#include "apps/common/interrupt.h"
+#include "apps/sward_view/camera_file.h"
+#include "apps/sward_view/graphics.h"
+#include "apps/sward_view/headless/reference_sum.h"
+#include "gpu/image_use.h"
+#include "gpu/readback.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace sward::view {
+namespace {
+
+constexpr VkFormat pictureFormat = VK_FORMAT_R8G8B8A8_SRGB;
+constexpr std::uint32_t slot = 0; ///< one frame at a time
+
+/// Render target. Shaders store into it only if they rasterise and the device supports it:
+/// otherwise storage usage would slow down the graphics unit's writes.
+gpu::ImageSettings targetFor(const gpu::DeviceContext& context, glm::uvec2 size,
+                             render::Geometry geometry)
+{
+    gpu::ImageSettings settings{.name = "picture",
+                                .format = pictureFormat,
+                                .extent = {size.x, size.y},
+                                .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
+                                         VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                                         VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                                .storedAs = VK_FORMAT_R8G8B8A8_UNORM};
+    if (geometry == render::Geometry::tessellation || !gpu::isSupported(context, settings))
+        settings.storedAs = VK_FORMAT_UNDEFINED;
+    return settings;
+}
+
+// Adds two series frame by frame; both have the same frames.
+std::vector<double> sumOf(std::vector<double> first, const std::vector<double>& second)
+{
+    for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i)
+        first[i] += second[i];
+    return first;
+}
+
+std::vector<field::MappedField> readAll(const std::vector<std::string>& names)
+{
+    std::vector<field::MappedField> files;
+    for (const std::string& name : names)
+        files.push_back(field::readField(name));
+    return files;
+}
+
+std::vector<field::Member> membersOf(const std::vector<field::MappedField>& files,
+                                     const std::vector<std::string>& names)
+{
+    std::vector<field::Member> members;
+    for (std::size_t i = 0; i < files.size(); ++i)
+        members.push_back({files[i].view(), names[i]});
+    return members;
+}
+
+float aspectOf(glm::uvec2 size)
+{
+    return static_cast<float>(size.x) / static_cast<float>(size.y);
+}
+
+} // namespace
+
+Headless::Headless(const FrameOptions& options, bool recordCullResults)
+    : options_(options)
+    , files_(readAll(options.fields))
+    , fields_(membersOf(files_, options.fields))
+    , settings_(options.settingsFor(fields_.view()))
+    , camera_(options.sceneCamera
+                  ? readCameraPath(options.sceneCamera->text, options.sceneCamera->place,
+                                   groundUpOf(fields_.view()))
+                  : chooseCamera(options.camera, fields_.view(), aspectOf(options.size)))
+    , instance_(createInstance(options.validation))
+    , device_(instance_, {.selection = options.device})
+    , samples_(options.samples.value_or(4))
+    , target_(device_.context(), targetFor(device_.context(), options.size, options.geometry))
+    , renderer_(
+          device_, fields_.view(),
+          {.colorFormat = pictureFormat,
+           .samples = samples_,
+           .framesInFlight = 1,
+           .geometry = options.geometry,
+           .rastersForCpu = options.rastersForCpu,
+           .recordCullResults = recordCullResults || options.debug == render::DebugMode::reason,
+           .deviceBytes = options.gpuMemory,
+           .largestTarget = options.size,
+           .waitsForDisk = true})
+    , timestamps_(device_.context(), {.slots = 1})
+    , ring_(device_.context(), 1)
+{
+    // Cull results need the motion of every blade.
+    if (recordCullResults)
+        settings_.leavesThinned = false;
+}
+
+double Headless::timeOf(std::uint64_t frame) const
+{
+    return static_cast<double>(frame) * options_.fixedStep;
+}
+
+void Headless::skip(std::uint64_t frame)
+{
+    apps::throwIfInterrupted("simulation");
+    const gpu::FrameRing::Frame commands = ring_.begin();
+    renderer_.recordUpdateOnly(commands.commands, settings_, timeOf(frame), slot);
+    ring_.submit(commands);
+    ring_.finish();
+}
+
+void Headless::stream(std::uint64_t frame)
+{
+    for (bool isThere = false; !isThere;) {
+        apps::throwIfInterrupted("streaming");
+        const gpu::FrameRing::Frame commands = ring_.begin();
+        isThere =
+            renderer_.recordStreaming(commands.commands, options_.size, camera_.at(timeOf(frame)),
+                                      settings_, timeOf(frame), slot);
+        ring_.submit(commands);
+        ring_.finish();
+    }
+}
+
+void Headless::draw(std::uint64_t frame)
+{
+    record(settings_, timeOf(frame), glm::vec2(0.0f));
+}
+
+void Headless::record(const render::FrameSettings& settings, double time, glm::vec2 jitter)
+{
+    apps::throwIfInterrupted("drawing");
+    const gpu::FrameRing::Frame frame = ring_.begin();
+    timestamps_.beginFrame(frame.commands, slot);
+    gpu::transition(frame.commands, target_, gpu::ImageUse::undefined, gpu::ImageUse::colorTarget);
+
+    const auto begin = std::chrono::steady_clock::now();
+    {
+        const gpu::TimedScope total(timestamps_, device_.context(), frame.commands, "total");
+        renderer_.record(frame.commands,
+                         {target_.get(), target_.view(), options_.size, target_.storedView()},
+                         camera_.at(time), settings, time, slot, &timestamps_, jitter);
+    }
+    const std::chrono::duration<double, std::milli> spent =
+        std::chrono::steady_clock::now() - begin;
+    recordTimes_.push_back(spent.count());
+
+    ring_.submit(frame);
+    ring_.finish();
+}
+
+Picture Headless::picture()
+{
+    const std::vector<std::byte> bytes =
+        gpu::readImage(device_.context(), target_, gpu::ImageUse::colorTarget);
+    const auto* first = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    return {options_.size, {first, first + bytes.size()}};
+}
+
+Picture Headless::reference(std::uint64_t frame)
+{
+    render::FrameSettings everything = settings_;
+    everything.cullMask = 0;
+    everything.levelOfDetail = false;
+    if (everything.tessellationLevel == 0)
+        everything.tessellationLevel = referenceSegments;
+    ReferenceSum sum(options_.size);
+    for (std::uint32_t i = 0; i < referencePictures; ++i) {
+        record(everything, timeOf(frame), referenceJitter(i));
+        sum.add(picture());
+    }
+    return sum.mean();
+}
+
+void Headless::forgetTimes()
+{
+    timestamps_.collect();
+    timestamps_.clearHistory();
+    recordTimes_.clear();
+}
+
+RunStats Headless::stats()
+{
+    timestamps_.collect();
+    RunStats stats;
+    stats.device = device_.context().name;
+    stats.driver = device_.context().driver;
+    stats.size = options_.size;
+    stats.samples = samples_;
+    stats.geometry = render::nameOf(renderer_.geometry());
+    stats.geometryReason = renderer_.geometryReason();
+    stats.blades = renderer_.stats(slot);
+    for (const std::string& name : timestamps_.names())
+        stats.gpuTimes[name] = timestamps_.statistics(name);
+    std::vector<double> grass = timestamps_.history("update");
+    for (const char* pass : {"cull", "pyramid", "blades", "resolve"})
+        grass = sumOf(std::move(grass), timestamps_.history(pass));
+    stats.gpuTimes["grass"] = gpu::statisticsOf(grass);
+    stats.recordTime = gpu::statisticsOf(recordTimes_);
+    stats.deviceBytes = renderer_.deviceBytes();
+    stats.validationMessages = instance_.validationLog().count();
+    return stats;
+}
+
+std::vector<render::FieldRenderer::BladeRecord> Headless::blades() const
+{
+    return renderer_.dumpBlades(fields_.view());
+}
+
+} // namespace sward::view

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "apps/sward_view/camera_path.h"
+#include "apps/sward_view/field_group.h"
+#include "apps/sward_view/frame_options.h"
+#include "apps/sward_view/headless/stats_json.h"
+#include "apps/sward_view/png.h"
+#include "field/read.h"
+#include "gpu/device.h"
+#include "gpu/frame_ring.h"
+#include "gpu/image.h"
+#include "gpu/instance.h"
+#include "gpu/timestamps.h"
+#include "render/field_renderer.h"
+
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace sward::view {
+
+/// Renders fields without a window: draws numbered frames at a fixed step into a picture. Frame 0
+/// is at time 0, after the renderer has brought the blades to rest.
+class Headless {
+public:
+    /// Reads the fields first, so that a wrong file is also reported on a machine without a device.
+    /// `recordCullResults`: whether blades() will be called. Throws as readField(), join(), Device
+    /// and FieldRenderer do.
+    Headless(const FrameOptions& options, bool recordCullResults);
+
+    /// Draws `frame`; call with ascending frames.
+    void draw(std::uint64_t frame);
+
+    /// Uploads the patches of a streamed field visible in `frame`, limited by the memory.
+    void stream(std::uint64_t frame);
+
+    /// Moves the blades to `frame` without drawing.
+    void skip(std::uint64_t frame);
+
+    /// The last picture.
+    Picture picture();
+
+    /// Reference picture of `frame`: without culling and level of detail, the mean in linear light
+    /// of 256 pictures of one frozen state, each shifted by less than a pixel.
+    Picture reference(std::uint64_t frame);
+
+    /// Resets the measured times.
+    void forgetTimes();
+
+    /// Counts of the last frame, times of all.
+    RunStats stats();
+
+    std::vector<render::FieldRenderer::BladeRecord> blades() const;
+    bool isStreamed() const { return renderer_.isStreamed(); } ///< not all blades are resident
+    const gpu::Instance& instance() const { return instance_; }
+
+private:
+    double timeOf(std::uint64_t frame) const;
+    void record(const render::FrameSettings& settings, double time, glm::vec2 jitter);
+
+    const FrameOptions& options_;
+    std::vector<field::MappedField> files_;
+    FieldGroup fields_;
+    render::FrameSettings settings_;
+    CameraPath camera_;
+    gpu::Instance instance_;
+    gpu::Device device_;
+    std::uint32_t samples_;
+    gpu::Image target_;
+    render::FieldRenderer renderer_;
+    gpu::Timestamps timestamps_;
+    gpu::FrameRing ring_;
+    std::vector<double> recordTimes_; ///< [ms]
+};
+
+} // namespace sward::view

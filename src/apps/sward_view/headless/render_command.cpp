@@ -1,0 +1,155 @@
+#include "apps/common/parse_text.h"
+#include "apps/common/progress_bar.h"
+#include "apps/sward_view/commands.h"
+#include "apps/sward_view/frame_names.h"
+#include "apps/sward_view/graphics.h"
+#include "apps/sward_view/headless/blade_csv.h"
+#include "apps/sward_view/headless/headless.h"
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "core/log.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace sward::view {
+namespace {
+
+constexpr std::uint64_t largestFrame = 10'000'000;
+
+constexpr const char* footer =
+    "Draws without a window, on a GPU, or on the CPU (package mesa-vulkan-drivers).\n"
+    "Example:\n"
+    "  sward-view render meadow.sward -o meadow.png --camera eye --size 1920x1080\n"
+    "  sward-view render meadow.sward -o wind_%04d.png --frames 0:119\n"
+    "  sward-view render west.sward east.sward -o both.png";
+
+struct RenderOptions {
+    FrameOptions frame;
+    std::string output;
+    std::uint64_t firstFrame = 0;
+    std::uint64_t lastFrame = 0;
+    bool reference = false;
+    std::string stats;
+    std::string dump;
+    bool force = false;
+};
+
+// Checks all outputs before the work.
+void checkOutputs(const RenderOptions& options, const FrameNames& names)
+{
+    std::vector<std::filesystem::path> paths;
+    const std::uint64_t first = names.numbered() ? options.firstFrame : options.lastFrame;
+    for (std::uint64_t frame = first; frame <= options.lastFrame; ++frame)
+        paths.push_back(names.of(frame));
+    for (const std::string& path : {options.stats, options.dump})
+        if (!path.empty())
+            paths.emplace_back(path);
+
+    for (const std::filesystem::path& path : paths)
+        refuseOverwrite(path, options.force);
+    std::sort(paths.begin(), paths.end());
+    const auto twin = std::adjacent_find(paths.begin(), paths.end());
+    if (twin != paths.end())
+        fail(ErrorKind::usage, "{}: two outputs have the same name", twin->string());
+}
+
+// Simulates up to the first frame, then draws and writes the requested outputs.
+void drawFrames(const RenderOptions& options, const FrameNames& names, Headless& headless)
+{
+    apps::ProgressBar bar(options.frame.log.showBar());
+    Progress progress(bar.callback());
+    progress.begin("frames", options.lastFrame + 1);
+    for (std::uint64_t frame = 0; frame < options.firstFrame; ++frame) {
+        headless.skip(frame);
+        progress.advance(1);
+    }
+    for (std::uint64_t frame = options.firstFrame; frame <= options.lastFrame; ++frame) {
+        const bool wanted = names.numbered() || frame == options.lastFrame;
+        if (wanted && options.reference) {
+            writePng(headless.reference(frame), names.of(frame), options.force);
+        } else {
+            headless.stream(frame);
+            headless.draw(frame);
+            if (wanted)
+                writePng(headless.picture(), names.of(frame), options.force);
+        }
+        progress.advance(1);
+    }
+}
+
+int render(const RenderOptions& options)
+{
+    options.frame.log.apply();
+    const FrameNames names(options.output);
+    checkOutputs(options, names);
+    // Ids are unique only within one field; two fields of one mesh have equal ids.
+    if (!options.dump.empty() && options.frame.fields.size() > 1)
+        fail(ErrorKind::usage, "--dump-blades: {} fields are drawn; it writes the blades of one",
+             options.frame.fields.size());
+
+    Headless headless(options.frame, !options.dump.empty());
+    if (headless.isStreamed() && (options.reference || !options.dump.empty()))
+        fail(ErrorKind::usage,
+             "{}: needs all blades in device memory; --gpu-memory is too small for them",
+             options.reference ? "--reference" : "--dump-blades");
+    drawFrames(options, names, headless);
+    const RunStats stats = headless.stats();
+    log::info("{}: {}x{} pixels, {} of {} blades drawn on {}", names.of(options.lastFrame).string(),
+              stats.size.x, stats.size.y, stats.blades.drawn, stats.blades.total, stats.device);
+
+    if (!options.dump.empty())
+        writeBladeCsv(headless.blades(), options.dump, options.force);
+    if (!options.stats.empty())
+        writeTextFile(options.stats, statsText(headless.stats()), options.force);
+    failOnValidationMessages(headless.instance());
+    return 0;
+}
+
+} // namespace
+
+void addRenderCommand(CLI::App& app, apps::Command& chosen)
+{
+    CLI::App* command = app.add_subcommand("render", "Draw pictures of fields without a window");
+    const auto options = std::make_shared<RenderOptions>();
+    command->add_option("FILE", options->frame.fields, "Field files, drawn together")
+        ->type_name("")
+        ->required();
+    command
+        ->add_option("-o,--output", options->output,
+                     "Picture to write; with %d or %04d in its name one for each frame")
+        ->type_name("PNG")
+        ->required();
+    options->frame.addShared(*command);
+    options->frame.addMeasured(*command);
+    command
+        ->add_option_function<std::string>(
+            "--frames",
+            [options](const std::string& text) {
+                std::tie(options->firstFrame, options->lastFrame) =
+                    apps::parseWholeRange("--frames", text, largestFrame);
+            },
+            "Frames to draw, 0 to 10000000; those before A are simulated only")
+        ->type_name("A:B")
+        ->default_str("0:0");
+    command->add_flag("--reference", options->reference,
+                      "Mean of 256 pictures of one state, without culling and level of detail");
+    command->add_option("--stats", options->stats, "JSON file for counts and times")
+        ->type_name("FILE.json");
+    command
+        ->add_option("--dump-blades", options->dump,
+                     "CSV file for the state of every blade of one field")
+        ->type_name("FILE.csv");
+    command->add_flag("--force", options->force, "Overwrite existing files");
+    options->frame.log.addBar(*command);
+    command->footer(footer);
+    command->final_callback(
+        [options, &chosen] { chosen = [options] { return render(*options); }; });
+}
+
+} // namespace sward::view

@@ -1,0 +1,289 @@
+#include "apps/sward_view/panels/layout.h"
+
+#include "apps/sward_view/interface/picked_text.h"
+#include "apps/sward_view/interface/units.h"
+#include "apps/sward_view/panels/panels.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace sward::view {
+namespace {
+
+constexpr float railWidth = 96.0f;    ///< [pixels]
+constexpr float panelWidth = 340.0f;  ///< [pixels]
+constexpr float statusHeight = 28.0f; ///< [pixels]
+constexpr float messageTop = 16.0f;   ///< [pixels]
+
+constexpr ImGuiWindowFlags fixedWindow =
+    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+struct KeyLine {
+    const char* keys;
+    const char* meaning;
+};
+
+constexpr std::array<KeyLine, 19> keyLines{
+    {{"Drop, Shift+drop", "open a file; show it beside the rest"},
+     {"Left drag", "turn around the middle"},
+     {"Middle drag, Shift+left", "move sideways"},
+     {"Wheel", "come nearer; the speed while flying"},
+     {"Right drag + W A S D Q E", "look around and fly; Shift hurries"},
+     {"F", "show the whole field"},
+     {"Home", "back to where the camera started"},
+     {"1 to 9", "recall a place; Ctrl sets it"},
+     {"G", "walk on the ground, W A S D to go"},
+     {"Left click", "pick a blade"},
+     {"Left drag on a collider", "drag it over the ground; let go to throw it"},
+     {"Space", "stop the time, and let it go on"},
+     {".", "a single step of time"},
+     {"C", "freeze the culling camera"},
+     {"R", "record a camera path"},
+     {"P", "write a picture"},
+     {"Tab", "hide and show the panels"},
+     {"H", "this sheet"},
+     {"Escape", "close this sheet, then the window"}}};
+
+void beginFixed(const char* name, const ImVec2& place, const ImVec2& size,
+                ImGuiWindowFlags more = 0)
+{
+    ImGui::SetNextWindowPos(place);
+    ImGui::SetNextWindowSize(size);
+    ImGui::Begin(name, nullptr, fixedWindow | more);
+}
+
+// Begins a window centred at a position, as large as its content.
+void beginCentred(const char* name, const ImVec2& place, const ImVec2& pivot)
+{
+    ImGui::SetNextWindowPos(place, ImGuiCond_Always, pivot);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8.0f);
+    ImGui::Begin(name, nullptr,
+                 (fixedWindow & ~ImGuiWindowFlags_NoBringToFrontOnFocus) |
+                     ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleVar();
+}
+
+} // namespace
+
+bool Layout::openPanel(const std::string& name)
+{
+    const auto found = std::find_if(panels.begin(), panels.end(), [&name](const Panel& panel) {
+        return std::equal(
+            name.begin(), name.end(), panel.name,
+            panel.name + std::char_traits<char>::length(panel.name),
+            [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
+    });
+    if (found == panels.end())
+        return false;
+    open = static_cast<std::size_t>(found - panels.begin());
+    return true;
+}
+
+void Layout::draw(Controls& controls, ViewerState& state)
+{
+    if (shown) {
+        drawRail(controls);
+        if (open)
+            drawPanel(controls, state);
+        drawStatus(controls, state);
+        drawPicked(controls, state);
+        if (state.field == nullptr && state.loading.empty() && state.baking == nullptr)
+            drawWelcome(controls, state);
+    }
+    drawMessages(controls, state);
+    if (keySheet)
+        drawKeySheet(controls);
+}
+
+void Layout::drawRail(Controls& controls)
+{
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8.0f, 14.0f});
+    ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.15f, 0.5f});
+    beginFixed("rail", {0.0f, 0.0f}, {railWidth, size.y - statusHeight});
+    controls.beginPanel("Rail");
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const bool isOpen = open == i;
+        ImGui::PushStyleColor(ImGuiCol_Text,
+                              controls.style().color(isOpen ? palette::text : palette::dim));
+        if (ImGui::Selectable(panels[i].name, isOpen, 0, {0.0f, 26.0f}))
+            open = isOpen ? std::nullopt : std::optional(i);
+        ImGui::PopStyleColor();
+        controls.tell(panels[i].name, isOpen ? "open" : "", panels[i].about);
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+void Layout::drawPanel(Controls& controls, ViewerState& state)
+{
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const Panel& panel = panels[*open];
+    const float width = std::min(panelWidth, size.x - railWidth);
+    beginFixed(panel.name, {railWidth, 0.0f}, {width, size.y - statusHeight});
+    controls.beginPanel(panel.name);
+    controls.heading(panel.name);
+    panel.draw(controls, state);
+    ImGui::End();
+}
+
+void Layout::drawStatus(Controls& controls, ViewerState& state)
+{
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12.0f, 5.0f});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
+    beginFixed("status", {0.0f, size.y - statusHeight}, {size.x, statusHeight},
+               ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    controls.beginPanel("Status");
+    std::string left = state.field == nullptr ? "no field" : state.field->name;
+    if (state.field != nullptr)
+        left += fmt::format("   {} of {} blades drawn   {:.1f} ms", countText(state.counts.drawn),
+                            countText(state.counts.total), 1000.0 * state.frameSeconds);
+    if (state.time.paused)
+        left += "   paused";
+    if (state.walking)
+        left += "   on foot";
+    if (state.recording)
+        left += "   recording";
+    if (state.settings.cullingCamera)
+        left += "   culling camera frozen";
+    ImGui::TextUnformatted(left.c_str());
+    controls.tell("Numbers", left, nullptr);
+
+    // Show the current automatic resolution.
+    const int percent = static_cast<int>(100.0f * state.scale + 0.5f);
+    const std::string right =
+        percent < 100 ? fmt::format("drawn at {} % of the resolution   H: keys", percent)
+                      : "H: keys";
+    const float width = ImGui::CalcTextSize(right.c_str()).x;
+    ImGui::SameLine(size.x - width - 12.0f);
+    controls.note(right);
+    controls.tell("Resolution", std::to_string(percent),
+                  "Share of the window's width and height that is drawn; panel Profile");
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+void Layout::drawMessages(Controls& controls, ViewerState& state)
+{
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const float left = shown ? railWidth + (open ? panelWidth : 0.0f) : 0.0f;
+    const ImVec2 place{left + 0.5f * std::max(size.x - left, 0.0f), messageTop};
+    controls.beginPanel("Message");
+    if (!state.error.empty()) {
+        beginCentred("error", place, {0.5f, 0.0f});
+        ImGui::PushStyleColor(ImGuiCol_Text, controls.style().color(palette::alarm));
+        ImGui::TextUnformatted("That did not work");
+        ImGui::PopStyleColor();
+        ImGui::PushTextWrapPos(std::max(size.x - left - 80.0f, 160.0f));
+        ImGui::TextUnformatted(state.error.c_str());
+        ImGui::PopTextWrapPos();
+        controls.tell("Error", state.error, nullptr);
+        if (controls.button("Close", "Takes this message away"))
+            state.error.clear();
+        ImGui::End();
+        return;
+    }
+    if (!state.shaderError.empty()) {
+        beginCentred("shaders", place, {0.5f, 0.0f});
+        ImGui::PushStyleColor(ImGuiCol_Text, controls.style().color(palette::alarm));
+        ImGui::TextUnformatted("The shaders do not compile; the last good ones draw");
+        ImGui::PopStyleColor();
+        ImGui::PushTextWrapPos(std::max(size.x - left - 80.0f, 160.0f));
+        ImGui::TextUnformatted(state.shaderError.c_str());
+        ImGui::PopTextWrapPos();
+        controls.tell("Shaders", state.shaderError, nullptr);
+        ImGui::End();
+        return;
+    }
+    std::string text = state.notice;
+    if (!state.loading.empty())
+        text = fmt::format("Reading {} ...", state.loading);
+    else if (state.baking != nullptr)
+        text = fmt::format("Growing grass: {} {:.0f} %", state.baking->progress().state,
+                           100.0 * state.baking->progress().share);
+    if (text.empty())
+        return;
+    beginCentred("notice", place, {0.5f, 0.0f});
+    ImGui::TextUnformatted(text.c_str());
+    controls.tell("Notice", text, nullptr);
+    if (state.baking != nullptr) {
+        ImGui::SameLine();
+        if (controls.button("Cancel bake", "Ends the bake; the field that is shown stays"))
+            state.requests.cancelBake = true;
+    }
+    ImGui::End();
+}
+
+void Layout::drawPicked(Controls& controls, ViewerState& state)
+{
+    if (!state.picked || state.field == nullptr)
+        return;
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    beginCentred("blade", {size.x - 16.0f, 16.0f}, {1.0f, 0.0f});
+    controls.beginPanel("Blade");
+    controls.heading("Blade");
+    for (const auto& [name, text, about] :
+         pickedLines(*state.picked, *state.field, state.settings, state.time.now)) {
+        ImGui::PushStyleColor(ImGuiCol_Text, controls.style().color(palette::dim));
+        ImGui::TextUnformatted(name.c_str());
+        ImGui::PopStyleColor();
+        ImGui::SameLine(90.0f);
+        ImGui::TextUnformatted(text.c_str());
+        controls.tell(name.c_str(), text, about.c_str());
+    }
+    if (controls.button("Forget it", "Closes this"))
+        state.picked.reset();
+    ImGui::End();
+}
+
+void Layout::drawWelcome(Controls& controls, ViewerState& state)
+{
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    beginCentred("welcome", {0.5f * (size.x + railWidth), 0.5f * size.y}, {0.5f, 0.5f});
+    controls.beginPanel("Welcome");
+    controls.heading("Sward");
+    ImGui::TextUnformatted("Drop a field, a mesh or a recipe on this window.");
+    if (state.recent != nullptr && !state.recent->inputs().empty())
+        controls.section("Open recent");
+    if (state.recent != nullptr)
+        for (const std::string& input : state.recent->inputs()) {
+            if (ImGui::Selectable(input.c_str()))
+                state.requests.open = {input};
+            controls.tell(input.c_str(), input, "Opens it again");
+        }
+    controls.section("Or a built-in ground");
+    for (const char* name : {"hills", "sphere", "dunes", "arch"}) {
+        if (controls.button(name, "Grows grass on it, and shows it"))
+            state.requests.open = {name};
+        ImGui::SameLine();
+    }
+    ImGui::NewLine();
+    ImGui::End();
+}
+
+void Layout::drawKeySheet(Controls& controls)
+{
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    beginCentred("keys", {0.5f * size.x, 0.5f * size.y}, {0.5f, 0.5f});
+    controls.beginPanel("Keys");
+    controls.heading("Keys");
+    for (const KeyLine& line : keyLines) {
+        ImGui::TextUnformatted(line.keys);
+        ImGui::SameLine(210.0f);
+        ImGui::PushStyleColor(ImGuiCol_Text, controls.style().color(palette::dim));
+        ImGui::TextUnformatted(line.meaning);
+        ImGui::PopStyleColor();
+        controls.tell(line.keys, line.meaning, nullptr);
+    }
+    if (controls.button("Close", "H or Escape"))
+        keySheet = false;
+    ImGui::End();
+}
+
+} // namespace sward::view

@@ -1,0 +1,309 @@
+#include "apps/sward_view/window/viewer.h"
+
+#include "apps/common/interrupt.h"
+#include "apps/sward_view/graphics.h"
+#include "apps/sward_view/interface/overlay.h"
+#include "core/error.h"
+#include "gpu/image_use.h"
+#include "shaders/shared/physics.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <optional>
+#include <span>
+
+namespace sward::embedded {
+std::span<const EmbeddedFile> shaders();
+} // namespace sward::embedded
+
+namespace sward::view {
+namespace {
+
+constexpr std::uint32_t framesInFlight = 2;
+constexpr std::uint32_t timesKept = 600; ///< frames
+constexpr double titleInterval = 0.5;    ///< [s] between two title updates, to stay readable
+constexpr double idleWait = 0.1;         ///< [s] between polls of an invisible window
+constexpr double noticeTime = 4.0;       ///< [s] display time of a notice
+constexpr double smoothing = 0.1;        ///< smoothing of the frame time
+
+// Device time of a frame above which fewer pixels are drawn [s]. On a CPU the window adds a fifth,
+// and the tolerance is a seventh: eight frames a second.
+constexpr double wantedOnCpu = 0.088;
+constexpr double wantedOnGpu = 1.0 / 30.0;
+
+// Scale of the first frame on a CPU, small for a fast start; it rises if time permits.
+constexpr double beginOnCpu = 0.4;
+
+// Largest field time per frame [s]: two physics steps, the most that one update takes.
+constexpr double longestOnCpu = 2.0 * static_cast<double>(shared::longestStep);
+constexpr double longestOnGpu = 16.0 * static_cast<double>(shared::longestStep);
+
+constexpr std::array background{0.012f, 0.016f, 0.016f, 1.0f};
+
+VkExtent2D extentOf(glm::uvec2 size)
+{
+    return {size.x, size.y};
+}
+
+double secondsBetween(std::chrono::steady_clock::time_point begin,
+                      std::chrono::steady_clock::time_point end)
+{
+    return std::chrono::duration<double>(end - begin).count();
+}
+
+VkSemaphoreSubmitInfo semaphoreAt(VkSemaphore semaphore, VkPipelineStageFlags2 stages)
+{
+    VkSemaphoreSubmitInfo submit{};
+    submit.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO;
+    submit.semaphore = semaphore;
+    submit.stageMask = stages;
+    return submit;
+}
+
+// Fills a window without a field with one colour.
+void paintBackground(VkCommandBuffer commands, const gpu::Swapchain::Target& target)
+{
+    constexpr VkImageAspectFlags color = VK_IMAGE_ASPECT_COLOR_BIT;
+    gpu::transition(commands, target.image, color, gpu::ImageUse::undefined,
+                    gpu::ImageUse::transferTarget);
+    VkClearColorValue value{};
+    std::copy(background.begin(), background.end(), value.float32);
+    const VkImageSubresourceRange whole{color, 0, 1, 0, 1};
+    vkCmdClearColorImage(commands, target.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1,
+                         &whole);
+    gpu::transition(commands, target.image, color, gpu::ImageUse::transferTarget,
+                    gpu::ImageUse::colorTarget);
+}
+
+} // namespace
+
+Viewer::Viewer(Window& window, const ViewerOptions& options)
+    : window_(window)
+    , options_(options)
+    , instance_(createInstance(options.frame->validation, window.instanceExtensions()))
+    , surface_(window.createSurface(instance_.get()))
+    , device_(instance_, {.selection = options.frame->device,
+                          .surface = surface_.get(),
+                          .wantsCopyQueue = options.frame->gpuMemory > 0})
+    , swapchain_(device_.context(), surface_.get(), extentOf(window.drawableSize()))
+    , interface_(instance_, device_, swapchain_, window.handle())
+    , ring_(device_.context(), framesInFlight)
+    , timestamps_(device_.context(), {.slots = framesInFlight, .historyFrames = timesKept})
+    , picture_(device_.context())
+    , controls_(interface_.style(), controlMap_)
+    , resolution_(device_.isCpu() ? wantedOnCpu : wantedOnGpu,
+                  device_.isCpu() ? beginOnCpu : InternalResolution::highest)
+    , begun_(Clock::now())
+    , lastTick_(begun_)
+    , lastTitle_(begun_)
+    , lastLook_(begun_)
+    , lastNotice_(begun_)
+{
+    viewerState_.times = &timestamps_;
+    viewerState_.recent = &recent_;
+    viewerState_.device = device_.context().name;
+    viewerState_.hasFfmpeg = !VideoEncoder::program().empty();
+    if (!options.frame->settingsFile.empty())
+        viewerState_.settingsFile = options.frame->settingsFile;
+    const auto* const known =
+        std::find(std::begin(meadowNames), std::end(meadowNames), options.meadow);
+    if (known != std::end(meadowNames))
+        viewerState_.meadow.meadow = static_cast<int>(known - std::begin(meadowNames));
+    else
+        viewerState_.meadow.meadowFile = options.meadow;
+    viewerState_.scale = static_cast<float>(resolution_.scale());
+    if (options.resolution > 0.0f) {
+        viewerState_.automaticScale = false;
+        viewerState_.scale = options.resolution;
+    }
+    if (!options.shaderFolder.empty() && options.shaderFolder != "none")
+        shaders_.emplace(options.shaderFolder, embedded::shaders());
+    controlMap_.writeTo(options.controlsFile);
+    layout_.shown = options.panel != "off";
+    if (!options.panel.empty() && layout_.shown && !layout_.openPanel(options.panel))
+        fail(ErrorKind::usage, "--panel: '{}' is not off or the name of a panel", options.panel);
+}
+
+void Viewer::run()
+{
+    if (options_.frame->fields.empty())
+        isFirstInput_ = false;
+    else
+        open(options_.frame->fields);
+    window_.show();
+    bool drawn = true;
+    while (!window_.isClosed()) {
+        apps::throwIfInterrupted("viewing");
+        // Poll an invisible window at intervals, not continuously.
+        if (drawn)
+            window_.poll();
+        else
+            window_.waitForEvents(idleWait);
+        takeOpened();
+        look();
+        fulfil();
+        drawn = draw();
+        if (firstShown_ && secondsBetween(*firstShown_, Clock::now()) >= options_.seconds)
+            window_.close();
+    }
+    device_.waitIdle();
+}
+
+float Viewer::aspect() const
+{
+    const glm::uvec2 size = glm::max(window_.drawableSize(), glm::uvec2(1));
+    return static_cast<float>(size.x) / static_cast<float>(size.y);
+}
+
+void Viewer::look()
+{
+    // Process the input, then draw one frame of the interface.
+    const Clock::time_point now = Clock::now();
+    frameSeconds_ = secondsBetween(lastTick_, now);
+    lastTick_ = now;
+    interface_.begin();
+    steer(window_.takeInput());
+    keepTime();
+    tell();
+    if (loadedField_ && window_.drawableSize() != glm::uvec2(0)) {
+        const Overlay overlay(interface_.style(), loadedField_->navigation().camera(),
+                              window_.drawableSize(), loadedField_->field());
+        overlay.draw(viewerState_);
+        overlay.tell(viewerState_, controlMap_);
+    }
+    layout_.draw(controls_, viewerState_);
+    interface_.end();
+    controlMap_.finishFrame(secondsBetween(begun_, now));
+}
+
+void Viewer::keepTime()
+{
+    // Use real time. After a slow frame, let field time pass more slowly instead of adding physics
+    // steps, which would make the next frame slower still.
+    FieldTime& time = viewerState_.time;
+    const double passed = std::min(frameSeconds_, device_.isCpu() ? longestOnCpu : longestOnGpu);
+    frameBefore_ = time.now;
+    if (capture_.isSequence())
+        time.now += capture_.step();
+    else if (recorder_.isPlaying())
+        time.now += PathRecorder::replayStep;
+    else if (time.stepOnce)
+        time.now += time.step;
+    else if (!time.paused)
+        time.now += time.scale * passed;
+    time.stepOnce = false;
+    if (!loadedField_)
+        return;
+    const auto up = [this](const glm::dvec3& place) { return upAt(viewerState_.settings, place); };
+    viewerState_.hand.advance(viewerState_.settings.colliders, loadedField_->field().ground, up,
+                              frameBefore_, time.now);
+}
+
+double Viewer::scaleOfFrame() const
+{
+    return capture_.wantsFrame() ? 1.0 : static_cast<double>(viewerState_.scale);
+}
+
+bool Viewer::draw()
+{
+    // Return without an image: an acquired image must be presented, a begun frame submitted.
+    const glm::uvec2 size = window_.drawableSize();
+    swapchain_.resize(extentOf(size));
+    if (size.x == 0 || size.y == 0)
+        return false;
+    const std::optional<gpu::Swapchain::Target> target = swapchain_.acquire();
+    if (!target)
+        return false;
+    if (loadedField_)
+        picture_.resize(swapchain_.extent(), scaleOfFrame(), swapchain_.format());
+
+    const gpu::FrameRing::Frame frame = ring_.begin();
+    if (loadedField_ && frames_ >= framesInFlight)
+        viewerState_.counts = loadedField_->renderer().stats(frame.slot);
+    timestamps_.beginFrame(frame.commands, frame.slot);
+    if (loadedField_) {
+        // Thin blades too, which also saves time on a CPU.
+        const render::FrameSettings settings =
+            device_.isCpu() && viewerState_.automaticScale
+                ? thinnedForScale(viewerState_.settings, scaleOfFrame())
+                : viewerState_.settings;
+        gpu::transition(frame.commands, picture_.image(), gpu::ImageUse::undefined,
+                        gpu::ImageUse::colorTarget);
+        {
+            const gpu::TimedScope total(timestamps_, device_.context(), frame.commands, "total");
+            loadedField_->renderer().record(
+                frame.commands, {picture_.image().get(), picture_.image().view(), picture_.size()},
+                loadedField_->navigation().camera(), settings, viewerState_.time.now, frame.slot,
+                &timestamps_);
+        }
+        picture_.spread(frame.commands, *target, swapchain_.extent());
+    } else {
+        paintBackground(frame.commands, *target);
+    }
+    interface_.record(frame.commands, *target);
+    gpu::transition(frame.commands, target->image, VK_IMAGE_ASPECT_COLOR_BIT,
+                    gpu::ImageUse::colorTarget, gpu::ImageUse::present);
+
+    // Wait for the window's image only in stages that write it.
+    std::array<VkSemaphoreSubmitInfo, 2> waits{
+        semaphoreAt(target->available, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT |
+                                           VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT)};
+    const auto copied = loadedField_ ? loadedField_->renderer().copied() : std::nullopt;
+    waits[1] = copied.value_or(waits[0]);
+    const std::array signals{semaphoreAt(target->finished, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT)};
+    ring_.submit(frame, std::span(waits).first(copied ? 2 : 1), signals);
+    swapchain_.present(*target);
+    if (!loadedField_)
+        return true;
+
+    ++frames_;
+    if (capture_.wantsFrame()) {
+        try {
+            notice(capture_.write(device_.context(), picture_.image()));
+        } catch (const Error& error) {
+            complain(error.what());
+        }
+    } else if (viewerState_.automaticScale && !viewerState_.settings.cullingCamera) {
+        const std::vector<double> totals = timestamps_.history("total");
+        if (!totals.empty() && frames_ > framesInFlight)
+            resolution_.add(totals.back() / 1000.0);
+        viewerState_.scale = static_cast<float>(resolution_.scale());
+    }
+    return true;
+}
+
+void Viewer::tell()
+{
+    const Clock::time_point now = Clock::now();
+    if (secondsBetween(lastNotice_, now) > noticeTime)
+        viewerState_.notice.clear();
+    viewerState_.frameSeconds += smoothing * (frameSeconds_ - viewerState_.frameSeconds);
+    viewerState_.field = loadedField_ ? &loadedField_->field() : nullptr;
+    viewerState_.baking = opening_.baking();
+    viewerState_.loading = opening_.loading();
+    viewerState_.recording = recorder_.isRecording();
+    viewerState_.replaying = recorder_.isPlaying();
+    viewerState_.sequenceDone = capture_.at();
+    if (!loadedField_)
+        return;
+    viewerState_.deviceBytes = loadedField_->renderer().deviceBytes();
+    const Navigation& navigation = loadedField_->navigation();
+    viewerState_.heading = headingOf(navigation.camera());
+    viewerState_.walking = navigation.isWalking();
+    viewerState_.flySpeed = navigation.speed();
+
+    const double seconds = secondsBetween(lastTitle_, now);
+    if (seconds < titleInterval || frames_ <= framesInFlight)
+        return;
+    const auto frames = static_cast<double>(std::max<std::uint64_t>(frames_ - framesAtTitle_, 1));
+    window_.setTitle(fmt::format("Sward: {}, {} of {} blades drawn, {:.1f} ms per frame",
+                                 loadedField_->field().name, viewerState_.counts.drawn,
+                                 viewerState_.counts.total, 1000.0 * seconds / frames));
+    lastTitle_ = now;
+    framesAtTitle_ = frames_;
+}
+
+} // namespace sward::view

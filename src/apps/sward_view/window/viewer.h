@@ -1,0 +1,119 @@
+#pragma once
+
+#include "apps/sward_view/interface/controls.h"
+#include "apps/sward_view/interface/interface.h"
+#include "apps/sward_view/internal_resolution.h"
+#include "apps/sward_view/panels/layout.h"
+#include "apps/sward_view/scaled_picture.h"
+#include "apps/sward_view/shader_sources.h"
+#include "apps/sward_view/viewer_state.h"
+#include "apps/sward_view/window/bookmarks.h"
+#include "apps/sward_view/window/capture.h"
+#include "apps/sward_view/window/loaded_field.h"
+#include "apps/sward_view/window/opening.h"
+#include "apps/sward_view/window/path_recorder.h"
+#include "apps/sward_view/window/viewer_options.h"
+#include "apps/sward_view/window/watched_file.h"
+#include "apps/sward_view/window/window.h"
+#include "gpu/frame_ring.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sward::view {
+
+/// Shows fields in a window: moves the camera, advances time, draws with two frames in flight, and
+/// fulfils the requests of its panels.
+class Viewer {
+public:
+    /// `window` and objects referenced by `options` must outlive this.
+    Viewer(Window& window, const ViewerOptions& options);
+
+    /// Runs until the window is closed. Throws Error{interrupted}, errors of the first field's
+    /// opening, and an Error if the device is lost.
+    void run();
+
+    const gpu::Instance& instance() const { return instance_; }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    // viewer.cpp: the frame loop
+    void look();
+    bool draw();
+    void keepTime();
+    void tell();
+    double scaleOfFrame() const;
+    float aspect() const;
+
+    // viewer_input.cpp: user input
+    void steer(Input input);
+    void press(const KeyPress& key);
+    bool handleColliders(const Input& input, bool mouse);
+    void pick(glm::vec2 pixel);
+    void freeze();
+    void record();
+    Sight sightAt(glm::vec2 pixel) const;
+
+    // viewer_requests.cpp: requests that take longer than a frame
+    void fulfil();
+    void fulfilFiles(const Requests& requests);
+    void complain(const std::string& message);
+    void notice(const std::string& message);
+
+    // viewer_fields.cpp: which fields are shown
+    void fulfilFields(const Requests& requests);
+    void open(std::vector<std::string> inputs);
+    void exchange(std::size_t member, const std::string& input, const MeadowRequests& requests);
+    void takeOpened();
+    void show(Opening::Opened opened);
+    void choose(std::size_t member);
+    void watch();
+    void reloadShaders();
+
+    Window& window_;
+    const ViewerOptions& options_;
+    gpu::Instance instance_;
+    gpu::Surface surface_;
+    gpu::Device device_;
+    gpu::Swapchain swapchain_;
+    Interface interface_;
+    gpu::FrameRing ring_;
+    gpu::Timestamps timestamps_;
+    ScaledPicture picture_;
+
+    ViewerState viewerState_;
+    RecentFiles recent_;
+    Bookmarks bookmarks_;
+    ControlMap controlMap_;
+    Controls controls_;
+    Layout layout_;
+    std::optional<ShaderSources> shaders_;
+    std::shared_ptr<const ShaderModules> goodShaders_; ///< last working shaders; null: built-in
+    std::unique_ptr<LoadedField> loadedField_;
+    std::unique_ptr<LoadedField> former_; ///< field before the last bake
+    Opening opening_;
+    std::vector<std::string> waiting_; ///< inputs to be added
+    PathRecorder recorder_;
+    Capture capture_;
+    InternalResolution resolution_;
+    std::optional<WatchedFile> watchedSettings_;
+
+    Clock::time_point begun_;
+    Clock::time_point lastTick_;
+    Clock::time_point lastTitle_;
+    Clock::time_point lastLook_; ///< last poll of watched files and the picked blade
+    Clock::time_point lastNotice_;
+    std::optional<Clock::time_point> firstShown_;
+    double frameBefore_ = 0.0;  ///< [s] field time of the previous frame
+    double frameSeconds_ = 0.0; ///< real time since the previous frame
+    bool isFirstInput_ = true;  ///< its errors end the program
+    bool dragsCollider_ = false;
+    std::uint64_t frames_ = 0; ///< frames drawn of this field
+    std::uint64_t framesAtTitle_ = 0;
+};
+
+} // namespace sward::view

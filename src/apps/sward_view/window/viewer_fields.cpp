@@ -1,0 +1,222 @@
+// Which fields are shown: opened, baked, added, taken away, watched.
+#include "apps/sward_view/camera_file.h"
+#include "apps/sward_view/window/viewer.h"
+#include "core/error.h"
+#include "core/log.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sward::view {
+namespace {
+
+constexpr double watchInterval = 0.25; ///< [s] between polls of watched files
+
+} // namespace
+
+void Viewer::fulfilFields(const Requests& requests)
+{
+    if (!requests.open.empty())
+        open(requests.open);
+    waiting_.insert(waiting_.end(), requests.add.begin(), requests.add.end());
+    if (requests.cancelBake)
+        opening_.cancel();
+    if (!loadedField_) {
+        if (requests.bake)
+            open({viewerState_.meadow.ground});
+        else if (!opening_.isBusy() && !waiting_.empty())
+            open(std::exchange(waiting_, {}));
+        return;
+    }
+    if (requests.bake)
+        exchange(viewerState_.chosen, viewerState_.meadow.ground, viewerState_.meadow);
+    if (requests.choose)
+        choose(*requests.choose);
+
+    // Queue additions until the current order has finished.
+    OpenedFields others = loadedField_->field().members;
+    if (opening_.isBusy())
+        return;
+    if (requests.remove && others.size() > 1) {
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(*requests.remove));
+        opening_.open({{}, std::move(others), 0}, {});
+    } else if (!waiting_.empty()) {
+        viewerState_.error.clear();
+        const std::size_t place = others.size();
+        opening_.open({std::exchange(waiting_, {}), std::move(others), place}, viewerState_.meadow);
+    }
+}
+
+void Viewer::open(std::vector<std::string> inputs)
+{
+    viewerState_.error.clear();
+    waiting_.clear();
+    opening_.open({std::move(inputs), {}, 0}, viewerState_.meadow);
+}
+
+void Viewer::exchange(std::size_t member, const std::string& input, const MeadowRequests& requests)
+{
+    viewerState_.error.clear();
+    OpenedFields others = loadedField_->field().members;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(member));
+    opening_.open({{input}, std::move(others), member}, requests);
+}
+
+void Viewer::takeOpened()
+{
+    try {
+        if (auto opened = opening_.poll())
+            show(std::move(*opened));
+    } catch (const Error& error) {
+        // Without a field, rethrow: there is nothing to show.
+        if (isFirstInput_)
+            throw;
+        if (error.kind() == ErrorKind::interrupted)
+            notice("The bake was cancelled");
+        else
+            complain(error.what());
+    }
+}
+
+void Viewer::show(Opening::Opened opened)
+{
+    const FrameOptions& frame = *options_.frame;
+    const OpenedFields members = opened.field->members;
+    const field::FieldView& view = opened.field->view;
+    const std::string first = members[0]->source.input;
+    log::info("{}: {} blades in {} patches", opened.field->name, view.blades.size(),
+              view.patches.size());
+
+    // Keep camera and settings if a shown field remains or was baked again.
+    const bool isSame =
+        loadedField_ && std::any_of(members.begin(), members.end(), [this](const auto& member) {
+            return loadedField_->field().has(member->source.input);
+        });
+    const bool isExchange = isSame && opened.count == 1 &&
+                            loadedField_->field().members.size() == members.size() &&
+                            loadedField_->field().members[opened.place]->source.input ==
+                                members[opened.place]->source.input;
+    const bool isBaked = opened.count == 1 && !members[opened.place]->source.report.empty();
+    render::FrameSettings settings = isSame ? viewerState_.settings : frame.settingsFor(view);
+    CameraPath path = chooseCamera(frame.camera, view, aspect());
+    const render::Camera home = path.at(0.0);
+    auto next = std::make_unique<LoadedField>(
+        device_, std::move(opened.field),
+        render::FieldRenderer::Settings{.colorFormat = swapchain_.format(),
+                                        .samples = frame.samples.value_or(device_.isCpu() ? 1 : 4),
+                                        .framesInFlight = 2,
+                                        .recordCullResults = true,
+                                        .deviceBytes = frame.gpuMemory,
+                                        .largestTarget = window_.screenSize()},
+        goodShaders_, home, viewerState_.settings, aspect());
+    device_.waitIdle();
+
+    for (const auto& [number, camera] : bookmarks_.of(first))
+        next->navigation().setBookmark(number, camera);
+    viewerState_.difference.reset();
+    former_.reset();
+    if (isSame)
+        next->navigation().show(loadedField_->navigation().camera());
+    if (isExchange && isBaked) {
+        const field::Summary& before = loadedField_->field().members[opened.place]->summary;
+        const field::Summary& after = members[opened.place]->summary;
+        viewerState_.difference =
+            BakeDifference{before.blades, after.blades, before.heightMean, after.heightMean};
+        former_ = std::move(loadedField_);
+    }
+    std::swap(loadedField_, next);
+    viewerState_.settings = std::move(settings);
+    viewerState_.showsFormer = false;
+    viewerState_.picked.reset();
+    viewerState_.hand.forget();
+    viewerState_.error.clear();
+    // Keep the panel's requests during a rebake.
+    if (isExchange && viewerState_.chosen == opened.place)
+        viewerState_.bakeReport = members[opened.place]->source.report;
+    else
+        choose(opened.count > 0 ? opened.place : std::min(viewerState_.chosen, members.size() - 1));
+    if (path.size() > 1 && !isSame)
+        recorder_.play(std::move(path));
+    if (frame.watch && !watchedSettings_)
+        watchedSettings_.emplace(frame.settingsFile);
+    timestamps_.clearHistory();
+    frames_ = framesAtTitle_ = 0;
+    lastTitle_ = Clock::now();
+    if (!firstShown_)
+        firstShown_ = lastTitle_;
+    isFirstInput_ = false;
+    for (std::size_t i = opened.count; i-- > 0;)
+        recent_.add(members[opened.place + i]->source.input);
+    bookmarks_.keepOnly(recent_.inputs());
+}
+
+void Viewer::choose(std::size_t member)
+{
+    const OpenedField& field = *loadedField_->field().members.at(member);
+    viewerState_.chosen = member;
+    viewerState_.bakeReport = field.source.report;
+    // Take the requests of a field baked elsewhere from its provenance, without its ground.
+    viewerState_.meadow = field.source.requests ? *field.source.requests
+                                                : requestsOf(*field.mapped.view().provenance);
+}
+
+void Viewer::watch()
+{
+    if (!loadedField_)
+        return;
+    const Clock::time_point now = Clock::now();
+    if (std::chrono::duration<double>(now - lastLook_).count() < watchInterval)
+        return;
+    lastLook_ = now;
+    if (shaders_)
+        reloadShaders();
+    if (viewerState_.picked)
+        viewerState_.picked =
+            lookAgain(loadedField_->renderer(), loadedField_->field(), *viewerState_.picked);
+    // Detect changes after the current order has finished.
+    if (opening_.isBusy())
+        return;
+    const OpenedFields& members = loadedField_->field().members;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        FieldSource& source = members[i]->source;
+        const bool isOther = source.watched.hasChanged();
+        const bool isSownAnew = source.watchedMeadow.hasChanged();
+        if (source.watched.hasGone())
+            complain(source.input + ": the file is gone; the field stays on the screen");
+        if (!options_.frame->watch || !(isOther || isSownAnew))
+            continue;
+        log::info("{}: changed; opening it again",
+                  isOther ? source.input : source.requests->meadowFile);
+        exchange(i, source.input,
+                 i == viewerState_.chosen ? viewerState_.meadow
+                                          : source.requests.value_or(MeadowRequests()));
+        break;
+    }
+    if (watchedSettings_ && watchedSettings_->hasChanged()) {
+        // Keep running on a partially written file; the next poll reads the complete one.
+        viewerState_.settings = options_.frame->settingsFor(loadedField_->field().view);
+        viewerState_.hand.forget();
+        log::info("{}: read again", options_.frame->settingsFile);
+    }
+}
+
+void Viewer::reloadShaders()
+{
+    const bool areNew = shaders_->poll();
+    viewerState_.shaderError = shaders_->complaint();
+    if (!areNew)
+        return;
+    // Report device errors like any other error.
+    device_.waitIdle();
+    loadedField_->drawWith(shaders_->modules());
+    goodShaders_ = shaders_->modules();
+    former_.reset();
+    viewerState_.difference.reset();
+    viewerState_.showsFormer = false;
+    viewerState_.picked.reset();
+    frames_ = framesAtTitle_ = 0;
+    timestamps_.clearHistory();
+    notice("The shaders have been compiled again");
+}
+
+} // namespace sward::view

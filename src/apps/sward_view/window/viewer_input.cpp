@@ -1,0 +1,139 @@
+// Handles mouse and keys.
+#include "apps/sward_view/camera_file.h"
+#include "apps/sward_view/window/viewer.h"
+#include "render/camera_presets.h"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+namespace sward::view {
+
+void Viewer::steer(Input input)
+{
+    if (!input.dropped.empty()) {
+        const bool adds = input.dropsMore || viewerState_.dropAdds;
+        (adds ? viewerState_.requests.add : viewerState_.requests.open) =
+            std::exchange(input.dropped, {});
+    }
+    const bool keys = !interface_.takesKeys();
+    if (keys)
+        for (const KeyPress& key : input.keys)
+            press(key);
+    if (!loadedField_)
+        return;
+
+    Navigation& navigation = loadedField_->navigation();
+    const bool mouse = !interface_.takesMouse();
+    if (!handleColliders(input, mouse)) {
+        if (mouse && input.clicked)
+            pick(*input.clicked);
+        const bool moves = input.rotate != glm::vec2(0.0f) || input.pan != glm::vec2(0.0f) ||
+                           input.look != glm::vec2(0.0f) || input.wheel != 0.0f;
+        // Moving the camera ends the path.
+        if (mouse && moves)
+            recorder_.stopPlaying();
+        navigation.steer(input, static_cast<float>(window_.drawableSize().y), frameSeconds_, mouse,
+                         keys);
+    }
+    if (recorder_.isPlaying())
+        navigation.show(recorder_.next());
+    if (recorder_.isRecording())
+        recorder_.note(navigation.camera(), frameSeconds_);
+}
+
+void Viewer::press(const KeyPress& key)
+{
+    switch (key.key) {
+    case Key::escape:
+        if (!std::exchange(layout_.keySheet, false))
+            window_.close();
+        break;
+    case Key::help:
+        layout_.keySheet = !layout_.keySheet;
+        break;
+    case Key::panels:
+        layout_.shown = !layout_.shown;
+        break;
+    case Key::pause:
+        viewerState_.time.paused = !viewerState_.time.paused;
+        break;
+    case Key::step:
+        viewerState_.time.paused = true;
+        viewerState_.time.stepOnce = true;
+        break;
+    case Key::frame:
+        viewerState_.requests.frameField = true;
+        break;
+    case Key::home:
+        viewerState_.requests.goHome = true;
+        break;
+    case Key::walk:
+        viewerState_.requests.walk = true;
+        break;
+    case Key::freeze:
+        viewerState_.requests.freeze = true;
+        break;
+    case Key::record:
+        viewerState_.requests.record = true;
+        break;
+    case Key::picture:
+        viewerState_.requests.picture = true;
+        break;
+    case Key::bookmark:
+        if (!loadedField_)
+            break;
+        if (key.control) {
+            loadedField_->navigation().setBookmark(key.number);
+            bookmarks_.set(loadedField_->field().members[0]->source.input, key.number,
+                           loadedField_->navigation().camera());
+            notice(fmt::format("Bookmark {} is set", key.number));
+        } else if (!loadedField_->navigation().showBookmark(key.number)) {
+            notice(fmt::format("There is no bookmark {}; Ctrl+{} sets it", key.number, key.number));
+        }
+        break;
+    }
+}
+
+Sight Viewer::sightAt(glm::vec2 pixel) const
+{
+    return sightThrough(loadedField_->navigation().camera(), pixel, window_.drawableSize());
+}
+
+bool Viewer::handleColliders(const Input& input, bool mouse)
+{
+    const GroundSurface& ground = loadedField_->field().ground;
+    if (mouse && input.leftPressed && !loadedField_->navigation().isWalking())
+        dragsCollider_ =
+            viewerState_.hand.grab(viewerState_.settings.colliders, sightAt(input.pressedAt),
+                                   ground, viewerState_.time.now);
+    if (!dragsCollider_)
+        return false;
+    const auto up = [this](const glm::dvec3& place) { return upAt(viewerState_.settings, place); };
+    // A click alone does not move the camera.
+    if (input.rotate != glm::vec2(0.0f) || input.pan != glm::vec2(0.0f))
+        viewerState_.hand.drag(sightAt(input.cursor), ground, up);
+    if (!input.leftHeld) {
+        viewerState_.hand.release();
+        dragsCollider_ = false;
+    }
+    return true;
+}
+
+void Viewer::pick(glm::vec2 pixel)
+{
+    const bool onlyDrawn = viewerState_.settings.debug != render::DebugMode::reason;
+    viewerState_.picked =
+        pickBlade(loadedField_->renderer(), loadedField_->field(), sightAt(pixel), onlyDrawn);
+}
+
+void Viewer::freeze()
+{
+    auto& frozen = viewerState_.settings.cullingCamera;
+    if (frozen)
+        frozen.reset();
+    else
+        frozen = loadedField_->navigation().camera();
+}
+
+} // namespace sward::view

@@ -1,0 +1,132 @@
+// Fulfils requests of the panels and other work that takes longer than a frame.
+#include "apps/sward_view/camera_file.h"
+#include "apps/sward_view/window/viewer.h"
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "core/log.h"
+#include "render/camera_presets.h"
+#include "render/settings/settings_text.h"
+#include "render/settings_file.h"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+namespace sward::view {
+
+void Viewer::complain(const std::string& message)
+{
+    log::error("{}", message);
+    viewerState_.error = message;
+}
+
+void Viewer::notice(const std::string& message)
+{
+    if (message.empty())
+        return;
+    viewerState_.notice = message;
+    lastNotice_ = Clock::now();
+}
+
+void Viewer::fulfil()
+{
+    const Requests requests = std::exchange(viewerState_.requests, Requests());
+    try {
+        fulfilFields(requests);
+        watch();
+        if (loadedField_)
+            fulfilFiles(requests);
+    } catch (const Error& error) {
+        if (isFirstInput_)
+            throw;
+        complain(error.what());
+    }
+    if (requests.forgetTimes)
+        timestamps_.clearHistory();
+    if (!loadedField_)
+        return;
+
+    Navigation& navigation = loadedField_->navigation();
+    if (requests.compare && former_) {
+        device_.waitIdle();
+        former_->navigation().show(navigation.camera());
+        std::swap(loadedField_, former_);
+        viewerState_.showsFormer = !viewerState_.showsFormer;
+        viewerState_.picked.reset();
+        frames_ = framesAtTitle_ = 0;
+        return;
+    }
+    if (requests.frameField)
+        navigation.show(render::presetCamera(render::CameraPreset::fit, loadedField_->field().view,
+                                             groundUpOf(loadedField_->field().view), aspect()));
+    if (requests.goHome)
+        navigation.goHome();
+    if (requests.walk && !navigation.isWalking() && !navigation.walk(true))
+        notice("There is no ground below the camera to walk on");
+    else if (requests.walk && viewerState_.walking)
+        navigation.walk(false);
+    if (requests.freeze)
+        freeze();
+    if (requests.resetSettings) {
+        viewerState_.settings = render::FrameSettings::of(loadedField_->field().view);
+        viewerState_.hand.forget();
+    }
+    if (requests.picture)
+        capture_.takePicture(viewerState_.pictureFile);
+}
+
+void Viewer::fulfilFiles(const Requests& requests)
+{
+    if (requests.saveSettings) {
+        writeTextFile(*requests.saveSettings, render::settingsText(viewerState_.settings), true);
+        notice(*requests.saveSettings + ": written");
+    }
+    if (requests.loadSettings) {
+        // Read into a copy, so that an invalid file changes nothing.
+        render::FrameSettings settings = viewerState_.settings;
+        const std::vector<std::string> warnings =
+            render::readSettings(*requests.loadSettings, settings);
+        viewerState_.settings = settings;
+        viewerState_.hand.forget();
+        notice(warnings.empty() ? *requests.loadSettings + ": read" : warnings.front());
+    }
+    const glm::vec3 up = groundUpOf(loadedField_->field().view);
+    if (requests.saveCamera) {
+        CameraPath path(loadedField_->navigation().camera());
+        writeTextFile(*requests.saveCamera, cameraPathText(path, PathRecorder::recordStep), true);
+        notice(*requests.saveCamera + ": written");
+    }
+    if (requests.replayPath) {
+        if (recorder_.isPlaying())
+            recorder_.stopPlaying();
+        else
+            recorder_.play(readCameraPath(*requests.replayPath, up));
+    }
+    if (requests.record)
+        record();
+    if (requests.sequence) {
+        const auto pictures = static_cast<std::uint64_t>(viewerState_.sequenceLength);
+        const auto step = static_cast<double>(viewerState_.sequenceStep);
+        if (capture_.isSequence())
+            notice(capture_.stopSequence());
+        else if (viewerState_.makesVideo)
+            capture_.takeVideo(viewerState_.videoFile, pictures, step);
+        else
+            capture_.takeSequence(viewerState_.sequenceFiles, pictures, step);
+    }
+}
+
+void Viewer::record()
+{
+    if (!recorder_.isRecording()) {
+        recorder_.stopPlaying();
+        recorder_.startRecording();
+        recorder_.note(loadedField_->navigation().camera(), 0.0);
+        return;
+    }
+    const std::string text = recorder_.stopRecording();
+    writeTextFile(viewerState_.pathFile, text, true);
+    notice(viewerState_.pathFile + ": written");
+}
+
+} // namespace sward::view

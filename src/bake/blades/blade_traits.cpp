@@ -1,0 +1,253 @@
+#include "bake/blades/blade_traits.h"
+
+#include "bake/blades/ground_color.h"
+#include "bake/sample/triangle_points.h"
+#include "bake/up_vector.h"
+#include "core/exact_math.h"
+#include "core/random.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace sward::bake {
+namespace {
+
+// Random numbers of one blade and of its clump.
+class Dice {
+public:
+    Dice(std::uint64_t seed, field::BladeKey key, const Clumps::Clump* clump)
+        : seed_(seed)
+        , own_(keyBits(key))
+        , clump_(clump != nullptr ? clump->key : hashBits(seed, own_))
+    {
+    }
+
+    double own(Dimension dimension) const
+    {
+        return uniform(seed_, own_, static_cast<std::uint32_t>(dimension));
+    }
+
+    double clump(Dimension dimension) const
+    {
+        return uniform(clump_, 0, static_cast<std::uint32_t>(dimension));
+    }
+
+    // Blends the blade's own number with its clump's.
+    double blended(Dimension dimension, double share) const
+    {
+        return own(dimension) + share * (clump(dimension) - own(dimension));
+    }
+
+    std::uint32_t clumpNumber() const
+    {
+        return static_cast<std::uint32_t>(hashBits(clump_, 1) & 255U);
+    }
+    std::uint32_t hash() const
+    {
+        return static_cast<std::uint32_t>(hashBits(seed_ + 1, own_) & 15U);
+    }
+
+private:
+    std::uint64_t seed_;
+    std::uint64_t own_;
+    std::uint64_t clump_;
+};
+
+// Chooses a species by the shares at the root. Blades of one clump are mostly of one species.
+std::uint32_t chooseSpecies(const Meadow& meadow, const SpeciesShares& shares, const Dice& dice)
+{
+    const bool followsClump = dice.own(Dimension::clump) < meadow.species[0].clumping;
+    return shares.at(followsClump ? dice.clump(Dimension::species) : dice.own(Dimension::species));
+}
+
+double within(glm::dvec2 range, double share)
+{
+    return range.x + share * (range.y - range.x);
+}
+
+// Unit projection of a vector into the plane perpendicular to `up`; none if it nearly vanishes.
+std::optional<glm::dvec3> flattened(glm::dvec3 vector, glm::dvec3 up)
+{
+    const glm::dvec3 flat = vector - up * glm::dot(up, vector);
+    const double squared = glm::dot(flat, flat);
+    if (squared <= 1e-12 * glm::dot(vector, vector))
+        return std::nullopt;
+    return flat / std::sqrt(squared);
+}
+
+// Lean direction: near the clump's direction, or random without a clump.
+glm::dvec3 chooseFront(const terrain::GroundMesh& ground, glm::dvec3 up, glm::dvec3 tangent,
+                       const SpeciesTraits& species, const Clumps::Clump* clump, glm::dvec3 place,
+                       const Dice& dice)
+{
+    // Share of a full turn that stays random at full clumping.
+    constexpr double outwardFreedom = 0.4;
+    constexpr double sharedFreedom = 0.1;
+    std::optional<glm::dvec3> middle;
+    double freedom = 1.0;
+    if (clump != nullptr && species.facing == Facing::outward) {
+        middle = flattened(place - glm::dvec3(clump->centre), up);
+        freedom = outwardFreedom;
+    } else if (clump != nullptr && species.facing == Facing::shared) {
+        middle = flattened(clump->direction(ground), up);
+        freedom = sharedFreedom;
+    }
+    const double spread =
+        middle ? exactTwoPi * (1.0 - (1.0 - freedom) * species.clumping) : exactTwoPi;
+    const glm::dvec3 ahead = middle.value_or(tangent);
+    const SinCos turn = exactSinCos((dice.own(Dimension::facing) - 0.5) * spread);
+    return turn.cos * ahead + turn.sin * glm::cross(up, ahead);
+}
+
+// Turn of `axis` about `up` from the tangent frame that the decoder will use, in [0, 2π).
+float facingOf(glm::vec3 up, glm::dvec3 axis)
+{
+    const glm::vec3 decoded = shared::decodeOctahedral(shared::encodeOctahedral(up));
+    const double angle = exactAtan2(glm::dot(axis, glm::dvec3(shared::bitangentOf(decoded))),
+                                    glm::dot(axis, glm::dvec3(shared::tangentOf(decoded))));
+    return static_cast<float>(angle < 0.0 ? angle + exactTwoPi : angle);
+}
+
+// Barycentric weights of the second and third corner at a point of a triangle's plane.
+glm::dvec2 barycentrics(glm::dvec3 p0, glm::dvec3 p1, glm::dvec3 p2, glm::dvec3 point)
+{
+    const glm::dvec3 normal = glm::cross(p1 - p0, p2 - p0);
+    const double squared = glm::dot(normal, normal);
+    if (squared <= 0.0)
+        return glm::dvec2(0.0);
+    const glm::dvec3 offset = point - p0;
+    return {glm::clamp(glm::dot(glm::cross(offset, p2 - p0), normal) / squared, 0.0, 1.0),
+            glm::clamp(glm::dot(glm::cross(p1 - p0, offset), normal) / squared, 0.0, 1.0)};
+}
+
+// Seed of the clumps of one species' tufts, independent of other species.
+std::uint64_t tuftSeed(std::uint64_t seed, std::size_t slot)
+{
+    constexpr std::uint64_t tuftSalt = 0x74756674ULL;
+    return hashBits(seed ^ tuftSalt, slot);
+}
+
+} // namespace
+
+BladeGrower::BladeGrower(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                         const Whole& whole, const RootFilter& filter,
+                         const terrain::SurfaceQuery* query)
+    : ground_(ground)
+    , settings_(settings)
+    , scale_(whole.scale)
+    , filter_(filter)
+    , query_(query)
+    , colorsAreMask_(masksByVertexColor(settings))
+    , fitsOverhangs_(settings.meadow.fitsOverhangs &&
+                     (settings.exposureRays > 0 || settings.clearance > 0.0))
+    , clumps_(ground, clumpSpacing(settings.meadow.clumpSize * whole.scale, whole.area),
+              settings.seed)
+    , tufts_(settings.meadow.species.size())
+{
+    for (std::size_t slot = 0; query != nullptr && slot < tufts_.size(); ++slot)
+        if (const double spacing = settings.meadow.species[slot].tuftSpacing * scale_;
+            spacing > 0.0)
+            tufts_[slot].emplace(ground, clumpSpacing(spacing, whole.area),
+                                 tuftSeed(settings.seed, slot));
+}
+
+RootSample BladeGrower::gather(const RootSample& root, const SpeciesTraits& species,
+                               const Clumps::Clump& tuft) const
+{
+    // Shrink the tuft's cell about its centre, which keeps the order of its blades. Then find the
+    // nearest ground.
+    const double spacing = species.tuftSpacing * scale_;
+    const double shrink = std::min(1.0, 2.0 * species.tuftRadius * scale_ / spacing);
+    const glm::dvec3 middle(tuft.centre);
+    const glm::dvec3 aim = middle + shrink * (glm::dvec3(root.position) - middle);
+    const auto found = query_->nearest(aim, 0.5 * spacing);
+    if (found.triangle == terrain::SurfaceQuery::none || ground_.bears[found.triangle] == 0)
+        return root;
+    const glm::uvec3 corners = ground_.triangles[found.triangle];
+    const glm::vec2 place(barycentrics(glm::dvec3(ground_.positions[corners.x]),
+                                       glm::dvec3(ground_.positions[corners.y]),
+                                       glm::dvec3(ground_.positions[corners.z]), found.point));
+    const RootSample moved =
+        TrianglePoints(ground_, found.triangle).at(place.x, place.y, root.candidate);
+
+    // Reject moves to the other side of a surface and to bare ground.
+    constexpr double likeliest = 0.3;
+    Reject ignored = Reject::mask;
+    if (glm::dot(glm::dvec3(moved.normal), glm::dvec3(root.normal)) < likeliest ||
+        filter_.weigh(moved, 0.0, ignored) <= 0.0 || filter_.obstacle(moved))
+        return root;
+    return moved;
+}
+
+double BladeGrower::roomOver(const RootSample& root, glm::dvec3 up, double height) const
+{
+    // Leave a gap between the tip and the obstacle, and keep a minimum length.
+    constexpr double used = 0.95;
+    constexpr double minShare = 0.05;
+    const glm::dvec3 place(root.position);
+    const double wanted = height / used;
+    if (query_ == nullptr || !fitsOverhangs_ || wanted <= settings_.clearance ||
+        query_->isClear(place, up, wanted, root.triangle))
+        return height;
+    return std::max(used * query_->clearance(place, up, wanted, root.triangle), minShare * height);
+}
+
+shared::Blade BladeGrower::grow(const RootSample& root, float exposure) const
+{
+    // Choose the species by position and clump. A tuft counts as the clump.
+    const field::BladeKey key = keyOf(ground_, root);
+    const Clumps::Clump* clump = clumps_.nearest(root.position);
+    const Stand stand = filter_.standAt(root);
+    const std::uint32_t slot =
+        chooseSpecies(settings_.meadow, stand.shares, Dice(settings_.seed, key, clump));
+    const SpeciesTraits& species = settings_.meadow.species[slot];
+    RootSample place = root;
+    if (tufts_[slot])
+        if (const Clumps::Clump* const tuft = tufts_[slot]->nearest(root.position)) {
+            place = gather(root, species, *tuft);
+            clump = tuft;
+        }
+    const Dice dice(settings_.seed, key, clump);
+
+    const glm::uvec3 corners = ground_.triangles[place.triangle];
+    const glm::dvec3 groundUp = settings_.groundUp.at(ground_.origin + glm::dvec3(place.position));
+    const glm::dvec3 up = upVector(glm::dvec3(place.normal), groundUp, settings_.align);
+    const glm::dvec3 tangent = surfaceTangent(up, glm::dvec3(ground_.positions[corners.x]),
+                                              glm::dvec3(ground_.positions[corners.y]),
+                                              glm::dvec3(ground_.positions[corners.z]));
+    const glm::dvec3 front =
+        chooseFront(ground_, up, tangent, species, clump, glm::dvec3(place.position), dice);
+
+    // Blades are lower where filter weights are low.
+    const double sparse = settings_.meadow.sparseHeight;
+    const double height =
+        scale_ * (sparse + (1.0 - sparse) * stand.vigour[slot]) *
+        within(species.height, dice.blended(Dimension::height, 0.7 * species.clumping));
+
+    shared::Blade blade;
+    blade.root = place.position;
+    blade.up = glm::vec3(up);
+    blade.facing = facingOf(blade.up, glm::cross(front, up));
+    blade.height = static_cast<float>(roomOver(place, up, height));
+    blade.width = static_cast<float>(scale_ * within(species.width, dice.own(Dimension::width)));
+    blade.stiffness = static_cast<float>(
+        within(species.stiffness, dice.blended(Dimension::stiffness, 0.5 * species.clumping)));
+    blade.exposure = exposure;
+    blade.species = slot;
+    blade.tint = groundColor(ground_, place, colorsAreMask_);
+    blade.clump = dice.clumpNumber();
+    blade.hash = dice.hash();
+    return blade;
+}
+
+bool growsTufts(const Meadow& meadow)
+{
+    return std::any_of(meadow.species.begin(), meadow.species.end(),
+                       [](const SpeciesTraits& species) { return species.tuftSpacing > 0.0; });
+}
+
+} // namespace sward::bake

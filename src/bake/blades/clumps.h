@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/uninitialized.h"
+#include "terrain/ground_mesh.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace sward::bake {
+
+/// Clumps of grass: centres scattered over the ground. Each blade belongs to the nearest centre (a
+/// Voronoi diagram on the surface). A centre depends only on seed, spacing and its own triangle,
+/// like a root. So clumps move with the mesh, and a part of the ground with a halo of reach() has
+/// the same clumps as the whole.
+class Clumps {
+public:
+    struct Clump {
+        glm::vec3 centre;       ///< [m] relative to the ground's origin
+        std::uint32_t triangle; ///< triangle of the centre
+        std::uint64_t key;      ///< key of the clump's random numbers
+
+        /// Shared facing of the clump: unit vector along its triangle.
+        glm::dvec3 direction(const terrain::GroundMesh& ground) const;
+    };
+
+    /// Makes clumps about `spacing` [m] apart, from clumpSpacing(); none if it is 0.
+    Clumps(const terrain::GroundMesh& ground, double spacing, std::uint64_t seed);
+
+    /// The clump nearest to a position, or null if none is within reach().
+    const Clump* nearest(glm::vec3 place) const;
+
+    /// Largest distance of a blade from its clump [m].
+    double reach() const { return reach_; }
+
+    std::size_t size() const { return clumps_.size(); }
+
+private:
+    void scatter(const terrain::GroundMesh& ground, double spacing, std::uint64_t key);
+    void sortIntoBuckets();
+    std::size_t bucketOf(glm::ivec3 cell) const;
+
+    double reach_ = 0.0;
+    UninitializedVector<Clump> clumps_; ///< by bucket, unordered inside
+    std::vector<std::uint32_t> first_;  ///< beginning of each bucket, and the end
+};
+
+/// Spacing for clumps of typical distance `size` [m] on bearing ground of `area` [m²]. Larger than
+/// `size` if there would be more than two million clumps. Compute it once for the whole ground.
+double clumpSpacing(double size, double area);
+
+} // namespace sward::bake

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "bake/root_sample.h"
+#include "terrain/ground_mesh.h"
+
+#include <glm/vec3.hpp>
+
+namespace sward::bake {
+
+/// Colour of the ground at a root: its material's image, averaged over nine texels, times the base
+/// colour. As stored in images (sRGB), [0, 1]. Approximates the transfer curve by a square, within
+/// 0.04 of sRGB, to avoid functions that differ between CPUs.
+glm::vec3 groundColor(const terrain::GroundMesh& ground, const RootSample& root,
+                      bool colorsAreMask);
+
+} // namespace sward::bake

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "bake/filter/border_distance.h"
+#include "bake/filter/excluded_area.h"
+#include "bake/filter/exposure.h"
+#include "bake/filter/habitat.h"
+#include "bake/filter/occluder_test.h"
+#include "bake/filter/species_mix.h"
+#include "bake/report.h"
+#include "bake/root_sample.h"
+#include "bake/settings.h"
+#include "terrain/ground_mesh.h"
+#include "terrain/query/surface_query.h"
+#include "terrain/topology/surface_features.h"
+
+#include <optional>
+#include <vector>
+
+namespace sward::bake {
+
+/// Growing conditions at a root.
+struct Stand {
+    SpeciesShares shares; ///< of each species, by the rules of SpeciesMix
+    PerSpecies vigour{};  ///< weight [0, 1] of common filters times the species' habitat
+};
+
+/// All masks and filters, evaluated for one root at a time. Thread-safe. The result depends only on
+/// the root, the settings and the scene within reachOf().
+class RootFilter {
+public:
+    /// All arguments must outlive the filter. `query` covers the whole scene and may be null unless
+    /// needsRays(). `features` may be null unless featuresFor() names any. `scale` is the blade
+    /// scale; it scales the exposure rays.
+    RootFilter(const terrain::GroundMesh& ground, const BakeSettings& settings,
+               const terrain::SurfaceQuery* query,
+               const terrain::SurfaceFeatures* features = nullptr, double scale = 1.0);
+
+    /// False if every root of a bearing triangle passes without a test.
+    bool needsAnything() const { return weighs_ || needsObstacles_; }
+
+    /// Share [0, 1] of the density at a root: the product of masks, soft filters and species
+    /// shares. Stops when the product is `chance` or less and sets `reason` to the factor that
+    /// caused it. A root with a uniform random `chance` is kept if the result is above `chance`.
+    double weigh(const RootSample& root, double chance, Reject& reason) const;
+
+    /// Runs the tests that cast rays. Returns the reason for a rejection, or none.
+    std::optional<Reject> obstacle(const RootSample& root) const;
+
+    /// Growing conditions for a blade at a root.
+    Stand standAt(const RootSample& root) const;
+
+private:
+    Site siteOf(const RootSample& root) const;
+    double weighEverybody(const RootSample& root, const Site& site, double chance,
+                          Reject& reason) const;
+    glm::dvec3 groundUpAt(const RootSample& root) const;
+
+    const terrain::GroundMesh& ground_;
+    const BakeSettings& settings_;
+    const terrain::SurfaceQuery* query_;
+    const terrain::SurfaceFeatures* features_;
+    double scale_;
+    HabitatWeight everybody_;
+    SpeciesMix mix_;
+    std::optional<BorderDistance> border_;
+    std::vector<Exclusion> excluded_;
+    std::optional<OccluderTest> occluders_;
+    std::optional<Exposure> sky_;
+    bool weighs_ = false;
+    bool needsSite_ = false;
+    bool needsObstacles_ = false;
+};
+
+/// Whether some filter casts rays. Ignores blade exposure and the room above blades.
+bool filterNeedsRays(const terrain::GroundMesh& ground, const BakeSettings& settings);
+
+/// Features of the whole ground that the filters use; pass this to findFeatures().
+terrain::FeatureChoice featuresFor(const BakeSettings& settings);
+
+/// Throws Error{input} if the ground lacks what a setting needs, such as colours or texture
+/// coordinates. Call it with the whole ground.
+void checkGround(const terrain::GroundMesh& ground, const BakeSettings& settings);
+
+/// Largest distance [m] at which the scene affects a root or its blade: rays, borders, clumps,
+/// tufts. A part of the ground needs a halo of this width. `clumpSpacing` is the resolved one.
+double reachOf(const terrain::GroundMesh& ground, const BakeSettings& settings, double scale,
+               double clumpSpacing);
+
+} // namespace sward::bake

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "bake/patches/local_ranks.h"
+#include "bake/patches/patch_header.h"
+#include "bake/root_sample.h"
+#include "bake/tile_region.h"
+#include "core/progress.h"
+#include "core/uninitialized.h"
+#include "field/field.h"
+#include "shaders/shared/blade.h"
+#include "shaders/shared/patch.h"
+#include "terrain/ground_mesh.h"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace sward::bake {
+
+/// The patches and blades of one 32 m cell. Depends only on the cell's roots and their order.
+struct CellTree {
+    CellNumber cell = {};
+    std::vector<shared::Patch> patches; ///< level by level; [0] is the cell's own
+    UninitializedVector<shared::PackedBlade> blades;
+    UninitializedVector<field::BladeKey> keys; ///< one per blade
+    SubtreeDescription::Summary summary = {};
+};
+
+/// Makes the blade of the root with this index; called from several threads.
+using GrowBlade = std::function<shared::Blade(std::size_t root)>;
+
+/// Groups roots into the cells of an octree fixed in the world. From the top, a cell keeps up to
+/// 512 of its roots, the first ones in `order` (see progressive_order.h), and passes the rest to
+/// its children. A cell with slightly more than 512 keeps a fifth, so that the patches below it are
+/// not nearly empty. Returns one tree for each 32 m cell, sorted by cell. Blades are grown and
+/// packed patch by patch, because unpacked blades would dominate the memory.
+std::vector<CellTree> growCells(const terrain::GroundMesh& ground, const Roots& roots,
+                                const std::vector<std::uint64_t>& order, const LocalRanks& ranks,
+                                const GrowBlade& grow, Progress& progress);
+
+} // namespace sward::bake

@@ -1,0 +1,83 @@
+#include "bake/patches/display_ground.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace sward::bake {
+namespace {
+
+std::uint32_t packColor(glm::vec4 color)
+{
+    const glm::vec4 bytes = glm::floor(glm::clamp(color, 0.0f, 1.0f) * 255.0f + 0.5f);
+    return static_cast<std::uint32_t>(bytes.x) | static_cast<std::uint32_t>(bytes.y) << 8 |
+           static_cast<std::uint32_t>(bytes.z) << 16 | static_cast<std::uint32_t>(bytes.w) << 24;
+}
+
+shared::GroundMaterial displayMaterial(const terrain::GroundMaterial& material)
+{
+    shared::GroundMaterial shown;
+    shown.baseColor = material.baseColor;
+    shown.roughness = material.roughness;
+    shown.metallic = material.metallic;
+    shown.image = material.image;
+    shown.flags = material.doubleSided ? shared::groundDoubleSided : 0U;
+    return shown;
+}
+
+} // namespace
+
+bool showsVertexColors(const terrain::GroundMesh& ground, std::uint32_t material,
+                       bool colorsAreMask)
+{
+    return ground.hasColors && !colorsAreMask &&
+           ground.materials[material].image == terrain::GroundMaterial::noImage;
+}
+
+field::DisplayGround displayGround(const terrain::GroundMesh& ground, bool colorsAreMask)
+{
+    field::DisplayGround shown;
+    shown.vertices.resize(ground.positions.size());
+    for (std::size_t v = 0; v < ground.positions.size(); ++v) {
+        shared::GroundVertex& vertex = shown.vertices[v];
+        vertex.position = ground.positions[v];
+        vertex.normal = shared::encodeNormal32(ground.normals[v]);
+        vertex.uv = ground.uvs[v];
+        vertex.color = 0xffffffffU;
+    }
+
+    for (std::size_t t = 0; t < ground.triangles.size(); ++t) {
+        if (!showsVertexColors(ground, ground.materialOf[t], colorsAreMask))
+            continue;
+        for (glm::length_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t v = ground.triangles[t][corner];
+            shown.vertices[v].color = packColor(ground.colors[v]);
+        }
+    }
+
+    // Group the triangles by material, in the order of the mesh.
+    std::vector<std::uint32_t> first(ground.materials.size() + 1, 0);
+    for (const std::uint32_t material : ground.materialOf)
+        ++first[material + 1];
+    for (std::size_t m = 0; m < ground.materials.size(); ++m)
+        first[m + 1] += first[m];
+    shown.indices.resize(3 * ground.triangles.size());
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (std::size_t t = 0; t < ground.triangles.size(); ++t) {
+        const std::size_t slot = next[ground.materialOf[t]]++;
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            shown.indices[3 * slot + corner] = ground.triangles[t][int(corner)];
+    }
+    for (std::uint32_t m = 0; m < ground.materials.size(); ++m)
+        if (first[m + 1] > first[m])
+            shown.ranges.push_back({0, m, 3 * first[m], 3 * (first[m + 1] - first[m])});
+
+    for (const terrain::GroundMaterial& material : ground.materials)
+        shown.materials.push_back(displayMaterial(material));
+    for (const terrain::GroundImage& image : ground.images)
+        shown.images.push_back({image.width, image.height, image.rgba});
+    return shown;
+}
+
+} // namespace sward::bake

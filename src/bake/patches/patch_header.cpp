@@ -1,0 +1,101 @@
+#include "bake/patches/patch_header.h"
+
+#include "core/bounds.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sward::bake {
+namespace {
+
+// A blade's curve stays within its length of the root (poseBlade() keeps it to 0.1 %). Half the
+// width extends to the sides. The rest covers packing.
+float reachOf(const shared::Blade& blade)
+{
+    return 1.02f * blade.height + 0.55f * blade.width;
+}
+
+// Up-vectors are packed with an angular error e; cos e ≥ 1 − e²/2.
+constexpr float packedUpCosine =
+    1.0f - 0.5f * shared::octahedralMaxError * shared::octahedralMaxError;
+
+// Cosine of the sum of two angles in [0, π] given by their cosines; −1 from π on.
+float cosineOfSum(float a, float b)
+{
+    if (a <= -b)
+        return -1.0f;
+    const float sines = (1.0f - a * a) * (1.0f - b * b);
+    return a * b - std::sqrt(std::max(sines, 0.0f));
+}
+
+} // namespace
+
+void SubtreeDescription::addOwn(std::span<const shared::Blade> own)
+{
+    for (const shared::Blade& blade : own) {
+        const glm::vec3 reach(reachOf(blade));
+        box_.add(blade.root - reach);
+        box_.add(blade.root + reach);
+        sum_ += glm::dvec3(blade.up);
+        parts_.push_back({blade.up, packedUpCosine});
+    }
+    count_ += own.size();
+}
+
+void SubtreeDescription::addChild(const Summary& child)
+{
+    box_.add(child.boundsLow);
+    box_.add(child.boundsHigh);
+    sum_ += child.upSum;
+    count_ += child.count;
+    parts_.push_back({child.coneAxis, child.coneCosine});
+}
+
+SubtreeDescription::Summary SubtreeDescription::finish(shared::Patch& patch)
+{
+    // Axis: the mean up-vector. Opening: the largest deviation from it, plus rounding.
+    Cone cone{glm::vec3(0.0f, 1.0f, 0.0f), -1.0f};
+    const double length = std::sqrt(glm::dot(sum_, sum_));
+    if (length > 1e-6 * double(count_)) {
+        cone.axis = glm::vec3(sum_ / length);
+        float cosine = 1.0f;
+        for (const Cone& part : parts_)
+            cosine = std::min(
+                cosine,
+                cosineOfSum(std::clamp(glm::dot(cone.axis, part.axis), -1.0f, 1.0f), part.cosine));
+        cone.cosine = std::max(cosine - 1e-6f, -1.0f);
+    }
+    patch.boundsLow = box_.low;
+    patch.boundsHigh = box_.high;
+    patch.coneAxis = cone.axis;
+    patch.coneCosine = cone.cosine;
+    return {box_.low, box_.high, sum_, count_, cone.axis, cone.cosine};
+}
+
+void describeOwn(shared::Patch& patch, std::span<const shared::Blade> own)
+{
+    if (own.empty())
+        return;
+    Aabb roots;
+    float heightHigh = 0.0f;
+    float widthHigh = 0.0f;
+    patch.heightLow = own[0].height;
+    patch.widthLow = own[0].width;
+    for (const shared::Blade& blade : own) {
+        roots.add(blade.root);
+        patch.heightLow = std::min(patch.heightLow, blade.height);
+        patch.widthLow = std::min(patch.widthLow, blade.width);
+        heightHigh = std::max(heightHigh, blade.height);
+        widthHigh = std::max(widthHigh, blade.width);
+    }
+    const glm::vec3 size = roots.size();
+    patch.rootLow = roots.low;
+    patch.rootStep = std::max({size.x, size.y, size.z}) / 65535.0f;
+    patch.heightStep = (heightHigh - patch.heightLow) / 255.0f;
+    patch.widthStep = (widthHigh - patch.widthLow) / 63.0f;
+}
+
+} // namespace sward::bake

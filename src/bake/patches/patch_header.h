@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/bounds.h"
+#include "shaders/shared/blade.h"
+#include "shaders/shared/patch.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace sward::bake {
+
+/// Bounds of all blades in a patch's subtree, gathered from the leaves upwards: a box with the
+/// reach of every bent blade, and a cone about all up-vectors.
+class SubtreeDescription {
+public:
+    /// Result of a finished subtree for its parent patch; plain data.
+    struct Summary {
+        glm::vec3 boundsLow, boundsHigh;
+        glm::dvec3 upSum; ///< of all up-vectors
+        std::uint64_t count;
+        glm::vec3 coneAxis;
+        float coneCosine;
+    };
+
+    /// Adds the patch's own blades.
+    void addOwn(std::span<const shared::Blade> own);
+
+    /// Adds a finished child.
+    void addChild(const Summary& child);
+
+    /// Computes the cone after everything has been added; writes cone and bounds.
+    Summary finish(shared::Patch& patch);
+
+private:
+    struct Cone {
+        glm::vec3 axis;
+        float cosine;
+    };
+
+    Aabb box_;
+    glm::dvec3 sum_{0.0}; ///< of all up-vectors
+    std::uint64_t count_ = 0;
+    std::vector<Cone> parts_; ///< of own blades (single directions) and children
+};
+
+/// Sets the quantisation steps of the patch's own blades.
+void describeOwn(shared::Patch& patch, std::span<const shared::Blade> own);
+
+} // namespace sward::bake

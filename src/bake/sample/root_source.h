@@ -1,0 +1,36 @@
+#pragma once
+
+#include "bake/filter/root_filter.h"
+#include "bake/plan.h"
+#include "bake/sample/surface_sampler.h"
+#include "bake/settings.h"
+#include "bake/tile_region.h"
+#include "core/progress.h"
+#include "terrain/ground_mesh.h"
+
+namespace sward::bake {
+
+/// How roots are sampled, computed once for a whole ground. Parts sampled with the same plan have
+/// the same roots.
+struct RootPlan {
+    Amount amount;         ///< Poisson disks use its priority, not its density
+    double spacing = 0.0;  ///< [m]; 0: uniform
+    bool filtered = false; ///< whether any filter tests anything
+};
+
+/// Chooses the number of roots. A count of uniform roots takes candidates in order of priority. A
+/// count of Poisson disks uses a spacing that yields slightly too many and keeps those of lowest
+/// priority. Throws Error{input} with the largest number found if the ground keeps fewer roots.
+RootPlan planRoots(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                   const RootFilter& filter, const Plan& plan, Progress& progress);
+
+/// Samples the roots of a ground, or of a part. Counts only candidates in `counted` (null:
+/// everywhere) as proposed or rejected.
+Sampling sampleRoots(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                     const RootFilter& filter, const RootPlan& plan, Progress& progress,
+                     const TileRegion* counted = nullptr);
+
+/// Largest distance along each axis of anything that affects a root, except rays [m].
+double rootReach(const BakeSettings& settings, const RootPlan& plan);
+
+} // namespace sward::bake

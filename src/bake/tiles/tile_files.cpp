@@ -1,0 +1,314 @@
+#include "bake/tiles/tile_files.h"
+
+#include "core/error.h"
+#include "core/mapped_file.h"
+#include "core/settings_json.h"
+#include "terrain/ground_file.h"
+#include "terrain/record_file.h"
+
+#include <nlohmann/json.hpp>
+
+namespace sward::bake {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+// Eight letters each; the last two are the version.
+constexpr const char* partKind = "SWPART02";
+constexpr const char* imageKind = "SWIMAG01";
+constexpr const char* tileKind = "SWTILE01";
+constexpr const char* planFormat = "sward plan 2";
+
+constexpr std::size_t planLimit = std::size_t(16) << 20;
+constexpr std::uint32_t maxTiles = 1'000'000;
+
+// Omits times, so that a tile has the same bytes on every machine.
+struct TileNumbers {
+    RootCounts counts;
+    double spacingMinimum;
+};
+
+struct CellHeader {
+    CellNumber cell;
+    SubtreeDescription::Summary summary;
+    std::uint64_t patches;
+    std::uint64_t blades;
+};
+
+void requireId(const std::string& found, const std::string& wanted, const fs::path& path)
+{
+    if (found != wanted)
+        fail(ErrorKind::input, "{}: belongs to plan {}, not {}", path.string(), found, wanted);
+}
+
+json vectorJson(const glm::dvec3& v)
+{
+    return json::array({v.x, v.y, v.z});
+}
+
+glm::dvec3 vectorOf(const json& array)
+{
+    return {array.at(0).get<double>(), array.at(1).get<double>(), array.at(2).get<double>()};
+}
+
+json groundJson(const Report& report)
+{
+    return {{"path", report.input.path},
+            {"triangles", report.input.triangles},
+            {"area", report.input.area},
+            {"low", vectorJson(report.input.low)},
+            {"high", vectorJson(report.input.high)},
+            {"altitudes", {report.input.altitudes.low, report.input.altitudes.high}},
+            {"hash", report.input.hash},
+            {"seed", report.seed},
+            {"warnings", report.warnings}};
+}
+
+Report groundReport(const json& ground)
+{
+    Report report;
+    ground.at("path").get_to(report.input.path);
+    ground.at("triangles").get_to(report.input.triangles);
+    ground.at("area").get_to(report.input.area);
+    report.input.low = vectorOf(ground.at("low"));
+    report.input.high = vectorOf(ground.at("high"));
+    ground.at("altitudes").at(0).get_to(report.input.altitudes.low);
+    ground.at("altitudes").at(1).get_to(report.input.altitudes.high);
+    ground.at("hash").get_to(report.input.hash);
+    ground.at("seed").get_to(report.seed);
+    ground.at("warnings").get_to(report.warnings);
+    return report;
+}
+
+// Reads the pixels of images that bearing ground uses.
+void readImages(const fs::path& folder, const std::string& id, terrain::GroundMesh& ground)
+{
+    std::vector<bool> isShown(ground.images.size(), false);
+    for (std::size_t t = 0; t < ground.triangles.size(); ++t) {
+        const std::uint32_t image = ground.materials[ground.materialOf[t]].image;
+        if (ground.bears[t] != 0 && image != terrain::GroundMaterial::noImage)
+            isShown[image] = true;
+    }
+    for (std::size_t i = 0; i < ground.images.size(); ++i) {
+        if (!isShown[i])
+            continue;
+        const fs::path path = imagePath(folder, i);
+        terrain::RecordReader reader(path, imageKind);
+        std::string own;
+        reader.read(own);
+        requireId(own, id, path);
+        terrain::readPixels(reader, ground.images[i], path.string());
+    }
+}
+
+// Checks that children and blades of each patch follow those of the patches before.
+void checkTree(const CellTree& cell, const fs::path& path)
+{
+    std::size_t nextChild = 1;
+    std::size_t nextBlade = 0;
+    for (std::size_t i = 0; i < cell.patches.size(); ++i) {
+        const shared::Patch& patch = cell.patches[i];
+        if (patch.firstBlade != nextBlade || patch.bladeCount > cell.blades.size() - nextBlade ||
+            (patch.childCount > 0 && (patch.firstChild != nextChild || patch.firstChild <= i)) ||
+            patch.childCount > cell.patches.size() - nextChild)
+            fail(ErrorKind::input,
+                 "{}: patch {} of a cell says {} blades from {} and {} children from {}; of {} and "
+                 "{} the next are {} and {}",
+                 path.string(), i, patch.bladeCount, patch.firstBlade, patch.childCount,
+                 patch.firstChild, cell.blades.size(), cell.patches.size(), nextBlade, nextChild);
+        nextBlade += patch.bladeCount;
+        nextChild += patch.childCount;
+    }
+    if (cell.patches.empty() || nextBlade != cell.blades.size() || nextChild != cell.patches.size())
+        fail(ErrorKind::input, "{}: a cell's patches have {} of {} blades and {} of {} patches",
+             path.string(), nextBlade, cell.blades.size(), nextChild, cell.patches.size());
+}
+
+} // namespace
+
+void writePlan(const fs::path& path, const TilePlan& plan, bool overwrite)
+{
+    const json object = {{"format", planFormat},
+                         {"id", plan.id},
+                         {"tiles", plan.tiles},
+                         {"arguments", plan.arguments},
+                         {"folder", plan.folder},
+                         {"ground", groundJson(plan.report)},
+                         {"resolved",
+                          {{"scale", plan.plan.plan.scale},
+                           {"density", plan.plan.plan.density},
+                           {"expected", plan.plan.plan.expected},
+                           {"spacing", plan.plan.plan.spacing},
+                           {"clump_spacing", plan.plan.plan.clumpSpacing},
+                           {"area", plan.plan.plan.area},
+                           {"root_density", plan.plan.roots.amount.density},
+                           {"root_priority", plan.plan.roots.amount.priority},
+                           {"root_last_key", plan.plan.roots.amount.lastKey},
+                           {"root_spacing", plan.plan.roots.spacing},
+                           {"root_filtered", plan.plan.roots.filtered}}}};
+    writeTextFile(path, object.dump(2) + "\n", overwrite);
+}
+
+TilePlan readPlan(const fs::path& path)
+{
+    const std::vector<std::byte> bytes = readFile(path, planLimit);
+    const std::string name = path.string();
+    const json object =
+        parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name);
+    try {
+        if (object.at("format") != planFormat)
+            fail(ErrorKind::unsupported, "{}: is \"{}\", not \"{}\"", name,
+                 object.at("format").dump(), planFormat);
+        TilePlan plan;
+        plan.id = object.at("id").get<std::string>();
+        plan.tiles = object.at("tiles").get<std::uint32_t>();
+        plan.arguments = object.at("arguments").get<std::vector<std::string>>();
+        plan.folder = object.at("folder").get<std::string>();
+        plan.report = groundReport(object.at("ground"));
+        const json& resolved = object.at("resolved");
+        const auto number = [&](const char* key) { return resolved.at(key).get<double>(); };
+        plan.plan.plan.scale = number("scale");
+        plan.plan.plan.density = number("density");
+        plan.plan.plan.expected = number("expected");
+        plan.plan.plan.spacing = number("spacing");
+        plan.plan.plan.clumpSpacing = number("clump_spacing");
+        plan.plan.plan.area = number("area");
+        plan.plan.roots.amount.density = number("root_density");
+        plan.plan.roots.amount.priority = number("root_priority");
+        plan.plan.roots.amount.lastKey = resolved.at("root_last_key").get<std::uint64_t>();
+        plan.plan.roots.spacing = number("root_spacing");
+        plan.plan.roots.filtered = resolved.at("root_filtered").get<bool>();
+        if (plan.tiles == 0 || plan.tiles > maxTiles)
+            fail(ErrorKind::input, "{}: {} tiles, outside [1, {}]", name, plan.tiles, maxTiles);
+        return plan;
+    } catch (const json::exception& error) {
+        fail(ErrorKind::input, "{}: {}", name, error.what());
+    }
+}
+
+fs::path partsFolder(const fs::path& plan)
+{
+    return fs::path(plan).replace_extension(".parts");
+}
+
+fs::path partPath(const fs::path& folder, std::uint32_t tile)
+{
+    return folder / fmt::format("part-{:06}.ground", tile);
+}
+
+fs::path imagePath(const fs::path& folder, std::size_t image)
+{
+    return folder / fmt::format("image-{:03}.pixels", image);
+}
+
+fs::path barePath(const fs::path& folder)
+{
+    return folder / "bare.sward";
+}
+
+void writePart(const fs::path& path, const std::string& id, const TilePart& part)
+{
+    terrain::RecordWriter writer(path, partKind, true);
+    writer.add(std::string_view(id));
+    writer.add(part.cells);
+    writer.add(part.features.curvature);
+    writer.add(part.features.islandArea);
+    writer.add(part.features.borders);
+    terrain::write(writer, part.ground);
+    writer.commit();
+}
+
+void writeImages(const fs::path& folder, const std::string& id, const terrain::GroundMesh& ground)
+{
+    for (std::size_t i = 0; i < ground.images.size(); ++i) {
+        terrain::RecordWriter writer(imagePath(folder, i), imageKind, true);
+        writer.add(std::string_view(id));
+        terrain::writePixels(writer, ground.images[i]);
+        writer.commit();
+    }
+}
+
+TilePart readPart(const fs::path& folder, std::uint32_t tile, const std::string& id)
+{
+    const fs::path path = partPath(folder, tile);
+    terrain::RecordReader reader(path, partKind);
+    std::string own;
+    reader.read(own);
+    requireId(own, id, path);
+    TilePart part;
+    reader.read(part.cells);
+    reader.read(part.features.curvature);
+    reader.read(part.features.islandArea);
+    reader.read(part.features.borders);
+    part.ground = terrain::readGround(reader, path.string());
+    const auto fits = [](std::size_t features, std::size_t all) {
+        return features == 0 || features == all;
+    };
+    if (!fits(part.features.curvature.size(), part.ground.positions.size()) ||
+        !fits(part.features.islandArea.size(), part.ground.triangles.size()))
+        fail(ErrorKind::input, "{}: what is said of the surface does not fit its mesh",
+             path.string());
+    readImages(folder, id, part.ground);
+    return part;
+}
+
+fs::path tilePath(const fs::path& folder, std::uint32_t tile)
+{
+    return folder / fmt::format("tile-{:06}.blades", tile);
+}
+
+void writeTile(const fs::path& path, const std::string& id, const TileResult& tile)
+{
+    terrain::RecordWriter writer(path, tileKind, true);
+    writer.add(std::string_view(id));
+    writer.addOne(TileNumbers{tile.counts, tile.spacingMinimum});
+    writer.addOne(static_cast<std::uint64_t>(tile.cells.size()));
+    for (const CellTree& cell : tile.cells) {
+        writer.addOne(CellHeader{cell.cell, cell.summary, cell.patches.size(), cell.blades.size()});
+        writer.add(cell.patches);
+        writer.add(cell.blades);
+        writer.add(cell.keys);
+    }
+    writer.commit();
+}
+
+std::string planOfTile(const fs::path& path)
+{
+    terrain::RecordReader reader(path, tileKind);
+    std::string id;
+    reader.read(id);
+    return id;
+}
+
+TileResult readTile(const fs::path& path, const std::string& id)
+{
+    terrain::RecordReader reader(path, tileKind);
+    std::string own;
+    reader.read(own);
+    requireId(own, id, path);
+    TileResult tile;
+    TileNumbers numbers = {};
+    reader.readOne(numbers);
+    tile.counts = numbers.counts;
+    tile.spacingMinimum = numbers.spacingMinimum;
+    std::uint64_t cells = 0;
+    for (reader.readOne(cells); cells > 0; --cells) {
+        CellTree& cell = tile.cells.emplace_back();
+        CellHeader header = {};
+        reader.readOne(header);
+        cell.cell = header.cell;
+        cell.summary = header.summary;
+        reader.read(cell.patches);
+        reader.read(cell.blades);
+        reader.read(cell.keys);
+        if (cell.patches.size() != header.patches || cell.blades.size() != header.blades ||
+            cell.keys.size() != header.blades)
+            fail(ErrorKind::input, "{}: a cell's arrays do not have the lengths it says",
+                 path.string());
+        checkTree(cell, path);
+    }
+    return tile;
+}
+
+} // namespace sward::bake

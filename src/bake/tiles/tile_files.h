@@ -1,0 +1,64 @@
+#pragma once
+
+#include "bake/report.h"
+#include "bake/tile_region.h"
+#include "bake/tiles/bake_tile.h"
+#include "terrain/ground_mesh.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sward::bake {
+
+/// A bake distributed over machines: the result of `plan`, needed by every tile. Its file is JSON.
+/// The folder beside it holds the parts of the ground, one for each tile, the ground's images and a
+/// field without blades.
+struct TilePlan {
+    std::string id;                     ///< hash of ground, settings and tiles; stored in tiles
+    std::vector<std::string> arguments; ///< command line of the bake
+    std::string folder;                 ///< base folder of files in the arguments
+    std::uint32_t tiles = 0;
+    BakePlan plan;
+    Report report; ///< of the whole ground, without root counts
+};
+
+/// The part of the ground for one tile, and its cells.
+struct TilePart {
+    terrain::GroundMesh ground;
+    terrain::SurfaceFeatures features;
+    std::vector<CellNumber> cells;
+};
+
+/// Reads and writes the files between plan, tile and merge. Every file appears whole or not at all.
+/// Reading throws Error{io} for a missing file and Error{input} for a damaged one.
+void writePlan(const std::filesystem::path& path, const TilePlan& plan, bool overwrite);
+TilePlan readPlan(const std::filesystem::path& path);
+
+/// The folder of a plan; it holds parts, images and the field without blades.
+std::filesystem::path partsFolder(const std::filesystem::path& plan);
+std::filesystem::path partPath(const std::filesystem::path& folder, std::uint32_t tile);
+std::filesystem::path imagePath(const std::filesystem::path& folder, std::size_t image);
+std::filesystem::path barePath(const std::filesystem::path& folder);
+
+/// Writes a part without the pixels of its images, which all parts share.
+void writePart(const std::filesystem::path& path, const std::string& id, const TilePart& part);
+void writeImages(const std::filesystem::path& folder, const std::string& id,
+                 const terrain::GroundMesh& ground);
+
+/// Reads a part with the images that its triangles use.
+TilePart readPart(const std::filesystem::path& folder, std::uint32_t tile, const std::string& id);
+
+/// Path of a tile's result in the folder of results.
+std::filesystem::path tilePath(const std::filesystem::path& folder, std::uint32_t tile);
+
+void writeTile(const std::filesystem::path& path, const std::string& id, const TileResult& tile);
+
+/// Plan id of a tile; verifies the whole file.
+std::string planOfTile(const std::filesystem::path& path);
+
+/// Also throws Error{input} if the tile belongs to another plan.
+TileResult readTile(const std::filesystem::path& path, const std::string& id);
+
+} // namespace sward::bake

@@ -1,0 +1,46 @@
+#include "bake/whole_plan.h"
+
+#include "bake/plan.h"
+#include "bake/sample/root_source.h"
+#include "bake/sample/surface_sampler.h"
+#include "bake/warnings.h"
+#include "terrain/query/surface_query.h"
+#include "terrain/topology/topology.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace sward::bake {
+
+double extentOf(const terrain::GroundMesh& ground)
+{
+    const glm::vec3 size = ground.bounds().size();
+    return double(std::max({size.x, size.y, size.z}));
+}
+
+terrain::SurfaceFeatures featuresOf(const terrain::GroundMesh& ground, const BakeSettings& settings)
+{
+    checkGround(ground, settings);
+    const terrain::FeatureChoice choice = featuresFor(settings);
+    return choice.any() ? findFeatures(ground, terrain::analyse(ground), choice)
+                        : terrain::SurfaceFeatures{};
+}
+
+BakePlan planWhole(const GroundView& whole, const BakeSettings& settings, Diagnostics& diagnostics,
+                   Progress& progress)
+{
+    const terrain::GroundMesh& ground = whole.ground;
+    BakePlan plan;
+    plan.plan =
+        planBake(bearingArea(ground, settings.sides), extentOf(ground), settings, diagnostics);
+    // Only a count samples the whole ground, and only some filters then need rays.
+    std::optional<terrain::SurfaceQuery> query;
+    const terrain::SurfaceQuery* rays = whole.rays;
+    if (rays == nullptr && settings.count && filterNeedsRays(ground, settings))
+        rays = &query.emplace(ground);
+    const RootFilter filter(ground, settings, rays, &whole.features, plan.plan.scale);
+    plan.roots = planRoots(ground, settings, filter, plan.plan, progress);
+    return plan;
+}
+
+} // namespace sward::bake

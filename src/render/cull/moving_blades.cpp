@@ -1,0 +1,87 @@
+#include "render/cull/moving_blades.h"
+
+#include "core/expect.h"
+#include "gpu/barrier.h"
+#include "render/cull/pass_scope.h"
+
+#include <utility>
+
+namespace sward::render {
+
+MovingBlades::MovingBlades(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                           FieldBuffers buffers, bool testsSmall)
+    : context_(&context)
+    , buffers_(std::move(buffers))
+    , walk_(context, shaders)
+    , update_(context)
+    , testsSmall_(testsSmall)
+{
+}
+
+void MovingBlades::prepare(const gpu::ShaderLibrary& shaders, const shared::Frame& frame)
+{
+    expect(frame.environment.colliderCount == 0 || buffers_.hasEtas(), "collisions can be kept");
+    variant_ = {.windCounts = frame.environment.wind.counts,
+                .hasColliders = frame.environment.colliderCount > 0,
+                .keepsEtas = buffers_.hasEtas(),
+                .testsSmall = testsSmall_,
+                .features =
+                    shared::featuresOf(frame.view, frame.pages != 0, frame.cullResults != 0)};
+    update_.prepare(shaders, variant_);
+}
+
+void MovingBlades::expectColliders()
+{
+    if (buffers_.hasEtas())
+        return;
+    buffers_.keepEtas(*context_);
+    hasNewEtas_ = true;
+}
+
+void MovingBlades::begin(VkCommandBuffer commands, double time)
+{
+    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
+    buffers_.clearCounts(commands);
+    buffers_.clearCullResults(commands);
+    // Treats every blade as settled: none is still moving from the straight pose of the bake.
+    if (!hasMoved_)
+        buffers_.rest(commands, static_cast<float>(time - double(shared::settlingTime)));
+    else if (hasNewEtas_)
+        buffers_.clearEtas(commands);
+    hasMoved_ = true;
+    hasNewEtas_ = false;
+    gpu::transferToCompute(commands);
+}
+
+void MovingBlades::beginAgain(VkCommandBuffer commands) const
+{
+    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::transferAccess);
+    buffers_.clearCounts(commands);
+    gpu::transferToCompute(commands);
+}
+
+void MovingBlades::findVisiblePatches(VkCommandBuffer commands, VkDeviceAddress cullView,
+                                      gpu::Timestamps* timestamps) const
+{
+    const PassScope scope(*context_, commands, timestamps, "cull");
+    walk_.record(commands, buffers_.baked(), buffers_.list(), cullView);
+    gpu::computeToCompute(commands);
+}
+
+void MovingBlades::moveAndList(VkCommandBuffer commands, const FramePlace& cullView,
+                               std::uint32_t round, UpdateCullPass::Shown shown,
+                               gpu::Timestamps* timestamps) const
+{
+    const PassScope scope(*context_, commands, timestamps, "update");
+    update_.record(commands, buffers_.baked(), buffers_.list(), variant_,
+                   UpdateCullPass::Scope::visible,
+                   {.frame = cullView, .round = round, .shown = shown});
+}
+
+void MovingBlades::moveAll(VkCommandBuffer commands, const FramePlace& frame) const
+{
+    update_.record(commands, buffers_.baked(), buffers_.list(), variant_,
+                   UpdateCullPass::Scope::all, {.frame = frame});
+}
+
+} // namespace sward::render

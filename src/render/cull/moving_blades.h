@@ -1,0 +1,66 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/shader_library.h"
+#include "gpu/timestamps.h"
+#include "render/cull/field_buffers.h"
+#include "render/cull/update_cull_pass.h"
+#include "render/cull/walk_pass.h"
+#include "render/frame_place.h"
+#include "shaders/shared/frame.h"
+
+#include <vulkan/vulkan.h>
+
+namespace sward::render {
+
+/// The blades of a field, and the passes of a frame that find visible patches, then move, cull and
+/// list their blades.
+class MovingBlades {
+public:
+    /// `testsSmall`: see FieldRendererSettings::testsSmallBlades.
+    MovingBlades(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                 FieldBuffers buffers, bool testsSmall);
+
+    const FieldBuffers& buffers() const { return buffers_; }
+    bool hasMoved() const { return hasMoved_; } ///< whether a frame has begun
+
+    /// Allocates collision state unless present. Call before describing the first frame with
+    /// colliders.
+    void expectColliders();
+
+    /// Prepares pipelines for the wind and colliders of a frame; before the frame's begin().
+    void prepare(const gpu::ShaderLibrary& shaders, const shared::Frame& frame);
+
+    /// Waits for the frame before, and clears lists and counts. In the first frame, at `time` [s],
+    /// blades start settled in their wind.
+    void begin(VkCommandBuffer commands, double time);
+
+    /// Clears lists and counts for another list in the same frame. Blades are not moved again,
+    /// since no time passes.
+    void beginAgain(VkCommandBuffer commands) const;
+
+    /// Finds the visible patches and records the barrier to their readers. `cullView` is the frame
+    /// whose camera tests the nodes.
+    void findVisiblePatches(VkCommandBuffer commands, VkDeviceAddress cullView,
+                            gpu::Timestamps* timestamps) const;
+
+    /// Moves, culls and lists the blades of one round of visible patches. Blades that `shown` does
+    /// not contain are listed from the back.
+    void moveAndList(VkCommandBuffer commands, const FramePlace& cullView, std::uint32_t round,
+                     UpdateCullPass::Shown shown, gpu::Timestamps* timestamps) const;
+
+    /// Only moves all blades.
+    void moveAll(VkCommandBuffer commands, const FramePlace& frame) const;
+
+private:
+    const gpu::DeviceContext* context_;
+    FieldBuffers buffers_;
+    WalkPass walk_;
+    UpdateCullPass update_;
+    UpdateCullPass::Variant variant_; ///< for the frame being recorded
+    bool testsSmall_;
+    bool hasMoved_ = false;
+    bool hasNewEtas_ = false; ///< collision state is uninitialised
+};
+
+} // namespace sward::render

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "field/field.h"
+#include "shaders/shared/eyepoint.h"
+#include "shaders/shared/patch.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace sward::render {
+
+/// Upper bound for the number of visible patches that a walk finds, computed on the host with the
+/// walk's tests on the first levels of the patch tree.
+class VisiblePatchBound {
+public:
+    /// Uses all levels that together have at most `nodes` nodes, or only the root.
+    VisiblePatchBound(const field::FieldView& field, std::size_t nodes);
+
+    /// Upper bound for this view. Occlusion and residency are ignored. `toldOfEach`: the cull
+    /// result of each blade is kept, so no node is skipped because its blades are thinned out.
+    std::uint64_t of(const shared::Eyepoint& view, bool toldOfEach) const;
+
+private:
+    /// Steps of the blade rank, two per halving; the last is the smallest share that is drawn.
+    static constexpr std::size_t rankSteps = 17;
+
+    /// A node; in the last level including everything below it.
+    struct Node {
+        shared::Patch cell;
+        float widest = 0.0f; ///< see shared::Subtree
+        std::array<std::uint32_t, rankSteps>
+            nonEmptyPatches{}; ///< patches with blades of ranks below …
+    };
+
+    std::vector<Node> nodes_;
+    std::array<float, rankSteps> ranks_; ///< … 1, √½, ½, …
+};
+
+} // namespace sward::render

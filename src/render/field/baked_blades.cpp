@@ -1,0 +1,117 @@
+#include "render/field/baked_blades.h"
+
+#include "core/error.h"
+#include "gpu/compute_pipeline.h"
+#include "shaders/shared/pages.h"
+#include "shaders/shared/passes.h"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace sward::render {
+namespace {
+
+/// Indices of the non-empty patches, in the order of their blades.
+std::vector<std::uint32_t> nonEmptyPatchesOf(const field::FieldView& field)
+{
+    std::vector<std::uint32_t> nonEmptyPatches;
+    for (std::size_t i = 0; i < field.patches.size(); ++i)
+        if (field.patches[i].bladeCount > 0)
+            nonEmptyPatches.push_back(static_cast<std::uint32_t>(i));
+    std::sort(nonEmptyPatches.begin(), nonEmptyPatches.end(),
+              [&](std::uint32_t a, std::uint32_t b) {
+                  return field.patches[a].firstBlade < field.patches[b].firstBlade;
+              });
+    return nonEmptyPatches;
+}
+
+/// The indices into `nonEmptyPatches` at which the search for a blade's patch begins.
+std::vector<std::uint32_t> firstNonEmptyPatchesOf(const field::FieldView& field,
+                                                  const std::vector<std::uint32_t>& nonEmptyPatches)
+{
+    std::vector<std::uint32_t> first;
+    std::uint32_t place = 0;
+    for (std::size_t blade = 0; blade < field.blades.size(); blade += shared::nonEmptyPatchStride) {
+        const auto end = [&] {
+            const shared::Patch& cell = field.patches[nonEmptyPatches[place]];
+            return std::size_t(cell.firstBlade) + cell.bladeCount;
+        };
+        while (end() <= blade)
+            ++place;
+        first.push_back(place);
+    }
+    return first;
+}
+
+} // namespace
+
+BakedBlades::BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
+                         const field::FieldView& field, std::uint32_t walkStart,
+                         std::uint32_t pages)
+    : patchSizes_(field.patches)
+{
+    if (field.blades.size() > std::numeric_limits<std::uint32_t>::max())
+        fail(ErrorKind::unsupported, "the field has {} blades; one view draws at most {}",
+             field.blades.size(), std::numeric_limits<std::uint32_t>::max());
+    const std::vector<std::uint32_t> nonEmptyPatches = nonEmptyPatchesOf(field);
+    const std::vector<std::uint32_t> firstNonEmptyPatches =
+        firstNonEmptyPatchesOf(field, nonEmptyPatches);
+    bladeCount_ = static_cast<std::uint32_t>(field.blades.size());
+    placeCount_ = pages == 0 ? bladeCount_ : pages * shared::pageBlades;
+    patchCount_ = static_cast<std::uint32_t>(field.patches.size());
+    nonEmptyPatchCount_ = static_cast<std::uint32_t>(nonEmptyPatches.size());
+    bladeSize_ = field::meanBladeSize(field);
+    std::vector<shared::Species> species;
+    for (const field::Species& kind : field.species)
+        species.push_back(kind.look);
+    species.resize(shared::maxSpecies, species.empty() ? shared::Species{} : species.front());
+
+    // In the file's layout.
+    blades_ =
+        allocate(context, "field/blades", placeCount_ * sizeof(shared::PackedBlade), pages > 0);
+    patches_ = allocate(context, "field/patches", field.patches.size_bytes());
+    nonEmptyPatches_ =
+        allocate(context, "field/nonEmptyPatches", nonEmptyPatches.size() * sizeof(std::uint32_t));
+    firstNonEmptyPatches_ = allocate(context, "field/first nonEmptyPatches",
+                                     firstNonEmptyPatches.size() * sizeof(std::uint32_t));
+    species_ = allocate(context, "field/species", species.size() * sizeof(shared::Species));
+    if (pages == 0) {
+        upload.toBuffer(blades_, field.blades);
+    } else {
+        const std::vector<std::uint32_t> nowhere(
+            gpu::groupsFor(field.blades.size(), shared::pageBlades), shared::noPlace);
+        pages_ = allocate(context, "field/pages", nowhere.size() * sizeof(std::uint32_t));
+        upload.toBuffer(pages_, std::span<const std::uint32_t>(nowhere));
+    }
+    upload.toBuffer(patches_, field.patches);
+    upload.toBuffer(nonEmptyPatches_, std::span<const std::uint32_t>(nonEmptyPatches));
+    upload.toBuffer(firstNonEmptyPatches_, std::span<const std::uint32_t>(firstNonEmptyPatches));
+    upload.toBuffer(species_, std::span<const shared::Species>(species));
+    tree_.emplace(context, upload, field, walkStart, pages > 0);
+    bytes_ += tree_->bytes();
+}
+
+gpu::Buffer BakedBlades::allocate(const gpu::DeviceContext& context, const char* name,
+                                  VkDeviceSize bytes, bool isFilledByCopyQueue)
+{
+    bytes_ += bytes;
+    return {context,
+            {.name = name,
+             .bytes = bytes,
+             .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+             .isFilledByCopyQueue = isFilledByCopyQueue}};
+}
+
+void BakedBlades::describe(shared::Frame& frame) const
+{
+    frame.blades = blades_.address();
+    frame.patches = patches_.address();
+    frame.pages = pages_.address();
+    frame.species = species_.address();
+    frame.patchCount = patchCount_;
+    frame.bladeCount = bladeCount_;
+}
+
+} // namespace sward::render

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "field/distributions.h"
+#include "field/field.h"
+#include "gpu/buffer.h"
+#include "gpu/buffer_upload.h"
+#include "gpu/context.h"
+#include "render/field/patch_sizes.h"
+#include "render/field/patch_tree.h"
+#include "shaders/shared/frame.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <optional>
+
+namespace sward::render {
+
+/// The baked data of a field's blades in device memory. It never changes.
+class BakedBlades {
+public:
+    /// Begins the upload; it is complete when `upload` is. `walkStart`: see PatchTree. `pages`: if
+    /// not 0, allocates that many pages of blades (pages.h), all empty.
+    BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
+                const field::FieldView& field, std::uint32_t walkStart = shared::walkStart,
+                std::uint32_t pages = 0);
+
+    /// Writes addresses and counts into a frame.
+    void describe(shared::Frame& frame) const;
+
+    std::uint32_t bladeCount() const { return bladeCount_; } ///< of the field
+    std::uint32_t placeCount() const { return placeCount_; } ///< resident blades at most
+    bool isPaged() const { return pages_.address() != 0; }   ///< false: all blades are resident
+    std::uint32_t patchCount() const { return patchCount_; }
+    std::uint32_t nonEmptyPatchCount() const
+    {
+        return nonEmptyPatchCount_;
+    }                                                              ///< non-empty patches
+    const gpu::Buffer& blades() const { return blades_; }          ///< shared::PackedBlade
+    VkDeviceAddress patches() const { return patches_.address(); } ///< shared::Patch
+    VkDeviceAddress pages() const { return pages_.address(); }     ///< Frame::pages
+    VkDeviceAddress nonEmptyPatches() const
+    {
+        return nonEmptyPatches_.address();
+    } ///< in the order of their blades
+
+    /// Index into nonEmptyPatches of every shared::nonEmptyPatchStride-th blade's patch.
+    VkDeviceAddress firstNonEmptyPatches() const { return firstNonEmptyPatches_.address(); }
+    field::BladeSize bladeSize() const { return bladeSize_; } ///< mean over all blades
+    const PatchTree& tree() const { return *tree_; }
+    const PatchSizes& patchSizes() const { return patchSizes_; }
+    VkDeviceSize bytes() const { return bytes_; }
+
+private:
+    gpu::Buffer allocate(const gpu::DeviceContext& context, const char* name, VkDeviceSize bytes,
+                         bool isFilledByCopyQueue = false);
+
+    std::uint32_t bladeCount_ = 0;
+    std::uint32_t placeCount_ = 0;
+    std::uint32_t patchCount_ = 0;
+    std::uint32_t nonEmptyPatchCount_ = 0;
+    field::BladeSize bladeSize_;
+    PatchSizes patchSizes_;
+    VkDeviceSize bytes_ = 0;
+
+    gpu::Buffer blades_;
+    gpu::Buffer patches_;
+    gpu::Buffer pages_; ///< empty if all blades are resident
+    gpu::Buffer species_;
+    gpu::Buffer nonEmptyPatches_;
+    gpu::Buffer firstNonEmptyPatches_;
+    std::optional<PatchTree> tree_;
+};
+
+} // namespace sward::render

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/context.h"
+#include "gpu/recording.h"
+#include "render/field/baked_blades.h"
+#include "shaders/shared/frame.h"
+
+#include <vulkan/vulkan.h>
+
+namespace sward::render {
+
+/// Bend of the blades of one placed field, and the time since when: the state between frames.
+class BladeStates {
+public:
+    /// Optional storage besides the states themselves.
+    struct Kept {
+        bool before = false; ///< the states before the last move
+        bool etas = false;   ///< collision state from the start; else see keepEtas()
+    };
+
+    BladeStates(const gpu::DeviceContext& context, const BakedBlades& blades, Kept kept);
+
+    /// Writes addresses into a frame.
+    void describe(shared::Frame& frame) const;
+
+    /// Allocates collision state, initially none. Once.
+    void keepEtas(const gpu::DeviceContext& context);
+    bool hasEtas() const { return hasEtas_; }
+
+    /// Puts every blade at rest, with `time` [s] as the time of its last update.
+    void rest(const gpu::Recording& commands, float time) const;
+
+    /// Resets the collision state of all blades.
+    void clearEtas(const gpu::Recording& commands) const;
+
+    const gpu::Buffer& states() const { return states_; } ///< shared::BladeState::turn
+    const gpu::Buffer& etas() const { return etas_; }     ///< shared::BladeState::eta, if kept
+    VkDeviceAddress patchTimes() const { return patchTimes_.address(); }
+    VkDeviceAddress patchCounts() const { return patchCounts_.address(); }
+    VkDeviceAddress before() const { return before_.address(); } ///< former turns, if kept
+    VkDeviceSize bytes() const;
+
+private:
+    gpu::Buffer states_;
+    gpu::Buffer etas_;
+    bool hasEtas_ = false; ///< true also for a field without blades
+    gpu::Buffer before_;
+    gpu::Buffer patchTimes_;
+    gpu::Buffer patchCounts_;
+};
+
+} // namespace sward::render

@@ -1,0 +1,53 @@
+#include "render/field/frame_tables.h"
+
+#include "core/expect.h"
+
+#include <algorithm>
+
+namespace sward::render {
+
+VkDeviceSize tableBytes()
+{
+    return sizeof(shared::Collider) * shared::maxColliders;
+}
+
+void writeTables(TablePlace place, const FieldShape& field, const FrameSettings& settings,
+                 std::span<const shared::Collider> colliders, shared::Frame& frame)
+{
+    expect(settings.winds.size() <= shared::maxWindSources, "at most maxWindSources blow at once");
+    expect(colliders.size() <= shared::maxColliders, "at most maxColliders collide");
+    const std::vector<shared::WindSource> blown =
+        blowing(settings.winds, field.origin, settings.windFrame);
+    std::ranges::copy(std::as_bytes(colliders), place.mapped);
+
+    shared::Environment& environment = frame.environment;
+    const glm::vec3 size = field.content.isEmpty() ? glm::vec3(0.0f) : field.content.size();
+    environment.wind = together(blown, std::max({size.x, size.y, size.z}),
+                                latticeOf(field.origin, settings.windFrame));
+    environment.colliderCount = static_cast<std::uint32_t>(colliders.size());
+    environment.colliders.address = place.address;
+}
+
+FrameTables::FrameTables(const gpu::DeviceContext& context)
+    : buffer_(context, {.name = "frame/tables",
+                        .bytes = tableBytes(),
+                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                        .memory = gpu::MemoryUse::constants})
+{
+}
+
+VkDeviceSize FrameTables::bytes()
+{
+    return tableBytes();
+}
+
+void FrameTables::write(const FieldShape& field, const FrameSettings& settings, double time,
+                        double before, shared::Frame& frame) const
+{
+    std::vector<shared::Collider> colliders;
+    for (const Collider& collider : settings.colliders)
+        colliders.push_back(colliderAt(collider, field.origin, time, before));
+    writeTables({buffer_.mapped().data(), buffer_.address()}, field, settings, colliders, frame);
+}
+
+} // namespace sward::render

@@ -1,0 +1,207 @@
+#include "render/field/grass_cover.h"
+
+#include "core/bounds.h"
+#include "field/distributions.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace sward::render {
+namespace {
+
+/// Minimum ground per corner, as a share of a cube's face: such values have little weight, and the
+/// minimum keeps the division bounded.
+constexpr float minGround = 0.02f;
+
+/// Maximum size of pieces of ground, as a share of a cell.
+constexpr float pieceSize = 0.5f;
+
+/// Box of the drawn ground and the roots.
+Aabb placesOf(const field::FieldView& field)
+{
+    Aabb places;
+    for (const shared::GroundVertex& corner : field.ground->vertices)
+        places.add(corner.position);
+    for (const shared::Patch& cell : field.patches)
+        if (cell.bladeCount > 0) {
+            places.add(cell.rootLow);
+            places.add(glm::min(cell.rootLow + 65535.0f * cell.rootStep, cell.boundsHigh));
+        }
+    return places;
+}
+
+shared::Cover shapeOf(const field::FieldView& field)
+{
+    const Aabb places = placesOf(field);
+    const glm::vec3 size = places.size();
+    const float longest = std::max({size.x, size.y, size.z});
+    const float edge = std::max({longest / static_cast<float>(maxCoverCorners - 1),
+                                 0.5f * field::meanBladeSize(field).height, 1e-6f});
+    const auto corners = [&](float length) {
+        const auto cells = static_cast<std::uint32_t>(std::ceil(length / edge));
+        return std::clamp(cells + 1u, 2u, maxCoverCorners);
+    };
+    shared::Cover shape = {};
+    shape.low = places.low;
+    shape.cellsPerMetre = 1.0f / edge;
+    shape.countX = corners(size.x);
+    shape.countY = corners(size.y);
+    shape.countZ = corners(size.z);
+    return shape;
+}
+
+/// Amounts at the corners of a grid.
+class Corners {
+public:
+    explicit Corners(const shared::Cover& shape)
+        : shape_(shape)
+        , amounts_(std::size_t(shape.countX) * shape.countY * shape.countZ, 0.0f)
+    {
+    }
+
+    /// Distributes an amount to the corners around a place with the weights of leafAreaAt().
+    void deal(glm::vec3 place, float amount)
+    {
+        const glm::vec3 last = glm::vec3(shape_.countX, shape_.countY, shape_.countZ) - 1.0f;
+        const glm::vec3 at =
+            glm::clamp((place - shape_.low) * shape_.cellsPerMetre, glm::vec3(0.0f), last);
+        const glm::vec3 cell = glm::min(glm::floor(at), last - 1.0f);
+        const glm::vec3 f = at - cell;
+        const std::size_t stepY = shape_.countX;
+        const std::size_t stepZ = stepY * shape_.countY;
+        float* const first = amounts_.data() + static_cast<std::size_t>(cell.x) +
+                             stepY * static_cast<std::size_t>(cell.y) +
+                             stepZ * static_cast<std::size_t>(cell.z);
+        for (std::size_t corner = 0; corner < 8; ++corner) {
+            const bool x = (corner & 1u) != 0;
+            const bool y = (corner & 2u) != 0;
+            const bool z = (corner & 4u) != 0;
+            const float weight =
+                (x ? f.x : 1.0f - f.x) * (y ? f.y : 1.0f - f.y) * (z ? f.z : 1.0f - f.z);
+            first[(x ? 1 : 0) + (y ? stepY : 0) + (z ? stepZ : 0)] += amount * weight;
+        }
+    }
+
+    std::vector<float>& amounts() { return amounts_; }
+
+private:
+    shared::Cover shape_;
+    std::vector<float> amounts_;
+};
+
+void dealBlades(const field::FieldView& field, Corners& leaves)
+{
+    std::array<float, shared::maxSpecies> shares{};
+    for (std::size_t i = 0; i < std::min<std::size_t>(field.species.size(), shares.size()); ++i)
+        shares[i] =
+            shared::outlineArea(field.species[i].look.shape, field.species[i].look.tipThreshold);
+    const double all = static_cast<double>(std::max<std::size_t>(field.blades.size(), 1));
+    const double share = std::min(1.0, static_cast<double>(maxCoverBlades) / all);
+    for (const shared::Patch& cell : field.patches) {
+        // The first blades of a patch are spread evenly over it: they represent all.
+        const auto read =
+            static_cast<std::uint32_t>(std::ceil(share * static_cast<double>(cell.bladeCount)));
+        for (std::uint32_t i = 0; i < read; ++i) {
+            const shared::Blade blade =
+                shared::unpackBlade(field.blades[cell.firstBlade + i], cell);
+            const float area = blade.height * blade.width * shares[blade.species];
+            leaves.deal(blade.root,
+                        area * static_cast<float>(cell.bladeCount) / static_cast<float>(read));
+        }
+    }
+}
+
+/// Distributes a triangle in pieces no longer than `longest`, by halving its longest side.
+void dealTriangle(std::array<glm::vec3, 3> corners, float longest, Corners& ground)
+{
+    const auto squared = [&](std::size_t i) {
+        const glm::vec3 side = corners[(i + 1) % 3] - corners[i];
+        return glm::dot(side, side);
+    };
+    std::size_t side = 0;
+    for (const std::size_t i : {1u, 2u})
+        if (squared(i) > squared(side))
+            side = i;
+    if (!(squared(side) > longest * longest)) {
+        const float area =
+            0.5f * glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+        ground.deal((corners[0] + corners[1] + corners[2]) / 3.0f, area);
+        return;
+    }
+    const std::size_t next = (side + 1) % 3;
+    const glm::vec3 middle = 0.5f * (corners[side] + corners[next]);
+    std::array<glm::vec3, 3> half = corners;
+    half[next] = middle;
+    dealTriangle(half, longest, ground);
+    half = corners;
+    half[side] = middle;
+    dealTriangle(half, longest, ground);
+}
+
+void dealGround(const field::DisplayGround& drawn, float longest, Corners& ground)
+{
+    for (const field::GroundRange& range : drawn.ranges) {
+        if (range.level != 0)
+            continue;
+        for (std::uint32_t i = 0; i + 2 < range.indexCount; i += 3) {
+            const std::uint32_t* const index = &drawn.indices[range.firstIndex + i];
+            dealTriangle({drawn.vertices[index[0]].position, drawn.vertices[index[1]].position,
+                          drawn.vertices[index[2]].position},
+                         longest, ground);
+        }
+    }
+}
+
+} // namespace
+
+shared::Cover LeafAreaGrid::view() const
+{
+    shared::Cover cover = shape;
+    cover.leafArea.at = values.data();
+    return cover;
+}
+
+LeafAreaGrid leafAreaOf(const field::FieldView& field)
+{
+    LeafAreaGrid grid;
+    if (field.blades.empty())
+        return grid;
+    grid.shape = shapeOf(field);
+    const float edge = 1.0f / grid.shape.cellsPerMetre;
+    Corners leaves(grid.shape);
+    Corners ground(grid.shape);
+    dealBlades(field, leaves);
+    dealGround(*field.ground, pieceSize * edge, ground);
+
+    grid.values = std::move(leaves.amounts());
+    for (std::size_t i = 0; i < grid.values.size(); ++i)
+        grid.values[i] /= std::max(ground.amounts()[i], minGround * edge * edge);
+    return grid;
+}
+
+GrassCover::GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
+                       const field::FieldView& field)
+{
+    const LeafAreaGrid grid = leafAreaOf(field);
+    shape_ = grid.shape;
+    values_ = gpu::Buffer(
+        context, {.name = "grass cover",
+                  .bytes = grid.values.size() * sizeof(float),
+                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
+    upload.toBuffer(values_, std::span<const float>(grid.values));
+}
+
+void GrassCover::describe(shared::Frame& frame) const
+{
+    frame.cover = shape_;
+    frame.cover.leafArea.address = values_.address();
+    frame.cover.farthest = (frame.view.cullMask & shared::cullDistance) != 0
+                               ? frame.view.drawDistance
+                               : std::numeric_limits<float>::max();
+}
+
+} // namespace sward::render

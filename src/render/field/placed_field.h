@@ -1,0 +1,93 @@
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/recording.h"
+#include "gpu/uniform_sets.h"
+#include "render/field/blade_states.h"
+#include "render/field/resident_parts.h"
+#include "render/field/visible_blades.h"
+#include "render/frame_slot.h"
+#include "render/grass.h"
+#include "shaders/shared/frame.h"
+#include "shaders/shared/passes.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace sward::render {
+
+/// One instance: a field's blades with their own state, and the constants of its frames.
+class PlacedField {
+public:
+    PlacedField(const gpu::DeviceContext& context, const FieldInstance& instance,
+                const Grass::Settings& settings);
+
+    void place(const Placement& placement) { instance_.placement = placement; }
+
+    /// Writes frame `number` for the shaders, and allocates lists for its views if needed.
+    void write(std::uint32_t slot, const GrassFrame& frame, std::uint32_t number,
+               std::span<const shared::DepthPyramid> pyramids);
+
+    bool isInFrame(std::uint32_t number) const { return written_ == number; }
+    bool isUploaded() const { return instance_.field->isUploaded(); }
+
+    const BakedBlades& blades() const { return instance_.field->parts().blades; }
+    const BladeStates& states() const { return states_; }
+    const VisibleBlades& list(std::uint32_t view) const { return lists_[view]; }
+    const gpu::Buffer& moved() const { return moved_; } ///< shared::DrawArguments of the update
+
+    /// Frames of one view: for moving its blades, for culling, and for drawing with either
+    /// back-end. The update frames of all views are contiguous.
+    FramePlace updateFrame(std::uint32_t slot, std::uint32_t view) const;
+    FramePlace cullView(std::uint32_t slot, std::uint32_t view) const;
+    FramePlace drawnFrame(std::uint32_t slot, std::uint32_t view) const;
+    FramePlace rasterFrame(std::uint32_t slot, std::uint32_t view) const; ///< always reversed Z
+
+    /// shared::Motion of one view.
+    VkDeviceAddress motion(std::uint32_t slot, std::uint32_t view) const;
+
+    /// Wind and colliders of the frame written last.
+    const shared::Environment& environment() const { return environment_; }
+
+    /// True for the first call: the blades have not moved before.
+    bool beginsToMove();
+
+    /// Copies counts to the memory that counts() reads, after a barrier to transfers.
+    void recordMoved(const gpu::Recording& commands, std::uint32_t slot) const;
+    void recordCounts(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t view) const;
+    void addCounts(std::uint32_t slot, std::uint32_t view, FrameStats& sum) const;
+
+    VkDeviceSize bytes() const;
+
+private:
+    struct Slot {
+        gpu::Buffer constants;   ///< tables, four frames for each view, shared::Motion of each
+        gpu::UniformSets frames; ///< of those frames
+        gpu::Buffer counts;      ///< shared::DrawArguments of the update, then of each view
+    };
+
+    VkDeviceSize motionOffset(std::uint32_t view) const;
+    shared::Motion motionOf(const GrassFrame& frame, const HostView& view) const;
+    std::uint32_t frameIndex(std::uint32_t kind, std::uint32_t view) const;
+    VkDeviceSize frameOffset(std::uint32_t kind, std::uint32_t view) const;
+    FramePlace framePlace(std::uint32_t slot, std::uint32_t kind, std::uint32_t view) const;
+    void put(std::uint32_t slot, std::uint32_t kind, std::uint32_t view,
+             const shared::Frame& frame) const;
+
+    const gpu::DeviceContext* context_;
+    FieldInstance instance_;
+    Grass::Settings settings_;
+    BladeStates states_;
+    gpu::Buffer moved_;
+    std::vector<VisibleBlades> lists_;
+    std::vector<Slot> slots_;
+    shared::Environment environment_ = {};
+    Placement placementBefore_; ///< of the frame written before
+    double timeBefore_ = 0.0;
+    std::uint32_t written_ = 0; ///< number of the frame written last
+    bool hasMoved_ = false;
+};
+
+} // namespace sward::render

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/context.h"
+#include "gpu/recording.h"
+#include "render/field/baked_blades.h"
+#include "shaders/shared/frame.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+
+namespace sward::render {
+
+/// A view's cull result for a field: the visible patches found by the walk, and the list of blades
+/// to be drawn.
+class VisibleBlades {
+public:
+    /// Room for `roundPatches` visible patches in the list, and at most `maxBlades` blades. Further
+    /// visible patches follow in later rounds.
+    VisibleBlades(const gpu::DeviceContext& context, const BakedBlades& blades,
+                  std::uint32_t roundPatches, std::uint32_t maxBlades);
+
+    /// Writes addresses and the list's length into a frame.
+    void describe(shared::Frame& frame) const;
+
+    /// Clears the list, the counts, and the results of the walk.
+    void clear(const gpu::Recording& commands) const;
+
+    /// Maximum number of rounds, and visible patches per round.
+    std::uint32_t roundCount() const { return roundCount_; }
+    std::uint32_t roundPatches() const { return roundPatches_; }
+
+    /// shared::WalkLevel of each round's list, then of its blades listed from the back.
+    const gpu::Buffer& rounds() const { return rounds_; }
+
+    VkDeviceAddress queue() const { return queue_.address(); } ///< of patches to be tested
+    VkDeviceAddress live() const { return live_.address(); }   ///< shared::VisiblePatch
+    const gpu::Buffer& levels() const { return levels_; }      ///< shared::WalkLevel
+    const gpu::Buffer& draw() const { return draw_; }          ///< shared::DrawArguments
+    const gpu::Buffer& visible() const { return visible_; }    ///< shared::VisibleBlade
+    VkDeviceSize bytes() const { return bytes_; }
+
+private:
+    gpu::Buffer allocate(const gpu::DeviceContext& context, const char* name, VkDeviceSize bytes);
+
+    std::uint32_t roundPatches_ = 1;
+    std::uint32_t roundCount_ = 1;
+    std::uint32_t listLength_ = 0;
+    VkDeviceSize bytes_ = 0;
+    gpu::Buffer queue_;
+    gpu::Buffer live_;
+    gpu::Buffer levels_;
+    gpu::Buffer visible_;
+    gpu::Buffer rounds_;
+    gpu::Buffer draw_;
+};
+
+} // namespace sward::render

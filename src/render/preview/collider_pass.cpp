@@ -1,0 +1,30 @@
+#include "render/preview/collider_pass.h"
+
+#include "shaders/shared/passes.h"
+
+namespace sward::render {
+ColliderPass::ColliderPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                           const TargetSettings& target)
+{
+    gpu::GraphicsPipelineSettings settings;
+    settings.name = "colliders";
+    settings.vertexShader = "collider.vert";
+    settings.fragmentShader = "collider.frag";
+    settings.pushConstantBytes = sizeof(shared::ViewPush);
+    settings.colorFormats = {target.colorFormat};
+    settings.depthFormat = depthFormat;
+    settings.samples = target.samples;
+    // A camera inside a collider sees through it.
+    settings.cullMode = VK_CULL_MODE_BACK_BIT;
+    pipeline_ = gpu::GraphicsPipeline(context, shaders, settings);
+}
+
+void ColliderPass::record(VkCommandBuffer commands, VkDeviceAddress frame,
+                          std::uint32_t count) const
+{
+    pipeline_.bind(commands);
+    pipeline_.push(commands, shared::ViewPush{frame});
+    vkCmdDraw(commands, 3 * shared::colliderTriangles, count, 0, 0);
+}
+
+} // namespace sward::render

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/graphics_pipeline.h"
+#include "gpu/shader_library.h"
+#include "render/target_settings.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+
+namespace sward::render {
+
+/// Draws the spheres and capsules that push blades aside.
+class ColliderPass {
+public:
+    ColliderPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                 const TargetSettings& target);
+
+    /// Draws the frame's first `count` colliders. Inside a rendering, before what they hide.
+    void record(VkCommandBuffer commands, VkDeviceAddress frame, std::uint32_t count) const;
+
+private:
+    gpu::GraphicsPipeline pipeline_;
+};
+
+} // namespace sward::render

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/rendering.h"
+#include "gpu/shader_library.h"
+#include "gpu/timestamps.h"
+#include "render/cull/depth_pyramid.h"
+#include "render/cull/moving_blades.h"
+#include "render/field/grass_cover.h"
+#include "render/field_renderer.h"
+#include "render/frame.h"
+#include "render/frame_slot.h"
+#include "render/memory_plan.h"
+#include "render/preview/attachments.h"
+#include "render/preview/opaque_pass.h"
+#include "render/preview/opaque_raster_pass.h"
+#include "render/preview/sun_shadow.h"
+#include "render/preview/tessellated_pass.h"
+#include "render/raster/raster_rounds.h"
+#include "render/resolve/resolve_pass.h"
+#include "render/streaming/streaming.h"
+#include "render/target_settings.h"
+
+#include <optional>
+#include <vector>
+
+namespace sward::render {
+
+/// Members of a field's renderer, and the steps of its frames.
+struct FieldRenderer::Parts {
+    Parts(const gpu::DeviceContext& deviceContext, const field::FieldView& field,
+          const Settings& wanted);
+
+    const gpu::DeviceContext& context;
+    Settings settings;
+    Geometry geometry; ///< never automatic
+    gpu::ShaderLibrary shaders;
+    TargetSettings targetSettings;
+    GroundBuffers ground;
+    GrassCover cover;
+    SunShadowPass sunShadow;
+    DepthPyramid pyramid;
+    glm::uvec2 pictureSize{0}; ///< [pixels] of the current pictures
+
+    // With tessellation: the graphics pipeline …
+    std::optional<Attachments> attachments;
+    std::optional<OpaquePass> opaque;
+    std::optional<TessellatedPass> tessellated;
+    // … with raster: compute shaders only.
+    std::optional<OpaqueRasterPass> opaqueRaster;
+    std::optional<RasterPass> raster;
+    std::optional<ResolvePass> resolve;
+    MemoryPlan plan;
+    MovingBlades blades;
+    std::optional<Streaming> streaming; ///< if not all blades are resident
+    FieldShape shape;
+    std::vector<FrameSlot> slots;
+    double lastTime = 0.0; ///< [s] of the frame before
+    std::uint32_t frameNumber = 0;
+    bool hasPyramid = false;  ///< it fits the picture's size and the culling camera
+    std::uint32_t rounds = 1; ///< rounds that list and draw the frame's blades
+
+    MemoryPlan planWithin(const field::FieldView& field);
+    std::size_t bytesBesideBlades() const;
+    void fit(glm::uvec2 size);
+    void recordStreaming(VkCommandBuffer commands, std::uint32_t slot, double time) const;
+    void stream(shared::Frame& frame, const FrameSettings& wanted, glm::uvec2 size,
+                std::uint32_t slot);
+    shared::Frame writeFrame(shared::Frame frame, const FrameSettings& wanted, double time,
+                             std::uint32_t slot);
+    FramePlace fillCullView(const shared::Frame& frame, const FrameSettings& wanted,
+                            glm::uvec2 size, std::uint32_t slot);
+    bool groupsDrawLarge() const;
+    bool findsHidden(const FrameSettings& wanted) const; ///< occlusion test between blades
+    void drawOpaque(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
+                    gpu::Timestamps* timestamps);
+    void rasterOpaque(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);
+    void seeWhatIsHidden(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);
+    void seeWhatIsHidden(VkCommandBuffer commands, const RasterPass::Input& input,
+                         gpu::Timestamps* timestamps);
+    void drawBlades(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
+                    gpu::Timestamps* timestamps);
+    void rasterBlades(VkCommandBuffer commands, const RasterPass::Input& input,
+                      gpu::Timestamps* timestamps);
+    void makePicture(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
+                     const RasterPass::Input& input, gpu::Timestamps* timestamps);
+    gpu::ColorAttachment colorAttachment(const Target& target) const;
+};
+
+} // namespace sward::render

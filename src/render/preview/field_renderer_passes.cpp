@@ -1,0 +1,141 @@
+#include "core/expect.h"
+#include "gpu/barrier.h"
+#include "gpu/image_use.h"
+#include "render/cull/pass_scope.h"
+#include "render/preview/field_renderer_parts.h"
+
+namespace sward::render {
+
+bool FieldRenderer::Parts::groupsDrawLarge() const
+{
+    return raster && targetSettings.groupsDrawLarge;
+}
+
+bool FieldRenderer::Parts::findsHidden(const FrameSettings& wanted) const
+{
+    // The visibility history belongs to the drawing camera only. Without the occlusion test hidden
+    // blades count as drawn; the late pass drops them all the same, since this changes no picture.
+    return groupsDrawLarge() && !wanted.cullingCamera && wanted.debug != DebugMode::reason;
+}
+
+gpu::ColorAttachment FieldRenderer::Parts::colorAttachment(const Target& target) const
+{
+    gpu::ColorAttachment color{
+        .view = target.view, .resolve = VK_NULL_HANDLE, .clear = std::nullopt};
+    if (attachments->hasColor())
+        color.view = attachments->color().view();
+    return color;
+}
+
+void FieldRenderer::Parts::drawOpaque(VkCommandBuffer commands, const Target& target,
+                                      std::uint32_t slot, gpu::Timestamps* timestamps)
+{
+    const PassScope scope(context, commands, timestamps, "ground");
+    const VkDeviceAddress frame = slots[slot].frame.place().address;
+    gpu::transition(commands, attachments->depth(), gpu::ImageUse::undefined,
+                    gpu::ImageUse::depthTarget);
+    opaque->recordCull(commands, frame);
+    if (attachments->hasColor())
+        gpu::transition(commands, attachments->color(), gpu::ImageUse::undefined,
+                        gpu::ImageUse::colorTarget);
+    gpu::ColorAttachment color = colorAttachment(target);
+    color.clear = std::array{0.0f, 0.0f, 0.0f, 1.0f};
+    const gpu::DepthAttachment depth{.view = attachments->depth().view(), .clear = 0.0f};
+    const gpu::RenderingScope rendering(commands, {target.size.x, target.size.y},
+                                        std::span(&color, 1), depth);
+    opaque->record(commands, frame);
+}
+
+void FieldRenderer::Parts::rasterOpaque(VkCommandBuffer commands, std::uint32_t slot,
+                                        gpu::Timestamps* timestamps)
+{
+    const PassScope scope(context, commands, timestamps, "ground");
+    gpu::anythingToTransfer(commands);
+    raster->recordBegin(commands);
+    resolve->recordBegin(commands);
+    opaqueRaster->recordBegin(commands);
+    gpu::memoryBarrier(commands, gpu::transferAccess, gpu::dispatchAccess);
+    opaqueRaster->recordTriangles(commands, slots[slot].frame.place(), raster->visibility());
+    gpu::computeToCompute(commands);
+}
+
+void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, std::uint32_t slot,
+                                           gpu::Timestamps* timestamps)
+{
+    gpu::transition(commands, attachments->depth(), gpu::ImageUse::depthTarget,
+                    gpu::ImageUse::sampled);
+    {
+        const PassScope scope(context, commands, timestamps, "pyramid");
+        // The frame before may still read the pyramid.
+        gpu::memoryBarrier(commands, gpu::computeAccess, gpu::computeAccess);
+        pyramid.record(commands, slots[slot].frame.place().address);
+    }
+    gpu::transition(commands, attachments->depth(), gpu::ImageUse::sampled,
+                    gpu::ImageUse::depthTarget);
+}
+
+void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, const RasterPass::Input& input,
+                                           gpu::Timestamps* timestamps)
+{
+    {
+        const PassScope scope(context, commands, timestamps, "pyramid");
+        raster->recordDepths(commands, input, RasterPass::Levels::all);
+    }
+    gpu::computeToCompute(commands);
+}
+
+void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& target,
+                                      std::uint32_t slot, gpu::Timestamps* timestamps)
+{
+    gpu::ColorAttachment color = colorAttachment(target);
+    color.resolve = tessellated->begin(commands);
+    color.isKept = color.resolve == VK_NULL_HANDLE;
+    gpu::transition(commands, attachments->depth(), gpu::ImageUse::depthTarget,
+                    gpu::ImageUse::depthTarget);
+    gpu::transition(commands, attachments->hasColor() ? attachments->color().get() : target.image,
+                    VK_IMAGE_ASPECT_COLOR_BIT, gpu::ImageUse::colorTarget,
+                    gpu::ImageUse::colorTarget);
+    const gpu::DepthAttachment depth{
+        .view = attachments->depth().view(), .clear = std::nullopt, .isKept = false};
+
+    const gpu::RenderingScope rendering(commands, {target.size.x, target.size.y},
+                                        std::span(&color, 1), depth);
+    tessellated->record(commands, blades.buffers(), slots[slot].frame.place().address, timestamps);
+}
+
+void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, const RasterPass::Input& input,
+                                        gpu::Timestamps* timestamps)
+{
+    RasterRounds{context, blades, *raster, rounds}.record(commands, input, timestamps);
+}
+
+void FieldRenderer::Parts::makePicture(VkCommandBuffer commands, const Target& target,
+                                       std::uint32_t slot, const RasterPass::Input& input,
+                                       gpu::Timestamps* timestamps)
+{
+    using gpu::ImageUse;
+    const bool isStored = target.stored != VK_NULL_HANDLE;
+    shared::RasterPush push = raster->pushFor(input);
+    resolve->describe(push);
+    gpu::computeToCompute(commands);
+    {
+        const PassScope scope(context, commands, timestamps, "ground");
+        resolve->recordTiles(commands, push);
+        opaqueRaster->recordLight(commands, input.frame, raster->visibility(), resolve->sorted());
+    }
+    const ImageUse filled = isStored ? ImageUse::storage : ImageUse::transferTarget;
+    gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, ImageUse::colorTarget,
+                    filled);
+    gpu::computeToCompute(commands);
+    resolve->aim(slot, target.stored);
+    {
+        const PassScope scope(context, commands, timestamps, "resolve");
+        resolve->record(commands, push, input.frame, slot);
+        if (!isStored)
+            resolve->copyTo(commands, target.image);
+    }
+    gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, filled,
+                    ImageUse::colorTarget);
+}
+
+} // namespace sward::render

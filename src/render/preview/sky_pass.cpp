@@ -1,0 +1,31 @@
+#include "render/preview/sky_pass.h"
+
+#include "shaders/shared/passes.h"
+
+namespace sward::render {
+
+SkyPass::SkyPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                 const TargetSettings& target)
+{
+    gpu::GraphicsPipelineSettings settings;
+    settings.name = "sky";
+    settings.vertexShader = "sky.vert";
+    settings.fragmentShader = "sky.frag";
+    settings.pushConstantBytes = sizeof(shared::ViewPush);
+    settings.colorFormats = {target.colorFormat};
+    settings.depthFormat = depthFormat;
+    settings.samples = target.samples;
+    // The sky has the depth of the cleared picture.
+    settings.depthWrite = false;
+    settings.depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL;
+    pipeline_ = gpu::GraphicsPipeline(context, shaders, settings);
+}
+
+void SkyPass::record(VkCommandBuffer commands, VkDeviceAddress frame) const
+{
+    pipeline_.bind(commands);
+    pipeline_.push(commands, shared::ViewPush{frame});
+    vkCmdDraw(commands, 3, 1, 0, 0);
+}
+
+} // namespace sward::render

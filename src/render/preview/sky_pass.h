@@ -1,0 +1,25 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/graphics_pipeline.h"
+#include "gpu/shader_library.h"
+#include "render/target_settings.h"
+
+#include <vulkan/vulkan.h>
+
+namespace sward::render {
+
+/// Fills uncovered pixels with sky.
+class SkyPass {
+public:
+    SkyPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+            const TargetSettings& target);
+
+    /// Inside a rendering, after everything opaque.
+    void record(VkCommandBuffer commands, VkDeviceAddress frame) const;
+
+private:
+    gpu::GraphicsPipeline pipeline_;
+};
+
+} // namespace sward::render

@@ -1,0 +1,343 @@
+#include "render/raster/host_raster.h"
+
+#include "gpu/barrier.h"
+#include "render/field/placed_field.h"
+#include "render/target_settings.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace sward::render {
+namespace {
+
+constexpr std::uint32_t frameSet = 0;
+constexpr std::uint32_t asRadiance = 2; ///< see lighting.glsl
+
+/// The visibility is 0 where there is no blade.
+constexpr std::uint32_t firstId = 1;
+
+/// Number of samples as in a shared::VisibilityArray.
+VkDeviceSize samplesOf(const HostView& view)
+{
+    return VkDeviceSize(view.size.x) * shared::rowsOfColumn(view.size.y) * view.samples;
+}
+
+/// Makes `buffer` hold exactly `bytes`. Frames in flight keep the buffer they began with.
+void fit(const gpu::DeviceContext& context, std::shared_ptr<gpu::Buffer>& buffer, const char* name,
+         VkDeviceSize bytes)
+{
+    if (!buffer || buffer->bytes() != bytes)
+        buffer = std::make_shared<gpu::Buffer>(
+            context, gpu::BufferSettings{.name = name,
+                                         .bytes = bytes,
+                                         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                                  VK_BUFFER_USAGE_TRANSFER_DST_BIT});
+}
+
+/// One thread per pixel.
+void dispatchPixels(const gpu::Recording& commands, glm::uvec2 size)
+{
+    static_assert(shared::seedThreads == shared::rasterTile);
+    commands.vk->CmdDispatch(
+        commands, static_cast<std::uint32_t>(gpu::groupsFor(size.x, shared::seedThreads)),
+        static_cast<std::uint32_t>(gpu::groupsFor(size.y, shared::seedThreads)), 1);
+}
+
+/// Tiles of shared::HostViewPush::tiles.
+std::uint32_t tileCount(glm::uvec2 size)
+{
+    return shared::tilesAlong(size.x, shared::hostTile) *
+           shared::tilesAlong(size.y, shared::hostTile);
+}
+
+} // namespace
+
+HostRaster::HostRaster(const gpu::DeviceContext& context, const Settings& settings)
+    : context_(&context)
+    , settings_(settings)
+    , frameLayout_(context, "host raster/frame")
+    , imageLayout_(
+          context,
+          {.name = "host raster/depth", .sampledCount = 1, .stages = VK_SHADER_STAGE_COMPUTE_BIT})
+    , pictures_(settings.maxViews)
+    , slots_(settings.slots)
+{
+    for (Slot& slot : slots_)
+        slot.views.resize(settings.maxViews);
+}
+
+const char* HostRaster::obstacle(const HostView& view,
+                                 std::span<const PlacedField* const> instances) const
+{
+    std::uint64_t ids = firstId;
+    for (const PlacedField* instance : instances)
+        ids += instance->blades().bladeCount();
+    if (ids > 0xffffffffu)
+        return "all instances together have 2^32 blades or more";
+    if (view.geometry == Geometry::tessellation)
+        return "the view asks for the tessellator";
+    if (view.geometry == Geometry::automatic && context_->isCpu())
+        return "a CPU tessellates faster";
+    if (!context_->features.bufferInt64Atomics)
+        return "the device has no 64-bit atomics on buffers (shaderBufferInt64Atomics)";
+    if (view.samples != 1 && view.samples != 4)
+        return "the view has neither 1 nor 4 samples a pixel";
+    if (view.samples > 1 && !context_->features.sampleRateShading)
+        return "the device shades no single samples (sampleRateShading)";
+    if (isParallel(view.worldToClip))
+        return "the rays of the view are parallel";
+    return nullptr;
+}
+
+HostRaster::Pipelines HostRaster::pipelinesFor(const gpu::ShaderLibrary& shaders,
+                                               std::uint32_t samples) const
+{
+    const std::uint32_t largeTo = context_->isCpu() ? shared::largeToNone : shared::largeToGroups;
+    const std::vector<gpu::SpecializationConstant> constants{{.id = 1, .value = samples},
+                                                             {.id = 4, .value = largeTo}};
+    const auto ofInstances = [&](const char* name, const char* shader) {
+        return gpu::ComputePipeline(*context_, shaders,
+                                    {.name = name,
+                                     .shader = shader,
+                                     .pushConstantBytes = sizeof(shared::HostViewPush),
+                                     .constants = constants});
+    };
+    Pipelines made;
+    made.blades = gpu::ComputePipeline(*context_, shaders,
+                                       {.name = "host raster/blades",
+                                        .shader = "raster_blades.comp",
+                                        .pushConstantBytes = sizeof(shared::RasterPush),
+                                        .setLayouts = {frameLayout_.get()},
+                                        .constants = constants});
+    if (!context_->isCpu())
+        made.large = ofInstances("host raster/large blades", "raster_large_of_instances.comp");
+    made.cut = ofInstances("host raster/cut blades", "raster_cut_of_instances.comp");
+    return made;
+}
+
+gpu::ComputePipeline HostRaster::lightFor(const gpu::ShaderLibrary& shaders,
+                                          LightSettings settings) const
+{
+    return {*context_,
+            shaders,
+            {.name = settings.isOfOne ? "host raster/light" : "host raster/light instances",
+             .shader =
+                 settings.isOfOne ? "shade_visibility.comp" : "shade_visibility_of_instances.comp",
+             .pushConstantBytes = sizeof(shared::HostViewPush),
+             .setLayouts = settings.isOfOne ? std::vector<VkDescriptorSetLayout>{frameLayout_.get()}
+                                            : std::vector<VkDescriptorSetLayout>{},
+             .constants = {{.id = 0, .value = settings.debugMode},
+                           {.id = 1, .value = settings.samples},
+                           {.id = 9, .value = asRadiance}}}};
+}
+
+gpu::ComputePipeline HostRaster::seedFor(const gpu::ShaderLibrary& shaders, std::uint32_t samples,
+                                         bool hasReversedZ) const
+{
+    return {
+        *context_,
+        shaders,
+        {.name = "host raster/seed",
+         .shader = samples > 1 ? "seed_visibility_of_several.comp" : "seed_visibility.comp",
+         .pushConstantBytes = sizeof(shared::HostViewPush),
+         .setLayouts = {imageLayout_.get()},
+         .constants = {{.id = 1, .value = samples}, {.id = 16, .value = hasReversedZ ? 0u : 1u}}}};
+}
+
+void HostRaster::prepare(const gpu::ShaderLibrary& shaders, const HostView& view,
+                         std::uint32_t index, LightSettings light, View& out)
+{
+    if (!pipelines_.contains(view.samples))
+        pipelines_.emplace(view.samples, pipelinesFor(shaders, view.samples));
+    out.pipelines = &pipelines_.at(view.samples);
+    light.samples = view.samples;
+    if (!lights_.contains(light))
+        lights_.emplace(light, lightFor(shaders, light));
+    out.light = &lights_.at(light);
+    // Depth with another number of samples does not match the view's samples.
+    if (view.depth && view.depth->samples == view.samples) {
+        const std::pair wanted{view.samples, view.hasReversedZ};
+        if (!seeds_.contains(wanted))
+            seeds_.emplace(wanted, seedFor(shaders, view.samples, view.hasReversedZ));
+        out.seed = &seeds_.at(wanted);
+    }
+    if (!largeList_)
+        largeList_ = std::make_shared<LargeBladeList>(
+            *context_, LargeBladeList::Room{.large = !context_->isCpu()});
+    out.large = largeList_;
+
+    Pictures& pictures = pictures_[index];
+    fit(*context_, pictures.visibility, "view/visibility", samplesOf(view) * sizeof(std::uint64_t));
+    fit(*context_, pictures.tiles, "view/tiles",
+        VkDeviceSize(tileCount(view.size)) * sizeof(std::uint32_t));
+    if (settings_.keepsMotion)
+        fit(*context_, pictures.motions, "view/motions", samplesOf(view) * sizeof(std::uint32_t));
+    out.pictures = pictures;
+    out.push = {.instances = 0,
+                .visibility = pictures.visibility->address(),
+                .motions = pictures.motions ? pictures.motions->address() : 0,
+                .tiles = pictures.tiles->address(),
+                .size = view.size,
+                .instanceCount = 0,
+                .slack = view.depth ? view.depth->slack : 0.0f};
+}
+
+void HostRaster::begin(const gpu::ShaderLibrary& shaders, std::uint32_t slotIndex,
+                       std::span<const HostView> views,
+                       std::span<const PlacedField* const> instances, DebugMode debug)
+{
+    Slot& slot = slots_[slotIndex];
+    std::ranges::fill(slot.views, View{});
+    const LightSettings light{.isOfOne = instances.size() == 1, .debugMode = knownDebugMode(debug)};
+    bool rasters = false;
+    for (std::uint32_t i = 0; i < slot.views.size(); ++i) {
+        if (i < views.size() && obstacle(views[i], instances) == nullptr) {
+            prepare(shaders, views[i], i, light, slot.views[i]);
+            rasters = true;
+        } else {
+            pictures_[i] = {};
+        }
+    }
+    if (!rasters)
+        largeList_.reset();
+    if (rasters && !instances.empty())
+        writeTable(slot, slotIndex, views, instances);
+    else
+        slot.table = {};
+}
+
+void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const HostView> views,
+                            std::span<const PlacedField* const> instances) const
+{
+    const VkDeviceSize bytes = views.size() * instances.size() * sizeof(shared::HostInstance);
+    if (slot.table.bytes() < bytes)
+        slot.table = gpu::Buffer(*context_, {.name = "views/instances",
+                                             .bytes = bytes,
+                                             .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                                             .memory = gpu::MemoryUse::constants});
+    const auto table = slot.table.mappedAs<shared::HostInstance>();
+    for (std::uint32_t v = 0; v < views.size(); ++v) {
+        View& view = slot.views[v];
+        if (view.pipelines == nullptr)
+            continue;
+        const std::size_t first = v * instances.size();
+        view.push.instances = slot.table.address() + first * sizeof(shared::HostInstance);
+        view.push.instanceCount = static_cast<std::uint32_t>(instances.size());
+        std::uint32_t id = firstId;
+        for (std::uint32_t i = 0; i < instances.size(); ++i) {
+            const PlacedField& field = *instances[i];
+            const VkDeviceAddress frame = field.rasterFrame(slotIndex, v).address;
+            shared::HostInstance entry = {};
+            entry.raster.frame = frame;
+            entry.raster.cullView =
+                views[v].cullViewFrom ? field.cullView(slotIndex, v).address : frame;
+            entry.raster.visibility = view.push.visibility;
+            entry.raster.rounds = field.list(v).rounds().address();
+            view.large->describe(entry.raster);
+            entry.raster.nonEmptyPatches = field.blades().nonEmptyPatches();
+            entry.raster.firstNonEmptyPatches = field.blades().firstNonEmptyPatches();
+            entry.raster.size = views[v].size;
+            entry.raster.firstBlade = id;
+            entry.raster.instance = i;
+            entry.motion = field.motion(slotIndex, v);
+            table[first + i] = entry;
+            view.pushes.push_back(entry.raster);
+            id += field.blades().bladeCount();
+        }
+    }
+}
+
+void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
+                        std::uint32_t viewIndex, std::span<const PlacedField* const> instances,
+                        const gpu::ImageSet* depth) const
+{
+    const Slot& slot = slots_[slotIndex];
+    const View& view = slot.views[viewIndex];
+    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::fillAccess);
+    view.large->clear(commands);
+    commands.vk->CmdFillBuffer(commands, view.pictures.tiles->get(), 0, VK_WHOLE_SIZE, 0);
+    if (view.seed != nullptr && depth != nullptr) {
+        view.seed->bind(commands);
+        depth->bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, view.seed->layout());
+        view.seed->push(commands, view.push);
+        dispatchPixels(commands, view.push.size);
+    } else {
+        commands.vk->CmdFillBuffer(commands, view.pictures.visibility->get(), 0, VK_WHOLE_SIZE, 0);
+    }
+    gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
+    if (view.push.instanceCount == 0) {
+        gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
+        return;
+    }
+
+    const Pipelines& pipelines = *view.pipelines;
+    pipelines.blades.bind(commands);
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        if (instances[i] == nullptr)
+            continue;
+        instances[i]
+            ->rasterFrame(slotIndex, viewIndex)
+            .bind(commands, pipelines.blades.layout(), frameSet);
+        pipelines.blades.push(commands, view.pushes[i]);
+        commands.vk->CmdDispatchIndirect(commands, instances[i]->list(viewIndex).rounds().get(), 0);
+    }
+    gpu::computeToCompute(commands);
+    if (pipelines.large.get() != VK_NULL_HANDLE) {
+        pipelines.large.bind(commands);
+        pipelines.large.push(commands, view.push);
+        view.large->dispatch(commands);
+    }
+    pipelines.cut.bind(commands);
+    pipelines.cut.push(commands, view.push);
+    view.large->dispatchCut(commands);
+    gpu::computeToCompute(commands);
+
+    const bool isOfOne = view.push.instanceCount == 1;
+    const bool isGone = isOfOne && instances[0] == nullptr; // removed after begin()
+    if (!isGone) {
+        view.light->bind(commands);
+        if (isOfOne)
+            instances[0]
+                ->rasterFrame(slotIndex, viewIndex)
+                .bind(commands, view.light->layout(), frameSet);
+        view.light->push(commands, view.push);
+        dispatchPixels(commands, view.push.size);
+    }
+    gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
+}
+
+void HostRaster::recordDraw(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t view,
+                            const gpu::GraphicsPipeline& pipeline) const
+{
+    const shared::HostViewPush& push = slots_[slot].views[view].push;
+    if (push.instanceCount == 0)
+        return;
+    pipeline.bind(commands);
+    pipeline.push(commands, push);
+    commands.vk->CmdDraw(commands, 6 * tileCount(push.size), 1, 0, 0);
+}
+
+VkDeviceSize HostRaster::bytes() const
+{
+    // Count each buffer once: slots and views share them.
+    std::map<const void*, VkDeviceSize> held;
+    for (const Slot& slot : slots_) {
+        held[&slot] = slot.table.bytes();
+        for (const View& view : slot.views) {
+            if (view.pictures.visibility)
+                held[view.pictures.visibility.get()] = view.pictures.visibility->bytes();
+            if (view.pictures.tiles)
+                held[view.pictures.tiles.get()] = view.pictures.tiles->bytes();
+            if (view.pictures.motions)
+                held[view.pictures.motions.get()] = view.pictures.motions->bytes();
+            if (view.large)
+                held[view.large.get()] = view.large->bytes();
+        }
+    }
+    VkDeviceSize sum = 0;
+    for (const auto& [holder, bytes] : held)
+        sum += bytes;
+    return sum;
+}
+
+} // namespace sward::render

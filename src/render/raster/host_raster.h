@@ -1,0 +1,120 @@
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/compute_pipeline.h"
+#include "gpu/context.h"
+#include "gpu/graphics_pipeline.h"
+#include "gpu/image_set.h"
+#include "gpu/recording.h"
+#include "gpu/shader_library.h"
+#include "gpu/uniform_sets.h"
+#include "render/frame_settings.h"
+#include "render/host_view.h"
+#include "render/raster/large_blade_list.h"
+#include "shaders/shared/debug_mode.h"
+#include "shaders/shared/passes.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace sward::render {
+
+class PlacedField;
+
+/// Rasterises the blades of a host's views by compute shaders: all instances of a view into one
+/// visibility buffer, initialised from the host's depth. BladeTarget draws the result.
+class HostRaster {
+public:
+    using Instances = std::span<const PlacedField* const>;
+    /// Constant over all frames; motion takes 4 bytes per sample.
+    struct Settings {
+        std::uint32_t slots = 1, maxViews = 1;
+        bool keepsMotion = false;
+    };
+
+    HostRaster(const gpu::DeviceContext& context, const Settings& settings);
+
+    /// Why a view of these instances is not rasterised; null if it is.
+    const char* obstacle(const HostView& view, Instances instances) const;
+
+    /// Begins a frame in a completed `slot`: writes instance tables, makes objects on first use.
+    void begin(const gpu::ShaderLibrary& shaders, std::uint32_t slot,
+               std::span<const HostView> views, Instances instances, DebugMode debug);
+
+    /// Rasterises and lights the view's lists. `depth`: the host's, as PyramidPass reads it, or
+    /// null. Records a barrier before and after.
+    void record(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t view,
+                Instances instances, const gpu::ImageSet* depth) const;
+
+    /// Draws the result into the host's picture, tile by tile; `pipeline` is a BladeTarget's.
+    void recordDraw(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t view,
+                    const gpu::GraphicsPipeline& pipeline) const;
+
+    VkDeviceSize bytes() const;
+
+private:
+    struct Pipelines {
+        gpu::ComputePipeline blades;
+        gpu::ComputePipeline large; ///< unused on a CPU device
+        gpu::ComputePipeline cut;
+    };
+
+    /// Specialisation of a lighting pipeline.
+    struct LightSettings {
+        std::uint32_t samples = 1;
+        bool isOfOne = false;                           ///< a single instance
+        std::uint32_t debugMode = shared::debugNothing; ///< see knownDebugMode()
+        auto operator<=>(const LightSettings&) const = default;
+    };
+
+    /// Kept until no slot uses them.
+    struct Pictures {
+        std::shared_ptr<gpu::Buffer> visibility; ///< shared::VisibilityArray
+        std::shared_ptr<gpu::Buffer> tiles;      ///< shared::HostViewPush::tiles
+        std::shared_ptr<gpu::Buffer> motions;    ///< shared::HostViewPush::motions
+    };
+
+    /// A view of the frame last begun in a slot.
+    struct View {
+        Pictures pictures;
+        std::shared_ptr<LargeBladeList> large;
+        const Pipelines* pipelines = nullptr;        ///< null: the view is not rasterised
+        const gpu::ComputePipeline* light = nullptr; ///< null: no instances
+        const gpu::ComputePipeline* seed = nullptr;  ///< null: the visibility starts cleared
+        shared::HostViewPush push = {};
+        std::vector<shared::RasterPush> pushes; ///< one per instance
+    };
+
+    struct Slot {
+        gpu::Buffer table; ///< shared::HostInstance, [view][instance]
+        std::vector<View> views;
+    };
+
+    Pipelines pipelinesFor(const gpu::ShaderLibrary& shaders, std::uint32_t samples) const;
+    gpu::ComputePipeline lightFor(const gpu::ShaderLibrary& shaders, LightSettings settings) const;
+    gpu::ComputePipeline seedFor(const gpu::ShaderLibrary& shaders, std::uint32_t samples,
+                                 bool hasReversedZ) const;
+    void prepare(const gpu::ShaderLibrary& shaders, const HostView& view, std::uint32_t index,
+                 LightSettings light, View& out);
+    void writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const HostView> views,
+                    Instances instances) const;
+
+    const gpu::DeviceContext* context_;
+    Settings settings_;
+    gpu::UniformSetLayout frameLayout_;
+    gpu::ImageSetLayout imageLayout_;              ///< compatible with PyramidPass
+    std::map<std::uint32_t, Pipelines> pipelines_; ///< by samples
+    std::map<LightSettings, gpu::ComputePipeline> lights_;
+    std::map<std::pair<std::uint32_t, bool>, gpu::ComputePipeline> seeds_; ///< reversed: true
+    std::shared_ptr<LargeBladeList> largeList_; ///< shared by all views in sequence
+    std::vector<Pictures> pictures_;            ///< the newest per view
+    std::vector<Slot> slots_;
+};
+
+} // namespace sward::render

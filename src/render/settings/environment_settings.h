@@ -1,0 +1,21 @@
+#pragma once
+
+#include "render/frame_settings.h"
+
+#include <cstdint>
+#include <string_view>
+
+namespace sward {
+class SettingsReader;
+} // namespace sward
+
+namespace sward::render {
+
+/// Reads the keys "wind", "gravity", "recovery" and "colliders" of a settings file. Absent keys
+/// keep their values. docs/settings.md. Throws Error{input}.
+void readEnvironment(SettingsReader& reader, FrameSettings& settings);
+
+/// Name of shared::windNoise … in a settings file.
+std::string_view windKindName(std::uint32_t kind);
+
+} // namespace sward::render

@@ -1,0 +1,237 @@
+#include "render/streaming/streaming.h"
+
+#include "core/expect.h"
+#include "core/mapped_file.h"
+#include "gpu/barrier.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <span>
+
+namespace sward::render {
+namespace {
+
+using shared::pageBlades;
+
+constexpr VkDeviceSize pageBytes = pageBlades * sizeof(shared::PackedBlade);
+
+/// Nodes of the patch tree visited per frame: about half a millisecond.
+constexpr std::uint32_t nodesPerFrame = 8192;
+
+/// Maximum change of thinning per frame: a tenth of the width.
+constexpr float thinningStep = 1.1f;
+
+/// Level-of-detail width for ranking blades if level of detail is off [pixels].
+constexpr float rankingThreshold = 0.3f;
+
+/// Batches for the copy queue: one being filled, one in flight, one that has arrived.
+constexpr std::uint32_t queuedBatches = 3;
+
+std::uint32_t pagesPerFrame(const Streaming::Settings& settings)
+{
+    return static_cast<std::uint32_t>(std::max<VkDeviceSize>(settings.frameBytes / pageBytes, 1));
+}
+
+std::uint32_t batchesOf(const Streaming::Settings& settings)
+{
+    return std::max(settings.framesInFlight, queuedBatches);
+}
+
+/// At most as many pages leave as arrive; with a queue all batches may arrive together.
+VkDeviceSize maxChanges(const Streaming::Settings& settings)
+{
+    return VkDeviceSize(pagesPerFrame(settings)) * (batchesOf(settings) + 1);
+}
+
+} // namespace
+
+Streaming::Streaming(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                     const field::FieldView& field, const BakedBlades& blades,
+                     const BladeStates& states, const Settings& settings)
+    : field_(field)
+    , blades_(blades)
+    , states_(states)
+    , settings_(settings)
+    , residency_(field, blades.placeCount() / pageBlades)
+    , copies_(context, blades.blades(), pagesPerFrame(settings) * pageBytes, batchesOf(settings))
+    , change_(context, shaders,
+              {.name = "change pages",
+               .shader = "change_pages.comp",
+               .pushConstantBytes = sizeof(shared::PagePush)})
+    , frames_(settings.framesInFlight)
+    , coming_(copies_.batches())
+{
+    for (InFlight& frame : frames_)
+        frame.changes =
+            gpu::Buffer(context, {.name = "frame/page changes",
+                                  .bytes = maxChanges(settings) * sizeof(shared::PageChange),
+                                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                                  .memory = gpu::MemoryUse::upload});
+    for (auto& pages : coming_)
+        pages.reserve(pagesPerFrame(settings));
+    left_.reserve(blades.placeCount() / pageBlades);
+}
+
+void Streaming::choose(shared::Eyepoint& seen, std::uint32_t slot)
+{
+    expect(slot < frames_.size(), "the slot is one of the frames in flight");
+    InFlight& frame = frames_[slot];
+    done_ = std::max(done_, frame.number);
+    frame.number = ++frame_;
+    frame.count = 0;
+
+    // Survey by what is drawn now.
+    const float threshold = seen.lodThreshold;
+    if (thinning_ > 0.0f)
+        seen.lodThreshold = threshold * thinning_;
+    const bool hasLooked =
+        residency_.survey(seen, threshold > 0.0f ? threshold : rankingThreshold, nodesPerFrame);
+
+    // The place of a page that has left is free once no frame reads it.
+    const auto stillRead =
+        std::ranges::find_if(left_, [this](const Left& left) { return left.frame > done_; });
+    std::for_each(left_.begin(), stillRead,
+                  [this](const Left& left) { residency_.free(left.gone); });
+    left_.erase(left_.begin(), stillRead);
+    makeRoom(frame);
+
+    // Mark arrived pages as resident; request more.
+    if (!copies_.hasQueue()) {
+        copies_.begin(slot);
+        fill(slot);
+        takeIn(frame, slot);
+    } else {
+        for (std::uint32_t batch = 0; batch < copies_.batches(); ++batch)
+            if (!coming_[batch].empty() && copies_.isDone(batch))
+                takeIn(frame, batch);
+        const auto idle =
+            std::ranges::find_if(coming_, [](const auto& pages) { return pages.empty(); });
+        if (idle != coming_.end()) {
+            const auto batch = static_cast<std::uint32_t>(idle - coming_.begin());
+            copies_.begin(batch);
+            if (fill(batch))
+                copies_.submit(batch);
+        }
+    }
+    frame.resident = residency_.blades();
+
+    const float wanted = residency_.thinning();
+    if (thinning_ == 0.0f)
+        thinning_ = wanted;
+    else
+        thinning_ = std::clamp(wanted, thinning_ / thinningStep, thinning_ * thinningStep);
+    seen.lodThreshold = threshold * thinning_;
+    const bool isOnItsWay = std::ranges::any_of(coming_, [](const auto& p) { return !p.empty(); });
+    isSettled_ = hasLooked && frame.count == 0 && left_.empty() && !isOnItsWay &&
+                 thinning_ == wanted && residency_.isAllThere();
+}
+
+void Streaming::note(InFlight& frame, const shared::PageChange& change)
+{
+    const auto changes = frame.changes.mappedAs<shared::PageChange>();
+    expect(frame.count < changes.size(), "there is room for a frame's changes");
+    changes[frame.count++] = change;
+}
+
+void Streaming::takeIn(InFlight& frame, std::uint32_t batch)
+{
+    for (const std::uint32_t page : coming_[batch])
+        note(frame, residency_.arrive(page));
+    coming_[batch].clear();
+}
+
+void Streaming::makeRoom(InFlight& frame)
+{
+    auto waiting = residency_.freePlaces() + static_cast<std::uint32_t>(left_.size());
+    for (; waiting < pagesPerFrame(settings_); ++waiting) {
+        const std::optional<Residency::Gone> gone = residency_.leave(waiting);
+        if (!gone)
+            return;
+        note(frame, gone->change);
+        left_.push_back({*gone, frame.number});
+    }
+}
+
+bool Streaming::fill(std::uint32_t batch)
+{
+    std::uint32_t tries = 2 * pagesPerFrame(settings_);
+    while (coming_[batch].size() < pagesPerFrame(settings_) && residency_.freePlaces() > 0 &&
+           tries-- > 0) {
+        const std::optional<std::uint32_t> page = residency_.next();
+        if (!page)
+            break;
+        const std::size_t first = std::size_t(*page) * pageBlades;
+        const auto bytes = std::as_bytes(field_.blades.subspan(
+            first, std::min<std::size_t>(pageBlades, field_.blades.size() - first)));
+        // Skip it; the next survey requests it again.
+        if (!settings_.waitsForDisk && !isInMemory(bytes)) {
+            bringIntoMemory(bytes);
+            continue;
+        }
+        const std::optional<std::uint32_t> place = residency_.take(*page);
+        expect(place.has_value(), "a place is free");
+        const auto room = copies_.add(batch, *place * pageBytes, bytes.size());
+        expect(room.size() == bytes.size(), "the batch has room");
+        std::memcpy(room.data(), bytes.data(), bytes.size());
+        coming_[batch].push_back(*page);
+    }
+    return !coming_[batch].empty();
+}
+
+void Streaming::record(const gpu::Recording& commands, std::uint32_t slot,
+                       float time) const noexcept
+{
+    const InFlight& frame = frames_[slot];
+    if (!copies_.hasQueue())
+        copies_.record(commands, slot);
+    if (frame.count == 0)
+        return;
+    change_.bind(commands);
+    change_.push(commands, shared::PagePush{.changes = frame.changes.address(),
+                                            .pages = blades_.pages(),
+                                            .states = states_.states().address(),
+                                            .etas = states_.etas().address(),
+                                            .patches = blades_.patches(),
+                                            .subtrees = blades_.tree().subtrees(),
+                                            .patchTimes = states_.patchTimes(),
+                                            .patchCounts = states_.patchCounts(),
+                                            .nonEmptyPatches = blades_.nonEmptyPatches(),
+                                            .firstNonEmptyPatches = blades_.firstNonEmptyPatches(),
+                                            .nonEmptyPatchCount = blades_.nonEmptyPatchCount(),
+                                            .bladeCount = blades_.bladeCount(),
+                                            .settledAt = time - shared::settlingTime,
+                                            .reserved = 0});
+    commands.vk->CmdDispatch(commands, frame.count, 1, 1);
+}
+
+std::vector<BladePart> Streaming::partsOf(const shared::Patch& cell) const
+{
+    std::vector<BladePart> parts;
+    const std::uint32_t end = cell.firstBlade + cell.bladeCount;
+    for (std::uint32_t blade = cell.firstBlade; blade < end;) {
+        const std::uint32_t page = residency_.placeOf(blade / pageBlades);
+        if (page == shared::noPlace)
+            return {};
+        const std::uint32_t inPage = blade % pageBlades;
+        const std::uint32_t count = std::min(end - blade, pageBlades - inPage);
+        parts.push_back({page + inPage, count});
+        blade += count;
+    }
+    return parts;
+}
+
+std::optional<VkSemaphoreSubmitInfo> Streaming::copied() const
+{
+    if (!copies_.hasQueue())
+        return std::nullopt;
+    return copies_.copied();
+}
+
+VkDeviceSize Streaming::bytesFor(const Settings& settings)
+{
+    return batchesOf(settings) * pagesPerFrame(settings) * pageBytes +
+           settings.framesInFlight * maxChanges(settings) * sizeof(shared::PageChange);
+}
+
+} // namespace sward::render

@@ -1,0 +1,105 @@
+#pragma once
+
+#include "field/field.h"
+#include "gpu/buffer.h"
+#include "gpu/compute_pipeline.h"
+#include "gpu/context.h"
+#include "gpu/copy_ring.h"
+#include "gpu/recording.h"
+#include "gpu/shader_library.h"
+#include "render/field/baked_blades.h"
+#include "render/field/blade_states.h"
+#include "render/streaming/residency.h"
+#include "shaders/shared/eyepoint.h"
+#include "shaders/shared/pages.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace sward::render {
+
+/// A contiguous range of blades in memory.
+struct BladePart {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+};
+
+/// Streams visible blades into device memory if it does not hold the whole field (decision 0026): a
+/// bounded number of pages per frame, by the frame's own commands or by the context's copy queue.
+class Streaming {
+public:
+    struct Settings {
+        std::uint32_t framesInFlight = 1;
+        VkDeviceSize frameBytes = 0; ///< maximum upload per frame
+        bool waitsForDisk = false;   ///< false: blades not in CPU memory are loaded later
+    };
+
+    /// The data viewed by `field`, `blades` and `states` must outlive it; `blades` must be paged.
+    Streaming(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+              const field::FieldView& field, const BakedBlades& blades, const BladeStates& states,
+              const Settings& settings);
+
+    /// Chooses arriving and leaving pages for the frame recorded next in `slot`, whose former
+    /// commands have completed. `seen` is the eyepoint for culling; its lodThreshold is raised to
+    /// match the resident blades.
+    void choose(shared::Eyepoint& seen, std::uint32_t slot);
+
+    /// Records the changes. Needs barriers from and to all accesses to blades; `time` [s].
+    void record(const gpu::Recording& commands, std::uint32_t slot, float time) const noexcept;
+
+    /// Whether further frames would change nothing with a fixed eye.
+    bool isSettled() const { return isSettled_; }
+
+    /// Number of resident blades in the frame last chosen in `slot`.
+    std::uint64_t residentBlades(std::uint32_t slot) const { return frames_[slot].resident; }
+
+    /// Upper bound of patches with resident blades.
+    std::uint64_t residentPatches() const { return residency_.patches(); }
+
+    /// Memory ranges of a patch's blades; empty if they are not resident.
+    std::vector<BladePart> partsOf(const shared::Patch& cell) const;
+
+    /// The semaphore wait for the frame's submission, with a copy queue. It is short.
+    std::optional<VkSemaphoreSubmitInfo> copied() const;
+
+    /// Device memory and mapped memory for these settings.
+    static VkDeviceSize bytesFor(const Settings& settings);
+    VkDeviceSize bytes() const { return bytesFor(settings_); }
+
+private:
+    struct InFlight {
+        gpu::Buffer changes;      ///< shared::PageChange
+        std::uint32_t count = 0;  ///< number of changes
+        std::uint64_t number = 0; ///< of the frame
+        std::uint64_t resident = 0;
+    };
+    struct Left {
+        Residency::Gone gone;
+        std::uint64_t frame = 0; ///< in which it left: earlier ones may still read it
+    };
+
+    void note(InFlight& frame, const shared::PageChange& change);
+    void takeIn(InFlight& frame, std::uint32_t batch);
+    void makeRoom(InFlight& frame);
+    bool fill(std::uint32_t batch);
+
+    field::FieldView field_;
+    const BakedBlades& blades_;
+    const BladeStates& states_;
+    Settings settings_;
+    Residency residency_;
+    gpu::CopyRing copies_;
+    gpu::ComputePipeline change_;
+    std::vector<InFlight> frames_;                   ///< by slot
+    std::vector<std::vector<std::uint32_t>> coming_; ///< pages being loaded, by batch
+    std::vector<Left> left_;                         ///< in the order of leaving
+    std::uint64_t frame_ = 0;                        ///< number of the last frame
+    std::uint64_t done_ = 0;                         ///< last completed frame
+    float thinning_ = 0.0f;                          ///< 0: before the first frame
+    bool isSettled_ = false;
+};
+
+} // namespace sward::render

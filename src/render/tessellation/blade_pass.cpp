@@ -1,0 +1,41 @@
+#include "render/tessellation/blade_pass.h"
+
+#include "shaders/shared/passes.h"
+
+namespace sward::render {
+
+gpu::GraphicsPipelineSettings tessellatedBlades()
+{
+    gpu::GraphicsPipelineSettings settings;
+    settings.name = "blades";
+    settings.vertexShader = "blade.vert";
+    settings.tessellationControlShader = "blade.tesc";
+    settings.tessellationEvaluationShader = "blade.tese";
+    settings.fragmentShader = "blade.frag";
+    settings.patchControlPoints = 1;
+    settings.pushConstantBytes = sizeof(shared::ViewPush);
+    return settings;
+}
+
+BladePass::BladePass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                     const TargetSettings& target)
+{
+    gpu::GraphicsPipelineSettings settings = tessellatedBlades();
+    settings.colorFormats = {target.colorFormat};
+    settings.depthFormat = depthFormat;
+    settings.samples = target.samples;
+    settings.constants = {{.id = 0, .value = target.debugMode}};
+    pipeline_ = gpu::GraphicsPipeline(context, shaders, settings);
+}
+
+void BladePass::record(const gpu::Recording& commands, const FieldBuffers& field,
+                       VkDeviceAddress frame) const
+{
+    if (field.bladeCount() == 0)
+        return;
+    pipeline_.bind(commands);
+    pipeline_.push(commands, shared::ViewPush{frame});
+    commands.vk->CmdDrawIndirect(commands, field.draw().get(), 0, 1, sizeof(shared::DrawArguments));
+}
+
+} // namespace sward::render

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/graphics_pipeline.h"
+#include "gpu/recording.h"
+#include "gpu/shader_library.h"
+#include "render/cull/field_buffers.h"
+#include "render/target_settings.h"
+
+#include <vulkan/vulkan.h>
+
+namespace sward::render {
+
+/// Common settings of all pipelines that tessellate blades.
+gpu::GraphicsPipelineSettings tessellatedBlades();
+
+/// Draws the visible blades by tessellation: one control point per blade, drawChunk blades per
+/// instance.
+class BladePass {
+public:
+    BladePass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+              const TargetSettings& target);
+
+    /// Inside a rendering.
+    void record(const gpu::Recording& commands, const FieldBuffers& field,
+                VkDeviceAddress frame) const;
+
+private:
+    gpu::GraphicsPipeline pipeline_;
+};
+
+} // namespace sward::render

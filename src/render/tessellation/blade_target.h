@@ -1,0 +1,59 @@
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/graphics_pipeline.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace sward::render {
+
+/// The host's render target for blades: its own rendering scope, by dynamic rendering or in a
+/// render pass.
+struct HostTarget {
+    /// Formats of the scope's colour attachments. Blades go into the first, motion into the second
+    /// if `writesMotion`. Others stay unchanged (the device then needs `independentBlend`). None:
+    /// only depth, for shadow maps or a depth prepass.
+    std::vector<VkFormat> colorFormats{};
+
+    /// Two channels: a point's position in the frame before minus its current one, in widths and
+    /// heights of the picture, y downwards. Needs Grass::Settings::keepsMotion.
+    bool writesMotion = false;
+    VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;  ///< of the scope's depth attachment
+    VkFormat stencilFormat = VK_FORMAT_UNDEFINED; ///< of its unused stencil attachment
+    std::uint32_t samples = 1;                    ///< 1, 2, 4 or 8
+    bool hasReversedZ = true;                     ///< as in the views drawn into it
+    bool keepsRadiance = false;                   ///< linear radiance; else tone-mapped
+    VkRenderPass renderPass = VK_NULL_HANDLE; ///< or any compatible one; null: dynamic rendering
+    std::uint32_t subpass = 0;                ///< of the render pass
+};
+
+/// The pipelines that draw blades into such targets.
+class BladeTarget {
+public:
+    /// Throws Error{runtime} or Error{unsupported} if the device cannot create it. Must outlive the
+    /// commands that draw with it.
+    BladeTarget(const gpu::DeviceContext& context, const HostTarget& target);
+
+    /// The pipeline of the tessellator.
+    const gpu::GraphicsPipeline& pipeline() const { return pipeline_; }
+
+    /// The pipeline that draws the compute rasteriser's visibility; null if the device or the
+    /// sample count does not support it.
+    const gpu::GraphicsPipeline* visibilityPipeline() const
+    {
+        return visibility_ ? &*visibility_ : nullptr;
+    }
+
+    const HostTarget& settings() const { return settings_; } ///< as given to the constructor
+
+private:
+    HostTarget settings_;
+    gpu::GraphicsPipeline pipeline_;
+    std::optional<gpu::GraphicsPipeline> visibility_;
+};
+
+} // namespace sward::render

@@ -1,0 +1,176 @@
+#include "terrain/gltf/import.h"
+
+#include "core/error.h"
+#include "terrain/blocks.h"
+#include "terrain/gltf/materials.h"
+#include "terrain/gltf/model.h"
+#include "terrain/gltf/nodes.h"
+#include "terrain/gltf/primitive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace sward::terrain {
+namespace {
+
+// Memory limit of a scene's soup [bytes]. A small file can expand by instances and by accessors of
+// zeros; a large file adds its size. 20 million triangles on 10 million vertices take 1 GB.
+constexpr std::uint64_t soupLimit = std::uint64_t(3) << 29;
+constexpr std::uint64_t vertexCost = 60;
+constexpr std::uint64_t triangleCost = 20;
+constexpr std::uint64_t triangleLimit = 25'000'000;
+constexpr std::uint64_t costOfByte = 6; // of the file
+constexpr std::uint64_t bytesOfTriangle = 18;
+
+// Throws naming node, mesh and vertex of a position that is not finite.
+void requireFinite(const Soup& soup, std::size_t first, const GltfPlacement& placement,
+                   const std::string& place)
+{
+    const auto isFinite = [&](std::size_t i) {
+        const glm::dvec3& p = soup.positions[first + i];
+        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    };
+    const std::size_t count = soup.positions.size() - first;
+    if (holdsForAll(count, isFinite))
+        return;
+    for (std::size_t i = 0; i < count; ++i)
+        if (!isFinite(i))
+            fail(ErrorKind::input,
+                 "{}: node \"{}\" puts vertex {} of mesh {} at no finite position", place,
+                 placement.path, i, placement.mesh);
+}
+
+// Reserves memory for the whole scene, within the limit.
+void reserve(const GltfModel& model, const std::vector<GltfPlacement>& placements,
+             const std::string& place, Soup& soup)
+{
+    std::vector<GltfMeshSize> sizes;
+    for (std::size_t i = 0; i < model.structure.meshes.size(); ++i)
+        sizes.push_back(sizeOfGltfMesh(model, i));
+    std::uint64_t bytes = 0;
+    for (std::size_t i = 0; i < model.buffers.count(); ++i)
+        bytes += model.buffers.bytes(i).size();
+    const std::uint64_t costs = std::max(soupLimit, costOfByte * bytes);
+    const std::uint64_t triangles = std::max(triangleLimit, bytes / bytesOfTriangle);
+    GltfMeshSize sum;
+    for (const GltfPlacement& placement : placements) {
+        sum.vertices += sizes.at(static_cast<std::size_t>(placement.mesh)).vertices;
+        sum.triangles += sizes.at(static_cast<std::size_t>(placement.mesh)).triangles;
+        if (sum.triangles > triangles ||
+            vertexCost * sum.vertices + triangleCost * sum.triangles > costs)
+            fail(ErrorKind::input,
+                 "{}: its scene shows {} vertices and {} triangles or more, too many for {} bytes "
+                 "of "
+                 "buffers",
+                 place, sum.vertices, sum.triangles, bytes);
+    }
+    soup.positions.reserve(sum.vertices);
+    soup.normals.reserve(sum.vertices);
+    soup.uvs.reserve(sum.vertices);
+    soup.colors.reserve(sum.vertices);
+    soup.triangles.reserve(sum.triangles);
+    soup.materialOf.reserve(sum.triangles);
+    soup.nodeOf.reserve(sum.triangles);
+}
+
+// Appends an already read mesh.
+void append(const Soup& mesh, Soup& soup)
+{
+    const std::size_t first = soup.positions.size();
+    const auto take = [first](auto& to, const auto& from, const auto& otherwise) {
+        if (from.empty())
+            return;
+        to.resize(first, otherwise);
+        to.insert(to.end(), from.begin(), from.end());
+    };
+    take(soup.normals, mesh.normals, glm::vec3(0.0f));
+    take(soup.uvs, mesh.uvs, glm::vec2(0.0f));
+    take(soup.colors, mesh.colors, glm::vec4(1.0f));
+    soup.positions.insert(soup.positions.end(), mesh.positions.begin(), mesh.positions.end());
+    soup.materialOf.insert(soup.materialOf.end(), mesh.materialOf.begin(), mesh.materialOf.end());
+    for (const glm::uvec3& triangle : mesh.triangles)
+        soup.triangles.push_back(triangle + static_cast<std::uint32_t>(first));
+    soup.hasColors = soup.hasColors || mesh.hasColors;
+}
+
+// Reads the meshes of a scene at their placements.
+class SceneReader {
+public:
+    SceneReader(const GltfModel& model, const std::vector<GltfPlacement>& placements,
+                const std::string& place, Diagnostics& diagnostics)
+        : model_(model)
+        , place_(place)
+        , diagnostics_(diagnostics)
+    {
+        for (const GltfPlacement& placement : placements)
+            ++uses_[placement.mesh];
+    }
+
+    void show(const GltfPlacement& placement, const std::vector<GltfUvSource>& uvs,
+              const glm::dmat4& worldFromFile, Soup& soup)
+    {
+        const std::size_t firstVertex = soup.positions.size();
+        const std::size_t firstTriangle = soup.triangles.size();
+        const auto mesh = static_cast<std::size_t>(placement.mesh);
+        if (uses_[placement.mesh] == 1) {
+            readGltfMesh(model_, mesh, uvs, place_, soup, diagnostics_);
+        } else {
+            // Read a repeated mesh once, into a separate soup.
+            const auto [found, isNew] = meshes_.try_emplace(placement.mesh);
+            if (isNew)
+                readGltfMesh(model_, mesh, uvs, place_, found->second, diagnostics_);
+            append(found->second, soup);
+        }
+        transform(soup, worldFromFile * placement.transform, firstVertex, firstTriangle);
+        requireFinite(soup, firstVertex, placement, place_);
+
+        // Instances of one node share its name.
+        if (soup.nodes.empty() || soup.nodes.back() != placement.path || !placement.repeats)
+            soup.nodes.push_back(placement.path);
+        soup.nodeOf.resize(soup.triangles.size(),
+                           static_cast<std::uint32_t>(soup.nodes.size() - 1));
+    }
+
+private:
+    const GltfModel& model_;
+    const std::string& place_;
+    Diagnostics& diagnostics_;
+    std::map<int, std::size_t> uses_;
+    std::map<int, Soup> meshes_;
+};
+
+// Removes the material for primitives without one, if every primitive has one.
+void dropUnusedDefault(Soup& soup)
+{
+    const auto last = static_cast<std::uint32_t>(soup.materials.size() - 1);
+    for (const std::uint32_t material : soup.materialOf)
+        if (material == last)
+            return;
+    soup.materials.pop_back();
+}
+
+} // namespace
+
+Soup importGltf(const std::filesystem::path& path, const ImportSettings& settings,
+                const glm::dmat4& worldFromFile, Diagnostics& diagnostics)
+{
+    const std::string place = path.string();
+    const GltfModel model = readGltfModel(path, diagnostics);
+    const auto placements = placeGltfMeshes(model, settings.scene, place);
+    Soup soup;
+    reserve(model, placements, place, soup);
+    soup.copyright = model.structure.asset.copyright;
+    const std::vector<GltfUvSource> uvs = importGltfMaterials(model, place, soup, diagnostics);
+
+    SceneReader scene(model, placements, place, diagnostics);
+    for (const GltfPlacement& placement : placements)
+        scene.show(placement, uvs, worldFromFile, soup);
+    if (soup.triangles.empty())
+        fail(ErrorKind::input, "{}: no triangles: its scene shows {} meshes with none among them",
+             place, placements.size());
+    dropUnusedDefault(soup);
+    return soup;
+}
+
+} // namespace sward::terrain

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "terrain/gltf/json.h"
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace sward::terrain {
+
+/// A buffer view whose bytes are known to exist.
+struct GltfView {
+    std::uint64_t length = 0;
+    std::uint64_t stride = 0; ///< 0: packed
+};
+
+/// Bytes of one component; 0 for a type that glTF does not have.
+std::uint64_t gltfComponentSize(std::uint64_t componentType);
+
+/// Components of an element of a type like "VEC3"; 0 for a type that glTF does not have.
+std::uint64_t gltfComponentCount(std::string_view type);
+
+// Parts of checkGltf(): each checks one kind of object and returns the members that ground needs.
+
+nlohmann::json checkAccessor(const GltfObject& accessor, const std::vector<GltfView>& views);
+nlohmann::json checkMaterial(const GltfObject& material, std::size_t textures);
+
+/// Copies EXT_mesh_gpu_instancing of `node` into `kept`, if it has one.
+void keepInstancing(const GltfObject& node, const std::vector<std::uint64_t>& accessorCounts,
+                    nlohmann::json& kept);
+
+} // namespace sward::terrain

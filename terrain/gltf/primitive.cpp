@@ -1,0 +1,279 @@
+#include "terrain/gltf/primitive.h"
+
+#include "core/error.h"
+#include "terrain/gltf/accessor.h"
+
+#include <atomic>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+namespace sward::terrain {
+namespace {
+
+constexpr std::size_t noVertex = ~std::size_t(0);
+
+std::optional<int> attribute(const tinygltf::Primitive& primitive, const std::string& name)
+{
+    const auto found = primitive.attributes.find(name);
+    return found == primitive.attributes.end() ? std::nullopt : std::optional(found->second);
+}
+
+// Excludes points and lines.
+bool isGround(const tinygltf::Primitive& primitive)
+{
+    return primitive.mode < 0 || primitive.mode >= TINYGLTF_MODE_TRIANGLES;
+}
+
+// Appends the triangles of a list, strip or fan; `first` is the soup's number of vertex 0.
+void appendTriangles(const std::vector<std::uint32_t>& indices, int mode, std::uint32_t first,
+                     std::vector<glm::uvec3>& triangles)
+{
+    const std::size_t begin = triangles.size();
+    const std::size_t n = indices.size();
+    switch (mode) {
+    case TINYGLTF_MODE_TRIANGLE_STRIP:
+        // Flip every other triangle of a strip.
+        for (std::size_t i = 0; i + 2 < n; ++i)
+            triangles.emplace_back(indices[i], indices[i + 1 + i % 2], indices[i + 2 - i % 2]);
+        break;
+    case TINYGLTF_MODE_TRIANGLE_FAN:
+        for (std::size_t i = 0; i + 2 < n; ++i)
+            triangles.emplace_back(indices[i + 1], indices[i + 2], indices[0]);
+        break;
+    default:
+        for (std::size_t i = 0; i + 2 < n; i += 3)
+            triangles.emplace_back(indices[i], indices[i + 1], indices[i + 2]);
+        break;
+    }
+    for (std::size_t i = begin; i < triangles.size(); ++i)
+        triangles[i] += first;
+}
+
+// Reads one primitive into the soup of its mesh.
+class PrimitiveReader {
+public:
+    PrimitiveReader(const GltfModel& model, const tinygltf::Primitive& primitive, std::string place,
+                    Soup& soup)
+        : model_(model)
+        , primitive_(primitive)
+        , place_(std::move(place))
+        , soup_(soup)
+        , first_(soup.positions.size())
+    {
+    }
+
+    void read(const std::vector<GltfUvSource>& uvs, Diagnostics& diagnostics)
+    {
+        readPositions();
+        readNormals();
+        const std::size_t material = primitive_.material >= 0
+                                         ? static_cast<std::size_t>(primitive_.material)
+                                         : uvs.size() - 1;
+        readUvs(uvs.at(material), diagnostics);
+        readColors();
+        readTriangles(static_cast<std::uint32_t>(material), diagnostics);
+    }
+
+private:
+    // Passes an attribute's elements to `put(vertex, numbers)`, one per vertex.
+    template <typename Put>
+    void readAttribute(int accessor, const std::string& name, std::size_t low, std::size_t high,
+                       const Put& put)
+    {
+        const GltfAccessor reader(model_, accessor, place_ + ": " + name);
+        reader.requireComponents(low, high);
+        if (reader.count() != vertices_)
+            fail(ErrorKind::input, "{}: {} has {} elements for {} vertices", place_, name,
+                 reader.count(), vertices_);
+        const std::size_t components = reader.components();
+        std::atomic<std::size_t> wrong = noVertex;
+        reader.eachNumbers([&](std::size_t first, std::size_t count, const float* numbers) {
+            for (std::size_t i = 0; i < count; ++i) {
+                const float* const own = numbers + i * components;
+                for (std::size_t c = 0; c < components; ++c)
+                    if (!std::isfinite(own[c]))
+                        wrong = first + i;
+                put(first_ + first + i, own, components);
+            }
+        });
+        // Several threads may have found an error: name the first.
+        if (wrong != noVertex) {
+            const std::vector<float> numbers = reader.numbers();
+            for (std::size_t i = 0; i < numbers.size(); ++i)
+                if (!std::isfinite(numbers[i]))
+                    fail(ErrorKind::input, "{}: {} of vertex {} is not a finite number", place_,
+                         name, i / components);
+        }
+    }
+
+    void readPositions()
+    {
+        const auto accessor = attribute(primitive_, "POSITION");
+        if (!accessor)
+            fail(ErrorKind::input, "{}: no POSITION", place_);
+        vertices_ = GltfAccessor(model_, *accessor, place_).count();
+        soup_.positions.resize(first_ + vertices_);
+        readAttribute(*accessor, "POSITION", 3, 3,
+                      [&](std::size_t vertex, const float* p, std::size_t) {
+                          soup_.positions[vertex] = glm::dvec3(p[0], p[1], p[2]);
+                      });
+    }
+
+    void readNormals()
+    {
+        const auto accessor = attribute(primitive_, "NORMAL");
+        if (!accessor)
+            return;
+        soup_.normals.resize(first_ + vertices_, glm::vec3(0.0f));
+        readAttribute(*accessor, "NORMAL", 3, 3,
+                      [&](std::size_t vertex, const float* n, std::size_t) {
+                          soup_.normals[vertex] = glm::vec3(n[0], n[1], n[2]);
+                      });
+    }
+
+    void readUvs(const GltfUvSource& source, Diagnostics& diagnostics)
+    {
+        const std::string name = fmt::format("TEXCOORD_{}", source.set);
+        const auto accessor = attribute(primitive_, name);
+        if (!accessor) {
+            if (source.set != 0)
+                diagnostics.warn("{}: its material needs {}, which it does not have", place_, name);
+            return;
+        }
+        soup_.uvs.resize(first_ + vertices_, glm::vec2(0.0f));
+        readAttribute(*accessor, name, 2, 2, [&](std::size_t vertex, const float* uv, std::size_t) {
+            soup_.uvs[vertex] = source.placing * glm::vec3(uv[0], uv[1], 1.0f);
+        });
+    }
+
+    void readColors()
+    {
+        const auto accessor = attribute(primitive_, "COLOR_0");
+        if (!accessor)
+            return;
+        soup_.colors.resize(first_ + vertices_, glm::vec4(1.0f));
+        const auto channel = [](float value) { return std::fmin(std::fmax(value, 0.0f), 1.0f); };
+        readAttribute(*accessor, "COLOR_0", 3, 4,
+                      [&](std::size_t vertex, const float* c, std::size_t components) {
+                          soup_.colors[vertex] = {channel(c[0]), channel(c[1]), channel(c[2]),
+                                                  components == 4 ? channel(c[3]) : 1.0f};
+                      });
+        soup_.hasColors = true;
+    }
+
+    void readTriangles(std::uint32_t material, Diagnostics& diagnostics)
+    {
+        const int mode = primitive_.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive_.mode;
+        if (mode == TINYGLTF_MODE_TRIANGLES && primitive_.indices >= 0)
+            readTriangleList(diagnostics);
+        else
+            readOtherTriangles(mode, diagnostics);
+        soup_.materialOf.resize(soup_.triangles.size(), material);
+    }
+
+    void warnOfRest(std::size_t indices, Diagnostics& diagnostics)
+    {
+        if (indices % 3 != 0)
+            diagnostics.warn("{}: {} indices are not a multiple of 3; the last ones are left out",
+                             place_, indices);
+    }
+
+    [[noreturn]] void failIndex(std::size_t at, std::uint32_t index) const
+    {
+        fail(ErrorKind::input, "{}: index {} names vertex {}, but there are {}", place_, at, index,
+             vertices_);
+    }
+
+    // Reads indexed triangle lists block by block.
+    void readTriangleList(Diagnostics& diagnostics)
+    {
+        const GltfAccessor reader(model_, primitive_.indices, place_ + ": indices");
+        warnOfRest(reader.count(), diagnostics);
+        const std::size_t begin = soup_.triangles.size();
+        const std::size_t corners = reader.count() / 3 * 3;
+        soup_.triangles.resize(begin + corners / 3);
+        std::atomic<bool> isSound = true;
+        reader.eachIndices([&](std::size_t first, std::size_t count, const std::uint32_t* indices) {
+            for (std::size_t i = 0; i < count && first + i < corners; ++i) {
+                if (indices[i] >= vertices_)
+                    isSound = false;
+                const std::size_t corner = first + i;
+                soup_.triangles[begin + corner / 3][int(corner % 3)] =
+                    indices[i] + static_cast<std::uint32_t>(first_);
+            }
+        });
+        if (isSound)
+            return;
+        const std::vector<std::uint32_t> indices = reader.indices();
+        for (std::size_t i = 0; i < indices.size(); ++i)
+            if (indices[i] >= vertices_)
+                failIndex(i, indices[i]);
+    }
+
+    // Reads strips, fans and unindexed lists.
+    void readOtherTriangles(int mode, Diagnostics& diagnostics)
+    {
+        std::vector<std::uint32_t> indices(primitive_.indices >= 0 ? 0 : vertices_);
+        if (primitive_.indices >= 0)
+            indices = GltfAccessor(model_, primitive_.indices, place_ + ": indices").indices();
+        else
+            std::iota(indices.begin(), indices.end(), 0U);
+        for (std::size_t i = 0; i < indices.size(); ++i)
+            if (indices[i] >= vertices_)
+                failIndex(i, indices[i]);
+        if (mode == TINYGLTF_MODE_TRIANGLES)
+            warnOfRest(indices.size(), diagnostics);
+        appendTriangles(indices, mode, static_cast<std::uint32_t>(first_), soup_.triangles);
+    }
+
+    const GltfModel& model_;
+    const tinygltf::Primitive& primitive_;
+    std::string place_;
+    Soup& soup_;
+    std::size_t first_;
+    std::size_t vertices_ = 0;
+};
+
+} // namespace
+
+GltfMeshSize sizeOfGltfMesh(const GltfModel& model, std::size_t mesh)
+{
+    const auto countOf = [&](int accessor) {
+        return std::uint64_t(
+            model.structure.accessors.at(static_cast<std::size_t>(accessor)).count);
+    };
+    GltfMeshSize size;
+    for (const tinygltf::Primitive& primitive : model.structure.meshes.at(mesh).primitives) {
+        const auto positions = attribute(primitive, "POSITION");
+        if (!isGround(primitive) || !positions)
+            continue;
+        const std::uint64_t vertices = countOf(*positions);
+        const std::uint64_t corners =
+            primitive.indices >= 0 ? countOf(primitive.indices) : vertices;
+        size.vertices += vertices;
+        const bool isList = primitive.mode < 0 || primitive.mode == TINYGLTF_MODE_TRIANGLES;
+        size.triangles += isList ? corners / 3 : corners;
+    }
+    return size;
+}
+
+void readGltfMesh(const GltfModel& model, std::size_t mesh, const std::vector<GltfUvSource>& uvs,
+                  const std::string& place, Soup& soup, Diagnostics& diagnostics)
+{
+    const tinygltf::Mesh& source = model.structure.meshes.at(mesh);
+    for (std::size_t i = 0; i < source.primitives.size(); ++i) {
+        const tinygltf::Primitive& primitive = source.primitives[i];
+        std::string where = fmt::format("{}: mesh {}", place, mesh);
+        if (!source.name.empty())
+            where += fmt::format(" \"{}\"", source.name);
+        where += fmt::format(", primitive {}", i);
+        if (!isGround(primitive)) {
+            diagnostics.warn("{}: points and lines are not ground and are left out", where);
+            continue;
+        }
+        PrimitiveReader(model, primitive, std::move(where), soup).read(uvs, diagnostics);
+    }
+}
+
+} // namespace sward::terrain

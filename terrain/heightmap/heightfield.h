@@ -1,0 +1,38 @@
+#pragma once
+
+#include "terrain/ground_mesh.h"
+
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace sward::terrain {
+
+/// A regular grid of heights around the world's origin, in the x-z plane.
+struct HeightGrid {
+    glm::dvec2 extent{40.0};      ///< [m] along x and z
+    glm::uvec2 cells{200U, 200U}; ///< along x and z, at least 1
+
+    std::size_t points() const { return (std::size_t(cells.x) + 1) * (std::size_t(cells.y) + 1); }
+};
+
+/// Most points of a grid: 4097 x 4097 fit. Each point takes about 90 bytes of ground, and four
+/// times that with rays.
+inline constexpr std::size_t heightPointLimit = 17'000'000;
+
+/// Ground with height [m] `height` above (x, z). Two triangles per cell, texture coordinates once
+/// over the whole, normals by central differences of the grid (one-sided at borders). `height` is
+/// called from several threads.
+GroundMesh heightfield(const HeightGrid& grid,
+                       const std::function<double(double x, double z)>& height);
+
+/// The same for heights [m] at the grid's points, along x first, from the corner at −x and −z. NaN
+/// heights and nonzero cells of `holes` give no ground (`holes`: one entry per cell in the same
+/// order, or empty). Throws Error{input} naming `place` if no triangle is left.
+GroundMesh heightfield(const HeightGrid& grid, const std::vector<double>& heights,
+                       const std::vector<std::uint8_t>& holes, const std::string& place);
+
+} // namespace sward::terrain

@@ -1,0 +1,76 @@
+#include "terrain/image/channel_image.h"
+
+#include "core/error.h"
+#include "core/mapped_file.h"
+#include "terrain/image/image_sampling.h"
+
+#include <stb/stb_image.h>
+#include <xxhash.h>
+
+#include <memory>
+
+namespace sward::terrain {
+namespace {
+
+// A mask of 11 585 × 11 585 pixels takes a gigabyte during decoding.
+constexpr std::uint64_t maxPixels = std::uint64_t(1) << 27;
+constexpr std::size_t maxBytes = std::size_t(1) << 30;
+
+struct FreePixels {
+    void operator()(unsigned short* pixels) const { stbi_image_free(pixels); }
+};
+
+} // namespace
+
+ChannelImage readChannel(const std::string& file, int channel)
+{
+    const std::vector<std::byte> bytes = readFile(file, maxBytes);
+    const auto* const data = reinterpret_cast<const unsigned char*>(bytes.data());
+    const int length = static_cast<int>(bytes.size());
+
+    // Check the size before allocating memory.
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    if (stbi_info_from_memory(data, length, &width, &height, &channels) == 0 || width < 1 ||
+        height < 1)
+        fail(ErrorKind::input, "{}: not an image that can be read (PNG, JPEG, TGA, BMP)", file);
+    if (std::uint64_t(width) * std::uint64_t(height) > maxPixels)
+        fail(ErrorKind::input, "{}: {}x{} pixels are more than {}", file, width, height, maxPixels);
+    const bool grey = channels <= 2;
+    if (channel == 3 && channels != 2 && channels != 4)
+        fail(ErrorKind::input, "{}: has no alpha channel", file);
+    const auto offset = static_cast<std::size_t>(channel == 3 ? channels - 1 : grey ? 0 : channel);
+
+    const std::unique_ptr<unsigned short, FreePixels> pixels(
+        stbi_load_16_from_memory(data, length, &width, &height, &channels, channels));
+    if (pixels == nullptr)
+        fail(ErrorKind::input, "{}: the image is damaged ({})", file, stbi_failure_reason());
+
+    ChannelImage image;
+    image.width = static_cast<std::uint32_t>(width);
+    image.height = static_cast<std::uint32_t>(height);
+    image.values.resize(std::size_t(image.width) * image.height);
+    for (std::size_t i = 0; i < image.values.size(); ++i)
+        image.values[i] = pixels.get()[i * static_cast<std::size_t>(channels) + offset];
+    return image;
+}
+
+std::string contentHash(const ChannelImage& image)
+{
+    const XXH64_hash_t size = (XXH64_hash_t(image.width) << 32) | image.height;
+    return fmt::format("{:016x}",
+                       XXH3_64bits_withSeed(image.values.data(),
+                                            image.values.size() * sizeof(std::uint16_t), size));
+}
+
+double valueAt(const ChannelImage& image, const glm::dvec2& uv)
+{
+    constexpr double unit = 1.0 / 65535.0;
+    const auto pixel = [&](std::size_t x, std::size_t y) {
+        return double(image.values[y * image.width + x]);
+    };
+    return unit * bilinear({image.width, image.height}, ImageWraps(), uv, pixel);
+}
+
+} // namespace sward::terrain

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "terrain/topology/soup.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sward::terrain {
+
+/// Reads the text of an OBJ: positions in double precision, colours after them, normals and texture
+/// coordinates per corner, objects and groups as nodes, materials by name. Skips faces of less than
+/// three corners. Appends the text of each mtllib to `libraries`. OpenMesh's own reader aborts the
+/// program on some faces. Throws Error{input} naming the line.
+Soup readObj(std::string_view file, const std::string& place, std::vector<std::string>& libraries);
+
+} // namespace sward::terrain

@@ -1,0 +1,192 @@
+#include "terrain/mesh_files/openmesh_soup.h"
+
+#include "core/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace sward::terrain {
+namespace {
+
+glm::vec3 toGlm(const OpenMesh::Vec3f& v)
+{
+    return {v[0], v[1], v[2]};
+}
+
+// The formats of OpenMesh's readers count v from the lower edge of an image. Invalid numbers become
+// 0.
+glm::vec2 imageUv(float u, float v)
+{
+    return {std::isfinite(u) ? u : 0.0f, std::isfinite(v) ? 1.0f - v : 0.0f};
+}
+
+} // namespace
+
+std::size_t OpenMeshSoup::indexOf(OpenMesh::VertexHandle vertex) const
+{
+    if (vertex.idx() < 0 || static_cast<std::size_t>(vertex.idx()) >= soup_.positions.size())
+        fail(ErrorKind::input, "{}: a face names vertex {}, but there are {}", place_, vertex.idx(),
+             soup_.positions.size());
+    return static_cast<std::size_t>(vertex.idx());
+}
+
+OpenMesh::VertexHandle OpenMeshSoup::add_vertex(const OpenMesh::Vec3f& point)
+{
+    const OpenMesh::VertexHandle vertex = add_vertex();
+    set_point(vertex, point);
+    return vertex;
+}
+
+OpenMesh::VertexHandle OpenMeshSoup::add_vertex()
+{
+    soup_.positions.emplace_back(0.0);
+    return OpenMesh::VertexHandle(static_cast<int>(soup_.positions.size() - 1));
+}
+
+void OpenMeshSoup::set_point(OpenMesh::VertexHandle vertex, const OpenMesh::Vec3f& point)
+{
+    soup_.positions[indexOf(vertex)] = glm::dvec3(toGlm(point));
+}
+
+OpenMesh::FaceHandle OpenMeshSoup::add_face(const VHandles& corners)
+{
+    corners_.clear();
+    for (const OpenMesh::VertexHandle corner : corners)
+        corners_.push_back(static_cast<std::uint32_t>(indexOf(corner)));
+    firstTriangle_ = soup_.triangles.size();
+    for (std::size_t i = 1; i + 1 < corners_.size(); ++i) {
+        soup_.triangles.emplace_back(corners_[0], corners_[i], corners_[i + 1]);
+        faceOf_.push_back(static_cast<std::uint32_t>(faces_));
+    }
+    return OpenMesh::FaceHandle(static_cast<int>(faces_++));
+}
+
+void OpenMeshSoup::add_face_texcoords(OpenMesh::FaceHandle, OpenMesh::VertexHandle first,
+                                      const std::vector<OpenMesh::Vec2f>& uvs)
+{
+    if (uvs.size() != corners_.size() || corners_.empty())
+        return;
+    // The coordinates begin at the corner `first` of the last face.
+    const auto start =
+        std::find(corners_.begin(), corners_.end(), static_cast<std::uint32_t>(indexOf(first)));
+    const auto shift = static_cast<std::size_t>(start - corners_.begin());
+    const auto uvOf = [&](std::size_t corner) {
+        const std::size_t n = corners_.size();
+        const OpenMesh::Vec2f& uv = uvs[(corner + n - shift % n) % n];
+        return imageUv(uv[0], uv[1]);
+    };
+    cornerUvs_.resize(3 * soup_.triangles.size(), glm::vec2(0.0f));
+    for (std::size_t i = 1; i + 1 < corners_.size(); ++i) {
+        const std::size_t triangle = firstTriangle_ + i - 1;
+        cornerUvs_[3 * triangle] = uvOf(0);
+        cornerUvs_[3 * triangle + 1] = uvOf(i);
+        cornerUvs_[3 * triangle + 2] = uvOf(i + 1);
+    }
+}
+
+void OpenMeshSoup::set_normal(OpenMesh::VertexHandle vertex, const OpenMesh::Vec3f& normal)
+{
+    const std::size_t index = indexOf(vertex);
+    soup_.normals.resize(soup_.positions.size(), glm::vec3(0.0f));
+    normalsDisagree_.resize(soup_.positions.size(), false);
+    // Normals are per corner; different normals at one vertex mean an edge.
+    glm::vec3& own = soup_.normals[index];
+    if (own != glm::vec3(0.0f) && own != toGlm(normal))
+        normalsDisagree_[index] = true;
+    own = toGlm(normal);
+}
+
+void OpenMeshSoup::set_normal(OpenMesh::VertexHandle vertex, const OpenMesh::Vec3d& normal)
+{
+    set_normal(vertex, OpenMesh::Vec3f(normal));
+}
+
+void OpenMeshSoup::keepColor(OpenMesh::VertexHandle vertex, const glm::vec4& color)
+{
+    soup_.colors.resize(soup_.positions.size(), glm::vec4(1.0f));
+    soup_.colors[indexOf(vertex)] = glm::clamp(color, 0.0f, 1.0f);
+    soup_.hasColors = true;
+}
+
+void OpenMeshSoup::set_color(OpenMesh::VertexHandle vertex, const OpenMesh::Vec3uc& color)
+{
+    keepColor(vertex, glm::vec4(color[0], color[1], color[2], 255.0f) / 255.0f);
+}
+
+void OpenMeshSoup::set_color(OpenMesh::VertexHandle vertex, const OpenMesh::Vec4uc& color)
+{
+    keepColor(vertex, glm::vec4(color[0], color[1], color[2], color[3]) / 255.0f);
+}
+
+void OpenMeshSoup::set_color(OpenMesh::VertexHandle vertex, const OpenMesh::Vec3f& color)
+{
+    keepColor(vertex, {color[0], color[1], color[2], 1.0f});
+}
+
+void OpenMeshSoup::set_color(OpenMesh::VertexHandle vertex, const OpenMesh::Vec4f& color)
+{
+    keepColor(vertex, {color[0], color[1], color[2], color[3]});
+}
+
+void OpenMeshSoup::set_texcoord(OpenMesh::VertexHandle vertex, const OpenMesh::Vec2f& uv)
+{
+    soup_.uvs.resize(soup_.positions.size(), glm::vec2(0.0f));
+    soup_.uvs[indexOf(vertex)] = imageUv(uv[0], uv[1]);
+}
+
+void OpenMeshSoup::set_texcoord(OpenMesh::VertexHandle vertex, const OpenMesh::Vec3f& uv)
+{
+    set_texcoord(vertex, OpenMesh::Vec2f(uv[0], uv[1]));
+}
+
+OpenMesh::HalfedgeHandle OpenMeshSoup::add_edge(OpenMesh::VertexHandle, OpenMesh::VertexHandle)
+{
+    return OpenMesh::HalfedgeHandle();
+}
+
+OpenMesh::FaceHandle OpenMeshSoup::add_face(OpenMesh::HalfedgeHandle)
+{
+    return OpenMesh::FaceHandle();
+}
+
+Soup OpenMeshSoup::take()
+{
+    const std::size_t vertices = soup_.positions.size();
+    soup_.normals.resize(vertices, glm::vec3(0.0f));
+    for (std::size_t i = 0; i < normalsDisagree_.size(); ++i)
+        if (normalsDisagree_[i])
+            soup_.normals[i] = glm::vec3(0.0f); // topology computes it and finds edges
+    soup_.uvs.resize(vertices, glm::vec2(0.0f));
+    soup_.colors.resize(vertices, glm::vec4(1.0f));
+    if (cornerUvs_.empty())
+        return std::move(soup_);
+
+    // Split a vertex whose triangles have different texture coordinates.
+    cornerUvs_.resize(3 * soup_.triangles.size(), glm::vec2(0.0f));
+    std::vector<bool> taken(vertices, false);
+    std::map<std::tuple<std::uint32_t, float, float>, std::uint32_t> copies;
+    for (std::size_t i = 0; i < cornerUvs_.size(); ++i) {
+        std::uint32_t& corner = soup_.triangles[i / 3][int(i % 3)];
+        const glm::vec2 uv = cornerUvs_[i];
+        if (!taken[corner]) {
+            taken[corner] = true;
+            soup_.uvs[corner] = uv;
+        }
+        if (soup_.uvs[corner] == uv)
+            continue;
+        const auto next = static_cast<std::uint32_t>(soup_.positions.size());
+        const auto [copy, isNew] = copies.try_emplace({corner, uv.x, uv.y}, next);
+        if (isNew) {
+            soup_.positions.push_back(glm::dvec3(soup_.positions[corner]));
+            soup_.normals.push_back(glm::vec3(soup_.normals[corner]));
+            soup_.colors.push_back(glm::vec4(soup_.colors[corner]));
+            soup_.uvs.push_back(uv);
+        }
+        corner = copy->second;
+    }
+    return std::move(soup_);
+}
+
+} // namespace sward::terrain

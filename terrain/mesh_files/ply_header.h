@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sward::terrain {
+
+struct PlyType {
+    std::string_view name;
+    std::size_t size = 0; ///< bytes in a binary file
+    bool isFloat = false;
+    bool isSigned = false;
+};
+
+struct PlyProperty {
+    std::string name;
+    PlyType type{};
+    std::optional<PlyType> length; ///< of a list
+
+    /// The list of a face's corners.
+    bool isCorners() const
+    {
+        return length && (name == "vertex_indices" || name == "vertex_index");
+    }
+};
+
+struct PlyElement {
+    std::string name;
+    std::size_t count = 0;
+    std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader {
+    enum class Format { text, littleEndian, bigEndian };
+
+    Format format = Format::text;
+    std::vector<PlyElement> elements;
+    std::string_view rest; ///< the file after the header
+};
+
+/// Throws Error{input} naming the line that is wrong.
+PlyHeader readPlyHeader(std::string_view file, const std::string& place);
+
+/// Whether ground and OpenMesh's reader use a property; the reader fails at others.
+bool isNeeded(const PlyElement& element, const PlyProperty& property);
+
+/// The header in standard keywords with the needed properties only; OpenMesh's reader loops forever
+/// on some others.
+std::string plainPlyHeader(const PlyHeader& header);
+
+} // namespace sward::terrain

@@ -1,0 +1,174 @@
+#include "core/error.h"
+#include "terrain/mesh_files/mesh_scan.h"
+#include "terrain/mesh_files/ply_header.h"
+#include "terrain/mesh_files/text_cursor.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace sward::terrain {
+namespace {
+
+class PlyScanner {
+public:
+    PlyScanner(std::string_view file, const std::string& place)
+        : place_(place)
+        , header_(readPlyHeader(file, place))
+        , rest_(header_.rest)
+        , body_(rest_)
+    {
+    }
+
+    MeshScan run()
+    {
+        // Check the minimum size for the counts before allocating memory.
+        double needed = 0.0;
+        for (const PlyElement& element : header_.elements)
+            for (const PlyProperty& property : element.properties)
+                needed +=
+                    static_cast<double>(element.count) * static_cast<double>(minSize(property));
+        if (needed > static_cast<double>(rest_.size() + 1))
+            fail(ErrorKind::input, "{}: truncated: its header needs {:.0f} bytes, {} follow it",
+                 place_, needed, rest_.size());
+        for (const PlyElement& element : header_.elements) {
+            if (element.count > 0 && element.properties.empty())
+                fail(ErrorKind::input, "{}: element {} has no properties for its {} entries",
+                     place_, element.name, element.count);
+            walk(element);
+        }
+        scan_.isBinary = header_.format != PlyHeader::Format::text;
+        scan_.cleaned = plainPlyHeader(header_) + plainBody_;
+        if (!keepPositions_)
+            scan_.positions.clear();
+        return std::move(scan_);
+    }
+
+private:
+    std::size_t minSize(const PlyProperty& property) const
+    {
+        if (header_.format == PlyHeader::Format::text)
+            return 2; // a digit and a space
+        return property.length ? property.length->size : property.type.size;
+    }
+
+    // Bytes read after the header.
+    std::size_t position() const
+    {
+        return header_.format == PlyHeader::Format::text ? std::min(body_.offset(), rest_.size())
+                                                         : at_;
+    }
+
+    [[noreturn]] void failTruncated(const PlyElement& element, std::size_t index) const
+    {
+        fail(ErrorKind::input, "{}: truncated or damaged at {} {} of {}", place_, element.name,
+             index, element.count);
+    }
+
+    double readNumber(const PlyType& type, const PlyElement& element, std::size_t index)
+    {
+        if (header_.format == PlyHeader::Format::text) {
+            const auto number = body_.number();
+            if (!number)
+                fail(ErrorKind::input, "{}: {} {} of {}: not a finite number, or the file ends",
+                     place_, element.name, index, element.count);
+            return *number;
+        }
+        if (rest_.size() - at_ < type.size)
+            failTruncated(element, index);
+        unsigned char bytes[8] = {};
+        std::memcpy(bytes, rest_.data() + at_, type.size);
+        at_ += type.size;
+        if (header_.format == PlyHeader::Format::bigEndian)
+            std::reverse(bytes, bytes + type.size);
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, bytes, sizeof bits);
+        if (type.isFloat)
+            return type.size == 8 ? std::bit_cast<double>(bits)
+                                  : static_cast<double>(
+                                        std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+        // Sign-extend to 64 bits.
+        const unsigned shift = 64 - 8 * static_cast<unsigned>(type.size);
+        if (type.isSigned)
+            return static_cast<double>(static_cast<std::int64_t>(bits << shift) >> shift);
+        return static_cast<double>(bits);
+    }
+
+    void readList(const PlyProperty& property, const PlyElement& element, std::size_t index)
+    {
+        const double length = readNumber(*property.length, element, index);
+        const double left = static_cast<double>(rest_.size() - position());
+        if (!(length >= 0.0) || length > left)
+            fail(ErrorKind::input, "{}: {} {}: a list of {} entries, which the file cannot hold",
+                 place_, element.name, index, length);
+        const auto count = static_cast<std::size_t>(length);
+        const bool named = property.isCorners();
+        for (std::size_t i = 0; i < count; ++i) {
+            const double value = readNumber(property.type, element, index);
+            if (named && !(value >= 0.0 && value < static_cast<double>(scan_.vertices)))
+                fail(ErrorKind::input, "{}: {} {}: names vertex {}, but there are {}", place_,
+                     element.name, index, value, scan_.vertices);
+        }
+    }
+
+    // Keeps the coordinates of a vertex in `at`.
+    void readScalar(const PlyProperty& property, const PlyElement& element, std::size_t index,
+                    glm::dvec3& at)
+    {
+        const double value = readNumber(property.type, element, index);
+        const bool isCoordinate = element.name == "vertex" && property.name.size() == 1 &&
+                                  property.name[0] >= 'x' && property.name[0] <= 'z';
+        if (!isCoordinate)
+            return;
+        if (!std::isfinite(value))
+            fail(ErrorKind::input, "{}: coordinate {} of vertex {} is not a finite number", place_,
+                 property.name, index);
+        at[property.name[0] - 'x'] = value;
+        keepPositions_ =
+            keepPositions_ || property.type.size == 8 || header_.format == PlyHeader::Format::text;
+    }
+
+    void walk(const PlyElement& element)
+    {
+        const bool isVertex = element.name == "vertex";
+        if (isVertex)
+            scan_.vertices = element.count;
+        if (element.name == "face")
+            scan_.faces = element.count;
+        for (std::size_t i = 0; i < element.count; ++i) {
+            glm::dvec3 at(0.0);
+            for (const PlyProperty& property : element.properties) {
+                const std::size_t begin = position();
+                if (property.length)
+                    readList(property, element, i);
+                else
+                    readScalar(property, element, i, at);
+                if (isNeeded(element, property))
+                    plainBody_.append(rest_.substr(begin, position() - begin));
+            }
+            if (header_.format == PlyHeader::Format::text)
+                plainBody_.push_back('\n');
+            if (isVertex)
+                scan_.positions.push_back(at);
+        }
+    }
+
+    const std::string& place_;
+    PlyHeader header_;
+    std::string_view rest_; // after the header
+    TextCursor body_;
+    std::size_t at_ = 0;
+    MeshScan scan_;
+    std::string plainBody_; // the part of the rest for the reader
+    bool keepPositions_ = false;
+};
+
+} // namespace
+
+MeshScan scanPly(std::string_view file, const std::string& place)
+{
+    return PlyScanner(file, place).run();
+}
+
+} // namespace sward::terrain

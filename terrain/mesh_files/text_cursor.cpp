@@ -1,0 +1,63 @@
+#include "terrain/mesh_files/text_cursor.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace sward::terrain {
+namespace {
+
+bool isSpace(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v';
+}
+
+} // namespace
+
+std::string_view TextCursor::line()
+{
+    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+    std::string_view found = text_.substr(at_, end - at_);
+    if (!found.empty() && found.back() == '\r')
+        found.remove_suffix(1);
+    at_ = end + 1;
+    ++lineNumber_;
+    return found;
+}
+
+std::string_view TextCursor::word()
+{
+    while (at_ < text_.size() && isSpace(text_[at_]))
+        ++at_;
+    const std::size_t begin = std::min(at_, text_.size());
+    while (at_ < text_.size() && !isSpace(text_[at_]))
+        ++at_;
+    return text_.substr(begin, at_ - begin);
+}
+
+std::optional<double> TextCursor::number()
+{
+    return parseNumber(word());
+}
+
+std::optional<double> parseNumber(std::string_view word)
+{
+    if (!word.empty() && word.front() == '+')
+        word.remove_prefix(1);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
+        return std::nullopt;
+    return value;
+}
+
+std::optional<std::size_t> parseCount(std::string_view word)
+{
+    std::size_t value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size())
+        return std::nullopt;
+    return value;
+}
+
+} // namespace sward::terrain
