@@ -43,7 +43,7 @@ function(sward_install_component name)
 endfunction()
 sward_install_component(Field sward_core sward_shared sward_field)
 sward_install_component(Bake sward_assets sward_terrain sward_stb sward_bake)
-sward_install_component(Render sward_gpu sward_render)
+sward_install_component(Render sward_gpu sward_render sward_c)
 
 # Headers: the doors, and whatever they include.
 set(doors
@@ -54,7 +54,7 @@ set(doors
   gpu/check.h gpu/commands.h gpu/context.h gpu/device_choice.h gpu/device_report.h
   gpu/features.h gpu/graphics_pipeline.h gpu/host_device.h gpu/image.h gpu/image_use.h gpu/instance.h gpu/readback.h gpu/rendering.h
   render/camera_presets.h render/field_renderer.h render/grass.h render/look_settings.h
-  render/settings_file.h)
+  render/settings_file.h c/sward.h)
 install(CODE "set(SWARD_DOORS \"${doors}\")
 set(SWARD_SOURCE_DIR \"${CMAKE_SOURCE_DIR}\")
 set(SWARD_INCLUDE_DIR \"${CMAKE_INSTALL_INCLUDEDIR}\")" COMPONENT development)
@@ -89,4 +89,4 @@ sward_install_pc(bake "Grows grass on any ground"
   "sward-field tbb OpenEXR libpng tinygltf"
   "-lsward_bake -lsward_terrain -lsward_assets -lembree${embree_VERSION_MAJOR} -lOpenMeshCore -lmeshoptimizer -ldraco -lstb")
 sward_install_pc(render "Draws fields of grass with Vulkan"
-  "sward-field vulkan" "-lsward_render -lsward_gpu")
+  "sward-field vulkan" "-lsward_c -lsward_render -lsward_gpu")

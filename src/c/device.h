@@ -1,0 +1,85 @@
+/* The host's device, fields on it, and settings. Included by c/sward.h. */
+#ifndef SWARD_C_DEVICE_H
+#define SWARD_C_DEVICE_H
+
+#include "c/field.h"
+
+#include <vulkan/vulkan.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- The host's device ------------------------------------------------------------------- */
+
+/* Features for VkDeviceCreateInfo. */
+typedef struct sward_features sward_features;
+
+/* Asks a device, by the loader that the program is linked with, for what Sward needs and for what
+ * it uses where it is there. SWARD_ERROR_UNSUPPORTED names what is missing. */
+sward_status sward_features_create(VkPhysicalDevice physical, sward_features** features);
+void sward_features_destroy(sward_features* features);
+
+/* Chain for VkDeviceCreateInfo::pNext, valid as long as `features`. The host may set more in it,
+ * and append structs of types that it does not have: those of Vulkan 1.1, 1.2 and 1.3. */
+VkPhysicalDeviceFeatures2* sward_features_chain(sward_features* features);
+
+/* A device as Sward uses it. Outlives whatever is made with it. */
+typedef struct sward_context sward_context;
+
+typedef struct sward_context_info {
+    VkInstance instance;
+    VkPhysicalDevice physical;
+    VkDevice device;       /* made with sward_features_chain() */
+    VkQueue queue;         /* draws and computes */
+    uint32_t queue_family; /* of the queue */
+    const sward_features* features;
+    bool has_debug_utils;                          /* VK_EXT_debug_utils is enabled */
+    PFN_vkGetInstanceProcAddr get_instance_proc_addr; /* of the host's loader; never null */
+    const VkAllocationCallbacks* allocation;       /* or null; outlives the context */
+    VkPipelineCache pipeline_cache;                /* or VK_NULL_HANDLE */
+} sward_context_info;
+
+sward_status sward_context_create(const sward_context_info* info, sward_context** context);
+void sward_context_destroy(sward_context* context);
+
+/* ---- A field on the device --------------------------------------------------------------- */
+
+typedef struct sward_resident sward_resident;
+
+/* Allocates, and copies the field into mapped memory; the field may be destroyed then. */
+sward_status sward_resident_create(const sward_context* context, const sward_field* field,
+                                   sward_resident** resident);
+
+/* Instances keep what they need; destroy after the commands of sward_resident_record_upload(). */
+void sward_resident_destroy(sward_resident* resident);
+
+/* Records the copy of at most `max_bytes` more, outside of a rendering. */
+void sward_resident_record_upload(sward_resident* resident, VkCommandBuffer commands,
+                                  VkDeviceSize max_bytes);
+bool sward_resident_is_uploaded(const sward_resident* resident);
+
+/* Frees the mapped memory, after the commands of the whole upload have completed. */
+void sward_resident_release_staging(sward_resident* resident);
+
+/* ---- Settings ---------------------------------------------------------------------------- */
+
+/* Wind, gravity, sun, sky and level of detail of a frame, in world space. */
+typedef struct sward_settings sward_settings;
+
+/* The defaults that a field has saved. */
+sward_status sward_settings_create(const sward_field* field, sward_settings** settings);
+void sward_settings_destroy(sward_settings* settings);
+
+/* Lays the text of a settings file (docs/settings.md) over them; half of a wrong one never stays.
+ * Colliders are a frame's own. */
+sward_status sward_settings_read(sward_settings* settings, const char* json);
+
+/* Direction towards the sun; any length but 0. */
+sward_status sward_settings_set_sun(sward_settings* settings, const float direction[3]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

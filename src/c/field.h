@@ -1,0 +1,68 @@
+/* Field files of Sward's C interface. Included by c/sward.h. */
+#ifndef SWARD_C_FIELD_H
+#define SWARD_C_FIELD_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Of a call. The values are those of the programs' exit codes. */
+typedef enum sward_status {
+    SWARD_OK = 0,
+    SWARD_ERROR_USAGE = 1,       /* a parameter is wrong */
+    SWARD_ERROR_IO = 2,          /* a file cannot be read */
+    SWARD_ERROR_INPUT = 3,       /* a file was read, but its content is not valid */
+    SWARD_ERROR_RUNTIME = 4,     /* memory does not suffice, or the device was lost */
+    SWARD_ERROR_UNSUPPORTED = 5, /* valid, but not supported: a file version, a device */
+    SWARD_ERROR_INTERNAL = 6     /* a defect of Sward */
+} sward_status;
+
+/* Message of the last failed call of this thread; empty before any. Valid until the next one. */
+const char* sward_last_error(void);
+
+/* ---- Field files ------------------------------------------------------------------------- */
+
+/* A field file, mapped and verified. */
+typedef struct sward_field sward_field;
+
+typedef struct sward_field_info {
+    uint64_t blade_count;
+    uint64_t patch_count;
+    uint32_t species_count; /* 1 to 8 */
+    double origin[3];       /* [m] world = origin + position */
+    float low[3], high[3];  /* [m] box of everything visible, relative to the origin */
+} sward_field_info;
+
+/* One blade as it is stored, without its patch. */
+typedef struct sward_blade {
+    double root[3];   /* [m] world */
+    float up[3];      /* unit: the normal it stands on */
+    float facing;     /* [rad] turn of the width axis about `up`, in [0, 2 pi) */
+    float height;     /* [m] */
+    float width;      /* [m] at its widest */
+    float stiffness;  /* [0, 1] */
+    uint32_t species; /* below species_count */
+    uint64_t id;      /* the same in every bake that has this blade; below 2^53 */
+} sward_blade;
+
+/* Maps `path` (UTF-8) and verifies all of it. SWARD_ERROR_IO, _INPUT or _UNSUPPORTED. */
+sward_status sward_field_open(const char* path, sward_field** field);
+void sward_field_destroy(sward_field* field);
+sward_status sward_field_get_info(const sward_field* field, sward_field_info* info);
+
+/* Unpacks `count` blades from `first` on. SWARD_ERROR_USAGE beyond blade_count. */
+sward_status sward_field_read_blades(const sward_field* field, uint64_t first, uint64_t count,
+                                     sward_blade* blades);
+
+/* Name of a species, valid as long as the field; null beyond species_count. */
+const char* sward_field_species_name(const sward_field* field, uint32_t species);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,120 @@
+/* Grass in a host's frames. Included by c/sward.h. */
+#ifndef SWARD_C_GRASS_H
+#define SWARD_C_GRASS_H
+
+#include "c/device.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- Grass of a world ---- */
+typedef struct sward_grass sward_grass;
+typedef uint64_t sward_instance; /* never the same twice */
+
+typedef struct sward_grass_info {
+    uint32_t frames_in_flight; /* slots, 1 to 16 */
+    uint32_t max_views;        /* of a frame, 1 to 64 */
+    bool keeps_motion;         /* for motion vectors; 4 bytes a blade */
+} sward_grass_info;
+
+/* world = position + scale * rotation * place */
+typedef struct sward_placement {
+    double position[3]; /* [m] */
+    double rotation[4]; /* unit quaternion x, y, z, w */
+    double scale;       /* above 0 */
+} sward_placement;
+
+typedef enum sward_geometry {
+    SWARD_GEOMETRY_AUTOMATIC = 0, /* compute rasteriser on a GPU, tessellation on a CPU */
+    SWARD_GEOMETRY_RASTER = 1,
+    SWARD_GEOMETRY_TESSELLATION = 2 /* also of shadow maps */
+} sward_geometry;
+
+typedef struct sward_view {
+    double world_to_clip[16]; /* column after column, to Vulkan's clip space */
+    uint32_t width, height;   /* [pixels] */
+    uint32_t samples;         /* 1, 2, 4 or 8 */
+    bool has_reversed_z;
+    sward_geometry geometry;
+    const double* clip_before; /* 16 numbers: world_to_clip of the frame before; null: the same */
+
+    /* Depth that the host has drawn, which hides blades; VK_NULL_HANDLE: nothing does. */
+    VkImageView depth;
+    VkImageLayout depth_layout;
+    uint32_t depth_samples;
+    float depth_slack; /* 1.2e-7 of 32 and 24 bits, 3e-5 of 16 bits */
+} sward_view;
+
+typedef struct sward_collider {
+    double from[3], to[3]; /* [m] ends of a capsule, world; the same: a ball */
+    double radius;         /* [m] */
+    float velocity[3];     /* [m/s] */
+} sward_collider;
+
+typedef struct sward_frame {
+    double time; /* [s] never falling */
+    const sward_view* views;
+    uint32_t view_count, collider_count; /* at most max_views, 256 */
+    const sward_settings* settings;
+    const sward_collider* colliders;
+} sward_frame;
+
+/* What blades are drawn into. */
+typedef struct sward_target sward_target;
+
+typedef struct sward_target_info {
+    const VkFormat* color_formats; /* blades into the first, motion into the second */
+    uint32_t color_count;          /* 0: depth alone */
+    bool writes_motion;
+    VkFormat depth_format, stencil_format; /* the latter or VK_FORMAT_UNDEFINED */
+    uint32_t samples;
+    bool has_reversed_z, keeps_radiance; /* the latter: linear radiance; else developed for a screen */
+    VkRenderPass render_pass; /* VK_NULL_HANDLE: dynamic rendering */
+    uint32_t subpass;
+} sward_target_info;
+
+typedef struct sward_stats {
+    uint64_t resident, simulated, drawn, thinned, culled; /* blades; culled by any test */
+} sward_stats;
+
+sward_status sward_target_create(const sward_context* context, const sward_target_info* info,
+                                 sward_target** target);
+void sward_target_destroy(sward_target* target); /* after the commands that draw with it */
+
+sward_status sward_grass_create(const sward_context* context, const sward_grass_info* info,
+                                sward_grass** grass);
+void sward_grass_destroy(sward_grass* grass); /* after the commands of the last frame */
+
+/* From the next frame on. */
+sward_status sward_grass_add(sward_grass* grass, const sward_resident* resident,
+                             const sward_placement* placement, sward_instance* instance);
+sward_status sward_grass_move(sward_grass* grass, sward_instance instance,
+                              const sward_placement* placement);
+sward_status sward_grass_remove(sward_grass* grass, sward_instance instance);
+
+/* Begins a frame in a slot whose former commands have completed. Records nothing. */
+sward_status sward_grass_begin(sward_grass* grass, uint32_t slot, const sward_frame* frame);
+
+/* Outside of a rendering, in this order: once; for each view; for each view. */
+void sward_grass_record_update(sward_grass* grass, VkCommandBuffer commands);
+void sward_grass_record_cull(sward_grass* grass, VkCommandBuffer commands, uint32_t view);
+void sward_grass_record_raster(sward_grass* grass, VkCommandBuffer commands, uint32_t view);
+
+/* Inside the host's rendering, viewport and scissor set. */
+void sward_grass_record_draw(const sward_grass* grass, VkCommandBuffer commands, uint32_t view,
+                             const sward_target* target);
+void sward_grass_record_depth(const sward_grass* grass, VkCommandBuffer commands, uint32_t view,
+                              const sward_target* target);
+
+/* Why a view of the frame last begun is tessellated; null if it is rasterised. */
+const char* sward_grass_why_tessellated(const sward_grass* grass, uint32_t view);
+
+/* Of the frame last begun in `slot`, after its commands have completed. */
+sward_status sward_grass_get_stats(const sward_grass* grass, uint32_t view, uint32_t slot,
+                                   sward_stats* stats);
+#ifdef __cplusplus
+}
+#endif
+
+#endif

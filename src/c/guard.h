@@ -1,0 +1,59 @@
+#pragma once
+
+#include "c/field.h"
+#include "core/error.h"
+
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <new>
+
+namespace sward::c {
+
+/// Keeps the message for sward_last_error().
+sward_status failed(sward_status status, const char* message) noexcept;
+
+/// Runs `work`; turns what it throws into a status.
+template <class Work>
+sward_status guarded(const Work& work) noexcept
+{
+    try {
+        work();
+        return SWARD_OK;
+    } catch (const Error& error) {
+        const auto status = static_cast<sward_status>(error.exitCode());
+        return failed(status <= SWARD_ERROR_UNSUPPORTED ? status : SWARD_ERROR_RUNTIME,
+                      error.what());
+    } catch (const std::bad_alloc&) {
+        return failed(SWARD_ERROR_RUNTIME, "memory does not suffice");
+    } catch (const std::exception& error) {
+        return failed(SWARD_ERROR_INTERNAL, error.what());
+    } catch (...) {
+        return failed(SWARD_ERROR_INTERNAL, "an unknown exception");
+    }
+}
+
+/// Throws Error{usage} unless a parameter is as it must be.
+inline void require(bool holds, const char* what)
+{
+    if (!holds)
+        fail(ErrorKind::usage, "{}", what);
+}
+
+inline bool isFinite(const double* values, std::size_t count)
+{
+    for (std::size_t i = 0; i < count; ++i)
+        if (!std::isfinite(values[i]))
+            return false;
+    return true;
+}
+
+template <class Handle>
+Handle* checked(Handle* handle, const char* name)
+{
+    if (handle == nullptr)
+        fail(ErrorKind::usage, "{} is null", name);
+    return handle;
+}
+
+} // namespace sward::c

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "c/sward.h"
+#include "field/read.h"
+#include "gpu/features.h"
+#include "render/grass.h"
+
+#include <memory>
+#include <set>
+
+struct sward_field {
+    sward::field::MappedField mapped;
+};
+
+struct sward_features {
+    sward::gpu::FeatureChain chain;
+    sward::gpu::OptionalFeatures optional;
+};
+
+struct sward_context {
+    sward::gpu::DeviceContext context;
+};
+
+struct sward_resident {
+    std::shared_ptr<sward::render::ResidentField> field;
+};
+
+struct sward_settings {
+    sward::render::FrameSettings settings;
+};
+
+struct sward_target {
+    sward::render::BladeTarget target;
+};
+
+struct sward_grass {
+    sward_grass_info info;
+    sward::render::Grass grass;
+    std::set<sward_instance> instances;
+    std::uint32_t views = 0; ///< of the frame last begun
+    bool hasBegun = false;   ///< a frame
+    bool hasUpdated = false; ///< its blades have been moved
+};
