@@ -96,14 +96,14 @@ vec3 hemisphere(vec3 n)
     return mix(FRAME.groundColor, 1.25 * FRAME.skyColor, 0.5 + 0.5 * dot(n, FRAME.skyUp));
 }
 
-/// Light that surrounding leaves reflect and transmit, below `leafArea` of leaves. Sources are the sun, with `cosine`
-/// to the ground's normal and visible share `sunShare`, and the sky. A leaf passes on a fifth of the green and less of
-/// other colours, half of that downwards; leaves below absorb their share. Zero without grass.
-vec3 lightAmongLeaves(float leafArea, float cosine, float sunShare)
+/// Light that surrounding leaves reflect and transmit, below `leafArea` of leaves. Sources are `sun`, with `cosine` to
+/// the ground's normal and visible share `sunShare`, and `sky`, the diffuse light from above. A leaf passes on a fifth
+/// of the green and less of other colours, half of that downwards; leaves below absorb their share. Zero without grass.
+vec3 lightAmongLeaves(float leafArea, float cosine, float sunShare, vec3 sun, vec3 sky)
 {
     const vec3 passedOn = vec3(0.17, 0.20, 0.06);
-    const vec3 caught = FRAME.sunColor * (max(cosine, 0.0) * sunShare * (1.0 - sunBelow(leafArea, cosine))) +
-                        1.25 * FRAME.skyColor * (1.0 - skyBelow(leafArea));
+    const vec3 caught = sun * (max(cosine, 0.0) * sunShare * (1.0 - sunBelow(leafArea, cosine))) +
+                        sky * (1.0 - skyBelow(leafArea));
     return passedOn * caught * exp(-0.5 * leafExtinction * leafArea);
 }
 

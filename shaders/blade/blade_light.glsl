@@ -32,6 +32,50 @@ vec3 bladeNormal(BladePoint point, vec3 toEye, float distance)
     return normalize(mix(n, point.up, 0.30 + 0.50 * smallness));
 }
 
+/// Scattering of light from one direction towards the eye.
+struct Scattering {
+    float facing;  ///< cosine between the normal and the direction to the source
+    float diffuse; ///< wrapped a little around the blade's edge and normalised to the same total light
+    float through; ///< through the blade
+    float shine;   ///< soft gloss: a strand shines along its tangent (Kajiya & Kay 1989)
+};
+
+/// `source`: unit, towards the source of light.
+Scattering scatteringOf(vec3 source, vec3 n, vec3 toEye, vec3 tangent)
+{
+    Scattering scattering;
+    scattering.facing = dot(n, source);
+    scattering.diffuse = max((scattering.facing + 0.3) / 1.69, 0.0);
+    const float behind = max(-scattering.facing, 0.0);
+    const float towards = pow(max(-dot(toEye, source), 0.0), 4.0);
+    scattering.through = 0.8 * behind + 0.9 * towards;
+    // A source exactly behind the blade has no direction halfway.
+    const vec3 sum = source + toEye;
+    const float strand = dot(tangent, sum * inversesqrt(max(dot(sum, sum), 1e-12)));
+    scattering.shine = pow(max(1.0 - strand * strand, 0.0), 18.0);
+    return scattering;
+}
+
+/// Tint of the light through a blade: yellower than the reflected light.
+const vec3 throughTint = vec3(1.25, 1.15, 0.45);
+
+/// Light that reaches a point, before the shade of its neighbours.
+struct Incoming {
+    vec3 around;   ///< diffuse, on the side of the normal
+    vec3 above;    ///< diffuse, from the sky's up-vector
+    vec3 mirrored; ///< radiance of the sky, for gloss
+    vec3 sun;      ///< of the sun, where it is seen
+};
+
+#ifdef HOST_LIGHT
+#include "shaders/blade/host_light.glsl"
+#else
+Incoming incomingAt(vec3 position, vec3 up, vec3 n)
+{
+    return Incoming(hemisphere(n), 1.25 * FRAME.skyColor, FRAME.skyColor, FRAME.sunColor);
+}
+#endif
+
 /// The film colour of a point of a blade.
 vec3 bladePicture(BladePoint point)
 {
@@ -61,30 +105,24 @@ vec3 bladePicture(BladePoint point)
     const float sunlit = openSky * risen * sunBelow(leafArea, upright);
 
     // Light from sky and ground.
-    vec3 light = hemisphere(n) * (openSky * skyBelow(leafArea)) +
-                 openSky * lightAmongLeaves(leafArea, upright, risen);
-    // Sun: diffuse, wrapped a little around the blade's edge and normalised to the same total light.
-    const float facing = dot(n, sun);
-    const float diffuse = max((facing + 0.3) / 1.69, 0.0);
-    light += FRAME.sunColor * (diffuse * sunlit);
+    const Incoming incoming = incomingAt(point.position, point.up, n);
+    vec3 light = incoming.around * (openSky * skyBelow(leafArea)) +
+                 openSky * lightAmongLeaves(leafArea, upright, risen, incoming.sun, incoming.above);
+    // Sun: diffuse, through the blade, and gloss in the upper half.
+    const Scattering scattering = scatteringOf(sun, n, toEye, point.tangent);
+    light += incoming.sun * (scattering.diffuse * sunlit);
     vec3 color = albedo * light;
-
-    // Light through the blade, yellower than the reflected light.
-    const float behind = max(-facing, 0.0);
-    const float towards = pow(max(-dot(toEye, sun), 0.0), 4.0);
-    const vec3 through = albedo * vec3(1.25, 1.15, 0.45);
-    color += FRAME.sunColor * through * (translucency * sunlit * (0.8 * behind + 0.9 * towards));
-
-    // Soft gloss: a strand shines along its tangent (Kajiya & Kay 1989), in the upper half.
-    const vec3 halfway = normalize(sun + toEye);
-    const float strand = dot(point.tangent, halfway);
-    const float shine = pow(max(1.0 - strand * strand, 0.0), 18.0);
+    const vec3 through = albedo * throughTint;
+    color += incoming.sun * through * (translucency * sunlit * scattering.through);
     const float fresnel = 0.04 + 0.25 * pow(1.0 - max(dot(n, toEye), 0.0), 5.0);
-    color += (gloss * sunlit * along * max(facing + 0.2, 0.0)) *
-             (FRAME.sunColor * shine * 0.25 + FRAME.skyColor * fresnel);
+    color += (gloss * sunlit * along * max(scattering.facing + 0.2, 0.0)) *
+             (incoming.sun * scattering.shine * 0.25 + incoming.mirrored * fresnel);
+#ifdef HOST_LIGHT
+    color += lampLight(point, n, toEye, albedo, leafArea);
+#endif
 
     if (debugMode() != debugNothing)
-        color = albedo * (0.25 + 0.75 * along) * (0.6 + 0.4 * max(facing, 0.0));
+        color = albedo * (0.25 + 0.75 * along) * (0.6 + 0.4 * max(scattering.facing, 0.0));
     else
         color = throughAir(color, -toEye, distance);
     return develop(color);

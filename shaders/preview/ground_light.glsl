@@ -50,7 +50,8 @@ vec4 groundPicture(GroundPoint point)
     const float leafArea = leafAreaAt(FRAME.cover, point.position) * grown;
     const vec3 albedo = mix(point.albedo, litterColor, 0.8 * (1.0 - exp(-0.7 * leafArea))) * grain(point.position, distance / FRAME.view.pixelsPerUnit);
     const float seen = facing > 0.0 ? sunSeen(FRAME.shadow, point.position, n) : 0.0;
-    const vec3 light = hemisphere(n) * skyBelow(leafArea) + lightAmongLeaves(leafArea, facing, seen) +
+    const vec3 light = hemisphere(n) * skyBelow(leafArea) +
+                       lightAmongLeaves(leafArea, facing, seen, FRAME.sunColor, 1.25 * FRAME.skyColor) +
                        FRAME.sunColor * (facing * seen * sunBelow(leafArea, facing));
     vec3 color = albedo * light;
     if (debugMode() != debugNothing)

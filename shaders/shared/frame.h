@@ -7,6 +7,7 @@
 #include "shaders/shared/culling.h"
 #include "shaders/shared/environment.h"
 #include "shaders/shared/eyepoint.h"
+#include "shaders/shared/host_light.h"
 #include "shaders/shared/occlusion.h"
 #include "shaders/shared/patch.h"
 #include "shaders/shared/pose.h"
@@ -98,6 +99,7 @@ struct Frame {
     UintArray cullResults; ///< cull result per blade in memory, or address 0 if off
     UintArray pages;       ///< place of each page of blades in memory (pages.h); address 0: all
                            ///< blades are in memory, in order
+    HostLightArray hostLight; ///< the host's light; address 0: only the light of this frame
     DepthPyramid pyramid;  ///< depths of the ground; without depths it hides nothing
 
     mat4 viewProjection; ///< reversed Z: 1 near, 0 far
@@ -130,7 +132,7 @@ struct Frame {
     float lowSun;   ///< [0, 1]: 1 for a sun on the horizon or below
 
     float time;        ///< [s]
-    uint reserved[43]; ///< padding: consecutive frames meet any offset alignment of constants
+    uint reserved[41]; ///< padding: consecutive frames meet any offset alignment of constants
 };
 SHARED_LAYOUT(Frame, 1536)
 

@@ -9,6 +9,7 @@
 #include "render/cull/update_cull_pass.h"
 #include "render/cull/walk_pass.h"
 #include "render/field/placed_field.h"
+#include "render/host_shadow_maps.h"
 #include "render/raster/host_raster.h"
 #include "shaders/shared/passes.h"
 
@@ -35,7 +36,8 @@ struct Grass::Parts {
         , settings(wanted)
         , walk(context, shaders)
         , update(context)
-        , raster(context, {wanted.framesInFlight, wanted.maxViews, wanted.keepsMotion})
+        , shadowMaps(context, wanted.framesInFlight, wanted.maxViews)
+        , raster(context, shadowMaps, {wanted.framesInFlight, wanted.maxViews, wanted.keepsMotion})
         , frameOfSlot(wanted.framesInFlight, 0)
         , depths(wanted.framesInFlight * wanted.maxViews)
     {
@@ -53,6 +55,7 @@ struct Grass::Parts {
     gpu::ShaderLibrary shaders{embedded::shaders()};
     WalkPass walk;
     UpdateCullPass update;
+    HostShadowMaps shadowMaps;
     HostRaster raster;
     std::map<std::uint64_t, std::unique_ptr<PlacedField>> placed;
     std::vector<Removed> removed;
@@ -142,6 +145,10 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
     Parts& parts = *parts_;
     expect(slot < parts.settings.framesInFlight, "the slot is one of the frames in flight");
     expect(frame.views.size() <= parts.settings.maxViews, "a frame has at most maxViews");
+    requireValid(frame.light);
+    for (const HostView& view : frame.views)
+        if (view.shadow)
+            requireValid(*view.shadow);
 
     // The slot's former frame and all earlier ones have completed.
     std::erase_if(parts.removed, [&](const Parts::Removed& removed) {
@@ -176,6 +183,7 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
     for (const HostView& view : frame.views)
         parts.drawings.push_back(
             {parts.raster.obstacle(view, parts.instances), view.samples, false});
+    parts.shadowMaps.begin(slot, frame.light, frame.views);
     parts.raster.begin(parts.shaders, slot, frame.views, parts.instances, frame.settings.debug);
 }
 
@@ -232,6 +240,7 @@ void Grass::recordUpdate(VkCommandBuffer buffer) noexcept
                                  static_cast<float>(parts.time - double(shared::settlingTime)));
     }
     gpu::transferToCompute(commands);
+    parts.shadowMaps.record(commands);
 
     // Each view moves only blades that no earlier view has moved.
     parts.walkAll(commands, 0, parts.viewCount, true);
@@ -318,16 +327,21 @@ void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view,
         parts.raster.recordDraw(commands, parts.slot, view, *visibility);
         return;
     }
-    target.pipeline().bind(commands);
+    const gpu::ImageSet* const shadowMap =
+        target.settings().colorFormats.empty() ? nullptr : parts.shadowMaps.of(parts.slot, view);
+    const gpu::GraphicsPipeline& pipeline =
+        shadowMap != nullptr ? target.hostLightPipeline() : target.pipeline();
+    pipeline.bind(commands);
+    if (shadowMap != nullptr)
+        shadowMap->bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.layout());
     parts.forEach([&](const PlacedField& field) {
         if (field.blades().bladeCount() == 0)
             return;
         const VkDeviceAddress drawn = field.drawnFrame(parts.slot, view).address;
         if (target.settings().writesMotion)
-            target.pipeline().push(commands,
-                                   shared::MotionPush{drawn, field.motion(parts.slot, view)});
+            pipeline.push(commands, shared::MotionPush{drawn, field.motion(parts.slot, view)});
         else
-            target.pipeline().push(commands, shared::ViewPush{drawn});
+            pipeline.push(commands, shared::ViewPush{drawn});
         commands.vk->CmdDrawIndirect(commands, field.list(view).draw().get(), 0, 1,
                                      sizeof(shared::DrawArguments));
     });

@@ -41,6 +41,7 @@ struct GrassFrame {
     /// and there is no fog if `fogDensity` is below 0.
     const FrameSettings& settings;
     std::span<const HostCollider> colliders{}; ///< at most shared::maxColliders
+    HostLight light{};                         ///< the host's ambient light and lamps on blades
 };
 
 /// All the grass of a host's world. It moves once per frame and is drawn in any view. Uses one
@@ -66,7 +67,8 @@ public:
     void remove(InstanceId id); ///< frees its memory when its last frame's slot is reused
 
     /// Begins a frame in `slot`, whose former commands have completed: writes the frame's constants
-    /// and creates objects on first use. Records nothing. Throws as add() does.
+    /// and creates objects on first use. Records nothing. Throws as add() does, and Error{usage}
+    /// for light out of its ranges (host_light.h); then the frame before is still the last.
     void begin(std::uint32_t slot, const GrassFrame& frame);
 
     /// Moves each blade that any of the frame's views may see, once. Call once after begin(),

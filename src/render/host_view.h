@@ -3,6 +3,7 @@
 #include "core/bounds.h"
 #include "render/camera.h"
 #include "render/geometry.h"
+#include "render/host_light.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -45,6 +46,9 @@ struct HostView {
 
     /// Occluders; unset: none.
     std::optional<HostDepth> depth{};
+
+    /// Shadow map of the host's sun; unset: the whole view is in the sun.
+    std::optional<HostShadow> shadow{};
 };
 
 /// The view's matrix for culling: converts `fieldToClip` from the host's convention to reversed Z,

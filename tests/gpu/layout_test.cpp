@@ -88,6 +88,12 @@ public:
         fillAll(s.depths.address, s.across, s.down, s.depth, s.size, s.texel, s.epsilon,
                 s.reserved);
     }
+    void fill(shared::Cascade& c) { fillAll(c.across, c.down, c.depth, c.width); }
+    void fill(shared::Lamp& l)
+    {
+        fillAll(l.position, l.perRange, l.color, l.nearest, l.direction, l.perCone, l.coneEdge,
+                l.reserved);
+    }
     template <typename T, std::size_t n>
     void fill(T (&elements)[n])
     {
@@ -142,6 +148,7 @@ struct Values {
     shared::LargeTriangle largeTriangle;
     shared::OpaqueWork opaqueWork;
     shared::OpaquePush opaquePush;
+    shared::HostLight hostLight;
 };
 
 std::size_t fillValues(Values& v)
@@ -157,7 +164,7 @@ std::size_t fillValues(Values& v)
               v.cell.firstChild, v.cell.childCount, v.cell.level, v.cell.rankLow, v.cell.rankHigh);
     shared::Frame& f = v.frame;
     n.fillAll(f.blades, f.states, f.etas, f.patches, f.species, f.visible, f.draw, f.patchTimes,
-              f.patchCounts, f.cullResults, f.pages, f.pyramid.depths, f.pyramid.size,
+              f.patchCounts, f.cullResults, f.pages, f.hostLight, f.pyramid.depths, f.pyramid.size,
               f.pyramid.first, f.pyramid.levels, f.viewProjection, f.rays, f.depthOfEye, f.view,
               f.time, f.environment, f.patchCount, f.bladeCount, f.visibleCapacity,
               f.maxTessellation, f.sunDirection, f.exposure, f.sunColor, f.debugMode, f.skyColor,
@@ -217,6 +224,9 @@ std::size_t fillValues(Values& v)
     n.fillAll(s.frame, s.visibility, s.clusters, s.indices, s.vertices, s.materials, s.work,
               s.middle, s.large, s.size, s.clusterCount, s.triangleCount, s.firstImage,
               s.imageCount);
+    shared::HostLight& light = v.hostLight;
+    n.fillAll(light.ambient, light.cascades, light.lamps, light.cascadeCount, light.lampCount,
+              light.hasAmbient, light.nearer, light.lift, light.reserved);
     return n.count();
 }
 
@@ -273,7 +283,8 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
                                            secondElement(context(), values.groundCullPush),
                                            secondElement(context(), values.largeTriangle),
                                            secondElement(context(), values.opaqueWork),
-                                           secondElement(context(), values.opaquePush)};
+                                           secondElement(context(), values.opaquePush),
+                                           secondElement(context(), values.hostLight)};
     constexpr std::size_t frame = 3;
     std::memcpy(buffers[frame].mapped().data(), &values.frame, sizeof values.frame);
 

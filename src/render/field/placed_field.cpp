@@ -3,6 +3,7 @@
 #include "core/expect.h"
 #include "gpu/compute_pipeline.h"
 #include "render/field/frame_tables.h"
+#include "render/host_shadow_maps.h"
 
 #include <algorithm>
 #include <cstring>
@@ -60,8 +61,8 @@ PlacedField::PlacedField(const gpu::DeviceContext& context, const FieldInstance&
 {
     const gpu::UniformSetLayout layout(context, "instance/frame");
     const VkDeviceSize bytes =
-        framesOffset() +
-        settings.maxViews * (frameKinds * sizeof(shared::Frame) + sizeof(shared::Motion));
+        framesOffset() + settings.maxViews * (frameKinds * sizeof(shared::Frame) +
+                                              sizeof(shared::Motion) + sizeof(shared::HostLight));
     for (std::uint32_t i = 0; i < settings.framesInFlight; ++i) {
         Slot& slot = slots_.emplace_back();
         slot.constants = gpu::Buffer(context, {.name = "instance/constants",
@@ -122,6 +123,12 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
         lists_[i].describe(drawn);
         field.cover.describe(drawn);
         environment_ = drawn.environment;
+        if (isLitByHost(frame.light, view)) {
+            const shared::HostLight light = hostLightOf(frame.light, view.shadow, placement,
+                                                        field.shape.origin, field.shape.content);
+            std::memcpy(constants.mapped().data() + lightOffset(i), &light, sizeof light);
+            drawn.hostLight = constants.address() + lightOffset(i);
+        }
 
         shared::Frame cullView = drawn;
         if (view.cullViewFrom)
@@ -158,6 +165,11 @@ shared::Motion PlacedField::motionOf(const GrassFrame& frame, const HostView& vi
 VkDeviceSize PlacedField::motionOffset(std::uint32_t view) const
 {
     return frameOffset(frameKinds, 0) + view * sizeof(shared::Motion);
+}
+
+VkDeviceSize PlacedField::lightOffset(std::uint32_t view) const
+{
+    return motionOffset(settings_.maxViews) + view * sizeof(shared::HostLight);
 }
 
 VkDeviceAddress PlacedField::motion(std::uint32_t slot, std::uint32_t view) const

@@ -63,12 +63,13 @@ public:
 
 private:
     struct Slot {
-        gpu::Buffer constants;   ///< tables, four frames for each view, shared::Motion of each
+        gpu::Buffer constants;   ///< tables; of each view: four frames, shared::Motion, HostLight
         gpu::UniformSets frames; ///< of those frames
         gpu::Buffer counts;      ///< shared::DrawArguments of the update, then of each view
     };
 
     VkDeviceSize motionOffset(std::uint32_t view) const;
+    VkDeviceSize lightOffset(std::uint32_t view) const;
     shared::Motion motionOf(const GrassFrame& frame, const HostView& view) const;
     std::uint32_t frameIndex(std::uint32_t kind, std::uint32_t view) const;
     VkDeviceSize frameOffset(std::uint32_t kind, std::uint32_t view) const;

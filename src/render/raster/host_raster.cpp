@@ -2,6 +2,7 @@
 
 #include "gpu/barrier.h"
 #include "render/field/placed_field.h"
+#include "render/host_shadow_maps.h"
 #include "render/target_settings.h"
 
 #include <algorithm>
@@ -52,8 +53,10 @@ std::uint32_t tileCount(glm::uvec2 size)
 
 } // namespace
 
-HostRaster::HostRaster(const gpu::DeviceContext& context, const Settings& settings)
+HostRaster::HostRaster(const gpu::DeviceContext& context, const HostShadowMaps& shadowMaps,
+                       const Settings& settings)
     : context_(&context)
+    , shadowMaps_(&shadowMaps)
     , settings_(settings)
     , frameLayout_(context, "host raster/frame")
     , imageLayout_(
@@ -118,14 +121,19 @@ HostRaster::Pipelines HostRaster::pipelinesFor(const gpu::ShaderLibrary& shaders
 gpu::ComputePipeline HostRaster::lightFor(const gpu::ShaderLibrary& shaders,
                                           LightSettings settings) const
 {
+    std::string shader = settings.isOfOne ? "shade_visibility" : "shade_visibility_of_instances";
+    shader += settings.hasHostLight ? "_host_light.comp" : ".comp";
+    std::vector<VkDescriptorSetLayout> sets;
+    if (settings.isOfOne)
+        sets.push_back(frameLayout_.get());
+    if (settings.hasHostLight)
+        sets.push_back(shadowMaps_->layout().get());
     return {*context_,
             shaders,
             {.name = settings.isOfOne ? "host raster/light" : "host raster/light instances",
-             .shader =
-                 settings.isOfOne ? "shade_visibility.comp" : "shade_visibility_of_instances.comp",
+             .shader = shader,
              .pushConstantBytes = sizeof(shared::HostViewPush),
-             .setLayouts = settings.isOfOne ? std::vector<VkDescriptorSetLayout>{frameLayout_.get()}
-                                            : std::vector<VkDescriptorSetLayout>{},
+             .setLayouts = sets,
              .constants = {{.id = 0, .value = settings.debugMode},
                            {.id = 1, .value = settings.samples},
                            {.id = 9, .value = asRadiance}}}};
@@ -151,6 +159,7 @@ void HostRaster::prepare(const gpu::ShaderLibrary& shaders, const HostView& view
         pipelines_.emplace(view.samples, pipelinesFor(shaders, view.samples));
     out.pipelines = &pipelines_.at(view.samples);
     light.samples = view.samples;
+    light.hasHostLight = out.shadowMap != nullptr;
     if (!lights_.contains(light))
         lights_.emplace(light, lightFor(shaders, light));
     out.light = &lights_.at(light);
@@ -188,10 +197,11 @@ void HostRaster::begin(const gpu::ShaderLibrary& shaders, std::uint32_t slotInde
 {
     Slot& slot = slots_[slotIndex];
     std::ranges::fill(slot.views, View{});
-    const LightSettings light{.isOfOne = instances.size() == 1, .debugMode = knownDebugMode(debug)};
+    const LightSettings light{.debugMode = knownDebugMode(debug), .isOfOne = instances.size() == 1};
     bool rasters = false;
     for (std::uint32_t i = 0; i < slot.views.size(); ++i) {
         if (i < views.size() && obstacle(views[i], instances) == nullptr) {
+            slot.views[i].shadowMap = shadowMaps_->of(slotIndex, i);
             prepare(shaders, views[i], i, light, slot.views[i]);
             rasters = true;
         } else {
@@ -300,6 +310,9 @@ void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
             instances[0]
                 ->rasterFrame(slotIndex, viewIndex)
                 .bind(commands, view.light->layout(), frameSet);
+        if (view.shadowMap != nullptr)
+            view.shadowMap->bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, view.light->layout(),
+                                 isOfOne ? frameSet + 1 : frameSet);
         view.light->push(commands, view.push);
         dispatchPixels(commands, view.push.size);
     }

@@ -25,6 +25,7 @@
 
 namespace sward::render {
 
+class HostShadowMaps;
 class PlacedField;
 
 /// Rasterises the blades of a host's views by compute shaders: all instances of a view into one
@@ -38,12 +39,13 @@ public:
         bool keepsMotion = false;
     };
 
-    HostRaster(const gpu::DeviceContext& context, const Settings& settings);
+    HostRaster(const gpu::DeviceContext& context, const HostShadowMaps& shadowMaps,
+               const Settings& settings);
 
     /// Why a view of these instances is not rasterised; null if it is.
     const char* obstacle(const HostView& view, Instances instances) const;
 
-    /// Begins a frame in a completed `slot`: writes instance tables, makes objects on first use.
+    /// Begins a frame in a completed `slot`, after its HostShadowMaps; makes objects on first use.
     void begin(const gpu::ShaderLibrary& shaders, std::uint32_t slot,
                std::span<const HostView> views, Instances instances, DebugMode debug);
 
@@ -60,24 +62,20 @@ public:
 
 private:
     struct Pipelines {
-        gpu::ComputePipeline blades;
+        gpu::ComputePipeline blades, cut;
         gpu::ComputePipeline large; ///< unused on a CPU device
-        gpu::ComputePipeline cut;
     };
 
     /// Specialisation of a lighting pipeline.
     struct LightSettings {
-        std::uint32_t samples = 1;
-        bool isOfOne = false;                           ///< a single instance
-        std::uint32_t debugMode = shared::debugNothing; ///< see knownDebugMode()
+        std::uint32_t samples = 1, debugMode = shared::debugNothing; ///< see knownDebugMode()
+        bool isOfOne = false, hasHostLight = false; ///< a single instance; see View::shadowMap
         auto operator<=>(const LightSettings&) const = default;
     };
 
     /// Kept until no slot uses them.
     struct Pictures {
-        std::shared_ptr<gpu::Buffer> visibility; ///< shared::VisibilityArray
-        std::shared_ptr<gpu::Buffer> tiles;      ///< shared::HostViewPush::tiles
-        std::shared_ptr<gpu::Buffer> motions;    ///< shared::HostViewPush::motions
+        std::shared_ptr<gpu::Buffer> visibility, tiles, motions; ///< of shared::HostViewPush
     };
 
     /// A view of the frame last begun in a slot.
@@ -86,6 +84,7 @@ private:
         std::shared_ptr<LargeBladeList> large;
         const Pipelines* pipelines = nullptr;        ///< null: the view is not rasterised
         const gpu::ComputePipeline* light = nullptr; ///< null: no instances
+        const gpu::ImageSet* shadowMap = nullptr;    ///< null: no light of the host's
         const gpu::ComputePipeline* seed = nullptr;  ///< null: the visibility starts cleared
         shared::HostViewPush push = {};
         std::vector<shared::RasterPush> pushes; ///< one per instance
@@ -106,6 +105,7 @@ private:
                     Instances instances) const;
 
     const gpu::DeviceContext* context_;
+    const HostShadowMaps* shadowMaps_;
     Settings settings_;
     gpu::UniformSetLayout frameLayout_;
     gpu::ImageSetLayout imageLayout_;              ///< compatible with PyramidPass

@@ -3,6 +3,7 @@
 #include "core/embedded.h"
 #include "core/expect.h"
 #include "gpu/shader_library.h"
+#include "render/host_shadow_maps.h"
 #include "render/tessellation/blade_pass.h"
 #include "shaders/shared/passes.h"
 
@@ -86,6 +87,17 @@ BladeTarget::BladeTarget(const gpu::DeviceContext& context, const HostTarget& ta
     : settings_(target)
     , pipeline_(context, gpu::ShaderLibrary(embedded::shaders()), pipelineFor(target))
 {
+    if (!target.colorFormats.empty()) {
+        // A pipeline keeps what it needs of the layout.
+        const gpu::ImageSetLayout shadows = hostShadowLayout(context);
+        gpu::GraphicsPipelineSettings settings = pipelineFor(target);
+        settings.name += "/host light";
+        settings.fragmentShader =
+            target.writesMotion ? "blade_motion_host_light.frag" : "blade_host_light.frag";
+        settings.setLayouts = {shadows.get()};
+        hostLight_ =
+            gpu::GraphicsPipeline(context, gpu::ShaderLibrary(embedded::shaders()), settings);
+    }
     if (mayShowVisibility(context, target))
         visibility_.emplace(context, gpu::ShaderLibrary(embedded::shaders()),
                             visibilityPipelineFor(target));

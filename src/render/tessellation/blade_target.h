@@ -41,6 +41,9 @@ public:
     /// The pipeline of the tessellator.
     const gpu::GraphicsPipeline& pipeline() const { return pipeline_; }
 
+    /// The same in a host's light (HostShadowMaps); null in a target without colours.
+    const gpu::GraphicsPipeline& hostLightPipeline() const { return hostLight_; }
+
     /// The pipeline that draws the compute rasteriser's visibility; null if the device or the
     /// sample count does not support it.
     const gpu::GraphicsPipeline* visibilityPipeline() const
@@ -53,6 +56,7 @@ public:
 private:
     HostTarget settings_;
     gpu::GraphicsPipeline pipeline_;
+    gpu::GraphicsPipeline hostLight_;
     std::optional<gpu::GraphicsPipeline> visibility_;
 };
 

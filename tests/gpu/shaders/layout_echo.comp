@@ -56,6 +56,7 @@ struct Sources {
     LargeTriangleArray largeTriangle;
     OpaqueWorkArray opaqueWork;
     OpaquePushArray opaquePush;
+    HostLightArray hostLight;
 };
 SHARED_BUFFER(SourcesArray, Sources, readonly)
 
@@ -181,6 +182,7 @@ void put(Environment environment)
 
 #include "layout_echo_frame.glsl"
 #include "layout_echo_opaque.glsl"
+#include "layout_echo_host_light.glsl"
 
 void main()
 {
@@ -420,4 +422,5 @@ void main()
     put(sources.at[0].groundCullPush.at[1].clusterCount);
     put(sources.at[0].groundCullPush.at[1].firstCluster);
     putOpaque();
+    putHostLight();
 }

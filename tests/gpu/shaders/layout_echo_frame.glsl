@@ -13,6 +13,7 @@ void putFrame()
     put(uvec2(FRAME.patchCounts));
     put(uvec2(FRAME.cullResults));
     put(uvec2(FRAME.pages));
+    put(uvec2(FRAME.hostLight));
     put(uvec2(FRAME.pyramid.depths));
     put(FRAME.pyramid.size);
     for (uint i = 0u; i < maxPyramidLevels; ++i)
