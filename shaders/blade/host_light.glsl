@@ -9,7 +9,7 @@ layout(set = HOST_LIGHT, binding = 0) uniform sampler2DArray hostShadow;
 #define HOST FRAME.hostLight.at[0]
 
 /// Share of the sun at a place of a cascade. The mean of nine comparisons, a texel apart and each interpolated between
-/// four texels: the edge of a shadow is four texels wide. `at`: in texels, from the centre of the first.
+/// four texels: the edge of a shadow is three texels wide. `at`: in texels, from the centre of the first.
 float shareInCascade(uint cascade, vec2 at, vec2 size, float depth)
 {
     const vec2 first = floor(at);

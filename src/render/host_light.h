@@ -17,7 +17,7 @@ namespace sward::render {
 /// The host's shadow map of its sun, as a view needs it: one layer for each cascade. Blades in
 /// shadow get no sun, neither reflected nor through the blade; other light stays. A place is looked
 /// up in the first cascade that contains it and two texels around it; outside of all it is in the
-/// sun. The edge of a shadow is four texels wide.
+/// sun. The edge of a shadow is three texels wide.
 struct HostShadow {
     /// Depth aspect of a 2D array with at least as many layers as cascades, of one mip level and
     /// one sample, with the usage SAMPLED. Not null.

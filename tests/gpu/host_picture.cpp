@@ -31,11 +31,17 @@ gpu::Image colorImage(const gpu::DeviceContext& context, VkFormat format, VkExte
              .samples = samples}};
 }
 
+VkFormat formatOf(const HostPicture::Settings& settings)
+{
+    return settings.keepsRadiance ? VK_FORMAT_R32G32B32A32_SFLOAT : colorFormat;
+}
+
 render::HostTarget targetOf(const HostPicture::Settings& settings)
 {
     render::HostTarget target{.samples = settings.samples, .hasReversedZ = settings.isReversed};
     if (settings.hasColor)
-        target.colorFormats = {colorFormat};
+        target.colorFormats = {formatOf(settings)};
+    target.keepsRadiance = settings.keepsRadiance;
     target.writesMotion = settings.hasMotion;
     if (settings.hasMotion)
         target.colorFormats.push_back(motionFormat);
@@ -75,8 +81,8 @@ HostPicture::HostPicture(const gpu::DeviceContext& context, const Settings& sett
     : context_(context)
     , settings_(settings)
     , extent_{settings.size.x, settings.size.y}
-    , color_(colorImage(context, colorFormat, extent_, settings.samples))
-    , resolved_(colorImage(context, colorFormat, extent_, 1))
+    , color_(colorImage(context, formatOf(settings), extent_, settings.samples))
+    , resolved_(colorImage(context, formatOf(settings), extent_, 1))
     , motion_(colorImage(context, motionFormat, extent_, 1))
     , depth_(context, {.name = "host/depth",
                        .format = VK_FORMAT_D32_SFLOAT,
@@ -159,6 +165,14 @@ std::vector<float> HostPicture::depths() const
     return depths;
 }
 
+std::vector<glm::vec4> HostPicture::radiance() const
+{
+    const std::vector<std::byte> bytes = pixels();
+    std::vector<glm::vec4> radiance(bytes.size() / sizeof(glm::vec4));
+    std::memcpy(radiance.data(), bytes.data(), bytes.size());
+    return radiance;
+}
+
 std::vector<glm::vec2> HostPicture::motion() const
 {
     const std::vector<std::byte> bytes =
@@ -196,7 +210,11 @@ void GrassTest::drawFrame(render::Grass& grass, double time,
                           std::span<const render::HostCollider> colliders,
                           std::optional<double> wall) const
 {
-    grass.begin(0, {.time = time, .views = views, .settings = settings_, .colliders = colliders});
+    grass.begin(0, {.time = time,
+                    .views = views,
+                    .settings = settings_,
+                    .colliders = colliders,
+                    .light = light_});
     gpu::submitAndWait(context(), [&](VkCommandBuffer commands) {
         grass.recordUpdate(commands);
         for (std::uint32_t view = 0; view < pictures.size(); ++view) {

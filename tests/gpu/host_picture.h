@@ -9,6 +9,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <vulkan/vulkan.h>
 
 #include <cstddef>
@@ -35,8 +36,9 @@ public:
         glm::uvec2 size = hostSize;
         bool isReversed = true;
         std::uint32_t samples = 1;
-        bool hasColor = true;   ///< else depth alone
-        bool hasMotion = false; ///< beside the colour
+        bool hasColor = true;       ///< else depth alone
+        bool hasMotion = false;     ///< beside the colour
+        bool keepsRadiance = false; ///< in floats
     };
 
     HostPicture(const gpu::DeviceContext& context, const Settings& settings);
@@ -53,7 +55,8 @@ public:
     std::vector<std::byte> pixels() const;
     std::size_t covered() const; ///< pixels that show grass
     std::vector<float> depths() const;
-    std::vector<glm::vec2> motion() const; ///< 0 where there is no grass
+    std::vector<glm::vec4> radiance() const; ///< 0 where there is no grass
+    std::vector<glm::vec2> motion() const;   ///< 0 where there is no grass
 
 private:
     const gpu::DeviceContext& context_;
@@ -87,6 +90,7 @@ protected:
     field::Field field_ = makeField({.blades = 3000, .extent = 4.0f, .seed = 11});
     render::FrameSettings settings_ = render::FrameSettings::of(field::viewOf(field_));
     const render::Grass::Settings oneSlot_{.framesInFlight = 1};
+    render::HostLight light_{};
     bool rasters_ = false; ///< drawFrame() calls recordRaster()
 };
 
