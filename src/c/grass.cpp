@@ -27,6 +27,33 @@ render::Placement placementOf(const sward_placement* given)
             .scale = given->scale};
 }
 
+/// `matrices` receives those of the cascades; the result refers to them.
+render::HostShadow shadowOf(const sward_shadow& given, std::vector<glm::dmat4>& matrices)
+{
+    require(given.cascade_count <= shared::maxCascades, "shadow: cascade_count is above 4");
+    require(given.cascade_count == 0 || given.world_to_shadow != nullptr,
+            "shadow: world_to_shadow is null");
+    for (std::uint32_t i = 0; i < given.cascade_count; ++i)
+        matrices.push_back(glm::make_mat4(given.world_to_shadow + 16 * i));
+    return {.view = given.view,
+            .layout = given.layout,
+            .worldToShadow = matrices,
+            .hasReversedZ = given.has_reversed_z,
+            .bias = given.bias,
+            .lift = given.lift};
+}
+
+render::HostLamp lampOf(const sward_lamp& given)
+{
+    render::HostLamp lamp{.position = glm::make_vec3(given.position),
+                          .range = given.range,
+                          .color = glm::make_vec3(given.color)};
+    if (given.has_cone)
+        lamp.cone = render::HostCone{glm::make_vec3(given.direction), given.inner_cosine,
+                                     given.outer_cosine};
+    return lamp;
+}
+
 render::HostView viewOf(const sward_view& given)
 {
     require(isFinite(given.world_to_clip, 16), "view: world_to_clip is not finite");
@@ -175,9 +202,25 @@ sward_status sward_grass_begin(sward_grass* grass, uint32_t slot, const sward_fr
         require(frame->collider_count <= shared::maxColliders, "collider_count is above 256");
         require(frame->collider_count == 0 || frame->colliders != nullptr, "colliders is null");
         require(std::isfinite(frame->time), "time is not finite");
+        require(frame->lamp_count == 0 || frame->lamps != nullptr, "lamps is null");
+        require(frame->lamp_count <= shared::maxLamps, "lamp_count is above 16");
         std::vector<render::HostView> views;
-        for (std::uint32_t i = 0; i < frame->view_count; ++i)
+        std::vector<std::vector<glm::dmat4>> cascades(frame->view_count);
+        for (std::uint32_t i = 0; i < frame->view_count; ++i) {
             views.push_back(viewOf(frame->views[i]));
+            if (frame->views[i].shadow != nullptr)
+                views.back().shadow = shadowOf(*frame->views[i].shadow, cascades[i]);
+        }
+        render::HostLight light;
+        std::vector<render::HostLamp> lamps;
+        for (std::uint32_t i = 0; i < frame->lamp_count; ++i)
+            lamps.push_back(lampOf(frame->lamps[i]));
+        light.lamps = lamps;
+        if (frame->ambient != nullptr) {
+            light.ambient.emplace();
+            for (std::size_t i = 0; i < light.ambient->radiance.size(); ++i)
+                light.ambient->radiance[i] = glm::make_vec3(frame->ambient + 3 * i);
+        }
         std::vector<render::HostCollider> colliders;
         for (std::uint32_t i = 0; i < frame->collider_count; ++i)
             colliders.push_back(colliderOf(frame->colliders[i]));
@@ -186,7 +229,8 @@ sward_status sward_grass_begin(sward_grass* grass, uint32_t slot, const sward_fr
         grass->grass.begin(slot, {.time = frame->time,
                                   .views = views,
                                   .settings = frame->settings->settings,
-                                  .colliders = colliders});
+                                  .colliders = colliders,
+                                  .light = light});
         grass->views = frame->view_count;
         grass->hasBegun = true;
     });

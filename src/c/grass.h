@@ -2,7 +2,7 @@
 #ifndef SWARD_C_GRASS_H
 #define SWARD_C_GRASS_H
 
-#include "c/device.h"
+#include "c/view.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -25,39 +25,15 @@ typedef struct sward_placement {
     double scale;       /* above 0 */
 } sward_placement;
 
-typedef enum sward_geometry {
-    SWARD_GEOMETRY_AUTOMATIC = 0, /* compute rasteriser on a GPU, tessellation on a CPU */
-    SWARD_GEOMETRY_RASTER = 1,
-    SWARD_GEOMETRY_TESSELLATION = 2 /* also of shadow maps */
-} sward_geometry;
-
-typedef struct sward_view {
-    double world_to_clip[16]; /* column after column, to Vulkan's clip space */
-    uint32_t width, height;   /* [pixels] */
-    uint32_t samples;         /* 1, 2, 4 or 8 */
-    bool has_reversed_z;
-    sward_geometry geometry;
-    const double* clip_before; /* 16 numbers: world_to_clip of the frame before; null: the same */
-
-    /* Depth that the host has drawn, which hides blades; VK_NULL_HANDLE: nothing does. */
-    VkImageView depth;
-    VkImageLayout depth_layout;
-    uint32_t depth_samples;
-    float depth_slack; /* 1.2e-7 of 32 and 24 bits, 3e-5 of 16 bits */
-} sward_view;
-
-typedef struct sward_collider {
-    double from[3], to[3]; /* [m] ends of a capsule, world; the same: a ball */
-    double radius;         /* [m] */
-    float velocity[3];     /* [m/s] */
-} sward_collider;
-
 typedef struct sward_frame {
     double time; /* [s] never falling */
     const sward_view* views;
     uint32_t view_count, collider_count; /* at most max_views, 256 */
     const sward_settings* settings;
     const sward_collider* colliders;
+    const float* ambient;    /* 27 numbers, see sward_lamp; null: sky and ground of the settings */
+    const sward_lamp* lamps; /* may be null if there are none */
+    uint32_t lamp_count;     /* at most 16 */
 } sward_frame;
 
 /* What blades are drawn into. */
@@ -69,7 +45,8 @@ typedef struct sward_target_info {
     bool writes_motion;
     VkFormat depth_format, stencil_format; /* the latter or VK_FORMAT_UNDEFINED */
     uint32_t samples;
-    bool has_reversed_z, keeps_radiance; /* the latter: linear radiance; else developed for a screen */
+    bool has_reversed_z,
+        keeps_radiance;       /* the latter: linear radiance; else developed for a screen */
     VkRenderPass render_pass; /* VK_NULL_HANDLE: dynamic rendering */
     uint32_t subpass;
 } sward_target_info;

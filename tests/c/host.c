@@ -223,6 +223,9 @@ static sward_view view_from_above(const sward_field_info* info)
     return view;
 }
 
+/* Sum of the channels of the picture drawn last. */
+static unsigned long brightness = 0;
+
 /* Draws one frame; returns how many pixels are grass. */
 static unsigned draw(sward_grass* grass, const sward_target* target, const sward_frame* frame)
 {
@@ -295,15 +298,51 @@ static unsigned draw(sward_grass* grass, const sward_target* target, const sward
     void* mapped = NULL;
     REQUIRE(vkMapMemory(device, memory, 0, bytes, 0, &mapped) == VK_SUCCESS);
     unsigned covered = 0;
+    brightness = 0;
     for (unsigned i = 0; i < width * height; ++i) {
         const unsigned char* pixel = (const unsigned char*)mapped + 4 * i;
         covered += pixel[0] + pixel[1] + pixel[2] > 0 ? 1u : 0u;
+        brightness += (unsigned long)(pixel[0] + pixel[1] + pixel[2]);
     }
     vkDestroyBuffer(device, buffer, NULL);
     vkFreeMemory(device, memory, NULL);
     destroy_picture(color);
     destroy_picture(depth);
     return covered;
+}
+
+/* A frame in the host's own light: darker without any around, brighter by a lamp. */
+static void light_frame(sward_grass* grass, const sward_target* target, sward_frame frame,
+                        const sward_field_info* info)
+{
+    draw(grass, target, &frame);
+    const unsigned long plain = brightness;
+    float ambient[27] = {0.0f};
+    frame.ambient = ambient;
+    draw(grass, target, &frame);
+    const unsigned long unlit = brightness;
+    REQUIRE(unlit < plain);
+    sward_lamp lamps[17] = {{.range = 20.0f, .color = {4.0f, 4.0f, 4.0f}}};
+    for (int i = 0; i < 3; ++i)
+        lamps[0].position[i] = info->origin[i] + 0.5 * (double)(info->low[i] + info->high[i]);
+    lamps[0].position[1] += 1.0;
+    frame.lamps = lamps;
+    frame.lamp_count = 1;
+    draw(grass, target, &frame);
+    REQUIRE(brightness > unlit);
+
+    frame.lamp_count = 17;
+    REQUIRE(sward_grass_begin(grass, 0, &frame) == SWARD_ERROR_USAGE);
+    frame.lamp_count = 1;
+    lamps[0].range = 0.0f;
+    REQUIRE(sward_grass_begin(grass, 0, &frame) == SWARD_ERROR_USAGE);
+    frame.lamp_count = 0;
+    sward_view view = frame.views[0];
+    const double matrix[16] = {[0] = 1.0, [5] = 1.0, [10] = 1.0, [15] = 1.0};
+    const sward_shadow shadow = {.world_to_shadow = matrix, .cascade_count = 1};
+    view.shadow = &shadow;
+    frame.views = &view;
+    REQUIRE(sward_grass_begin(grass, 0, &frame) == SWARD_ERROR_USAGE); /* no image */
 }
 
 static void draw_field(const sward_field* field)
@@ -375,6 +414,7 @@ static void draw_field(const sward_field* field)
                covered, width * height, (unsigned long long)stats.drawn);
     }
     REQUIRE(sward_grass_why_tessellated(grass, 0) != NULL);
+    light_frame(grass, target, frame, &info);
     REQUIRE(sward_grass_remove(grass, one) == SWARD_OK);
     REQUIRE(sward_grass_remove(grass, one) == SWARD_ERROR_USAGE);
     REQUIRE(draw(grass, target, &frame) == 0);

@@ -1,0 +1,70 @@
+/* What a host says of its views, and of its scene around the grass. Included by c/grass.h. */
+#ifndef SWARD_C_VIEW_H
+#define SWARD_C_VIEW_H
+
+#include "c/device.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum sward_geometry {
+    SWARD_GEOMETRY_AUTOMATIC = 0, /* compute rasteriser on a GPU, tessellation on a CPU */
+    SWARD_GEOMETRY_RASTER = 1,
+    SWARD_GEOMETRY_TESSELLATION = 2 /* also of shadow maps */
+} sward_geometry;
+
+/* The host's shadow map of its sun: a 2D array of depths, one layer for each cascade, of one mip
+ * level. Blades take the first cascade that contains them; outside of all they are in the sun. */
+typedef struct sward_shadow {
+    VkImageView view;
+    VkImageLayout layout;          /* while it is read */
+    const double* world_to_shadow; /* 16 numbers a cascade, column after column; parallel rays */
+    uint32_t cascade_count;        /* 1 to 4, the finest first */
+    bool has_reversed_z;           /* true: 1 nearest to the sun */
+    float bias;                    /* [m] towards the sun, before places are compared: 0.02 */
+    float lift;                    /* [texels] along the blade's up-vector: 1.5 */
+} sward_shadow;
+
+typedef struct sward_view {
+    double world_to_clip[16]; /* column after column, to Vulkan's clip space */
+    uint32_t width, height;   /* [pixels] */
+    uint32_t samples;         /* 1, 2, 4 or 8 */
+    bool has_reversed_z;
+    sward_geometry geometry;
+    const double* clip_before; /* 16 numbers: world_to_clip of the frame before; null: the same */
+
+    /* Depth that the host has drawn, which hides blades; VK_NULL_HANDLE: nothing does. */
+    VkImageView depth;
+    VkImageLayout depth_layout;
+    uint32_t depth_samples;
+    float depth_slack; /* 1.2e-7 of 32 and 24 bits, 3e-5 of 16 bits */
+
+    const sward_shadow* shadow; /* of the sun; null: the whole view is in the sun */
+} sward_view;
+
+typedef struct sward_collider {
+    double from[3], to[3]; /* [m] ends of a capsule, world; the same: a ball */
+    double radius;         /* [m] */
+    float velocity[3];     /* [m/s] */
+} sward_collider;
+
+/* A point light, or a spot light. Its light falls with the inverse square, times
+ * (1 - (distance / range)^4)^2.
+ *
+ * Ambient light is the radiance around, nine coefficients of three linear channels each: those of
+ * orthonormal real spherical harmonics 1; y, z, x; xy, yz, 3zz - 1, xz, xx - yy, in the world. */
+typedef struct sward_lamp {
+    double position[3];               /* [m] world */
+    float range;                      /* [m] above 0 */
+    float color[3];                   /* linear, not negative: irradiance over pi at 1 m */
+    bool has_cone;                    /* what follows is of a spot light */
+    float direction[3];               /* away from it; any length above 0 */
+    float inner_cosine, outer_cosine; /* all of its light within, none without */
+} sward_lamp;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
