@@ -1,6 +1,7 @@
 // A host's shadow map on its blades.
 
 #include "core/error.h"
+#include "gpu/commands.h"
 #include "host_picture.h"
 #include "shadow_map.h"
 
@@ -229,6 +230,58 @@ TEST_F(GrassShadowTest, LooksPlacesUpInTheFirstCascadeThatContainsThem)
         EXPECT_GT(counts[1], 100u);
         EXPECT_GT(counts[2], 100u);
         EXPECT_EQ(wrong, 0u);
+    }
+}
+
+TEST_F(GrassShadowTest, LetsBladesShadeOneAnotherByAMapOfTheSameFrame)
+{
+    const ShadowMap map(context(), mapSize, 1, [](std::uint32_t, glm::uvec2) { return 0.0f; });
+    const BladeTarget target(context(), {});
+    const glm::dmat4 matrices[]{worldToShadow(sun, reach, true)};
+    const auto resident = upload(field_);
+    for (const bool rasters : waysToDraw()) {
+        SCOPED_TRACE(rasters);
+        const HostPicture picture(context(), {.keepsRadiance = true});
+        Grass grass(context(), oneSlot_);
+        grass.add({resident, {}});
+        const auto lit = drawn(grass, picture, rasters, std::nullopt);
+        // With a bias of more than a blade, nothing is behind another blade.
+        for (const float bias : {0.02f, 1.5f}) {
+            HostView views[]{{.worldToClip = matrices[0],
+                              .size = glm::uvec2(mapSize),
+                              .geometry = Geometry::tessellation},
+                             lookingFrom(eye_)};
+            views[1].geometry = rasters ? Geometry::raster : Geometry::tessellation;
+            views[1].shadow =
+                HostShadow{.view = map.view(), .worldToShadow = matrices, .bias = bias};
+            grass.begin(0, {.time = 1.0, .views = views, .settings = settings_});
+            gpu::submitAndWait(context(), [&](VkCommandBuffer commands) {
+                grass.recordUpdate(commands);
+                grass.recordCull(commands, 0);
+                grass.recordCull(commands, 1);
+                map.record(commands, grass, 0, target);
+                grass.recordRaster(commands, 1);
+                picture.record(commands, grass, 1);
+            });
+            const auto shaded = picture.radiance();
+            std::size_t shown = 0;
+            std::size_t darker = 0;
+            std::size_t brighter = 0;
+            for (std::size_t i = 0; i < lit.size(); ++i) {
+                shown += lit[i].w > 0.0f ? 1u : 0u;
+                const bool isApart = !isEqual(lit[i], shaded[i]);
+                const bool isDarker = shaded[i].y < lit[i].y;
+                darker += isApart && isDarker ? 1u : 0u;
+                brighter += isApart && !isDarker ? 1u : 0u;
+            }
+            EXPECT_EQ(brighter, 0u);
+            if (bias > 1.0f) {
+                EXPECT_EQ(darker, 0u);
+            } else {
+                EXPECT_GT(darker, shown / 20);
+                EXPECT_LT(darker, shown * 19 / 20);
+            }
+        }
     }
 }
 

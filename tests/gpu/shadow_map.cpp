@@ -4,6 +4,8 @@
 #include "gpu/buffer.h"
 #include "gpu/check.h"
 #include "gpu/commands.h"
+#include "gpu/image_use.h"
+#include "gpu/rendering.h"
 
 #include <glm/ext/matrix_transform.hpp>
 
@@ -37,6 +39,7 @@ void change(VkCommandBuffer commands, VkImage image, std::uint32_t layers, VkIma
 
 ShadowMap::ShadowMap(const gpu::DeviceContext& context, std::uint32_t size, std::uint32_t layers,
                      const Depths& depths)
+    : size_(size)
 {
     VkImageCreateInfo create{};
     create.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
@@ -46,7 +49,8 @@ ShadowMap::ShadowMap(const gpu::DeviceContext& context, std::uint32_t size, std:
     create.mipLevels = 1;
     create.arrayLayers = layers;
     create.samples = VK_SAMPLE_COUNT_1_BIT;
-    create.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    create.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT |
+                   VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
     VkImage image = VK_NULL_HANDLE;
     gpu::check(context.vk.CreateImage(context.device, &create, context.allocation, &image),
                "vkCreateImage");
@@ -82,6 +86,21 @@ ShadowMap::ShadowMap(const gpu::DeviceContext& context, std::uint32_t size, std:
         change(commands, image, layers, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     });
+}
+
+void ShadowMap::record(VkCommandBuffer commands, const render::Grass& grass, std::uint32_t view,
+                       const render::BladeTarget& target) const
+{
+    constexpr VkImageAspectFlags aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
+    gpu::transition(commands, image_.get(), aspect, gpu::ImageUse::undefined,
+                    gpu::ImageUse::depthTarget);
+    {
+        const gpu::DepthAttachment depth{.view = view_.get(), .clear = 0.0f};
+        const gpu::RenderingScope scope(commands, {size_, size_}, {}, depth);
+        grass.recordDepth(commands, view, target);
+    }
+    gpu::transition(commands, image_.get(), aspect, gpu::ImageUse::depthTarget,
+                    gpu::ImageUse::sampled);
 }
 
 glm::dmat4 worldToShadow(glm::dvec3 sun, double reach, bool isReversed)

@@ -3,6 +3,7 @@
 #include "gpu/context.h"
 #include "gpu/handle.h"
 #include "gpu/memory.h"
+#include "render/grass.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -23,9 +24,14 @@ public:
     ShadowMap(const gpu::DeviceContext& context, std::uint32_t size, std::uint32_t layers,
               const Depths& depths);
 
+    /// Draws a view's blades into the first layer of a map of one layer, of reversed depth.
+    void record(VkCommandBuffer commands, const render::Grass& grass, std::uint32_t view,
+                const render::BladeTarget& target) const;
+
     VkImageView view() const { return view_.get(); }
 
 private:
+    std::uint32_t size_;
     gpu::Memory memory_;
     gpu::Owned<VkImage, &gpu::DeviceFunctions::DestroyImage> image_;
     gpu::ImageView view_;
