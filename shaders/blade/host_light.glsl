@@ -55,8 +55,7 @@ Incoming incomingAt(vec3 position, vec3 up, vec3 n)
     if (HOST.hasAmbient == 0u)
         return Incoming(hemisphere(n), 1.25 * FRAME.skyColor, FRAME.skyColor, sun);
     // The zenith is darker than the mean sky: see hemisphere().
-    const vec3 above = ambientTowards(FRAME.skyUp);
-    return Incoming(ambientTowards(n), above, above / 1.25, sun);
+    return Incoming(ambientTowards(n), HOST.above, HOST.above / 1.25, sun);
 }
 
 /// Light of all lamps on a point, scattered as the sun's is. Nothing but leaves around the blade is in its way.

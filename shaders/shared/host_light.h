@@ -38,6 +38,7 @@ SHARED_LAYOUT(Lamp, 56)
 /// The host's light in one view of one field.
 struct HostLight {
     mat4 ambient[3]; ///< red, green, blue: see ambientLight()
+    vec3 above;      ///< ambientLight() towards the sky's up-vector
     Cascade cascades[maxCascades]; ///< the finest first
     Lamp lamps[maxLamps];
     uint cascadeCount; ///< 0: all places are in the sun
@@ -45,9 +46,8 @@ struct HostLight {
     uint hasAmbient; ///< 0: sky and ground colours of the frame
     float nearer;    ///< 1: smaller depths are nearer to the sun; −1: larger ones
     float lift;      ///< [texels] places are looked up so far along their up-vector
-    uint reserved;
 };
-SHARED_LAYOUT(HostLight, 1320)
+SHARED_LAYOUT(HostLight, 1328)
 
 SHARED_BUFFER(HostLightArray, HostLight, readonly)
 

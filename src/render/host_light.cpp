@@ -161,20 +161,25 @@ void requireValid(const HostShadow& shadow)
 }
 
 shared::HostLight hostLightOf(const HostLight& light, const std::optional<HostShadow>& shadow,
-                              const Placement& placement, glm::dvec3 origin, const Aabb& content)
+                              const LitField& field)
 {
-    const glm::dmat4 toWorld = placement.toWorld(origin);
+    const Placement& placement = field.placement;
+    const Aabb& content = field.content;
+    const glm::dmat4 toWorld = placement.toWorld(field.origin);
     shared::HostLight result = {};
     if (light.ambient) {
         // A direction in the field, turned into the world's.
         const glm::dmat4 turn(glm::mat3_cast(placement.rotation));
-        for (glm::length_t channel = 0; channel < 3; ++channel)
-            result.ambient[channel] = glm::mat4(
-                glm::transpose(turn) * quadraticFormOf(light.ambient->radiance, channel) * turn);
+        for (glm::length_t channel = 0; channel < 3; ++channel) {
+            glm::mat4& form = result.ambient[channel];
+            form = glm::mat4(glm::transpose(turn) *
+                             quadraticFormOf(light.ambient->radiance, channel) * turn);
+            result.above[channel] = shared::ambientLight(form, field.skyUp);
+        }
         result.hasAmbient = 1;
     }
     for (const HostLamp& lamp : light.lamps) {
-        const glm::vec3 position(placement.placeInField(lamp.position) - origin);
+        const glm::vec3 position(placement.placeInField(lamp.position) - field.origin);
         const double reach = double(lamp.range) / placement.scale;
         const glm::vec3 nearest = glm::clamp(position, content.low, content.high);
         if (!content.isEmpty() && double(glm::distance(position, nearest)) < reach)

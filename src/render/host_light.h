@@ -81,9 +81,16 @@ struct HostLight {
 void requireValid(const HostLight& light);
 void requireValid(const HostShadow& shadow);
 
-/// Light and shadow for the shaders, for a field at `placement` with its origin and content. Leaves
-/// out lamps that do not reach the content.
+/// A field that is lit: its placement, origin and content, and the direction of its sky.
+struct LitField {
+    const Placement& placement;
+    glm::dvec3 origin{0.0};
+    const Aabb& content;
+    glm::vec3 skyUp{0.0f, 1.0f, 0.0f}; ///< unit, of the field
+};
+
+/// Light and shadow for the shaders. Leaves out lamps that do not reach the content.
 shared::HostLight hostLightOf(const HostLight& light, const std::optional<HostShadow>& shadow,
-                              const Placement& placement, glm::dvec3 origin, const Aabb& content);
+                              const LitField& field);
 
 } // namespace sward::render

@@ -49,7 +49,7 @@ TEST(HostLight, IsTheIrradianceOfTheRadianceThatTheHarmonicsStandFor)
     const Placement placement{
         .rotation = glm::angleAxis(0.8, glm::normalize(glm::dvec3(1.0, -2.0, 0.5))), .scale = 3.0};
     const shared::HostLight light =
-        hostLightOf({.ambient = ambient}, std::nullopt, placement, {}, {});
+        hostLightOf({.ambient = ambient}, std::nullopt, {placement, {}, {}});
     for (const glm::dvec3 given : {glm::dvec3(1, 0, 0), glm::dvec3(0.3, -1, 0.2),
                                    glm::dvec3(-0.5, 0.4, 0.9), glm::dvec3(0, 0, -1)}) {
         const glm::dvec3 normal = glm::normalize(given);
@@ -82,7 +82,8 @@ TEST(HostLight, HasOnlyTheLampsThatReachTheField)
     const HostLamp lamps[]{{.position = {3.0, 0.5, 0.0}, .range = 2.1f},
                            {.position = {3.0, 0.5, 0.0}, .range = 1.9f},
                            {.position = {0.0, 0.5, 0.0}, .range = 0.1f}};
-    EXPECT_EQ(hostLightOf({.lamps = lamps}, std::nullopt, {}, {}, content).lampCount, 2u);
+    EXPECT_EQ(hostLightOf({.lamps = lamps}, std::nullopt, {Placement{}, {}, content}).lampCount,
+              2u);
 }
 
 class GrassLightTest : public test::GrassTest {

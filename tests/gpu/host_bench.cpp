@@ -1,9 +1,10 @@
 // Measures the cost of grass in a host's frames, by either method of drawing:
 //   sward_host_bench FIELD.sward SCENE.json [raster|tessellation] [samples=N] [instances=N]
-//   [frames=N]
+//   [frames=N] [lamps=N] [ambient=1] [shadow=1]
 // The host's depth is at the far plane; Sward processes it like any other. Prints one line of JSON:
 // medians in milliseconds by device timestamps, and by the clock for the CPU.
 #include "field/read.h"
+#include "gpu/check.h"
 #include "gpu/commands.h"
 #include "gpu/device.h"
 #include "gpu/frame_ring.h"
@@ -13,7 +14,9 @@
 #include "gpu/timestamps.h"
 #include "render/grass.h"
 
+#include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -22,6 +25,7 @@
 #include <fstream>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace sward {
 namespace {
@@ -34,8 +38,9 @@ struct Options {
     std::string field;
     std::string scene;
     render::Geometry geometry = render::Geometry::raster;
-    std::map<std::string, int> numbers{
-        {"samples", 1}, {"instances", 1}, {"frames", 300}, {"radiance", 0}};
+    std::map<std::string, int> numbers{{"samples", 1},  {"instances", 1}, {"frames", 300},
+                                       {"radiance", 0}, {"lamps", 0},     {"ambient", 0},
+                                       {"shadow", 0}};
 };
 
 Options optionsOf(int argc, char** argv)
@@ -86,6 +91,33 @@ void addInstances(render::Grass& grass, const std::shared_ptr<render::ResidentFi
     }
 }
 
+/// A view of an image as an array of one layer.
+gpu::ImageView arrayView(const gpu::DeviceContext& context, const gpu::Image& image)
+{
+    VkImageViewCreateInfo create{};
+    create.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
+    create.image = image.get();
+    create.viewType = VK_IMAGE_VIEW_TYPE_2D_ARRAY;
+    create.format = image.format();
+    create.subresourceRange = {image.aspect(), 0, 1, 0, 1};
+    VkImageView view = VK_NULL_HANDLE;
+    gpu::check(context.vk.CreateImageView(context.device, &create, context.allocation, &view),
+               "vkCreateImageView");
+    return {context, view};
+}
+
+/// Lamps above the field, each of which reaches all of it.
+std::vector<render::HostLamp> lampsOver(const render::ResidentField& field, int count)
+{
+    const double width = double(field.content().size().x);
+    std::vector<render::HostLamp> lamps;
+    for (int i = 0; i < count; ++i)
+        lamps.push_back(
+            {.position = {(i % 4 - 1.5) * 0.25 * width, 2.0, (i / 4 - 1.5) * 0.25 * width},
+             .range = static_cast<float>(2.0 * width)});
+    return lamps;
+}
+
 void run(const Options& options)
 {
     const gpu::Instance instance;
@@ -117,12 +149,38 @@ void run(const Options& options)
     render::FrameSettings settings = render::FrameSettings::of(mapped.view());
     if (scene.contains("draw") && scene.at("draw").at(0) == "--draw-distance")
         settings.environment.drawDistance = std::stof(scene.at("draw").at(1).get<std::string>());
-    const render::HostView view{.worldToClip = worldToClip(scene.at("camera")),
-                                .size = {extent.width, extent.height},
-                                .samples = samples,
-                                .geometry = options.geometry,
-                                .depth =
-                                    render::HostDepth{.view = depth.view(), .samples = samples}};
+    // A map of the whole field, of nothing between it and the sun.
+    const gpu::Image map(context, {.name = "shadow map",
+                                   .format = VK_FORMAT_D32_SFLOAT,
+                                   .extent = {2048, 2048},
+                                   .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
+                                            VK_IMAGE_USAGE_SAMPLED_BIT});
+    const gpu::ImageView mapView = arrayView(context, map);
+    gpu::submitAndWait(context, [&](VkCommandBuffer commands) {
+        gpu::transition(commands, map, gpu::ImageUse::undefined, gpu::ImageUse::depthTarget);
+        {
+            const gpu::RenderingScope scope(
+                commands, map.extent(), {},
+                gpu::DepthAttachment{.view = map.view(), .clear = 0.0f});
+        }
+        gpu::transition(commands, map, gpu::ImageUse::depthTarget, gpu::ImageUse::sampled);
+    });
+    const double reach = double(glm::length(lawn->content().size()));
+    const glm::dmat4 worldToShadow[]{glm::orthoRH_ZO(-reach, reach, -reach, reach, reach, -reach) *
+                                     glm::lookAt(glm::dvec3(0.0),
+                                                 -glm::dvec3(settings.sunDirection),
+                                                 glm::dvec3(0.0, 0.0, 1.0))};
+    const std::vector<render::HostLamp> lamps = lampsOver(*lawn, options.numbers.at("lamps"));
+    render::HostLight light{.lamps = lamps};
+    if (options.numbers.at("ambient") != 0)
+        light.ambient = render::HostAmbient::constant(glm::vec3(0.5f));
+    render::HostView view{.worldToClip = worldToClip(scene.at("camera")),
+                          .size = {extent.width, extent.height},
+                          .samples = samples,
+                          .geometry = options.geometry,
+                          .depth = render::HostDepth{.view = depth.view(), .samples = samples}};
+    if (options.numbers.at("shadow") != 0)
+        view.shadow = render::HostShadow{.view = mapView.get(), .worldToShadow = worldToShadow};
 
     gpu::FrameRing ring(context, slots);
     gpu::Timestamps times(context, {.slots = slots});
@@ -148,8 +206,9 @@ void run(const Options& options)
         }
         gpu::transition(commands, depth, gpu::ImageUse::depthTarget, gpu::ImageUse::sampled);
         const double before = seconds();
-        grass.begin(recording.slot,
-                    {.time = frame / 60.0, .views = {&view, 1}, .settings = settings});
+        grass.begin(
+            recording.slot,
+            {.time = frame / 60.0, .views = {&view, 1}, .settings = settings, .light = light});
         const std::uint32_t all = times.begin(commands, "grass");
         const auto timed = [&](const char* name, const auto& record) {
             const gpu::TimedScope scope(times, context, commands, name);
@@ -194,7 +253,7 @@ try {
     if (argc < 3) {
         std::fputs(
             "usage: sward_host_bench FIELD.sward SCENE.json [raster|tessellation] [samples=N] "
-            "[instances=N] [frames=N]\n",
+            "[instances=N] [frames=N] [lamps=N] [ambient=1] [shadow=1]\n",
             stderr);
         return 1;
     }

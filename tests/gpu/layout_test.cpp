@@ -225,8 +225,8 @@ std::size_t fillValues(Values& v)
               s.middle, s.large, s.size, s.clusterCount, s.triangleCount, s.firstImage,
               s.imageCount);
     shared::HostLight& light = v.hostLight;
-    n.fillAll(light.ambient, light.cascades, light.lamps, light.cascadeCount, light.lampCount,
-              light.hasAmbient, light.nearer, light.lift, light.reserved);
+    n.fillAll(light.ambient, light.above, light.cascades, light.lamps, light.cascadeCount,
+              light.lampCount, light.hasAmbient, light.nearer, light.lift);
     return n.count();
 }
 

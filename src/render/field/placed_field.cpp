@@ -124,8 +124,9 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
         field.cover.describe(drawn);
         environment_ = drawn.environment;
         if (isLitByHost(frame.light, view)) {
-            const shared::HostLight light = hostLightOf(frame.light, view.shadow, placement,
-                                                        field.shape.origin, field.shape.content);
+            const shared::HostLight light =
+                hostLightOf(frame.light, view.shadow,
+                            {placement, field.shape.origin, field.shape.content, drawn.skyUp});
             std::memcpy(constants.mapped().data() + lightOffset(i), &light, sizeof light);
             drawn.hostLight = constants.address() + lightOffset(i);
         }

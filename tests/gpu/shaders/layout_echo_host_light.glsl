@@ -5,6 +5,7 @@ void putHostLight()
     for (uint i = 0u; i < 3u; ++i)
         for (uint column = 0u; column < 4u; ++column)
             put(LIGHT.ambient[i][column]);
+    put(LIGHT.above);
     for (uint i = 0u; i < maxCascades; ++i) {
         put(LIGHT.cascades[i].across);
         put(LIGHT.cascades[i].down);
@@ -26,5 +27,4 @@ void putHostLight()
     put(LIGHT.hasAmbient);
     put(LIGHT.nearer);
     put(LIGHT.lift);
-    put(LIGHT.reserved);
 }
