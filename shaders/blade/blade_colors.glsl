@@ -18,8 +18,9 @@ float chance(uint key)
     return float(mixUint(key) >> 8u) * (1.0 / 16777215.0);
 }
 
-/// `index` is the resident id, so that a blade has the same colour in every picture.
-BladeColors bladeColors(Blade blade, Species species, uint index)
+/// `index` is the resident id, so that a blade has the same colour in every picture. `leafArea`: that of the meadow at
+/// the root.
+BladeColors bladeColors(Blade blade, Species species, uint index, float leafArea)
 {
     const float clump = chance(blade.clump * 977u + 11u);
     const float single = chance(index * 16u + blade.hash);
@@ -37,7 +38,9 @@ BladeColors bladeColors(Blade blade, Species species, uint index)
     const vec3 shift = vec3(1.0 + 0.75 * hue, 1.0 + 0.10 * hue, 1.0 - 0.45 * hue);
 
     BladeColors colors;
-    colors.root = mix(species.rootColor * shift, decodeSrgb(blade.tint), species.groundTint) * light;
+    // The ground's colour as it is under grass: a bright ground does not bleach the roots of a closed sward.
+    const vec3 ground = groundUnder(FRAME.cover, decodeSrgb(blade.tint), shift, leafArea);
+    colors.root = mix(species.rootColor * shift, ground, species.groundTint) * light;
     colors.tip = species.tipColor * shift * light;
 
     // Some blades have dried from the tip downwards.
@@ -70,7 +73,8 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, LeafAreaLimit 
 {
     const Blade blade = drawn.blade;
     const Species species = drawn.species;
-    BladeColors colors = bladeColors(blade, species, visible.blade);
+    const float leafArea = leafAreaAt(FRAME.cover, blade.root);
+    BladeColors colors = bladeColors(blade, species, visible.blade, leafArea);
     if (debugMode() == 1u)
         colors.tip = mix(vec3(0.1, 0.6, 0.1), vec3(1.0, 0.1, 0.0),
                          clamp(log2(max(widthFactorOf(visible), 1.0)) / 4.0, 0.0, 1.0));
@@ -89,7 +93,7 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, LeafAreaLimit 
     surface.root = vec4(colors.root, risen * sunSeen(FRAME.shadow, drawn.ribbon.v0, blade.up));
     surface.tip = vec4(colors.tip, risen * sunSeen(FRAME.shadow, drawn.ribbon.v2, blade.up));
     surface.material = vec4(blade.exposure, species.translucency, species.gloss,
-                            leafAreaAt(FRAME.cover, blade.root));
+                            leafArea);
     return limit.light < 1.0 ? liftedSurface(surface, limit.light) : surface;
 }
 

@@ -14,24 +14,71 @@ struct GroundPoint {
     bool isDoubleSided;
 };
 
-/// Grains and crumbs of the ground: the brightness relative to the ground's colour, 1 on average. Uses all sizes that a
-/// pixel of the picture can show.
-float grain(vec3 position, float pixel)
+/// Relief of the ground, from noise in space: no direction is stretched, on any slope. Has all sizes that a pixel of
+/// `pixel` [m] can show.
+struct Relief {
+    float brightness; ///< relative to the ground's colour, 1 on average
+    vec3 slope;       ///< derivative of the height
+};
+
+/// Adds noise of one `size` [m], scaled along each axis by `stretch`.
+void addNoise(inout Relief relief, vec3 position, vec3 stretch, float size, float amount)
 {
-    float sum = 0.0;
-    float size = 0.32; // [m]
-    for (uint octave = 0u; octave < 4u; ++octave) {
-        const float shown = clamp(0.35 * size / pixel - 1.0, 0.0, 1.0);
-        if (shown <= 0.0)
-            break;
-        sum += shown * (valueNoise(position / size + 17.0 * float(octave)) - 0.5);
-        size *= 0.37;
-    }
-    return 1.0 + 0.4 * sum;
+    const vec4 noise = valueNoiseSlope(position * stretch / size);
+    relief.brightness += amount * (noise.w - 0.5);
+    relief.slope += (0.5 * amount) * (noise.xyz * stretch);
 }
 
-/// Colour of fallen leaves of last year, and of stems of this year.
-const vec3 litterColor = vec3(0.135, 0.120, 0.048);
+/// Share of a structure of `size` [m] that pixels of `pixel` [m] show.
+float shownAt(float size, float pixel)
+{
+    return clamp(0.35 * size / pixel - 1.0, 0.0, 1.0);
+}
+
+/// Grains and crumbs, from `size` [m] down.
+Relief crumbs(vec3 position, float size, float pixel)
+{
+    Relief relief = Relief(1.0, vec3(0.0));
+    for (uint octave = 0u; octave < 4u; ++octave) {
+        const float shown = shownAt(size, pixel);
+        if (shown <= 0.0)
+            break;
+        addNoise(relief, position + 17.0 * float(octave) * size, vec3(1.0), size, 0.4 * shown);
+        size *= 0.37;
+    }
+    return relief;
+}
+
+/// Strands of litter and moss, which cross in three directions.
+Relief strands(vec3 position, float size, float pixel)
+{
+    Relief relief = Relief(1.0, vec3(0.0));
+    const float thin = 0.12 * size;
+    const float shown = shownAt(thin, pixel);
+    if (shown > 0.0) {
+        const mat3 turned = mat3(0.36, 0.48, -0.8, -0.8, 0.6, 0.0, 0.48, 0.64, 0.6);
+        Relief turnedRelief = Relief(1.0, vec3(0.0));
+        addNoise(relief, position, vec3(0.15, 1.0, 1.0), thin, 0.45 * shown);
+        addNoise(relief, position, vec3(1.0, 1.0, 0.15), thin, 0.45 * shown);
+        addNoise(turnedRelief, turned * position, vec3(0.15, 1.0, 1.0), thin, 0.45 * shown);
+        relief.brightness += turnedRelief.brightness - 1.0;
+        relief.slope += turnedRelief.slope * turned;
+    }
+    return relief;
+}
+
+/// The same variation of lush and dry places that the blades have.
+vec3 meadowShade(vec3 position)
+{
+    const float meadow = 0.65 * valueNoise(position / 2.3) + 0.35 * valueNoise(position / 0.7);
+    const float region = valueNoise(position / 13.0 + 71.0);
+    const float hue = 0.45 * (1.1 * (meadow - 0.5) + 1.2 * (region - 0.5));
+    const float light = 1.0 + 0.45 * (0.5 * (meadow - 0.5) + 0.4 * (region - 0.5));
+    return light * vec3(1.0 + 0.75 * hue, 1.0 + 0.10 * hue, 1.0 - 0.45 * hue);
+}
+
+/// Size of the largest crumbs of ground without any grass [m].
+const float bareStructure = 0.32;
 
 /// The film colour of the ground, and 1 − softness.
 vec4 groundPicture(GroundPoint point)
@@ -43,12 +90,24 @@ vec4 groundPicture(GroundPoint point)
     if (point.isDoubleSided && dot(n, toEye) < 0.0)
         n = -n;
 
-    const float facing = max(dot(n, FRAME.sunDirection), 0.0);
     // The surrounding grass absorbs its share of the light, up to the draw distance.
     const float farthest = FRAME.cover.farthest;
     const float grown = 1.0 - smoothstep(0.8 * farthest, farthest, distance);
     const float leafArea = leafAreaAt(FRAME.cover, point.position) * grown;
-    const vec3 albedo = mix(point.albedo, litterColor, 0.8 * (1.0 - exp(-0.7 * leafArea))) * grain(point.position, distance / FRAME.view.pixelsPerUnit);
+    const float pixel = distance / FRAME.view.pixelsPerUnit;
+    const float size = FRAME.cover.structure > 0.0 ? FRAME.cover.structure : bareStructure;
+    const float under = FRAME.cover.thatch * undergrowthBelow(FRAME.cover.thinned * leafArea);
+    Relief relief = crumbs(point.position, size, pixel);
+    vec3 albedo = point.albedo;
+    if (under > 0.0) {
+        const Relief litter = strands(point.position, size, pixel);
+        relief.brightness *= mix(1.0, litter.brightness, under);
+        relief.slope += under * litter.slope;
+        albedo = groundUnder(FRAME.cover, albedo, meadowShade(point.position), leafArea);
+    }
+    albedo *= max(relief.brightness, 0.2);
+    n = normalize(n - (relief.slope - n * dot(n, relief.slope)));
+    const float facing = max(dot(n, FRAME.sunDirection), 0.0);
     const float seen = facing > 0.0 ? sunSeen(FRAME.shadow, point.position, n) : 0.0;
     const vec3 light = hemisphere(n) * skyBelow(leafArea) +
                        lightAmongLeaves(leafArea, facing, seen, FRAME.sunColor, 1.25 * FRAME.skyColor) +

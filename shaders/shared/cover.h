@@ -18,8 +18,14 @@ struct Cover {
     uint countY;
     uint countZ;
     float farthest; ///< [m] draw distance of grass; no shade beyond it
+    vec3 undergrowth; ///< linear colour of litter, moss and leaf sheaths below a closed sward
+    float thatch;     ///< [0, 1] share of the undergrowth that is drawn
+    vec3 sward;       ///< linear colour of the closed sward from above
+    float thinned;    ///< ≥ 1: leaf area of the meadow relative to that of the blades
+    float structure;  ///< [m] size of the largest crumbs of the ground; 0: no grass
+    uint reserved;    ///< padding of the address
 };
-SHARED_LAYOUT(Cover, 40)
+SHARED_LAYOUT(Cover, 80)
 
 /// Leaf area index at a place, interpolated between eight corners. 0 without grass.
 SHARED_FN float leafAreaAt(Cover cover, vec3 position)
@@ -41,6 +47,24 @@ SHARED_FN float leafAreaAt(Cover cover, vec3 position)
         mix(mix(cover.leafArea.at[j], cover.leafArea.at[j + 1u], f.x),
             mix(cover.leafArea.at[j + stepY], cover.leafArea.at[j + stepY + 1u], f.x), f.y);
     return mix(near, far, f.z);
+}
+
+/// Share of the ground that undergrowth covers below `leafArea` of leaves: 0.96 below the built-in
+/// meadow at its own density.
+SHARED_FN float undergrowthBelow(float leafArea)
+{
+    return 1.0f - exp(-0.65f * leafArea);
+}
+
+/// Colour of the ground between blades, `bare` without grass, below `leafArea` of drawn leaves.
+/// Where the blades were thinned, the missing share looks as the sward does from above. `shade`
+/// multiplies the colours of plants.
+SHARED_FN vec3 groundUnder(Cover cover, vec3 bare, vec3 shade, float leafArea)
+{
+    const float drawn = undergrowthBelow(leafArea);
+    const float whole = undergrowthBelow(cover.thinned * leafArea);
+    const float missing = whole > 0.0f ? 1.0f - drawn / whole : 0.0f;
+    return mix(bare, shade * mix(cover.undergrowth, cover.sward, missing), cover.thatch * whole);
 }
 
 /// Share of a blade's leaf area above `along` [0, 1] of its height. Error: 0.05 if it tapers from

@@ -132,7 +132,7 @@ struct Frame {
     float lowSun;   ///< [0, 1]: 1 for a sun on the horizon or below
 
     float time;        ///< [s]
-    uint reserved[41]; ///< padding: consecutive frames meet any offset alignment of constants
+    uint reserved[31]; ///< padding: consecutive frames meet any offset alignment of constants
 };
 SHARED_LAYOUT(Frame, 1536)
 

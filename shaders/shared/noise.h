@@ -63,5 +63,34 @@ SHARED_FN float valueNoise(vec3 p)
     return latticeUnit * mix(nearHeight, farHeight, s.z);
 }
 
+/// valueNoise(), and its derivative per unit of `p`: (derivative, value).
+SHARED_FN vec4 valueNoiseSlope(vec3 p)
+{
+    const vec3 cell = floor(p);
+    const vec3 f = p - cell;
+    const vec3 s = f * f * (vec3(3.0f) - 2.0f * f);
+    const vec3 slope = 6.0f * f * (vec3(1.0f) - f);
+    const uint near = latticePoint(int(cell.x), int(cell.y), int(cell.z));
+    const uint far = near + latticeZ;
+    // Differences along x on the four edges of the cell, then along y, then along z.
+    const float h000 = latticeHeight(near);
+    const float h010 = latticeHeight(near + latticeY);
+    const float h001 = latticeHeight(far);
+    const float h011 = latticeHeight(far + latticeY);
+    const float d00 = latticeHeight(near + latticeX) - h000;
+    const float d10 = latticeHeight(near + latticeX + latticeY) - h010;
+    const float d01 = latticeHeight(far + latticeX) - h001;
+    const float d11 = latticeHeight(far + latticeX + latticeY) - h011;
+    const float h00 = h000 + s.x * d00;
+    const float h10 = h010 + s.x * d10;
+    const float h01 = h001 + s.x * d01;
+    const float h11 = h011 + s.x * d11;
+    const float h0 = mix(h00, h10, s.y);
+    const float h1 = mix(h01, h11, s.y);
+    return latticeUnit *
+           vec4(slope.x * mix(mix(d00, d10, s.y), mix(d01, d11, s.y), s.z),
+                slope.y * mix(h10 - h00, h11 - h01, s.z), slope.z * (h1 - h0), mix(h0, h1, s.z));
+}
+
 SHARED_END
 #endif

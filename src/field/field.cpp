@@ -36,6 +36,7 @@ FieldView viewOf(const Field& field)
     view.keys = field.keys;
     view.species = field.species;
     view.ground = &field.ground;
+    view.thinned = field.thinned;
     view.defaults = &field.defaults;
     view.provenance = &field.provenance;
     view.copyright = &field.copyright;

@@ -49,6 +49,7 @@ struct Field {
     UninitializedVector<BladeKey> keys;              ///< one per blade
     std::vector<Species> species;                    ///< 1 to 8
     DisplayGround ground;                            ///< drawn below the blades
+    double thinned = 1.0; ///< [1, 1e9] leaf area of the meadow relative to that of the blades
     Defaults defaults;                               ///< initial settings
     std::string provenance = "{}"; ///< JSON: tool version, input hash, settings, seed
     std::string copyright;         ///< shown to users
@@ -62,6 +63,7 @@ struct FieldView {
     std::span<const BladeKey> keys;              ///< one per blade
     std::span<const Species> species;            ///< 1 to 8
     const DisplayGround* ground = nullptr;       ///< never null
+    double thinned = 1.0;                        ///< as Field::thinned
     const Defaults* defaults = nullptr;          ///< never null
     const std::string* provenance = nullptr;     ///< never null
     const std::string* copyright = nullptr;      ///< never null

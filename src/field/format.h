@@ -11,7 +11,7 @@ namespace sward::field::format {
 
 inline constexpr std::array<char, 8> magic{'S', 'W', 'A', 'R', 'D', '\r', '\n', '\x1a'};
 inline constexpr std::uint16_t majorVersion = 1;
-inline constexpr std::uint16_t minorVersion = 0;
+inline constexpr std::uint16_t minorVersion = 1; ///< newest; 0 without the chunk `cover`
 inline constexpr std::uint32_t endianMark = 0x01020304;
 inline constexpr std::uint64_t alignment = 64;
 inline constexpr std::uint32_t maxChunks = 64;
@@ -60,6 +60,7 @@ inline constexpr ChunkId groundRanges{'G', 'R', 'A', 'N', 'G', 'E', 'S', ' '};
 inline constexpr ChunkId groundMaterials{'G', 'M', 'A', 'T', 'E', 'R', 'I', 'A'};
 inline constexpr ChunkId groundImages{'G', 'I', 'M', 'A', 'G', 'E', 'S', ' '};
 inline constexpr ChunkId defaults{'D', 'E', 'F', 'A', 'U', 'L', 'T', 'S'};
+inline constexpr ChunkId cover{'C', 'O', 'V', 'E', 'R', ' ', ' ', ' '};
 inline constexpr ChunkId provenance{'P', 'R', 'O', 'V', 'E', 'N', 'A', 'N'};
 
 } // namespace sward::field::format

@@ -301,11 +301,15 @@ JoinedFields join(std::span<const Member> members)
     layOut(members, moves, joined);
 
     std::size_t blades = 0;
+    double meadow = 0.0;
     bool haveKeys = true;
     for (const Member& member : members) {
         blades += member.view.blades.size();
+        meadow += member.view.thinned * double(member.view.blades.size());
         haveKeys = haveKeys && member.view.keys.size() == member.view.blades.size();
     }
+    if (blades > 0)
+        field.thinned = std::max(meadow / double(blades), 1.0);
     field.blades.resize(blades);
     if (haveKeys)
         field.keys.resize(blades);

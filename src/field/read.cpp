@@ -210,7 +210,7 @@ void Reader::checkEntry(const format::ChunkEntry& entry, std::uint64_t& at) cons
         format::patches,      format::blades,          format::keys,
         format::species,      format::groundVertices,  format::groundIndices,
         format::groundRanges, format::groundMaterials, format::groundImages,
-        format::defaults,     format::provenance};
+        format::defaults,     format::cover,           format::provenance};
     if ((entry.flags & format::critical) != 0 &&
         std::find(std::begin(known), std::end(known), entry.id) == std::end(known))
         fail(ErrorKind::unsupported, "{}: needs chunk {}, which this version does not know", place_,
@@ -254,6 +254,8 @@ void MappedField::Contents::read(const std::string& name)
     species = parseSpecies(reader.text(format::species, true), fmt::format("{}: species", place));
     defaults = parseDefaults(reader.text(format::defaults, true),
                              fmt::format("{}: defaults", place), copyright);
+    view.thinned =
+        parseCover(reader.text(format::cover, false), fmt::format("{}: cover", place));
     provenance = reader.text(format::provenance, false);
     if (provenance.empty())
         provenance = "{}";

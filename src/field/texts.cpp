@@ -76,6 +76,22 @@ std::vector<Species> parseSpecies(std::string_view text, const std::string& plac
     return result;
 }
 
+std::string coverText(double thinned)
+{
+    return thinned == 1.0 ? std::string() : json{{"thinned", thinned}}.dump();
+}
+
+double parseCover(std::string_view text, const std::string& place)
+{
+    double thinned = 1.0;
+    if (text.empty())
+        return thinned;
+    const json object = parseJson(text, place);
+    SettingsReader reader(object, place);
+    reader.read("thinned", thinned, 1.0, 1e9);
+    return thinned;
+}
+
 std::string defaultsText(const Defaults& defaults, const std::string& copyright)
 {
     json cameras = json::array();

@@ -14,6 +14,10 @@ namespace sward::field {
 std::string speciesText(const std::vector<Species>& species);
 std::vector<Species> parseSpecies(std::string_view text, const std::string& place);
 
+/// The amount of grass; empty where the blades are the whole meadow.
+std::string coverText(double thinned);
+double parseCover(std::string_view text, const std::string& place);
+
 std::string defaultsText(const Defaults& defaults, const std::string& copyright);
 Defaults parseDefaults(std::string_view text, const std::string& place, std::string& copyright);
 

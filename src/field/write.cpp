@@ -102,7 +102,11 @@ format::FileHeader layOut(std::vector<Chunk>& chunks, const glm::dvec3& origin)
     format::FileHeader header = {};
     header.magic = format::magic;
     header.majorVersion = format::majorVersion;
-    header.minorVersion = format::minorVersion;
+    // Files without newer chunks stay the same bytes.
+    const bool hasCover = std::any_of(chunks.begin(), chunks.end(), [](const Chunk& chunk) {
+        return chunk.entry.id == format::cover;
+    });
+    header.minorVersion = hasCover ? format::minorVersion : 0;
     header.endianMark = format::endianMark;
     header.fileBytes = aligned(offset);
     header.chunkCount = static_cast<std::uint32_t>(chunks.size());
@@ -134,6 +138,7 @@ void writePadding(AtomicFile& file, std::uint64_t& at)
 // All chunks of a field. Texts and images are encoded here; arrays are referenced.
 struct Encoded {
     std::string species;
+    std::string cover;
     std::string defaults;
     std::vector<std::byte> images;
     ChunkList list;
@@ -141,6 +146,7 @@ struct Encoded {
 
     explicit Encoded(const Field& field)
         : species(speciesText(field.species))
+        , cover(coverText(field.thinned))
         , defaults(defaultsText(field.defaults, field.copyright))
         , images(imagesBytes(field.ground.images))
     {
@@ -155,6 +161,8 @@ struct Encoded {
         list.addPlain(format::groundMaterials, std::span(ground.materials), 0);
         list.addCompressed(format::groundImages, std::span(std::as_const(images)), 0);
         list.addPlain(format::defaults, std::span(std::as_const(defaults)), format::critical);
+        if (!cover.empty())
+            list.addPlain(format::cover, std::span(std::as_const(cover)), 0);
         list.addPlain(format::provenance, std::span(field.provenance), 0);
         list.compressAll();
         header = layOut(list.chunks(), field.origin);

@@ -207,7 +207,7 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
     if (!wanted.colliders.empty())
         blades.expectColliders();
     blades.buffers().describe(frame);
-    cover.describe(frame);
+    cover.describe(frame, wanted.thatch);
     if ((frame.view.cullMask & shared::cullOcclusion) != 0 || findsHidden(wanted))
         pyramid.describe(frame);
     slots[slot].tables.write(shape, wanted, time, blades.hasMoved() ? lastTime : time, frame);

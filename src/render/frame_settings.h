@@ -85,6 +85,7 @@ struct FrameSettings {
     float fogDensity = -1.0f;                   ///< [1/m]; below 0: chosen from the field's size
     float fogHeight = 0.0f; ///< [m] above the lowest ground where 1/e of it is left; 0: nowhere
     float clouds = 0.35f;   ///< [0, 1] cover of the sky
+    float thatch = 1.0f; ///< [0, 1] share of the undergrowth that covers the ground between blades
     std::optional<glm::vec3> skyUp; ///< up direction of the sky; unset: against gravity
 
     /// Settings initialised from the defaults saved in the field.

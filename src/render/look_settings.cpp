@@ -83,6 +83,7 @@ void readLook(SettingsReader& reader, FrameSettings& settings)
     look.read("fog", settings.fogDensity, 0.0, densest);
     look.read("fog_height", settings.fogHeight, 0.0, 1e6);
     look.read("clouds", settings.clouds, 0.0, 1.0);
+    look.read("thatch", settings.thatch, 0.0, 1.0);
     if (look.has("up")) {
         glm::vec3 skyUp(0.0f);
         look.read("up", skyUp, -1e6, 1e6);

@@ -81,7 +81,7 @@ public:
     void fill(shared::Cover& c)
     {
         fillAll(c.leafArea.address, c.low, c.cellsPerMetre, c.countX, c.countY, c.countZ,
-                c.farthest);
+                c.farthest, c.undergrowth, c.thatch, c.sward, c.thinned, c.structure, c.reserved);
     }
     void fill(shared::SunShadow& s)
     {

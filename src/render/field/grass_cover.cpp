@@ -20,6 +20,23 @@ constexpr float minGround = 0.02f;
 /// Maximum size of pieces of ground, as a share of a cell.
 constexpr float pieceSize = 0.5f;
 
+/// Maximum blades whose colours are averaged.
+constexpr std::size_t colorSamples = 100'000;
+
+/// Colour of fallen leaves of last year, and its share of the undergrowth.
+constexpr glm::vec3 litterColor(0.135f, 0.120f, 0.048f);
+constexpr float litterShare = 0.35f;
+
+/// Heights [of a blade] whose colours undergrowth and sward have.
+constexpr float undergrowthHeight = 0.3f;
+constexpr float swardHeight = 0.6f;
+
+/// Mean light of the leaves of a closed sward relative to that of open ground.
+constexpr float swardBrightness = 0.7f;
+
+/// Size of the ground's largest crumbs [mean blade heights].
+constexpr float largestCrumb = 0.9f;
+
 /// Box of the drawn ground and the roots.
 Aabb placesOf(const field::FieldView& field)
 {
@@ -183,11 +200,44 @@ LeafAreaGrid leafAreaOf(const field::FieldView& field)
     return grid;
 }
 
+void describeUndergrowth(const field::FieldView& field, shared::Cover& cover)
+{
+    // Mean colours of the species, by leaf area.
+    glm::vec3 roots(0.0f);
+    glm::vec3 tips(0.0f);
+    float leaves = 0.0f;
+    const std::size_t stride = std::max<std::size_t>(field.blades.size() / colorSamples, 1);
+    for (const shared::Patch& cell : field.patches) {
+        const std::size_t end = std::size_t(cell.firstBlade) + cell.bladeCount;
+        for (std::size_t i = (cell.firstBlade + stride - 1) / stride * stride; i < end;
+             i += stride) {
+            const shared::Blade blade = shared::unpackBlade(field.blades[i], cell);
+            const shared::Species& look = field.species[blade.species].look;
+            const float area = blade.height * blade.width *
+                               shared::outlineArea(look.shape, look.tipThreshold);
+            roots += area * look.rootColor;
+            tips += area * look.tipColor;
+            leaves += area;
+        }
+    }
+    cover.structure = 0.0f;
+    cover.thinned = static_cast<float>(field.thinned);
+    if (leaves <= 0.0f)
+        return;
+    roots /= leaves;
+    tips /= leaves;
+    cover.undergrowth =
+        glm::mix(glm::mix(roots, tips, undergrowthHeight), litterColor, litterShare);
+    cover.sward = swardBrightness * glm::mix(roots, tips, swardHeight);
+    cover.structure = largestCrumb * field::meanBladeSize(field).height;
+}
+
 GrassCover::GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
                        const field::FieldView& field)
 {
     const LeafAreaGrid grid = leafAreaOf(field);
     shape_ = grid.shape;
+    describeUndergrowth(field, shape_);
     values_ = gpu::Buffer(
         context, {.name = "grass cover",
                   .bytes = grid.values.size() * sizeof(float),
@@ -195,9 +245,10 @@ GrassCover::GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upl
     upload.toBuffer(values_, std::span<const float>(grid.values));
 }
 
-void GrassCover::describe(shared::Frame& frame) const
+void GrassCover::describe(shared::Frame& frame, float thatch) const
 {
     frame.cover = shape_;
+    frame.cover.thatch = thatch;
     frame.cover.leafArea.address = values_.address();
     frame.cover.farthest = (frame.view.cullMask & shared::cullDistance) != 0
                                ? frame.view.drawDistance

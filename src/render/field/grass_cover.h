@@ -32,6 +32,10 @@ struct LeafAreaGrid {
 /// range at which grass darkens.
 LeafAreaGrid leafAreaOf(const field::FieldView& field);
 
+/// Colours and structure of the ground under a field's grass: members undergrowth, sward, thinned
+/// and structure.
+void describeUndergrowth(const field::FieldView& field, shared::Cover& cover);
+
 /// The same in device memory, computed once.
 class GrassCover {
 public:
@@ -39,13 +43,13 @@ public:
     GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
                const field::FieldView& field);
 
-    /// Call after the frame's draw distance is set.
-    void describe(shared::Frame& frame) const;
+    /// Call after the frame's draw distance is set. `thatch`: FrameSettings::thatch.
+    void describe(shared::Frame& frame, float thatch) const;
 
     VkDeviceSize bytes() const { return values_.bytes(); }
 
 private:
-    shared::Cover shape_ = {};
+    shared::Cover shape_ = {}; ///< with the colours of the undergrowth
     gpu::Buffer values_;
 };
 

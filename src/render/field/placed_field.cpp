@@ -121,7 +121,7 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
         field.blades.describe(drawn);
         states_.describe(drawn);
         lists_[i].describe(drawn);
-        field.cover.describe(drawn);
+        field.cover.describe(drawn, settings.thatch);
         environment_ = drawn.environment;
         if (isLitByHost(frame.light, view)) {
             const shared::HostLight light =

@@ -129,6 +129,7 @@ std::string settingsText(const FrameSettings& settings)
                     {"sky", vector(settings.skyColor)},
                     {"ground", vector(settings.groundColor)},
                     {"clouds", number(settings.clouds)},
+                    {"thatch", number(settings.thatch)},
                     {"fog_height", number(settings.fogHeight)},
                     {"exposure", number(settings.exposure)}};
     if (settings.skyUp)

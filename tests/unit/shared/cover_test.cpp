@@ -2,6 +2,7 @@
 
 #include "core/random.h"
 #include "shaders/shared/cover.h"
+#include "shaders/shared/noise.h"
 
 #include <gtest/gtest.h>
 
@@ -31,6 +32,47 @@ TEST(Cover, TakesFromTheSkyWhatItTakesFromSunsAllOverIt)
                    std::exp(-static_cast<double>(leafExtinction * leafArea) / cosine);
         }
         EXPECT_NEAR(skyBelow(leafArea), sum, 0.03) << leafArea;
+    }
+}
+
+TEST(Cover, UndergrowthCoversTheGroundAsTheMeadowDoes)
+{
+    Cover cover = {};
+    cover.undergrowth = vec3(0.05f, 0.1f, 0.02f);
+    cover.sward = vec3(0.1f, 0.2f, 0.04f);
+    cover.thatch = 1.0f;
+    cover.thinned = 1.0f;
+    const vec3 white(1.0f);
+    const auto under = [&](float leafArea) {
+        return groundUnder(cover, white, vec3(1.0f), leafArea);
+    };
+    EXPECT_EQ(under(0.0f), white);
+    // A white ground does not shine through a closed sward.
+    EXPECT_LT(distance(under(5.0f), cover.undergrowth), 0.05f);
+    for (float leafArea = 0.1f; leafArea < 5.0f; leafArea += 0.1f)
+        EXPECT_LT(under(leafArea).x, under(leafArea - 0.1f).x) << leafArea;
+    // A thinned meadow covers as the whole one does, in the sward's colour.
+    cover.thinned = 1000.0f;
+    EXPECT_LT(distance(under(0.005f), cover.sward), 0.05f);
+    cover.thatch = 0.0f;
+    EXPECT_EQ(under(5.0f), white);
+}
+
+TEST(Noise, SlopeIsTheDerivativeOfTheValue)
+{
+    for (std::uint32_t i = 0; i < 1000; ++i) {
+        const auto at = [&](std::uint32_t axis) {
+            return static_cast<float>(40.0 * uniform(7, i, axis) - 20.0);
+        };
+        const vec3 p(at(0), at(1), at(2));
+        const vec4 slope = valueNoiseSlope(p);
+        EXPECT_NEAR(slope.w, valueNoise(p), 1e-6f);
+        for (int axis = 0; axis < 3; ++axis) {
+            vec3 step(0.0f);
+            step[axis] = 0.004f;
+            const float secant = (valueNoise(p + step) - valueNoise(p - step)) / 0.008f;
+            EXPECT_NEAR(slope[axis], secant, 0.02f) << i << " along " << axis;
+        }
     }
 }
 

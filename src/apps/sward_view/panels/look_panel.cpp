@@ -23,6 +23,8 @@ void drawLookPanel(Controls& controls, ViewerState& state)
     controls.color("Sky", settings.skyColor, "What comes from above");
     controls.color("Ground", settings.groundColor, "What the ground throws back from below");
     controls.number("Clouds", settings.clouds, {0.0f, 1.0f}, "Share of the sky that they cover");
+    controls.number("Thatch", settings.thatch, {0.0f, 1.0f},
+                    "Litter, moss and young leaves on the ground between the blades");
 
     controls.section("Air");
     bool chosen = settings.fogDensity < 0.0f;
