@@ -118,6 +118,8 @@ Report estimateBake(const terrain::GroundMesh& ground, const BakeSettings& setti
         const double area = bearingArea(ground, settings.sides);
         const Plan full = planBake(area, extentOf(ground), settings, diagnostics);
         report.bladeScale = full.scale;
+        report.densityClosed = full.closedDensity;
+        report.widening = full.widening;
         if (area <= 0.0)
             return;
         BakeSettings thin = settings;

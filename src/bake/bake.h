@@ -14,8 +14,8 @@ namespace sward::bake {
 /// Result of a bake.
 struct BakeResult {
     field::Field field; ///< the baked field
-    Report report; ///< the caller fills input.path, output, load and write times and
-                   ///< peak memory
+    Report report;      ///< the caller fills input.path, output, load and write times and
+                        ///< peak memory
 };
 
 /// Grows a field on `ground`. `threads` 0: all threads of the machine. The result has the same

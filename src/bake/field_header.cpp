@@ -50,6 +50,7 @@ field::Field fieldWithoutBlades(const terrain::GroundMesh& ground, const BakeSet
     field.copyright = ground.copyright;
     for (const SpeciesTraits& species : settings.meadow.species)
         field.species.push_back({species.name, species.look});
+    field.thinned = plan.plan.thinned;
     field.ground = displayGround(ground, masksByVertexColor(settings));
     field.defaults = defaultsFor(settings, plan.plan.scale);
     field.provenance = provenanceOf(settings, report);

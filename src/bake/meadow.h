@@ -30,16 +30,18 @@ struct SpeciesTraits {
     glm::dvec2 stiffness{0.35, 0.75}; ///< [0, 1]
     double clumping = 0.5;            ///< [0, 1]: similarity of blades of one clump
     Facing facing = Facing::outward;  ///< of blades in a clump
-    double tuftSpacing = 0.0;  ///< [m] typical distance of tufts; 0: no tufts
-    double tuftRadius = 0.03;  ///< [m] radius of the ground that a tuft covers
-    shared::Species look = {}; ///< colours, shape, gloss
+    double tuftSpacing = 0.0;         ///< [m] typical distance of tufts; 0: no tufts
+    double tuftRadius = 0.03;         ///< [m] radius of the ground that a tuft covers
+    shared::Species look = {};        ///< colours, shape, gloss
 };
 
 /// A mix of one to eight species.
 struct Meadow {
     std::string name = "meadow"; ///< name of the meadow
     double clumpSize = 0.7;      ///< [m] typical distance of clumps, at blade scale 1; 0: no clumps
-    double sparseHeight = 0.6; ///< relative height where filter weights are near 0
+    double sparseHeight = 0.6;   ///< relative height where filter weights are near 0
+    double closedCover =
+        0.88; ///< [0.01, 0.999] of the ground hidden from above, at its own density
     bool fitsOverhangs = true; ///< shortens blades to the room above them, if rays are cast
     std::vector<SpeciesTraits> species; ///< 1 to 8
 };

@@ -2,6 +2,7 @@
 
 #include "bake/blades/clumps.h"
 #include "bake/sample/poisson_region.h"
+#include "bake/sward_cover.h"
 #include "bake/tile_region.h"
 #include "core/error.h"
 
@@ -11,8 +12,7 @@
 namespace sward::bake {
 namespace {
 
-constexpr double defaultDensity = 300.0; // [1/m²] at scale 1
-constexpr double clampedBlades = 20e6;
+constexpr double maxWidening = 2.0;
 constexpr double fullScaleWidth = 20.0; // [m]
 constexpr double smallestScale = 1e-6;
 
@@ -21,6 +21,28 @@ constexpr double stepsPerPatch = 65535.0;
 
 // Bytes of one blade in the file: 16 packed, about 4 for its key, plus its share of the patch.
 constexpr double bytesPerBlade = 21.0;
+
+// Chooses the density of a closed sward. Where the budget does not suffice, fewer blades are wider:
+// up to twice, for they must not look like leeks. The ground shows the rest of the sward.
+void closeSward(Plan& plan, const BakeSettings& settings, Diagnostics& diagnostics)
+{
+    plan.closedDensity = closedDensity(settings.meadow) / (plan.scale * plan.scale);
+    plan.density = plan.closedDensity;
+    plan.expected = plan.density * plan.area;
+    const double limit = std::min(double(settings.budget), double(settings.maxBlades));
+    if (plan.expected <= limit)
+        return;
+    const double missing = plan.expected / limit;
+    plan.widening = std::min(std::sqrt(missing), maxWidening);
+    plan.thinned = missing / plan.widening;
+    diagnostics.warn("a closed sward on {:.4g} m² is {:.4g} blades and {:.3g} GB; --budget {:.4g} "
+                     "leaves {:.4g} per m² of {:.4g}, {:.2g} times as wide, on ground in the "
+                     "sward's colour (--budget or --density allow more)",
+                     plan.area, plan.expected, plan.expected * bytesPerBlade * 1e-9, limit,
+                     limit / plan.area, plan.closedDensity, plan.widening);
+    plan.density = limit / plan.area;
+    plan.expected = limit;
+}
 
 } // namespace
 
@@ -49,19 +71,7 @@ Plan planBake(double area, double extent, const BakeSettings& settings, Diagnost
         plan.density = *settings.density;
         plan.expected = plan.density * area;
     } else {
-        plan.density = defaultDensity / (plan.scale * plan.scale);
-        plan.expected = plan.density * area;
-        const double limit = std::min(clampedBlades, double(settings.maxBlades));
-        if (plan.expected > limit) {
-            diagnostics.warn(
-                "{:.4g} m² at {:.4g} blades per m² would be {:.4g} blades and {:.3g} GB; "
-                "density lowered to {:.4g} per m² for {:.4g} blades (request more with "
-                "--density or --count)",
-                area, plan.density, plan.expected, plan.expected * bytesPerBlade * 1e-9,
-                limit / area, limit);
-            plan.density = limit / area;
-            plan.expected = limit;
-        }
+        closeSward(plan, settings, diagnostics);
     }
     if (settings.spread != Spread::uniform && !settings.spacing && !settings.count)
         plan.spacing = plan.density > 0.0 ? std::sqrt(yield / plan.density) : 0.0;

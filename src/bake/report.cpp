@@ -42,7 +42,10 @@ std::string toJson(const Report& report)
                          {"minimum_m", report.spacingMinimum},
                          {"rho", report.relativeRadius}};
     object["density_per_m2"] = {{"requested", report.densityRequested},
-                                {"reached", report.densityReached}};
+                                {"reached", report.densityReached},
+                                {"closed", report.densityClosed}};
+    object["widening"] = report.widening;
+    object["slope_deg"] = {report.slope.low, report.slope.high, report.slope.soft};
     object["timing_s"] = {{"load", timing.load},     {"topology", timing.topology},
                           {"rays", timing.rays},     {"sample", timing.sample},
                           {"traits", timing.traits}, {"patches", timing.patches},

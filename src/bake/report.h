@@ -48,20 +48,24 @@ struct Report {
         double area = 0.0;           ///< [m²] of bearing triangles, one side
         glm::dvec3 low{0.0};         ///< corner of the world bounds [m]
         glm::dvec3 high{0.0};        ///< opposite corner [m]
-        SoftRange altitudes;    ///< [m] of bearing triangles; unbounded unless requested
-        std::string hash;       ///< of the content, as hexadecimal digits
-    } input;                    ///< the input ground
-    std::uint64_t seed = 0;     ///< as requested
-    int threads = 0;            ///< threads used
-    double bladeScale = 1.0;    ///< as chosen
-    std::uint64_t proposed = 0; ///< roots before any filter
-    std::uint64_t kept = 0;     ///< roots in the field
+        SoftRange altitudes;         ///< [m] of bearing triangles; unbounded unless requested
+        std::string hash;            ///< of the content, as hexadecimal digits
+    } input;                         ///< the input ground
+    std::uint64_t seed = 0;          ///< as requested
+    int threads = 0;                 ///< threads used
+    double bladeScale = 1.0;         ///< as chosen
+    std::uint64_t proposed = 0;      ///< roots before any filter
+    std::uint64_t kept = 0;          ///< roots in the field
     std::array<std::uint64_t, rejectCount> rejected{}; ///< by Reject
     double spacingRequested = 0.0;                     ///< [m]; 0: none requested
     double spacingMinimum = 0.0;   ///< [m] between roots of one sheet, as stored
     double relativeRadius = 0.0;   ///< minimum / spacing of a hexagonal packing
     double densityRequested = 0.0; ///< [1/m²]
     double densityReached = 0.0;   ///< [1/m²] kept roots per area
+    double densityClosed = 0.0;    ///< [1/m²] of a closed sward; 0 unless it decided the amount
+    double widening = 1.0;         ///< factor on the width of blades
+    bool slopeChosen = false;      ///< by the ground's shape, not by a setting
+    SoftRange slope;               ///< [degrees] of the filter, as requested or chosen
     /// Wall-clock seconds of each stage.
     struct Timing {
         double load = 0;          ///< of the input

@@ -94,6 +94,8 @@ void finishReport(Report& report, const Totals& totals, const BakeSettings& sett
              *settings.count, totals.counts.kept);
     report.bladeScale = plan.plan.scale;
     report.densityRequested = settings.count ? 0.0 : plan.plan.density;
+    report.densityClosed = plan.plan.closedDensity;
+    report.widening = plan.plan.widening;
     totals.fill(report, 1.0);
     fillSpacing(report, totals.spacingMinimum, settings, plan);
     warnAboutRoots(totals.counts, report.input, settings, diagnostics);
@@ -111,6 +113,7 @@ Report reportOf(const terrain::GroundMesh& ground, const BakeSettings& settings,
         report.input.altitudes = altitudesOf(ground, settings.groundUp);
     report.input.hash = terrain::contentHash(ground);
     report.seed = settings.seed;
+    report.slope = settings.slope;
     report.threads = threads;
     return report;
 }

@@ -102,6 +102,7 @@ void validate(const BakeSettings& settings)
         requireRange("--density", *settings.density, 0.0, 1e15);
     if (settings.count)
         requireRange("--count", double(*settings.count), 0.0, 4e9);
+    requireRange("--budget", double(settings.budget), 1.0, 4e9);
     requireRange("--max-blades", double(settings.maxBlades), 0.0, 4e9);
     if (settings.bladeScale)
         requireRange("--blade-scale", *settings.bladeScale, 1e-6, 1e6);
@@ -133,6 +134,8 @@ std::string toJson(const BakeSettings& settings)
     json object = {
         {"density", settings.density ? json(*settings.density) : json()},
         {"count", settings.count ? json(*settings.count) : json()},
+        {"budget",
+         settings.density || settings.count || settings.spacing ? json() : json(settings.budget)},
         {"blade_scale", settings.bladeScale ? json(*settings.bladeScale) : json("auto")},
         {"spacing", settings.spacing ? json(*settings.spacing) : json()},
         {"sampling", nameOf(settings.spread)},

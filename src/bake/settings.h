@@ -42,10 +42,11 @@ struct GroundUp {
 /// All settings that determine where blades grow and how they look.
 struct BakeSettings {
     std::optional<double>
-        density; ///< [1/m²]; without density and count: 300, fewer if over 20 million
-    std::optional<std::uint64_t> count; ///< blades kept, exactly
-    std::optional<double> spacing;   ///< [m] between roots of Poisson disks; sets the density
-    Spread spread = Spread::uniform; ///< distribution of roots
+        density; ///< [1/m²]; without density, spacing and count: closedDensity() of the meadow
+    std::optional<std::uint64_t> count;    ///< blades kept, exactly
+    std::optional<double> spacing;         ///< [m] between roots of Poisson disks; sets the density
+    Spread spread = Spread::uniform;       ///< distribution of roots
+    std::uint64_t budget = 50'000'000;     ///< most blades where the meadow decides their number
     std::uint64_t maxBlades = 200'000'000; ///< larger bakes fail before sampling
     std::optional<double> bladeScale;      ///< none: automatic, smaller on small ground
     std::uint64_t seed = 0;                ///< seed of all random numbers

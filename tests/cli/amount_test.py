@@ -27,8 +27,16 @@ class Amount(CliTest):
                 self.assert_poisson(self.kept("--density", density, "--blade-scale", "1"),
                                     density * 400)
 
-    def test_the_default_is_300_per_square_metre(self):
-        self.assert_poisson(self.kept("--blade-scale", "1"), 300 * 400)
+    def test_the_default_closes_the_sward_and_says_so(self):
+        done = self.sward("bake", "square.glb", "-o", "closed.sward", "--blade-scale", "1", "--report", "c.json", "--force")
+        report = self.read_json("c.json")
+        closed = report["density_per_m2"]["closed"]
+        self.assertGreater(closed, 1000)
+        self.assert_poisson(report["roots"]["kept"], closed * 400)
+        self.assertRegex(done.stderr, r"blades per m² close the meadow's sward; --density")
+        # A density that somebody chose is no closed sward.
+        self.sward("bake", "square.glb", "-o", "closed.sward", "--density", "3", "--report", "c.json", "--force")
+        self.assertEqual(self.read_json("c.json")["density_per_m2"]["closed"], 0)
 
     def test_count_is_exact(self):
         for count in (1, 7, 1000, 12345):
@@ -50,15 +58,26 @@ class Amount(CliTest):
         self.refused("bake", "square.glb", "-o", "f.sward", "--count", "1001", "--max-blades", "1000",
                      code=INPUT, names=["1001", "1000"])
 
-    def test_without_a_wish_the_number_is_clamped_to_20_million_with_the_price(self):
-        # 1e6 m² would take 300 million.
+    def test_without_a_wish_the_number_keeps_to_the_budget_and_says_so(self):
         (self.folder / "large.glb").write_bytes(glb_bytes(square(1000.0)))
-        self.sward("bake", "large.glb", "--dry-run", "--report", "r.json", "--blade-scale", "1", "-q")
-        report = self.read_json("r.json")
-        self.assertLess(abs(report["roots"]["kept"] - 20e6), 0.05 * 20e6)
-        warnings = " ".join(report["warnings"])
-        self.assertRegex(warnings, r"3e\+08 blades and .* GB")
-        self.assertRegex(warnings, r"for 2e\+07 blades")
+        for budget, options in ((50e6, ()), (1e6, ("--budget", "1000000"))):
+            self.sward("bake", "large.glb", "--dry-run", "--report", "r.json", "--blade-scale", "1", "-q", "--force", *options)
+            report = self.read_json("r.json")
+            self.assertLess(abs(report["roots"]["kept"] - budget), 0.05 * budget)
+            self.assertEqual(report["widening"], 2)
+            warnings = " ".join(report["warnings"])
+            self.assertRegex(warnings, r"blades and .* GB; --budget")
+        self.refused("bake", "square.glb", "-o", "f.sward", "--budget", "0", code=USAGE, names=["--budget"])
+
+    def test_a_heightfield_bears_no_grass_on_cliffs_unless_asked(self):
+        dunes = ("bake", "dunes", "-o", "d.sward", "--density", "5", "--report", "d.json", "--force")
+        self.sward(*dunes)
+        self.assertEqual(self.read_json("d.json")["slope_deg"], [0, 45, 15])
+        self.sward(*dunes, "--slope", "0:180")
+        self.assertEqual(self.read_json("d.json")["slope_deg"], [0, 180, 0])
+        for closed in ("sphere", "torus", "arch"):
+            self.sward("bake", closed, "-o", "d.sward", "--density", "5", "--report", "d.json", "--force")
+            self.assertEqual(self.read_json("d.json")["slope_deg"], [0, 180, 0])
 
     def test_a_painted_mask_multiplies_density(self):
         # Red runs from 0 in the west to 1 in the east: half of all in the mean, nothing at the edge.
@@ -105,8 +124,9 @@ class Amount(CliTest):
             self.assertEqual(report["warnings"], [])
         county = self.report("county.glb", dry=True)
         self.assertEqual(county["blade_scale"], 1.0)
-        self.assertTrue(19e6 < county["roots"]["kept"] < 21e6, county["roots"])
-        self.assertTrue(any("300" in warning for warning in county["warnings"]))
+        self.assertTrue(49e6 < county["roots"]["kept"] < 51e6, county["roots"])
+        self.assertEqual(county["widening"], 2)
+        self.assertEqual(len(county["warnings"]), 1)
 
     def mean_height(self, field):
         told = self.sward("info", field, "--histogram", "--json").stdout

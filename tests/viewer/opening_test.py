@@ -1,5 +1,6 @@
 """What can be opened in the viewer's window, and what goes wrong with it."""
 
+import json
 import os
 import resource
 import shutil
@@ -211,7 +212,8 @@ class OpeningTest(unittest.TestCase):
     def test_a_mesh_is_baked_again_when_it_or_its_meadow_changes(self):
         mesh, meadow = self.folder / "ground.glb", self.folder / "own.json"
         shutil.copy(self.mesh, mesh)
-        shutil.copy(ROOT / "assets/meadows/lawn.json", meadow)
+        sparse = json.loads((ROOT / "assets/meadows/lawn.json").read_text()) | {"cover_from_above": 0.01}
+        meadow.write_text(json.dumps(sparse))
         viewer = self.open(mesh, "--meadow", meadow, "--watch", "--panel", "field")
         blades = viewer.shows("Field/Blades")
         self.assertIn("Field/bluegrass", viewer.controls())

@@ -10,6 +10,7 @@
 #include "apps/sward/output_files.h"
 #include "apps/sward/subcommand.h"
 #include "bake/bake.h"
+#include "bake/filter/default_slope.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/log.h"
@@ -81,6 +82,8 @@ public:
         Stopwatch watch;
         Diagnostics diagnostics;
         const terrain::GroundMesh ground = loadGround(request, diagnostics);
+        if (request.choosesSlope)
+            request.settings.slope = bake::defaultSlope(ground, request.settings.groundUp);
         loadExcluded(request, diagnostics);
         const double loading = watch.lap();
         // Compute the topology line only when verbose, because it takes time.
@@ -96,6 +99,7 @@ public:
         bar.clear();
 
         // Fill in values known only here.
+        report.slopeChosen = request.choosesSlope;
         report.input.path = fmt::format("{}", fmt::join(request.inputs, ", "));
         report.timing.load = loading;
         report.timing.topology += connecting;

@@ -136,7 +136,7 @@ void BakeOptions::addAmount(CLI::App& app)
     const char* group = "How much";
     CLI::Option* density =
         app.add_option("--density", density_, "Blades per square metre, 0 to 1e15")
-            ->default_str("300, less if that makes more than 20 million blades")
+            ->default_str("what closes the meadow's sward, within --budget")
             ->type_name("N")
             ->group(group)
             ->each([this](const std::string&) { hasDensity_ = true; });
@@ -160,6 +160,12 @@ void BakeOptions::addAmount(CLI::App& app)
         ->each([this](const std::string&) { hasSampling_ = true; })
         ->group(group)
         ->capture_default_str();
+    app.add_option("--budget", direct_.settings.budget,
+                   "Blades, 1 to 4000000000, that a bake without --density, --spacing and --count "
+                   "grows at most; fewer blades are wider, and the ground takes the sward's colour")
+        ->type_name("N")
+        ->group(group)
+        ->capture_default_str();
     app.add_option("--max-blades", direct_.settings.maxBlades,
                    "Limit on the number of blades, 0 to 4000000000; a larger bake is refused "
                    "before it begins")
@@ -181,7 +187,7 @@ void BakeOptions::addPlaces(CLI::App& app)
         return app.add_option(name, value, text)->type_name(type)->group("Where");
     };
     option("--slope", slope_, "MIN:MAX[~SOFT]", "Slope in degrees from --ground-up, 0 to 180")
-        ->default_str("0:180");
+        ->default_str("0:45~15 on a heightfield, else 0:180");
     option("--altitude", altitude_, "MIN:MAX[~SOFT]",
            "Altitude in metres along --ground-up; either end may be left out")
         ->default_str("unlimited");
@@ -288,6 +294,7 @@ BakeRequest BakeOptions::request() const
     settings.align = bake::parseAlignment(align_);
     settings.groundUp = bake::parseGroundUp(groundUp_);
     settings.slope = softRange("--slope", slope_, settings.slope);
+    request.choosesSlope = slope_.empty() && settings.sides == bake::Sides::front;
     settings.altitude = softRange("--altitude", altitude_, settings.altitude);
     settings.curvature = softRange("--curvature", curvature_, settings.curvature);
     settings.sky = softRange("--sky", sky_, settings.sky);

@@ -61,10 +61,34 @@ std::string timingLine(const bake::Report::Timing& timing)
     return line;
 }
 
+// How the number of blades was chosen, if the meadow decided; empty otherwise.
+std::string amountLine(const bake::Report& report)
+{
+    if (report.densityClosed <= 0.0 || report.widening > 1.0)
+        return {};
+    return fmt::format("{:.4g} blades per m² close the meadow's sward; --density, --count or "
+                       "--spacing change that",
+                       report.densityClosed);
+}
+
+// Which slopes bear grass, if their choice rejects roots; empty otherwise.
+std::string slopeLine(const bake::Report& report)
+{
+    const bool rejects = report.rejected[static_cast<std::size_t>(bake::Reject::slope)] > 0;
+    if (!report.slopeChosen || !rejects)
+        return {};
+    return fmt::format("a heightfield bears grass on slopes of {} degrees; --slope 0:180 grows it "
+                       "on all",
+                       bake::textOf(report.slope));
+}
+
 void tell(const std::string& name, const bake::Report& report)
 {
     for (const std::string& warning : report.warnings)
         log::warn("{}", warning);
+    for (const std::string& line : {amountLine(report), slopeLine(report)})
+        if (!line.empty())
+            log::info("{}", line);
     log::info("{}", rejectionLine(report));
     log::debug("{}", timingLine(report.timing));
     writeResult(resultLine(name, report) + "\n");

@@ -29,6 +29,7 @@ std::string effectiveSettings(const BakeRequest& request)
     nlohmann::ordered_json all;
     all["ground"] = std::move(ground);
     all["bake"] = nlohmann::ordered_json::parse(bake::toJson(request.settings));
+    all["budget"] = request.settings.budget;
     all["max_blades"] = request.settings.maxBlades;
     all["threads"] = request.threads;
     return all.dump(2);

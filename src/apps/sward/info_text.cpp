@@ -74,7 +74,7 @@ std::string infoText(const std::string& file, const field::FieldView& field,
     const field::Summary summary = field::summarise(field);
     std::string text = file + "\n";
     const auto row = [&](const char* name, const std::string& value) {
-        text += fmt::format("  {:<16}{}\n", name, value);
+        text += fmt::format("  {:<20}{}\n", name, value);
     };
     row("blades", fmt::format("{}", summary.blades));
     row("patches", fmt::format("{} in {}; {} leaves of {:.1f} blades on average", summary.patches,

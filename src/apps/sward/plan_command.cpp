@@ -8,6 +8,7 @@
 #include "apps/sward/parts_folder.h"
 #include "apps/sward/subcommand.h"
 #include "bake/field_header.h"
+#include "bake/filter/default_slope.h"
 #include "bake/report_totals.h"
 #include "bake/threads.h"
 #include "bake/tiles/tile_files.h"
@@ -69,6 +70,8 @@ public:
         Diagnostics diagnostics;
         terrain::GroundMesh ground = loadGround(request, diagnostics);
         loadExcluded(request, diagnostics);
+        if (request.choosesSlope)
+            request.settings.slope = bake::defaultSlope(ground, request.settings.groundUp);
 
         ProgressBar bar(options_.log.showBar());
         Progress progress(bar.callback());
@@ -76,6 +79,9 @@ public:
         bake::TilePlan plan;
         plan.tiles = tiles_;
         plan.arguments = bakeArguments(app());
+        if (request.choosesSlope)
+            plan.arguments.insert(plan.arguments.begin(), // before "--"
+                                  "--slope=" + bake::textOf(request.settings.slope));
         plan.folder = fs::current_path().string();
         std::size_t triangles = 0;
         bake::withThreads(bake::threadCount(request.threads), [&] {

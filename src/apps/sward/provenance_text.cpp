@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t nameColumns = 18;
+constexpr std::size_t nameColumns = 22;
 constexpr std::size_t speciesColumns = 20;
 constexpr std::size_t speciesAbreast = 3; ///< species per table
 

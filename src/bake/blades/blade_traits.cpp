@@ -1,6 +1,7 @@
 #include "bake/blades/blade_traits.h"
 
 #include "bake/blades/ground_color.h"
+#include "bake/patches/display_ground.h"
 #include "bake/sample/triangle_points.h"
 #include "bake/up_vector.h"
 #include "core/exact_math.h"
@@ -139,9 +140,11 @@ BladeGrower::BladeGrower(const terrain::GroundMesh& ground, const BakeSettings& 
     : ground_(ground)
     , settings_(settings)
     , scale_(whole.scale)
+    , widthScale_(whole.scale * whole.widening)
     , filter_(filter)
     , query_(query)
     , colorsAreMask_(masksByVertexColor(settings))
+    , baseColors_(drawnBaseColors(ground, colorsAreMask_))
     , fitsOverhangs_(settings.meadow.fitsOverhangs &&
                      (settings.exposureRays > 0 || settings.clearance > 0.0))
     , clumps_(ground, clumpSpacing(settings.meadow.clumpSize * whole.scale, whole.area),
@@ -233,12 +236,13 @@ shared::Blade BladeGrower::grow(const RootSample& root, float exposure) const
     blade.up = glm::vec3(up);
     blade.facing = facingOf(blade.up, glm::cross(front, up));
     blade.height = static_cast<float>(roomOver(place, up, height));
-    blade.width = static_cast<float>(scale_ * within(species.width, dice.own(Dimension::width)));
+    blade.width =
+        static_cast<float>(widthScale_ * within(species.width, dice.own(Dimension::width)));
     blade.stiffness = static_cast<float>(
         within(species.stiffness, dice.blended(Dimension::stiffness, 0.5 * species.clumping)));
     blade.exposure = exposure;
     blade.species = slot;
-    blade.tint = groundColor(ground_, place, colorsAreMask_);
+    blade.tint = groundColor(ground_, place, baseColors_, colorsAreMask_);
     blade.clump = dice.clumpNumber();
     blade.hash = dice.hash();
     return blade;

@@ -21,8 +21,9 @@ class BladeGrower {
 public:
     /// Values computed once for the whole ground; the mesh may be a part of it.
     struct Whole {
-        double scale = 1.0; ///< multiplies lengths
-        double area = 0.0;  ///< [m²] bearingArea()
+        double scale = 1.0;    ///< multiplies lengths
+        double area = 0.0;     ///< [m²] bearingArea()
+        double widening = 1.0; ///< factor on widths
     };
 
     /// All arguments must outlive it. `query` is of the whole scene; null unless settings use
@@ -40,9 +41,11 @@ private:
     const terrain::GroundMesh& ground_;
     const BakeSettings& settings_;
     double scale_;
+    double widthScale_;
     const RootFilter& filter_;
     const terrain::SurfaceQuery* query_;
     bool colorsAreMask_;
+    std::vector<glm::vec3> baseColors_; ///< per material, as drawn
     bool fitsOverhangs_; ///< from the settings; a part of the ground may need no rays
     Clumps clumps_;
     std::vector<std::optional<Clumps>> tufts_; ///< per species

@@ -34,10 +34,11 @@ glm::vec3 imageColor(const terrain::GroundImage& image, const terrain::GroundMat
 
 } // namespace
 
-glm::vec3 groundColor(const terrain::GroundMesh& ground, const RootSample& root, bool colorsAreMask)
+glm::vec3 groundColor(const terrain::GroundMesh& ground, const RootSample& root,
+                      std::span<const glm::vec3> baseColors, bool colorsAreMask)
 {
     const terrain::GroundMaterial& material = ground.materials[ground.materialOf[root.triangle]];
-    glm::vec3 color(material.baseColor.x, material.baseColor.y, material.baseColor.z);
+    glm::vec3 color = baseColors[ground.materialOf[root.triangle]];
     const glm::uvec3 corners = ground.triangles[root.triangle];
     const float b = root.barycentric.x;
     const float c = root.barycentric.y;

@@ -15,15 +15,23 @@ std::uint32_t packColor(glm::vec4 color)
            static_cast<std::uint32_t>(bytes.z) << 16 | static_cast<std::uint32_t>(bytes.w) << 24;
 }
 
-shared::GroundMaterial displayMaterial(const terrain::GroundMaterial& material)
+shared::GroundMaterial displayMaterial(const terrain::GroundMaterial& material, glm::vec3 color)
 {
     shared::GroundMaterial shown;
-    shown.baseColor = material.baseColor;
+    shown.baseColor = glm::vec4(color, material.baseColor.w);
     shown.roughness = material.roughness;
     shown.metallic = material.metallic;
     shown.image = material.image;
     shown.flags = material.doubleSided ? shared::groundDoubleSided : 0U;
     return shown;
+}
+
+// Whether a colour is a default of some exporter: neutral and lighter than rock.
+bool looksUnset(glm::vec3 color)
+{
+    const float high = std::max({color.x, color.y, color.z});
+    const float low = std::min({color.x, color.y, color.z});
+    return high >= 0.4f && high - low <= 0.02f * high;
 }
 
 } // namespace
@@ -33,6 +41,19 @@ bool showsVertexColors(const terrain::GroundMesh& ground, std::uint32_t material
 {
     return ground.hasColors && !colorsAreMask &&
            ground.materials[material].image == terrain::GroundMaterial::noImage;
+}
+
+std::vector<glm::vec3> drawnBaseColors(const terrain::GroundMesh& ground, bool colorsAreMask)
+{
+    const glm::vec3 earth(terrain::GroundMaterial{}.baseColor);
+    std::vector<glm::vec3> colors;
+    for (std::uint32_t m = 0; m < ground.materials.size(); ++m) {
+        const glm::vec3 own(ground.materials[m].baseColor);
+        const bool isPlain = ground.materials[m].image == terrain::GroundMaterial::noImage &&
+                             !showsVertexColors(ground, m, colorsAreMask);
+        colors.push_back(isPlain && looksUnset(own) ? earth : own);
+    }
+    return colors;
 }
 
 field::DisplayGround displayGround(const terrain::GroundMesh& ground, bool colorsAreMask)
@@ -73,8 +94,9 @@ field::DisplayGround displayGround(const terrain::GroundMesh& ground, bool color
         if (first[m + 1] > first[m])
             shown.ranges.push_back({0, m, 3 * first[m], 3 * (first[m + 1] - first[m])});
 
-    for (const terrain::GroundMaterial& material : ground.materials)
-        shown.materials.push_back(displayMaterial(material));
+    const std::vector<glm::vec3> colors = drawnBaseColors(ground, colorsAreMask);
+    for (std::size_t m = 0; m < ground.materials.size(); ++m)
+        shown.materials.push_back(displayMaterial(ground.materials[m], colors[m]));
     for (const terrain::GroundImage& image : ground.images)
         shown.images.push_back({image.width, image.height, image.rgba});
     return shown;

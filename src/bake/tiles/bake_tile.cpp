@@ -121,7 +121,8 @@ TileResult bakeTile(const GroundView& part, const BakeSettings& settings, const 
                                 *rays, progress);
     result.timing.rays += watch.lap();
 
-    const BladeGrower grower(ground, settings, {plan.plan.scale, plan.plan.area}, filter, rays);
+    const BladeGrower grower(ground, settings,
+                             {plan.plan.scale, plan.plan.area, plan.plan.widening}, filter, rays);
     result.timing.traits = watch.lap();
     result.timing.traits = watch.lap();
     result.cells = growCells(

@@ -140,6 +140,9 @@ void writePlan(const fs::path& path, const TilePlan& plan, bool overwrite)
                            {"density", plan.plan.plan.density},
                            {"expected", plan.plan.plan.expected},
                            {"spacing", plan.plan.plan.spacing},
+                           {"widening", plan.plan.plan.widening},
+                           {"thinned", plan.plan.plan.thinned},
+                           {"closed_density", plan.plan.plan.closedDensity},
                            {"clump_spacing", plan.plan.plan.clumpSpacing},
                            {"area", plan.plan.plan.area},
                            {"root_density", plan.plan.roots.amount.density},
@@ -172,6 +175,9 @@ TilePlan readPlan(const fs::path& path)
         plan.plan.plan.density = number("density");
         plan.plan.plan.expected = number("expected");
         plan.plan.plan.spacing = number("spacing");
+        plan.plan.plan.widening = number("widening");
+        plan.plan.plan.thinned = number("thinned");
+        plan.plan.plan.closedDensity = number("closed_density");
         plan.plan.plan.clumpSpacing = number("clump_spacing");
         plan.plan.plan.area = number("area");
         plan.plan.roots.amount.density = number("root_density");

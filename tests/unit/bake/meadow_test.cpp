@@ -58,7 +58,8 @@ TEST(Meadow, RefusesWhatCannotGrow)
 TEST(Meadow, WritesEverythingThatItReads)
 {
     const char* const text = R"({
-        "name": "all", "clump_size_m": 0.3, "sparse_height": 0.5, "fit_overhangs": false,
+        "name": "all", "clump_size_m": 0.3, "sparse_height": 0.5, "cover_from_above": 0.25,
+        "fit_overhangs": false,
         "species": [{
             "name": "one", "share": 0.25, "priority": -2, "cover": 0.5, "slope": "5:40~2.5",
             "altitude": ":300", "curvature": "-0.1:", "mask": ["vertex-color:G:invert",

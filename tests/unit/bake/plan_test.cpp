@@ -1,8 +1,14 @@
 #include "bake/plan.h"
+#include "bake/sward_cover.h"
 #include "core/error.h"
 #include "unit/bake/bake_settings.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
 
 namespace sward::bake {
 namespace {
@@ -15,14 +21,46 @@ BakeSettings undecided()
     return settings;
 }
 
-TEST(Plan, SowsThreeHundredOnASquareMetreOfFullSizeGround)
+TEST(Plan, ClosesTheSwardOfFullSizeGround)
 {
     Diagnostics diagnostics;
-    const Plan plan = planBake(1600.0, 100.0, undecided(), diagnostics);
+    const BakeSettings settings = undecided();
+    const Plan plan = planBake(1600.0, 100.0, settings, diagnostics);
     EXPECT_EQ(plan.scale, 1.0);
-    EXPECT_EQ(plan.density, 300.0);
-    EXPECT_EQ(plan.expected, 480'000.0);
+    // Blades of independent places hide 1 − exp(−n · plan) of the ground.
+    const double hidden = 1.0 - std::exp(-plan.density * coverOf(settings.meadow).plan);
+    EXPECT_NEAR(hidden, settings.meadow.closedCover, 1e-3);
+    EXPECT_EQ(plan.expected, 1600.0 * plan.density);
+    EXPECT_EQ(plan.widening, 1.0);
+    EXPECT_EQ(plan.thinned, 1.0);
     EXPECT_TRUE(diagnostics.warnings().empty());
+}
+
+TEST(Plan, NarrowerBladesCloseASwardByMoreOfThem)
+{
+    BakeSettings settings = undecided();
+    const double wide = closedDensity(settings.meadow);
+    for (SpeciesTraits& species : settings.meadow.species)
+        species.width *= 0.5;
+    EXPECT_NEAR(closedDensity(settings.meadow), 2.0 * wide, 2.0);
+    for (SpeciesTraits& species : settings.meadow.species)
+        species.height *= 2.0;
+    EXPECT_NEAR(closedDensity(settings.meadow), wide, 1.0);
+}
+
+TEST(Plan, BuiltInMeadowsStateTheirCover)
+{
+    // Leaf area index of the closed sward; a blade's plan is smaller than its area.
+    const std::map<std::string, std::pair<double, double>> index{
+        {"meadow", {3.0, 8.0}}, {"lawn", {4.0, 12.0}}, {"steppe", {1.0, 5.0}}};
+    for (const auto& [name, range] : index) {
+        const Meadow meadow = loadMeadow(name);
+        const BladeCover one = coverOf(meadow);
+        const double leafAreaIndex = closedDensity(meadow) * one.leafArea;
+        EXPECT_GT(leafAreaIndex, range.first) << name;
+        EXPECT_LT(leafAreaIndex, range.second) << name;
+        EXPECT_LT(one.plan, one.leafArea) << name;
+    }
 }
 
 TEST(Plan, SowsSmallGroundAsThicklyForItsSize)
@@ -35,14 +73,28 @@ TEST(Plan, SowsSmallGroundAsThicklyForItsSize)
     EXPECT_NEAR(small.expected, large.expected, 1.0);
 }
 
-TEST(Plan, ClampsToTwentyMillionAndSaysWhatItWouldCost)
+TEST(Plan, ABudgetKeepsTheLeafAreaThatItCanAndTellsTheRest)
 {
+    BakeSettings settings = undecided();
+    const double whole = 1e5 * closedDensity(settings.meadow);
+    for (const double share : {0.9, 0.5, 0.2, 0.01}) {
+        Diagnostics diagnostics;
+        settings.budget = static_cast<std::uint64_t>(share * whole);
+        const Plan plan = planBake(1e5, 100.0, settings, diagnostics);
+        EXPECT_NEAR(plan.expected, share * whole, 1.0);
+        // Number, width and what the ground shows make the whole sward.
+        EXPECT_NEAR(plan.expected * plan.widening * plan.thinned, whole, 1e-3 * whole);
+        EXPECT_GE(plan.thinned, 1.0);
+        EXPECT_LE(plan.widening, 2.0);
+        ASSERT_EQ(diagnostics.warnings().size(), 1U);
+        EXPECT_NE(diagnostics.warnings()[0].find("--budget"), std::string::npos);
+    }
+    // The budget says nothing of a density or a count.
     Diagnostics diagnostics;
-    const Plan plan = planBake(1e9, 100.0, undecided(), diagnostics);
-    EXPECT_NEAR(plan.expected, 20e6, 1.0);
-    ASSERT_EQ(diagnostics.warnings().size(), 1U);
-    EXPECT_NE(diagnostics.warnings()[0].find("3e+11"), std::string::npos)
-        << diagnostics.warnings()[0];
+    settings.budget = 1;
+    settings.density = 10.0;
+    EXPECT_EQ(planBake(1e5, 100.0, settings, diagnostics).expected, 1e6);
+    EXPECT_TRUE(diagnostics.warnings().empty());
 }
 
 TEST(Plan, RefusesMoreThanTheMaximumBeforeSampling)
