@@ -30,16 +30,17 @@ void closeSward(Plan& plan, const BakeSettings& settings, Diagnostics& diagnosti
     plan.density = plan.closedDensity;
     plan.expected = plan.density * plan.area;
     const double limit = std::min(double(settings.budget), double(settings.maxBlades));
+    const char* const option = settings.budget <= settings.maxBlades ? "--budget" : "--max-blades";
     if (plan.expected <= limit)
         return;
     const double missing = plan.expected / limit;
     plan.widening = std::min(std::sqrt(missing), maxWidening);
     plan.thinned = missing / plan.widening;
-    diagnostics.warn("a closed sward on {:.4g} m² is {:.4g} blades and {:.3g} GB; --budget {:.4g} "
+    diagnostics.warn("a closed sward on {:.4g} m² is {:.4g} blades and {:.3g} GB; {} {:.4g} "
                      "leaves {:.4g} per m² of {:.4g}, {:.2g} times as wide, on ground in the "
-                     "sward's colour (--budget or --density allow more)",
-                     plan.area, plan.expected, plan.expected * bytesPerBlade * 1e-9, limit,
-                     limit / plan.area, plan.closedDensity, plan.widening);
+                     "sward's colour ({} or --density allow more)",
+                     plan.area, plan.expected, plan.expected * bytesPerBlade * 1e-9, option, limit,
+                     limit / plan.area, plan.closedDensity, plan.widening, option);
     plan.density = limit / plan.area;
     plan.expected = limit;
 }

@@ -52,7 +52,7 @@ TEST(Plan, BuiltInMeadowsStateTheirCover)
 {
     // Leaf area index of the closed sward; a blade's plan is smaller than its area.
     const std::map<std::string, std::pair<double, double>> index{
-        {"meadow", {3.0, 8.0}}, {"lawn", {4.0, 12.0}}, {"steppe", {1.0, 5.0}}};
+        {"meadow", {3.0, 8.0}}, {"lawn", {2.0, 6.0}}, {"steppe", {1.0, 5.0}}};
     for (const auto& [name, range] : index) {
         const Meadow meadow = loadMeadow(name);
         const BladeCover one = coverOf(meadow);
@@ -76,11 +76,11 @@ TEST(Plan, SowsSmallGroundAsThicklyForItsSize)
 TEST(Plan, ABudgetKeepsTheLeafAreaThatItCanAndTellsTheRest)
 {
     BakeSettings settings = undecided();
-    const double whole = 1e5 * closedDensity(settings.meadow);
+    const double whole = 1e4 * closedDensity(settings.meadow);
     for (const double share : {0.9, 0.5, 0.2, 0.01}) {
         Diagnostics diagnostics;
         settings.budget = static_cast<std::uint64_t>(share * whole);
-        const Plan plan = planBake(1e5, 100.0, settings, diagnostics);
+        const Plan plan = planBake(1e4, 100.0, settings, diagnostics);
         EXPECT_NEAR(plan.expected, share * whole, 1.0);
         // Number, width and what the ground shows make the whole sward.
         EXPECT_NEAR(plan.expected * plan.widening * plan.thinned, whole, 1e-3 * whole);
@@ -89,11 +89,20 @@ TEST(Plan, ABudgetKeepsTheLeafAreaThatItCanAndTellsTheRest)
         ASSERT_EQ(diagnostics.warnings().size(), 1U);
         EXPECT_NE(diagnostics.warnings()[0].find("--budget"), std::string::npos);
     }
+    // The lower of two limits is the one that the warning names.
+    {
+        Diagnostics diagnostics;
+        settings.budget = 3'000;
+        settings.maxBlades = 2'000;
+        EXPECT_EQ(planBake(1e4, 100.0, settings, diagnostics).expected, 2e3);
+        EXPECT_NE(diagnostics.warnings()[0].find("--max-blades 2000 "), std::string::npos);
+        settings.maxBlades = BakeSettings{}.maxBlades;
+    }
     // The budget says nothing of a density or a count.
     Diagnostics diagnostics;
     settings.budget = 1;
-    settings.density = 10.0;
-    EXPECT_EQ(planBake(1e5, 100.0, settings, diagnostics).expected, 1e6);
+    settings.density = 100.0;
+    EXPECT_EQ(planBake(1e4, 100.0, settings, diagnostics).expected, 1e6);
     EXPECT_TRUE(diagnostics.warnings().empty());
 }
 
