@@ -74,6 +74,14 @@ field::Field island(std::size_t blades)
     return field;
 }
 
+/// The same ground with blades of the same height that have no width: no leaf covers anything.
+field::Field withoutLeaves(field::Field field)
+{
+    for (shared::Patch& patch : field.patches)
+        patch.widthLow = patch.widthStep = 0.0f;
+    return field;
+}
+
 TEST(GrassCover, EndsWithinACellOfTheLastBlade)
 {
     const field::Field field = island(4000);
@@ -132,9 +140,11 @@ int green(const std::vector<std::byte>& pixels, std::uint32_t x, std::uint32_t y
 TEST_F(ShadingTest, GrassDarkensTheGroundBetweenItAndNoOther)
 {
     test::Picture picture(context(), size);
-    Scene bare(island(0));
+    Scene bare(withoutLeaves(island(3000)));
     Scene grown(island(3000));
     grown.settings.environment.drawDistance = 1e9f;
+    bare.settings.environment.drawDistance = 1e-3f;
+    bare.settings.cullMask = shared::cullDistance;
     const auto before = bare.draw(picture);
     const auto after = grown.draw(picture);
     // The grass is in the middle third; no byte changes left and right of it.

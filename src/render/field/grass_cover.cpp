@@ -213,14 +213,14 @@ void describeUndergrowth(const field::FieldView& field, shared::Cover& cover)
              i += stride) {
             const shared::Blade blade = shared::unpackBlade(field.blades[i], cell);
             const shared::Species& look = field.species[blade.species].look;
-            const float area = blade.height * blade.width *
-                               shared::outlineArea(look.shape, look.tipThreshold);
+            const float area =
+                blade.height * blade.width * shared::outlineArea(look.shape, look.tipThreshold);
             roots += area * look.rootColor;
             tips += area * look.tipColor;
             leaves += area;
         }
     }
-    cover.structure = 0.0f;
+    cover.structure = largestCrumb * field::meanBladeSize(field).height;
     cover.thinned = static_cast<float>(field.thinned);
     if (leaves <= 0.0f)
         return;
@@ -229,7 +229,6 @@ void describeUndergrowth(const field::FieldView& field, shared::Cover& cover)
     cover.undergrowth =
         glm::mix(glm::mix(roots, tips, undergrowthHeight), litterColor, litterShare);
     cover.sward = swardBrightness * glm::mix(roots, tips, swardHeight);
-    cover.structure = largestCrumb * field::meanBladeSize(field).height;
 }
 
 GrassCover::GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upload,

@@ -112,6 +112,12 @@ void put(Cover cover)
     put(cover.countY);
     put(cover.countZ);
     put(cover.farthest);
+    put(cover.undergrowth);
+    put(cover.thatch);
+    put(cover.sward);
+    put(cover.thinned);
+    put(cover.structure);
+    put(cover.reserved);
 }
 
 void put(SunShadow shadow)
