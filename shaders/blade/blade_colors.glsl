@@ -18,8 +18,8 @@ float chance(uint key)
     return float(mixUint(key) >> 8u) * (1.0 / 16777215.0);
 }
 
-/// `index` is the resident id, so that a blade has the same colour in every picture. `leafArea`: that of the meadow at
-/// the root.
+/// `index` is the resident id, so that a blade has the same colour in every picture. `leafArea`: that of the blades
+/// at the root.
 BladeColors bladeColors(Blade blade, Species species, uint index, float leafArea)
 {
     const float clump = chance(blade.clump * 977u + 11u);
@@ -39,7 +39,7 @@ BladeColors bladeColors(Blade blade, Species species, uint index, float leafArea
 
     BladeColors colors;
     // The ground's colour as it is under grass: a bright ground does not bleach the roots of a closed sward.
-    const vec3 ground = groundUnder(FRAME.cover, decodeSrgb(blade.tint), shift, leafArea);
+    const vec3 ground = groundUnder(FRAME.cover, decodeSrgb(blade.tint), shift, FRAME.cover.thinned * leafArea);
     colors.root = mix(species.rootColor * shift, ground, species.groundTint) * light;
     colors.tip = species.tipColor * shift * light;
 
@@ -93,7 +93,7 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, LeafAreaLimit 
     surface.root = vec4(colors.root, risen * sunSeen(FRAME.shadow, drawn.ribbon.v0, blade.up));
     surface.tip = vec4(colors.tip, risen * sunSeen(FRAME.shadow, drawn.ribbon.v2, blade.up));
     surface.material = vec4(blade.exposure, species.translucency, species.gloss,
-                            leafArea);
+                            leavesAround(FRAME.cover, leafArea));
     return limit.light < 1.0 ? liftedSurface(surface, limit.light) : surface;
 }
 

@@ -93,26 +93,34 @@ vec4 groundPicture(GroundPoint point)
     // The surrounding grass absorbs its share of the light, up to the draw distance.
     const float farthest = FRAME.cover.farthest;
     const float grown = 1.0 - smoothstep(0.8 * farthest, farthest, distance);
-    const float leafArea = leafAreaAt(FRAME.cover, point.position) * grown;
+    const float blades = leafAreaAt(FRAME.cover, point.position) * grown;
+    const float leafArea = FRAME.cover.thinned * blades;
     const float pixel = distance / FRAME.view.pixelsPerUnit;
     const float size = FRAME.cover.structure > 0.0 ? FRAME.cover.structure : bareStructure;
-    const float under = FRAME.cover.thatch * undergrowthBelow(FRAME.cover.thinned * leafArea);
+    const float under = FRAME.cover.thatch * undergrowthBelow(leafArea);
     Relief relief = crumbs(point.position, size, pixel);
     vec3 albedo = point.albedo;
+    vec3 shade = vec3(1.0);
     if (under > 0.0) {
         const Relief litter = strands(point.position, size, pixel);
         relief.brightness *= mix(1.0, litter.brightness, under);
         relief.slope += under * litter.slope;
-        albedo = groundUnder(FRAME.cover, albedo, meadowShade(point.position), leafArea);
+        shade = meadowShade(point.position);
+        albedo = groundUnder(FRAME.cover, albedo, shade, leafArea);
     }
-    albedo *= max(relief.brightness, 0.2);
+    relief.brightness = max(relief.brightness, 0.2);
     n = normalize(n - (relief.slope - n * dot(n, relief.slope)));
     const float facing = max(dot(n, FRAME.sunDirection), 0.0);
     const float seen = facing > 0.0 ? sunSeen(FRAME.shadow, point.position, n) : 0.0;
     const vec3 light = hemisphere(n) * skyBelow(leafArea) +
                        lightAmongLeaves(leafArea, facing, seen, FRAME.sunColor, 1.25 * FRAME.skyColor) +
                        FRAME.sunColor * (facing * seen * sunBelow(leafArea, facing));
-    vec3 color = albedo * light;
+    vec3 color = relief.brightness * albedo * light;
+    const float sward = swardShare(FRAME.cover, leafArea);
+    if (sward > 0.0) {
+        const vec3 open = hemisphere(n) + FRAME.sunColor * (facing * seen);
+        color = mix(color, relief.brightness * swardBrightness(max(dot(n, toEye), 0.0)) * shade * FRAME.cover.sward * open, sward);
+    }
     if (debugMode() != debugNothing)
         color = showsBands() ? vec3(0.0) : vec3(0.35) * (0.5 + 0.5 * facing);
     else
@@ -120,7 +128,7 @@ vec4 groundPicture(GroundPoint point)
     if (paintsWind)
         color = colorOfWind(point.position, n);
     // Among grass the ground is as soft as the blades on it.
-    return vec4(develop(color), 1.0 - softness(distance, min(leafArea, 1.0)));
+    return vec4(develop(color), 1.0 - softness(distance, min(blades, 1.0)));
 }
 
 #endif

@@ -20,7 +20,7 @@ struct Cover {
     float farthest; ///< [m] draw distance of grass; no shade beyond it
     vec3 undergrowth; ///< linear colour of litter, moss and leaf sheaths below a closed sward
     float thatch;     ///< [0, 1] share of the undergrowth that is drawn
-    vec3 sward;       ///< linear colour of the closed sward from above
+    vec3 sward;       ///< linear colour of the leaves of the closed sward
     float thinned;    ///< ≥ 1: leaf area of the meadow relative to that of the blades
     float structure;  ///< [m] size of the largest crumbs of the ground; 0: no grass
     uint reserved;    ///< padding of the address
@@ -56,15 +56,35 @@ SHARED_FN float undergrowthBelow(float leafArea)
     return 1.0f - exp(-0.65f * leafArea);
 }
 
-/// Colour of the ground between blades, `bare` without grass, below `leafArea` of drawn leaves.
-/// Where the blades were thinned, the missing share looks as the sward does from above. `shade`
-/// multiplies the colours of plants.
+/// Colour of the ground between blades, `bare` without grass, below `leafArea` of the meadow: that
+/// of the blades times `thinned`. `shade` multiplies the colours of plants.
 SHARED_FN vec3 groundUnder(Cover cover, vec3 bare, vec3 shade, float leafArea)
 {
-    const float drawn = undergrowthBelow(leafArea);
-    const float whole = undergrowthBelow(cover.thinned * leafArea);
-    const float missing = whole > 0.0f ? 1.0f - drawn / whole : 0.0f;
-    return mix(bare, shade * mix(cover.undergrowth, cover.sward, missing), cover.thatch * whole);
+    return mix(bare, shade * cover.undergrowth, cover.thatch * undergrowthBelow(leafArea));
+}
+
+/// Share of the ground that stands for missing blades and looks as the sward does from above. 0
+/// where no blade was left out. `leafArea` of the meadow.
+SHARED_FN float swardShare(Cover cover, float leafArea)
+{
+    return cover.thatch *
+           (undergrowthBelow(leafArea) - undergrowthBelow(leafArea / cover.thinned));
+}
+
+/// Brightness of the sward, seen at this cosine from the ground's normal, relative to its leaves in
+/// open light. Measured on the built-in meadow: an eye above sees deeper into it.
+SHARED_FN float swardBrightness(float cosine)
+{
+    return 0.62f - 0.11f * cosine;
+}
+
+/// Leaf area that shades a blade of a thinned meadow, from that of the blades. Eyes see deeper into
+/// fewer blades, and would meet too much light there. Measured with 7 to 70 % of the leaf area: the
+/// built-in meadow is as bright as the whole one within 1 % seen flat, 6 % at 22°, 17 % from above;
+/// steppe within 7 %, lawn within 13 % seen flat.
+SHARED_FN float leavesAround(Cover cover, float leafArea)
+{
+    return leafArea * min(sqrt(cover.thinned), 1.7f);
 }
 
 /// Share of a blade's leaf area above `along` [0, 1] of its height. Error: 0.05 if it tapers from

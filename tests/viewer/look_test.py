@@ -2,47 +2,18 @@
 
 import json
 import os
-import struct
 import subprocess
 import tempfile
 import unittest
-import zlib
 from pathlib import Path
+
+from png import mean_of
 
 SWARD = os.environ["SWARD_PROGRAM"]
 VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
 ROOT = Path(__file__).resolve().parents[2]
 ENVIRONMENT = {name: value for name, value in os.environ.items()
                if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
-
-
-def mean_of(path):
-    """Mean red, green and blue of an 8-bit PNG whose rows may have any of the five filters."""
-    data = path.read_bytes()
-    width, height = struct.unpack(">II", data[16:24])
-    channels = {2: 3, 6: 4}[data[25]]
-    packed, at = b"", 8
-    while at < len(data):
-        length, kind = struct.unpack(">I4s", data[at:at + 8])
-        if kind == b"IDAT":
-            packed += data[at + 8:at + 8 + length]
-        at += 12 + length
-    raw, stride = zlib.decompress(packed), width * channels
-    above, sums = bytearray(stride), [0, 0, 0]
-    for y in range(height):
-        start = y * (stride + 1)
-        kind, row = raw[start], bytearray(raw[start + 1:start + 1 + stride])
-        for i in range(stride):
-            left = row[i - channels] if i >= channels else 0
-            corner = above[i - channels] if i >= channels else 0
-            p = left + above[i] - corner
-            paeth = min((abs(p - left), 0, left), (abs(p - above[i]), 1, above[i]),
-                        (abs(p - corner), 2, corner))[2]
-            row[i] = (row[i] + (0, left, above[i], (left + above[i]) // 2, paeth)[kind]) & 255
-        for c in range(3):
-            sums[c] += sum(row[c::channels])
-        above = row
-    return [s / (width * height) for s in sums]
 
 
 class LookTest(unittest.TestCase):

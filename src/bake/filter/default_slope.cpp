@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace sward::bake {
@@ -26,36 +27,42 @@ public:
     {
     }
 
+    // Row by row, since a long thin triangle has a large box and few cells.
     void add(const std::array<glm::dvec2, 3>& corners)
     {
         std::array<glm::dvec2, 3> p;
         for (std::size_t i = 0; i < 3; ++i)
             p[i] = (corners[i] - low_) / cell_ - 0.5;
-        const glm::dvec2 low = glm::min(glm::min(p[0], p[1]), p[2]);
-        const glm::dvec2 high = glm::max(glm::max(p[0], p[1]), p[2]);
-        const int firstX = std::max(int(std::ceil(low.x)), 0);
-        const int lastX = std::min(int(std::floor(high.x)), cells - 1);
-        const int lastY = std::min(int(std::floor(high.y)), cells - 1);
-        for (int y = std::max(int(std::ceil(low.y)), 0); y <= lastY; ++y)
-            for (int x = firstX; x <= lastX; ++x)
-                if (contains(p, glm::dvec2(x, y)))
-                    addTo(std::size_t(y) * cells + std::size_t(x));
+        const double low = std::min({p[0].y, p[1].y, p[2].y});
+        const double high = std::max({p[0].y, p[1].y, p[2].y});
+        const int last = std::min(int(std::floor(high)), cells - 1);
+        for (int y = std::max(int(std::ceil(low)), 0); y <= last; ++y) {
+            double left = cells;
+            double right = 0.0;
+            for (std::size_t i = 0; i < 3; ++i) {
+                glm::dvec2 a = p[i];
+                glm::dvec2 b = p[(i + 1) % 3];
+                if (a.y > b.y)
+                    std::swap(a, b); // neighbours cut their edge at the same place
+                if (a.y <= double(y) && double(y) < b.y) {
+                    const double x = a.x + (double(y) - a.y) / (b.y - a.y) * (b.x - a.x);
+                    left = std::min(left, x);
+                    right = std::max(right, x);
+                }
+            }
+            const int end = std::min(int(std::ceil(right)), cells);
+            for (int x = std::max(int(std::ceil(left)), 0); x < end; ++x)
+                addTo(std::size_t(y) * cells + std::size_t(x));
+        }
     }
 
     // Whether more triangles lie over one another than a heightfield has.
-    bool isLayered() const { return double(hits_) > layers * double(covered_) + double(cells); }
+    bool isLayered() const { return double(hits_) > layers * double(covered_); }
+
+    // Whether it stays layered, whatever is added.
+    bool isFull() const { return double(hits_) > layers * double(counts_.size()); }
 
 private:
-    static double area(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
-
-    static bool contains(const std::array<glm::dvec2, 3>& p, glm::dvec2 at)
-    {
-        const double a = area(p[1] - p[0], at - p[0]);
-        const double b = area(p[2] - p[1], at - p[1]);
-        const double c = area(p[0] - p[2], at - p[2]);
-        return (a > 0.0 && b > 0.0 && c > 0.0) || (a < 0.0 && b < 0.0 && c < 0.0);
-    }
-
     void addTo(std::size_t cell)
     {
         if (counts_[cell] == 0)
@@ -116,10 +123,10 @@ bool isHeightfield(const terrain::GroundMesh& ground, const GroundUp& groundUp)
             continue;
         const glm::uvec3 corners = ground.triangles[t];
         grid.add({seen(corners.x), seen(corners.y), seen(corners.z)});
-        if (grid.isLayered())
+        if (grid.isFull())
             return false;
     }
-    return true;
+    return !grid.isLayered();
 }
 
 SoftRange defaultSlope(const terrain::GroundMesh& ground, const GroundUp& groundUp)

@@ -31,9 +31,6 @@ constexpr float litterShare = 0.35f;
 constexpr float undergrowthHeight = 0.3f;
 constexpr float swardHeight = 0.6f;
 
-/// Mean light of the leaves of a closed sward relative to that of open ground.
-constexpr float swardBrightness = 0.7f;
-
 /// Size of the ground's largest crumbs [mean blade heights].
 constexpr float largestCrumb = 0.9f;
 
@@ -228,7 +225,7 @@ void describeUndergrowth(const field::FieldView& field, shared::Cover& cover)
     tips /= leaves;
     cover.undergrowth =
         glm::mix(glm::mix(roots, tips, undergrowthHeight), litterColor, litterShare);
-    cover.sward = swardBrightness * glm::mix(roots, tips, swardHeight);
+    cover.sward = glm::mix(roots, tips, swardHeight);
 }
 
 GrassCover::GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upload,

@@ -10,7 +10,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <fstream>
 #include <limits>
 
 namespace sward::field {
@@ -45,6 +47,27 @@ TEST(FieldFile, ReadsBackWhatWasWritten)
     EXPECT_EQ(view.defaults->cameras[0].eye, field.defaults.cameras[0].eye);
     EXPECT_EQ(*view.provenance, field.provenance);
     EXPECT_EQ(*view.copyright, "CC0");
+}
+
+TEST(FieldFile, IsOfTheFirstVersionUnlessABudgetThinnedIt)
+{
+    Field field = tests::sampleField();
+    const auto path = tests::temporaryFile("thinned.sward");
+    for (const double thinned : {1.0, 3.5}) {
+        field.thinned = thinned;
+        writeField(field, path, true);
+        EXPECT_EQ(readField(path).view().thinned, thinned);
+        std::ifstream file(path, std::ios::binary);
+        std::array<char, 12> head = {};
+        file.read(head.data(), head.size());
+        EXPECT_EQ(head[8], 1);
+        EXPECT_EQ(head[10], thinned > 1.0 ? 1 : 0);
+        EXPECT_EQ(head[11], 0);
+    }
+    for (const double impossible : {0.5, -1.0, std::numeric_limits<double>::infinity()}) {
+        field.thinned = impossible;
+        EXPECT_THROW(writeField(field, path, true), Error) << impossible;
+    }
 }
 
 TEST(FieldFile, LaysBladesWhereTheGpuCanTakeThem)

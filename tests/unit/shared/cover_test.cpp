@@ -53,11 +53,14 @@ TEST(Cover, UndergrowthCoversTheGroundAsTheMeadowDoes)
     EXPECT_LT(largest(abs(under(5.0f) - cover.undergrowth)), 0.05f);
     for (float leafArea = 0.1f; leafArea < 5.0f; leafArea += 0.1f)
         EXPECT_LT(under(leafArea).x, under(leafArea - 0.1f).x) << leafArea;
-    // A thinned meadow covers as the whole one does, in the sward's colour.
+    // Nothing stands for blades where none is missing; all of the ground does where all are.
+    EXPECT_EQ(swardShare(cover, 5.0f), 0.0f);
     cover.thinned = 1000.0f;
-    EXPECT_LT(largest(abs(under(0.005f) - cover.sward)), 0.05f);
+    EXPECT_GT(swardShare(cover, 5.0f), 0.95f);
+    EXPECT_EQ(swardShare(cover, 0.0f), 0.0f);
     cover.thatch = 0.0f;
     EXPECT_EQ(under(5.0f), white);
+    EXPECT_EQ(swardShare(cover, 5.0f), 0.0f);
 }
 
 TEST(Noise, SlopeIsTheDerivativeOfTheValue)

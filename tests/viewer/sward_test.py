@@ -1,0 +1,88 @@
+"""The default sward: how much of the ground it covers, and how it looks where a budget thinned it."""
+
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from png import linear_mean_of, pixels_of
+
+SWARD = os.environ["SWARD_PROGRAM"]
+VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
+ENVIRONMENT = {name: value for name, value in os.environ.items()
+               if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+# Three times the size of real blades: a ninth as many.
+SCALE = 3
+BUILT_IN = 106667
+
+# Bright ground of 20 m × 20 m. Its colour is not neutral: ground in plain white gets soil.
+PINK = "newmtl pink\nKd 1 0.7 0.7\n"
+PINK_PLANE = "mtllib pink.mtl\nusemtl pink\nv -10 0 -10\nv -10 0 10\nv 10 0 10\nv 10 0 -10\nvn 0 1 0\n" \
+             "f 1//1 2//1 3//1\nf 1//1 3//1 4//1\n"
+
+
+class SwardTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="sward-sward-")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def bake(self, ground, *options):
+        field = self.folder / "f.sward"
+        done = subprocess.run([SWARD, "bake", ground, "--blade-scale", str(SCALE), "-o", field, "--force", *options],
+                              env=ENVIRONMENT, text=True, capture_output=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return field, done.stderr
+
+    def draw(self, field, eye, fov, *options, size="160x120"):
+        camera = {"eye": eye, "target": [0, 0, 0], "up": [0, 0, -1], "fov_y_deg": fov}
+        (self.folder / "camera.json").write_text(json.dumps(camera), encoding="utf-8")
+        done = subprocess.run([VIEWER, "render", field, "-o", "p.png", "--force", "--size", size, "--camera",
+                               "camera.json", *options], cwd=self.folder, env=ENVIRONMENT, text=True,
+                              capture_output=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return self.folder / "p.png"
+
+    def covered(self, meadow):
+        """Share of the pixels from above that show a blade. The debug mode draws ground in grey."""
+        field, _ = self.bake("plane", "--meadow", meadow)
+        pixels = pixels_of(self.draw(field, [0, 30, 0], 15, "--debug", "patches", "--samples", "1", size="200x200"))
+        return sum(max(pixel) - min(pixel) > 6 for pixel in pixels) / len(pixels)
+
+    def test_the_built_in_meadow_covers_85_per_cent_of_the_ground(self):
+        self.assertGreater(self.covered("meadow"), 0.85)
+        # What a thinner meadow covers is what it states.
+        self.assertAlmostEqual(self.covered("steppe"), 0.6, delta=0.2)
+
+    def test_a_thinned_meadow_is_as_bright_from_afar(self):
+        whole = None
+        for share in (1, 0.5, 0.1):
+            field, said = self.bake("plane", "--budget", str(int(share * BUILT_IN)))
+            self.assertEqual("--budget" in said, share < 1, said)
+            light = linear_mean_of(self.draw(field, [0, 120, 400], 0.5))
+            whole = whole or light
+            for channel in range(3):
+                # Red and green are the sward's; air adds most of the blue.
+                self.assertAlmostEqual(light[channel] / whole[channel], 1, delta=0.03 if channel < 2 else 0.1,
+                                       msg=f"{share}, channel {channel}")
+
+    def test_bright_ground_does_not_bleach_the_sward(self):
+        plane = self.folder / "pink.obj"
+        plane.write_text(PINK_PLANE, encoding="utf-8")
+        (self.folder / "pink.mtl").write_text(PINK, encoding="utf-8")
+        field, _ = self.bake(plane)
+        green = linear_mean_of(self.draw(field, [0, 12, 12], 30))
+        self.assertLess(green[0], 0.9 * green[1])
+        self.assertLess(green[2], 0.5 * green[1])
+        # Thatch is what hides it.
+        thin, _ = self.bake(plane, "--density", "60")
+        hidden = linear_mean_of(self.draw(thin, [0, 12, 12], 30))
+        (self.folder / "bare.json").write_text('{"look": {"thatch": 0}}', encoding="utf-8")
+        bare = linear_mean_of(self.draw(thin, [0, 12, 12], 30, "--settings", "bare.json"))
+        self.assertGreater(sum(bare), 1.05 * sum(hidden))
+
+
+if __name__ == "__main__":
+    unittest.main()
