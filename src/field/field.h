@@ -50,10 +50,12 @@ struct Field {
     std::vector<Species> species;                    ///< 1 to 8
     DisplayGround ground;                            ///< drawn below the blades
     double thinned = 1.0; ///< [1, 1e9] leaf area of the meadow relative to that of the blades
-    Defaults defaults;                               ///< initial settings
+    Defaults defaults;    ///< initial settings
     std::string provenance = "{}"; ///< JSON: tool version, input hash, settings, seed
     std::string copyright;         ///< shown to users
 };
+
+inline constexpr double maxThinned = 1e9; ///< largest Field::thinned
 
 /// A verified field that is stored elsewhere, usually in a mapped file.
 struct FieldView {

@@ -88,7 +88,7 @@ double parseCover(std::string_view text, const std::string& place)
         return thinned;
     const json object = parseJson(text, place);
     SettingsReader reader(object, place);
-    reader.read("thinned", thinned, 1.0, 1e9);
+    reader.read("thinned", thinned, 1.0, maxThinned);
     return thinned;
 }
 

@@ -125,6 +125,9 @@ void verify(const FieldView& field, const std::string& place)
     if (field.species.empty() || field.species.size() > shared::maxSpecies)
         fail(ErrorKind::input, "{}: {} species, outside 1 to {}", place, field.species.size(),
              shared::maxSpecies);
+    if (!(field.thinned >= 1.0 && field.thinned <= maxThinned))
+        fail(ErrorKind::input, "{}: a meadow of {} times the leaf area, outside 1 to {}", place,
+             field.thinned, maxThinned);
     if (!field.keys.empty() && field.keys.size() != field.blades.size())
         fail(ErrorKind::input, "{}: {} keys for {} blades", place, field.keys.size(),
              field.blades.size());
