@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
+#include "terrain/bare_names.h"
 #include "terrain/file_kind.h"
 #include "terrain/gltf/import.h"
 #include "terrain/heightmap/heightmap.h"
@@ -70,6 +71,12 @@ GroundMesh loadFile(const std::filesystem::path& path, const ImportSettings& set
          name, extension);
 }
 
+bool isMeshFile(const std::string& extension)
+{
+    return extension == ".glb" || extension == ".gltf" || extension == ".obj" ||
+           extension == ".ply" || extension == ".stl" || extension == ".off";
+}
+
 GroundMesh loadBuiltIn(const std::string& name, const glm::dmat4& worldFromFile,
                        Diagnostics& diagnostics)
 {
@@ -104,6 +111,9 @@ GroundMesh load(const std::string& input, const ImportSettings& settings, Diagno
         GroundMesh mesh = isFile ? loadFile(input, settings, worldFromFile, diagnostics)
                                  : loadBuiltIn(input, worldFromFile, diagnostics);
         assignRoles(mesh, settings, input, diagnostics);
+        // The names of generated ground are the program's own.
+        if (isFile && settings.bareNames && isMeshFile(fileKind(input)))
+            leaveBareByName(mesh, settings, input, diagnostics);
         return mesh;
     } catch (const std::bad_alloc&) {
         fail(ErrorKind::runtime, "{}: not enough memory for it", input);

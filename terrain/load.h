@@ -30,7 +30,8 @@ struct ImportSettings {
     std::vector<std::string> bearingNodes{}; ///< globs; if any, only these nodes bear grass
     std::vector<std::string> bearingMaterials{}; ///< globs; if any, only these materials bear grass
     std::vector<std::string> occluderNodes{};    ///< globs; these block rays and bear nothing
-    HeightmapSettings heightmap{};               ///< for heightmaps only
+    bool bareNames = true; ///< rock, water, roads … of a mesh file bear nothing: bare_names.h
+    HeightmapSettings heightmap{}; ///< for heightmaps only
 };
 
 /// Loads ground from `input`: an existing file by its extension (.glb .gltf .obj .ply .stl .off, a

@@ -46,6 +46,11 @@ std::string toJson(const Report& report)
                                 {"closed", report.densityClosed}};
     object["widening"] = report.widening;
     object["slope_deg"] = {report.slope.low, report.slope.high, report.slope.soft};
+    object["ground_colors"] = nullptr;
+    if (report.colors)
+        object["ground_colors"] = {{"green", report.colors->green},
+                                   {"bare", report.colors->bare},
+                                   {"proposes_mask", report.proposesGreen}};
     object["timing_s"] = {{"load", timing.load},     {"topology", timing.topology},
                           {"rays", timing.rays},     {"sample", timing.sample},
                           {"traits", timing.traits}, {"patches", timing.patches},

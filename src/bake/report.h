@@ -1,11 +1,13 @@
 #pragma once
 
+#include "bake/filter/ground_green.h"
 #include "bake/filter/soft_range.h"
 
 #include <glm/vec3.hpp>
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,6 +68,8 @@ struct Report {
     double widening = 1.0;         ///< factor on the width of blades
     bool slopeChosen = false;      ///< by the ground's shape, not by a setting
     SoftRange slope;               ///< [degrees] of the filter, as requested or chosen
+    std::optional<GreenShares> colors; ///< of the bearing ground; none if it has no colours
+    bool proposesGreen = false;        ///< the colours matter, and no mask reads them
     /// Wall-clock seconds of each stage.
     struct Timing {
         double load = 0;          ///< of the input

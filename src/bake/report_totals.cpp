@@ -115,6 +115,10 @@ Report reportOf(const terrain::GroundMesh& ground, const BakeSettings& settings,
     report.seed = settings.seed;
     report.slope = settings.slope;
     report.threads = threads;
+    const double scale = settings.bladeScale.value_or(automaticScale(report.input.area));
+    report.colors = greenShares(ground, scale, masksByVertexColor(settings));
+    report.proposesGreen =
+        report.colors && report.colors->matter() && settings.masks.empty() && !needsGreen(settings);
     return report;
 }
 

@@ -225,6 +225,15 @@ void loadMaskImages(BakeSettings& settings)
         loadImages(species.habitat.masks);
 }
 
+bool needsGreen(const BakeSettings& settings)
+{
+    Habitat everybody;
+    everybody.masks = settings.masks;
+    return everybody.needsGreen() ||
+           std::any_of(settings.meadow.species.begin(), settings.meadow.species.end(),
+                       [](const SpeciesTraits& one) { return one.habitat.needsGreen(); });
+}
+
 bool masksByVertexColor(const BakeSettings& settings)
 {
     const auto isColor = [](const Mask& mask) { return mask.source == Mask::Source::vertexColor; };

@@ -92,6 +92,9 @@ Sides parseSides(const std::string& text);
 /// Reads the images of all masks, including the species' masks. Throws Error{io, input}.
 void loadMaskImages(BakeSettings& settings);
 
+/// Whether a mask, also of a species, reads the ground's own colour.
+bool needsGreen(const BakeSettings& settings);
+
 /// Whether vertex colours are used as masks instead of for display.
 bool masksByVertexColor(const BakeSettings& settings);
 

@@ -15,6 +15,7 @@ CONTRACT = {
     "seed": int,
     "slope_deg": list,
     "widening": NUMBER,
+    "ground_colors": (dict, type(None)),
     "threads": int,
     "blade_scale": NUMBER,
     "roots": {"proposed": int, "kept": int, "rejected": {reason: int for reason in REASONS}},

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 
@@ -31,6 +32,17 @@ std::string seedTrouble(const std::string& text)
     return error == std::errc() && stop == end
                ? ""
                : fmt::format("'{}' is not a whole number from 0 to {}", text, UINT64_MAX);
+}
+
+// Whether names leave ground bare. A painted mask says itself where grass grows.
+bool readsBareNames(const std::string& text, const std::vector<bake::Mask>& masks)
+{
+    if (text != "auto" && text != "known" && text != "none")
+        fail(ErrorKind::usage, "--bare-names is \"{}\"; expected auto, known or none", text);
+    const bool isPainted = std::any_of(masks.begin(), masks.end(), [](const bake::Mask& mask) {
+        return mask.source != bake::Mask::Source::groundGreen;
+    });
+    return text == "known" || (text == "auto" && !isPainted);
 }
 
 // Joins "FILE:margin" and "M", which the shell separates, to one area.
@@ -91,6 +103,11 @@ void BakeOptions::addGround(CLI::App& app)
     option("--material", import.bearingMaterials, "GLOB",
            "Only materials of these names bear grass; * and ? are wildcards")
         ->default_str("all");
+    option("--bare-names", bareNames_, "auto|known|none",
+           "Whether parts of a mesh whose names say rock, water, road, roof and the like bear no "
+           "grass; auto: known, but none where a painted --mask decides; --node and --material "
+           "choose for themselves")
+        ->capture_default_str();
     option("--occluder", direct_.occluders, "FILE",
            "Meshes that block rays and are drawn but bear no grass");
     option("--occlude-node", import.occluderNodes, "GLOB",
@@ -214,7 +231,8 @@ void BakeOptions::addPlaces(CLI::App& app)
     option("--sky", sky_, "MIN:MAX[~SOFT]", "Share of these rays that meet nothing, 0 to 1")
         ->default_str("0:1");
     option("--mask", masks_, "MASK",
-           "Factor on the density, from vertex-color:C, texture:FILE[:C] or material-texture:C; C "
+           "Factor on the density, from vertex-color:C, texture:FILE[:C] or material-texture:C, or "
+           "ground:green, which is 1 where the ground's own colour is that of grass; C "
            "is R, G, B or A; :invert may follow; may be repeated")
         ->allow_extra_args(false);
     option("--exclude", excluded_, "FILE[:margin M]",
@@ -304,6 +322,7 @@ BakeRequest BakeOptions::request() const
         settings.water = bake::parseSoftMinimum("--above-water", water_);
     for (const std::string& mask : masks_)
         settings.masks.push_back(bake::parseMask(mask));
+    request.import.bareNames = readsBareNames(bareNames_, settings.masks);
     for (const std::string& area : joinMargins(excluded_))
         settings.excluded.push_back(bake::parseExcludedArea(area));
     settings.meadow = bake::withAssignments(bake::loadMeadow(meadow_), assignments_);

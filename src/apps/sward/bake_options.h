@@ -61,6 +61,7 @@ private:
     std::optional<int> scene_;
     std::string bladeScale_ = "auto";
     std::string sampling_ = "uniform";
+    std::string bareNames_ = "auto";
     std::string sides_ = "front";
     std::string groundUp_ = "y";
     std::string slope_;

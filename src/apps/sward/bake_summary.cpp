@@ -82,11 +82,21 @@ std::string slopeLine(const bake::Report& report)
                        bake::textOf(report.slope));
 }
 
+std::string colorLine(const bake::Report& report)
+{
+    if (!report.proposesGreen)
+        return {};
+    return fmt::format(
+        "by its own colours {:.0f} % of the ground is green and {:.0f} % is earth, rock, "
+        "sand or water; --mask ground:green grows grass on the green",
+        100.0 * report.colors->green, 100.0 * report.colors->bare);
+}
+
 void tell(const std::string& name, const bake::Report& report)
 {
     for (const std::string& warning : report.warnings)
         log::warn("{}", warning);
-    for (const std::string& line : {amountLine(report), slopeLine(report)})
+    for (const std::string& line : {amountLine(report), slopeLine(report), colorLine(report)})
         if (!line.empty())
             log::info("{}", line);
     log::info("{}", rejectionLine(report));

@@ -16,6 +16,7 @@ std::string effectiveSettings(const BakeRequest& request)
     ground["scene"] = import.scene ? nlohmann::ordered_json(*import.scene) : nullptr;
     ground["node"] = import.bearingNodes;
     ground["material"] = import.bearingMaterials;
+    ground["bare_names"] = import.bareNames ? "known" : "none";
     ground["occlude_node"] = import.occluderNodes;
     const terrain::HeightmapSettings& map = import.heightmap;
     const auto pair = [](const auto& value) {

@@ -12,6 +12,7 @@ void loadExcluded(BakeRequest& request, Diagnostics& diagnostics)
     terrain::ImportSettings placing = request.import;
     placing.bearingNodes.clear();
     placing.bearingMaterials.clear();
+    placing.bareNames = false;
     placing.occluderNodes.clear();
     for (bake::ExcludedArea& area : request.settings.excluded) {
         throwIfInterrupted("load");

@@ -59,6 +59,7 @@ terrain::GroundMesh loadGround(const BakeRequest& request, Diagnostics& diagnost
     occluding.bearingNodes.clear();
     occluding.bearingMaterials.clear();
     occluding.occluderNodes.clear();
+    occluding.bareNames = false;
     for (const std::string& file : request.occluders) {
         terrain::GroundMesh occluder = loadOne(file, occluding, diagnostics);
         std::fill(occluder.bears.begin(), occluder.bears.end(), std::uint8_t(0));

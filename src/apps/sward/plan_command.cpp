@@ -3,6 +3,7 @@
 #include "apps/common/progress_bar.h"
 #include "apps/sward/bake_arguments.h"
 #include "apps/sward/bake_options.h"
+#include "apps/sward/bake_summary.h"
 #include "apps/sward/excluded_input.h"
 #include "apps/sward/ground_input.h"
 #include "apps/sward/parts_folder.h"
@@ -90,6 +91,8 @@ public:
         bar.clear();
         for (const std::string& warning : diagnostics.warnings())
             log::warn("{}", warning);
+        if (const std::string line = colorLine(plan.report); !line.empty())
+            log::info("{}", line);
         writeResult(
             fmt::format("{}: {} tiles of about {:.3g} blades, {} of {} triangles in parts\n",
                         output.string(), plan.tiles, plan.plan.plan.expected / double(plan.tiles),

@@ -17,6 +17,12 @@ double cosineOf(double degrees)
 
 } // namespace
 
+bool Habitat::needsGreen() const
+{
+    return std::any_of(masks.begin(), masks.end(),
+                       [](const Mask& mask) { return mask.source == Mask::Source::groundGreen; });
+}
+
 HabitatWeight::HabitatWeight(const Habitat& habitat)
     : habitat_(habitat)
     , needsSlope_(habitat.needsSlope())
@@ -54,7 +60,7 @@ double HabitatWeight::at(const terrain::GroundMesh& ground, const RootSample& ro
         return weight <= chance;
     };
     for (const Mask& mask : habitat_.masks)
-        if (falls(Reject::mask, mask.at(ground, root)))
+        if (falls(Reject::mask, mask.at(ground, root, site.green)))
             return weight;
     if (needsSlope_ && falls(Reject::slope, slopeWeight(site.upright)))
         return weight;

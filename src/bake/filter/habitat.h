@@ -18,6 +18,7 @@ struct Habitat {
     bool needsSlope() const { return !slope.holds(0.0, 180.0); }
     bool needsAltitude() const { return !altitude.holds(-unbounded, unbounded); }
     bool needsCurvature() const { return !curvature.holds(-unbounded, unbounded); }
+    bool needsGreen() const;
     bool needsAnything() const
     {
         return needsSlope() || needsAltitude() || needsCurvature() || !masks.empty();
@@ -29,6 +30,7 @@ struct Site {
     double upright = 1.0;   ///< cosine of the slope
     double altitude = 0.0;  ///< [m]
     double curvature = 0.0; ///< [1/m], of the root's triangle side
+    double green = 1.0;     ///< GroundGreen::at(), if a mask needs it
 };
 
 /// A habitat prepared for millions of queries.

@@ -10,6 +10,7 @@ namespace sward::bake {
 namespace {
 
 constexpr const char* channelNames = "RGBA";
+constexpr const char* groundGreenText = "ground:green";
 constexpr const char* invertWord = ":invert";
 
 glm::dvec2 uvAt(const terrain::GroundMesh& ground, const RootSample& root)
@@ -50,10 +51,12 @@ std::optional<int> takeChannel(std::string& text)
 
 } // namespace
 
-double Mask::at(const terrain::GroundMesh& ground, const RootSample& root) const
+double Mask::at(const terrain::GroundMesh& ground, const RootSample& root, double green) const
 {
     double value = 0.0;
-    if (source == Source::vertexColor) {
+    if (source == Source::groundGreen) {
+        value = green;
+    } else if (source == Source::vertexColor) {
         value = colorAt(ground, root, channel);
     } else if (source == Source::texture) {
         value = terrain::valueAt(*image, uvAt(ground, root));
@@ -71,6 +74,10 @@ std::optional<Mask> readMask(const std::string& text)
     Mask mask;
     std::string rest = text;
     mask.invert = takeEnd(rest, invertWord);
+    if (rest == groundGreenText) {
+        mask.source = Mask::Source::groundGreen;
+        return mask;
+    }
     const std::optional<int> channel = takeChannel(rest);
     mask.channel = channel.value_or(0);
     const std::string texture = "texture:";
@@ -90,14 +97,16 @@ Mask parseMask(const std::string& text)
     const std::optional<Mask> mask = readMask(text);
     if (!mask)
         fail(ErrorKind::usage,
-             "--mask is \"{}\"; expected vertex-color:C, material-texture:C or texture:FILE:C with "
-             "C one of R G B A, and perhaps :invert",
+             "--mask is \"{}\"; expected ground:green, or vertex-color:C, material-texture:C or "
+             "texture:FILE:C with C one of R G B A, and perhaps :invert",
              text);
     return *mask;
 }
 
 std::string textOf(const Mask& mask)
 {
+    if (mask.source == Mask::Source::groundGreen)
+        return fmt::format("{}{}", groundGreenText, mask.invert ? invertWord : "");
     const std::string source = mask.source == Mask::Source::vertexColor ? "vertex-color"
                                : mask.source == Mask::Source::texture   ? "texture:" + mask.file
                                                                         : "material-texture";
@@ -140,7 +149,9 @@ void checkMasks(const std::vector<Mask>& masks, const terrain::GroundMesh& groun
         if (mask.source == Mask::Source::vertexColor && !ground.hasColors)
             fail(ErrorKind::input, "--mask {}: the ground has no vertex colours (glTF COLOR_0)",
                  textOf(mask));
-        for (std::size_t m = 0; mask.source != Mask::Source::vertexColor && m < bears.size(); ++m) {
+        const bool isMappedMask =
+            mask.source == Mask::Source::texture || mask.source == Mask::Source::materialTexture;
+        for (std::size_t m = 0; isMappedMask && m < bears.size(); ++m) {
             const terrain::GroundMaterial& material = ground.materials[m];
             if (!bears[m])
                 continue;

@@ -15,9 +15,10 @@ namespace sward::bake {
 /// as stored, regardless of the colour space of image or colours.
 struct Mask {
     enum class Source {
-        vertexColor,    ///< COLOR_0 of the ground
-        texture,        ///< a separate image at the ground's texture coordinates
-        materialTexture ///< the base colour image of the ground's own material
+        vertexColor,     ///< COLOR_0 of the ground
+        texture,         ///< a separate image at the ground's texture coordinates
+        materialTexture, ///< the base colour image of the ground's own material
+        groundGreen      ///< greenWeight() of the ground's own colour
     };
 
     Source source = Source::vertexColor;
@@ -26,12 +27,12 @@ struct Mask {
     std::string file = {}; ///< of a texture
     std::shared_ptr<const terrain::ChannelImage> image = {};
 
-    /// Value at a root. Thread-safe.
-    double at(const terrain::GroundMesh& ground, const RootSample& root) const;
+    /// Value at a root. `green`: GroundGreen::at() there. Thread-safe.
+    double at(const terrain::GroundMesh& ground, const RootSample& root, double green = 1.0) const;
 };
 
-/// Parses "vertex-color:C", "material-texture:C" or "texture:FILE[:C]", optionally with ":invert".
-/// C is R, G, B or A; R for a texture without it. Returns none for any other text.
+/// Parses "vertex-color:C", "material-texture:C", "texture:FILE[:C]" or "ground:green", optionally
+/// with ":invert". C is R, G, B or A; R for a texture without it. Returns none for any other text.
 std::optional<Mask> readMask(const std::string& text);
 
 /// As readMask(), for an option. Throws Error{usage}.

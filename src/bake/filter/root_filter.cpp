@@ -1,6 +1,7 @@
 #include "bake/filter/root_filter.h"
 
 #include "bake/up_vector.h"
+#include "core/error.h"
 #include "core/expect.h"
 #include "core/random.h"
 
@@ -41,6 +42,8 @@ RootFilter::RootFilter(const terrain::GroundMesh& ground, const BakeSettings& se
     , everybody_({settings.slope, settings.altitude, settings.curvature, settings.masks})
     , mix_(settings.meadow)
 {
+    if (needsGreen(settings))
+        green_.emplace(ground, scale, masksByVertexColor(settings));
     if (restricts(settings.border))
         border_.emplace(ground, features->borders, settings.border.low);
     for (const ExcludedArea& area : settings.excluded)
@@ -52,7 +55,8 @@ RootFilter::RootFilter(const terrain::GroundMesh& ground, const BakeSettings& se
 
     const Habitat& everywhere = everybody_.habitat();
     needsSite_ = everywhere.needsSlope() || everywhere.needsAltitude() ||
-                 everywhere.needsCurvature() || mix_.needsPlace() || restricts(settings.water);
+                 everywhere.needsCurvature() || mix_.needsPlace() || restricts(settings.water) ||
+                 green_.has_value();
     weighs_ =
         needsSite_ || everywhere.needsAnything() || settings.minIsland > 0.0 || border_.has_value();
     needsObstacles_ = settings.clearance > 0.0 || !excluded_.empty() || occluders_.has_value() ||
@@ -70,6 +74,8 @@ Site RootFilter::siteOf(const RootSample& root) const
     Site site;
     site.upright = glm::dot(glm::dvec3(root.normal), settings_.groundUp.at(place));
     site.altitude = settings_.groundUp.altitude(place);
+    if (green_)
+        site.green = green_->at(root);
     if (features_ != nullptr && !features_->curvature.empty()) {
         const glm::uvec3 corners = ground_.triangles[root.triangle];
         const auto b = static_cast<double>(root.barycentric.x);
@@ -193,6 +199,10 @@ void checkGround(const terrain::GroundMesh& ground, const BakeSettings& settings
 {
     for (const ExcludedArea& area : settings.excluded)
         expect(area.mesh != nullptr, "an excluded area has no mesh");
+    if (needsGreen(settings) && !hasOwnColors(ground, masksByVertexColor(settings)))
+        fail(ErrorKind::usage,
+             "--mask ground:green: the ground that bears grass has no colours: no image, no vertex "
+             "colours, and no material with a colour of its own");
     checkMasks(settings.masks, ground);
     for (const SpeciesTraits& species : settings.meadow.species)
         checkMasks(species.habitat.masks, ground);

@@ -3,6 +3,7 @@
 #include "bake/filter/border_distance.h"
 #include "bake/filter/excluded_area.h"
 #include "bake/filter/exposure.h"
+#include "bake/filter/ground_green.h"
 #include "bake/filter/habitat.h"
 #include "bake/filter/occluder_test.h"
 #include "bake/filter/species_mix.h"
@@ -62,6 +63,7 @@ private:
     double scale_;
     HabitatWeight everybody_;
     SpeciesMix mix_;
+    std::optional<GroundGreen> green_;
     std::optional<BorderDistance> border_;
     std::vector<Exclusion> excluded_;
     std::optional<OccluderTest> occluders_;

@@ -122,7 +122,7 @@ TEST(Load, LetsOnlyTheNamedNodesBear)
     const auto bears = [&](const ImportSettings& settings) {
         return loadContent("a.glb", file, settings).bears;
     };
-    EXPECT_THAT(bears({}), ElementsAre(1, 1, 1));
+    EXPECT_THAT(bears({.bareNames = false}), ElementsAre(1, 1, 1));
     EXPECT_THAT(bears({.bearingNodes = {"lawn"}}), ElementsAre(1, 0, 0));
     EXPECT_THAT(bears({.bearingNodes = {"field"}}), ElementsAre(1, 1, 0))
         << "a group names its leaves";
