@@ -25,6 +25,8 @@ double brought(double coordinate, ImageWrap wrap)
 std::size_t wrapped(std::int64_t index, std::uint32_t size, ImageWrap wrap)
 {
     const auto count = static_cast<std::int64_t>(size);
+    if (index >= 0 && index < count) // nearly always, and a division is slow
+        return static_cast<std::size_t>(index);
     if (wrap == ImageWrap::clamp)
         return static_cast<std::size_t>(std::clamp<std::int64_t>(index, 0, count - 1));
     const std::int64_t period = wrap == ImageWrap::mirror ? 2 * count : count;

@@ -7,7 +7,7 @@ import signal
 import subprocess
 import unittest
 
-from meshes import color_png, square, textured_gltf
+from meshes import color_png, glb_bytes, square, textured_gltf
 from output_test import small_files_only
 from support import CliTest, DONE, INPUT, INTERRUPTED, IO, PROGRAM, USAGE, digest
 
@@ -269,6 +269,21 @@ class Tiles(ClusterTest):
         self.refused("merge", "plan.json", "tiles", "-o", "x.sward", "--report", "x.sward", code=USAGE,
                      names=["x.sward"])
 
+    def test_plan_and_merge_propose_the_ground_s_own_green(self):
+        green, rock = (0.1, 0.3, 0.05, 1.0), (0.3, 0.3, 0.3, 1.0)
+        (self.folder / "isle.glb").write_bytes(glb_bytes(
+            square(160.0, cells=40, color_of=lambda x, z: green if x < 0 else rock)))
+        self.ground = "isle.glb"
+        whole = self.report(self.ground, "--density", "0.5")
+        self.assertTrue(whole["ground_colors"]["proposes_mask"])
+        planned = self.sward("plan", self.ground, "--tiles", TILES, "-o", "plan.json", "--density", "0.5")
+        self.assertIn("--mask ground:green", planned.stderr)
+        for index in range(TILES):
+            self.tile(index)
+        done = self.sward("merge", "plan.json", "tiles", "-o", "merged.sward", "--report", "m.json")
+        self.assertIn("--mask ground:green", done.stderr)
+        self.assertEqual(self.read_json("m.json")["ground_colors"], whole["ground_colors"])
+
     def test_merge_says_why_nothing_grows(self):
         done = self.sward("bake", self.ground, "-o", "none.sward", "--density", "1", "--altitude", "900:")
         self.plan("--density", "1", "--altitude", "900:")
@@ -288,7 +303,7 @@ class Tiles(ClusterTest):
             mesh, [(x / 80.0, z / 80.0) for x, _, z in mesh.positions], "paint.png",
             {"wrapS": 33071, "wrapT": 33648}))
         self.ground = "painted.gltf"
-        options = ("--density", "1", "--mask", "material-texture:G")
+        options = ("--density", "1", "--mask", "material-texture:G", "--mask", "ground:green")
         whole = digest(self.bake(self.ground, *options))
         self.plan(*options)
         for index in range(TILES):

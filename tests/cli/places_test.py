@@ -4,7 +4,7 @@ import math
 import unittest
 
 from meshes import Mesh, glb_bytes, grey_png, obj_text, square
-from support import CliTest, INPUT
+from support import CliTest, INPUT, USAGE
 
 
 def ramp(degrees, side=10.0):
@@ -165,6 +165,59 @@ class Places(CliTest):
         inverted = self.blades(self.bake(*ground, "--density", "10", "--force", "--mask",
                                          "texture:mask.png:R:invert"))
         self.assertLess(abs(len(blades) + len(inverted) - 4000), 300)
+
+    def test_the_ground_s_own_green_bears_grass(self):
+        # Green at the west, rock at the east; between 0 and 1 m the colours mix.
+        green, rock = (0.1, 0.3, 0.05, 1.0), (0.3, 0.3, 0.3, 1.0)
+        self.write("isle.glb", glb_bytes(square(16.0, 16, lambda x, z: green if x <= 0 else rock)))
+        done = self.sward("bake", "isle.glb", "-o", "all.sward", "--report", "all.json")
+        self.assertRegex(done.stderr, r"5\d % of the ground is green and 4\d % .*--mask ground:green")
+        colors = self.read_json("all.json")["ground_colors"]
+        self.assertAlmostEqual(colors["green"], 0.53, delta=0.03)
+        self.assertAlmostEqual(colors["green"] + colors["bare"], 1.0, delta=0.04)
+        self.assertTrue(colors["proposes_mask"])
+
+        roots = [b.root[0] for b in self.grown("isle.glb", "--mask", "ground:green")]
+        self.assertLess(max(roots), 1.0)
+        self.assertLess(abs(sum(x < -4 for x in roots) / len(roots) - 0.5), 0.06)
+        self.assertGreater(min(b.root[0] for b in self.grown("isle.glb", "--mask", "ground:green:invert")),
+                           0.0)
+        done = self.sward("bake", "isle.glb", "-o", "some.sward", "--mask", "ground:green", "--report",
+                          "some.json")
+        self.assertNotIn("is green", done.stderr)
+        self.assertFalse(self.read_json("some.json")["ground_colors"]["proposes_mask"])
+        self.assertEqual(self.info("some.sward")["provenance"]["settings"]["masks"], ["ground:green"])
+
+    def test_a_ground_without_colours_has_no_green(self):
+        for ground in ("hills", self.write("plain.glb", glb_bytes(square(4.0)))):
+            self.refused("bake", ground, "-o", "f.sward", "--mask", "ground:green", code=USAGE,
+                         names=["--mask ground:green", "no colours"])
+        self.refused("bake", "hills", "-o", "f.sward", "--mask", "ground:blue", code=USAGE,
+                     names=["ground:blue", "ground:green", "vertex-color:C"])
+
+    def test_names_leave_rock_bare_and_say_so(self):
+        self.write("two.glb", scene([("west", lifted(square(4.0), x=-10)),
+                                     ("SmallRocks2", lifted(square(4.0), x=10))]))
+        done = self.sward("bake", "two.glb", "-o", "f.sward", "--report", "f.json", "--count", "100")
+        for text in (done.stderr, self.read_json("f.json")["warnings"][0]):
+            self.assertRegex(text, r'two.glb: 50 % of the ground .*"SmallRocks2_material".*--bare-names none')
+        self.assertTrue(all(b.root[0] < 0 for b in self.grown("two.glb")))
+        for options in (("--bare-names", "none"), ("--node", "*", "--material", "*")):
+            with self.subTest(options=options):
+                self.assertTrue(any(b.root[0] > 0 for b in self.grown("two.glb", *options)))
+        self.refused("bake", "two.glb", "-o", "x.sward", "--bare-names", "rock", code=USAGE,
+                     names=["--bare-names", "rock", "auto", "known", "none"])
+
+    def test_a_painted_mask_counts_more_than_names(self):
+        paint = square(4.0, color_of=lambda x, z: (1.0, 1.0, 1.0, 1.0))
+        document = {"nodes": [{"mesh": 0, "name": "lawn", "translation": [-10, 0, 0]},
+                              {"mesh": 0, "name": "rock", "translation": [10, 0, 0]}],
+                    "scenes": [{"nodes": [0, 1]}]}
+        self.write("two.glb", glb_bytes(paint, document=document))
+        for options, east in (((), False), (("--mask", "vertex-color:R"), True),
+                              (("--mask", "vertex-color:R", "--bare-names", "known"), False)):
+            with self.subTest(options=options):
+                self.assertEqual(any(b.root[0] > 0 for b in self.grown("two.glb", *options)), east)
 
     def test_a_material_without_an_image_is_named(self):
         self.write("two.glb", scene([("moss", square(4.0))]))

@@ -17,7 +17,7 @@ double greenWeight(glm::dvec3 color);
 
 /// greenWeight() of the ground's own colour: its material's image times the base colour, and vertex
 /// colours where there is no image. The image is averaged over a square of 0.5 m times the blade
-/// scale around a root, by 16 bilinear samples, so that no blade follows a single texel.
+/// scale around a root, by 16 samples, so that no blade follows a single texel.
 /// Thread-safe.
 class GroundGreen {
 public:

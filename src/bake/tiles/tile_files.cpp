@@ -54,6 +54,7 @@ glm::dvec3 vectorOf(const json& array)
 
 json groundJson(const Report& report)
 {
+    const auto& colors = report.colors;
     return {{"path", report.input.path},
             {"triangles", report.input.triangles},
             {"area", report.input.area},
@@ -62,6 +63,8 @@ json groundJson(const Report& report)
             {"altitudes", {report.input.altitudes.low, report.input.altitudes.high}},
             {"hash", report.input.hash},
             {"seed", report.seed},
+            {"colors", colors ? json{colors->green, colors->bare} : json()},
+            {"proposes_green", report.proposesGreen},
             {"warnings", report.warnings}};
 }
 
@@ -77,6 +80,9 @@ Report groundReport(const json& ground)
     ground.at("altitudes").at(1).get_to(report.input.altitudes.high);
     ground.at("hash").get_to(report.input.hash);
     ground.at("seed").get_to(report.seed);
+    if (const json& colors = ground.at("colors"); !colors.is_null())
+        report.colors = GreenShares{colors.at(0).get<double>(), colors.at(1).get<double>()};
+    ground.at("proposes_green").get_to(report.proposesGreen);
     ground.at("warnings").get_to(report.warnings);
     return report;
 }
