@@ -136,6 +136,8 @@ Meadow parseMeadow(std::string_view text, const std::string& place)
     reader.read("name", meadow.name);
     reader.read("clump_size_m", meadow.clumpSize, 0.0, 1e6);
     reader.read("sparse_height", meadow.sparseHeight, 0.0, 1.0);
+    reader.read("height_waves", meadow.heightWaves, 0.0, 0.5);
+    reader.read("drifts", meadow.drifts, 0.0, 1.0);
     reader.read("cover_from_above", meadow.closedCover, 0.01, 0.999);
     reader.read("fit_overhangs", meadow.fitsOverhangs);
     const json& list = reader.child("species");
@@ -207,6 +209,8 @@ std::string toJson(const Meadow& meadow)
     return json{{"name", meadow.name},
                 {"clump_size_m", meadow.clumpSize},
                 {"sparse_height", meadow.sparseHeight},
+                {"height_waves", meadow.heightWaves},
+                {"drifts", meadow.drifts},
                 {"cover_from_above", meadow.closedCover},
                 {"fit_overhangs", meadow.fitsOverhangs},
                 {"species", list}}

@@ -40,6 +40,8 @@ struct Meadow {
     std::string name = "meadow"; ///< name of the meadow
     double clumpSize = 0.7;      ///< [m] typical distance of clumps, at blade scale 1; 0: no clumps
     double sparseHeight = 0.6;   ///< relative height where filter weights are near 0
+    double heightWaves = 0.0;    ///< [0, 0.5] relative rise and fall of height over the ground
+    double drifts = 0.0; ///< [0, 1]: how far species keep to places of their own, metres wide
     double closedCover =
         0.88; ///< [0.01, 0.999] of the ground hidden from above, at its own density
     bool fitsOverhangs = true; ///< shortens blades to the room above them, if rays are cast

@@ -1,6 +1,7 @@
 #include "bake/blades/blade_traits.h"
 
 #include "bake/blades/ground_color.h"
+#include "bake/blades/slow_waves.h"
 #include "bake/patches/display_ground.h"
 #include "bake/sample/triangle_points.h"
 #include "bake/up_vector.h"
@@ -63,6 +64,43 @@ std::uint32_t chooseSpecies(const Meadow& meadow, const SpeciesShares& shares, c
 {
     const bool followsClump = dice.own(Dimension::clump) < meadow.species[0].clumping;
     return shares.at(followsClump ? dice.clump(Dimension::species) : dice.own(Dimension::species));
+}
+
+// Lengths of the waves of height and of drifts [m] at blade scale 1. Clumps are smaller than these.
+constexpr double shorterHeightWave = 3.0;
+constexpr double longerHeightWave = 20.0;
+constexpr double shorterDrift = 2.5;
+constexpr double longerDrift = 7.0;
+
+std::uint64_t waveSeed(std::uint64_t seed, std::uint64_t number)
+{
+    constexpr std::uint64_t waveSalt = 0x77617665ULL;
+    return hashBits(seed ^ waveSalt, number);
+}
+
+// Gives each species more room where its own waves are high, at the cost of the others, and keeps
+// the total. The change is linear in waves whose mean is 0, so that shares hold on the average.
+SpeciesShares drifted(const SpeciesShares& even, const Meadow& meadow, glm::dvec3 place,
+                      std::uint64_t seed)
+{
+    PerSpecies wave{};
+    double mean = 0.0;
+    for (std::size_t slot = 0; slot < meadow.species.size(); ++slot) {
+        if (even.share[slot] > 0.0)
+            wave[slot] = slowWaves(place, shorterDrift, longerDrift, waveSeed(seed, slot + 1));
+        mean += even.share[slot] * wave[slot];
+    }
+    mean /= even.total;
+    // What would fall below 0 is cut off, and the others give it back: 3 % of a share at most.
+    SpeciesShares result = even;
+    double sum = 0.0;
+    for (std::size_t slot = 0; slot < meadow.species.size(); ++slot) {
+        result.share[slot] *= std::max(1.0 + meadow.drifts * (wave[slot] - mean), 0.0);
+        sum += result.share[slot];
+    }
+    for (double& share : result.share)
+        share *= even.total / sum;
+    return result;
 }
 
 double within(glm::dvec2 range, double share)
@@ -205,8 +243,13 @@ shared::Blade BladeGrower::grow(const RootSample& root, float exposure) const
     const field::BladeKey key = keyOf(ground_, root);
     const Clumps::Clump* clump = clumps_.nearest(root.position);
     const Stand stand = filter_.standAt(root);
-    const std::uint32_t slot =
-        chooseSpecies(settings_.meadow, stand.shares, Dice(settings_.seed, key, clump));
+    const Meadow& meadow = settings_.meadow;
+    const glm::dvec3 inBlades = (ground_.origin + glm::dvec3(root.position)) / scale_;
+    const bool drifts =
+        meadow.drifts > 0.0 && meadow.species.size() > 1 && stand.shares.total > 0.0;
+    const SpeciesShares shares =
+        drifts ? drifted(stand.shares, meadow, inBlades, settings_.seed) : stand.shares;
+    const std::uint32_t slot = chooseSpecies(meadow, shares, Dice(settings_.seed, key, clump));
     const SpeciesTraits& species = settings_.meadow.species[slot];
     RootSample place = root;
     if (tufts_[slot])
@@ -226,9 +269,14 @@ shared::Blade BladeGrower::grow(const RootSample& root, float exposure) const
         chooseFront(ground_, up, tangent, species, clump, glm::dvec3(place.position), dice);
 
     // Blades are lower where filter weights are low.
-    const double sparse = settings_.meadow.sparseHeight;
+    const double sparse = meadow.sparseHeight;
+    const double wave =
+        meadow.heightWaves > 0.0
+            ? slowWaves(inBlades, shorterHeightWave, longerHeightWave, waveSeed(settings_.seed, 0))
+            : 0.0;
     const double height =
-        scale_ * (sparse + (1.0 - sparse) * stand.vigour[slot]) *
+        scale_ * (1.0 + meadow.heightWaves * wave) *
+        (sparse + (1.0 - sparse) * stand.vigour[slot]) *
         within(species.height, dice.blended(Dimension::height, 0.7 * species.clumping));
 
     shared::Blade blade;

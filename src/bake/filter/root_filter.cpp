@@ -220,7 +220,7 @@ double reachOf(const terrain::GroundMesh& ground, const BakeSettings& settings, 
         reach = std::max(reach, OccluderTest::reach);
     reach = std::max(reach, 1.5 * clumpSpacing);
     for (const SpeciesTraits& species : settings.meadow.species) {
-        reach = std::max(reach, species.height.y * scale);
+        reach = std::max(reach, species.height.y * scale * (1.0 + settings.meadow.heightWaves));
         reach = std::max(reach, 3.0 * species.tuftSpacing * scale);
     }
     return reach;

@@ -49,6 +49,8 @@ TEST(Meadow, RefusesWhatCannotGrow)
         R"({"species": [{"facing": "inward"}]})",
         R"({"species": [{"priority": 0.5}]})",
         R"({"species": [{}], "sparse_height": 2})",
+        R"({"species": [{}], "height_waves": 0.6})",
+        R"({"species": [{}], "drifts": -0.1})",
     };
     for (const char* text : wrong)
         EXPECT_THROW(parseMeadow(text, "meadow.json"), Error) << text;
@@ -59,7 +61,7 @@ TEST(Meadow, WritesEverythingThatItReads)
 {
     const char* const text = R"({
         "name": "all", "clump_size_m": 0.3, "sparse_height": 0.5, "cover_from_above": 0.25,
-        "fit_overhangs": false,
+        "fit_overhangs": false, "height_waves": 0.25, "drifts": 0.5,
         "species": [{
             "name": "one", "share": 0.25, "priority": -2, "cover": 0.5, "slope": "5:40~2.5",
             "altitude": ":300", "curvature": "-0.1:", "mask": ["vertex-color:G:invert",
@@ -83,6 +85,8 @@ TEST(Meadow, WritesEverythingThatItReads)
     EXPECT_EQ(one.tuftSpacing, 0.4);
     EXPECT_FALSE(meadow.fitsOverhangs);
     EXPECT_EQ(meadow.sparseHeight, 0.5);
+    EXPECT_EQ(meadow.heightWaves, 0.25);
+    EXPECT_EQ(meadow.drifts, 0.5);
     EXPECT_EQ(toJson(parseMeadow(toJson(meadow), "again")), toJson(meadow));
 }
 

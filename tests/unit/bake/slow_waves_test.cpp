@@ -1,0 +1,202 @@
+#include "bake/blades/blade_traits.h"
+#include "bake/blades/slow_waves.h"
+#include "bake/sward_cover.h"
+#include "support/meshes.h"
+#include "terrain/heightmap/heightfield.h"
+#include "unit/bake/bake_settings.h"
+#include "unit/bake/place_trial.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace sward::bake {
+namespace {
+
+terrain::GroundMesh plain(double side)
+{
+    return terrain::heightfield({glm::dvec2(side), glm::uvec2(32U)},
+                                [](double, double) { return 0.0; });
+}
+
+BakeSettings meadowWith(double heightWaves, double drifts)
+{
+    BakeSettings settings = tests::plainSettings(1.0);
+    settings.meadow = loadMeadow("meadow");
+    settings.meadow.heightWaves = heightWaves;
+    settings.meadow.drifts = drifts;
+    return settings;
+}
+
+std::vector<shared::Blade> sown(const terrain::GroundMesh& mesh, const BakeSettings& settings,
+                                const std::vector<RootSample>& roots, double scale = 1.0)
+{
+    const tests::Place place(mesh, settings, scale);
+    const BladeGrower grower(mesh, settings, {scale, meshes::totalArea(mesh)}, place.filter(),
+                             &place.query());
+    std::vector<shared::Blade> blades;
+    for (const RootSample& root : roots)
+        blades.push_back(grower.grow(root, 1.0f));
+    return blades;
+}
+
+TEST(SlowWaves, AreEvenAroundZeroAndSmooth)
+{
+    for (const std::uint64_t seed : {0U, 1U, 77U}) {
+        double sum = 0.0;
+        double squares = 0.0;
+        double steepest = 0.0;
+        constexpr int side = 300;
+        // Far from the origin too, where single precision has steps of a metre.
+        const glm::dvec3 from(seed == 77U ? 1.5e7 : -300.0, 3.0, -300.0);
+        for (int i = 0; i < side; ++i)
+            for (int j = 0; j < side; ++j) {
+                const glm::dvec3 place = from + glm::dvec3(2.1 * i, 0.0, 2.1 * j);
+                const double wave = slowWaves(place, 3.0, 20.0, seed);
+                EXPECT_LE(std::fabs(wave), 1.0);
+                sum += wave;
+                squares += wave * wave;
+                steepest = std::max(
+                    steepest,
+                    std::fabs(slowWaves(place + glm::dvec3(0.01, 0.0, 0.0), 3.0, 20.0, seed) -
+                              wave));
+            }
+        const double count = double(side) * side;
+        EXPECT_NEAR(sum / count, 0.0, 0.03);
+        EXPECT_NEAR(std::sqrt(squares / count), 0.36, 0.05);
+        // Cubic steps of 1.5 over 3 m and of 1 over 20 m: 1.5 · (1.5/3 + 1/20) per metre.
+        EXPECT_LT(steepest, 0.0083);
+        EXPECT_GT(steepest, 0.002);
+    }
+}
+
+TEST(SlowWaves, DifferByTheirSeeds)
+{
+    double product = 0.0;
+    for (int i = 0; i < 10000; ++i) {
+        const glm::dvec3 place(3.1 * (i % 100), 0.0, 3.3 * (i / 100));
+        product += slowWaves(place, 3.0, 20.0, 1) * slowWaves(place, 3.0, 20.0, 2);
+    }
+    EXPECT_NEAR(product / 10000.0, 0.0, 0.03);
+}
+
+TEST(HeightWaves, RaiseAndLowerTheSameBladesWithinTheirShare)
+{
+    const terrain::GroundMesh mesh = plain(100.0);
+    const std::vector<RootSample> roots = tests::evenRoots(mesh, 4.0);
+    const std::vector<shared::Blade> even = sown(mesh, meadowWith(0.0, 0.0), roots);
+    const std::vector<shared::Blade> waved = sown(mesh, meadowWith(0.15, 0.0), roots);
+    double sum = 0.0;
+    double low = 1.0;
+    double high = 1.0;
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+        const double factor = double(waved[i].height) / double(even[i].height);
+        EXPECT_EQ(waved[i].width, even[i].width);
+        sum += factor;
+        low = std::min(low, factor);
+        high = std::max(high, factor);
+    }
+    EXPECT_NEAR(sum / double(roots.size()), 1.0, 0.01);
+    EXPECT_NEAR(low, 0.85, 1e-6);
+    EXPECT_NEAR(high, 1.15, 1e-6);
+}
+
+TEST(HeightWaves, ScaleWithTheBlades)
+{
+    // The same ground a hundred times smaller has the same waves.
+    const terrain::GroundMesh large = plain(64.0);
+    terrain::GroundMesh small = large;
+    for (glm::vec3& position : small.positions)
+        position *= 1.0f / 64.0f;
+    const std::vector<RootSample> roots = tests::evenRoots(large, 1.0);
+    std::vector<RootSample> near = roots;
+    for (RootSample& root : near)
+        root.position *= 1.0f / 64.0f;
+    const std::vector<shared::Blade> a = sown(large, meadowWith(0.15, 0.8), roots);
+    const std::vector<shared::Blade> b = sown(small, meadowWith(0.15, 0.8), near, 1.0 / 64.0);
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < roots.size(); ++i)
+        same += a[i].species == b[i].species &&
+                        std::fabs(a[i].height - 64.0f * b[i].height) < 1e-4f * a[i].height
+                    ? 1U
+                    : 0U;
+    EXPECT_GT(same, roots.size() * 99 / 100);
+}
+
+TEST(Drifts, KeepSharesAndGatherSpecies)
+{
+    const terrain::GroundMesh mesh = plain(240.0);
+    const std::vector<RootSample> roots = tests::evenRoots(mesh, 4.0);
+    constexpr std::size_t cells = 60; // of 4 m
+    // Standard deviation over the cells of the share of each species, and its mean.
+    const auto spread = [&](double drifts, std::size_t slot) {
+        std::vector<glm::dvec2> counts(cells * cells, glm::dvec2(0.0));
+        double all = 0.0;
+        for (const shared::Blade& blade : sown(mesh, meadowWith(0.0, drifts), roots)) {
+            const auto column = std::size_t((double(blade.root.x) + 120.0) / 4.0);
+            const auto row = std::size_t((double(blade.root.z) + 120.0) / 4.0);
+            const double own = blade.species == slot ? 1.0 : 0.0;
+            counts[std::min(row, cells - 1) * cells + std::min(column, cells - 1)] +=
+                glm::dvec2(own, 1.0);
+            all += own / double(roots.size());
+        }
+        double squares = 0.0;
+        for (const glm::dvec2& count : counts)
+            squares += std::pow(count.x / std::max(count.y, 1.0) - all, 2.0);
+        return std::pair(all, std::sqrt(squares / double(counts.size())));
+    };
+    const std::array<double, 3> shares{0.62, 0.3, 0.08};
+    for (std::size_t slot = 0; slot < shares.size(); ++slot) {
+        const auto [even, evenSpread] = spread(0.0, slot);
+        const auto [share, driftSpread] = spread(0.8, slot);
+        EXPECT_NEAR(even, shares[slot], 0.02);
+        EXPECT_NEAR(share, shares[slot], 0.02) << slot;
+        EXPECT_GT(driftSpread, 1.1 * evenSpread) << slot; // chance alone repeats within 0.03
+    }
+}
+
+// Mean cover from above of the cells of 1 m of a square, if its blades stood closedDensity().
+double coverFromAbove(const terrain::GroundMesh& mesh, const BakeSettings& settings, double side,
+                      std::uint64_t seed)
+{
+    constexpr double density = 60.0;
+    const Meadow& meadow = settings.meadow;
+    std::vector<double> planShare; // of a blade's height times width
+    for (const SpeciesTraits& one : meadow.species)
+        planShare.push_back(coverOf(one).plan * 4.0 /
+                            ((one.height.x + one.height.y) * (one.width.x + one.width.y)));
+    const auto cells = static_cast<std::size_t>(side);
+    std::vector<double> plan(cells * cells, 0.0);
+    for (const shared::Blade& blade : sown(mesh, settings, tests::evenRoots(mesh, density, seed))) {
+        const auto column = std::size_t(double(blade.root.x) + 0.5 * side);
+        const auto row = std::size_t(double(blade.root.z) + 0.5 * side);
+        plan[std::min(row, cells - 1) * cells + std::min(column, cells - 1)] +=
+            planShare[blade.species] * double(blade.height) * double(blade.width);
+    }
+    double cover = 0.0;
+    for (const double one : plan)
+        cover += 1.0 - std::exp(-one * closedDensity(meadow) / density);
+    return cover / double(plan.size());
+}
+
+TEST(SlowVariation, KeepsTheCoverFromAboveWithinTwoPercent)
+{
+    for (const double side : {20.0, 60.0}) {
+        const terrain::GroundMesh mesh = plain(side);
+        for (const std::uint64_t seed : {0U, 1U, 2U, 3U}) {
+            BakeSettings even = meadowWith(0.0, 0.0);
+            BakeSettings varied = meadowWith(0.15, 0.8);
+            even.seed = varied.seed = seed;
+            const double cover = coverFromAbove(mesh, even, side, seed);
+            EXPECT_NEAR(cover, 0.88, 0.03);
+            EXPECT_NEAR(coverFromAbove(mesh, varied, side, seed) / cover, 1.0, 0.02)
+                << side << " m, seed " << seed;
+        }
+    }
+}
+
+} // namespace
+} // namespace sward::bake
