@@ -20,7 +20,7 @@ Sampling sampleOfMesh(const terrain::GroundMesh& mesh, const BakeSettings& setti
 }
 
 // Which of the 16 congruent parts of a triangle barycentrics (b, c) lie in.
-std::size_t partOf(float b, float c)
+std::size_t sixteenthOf(float b, float c)
 {
     const double x = 4.0 * double(b);
     const double y = 4.0 * double(c);
@@ -37,7 +37,7 @@ TEST(SurfaceSampler, SpreadsRootsEvenlyOverATriangle)
     const Sampling sampling = sampleOfMesh(meshes::triangle(), tests::plainSettings(200'000.0));
     std::array<double, 16> counts{};
     for (const RootSample& root : sampling.roots)
-        counts[partOf(root.barycentric.x, root.barycentric.y)] += 1.0;
+        counts[sixteenthOf(root.barycentric.x, root.barycentric.y)] += 1.0;
     const double expected = double(sampling.roots.size()) / 16.0;
     double chiSquare = 0.0;
     for (const double count : counts)
