@@ -18,7 +18,7 @@ GroundMesh roundTrip(const GroundMesh& mesh)
     const std::filesystem::path path = folder.path("a.glb");
     exportGltf(mesh, path, false);
     Diagnostics diagnostics;
-    GroundMesh back = load(path.string(), {}, diagnostics);
+    GroundMesh back = load(path.string(), {.bareNames = false}, diagnostics);
     EXPECT_THAT(diagnostics.warnings(), testing::IsEmpty());
     return back;
 }

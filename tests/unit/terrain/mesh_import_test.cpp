@@ -129,7 +129,7 @@ TEST(MeshImport, ReadsColorsAndImagesOfMaterialLibraries)
                                   "newmtl unused\nKd 1 0 0\nnewmtl bare rock\nKd 0.5 0.5 0.5\n");
     folder.write("maps/green blades.png", greyPng({2, 1}, {0, 255}, 8));
     Diagnostics diagnostics;
-    const GroundMesh mesh = load(obj, {}, diagnostics);
+    const GroundMesh mesh = load(obj, {.bareNames = false}, diagnostics);
     ASSERT_EQ(mesh.materials.size(), 3U);
     EXPECT_THAT(mesh.materialOf, ElementsAre(0U, 1U, 2U));
     EXPECT_EQ(mesh.materials[0].name, "ground");
@@ -148,12 +148,12 @@ TEST(MeshImport, WarnsOfWhatALibraryDoesNotHave)
     const ScratchFolder folder;
     const std::string obj = folder.write("a.obj", objOfTwoMaterials);
     Diagnostics missing;
-    EXPECT_EQ(load(obj, {}, missing).triangles.size(), 3U);
+    EXPECT_EQ(load(obj, {.bareNames = false}, missing).triangles.size(), 3U);
     EXPECT_THAT(missing.warnings(), ElementsAre(HasSubstr("library my"), HasSubstr("meadow.mtl")));
 
     folder.write("my meadow.mtl", "Kd 1 1 1\nnewmtl grass\nKd green\nmap_Kd gone.png\n");
     Diagnostics poor;
-    const GroundMesh mesh = load(obj, {}, poor);
+    const GroundMesh mesh = load(obj, {.bareNames = false}, poor);
     EXPECT_EQ(mesh.materials[1].image, GroundMaterial::noImage);
     EXPECT_THAT(poor.warnings(), ElementsAre(HasSubstr("line 3: Kd"), HasSubstr("gone.png"),
                                              HasSubstr("bare rock")));
