@@ -3,6 +3,7 @@
 #include "core/expect.h"
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
@@ -68,6 +69,19 @@ glm::vec4 normalisedPlane(const glm::dvec4& plane)
     return glm::vec4(plane / glm::length(glm::dvec3(plane)));
 }
 
+// Sets matrix and planes from the rows of view · projection.
+void setRows(ViewMatrices& view, const glm::dvec4& x, const glm::dvec4& y, const glm::dvec4& z,
+             const glm::dvec4& depth)
+{
+    for (glm::length_t column = 0; column < 4; ++column)
+        view.viewProjection[column] =
+            glm::vec4(glm::dvec4(x[column], y[column], z[column], depth[column]));
+    // Visible points have −w ≤ x ≤ w, −w ≤ y ≤ w (y downwards), 0 ≤ z ≤ w.
+    view.planes = {normalisedPlane(depth + x), normalisedPlane(depth - x),
+                   normalisedPlane(depth - y), normalisedPlane(depth + y),
+                   normalisedPlane(depth - z), normalisedPlane(z)};
+}
+
 } // namespace
 
 ViewMatrices viewMatrices(const Camera& camera, glm::dvec3 origin, glm::uvec2 size,
@@ -94,16 +108,23 @@ ViewMatrices viewMatrices(const Camera& camera, glm::dvec3 origin, glm::uvec2 si
     const glm::dvec4 z = slope * (glm::dvec4(0.0, 0.0, 0.0, range.far) - depth);
 
     ViewMatrices view;
-    for (glm::length_t column = 0; column < 4; ++column)
-        view.viewProjection[column] =
-            glm::vec4(glm::dvec4(x[column], y[column], z[column], depth[column]));
-    // Visible points have −w ≤ x ≤ w, −w ≤ y ≤ w (y downwards), 0 ≤ z ≤ w.
-    view.planes = {normalisedPlane(depth + x), normalisedPlane(depth - x),
-                   normalisedPlane(depth - y), normalisedPlane(depth + y),
-                   normalisedPlane(depth - z), normalisedPlane(z)};
+    setRows(view, x, y, z, depth);
     view.eye = glm::vec3(eye);
     view.pixelsPerUnit = static_cast<float>(0.5 * focal * static_cast<double>(size.y));
     return view;
+}
+
+ViewMatrices partOf(const ViewMatrices& view, glm::uvec2 whole, glm::ivec2 first, glm::uvec2 size)
+{
+    expect(size.x > 0 && size.y > 0, "a part has at least one pixel");
+    // A pixel p of the whole is p − first of the part: p = ½ (x / w + 1) · whole.
+    const glm::dmat4 rows = glm::transpose(glm::dmat4(view.viewProjection));
+    const glm::dvec2 scale = glm::dvec2(whole) / glm::dvec2(size);
+    const glm::dvec2 shift = scale - 1.0 - 2.0 * glm::dvec2(first) / glm::dvec2(size);
+    ViewMatrices part = view;
+    setRows(part, scale.x * rows[0] + shift.x * rows[3], scale.y * rows[1] + shift.y * rows[3],
+            rows[2], rows[3]);
+    return part;
 }
 
 } // namespace sward::render

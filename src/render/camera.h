@@ -20,6 +20,8 @@ struct Camera {
     float fovY = 45.0f;             ///< vertical field of view [degrees], (0, 170]
     float near = 0.0f;              ///< [m]; 0: chosen from the distance to the field
     float far = 0.0f;               ///< [m]; 0: chosen so that the whole field is inside
+
+    bool operator==(const Camera&) const = default;
 };
 
 /// The camera as matrices, relative to `origin`.
@@ -35,6 +37,10 @@ struct ViewMatrices {
 /// `origin`; it sets near and far unless the camera does.
 ViewMatrices viewMatrices(const Camera& camera, glm::dvec3 origin, glm::uvec2 size,
                           const Aabb& content, glm::vec2 jitter = glm::vec2(0.0f));
+
+/// The view of a part of `size` pixels from pixel `first` of a picture of `whole` pixels; it may
+/// reach beyond the picture. Blades keep the level of detail that they have in the whole picture.
+ViewMatrices partOf(const ViewMatrices& view, glm::uvec2 whole, glm::ivec2 first, glm::uvec2 size);
 
 /// Cameras that show all of `content` (relative to `origin`), with `groundUp` as up: obliquely from
 /// above (fit), standing inside at eye level (eye), straight down (top), along the ground from its

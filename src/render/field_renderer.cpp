@@ -266,14 +266,19 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
     expect(slot < parts.slots.size(), "the slot is one of the frames in flight");
     const gpu::LabelScope label(parts.context, commands, "field");
 
-    const ViewMatrices view =
-        viewMatrices(camera, parts.shape.origin, target.size, parts.shape.content, jitter);
+    const bool isPart = target.whole != glm::uvec2(0);
+    expect(!isPart || !parts.streaming, "a streamed field's picture is drawn as a whole");
+    const glm::uvec2 whole = isPart ? target.whole : target.size;
+    ViewMatrices view =
+        viewMatrices(camera, parts.shape.origin, whole, parts.shape.content, jitter);
+    if (isPart)
+        view = partOf(view, whole, target.first, target.size);
     parts.fit(target.size);
     shared::Frame wanted = frameOf(parts.shape, view, settings, time, parts.settings.samples);
     if (parts.streaming)
         parts.stream(wanted, settings, target.size, slot);
     const shared::Frame frame = parts.writeFrame(wanted, settings, time, slot);
-    const FramePlace cullView = parts.fillCullView(frame, settings, target.size, slot);
+    const FramePlace cullView = parts.fillCullView(frame, settings, whole, slot);
     parts.sunShadow.record(commands, parts.ground, parts.slots[slot].frame.place().address);
 
     const bool looksForHidden = (settings.cullMask & shared::cullOcclusion) != 0;

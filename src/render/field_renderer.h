@@ -48,6 +48,11 @@ public:
         /// A storage view of the image as R8G8B8A8_UNORM; the shader stores bytes in the image's
         /// own format. Null: the picture is copied to the image.
         VkImageView stored = VK_NULL_HANDLE;
+
+        /// If `whole` is not 0: the picture is the part of one of `whole` pixels that begins at
+        /// pixel `first`. Not for streamed fields, which hold what one view shows.
+        glm::uvec2 whole{0};
+        glm::ivec2 first{0}; ///< [pixels]
     };
 
     /// Records one frame: moves the blades of visible patches to `time` [s] (monotone, any step),

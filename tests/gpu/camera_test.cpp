@@ -55,6 +55,36 @@ TEST(Camera, PlanesEncloseWhatTheProjectionShows)
     EXPECT_GT(inside, 500);
 }
 
+TEST(Camera, APartShowsEachPointWhereTheWholeDoes)
+{
+    constexpr glm::ivec2 first(-9, 37);
+    constexpr glm::uvec2 part(48, 64);
+    const ViewMatrices whole = viewMatrices(slanted(), {}, size, box);
+    const ViewMatrices view = partOf(whole, size, first, part);
+    EXPECT_EQ(view.pixelsPerUnit, whole.pixelsPerUnit);
+    const auto pixelOf = [](const ViewMatrices& of, glm::uvec2 extent, glm::vec3 point) {
+        const glm::vec4 clip = of.viewProjection * glm::vec4(point, 1.0f);
+        return (0.5f * glm::vec2(clip) / clip.w + 0.5f) * glm::vec2(extent);
+    };
+    int inside = 0;
+    for (std::uint64_t i = 0; i < 60'000; ++i) {
+        const glm::vec3 point = randomPoint(i, 5.0);
+        const glm::vec4 clip = whole.viewProjection * glm::vec4(point, 1.0f);
+        const glm::vec2 place = pixelOf(whole, size, point) - glm::vec2(first);
+        ASSERT_LT(glm::distance(pixelOf(view, part, point), place), 2e-3f) << "point " << i;
+        float closest = 1e9f;
+        for (const glm::vec4& plane : view.planes)
+            closest = std::min(closest, shared::planeDistance(plane, point));
+        if (std::abs(closest) < 1e-3f)
+            continue;
+        const bool shown = place.x >= 0.0f && place.y >= 0.0f && place.x <= float(part.x) &&
+                           place.y <= float(part.y) && clip.z >= 0.0f && clip.z <= clip.w;
+        ASSERT_EQ(shown, closest > 0.0f) << "point " << i << ", seed " << seed;
+        inside += shown ? 1 : 0;
+    }
+    EXPECT_GT(inside, 500);
+}
+
 /// A point of the picture lies on its pixel's ray, at a distance given by w, so depth determines
 /// its position. Shaders that shade the rasteriser's result use this.
 TEST(Camera, RaysMeetWhatIsSeen)

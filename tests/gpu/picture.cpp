@@ -31,6 +31,23 @@ void Picture::draw(render::FieldRenderer& renderer, const render::Camera& camera
     });
 }
 
+void Picture::drawPart(render::FieldRenderer& renderer, const render::Camera& camera,
+                       const render::FrameSettings& settings, double time, glm::uvec2 whole,
+                       glm::ivec2 first)
+{
+    gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
+        gpu::transition(commands, image_, gpu::ImageUse::undefined, gpu::ImageUse::colorTarget);
+        renderer.record(commands,
+                        {.image = image_.get(),
+                         .view = image_.view(),
+                         .size = size_,
+                         .stored = image_.storedView(),
+                         .whole = whole,
+                         .first = first},
+                        camera, settings, time);
+    });
+}
+
 std::vector<std::byte> Picture::pixels() const
 {
     return gpu::readImage(context_, image_, gpu::ImageUse::colorTarget);

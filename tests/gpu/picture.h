@@ -25,6 +25,11 @@ public:
               const render::FrameSettings& settings, double time,
               glm::vec2 jitter = glm::vec2(0.0f));
 
+    /// The same for the part of a picture of `whole` pixels that begins at pixel `first`.
+    void drawPart(render::FieldRenderer& renderer, const render::Camera& camera,
+                  const render::FrameSettings& settings, double time, glm::uvec2 whole,
+                  glm::ivec2 first);
+
     std::vector<std::byte> pixels() const; ///< R G B A or as the format has it, rows from the top
     glm::uvec2 size() const { return size_; }
 
