@@ -9,16 +9,17 @@ from display import PATIENCE, wait_until
 
 
 class Viewer:
-    """A running viewer, under the validation layer, that tells where its controls are."""
+    """A running viewer, under the validation layer, that tells where its controls are. It draws on
+    at rest, as it does with a GPU, unless `rests`."""
 
     def __init__(self, program, display, folder, arguments, environment=None, validated=True,
-                 **process):
+                 rests=False, **process):
         self.display = display
         self.told = folder / f"controls-{time.monotonic_ns()}.json"
         self.errors = open(folder / f"stderr-{time.monotonic_ns()}.txt", "w+")
         self.process = subprocess.Popen(
             [program, *map(str, arguments), *(["--validation"] if validated else []), "--controls",
-             self.told],
+             self.told, *([] if rests else ["--at-rest", "move"])],
             env={**os.environ, "DISPLAY": display.name, "XDG_STATE_HOME": str(folder / "state"),
                  **(environment or {})},
             stderr=self.errors, text=True, cwd=folder, **process)

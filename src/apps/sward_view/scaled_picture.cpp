@@ -39,19 +39,29 @@ void ScaledPicture::resize(VkExtent2D window, double scale, VkFormat format)
 void ScaledPicture::spread(VkCommandBuffer commands, const gpu::Swapchain::Target& target,
                            VkExtent2D window) const
 {
-    constexpr VkImageAspectFlags color = VK_IMAGE_ASPECT_COLOR_BIT;
     gpu::transition(commands, image_, gpu::ImageUse::colorTarget, gpu::ImageUse::transferSource);
-    gpu::transition(commands, target.image, color, gpu::ImageUse::undefined,
+    spreadPicture(commands, image_, target, window);
+}
+
+void spreadPicture(VkCommandBuffer commands, const gpu::Image& from,
+                   const gpu::Swapchain::Target& target, VkExtent2D window)
+{
+    gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, gpu::ImageUse::undefined,
                     gpu::ImageUse::transferTarget);
+    scaleInto(commands, from, target.image, window);
+    gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT,
+                    gpu::ImageUse::transferTarget, gpu::ImageUse::colorTarget);
+}
+
+void scaleInto(VkCommandBuffer commands, const gpu::Image& from, VkImage to, VkExtent2D extent)
+{
     VkImageBlit blit{};
-    blit.srcSubresource = {color, 0, 0, 1};
-    blit.srcOffsets[1] = corner(image_.extent());
-    blit.dstSubresource = {color, 0, 0, 1};
-    blit.dstOffsets[1] = corner(window);
-    vkCmdBlitImage(commands, image_.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target.image,
+    blit.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    blit.srcOffsets[1] = corner(from.extent());
+    blit.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    blit.dstOffsets[1] = corner(extent);
+    vkCmdBlitImage(commands, from.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to,
                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit, VK_FILTER_LINEAR);
-    gpu::transition(commands, target.image, color, gpu::ImageUse::transferTarget,
-                    gpu::ImageUse::colorTarget);
 }
 
 } // namespace sward::view

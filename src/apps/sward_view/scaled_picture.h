@@ -34,4 +34,13 @@ private:
     gpu::Image image_;
 };
 
+/// Scales `from` (ImageUse::transferSource) to the whole of a window image. Leaves that as
+/// colorTarget.
+void spreadPicture(VkCommandBuffer commands, const gpu::Image& from,
+                   const gpu::Swapchain::Target& target, VkExtent2D window);
+
+/// Scales `from` (ImageUse::transferSource) to an image of `extent` [pixels], in
+/// ImageUse::transferTarget.
+void scaleInto(VkCommandBuffer commands, const gpu::Image& from, VkImage to, VkExtent2D extent);
+
 } // namespace sward::view

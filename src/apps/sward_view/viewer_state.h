@@ -64,7 +64,8 @@ struct ViewerState {
     MeadowRequests meadow;
     ColliderDragger hand;
     bool automaticScale = true;
-    float scale = 1.0f; ///< of the window's pixels that are drawn
+    float scale = 1.0f;         ///< of the window's pixels that are drawn
+    bool refinesAtRest = false; ///< fine pictures, and no time, while nothing changes
     std::string settingsFile = "settings.json";
     std::string pictureFile = "sward.png";
     std::string sequenceFiles = "frame_%04d.png";
@@ -86,7 +87,9 @@ struct ViewerState {
     const RecentFiles* recent = nullptr;
     render::FrameStats counts;
     std::size_t deviceBytes = 0;
-    double frameSeconds = 0.0; ///< smoothed
+    double frameSeconds = 0.0;                 ///< smoothed
+    std::optional<std::uint32_t> passesAtRest; ///< pictures in the mean; none: something changes
+    std::uint64_t drawnAtRest = 0; ///< blades in the fine picture; more than once if in two tiles
     std::string device;
     std::string loading; ///< current load; empty: none
     const Baking* baking = nullptr;

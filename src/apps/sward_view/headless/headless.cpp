@@ -3,7 +3,7 @@
 #include "apps/common/interrupt.h"
 #include "apps/sward_view/camera_file.h"
 #include "apps/sward_view/graphics.h"
-#include "apps/sward_view/headless/reference_sum.h"
+#include "apps/sward_view/picture_mean.h"
 #include "gpu/image_use.h"
 #include "gpu/readback.h"
 
@@ -15,6 +15,12 @@ namespace {
 
 constexpr VkFormat pictureFormat = VK_FORMAT_R8G8B8A8_SRGB;
 constexpr std::uint32_t slot = 0; ///< one frame at a time
+
+constexpr std::uint32_t referencePictures = 256;
+
+/// Segments of a blade in a reference picture unless set: a fixed value, because tessellation is
+/// level of detail too.
+constexpr int referenceSegments = 16;
 
 /// Render target. Shaders store into it only if they rasterise and the device supports it:
 /// otherwise storage usage would slow down the graphics unit's writes.
@@ -166,12 +172,12 @@ Picture Headless::reference(std::uint64_t frame)
     everything.levelOfDetail = false;
     if (everything.tessellationLevel == 0)
         everything.tessellationLevel = referenceSegments;
-    ReferenceSum sum(options_.size);
+    PictureMean sum(options_.size);
     for (std::uint32_t i = 0; i < referencePictures; ++i) {
-        record(everything, timeOf(frame), referenceJitter(i));
+        record(everything, timeOf(frame), subpixelOffset(i));
         sum.add(picture());
     }
-    return sum.mean();
+    return sum.mean(referencePictures);
 }
 
 void Headless::forgetTimes()

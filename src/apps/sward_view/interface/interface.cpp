@@ -9,11 +9,39 @@
 #include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/backends/imgui_impl_vulkan.h>
 
+#include <functional>
+#include <string_view>
+
 namespace sward::view {
 namespace {
 
 constexpr std::uint32_t bufferedFrames = 3; ///< more than are in flight
 constexpr std::uint32_t imageSets = 8;      ///< the font atlas is the only image
+
+// Hash of an element's bytes; equal outputs have equal hashes.
+template <typename T>
+std::size_t hashOf(const ImVector<T>& elements)
+{
+    const std::string_view bytes(reinterpret_cast<const char*>(elements.Data),
+                                 static_cast<std::size_t>(elements.size_in_bytes()));
+    return std::hash<std::string_view>()(bytes);
+}
+
+std::size_t hashOf(const ImDrawData& output)
+{
+    std::size_t hash = 0;
+    const auto add = [&hash](std::size_t more) { hash = hash * 0x9e3779b97f4a7c15u + more; };
+    for (int i = 0; i < output.CmdListsCount; ++i) {
+        const ImDrawList& list = *output.CmdLists[i];
+        add(hashOf(list.VtxBuffer));
+        add(hashOf(list.IdxBuffer));
+        for (const ImDrawCmd& command : list.CmdBuffer)
+            for (const float edge :
+                 {command.ClipRect.x, command.ClipRect.y, command.ClipRect.z, command.ClipRect.w})
+                add(std::hash<float>()(edge));
+    }
+    return hash;
+}
 
 bool isLinear(VkFormat format)
 {
@@ -142,6 +170,11 @@ void Interface::end()
     ImGui::Render();
 }
 
+bool Interface::hasChanged() const
+{
+    return hashOf(*ImGui::GetDrawData()) != recorded_;
+}
+
 bool Interface::takesMouse() const
 {
     return ImGui::GetIO().WantCaptureMouse;
@@ -189,6 +222,7 @@ void Interface::record(VkCommandBuffer commands, const gpu::Swapchain::Target& t
     begin.renderArea = {{0, 0}, swapchain_.extent()};
     vkCmdBeginRenderPass(commands, &begin, VK_SUBPASS_CONTENTS_INLINE);
     ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), commands);
+    recorded_ = hashOf(*ImGui::GetDrawData());
     vkCmdEndRenderPass(commands);
 }
 

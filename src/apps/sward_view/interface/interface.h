@@ -8,6 +8,7 @@
 
 #include <vulkan/vulkan.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -28,6 +29,9 @@ public:
 
     void begin();
     void end();
+
+    /// After end(): whether its output differs from the last that was recorded.
+    bool hasChanged() const;
 
     /// Between begin() and end(): whether a control uses the mouse, or the keys.
     bool takesMouse() const;
@@ -69,6 +73,7 @@ private:
     std::unique_ptr<Backends> backends_;
     std::vector<Framebuffer> framebuffers_; ///< by the image's index
     std::uint64_t generation_ = 0;          ///< generation of their images
+    std::size_t recorded_ = 0;              ///< hash of the last output that was recorded
 };
 
 } // namespace sward::view

@@ -1,5 +1,6 @@
 #include "apps/sward_view/panels/layout.h"
 
+#include "apps/sward_view/at_rest.h"
 #include "apps/sward_view/interface/picked_text.h"
 #include "apps/sward_view/interface/units.h"
 #include "apps/sward_view/panels/panels.h"
@@ -140,10 +141,14 @@ void Layout::drawStatus(Controls& controls, ViewerState& state)
     beginFixed("status", {0.0f, size.y - statusHeight}, {size.x, statusHeight},
                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     controls.beginPanel("Status");
+    const bool isResting = state.passesAtRest.has_value();
+    const std::uint64_t drawn = isResting ? state.drawnAtRest : state.counts.drawn;
     std::string left = state.field == nullptr ? "no field" : state.field->name;
     if (state.field != nullptr)
-        left += fmt::format("   {} of {} blades drawn   {:.1f} ms", countText(state.counts.drawn),
-                            countText(state.counts.total), 1000.0 * state.frameSeconds);
+        left += fmt::format("   {} of {} blades drawn   {}", countText(drawn),
+                            countText(state.counts.total),
+                            isResting ? "time stands still"
+                                      : fmt::format("{:.1f} ms", 1000.0 * state.frameSeconds));
     if (state.time.paused)
         left += "   paused";
     if (state.walking)
@@ -155,16 +160,20 @@ void Layout::drawStatus(Controls& controls, ViewerState& state)
     ImGui::TextUnformatted(left.c_str());
     controls.tell("Numbers", left, nullptr);
 
-    // Show the current automatic resolution.
-    const int percent = static_cast<int>(100.0f * state.scale + 0.5f);
+    // Show the current automatic resolution, or how fine the picture is.
+    const int percent = isResting ? 100 : static_cast<int>(100.0f * state.scale + 0.5f);
+    const std::string pictures =
+        isResting ? fmt::format("{} of {}", *state.passesAtRest, AtRest::passes) : std::string();
     const std::string right =
-        percent < 100 ? fmt::format("drawn at {} % of the resolution   H: keys", percent)
-                      : "H: keys";
+        isResting       ? fmt::format("refined: {}   H: keys", pictures)
+        : percent < 100 ? fmt::format("drawn at {} % of the resolution   H: keys", percent)
+                        : "H: keys";
     const float width = ImGui::CalcTextSize(right.c_str()).x;
     ImGui::SameLine(size.x - width - 12.0f);
     controls.note(right);
     controls.tell("Resolution", std::to_string(percent),
                   "Share of the window's width and height that is drawn; panel Profile");
+    controls.tell("Refined", pictures, nullptr);
     ImGui::End();
     ImGui::PopStyleVar(2);
 }

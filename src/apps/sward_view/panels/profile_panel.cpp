@@ -51,6 +51,10 @@ void drawProfilePanel(Controls& controls, ViewerState& state)
                     "Drawn share of width and height");
     ImGui::EndDisabled();
 
+    controls.toggle("Refine at rest", state.refinesAtRest,
+                    "While nothing changes, stops the time and draws one fine picture with all "
+                    "pixels and blades; off: draws on");
+
     controls.section("Passes");
     if (state.times == nullptr || state.times->names().empty()) {
         controls.note("This device measures no times.");

@@ -7,6 +7,7 @@
 #include "render/field_renderer.h"
 #include "render/frame_settings.h"
 
+#include <cstdint>
 #include <memory>
 
 namespace sward::view {
@@ -25,6 +26,7 @@ public:
     /// device must be idle. Throws as FieldRenderer does, and then keeps the former renderer.
     void drawWith(std::shared_ptr<const ShaderModules> shaders);
 
+    std::uint32_t samples() const { return wanted_.samples; } ///< per pixel
     const ShownField& field() const { return *field_; }
     render::FieldRenderer& renderer() { return *renderer_; }
     const render::FieldRenderer& renderer() const { return *renderer_; }

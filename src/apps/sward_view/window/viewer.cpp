@@ -14,6 +14,8 @@
 #include <iterator>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
 
 namespace sward::embedded {
 std::span<const EmbeddedFile> shaders();
@@ -93,6 +95,7 @@ Viewer::Viewer(Window& window, const ViewerOptions& options)
     , ring_(device_.context(), framesInFlight)
     , timestamps_(device_.context(), {.slots = framesInFlight, .historyFrames = timesKept})
     , picture_(device_.context())
+    , rest_(device_.context())
     , controls_(interface_.style(), controlMap_)
     , resolution_(device_.isCpu() ? wantedOnCpu : wantedOnGpu,
                   device_.isCpu() ? beginOnCpu : InternalResolution::highest)
@@ -119,6 +122,8 @@ Viewer::Viewer(Window& window, const ViewerOptions& options)
         viewerState_.automaticScale = false;
         viewerState_.scale = options.resolution;
     }
+    viewerState_.refinesAtRest =
+        options.refinesAtRest.value_or(device_.isCpu() && viewerState_.automaticScale);
     if (!options.shaderFolder.empty() && options.shaderFolder != "none")
         shaders_.emplace(options.shaderFolder, embedded::shaders());
     controlMap_.writeTo(options.controlsFile);
@@ -165,7 +170,9 @@ void Viewer::look()
     frameSeconds_ = secondsBetween(lastTick_, now);
     lastTick_ = now;
     interface_.begin();
-    steer(window_.takeInput());
+    Input input = window_.takeInput();
+    rest_.mustShow = rest_.mustShow || input.exposed;
+    steer(std::move(input));
     keepTime();
     tell();
     if (loadedField_ && window_.drawableSize() != glm::uvec2(0)) {
@@ -192,8 +199,9 @@ void Viewer::keepTime()
         time.now += PathRecorder::replayStep;
     else if (time.stepOnce)
         time.now += time.step;
-    else if (!time.paused)
+    else if (!time.paused && !rest_.state.isResting())
         time.now += time.scale * passed;
+    rest_.isDisturbed = rest_.isDisturbed || time.stepOnce;
     time.stepOnce = false;
     if (!loadedField_)
         return;
@@ -202,34 +210,35 @@ void Viewer::keepTime()
                               frameBefore_, time.now);
 }
 
-double Viewer::scaleOfFrame() const
-{
-    return capture_.wantsFrame() ? 1.0 : static_cast<double>(viewerState_.scale);
-}
-
 bool Viewer::draw()
 {
-    // Return without an image: an acquired image must be presented, a begun frame submitted.
     const glm::uvec2 size = window_.drawableSize();
     swapchain_.resize(extentOf(size));
     if (size.x == 0 || size.y == 0)
         return false;
+    const AtRest::Draws draws = drawsNext();
+    return draws == AtRest::Draws::moving ? drawMoving() : drawRefined(draws);
+}
+
+bool Viewer::drawMoving()
+{
+    // Return without an image: an acquired image must be presented, a begun frame submitted.
     const std::optional<gpu::Swapchain::Target> target = swapchain_.acquire();
     if (!target)
         return false;
+    const double scale = capture_.wantsFrame() ? 1.0 : static_cast<double>(viewerState_.scale);
     if (loadedField_)
-        picture_.resize(swapchain_.extent(), scaleOfFrame(), swapchain_.format());
+        picture_.resize(swapchain_.extent(), scale, swapchain_.format());
 
     const gpu::FrameRing::Frame frame = ring_.begin();
-    if (loadedField_ && frames_ >= framesInFlight)
+    if (loadedField_ && rest_.moving >= framesInFlight)
         viewerState_.counts = loadedField_->renderer().stats(frame.slot);
     timestamps_.beginFrame(frame.commands, frame.slot);
     if (loadedField_) {
         // Thin blades too, which also saves time on a CPU.
-        const render::FrameSettings settings =
-            device_.isCpu() && viewerState_.automaticScale
-                ? thinnedForScale(viewerState_.settings, scaleOfFrame())
-                : viewerState_.settings;
+        const render::FrameSettings settings = device_.isCpu() && viewerState_.automaticScale
+                                                   ? thinnedForScale(viewerState_.settings, scale)
+                                                   : viewerState_.settings;
         gpu::transition(frame.commands, picture_.image(), gpu::ImageUse::undefined,
                         gpu::ImageUse::colorTarget);
         {
@@ -243,36 +252,40 @@ bool Viewer::draw()
     } else {
         paintBackground(frame.commands, *target);
     }
-    interface_.record(frame.commands, *target);
-    gpu::transition(frame.commands, target->image, VK_IMAGE_ASPECT_COLOR_BIT,
-                    gpu::ImageUse::colorTarget, gpu::ImageUse::present);
-
-    // Wait for the window's image only in stages that write it.
-    std::array<VkSemaphoreSubmitInfo, 2> waits{
-        semaphoreAt(target->available, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT |
-                                           VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT)};
-    const auto copied = loadedField_ ? loadedField_->renderer().copied() : std::nullopt;
-    waits[1] = copied.value_or(waits[0]);
-    const std::array signals{semaphoreAt(target->finished, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT)};
-    ring_.submit(frame, std::span(waits).first(copied ? 2 : 1), signals);
-    swapchain_.present(*target);
+    present(frame, *target);
     if (!loadedField_)
         return true;
 
     ++frames_;
+    ++rest_.moving;
+    if (rest_.pickAt)
+        pick(*std::exchange(rest_.pickAt, std::nullopt));
     if (capture_.wantsFrame()) {
-        try {
-            notice(capture_.write(device_.context(), picture_.image()));
-        } catch (const Error& error) {
-            complain(error.what());
-        }
+        write(picture_.image());
     } else if (viewerState_.automaticScale && !viewerState_.settings.cullingCamera) {
         const std::vector<double> totals = timestamps_.history("total");
-        if (!totals.empty() && frames_ > framesInFlight)
+        if (!totals.empty() && rest_.moving > framesInFlight)
             resolution_.add(totals.back() / 1000.0);
         viewerState_.scale = static_cast<float>(resolution_.scale());
     }
     return true;
+}
+
+void Viewer::present(const gpu::FrameRing::Frame& frame, const gpu::Swapchain::Target& target)
+{
+    interface_.record(frame.commands, target);
+    gpu::transition(frame.commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT,
+                    gpu::ImageUse::colorTarget, gpu::ImageUse::present);
+
+    // Wait for the window's image only in stages that write it.
+    std::array<VkSemaphoreSubmitInfo, 2> waits{
+        semaphoreAt(target.available, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT |
+                                          VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT)};
+    const auto copied = loadedField_ ? loadedField_->renderer().copied() : std::nullopt;
+    waits[1] = copied.value_or(waits[0]);
+    const std::array signals{semaphoreAt(target.finished, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT)};
+    ring_.submit(frame, std::span(waits).first(copied ? 2 : 1), signals);
+    swapchain_.present(target);
 }
 
 void Viewer::tell()
@@ -280,7 +293,11 @@ void Viewer::tell()
     const Clock::time_point now = Clock::now();
     if (secondsBetween(lastNotice_, now) > noticeTime)
         viewerState_.notice.clear();
-    viewerState_.frameSeconds += smoothing * (frameSeconds_ - viewerState_.frameSeconds);
+    const bool isResting = rest_.state.isResting();
+    if (!isResting)
+        viewerState_.frameSeconds += smoothing * (frameSeconds_ - viewerState_.frameSeconds);
+    viewerState_.passesAtRest = isResting ? std::optional(rest_.state.passesDone()) : std::nullopt;
+    viewerState_.drawnAtRest = rest_.picture.drawnBlades();
     viewerState_.field = loadedField_ ? &loadedField_->field() : nullptr;
     viewerState_.baking = opening_.baking();
     viewerState_.loading = opening_.loading();
@@ -299,9 +316,13 @@ void Viewer::tell()
     if (seconds < titleInterval || frames_ <= framesInFlight)
         return;
     const auto frames = static_cast<double>(std::max<std::uint64_t>(frames_ - framesAtTitle_, 1));
-    window_.setTitle(fmt::format("Sward: {}, {} of {} blades drawn, {:.1f} ms per frame",
-                                 loadedField_->field().name, viewerState_.counts.drawn,
-                                 viewerState_.counts.total, 1000.0 * seconds / frames));
+    const std::string pace =
+        isResting
+            ? fmt::format("{} of {} pictures at rest", rest_.state.passesDone(), AtRest::passes)
+            : fmt::format("{:.1f} ms per frame", 1000.0 * seconds / frames);
+    window_.setTitle(fmt::format("Sward: {}, {} of {} blades drawn, {}", loadedField_->field().name,
+                                 isResting ? viewerState_.drawnAtRest : viewerState_.counts.drawn,
+                                 viewerState_.counts.total, pace));
     lastTitle_ = now;
     framesAtTitle_ = frames_;
 }

@@ -4,7 +4,6 @@
 #include "apps/sward_view/interface/interface.h"
 #include "apps/sward_view/internal_resolution.h"
 #include "apps/sward_view/panels/layout.h"
-#include "apps/sward_view/scaled_picture.h"
 #include "apps/sward_view/shader_sources.h"
 #include "apps/sward_view/viewer_state.h"
 #include "apps/sward_view/window/bookmarks.h"
@@ -12,6 +11,7 @@
 #include "apps/sward_view/window/loaded_field.h"
 #include "apps/sward_view/window/opening.h"
 #include "apps/sward_view/window/path_recorder.h"
+#include "apps/sward_view/window/rest.h"
 #include "apps/sward_view/window/viewer_options.h"
 #include "apps/sward_view/window/watched_file.h"
 #include "apps/sward_view/window/window.h"
@@ -40,14 +40,19 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
-
     // viewer.cpp: the frame loop
     void look();
     bool draw();
+    bool drawMoving();
+    void present(const gpu::FrameRing::Frame& frame, const gpu::Swapchain::Target& target);
     void keepTime();
     void tell();
-    double scaleOfFrame() const;
     float aspect() const;
+
+    // viewer_rest.cpp: drawing while nothing changes
+    bool hasChanged();
+    AtRest::Draws drawsNext();
+    bool drawRefined(AtRest::Draws draws);
 
     // viewer_input.cpp: user input
     void steer(Input input);
@@ -63,6 +68,7 @@ private:
     void fulfilFiles(const Requests& requests);
     void complain(const std::string& message);
     void notice(const std::string& message);
+    void write(const gpu::Image& image);
 
     // viewer_fields.cpp: which fields are shown
     void fulfilFields(const Requests& requests);
@@ -84,7 +90,7 @@ private:
     gpu::FrameRing ring_;
     gpu::Timestamps timestamps_;
     ScaledPicture picture_;
-
+    Rest rest_;
     ViewerState viewerState_;
     RecentFiles recent_;
     Bookmarks bookmarks_;
@@ -102,18 +108,13 @@ private:
     InternalResolution resolution_;
     std::optional<WatchedFile> watchedSettings_;
 
-    Clock::time_point begun_;
-    Clock::time_point lastTick_;
-    Clock::time_point lastTitle_;
-    Clock::time_point lastLook_; ///< last poll of watched files and the picked blade
-    Clock::time_point lastNotice_;
+    Clock::time_point begun_, lastTick_, lastTitle_, lastLook_, lastNotice_;
     std::optional<Clock::time_point> firstShown_;
     double frameBefore_ = 0.0;  ///< [s] field time of the previous frame
     double frameSeconds_ = 0.0; ///< real time since the previous frame
     bool isFirstInput_ = true;  ///< its errors end the program
     bool dragsCollider_ = false;
-    std::uint64_t frames_ = 0; ///< frames drawn of this field
-    std::uint64_t framesAtTitle_ = 0;
+    std::uint64_t frames_ = 0, framesAtTitle_ = 0; ///< moving pictures of this field
 };
 
 } // namespace sward::view

@@ -140,7 +140,7 @@ void Viewer::show(Opening::Opened opened)
     if (frame.watch && !watchedSettings_)
         watchedSettings_.emplace(frame.settingsFile);
     timestamps_.clearHistory();
-    frames_ = framesAtTitle_ = 0;
+    frames_ = framesAtTitle_ = rest_.moving = 0;
     lastTitle_ = Clock::now();
     if (!firstShown_)
         firstShown_ = lastTitle_;
@@ -170,7 +170,8 @@ void Viewer::watch()
     lastLook_ = now;
     if (shaders_)
         reloadShaders();
-    if (viewerState_.picked)
+    // At rest the state does not change, and the results of culling are those of tiles.
+    if (viewerState_.picked && !rest_.state.isResting())
         viewerState_.picked =
             lookAgain(loadedField_->renderer(), loadedField_->field(), *viewerState_.picked);
     // Detect changes after the current order has finished.
@@ -214,7 +215,7 @@ void Viewer::reloadShaders()
     viewerState_.difference.reset();
     viewerState_.showsFormer = false;
     viewerState_.picked.reset();
-    frames_ = framesAtTitle_ = 0;
+    frames_ = framesAtTitle_ = rest_.moving = 0;
     timestamps_.clearHistory();
     notice("The shaders have been compiled again");
 }

@@ -27,7 +27,11 @@ void Viewer::steer(Input input)
     const bool mouse = !interface_.takesMouse();
     if (!handleColliders(input, mouse)) {
         if (mouse && input.clicked)
-            pick(*input.clicked);
+            rest_.pickAt = input.clicked;
+        if (rest_.pickAt && rest_.state.isResting())
+            rest_.isDisturbed = true;
+        else if (rest_.pickAt)
+            pick(*std::exchange(rest_.pickAt, std::nullopt));
         const bool moves = input.rotate != glm::vec2(0.0f) || input.pan != glm::vec2(0.0f) ||
                            input.look != glm::vec2(0.0f) || input.wheel != 0.0f;
         // Moving the camera ends the path.

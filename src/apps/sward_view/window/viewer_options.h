@@ -2,6 +2,7 @@
 
 #include "apps/sward_view/frame_options.h"
 
+#include <optional>
 #include <string>
 
 namespace sward::view {
@@ -14,7 +15,8 @@ struct ViewerOptions {
     std::string shaderFolder; ///< whose changes are compiled and shown; empty or "none": none
     std::string meadow;       ///< meadow name or file for meshes; empty: the first
     float resolution = 0.0f;  ///< drawn share of width and height; 0: by time
-    double seconds = 0.0;     ///< [s] closes after the first field; 0: never
+    std::optional<bool> refinesAtRest; ///< unset: on a CPU device with a resolution by time
+    double seconds = 0.0;              ///< [s] closes after the first field; 0: never
 };
 
 } // namespace sward::view

@@ -28,6 +28,15 @@ void Viewer::notice(const std::string& message)
     lastNotice_ = Clock::now();
 }
 
+void Viewer::write(const gpu::Image& image)
+{
+    try {
+        notice(capture_.write(device_.context(), image));
+    } catch (const Error& error) {
+        complain(error.what());
+    }
+}
+
 void Viewer::fulfil()
 {
     const Requests requests = std::exchange(viewerState_.requests, Requests());
@@ -53,7 +62,7 @@ void Viewer::fulfil()
         std::swap(loadedField_, former_);
         viewerState_.showsFormer = !viewerState_.showsFormer;
         viewerState_.picked.reset();
-        frames_ = framesAtTitle_ = 0;
+        frames_ = framesAtTitle_ = rest_.moving = 0;
         return;
     }
     if (requests.frameField)

@@ -107,6 +107,10 @@ struct Window::Parts {
     static void onScroll(GLFWwindow* window, double x, double y);
     static void onKey(GLFWwindow* window, int key, int code, int action, int modifiers);
     static void onDrop(GLFWwindow* window, int count, const char** paths);
+    static void onRefresh(GLFWwindow* window)
+    {
+        of(window).input.exposed = true;
+    }
 };
 
 void Window::Parts::onCursor(GLFWwindow* window, double x, double y)
@@ -189,6 +193,7 @@ Window::Window(glm::uvec2 size, const std::string& title)
     glfwSetScrollCallback(window, Parts::onScroll);
     glfwSetKeyCallback(window, Parts::onKey);
     glfwSetDropCallback(window, Parts::onDrop);
+    glfwSetWindowRefreshCallback(window, Parts::onRefresh);
 }
 
 Window::~Window() = default;

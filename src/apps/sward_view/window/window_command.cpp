@@ -19,7 +19,7 @@
 namespace sward::view {
 namespace {
 
-constexpr const char* footer =
+constexpr const char* windowFooter =
     "In the window: left drag turns, middle or Shift + left drag moves, the wheel\n"
     "comes nearer, right drag with W A S D Q E flies. F frames the field, Home\n"
     "returns, Space pauses the time, H shows all keys, Escape closes. A field, a mesh\n"
@@ -107,6 +107,17 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
         ->type_name("auto|F")
         ->group(group)
         ->default_str("auto");
+    app.add_option_function<std::string>(
+           "--at-rest",
+           [options](const std::string& text) {
+               if (text != "refine" && text != "move")
+                   fail(ErrorKind::usage, "--at-rest: '{}' is not refine or move", text);
+               options->viewer.refinesAtRest = text == "refine";
+           },
+           "While nothing changes: refine stops the time and draws one fine picture; move draws on")
+        ->type_name("refine|move")
+        ->group(group)
+        ->default_str("move, but refine on a CPU device with --resolution auto");
     group = "Tests";
     app.add_option("--controls", options->viewer.controlsFile,
                    "Write place and value of each control into this file, a few times a second")
@@ -128,7 +139,7 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
            "Close the window after this time in seconds, 0 to 1e9")
         ->type_name("S")
         ->group(group);
-    app.footer(footer);
+    app.footer(windowFooter);
     app.final_callback([options, &app, &chosen] {
         if (app.get_subcommands().empty())
             chosen = [options] { return showWindow(*options); };
