@@ -51,6 +51,29 @@ TEST(InternalResolution, ComesBackWhenThereIsRoomAgain)
     EXPECT_EQ(settled(resolution, 0.001, 0.02), 1.0);
 }
 
+TEST(InternalResolution, ReachesTheHighestScaleWhereMostTimeIsNotOfPixels)
+{
+    // 80 ms whatever the scale, and 20 more at 41 %, as on a CPU: 51 % would take 111 ms.
+    const double pixels = 0.02 / (0.4096 * 0.4096);
+    InternalResolution resolution(wanted, InternalResolution::lowest);
+    EXPECT_NEAR(settled(resolution, 0.08, pixels), 0.512, 1e-6);
+    EXPECT_NEAR(settled(resolution, 0.09, pixels), 0.4096, 1e-6);
+}
+
+TEST(InternalResolution, FallsByOneStepWhenOneIsEnoughAlthoughTimesComeLate)
+{
+    InternalResolution resolution(wanted, 0.512);
+    settled(resolution, 0.0, 0.1 / (0.512 * 0.512), 20);
+    ASSERT_NEAR(resolution.scale(), 0.512, 1e-6);
+    // The two frames in flight are as slow as the one that made it fall.
+    resolution.add(0.12);
+    const double fallen = resolution.scale();
+    EXPECT_NEAR(fallen, 0.4096, 1e-6);
+    resolution.add(0.12);
+    resolution.add(0.12);
+    EXPECT_EQ(resolution.scale(), fallen);
+}
+
 TEST(InternalResolution, NeverDrawsLessThanItsLowest)
 {
     InternalResolution resolution(wanted, 1.0);

@@ -84,7 +84,7 @@ void RefinedPicture::begin(const ScaledPicture& coarse, VkExtent2D window)
     }
     gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
         gpu::transition(commands, image_, gpu::ImageUse::undefined, gpu::ImageUse::transferTarget);
-        scaleInto(commands, from, image_.get(), window);
+        coarse.scaleInto(commands, image_.get(), window);
         gpu::transition(commands, image_, gpu::ImageUse::transferTarget,
                         gpu::ImageUse::transferSource);
     });

@@ -9,7 +9,9 @@
 
 namespace sward::view {
 
-/// The internal picture, scaled to the window afterwards; of the window's size or smaller.
+/// The internal picture, scaled to the window afterwards; of the window's size or smaller. One of
+/// less than half the width is scaled in two steps of linear filtering, the first to twice the
+/// size: together they are a smooth filter, where one step would show the pixels as squares.
 class ScaledPicture {
 public:
     explicit ScaledPicture(const gpu::DeviceContext& context)
@@ -29,18 +31,19 @@ public:
     void spread(VkCommandBuffer commands, const gpu::Swapchain::Target& target,
                 VkExtent2D window) const;
 
+    /// Scales the picture (ImageUse::transferSource) to an image of `extent` [pixels] in
+    /// ImageUse::transferTarget.
+    void scaleInto(VkCommandBuffer commands, VkImage to, VkExtent2D extent) const;
+
 private:
     const gpu::DeviceContext& context_;
     gpu::Image image_;
+    gpu::Image doubled_; ///< of twice the size; none if the picture has half the width or more
 };
 
-/// Scales `from` (ImageUse::transferSource) to the whole of a window image. Leaves that as
+/// Copies `from` (ImageUse::transferSource) to a window image of its size. Leaves that as
 /// colorTarget.
 void spreadPicture(VkCommandBuffer commands, const gpu::Image& from,
-                   const gpu::Swapchain::Target& target, VkExtent2D window);
-
-/// Scales `from` (ImageUse::transferSource) to an image of `extent` [pixels], in
-/// ImageUse::transferTarget.
-void scaleInto(VkCommandBuffer commands, const gpu::Image& from, VkImage to, VkExtent2D extent);
+                   const gpu::Swapchain::Target& target);
 
 } // namespace sward::view

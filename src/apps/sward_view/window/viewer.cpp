@@ -32,8 +32,9 @@ constexpr double noticeTime = 4.0;       ///< [s] display time of a notice
 constexpr double smoothing = 0.1;        ///< smoothing of the frame time
 
 // Device time of a frame above which fewer pixels are drawn [s]. On a CPU the window adds a fifth,
-// and the tolerance is a seventh: eight frames a second.
-constexpr double wantedOnCpu = 0.088;
+// and the tolerance is a seventh: six frames a second. More would cost sharpness, which is missed
+// more.
+constexpr double wantedOnCpu = 0.12;
 constexpr double wantedOnGpu = 1.0 / 30.0;
 
 // Scale of the first frame on a CPU, small for a fast start; it rises if time permits.

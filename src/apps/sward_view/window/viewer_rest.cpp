@@ -66,7 +66,7 @@ bool Viewer::drawRefined(AtRest::Draws draws)
         return isBusy;
     rest_.mustShow = false;
     const gpu::FrameRing::Frame frame = ring_.begin();
-    spreadPicture(frame.commands, rest_.picture.image(), *target, swapchain_.extent());
+    spreadPicture(frame.commands, rest_.picture.image(), *target);
     present(frame, *target);
     return true;
 }
