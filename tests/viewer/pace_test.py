@@ -23,11 +23,11 @@ VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
 OPTIONS = ["--material", "meadow*", "--material", "rock_cliff", "--material", "rock_arch", "--mask",
            "vertex-color:R", "--density", "420", "--slope", "0:50~15", "--clearance", "0.4",
            "--seed", "1"]
-# Two processors that have nothing else to do hold eight frames a second then. What else a machine does costs a frame up
-# to two thirds more of a processor (188 ms alone, 295 beside a compiler), so that only long tests, which run alone, ask
-# for that; the others see a frame that has become twice as dear.
+# Two processors that have nothing else to do hold six frames a second then. What else a machine does costs a frame up
+# to two thirds more of a processor, so that only long tests, which run alone, ask for that; the others see a frame that
+# has become twice as dear.
 ALONE = bool(os.environ.get("SWARD_LONG_TESTS"))
-MAX_SECONDS = 2 / 8 if ALONE else 4 / 8  # of a processor, for a frame
+MAX_SECONDS = 2 / 6 if ALONE else 4 / 6  # of a processor, for a frame
 
 
 def processor_seconds(pid):
@@ -36,7 +36,7 @@ def processor_seconds(pid):
 
 
 class UpdateRateTest(unittest.TestCase):
-    def test_two_processors_hold_eight_frames_a_second_on_the_sample_terrain(self):
+    def test_two_processors_hold_six_frames_a_second_on_the_sample_terrain(self):
         folder = tempfile.TemporaryDirectory(prefix="sward-pace-")
         self.addCleanup(folder.cleanup)
         place = Path(folder.name)
@@ -51,7 +51,7 @@ class UpdateRateTest(unittest.TestCase):
                          "1280x720"], validated=False)
         self.addCleanup(viewer.close)
         viewer.wait_for_field()
-        viewer.wait_for_value("Status/Resolution", lambda shown: int(shown) <= 40, "it draws less")
+        viewer.wait_for_value("Status/Resolution", lambda shown: int(shown) <= 52, "it draws less")
         time.sleep(3)
 
         begin, used = time.monotonic(), processor_seconds(viewer.process.pid)
@@ -68,7 +68,7 @@ class UpdateRateTest(unittest.TestCase):
               f"of a processor for each, at {viewer.shows('Status/Resolution')} %")
         self.assertLess(a_frame, MAX_SECONDS)
         if ALONE:
-            self.assertGreaterEqual(rate, 8)
+            self.assertGreaterEqual(rate, 6)
 
 
 if __name__ == "__main__":
