@@ -1,4 +1,5 @@
 #include "apps/sward_view/at_rest.h"
+#include "apps/sward_view/refined_picture.h"
 
 #include <gtest/gtest.h>
 
@@ -71,6 +72,39 @@ TEST(AtRest, KeepsRefiningWhileAPassTakesSeveralCalls)
     for (int tile = 0; tile < 100; ++tile)
         EXPECT_EQ(rest.next(still + 0.05 * tile, false), Draws::refined);
     EXPECT_EQ(rest.passesDone(), 0u);
+}
+
+/// The edge after passes on a device whose tiles take `fixed` + `pixels` times their area [s].
+std::uint32_t settledEdge(double fixed, double perPixel)
+{
+    std::uint32_t edge = 192;
+    for (int pass = 0; pass < 10; ++pass)
+        edge = nextTileEdge(edge, fixed + perPixel * edge * edge);
+    return edge;
+}
+
+TEST(NextTileEdge, MakesTilesAsLargeAsAnAnswerToInputAllows)
+{
+    for (const double perPixel : {0.4e-6, 0.8e-6, 1.2e-6}) {
+        const std::uint32_t edge = settledEdge(0.01, perPixel);
+        const double seconds = 0.01 + perPixel * edge * edge;
+        EXPECT_LT(seconds, 0.13) << perPixel;
+        EXPECT_GT(seconds, 0.04) << perPixel;
+        EXPECT_EQ(edge, nextTileEdge(edge, seconds)) << "stands still";
+    }
+}
+
+TEST(NextTileEdge, IsBoundedOnAnyDevice)
+{
+    EXPECT_EQ(settledEdge(10.0, 1.0), 128u);
+    EXPECT_EQ(settledEdge(0.0, 0.0), 512u);
+}
+
+TEST(RefinedSettings, HaveTheNarrowestBladesOfFourSamples)
+{
+    const render::FrameSettings settings;
+    EXPECT_FLOAT_EQ(refinedSettings(settings, 1).minPixels, 0.5f * settings.minPixels);
+    EXPECT_FLOAT_EQ(refinedSettings(settings, 4).minPixels, settings.minPixels);
 }
 
 } // namespace

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double tolerance = 1.15; ///< factor above the wanted time that is allowed
 constexpr double aim = 1.1; ///< factor above the wanted time that a rise may be expected to take
-constexpr double mostGrowth = 1.6; ///< of a step's time; that of its pixels is 1.5625
+constexpr double maxGrowth = 1.6; ///< of a step's time; that of its pixels is 1.5625
 constexpr int patience = 6;        ///< consecutive fast frames before the scale rises
 constexpr int inFlight = 2; ///< frames drawn at the former scale whose times are still reported
 
@@ -60,7 +60,7 @@ void InternalResolution::learn(double seconds)
     // No frame costs more than its pixels: then something else was slow.
     if (steps_ != 0 && seconds > 0.0) {
         const double growth = std::pow(seconds / before_, 1.0 / steps_);
-        growth_ = growth < mostGrowth ? std::max(growth, 1.0) : growth_;
+        growth_ = growth < maxGrowth ? std::max(growth, 1.0) : growth_;
     }
     steps_ = 0;
 }

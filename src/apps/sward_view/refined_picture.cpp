@@ -21,14 +21,14 @@ namespace {
 // The picture's filter reaches one pixel beyond a pixel.
 constexpr std::uint32_t margin = 1;
 
-// Edge of a tile [pixels], a multiple of the tiles that the rasteriser sorts.
+// Edge of a tile [pixels], a multiple of the tiles that the rasteriser sorts. Each tile has a fixed
+// cost, of up to 30 ms of a processor, so that shorter ones would waste most of the time.
 constexpr std::uint32_t edgeStep = 16;
-constexpr std::uint32_t shortestEdge = 64;
-constexpr std::uint32_t longestEdge = 512;
+constexpr std::uint32_t minEdge = 128;
+constexpr std::uint32_t maxEdge = 512;
 
-// Wanted time of a tile [s], half of what an answer to input may take. Each tile has a fixed cost,
-// so that shorter ones would waste time.
-constexpr double wantedOfTile = 0.05;
+// Wanted time of the longest tile [s]: input is answered within a tenth of a second.
+constexpr double wantedOfTile = 0.08;
 
 constexpr std::uint32_t samplesOfMean = 4;
 
@@ -56,7 +56,7 @@ std::uint32_t nextTileEdge(std::uint32_t edge, double seconds)
     if (share > 0.8 && share < 1.25)
         return edge;
     const auto wanted = static_cast<std::uint32_t>(static_cast<double>(edge) * share);
-    return std::clamp(wanted / edgeStep * edgeStep, shortestEdge, longestEdge);
+    return std::clamp(wanted / edgeStep * edgeStep, minEdge, maxEdge);
 }
 
 render::FrameSettings refinedSettings(render::FrameSettings settings, std::uint32_t samples)

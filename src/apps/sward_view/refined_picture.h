@@ -67,7 +67,7 @@ private:
     std::uint32_t pass_ = 0;
     std::uint64_t drawnBlades_ = 0;
     double longest_ = 0.0;     ///< [s] tile of this pass
-    std::uint32_t edge_ = 128; ///< [pixels] of a tile, its margin included
+    std::uint32_t edge_ = 192; ///< [pixels] of a tile, its margin included
 };
 
 /// Edge of the next pass's tiles [pixels], if the longest tile of one with `edge` took `seconds`.
