@@ -21,7 +21,7 @@ struct Camera {
     float near = 0.0f;              ///< [m]; 0: chosen from the distance to the field
     float far = 0.0f;               ///< [m]; 0: chosen so that the whole field is inside
 
-    bool operator==(const Camera&) const = default;
+    bool operator==(const Camera&) const = default; ///< equal in every member
 };
 
 /// The camera as matrices, relative to `origin`.
