@@ -142,7 +142,7 @@ class RestTest(unittest.TestCase):
         self.assertEqual(viewer.end()[0], 0)
 
     def test_time_stands_still_until_something_changes(self):
-        viewer = self.start("--size", "480x360", "--wind-strength", "8")
+        viewer = self.start("--size", "480x440", "--wind-strength", "8")
         self.wait_for_the_end(viewer)
         before = viewer.window.picture()
         time.sleep(1)

@@ -79,15 +79,18 @@ void ScaledPicture::scaleInto(VkCommandBuffer commands, VkImage to, VkExtent2D e
 }
 
 void spreadPicture(VkCommandBuffer commands, const gpu::Image& from,
-                   const gpu::Swapchain::Target& target)
+                   const gpu::Swapchain::Target& target, VkExtent2D window)
 {
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, gpu::ImageUse::undefined,
                     gpu::ImageUse::transferTarget);
-    const VkImageSubresourceLayers layers{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-    const VkExtent2D size = from.extent();
-    const VkImageCopy region{layers, {}, layers, {}, {size.width, size.height, 1}};
-    vkCmdCopyImage(commands, from.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target.image,
-                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+    if (from.extent().width == window.width && from.extent().height == window.height) {
+        const VkImageSubresourceLayers layers{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+        const VkImageCopy region{layers, {}, layers, {}, {window.width, window.height, 1}};
+        vkCmdCopyImage(commands, from.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target.image,
+                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+    } else {
+        scale(commands, from, target.image, window);
+    }
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT,
                     gpu::ImageUse::transferTarget, gpu::ImageUse::colorTarget);
 }

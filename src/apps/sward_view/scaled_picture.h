@@ -41,9 +41,9 @@ private:
     gpu::Image doubled_; ///< of twice the size; none if the picture has half the width or more
 };
 
-/// Copies `from` (ImageUse::transferSource) to a window image of its size. Leaves that as
-/// colorTarget.
+/// Copies `from` (ImageUse::transferSource) to a window image; scales it if the window has got
+/// another size meanwhile. Leaves that as colorTarget.
 void spreadPicture(VkCommandBuffer commands, const gpu::Image& from,
-                   const gpu::Swapchain::Target& target);
+                   const gpu::Swapchain::Target& target, VkExtent2D window);
 
 } // namespace sward::view

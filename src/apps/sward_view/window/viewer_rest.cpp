@@ -12,7 +12,8 @@ bool Viewer::hasChanged()
 {
     // A streamed field holds the blades of one view, not of tiles in turn.
     if (!viewerState_.refinesAtRest || !loadedField_ || frames_ < ring_.slots() ||
-        loadedField_->renderer().isStreamed() || viewerState_.settings.cullingCamera ||
+        swapchain_.extent().width == 0 || loadedField_->renderer().isStreamed() ||
+        viewerState_.settings.cullingCamera ||
         viewerState_.settings.debug == render::DebugMode::reason || capture_.isSequence() ||
         recorder_.isPlaying() || recorder_.isRecording())
         return true;
@@ -66,7 +67,7 @@ bool Viewer::drawRefined(AtRest::Draws draws)
         return isBusy;
     rest_.mustShow = false;
     const gpu::FrameRing::Frame frame = ring_.begin();
-    spreadPicture(frame.commands, rest_.picture.image(), *target);
+    spreadPicture(frame.commands, rest_.picture.image(), *target, swapchain_.extent());
     present(frame, *target);
     return true;
 }
