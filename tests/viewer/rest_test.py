@@ -147,9 +147,14 @@ class RestTest(unittest.TestCase):
         before = viewer.window.picture()
         time.sleep(1)
         self.assertEqual(share_that_differs(before, viewer.window.picture()), 0.0)
-        viewer.window.wheel(2)
-        viewer.wait(lambda: self.pictures(viewer) is None, "it moves again")
-        self.wait_for_the_end(viewer)
+        self.assertEqual(self.pictures(viewer), 16)
+        for name, change in (("the wheel", lambda: viewer.window.wheel(2)),
+                             ("a pause", lambda: viewer.key("space")),
+                             ("another size", lambda: viewer.window.resize(500, 450))):
+            change()
+            viewer.wait(lambda: self.pictures(viewer) != 16, f"{name} begins it anew")
+            self.wait_for_the_end(viewer)
+        viewer.key("space")
         self.assertGreater(share_that_differs(before, viewer.window.picture()), 0.05)
         # A switch lets it draw on.
         viewer.press("Refine at rest", panel="Profile")
