@@ -1,11 +1,16 @@
 #include "render/camera_presets.h"
 
+#include "field/distributions.h"
 #include "field/field.h"
+#include "render/frame_settings.h"
+#include "render/viewpoint.h"
 
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -23,6 +28,10 @@ struct Scene {
     Aabb box;
     std::vector<glm::vec3> points; ///< their hull must be visible
     glm::dvec3 up;
+    glm::dvec3 sun;                         ///< unit, towards the sun
+    bool isLevel = false;                   ///< a heightfield, with a horizon
+    std::vector<glm::vec3> roots;           ///< should be seen
+    const GroundSurface* surface = nullptr; ///< hides roots; null: nothing does
     /// Height along `up` of the ground at a place; none where there is no ground.
     std::function<std::optional<double>(glm::dvec3)> groundHeight;
 };
@@ -127,19 +136,100 @@ double slopeAhead(const Scene& scene, glm::dvec3 eye, const Sides& sides, double
     return highest && *highest < lowest ? *highest : usual;
 }
 
+/// Elevations of `fit` [degrees]: a horizon is in the picture; a body shows its top.
+constexpr double levelElevation = 14.0;
+constexpr double bodyElevation = 24.0;
+
+/// Angles between the horizontal directions to the viewer and to the sun that `fit` tries
+/// [degrees], the best first if all else is equal.
+constexpr std::array<double, 8> sunAngles{50.0, -50.0, 35.0, -35.0, 65.0, -65.0, 80.0, -80.0};
+
+/// Weight of the share of the picture in the choice of an angle, beside the share of seen roots;
+/// and the loss per place in the list.
+constexpr double areaWeight = 0.5;
+constexpr double orderWeight = 0.01;
+
+/// Share of the roots that nothing hides from the camera.
+double seenShare(const Scene& scene, glm::dvec3 origin, const Camera& camera)
+{
+    if (scene.surface == nullptr || scene.roots.empty())
+        return 1.0;
+    std::size_t seen = 0;
+    for (const glm::vec3& root : scene.roots) {
+        const glm::dvec3 place = origin + glm::dvec3(root);
+        // Rays end a little before the ground on which the roots stand.
+        const auto hit = scene.surface->hit(camera.eye, place - camera.eye);
+        seen += !hit || hit->distance > 0.995 ? 1u : 0u;
+    }
+    return static_cast<double>(seen) / static_cast<double>(scene.roots.size());
+}
+
+/// Share of the picture that the rectangle around the scene takes.
+double areaShare(const Scene& scene, glm::dvec3 origin, const Camera& camera, double aspect)
+{
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, scene.up));
+    const glm::dvec3 above = glm::cross(right, forward);
+    const double tanY = std::tan(0.5 * glm::radians(fieldOfView));
+    glm::dvec2 low(std::numeric_limits<double>::max());
+    glm::dvec2 high(std::numeric_limits<double>::lowest());
+    for (const glm::vec3& point : scene.points) {
+        const glm::dvec3 way = origin + glm::dvec3(point) - camera.eye;
+        const double depth = std::max(glm::dot(way, forward), 1e-9);
+        const glm::dvec2 place(glm::dot(way, right) / (depth * tanY * aspect),
+                               glm::dot(way, above) / (depth * tanY));
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+    }
+    return 0.25 * (high.x - low.x) * (high.y - low.y);
+}
+
+/// The whole scene from the side of the sun from which most of it is seen.
+Camera fitting(const Scene& scene, glm::dvec3 origin, const Sides& sides, double aspect)
+{
+    const glm::dvec3 up = scene.up;
+    glm::dvec3 sunSide = scene.sun - up * glm::dot(scene.sun, up);
+    // Under a sun in the zenith all sides are alike.
+    sunSide = glm::length(sunSide) > 1e-3 ? glm::normalize(sunSide) : sides.shorter;
+    const glm::dvec3 beside = glm::cross(up, sunSide);
+    const double elevation = glm::radians(scene.isLevel ? levelElevation : bodyElevation);
+    Camera best;
+    double bestScore = std::numeric_limits<double>::lowest();
+    for (std::size_t i = 0; i < sunAngles.size(); ++i) {
+        const double angle = glm::radians(sunAngles[i]);
+        const glm::dvec3 towards = std::cos(angle) * sunSide + std::sin(angle) * beside;
+        const Camera camera = framing(
+            scene, origin, -std::cos(elevation) * towards - std::sin(elevation) * up, up, aspect);
+        const double score = seenShare(scene, origin, camera) +
+                             areaWeight * areaShare(scene, origin, camera, aspect) -
+                             orderWeight * static_cast<double>(i);
+        if (score > bestScore) {
+            bestScore = score;
+            best = camera;
+        }
+    }
+    return best;
+}
+
+/// The height of an eye [m]: that of a person; less above grounds shorter than 8 m, as above a
+/// model of a larger one.
+double eyeHeight(const Sides& sides)
+{
+    return 1.7 * std::min(1.0, sides.length / 8.0);
+}
+
 Camera presetOf(CameraPreset preset, const Scene& scene, glm::dvec3 origin, double aspect)
 {
     const Sides sides = sidesOf(scene);
     const glm::dvec3 centre(scene.box.centre());
     const glm::dvec3 up = scene.up;
-    // Eye level is 1.7 m, scaled down for gardens shorter than 8 m.
-    const double scale = std::min(1.0, sides.length / 8.0);
+    const double scale = eyeHeight(sides) / 1.7;
 
     switch (preset) {
     case CameraPreset::top:
         return framing(scene, origin, -up, aspect >= 1.0 ? sides.shorter : sides.longer, aspect);
     case CameraPreset::eye: {
-        Camera camera = standing(scene, origin, centre, 1.7 * scale, centre);
+        Camera camera = standing(scene, origin, centre, eyeHeight(sides), centre);
         // Slightly downwards: grass fills two thirds of the picture.
         const double slope = slopeAhead(scene, camera.eye - origin, sides, -0.15, aspect);
         camera.target = camera.eye + 10.0 * scale * (sides.longer + slope * up);
@@ -154,12 +244,7 @@ Camera presetOf(CameraPreset preset, const Scene& scene, glm::dvec3 origin, doub
     case CameraPreset::fit:
         break;
     }
-    // Three-quarter view: azimuth 40° from the longer side's normal, elevation 24°.
-    const double azimuth = glm::radians(40.0);
-    const double elevation = glm::radians(24.0);
-    const glm::dvec3 towards = std::cos(azimuth) * sides.shorter + std::sin(azimuth) * sides.longer;
-    return framing(scene, origin, -std::cos(elevation) * towards - std::sin(elevation) * up, up,
-                   aspect);
+    return fitting(scene, origin, sides, aspect);
 }
 
 Scene sceneOf(const Aabb& content, glm::vec3 groundUp)
@@ -175,6 +260,7 @@ Scene sceneOf(const Aabb& content, glm::vec3 groundUp)
                                   (corner & 2u) != 0 ? scene.box.high.y : scene.box.low.y,
                                   (corner & 4u) != 0 ? scene.box.high.z : scene.box.low.z);
     // Only the ground's box is known: stand on top of it.
+    scene.sun = glm::normalize(glm::dvec3(FrameSettings().sunDirection));
     const glm::dvec3 size(scene.box.size());
     const double top = glm::dot(glm::dvec3(scene.box.centre()), scene.up) +
                        0.5 * glm::dot(glm::abs(scene.up), size);
@@ -182,43 +268,76 @@ Scene sceneOf(const Aabb& content, glm::vec3 groundUp)
     return scene;
 }
 
-/// Greatest height along `up` at which the line through `place` meets the ground.
-std::optional<double> groundHeight(const field::DisplayGround& ground, glm::dvec3 up,
-                                   glm::dvec3 place)
+/// Blades and corners of the ground that are looked at, spread over all.
+constexpr std::size_t shapeSamples = 20'000;
+constexpr std::size_t seenSamples = 64;
+
+/// Adds `points`: some, and the farthest ones along 13 axes.
+void addHull(const std::vector<shared::GroundVertex>& corners, std::vector<glm::vec3>& points)
 {
-    const glm::dvec3 a =
-        std::abs(up.x) < 0.9 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
-    const glm::dvec3 right = glm::normalize(glm::cross(up, a));
-    const glm::dvec3 ahead = glm::cross(right, up);
-    std::optional<double> highest;
+    const std::size_t stride = std::max<std::size_t>(corners.size() / shapeSamples, 1);
+    for (std::size_t i = 0; i < corners.size(); i += stride)
+        points.push_back(corners[i].position);
+    if (stride == 1)
+        return;
+    for (int axis = 14; axis < 27; ++axis) {
+        const glm::vec3 way(float(axis % 3 - 1), float(axis / 3 % 3 - 1), float(axis / 9 - 1));
+        const auto isNearer = [way](const auto& a, const auto& b) {
+            return glm::dot(a.position, way) < glm::dot(b.position, way);
+        };
+        const auto ends = std::minmax_element(corners.begin(), corners.end(), isNearer);
+        points.push_back(ends.first->position);
+        points.push_back(ends.second->position);
+    }
+}
+
+/// Whether nearly all of the ground faces up, or all down.
+bool isHeightfield(const field::DisplayGround& ground, glm::dvec3 up)
+{
+    double above = 0.0;
+    double below = 0.0;
     for (const field::GroundRange& range : ground.ranges) {
         if (range.level != 0)
             continue;
-        for (std::size_t i = 0; i + 2 < range.indexCount; i += 3) {
-            // Intersect the line with the triangle, seen along `up`: barycentrics by signed areas.
-            glm::dvec2 flat[3];
-            double height[3];
-            for (std::size_t corner = 0; corner < 3; ++corner) {
-                const std::size_t index = ground.indices[range.firstIndex + i + corner];
-                const glm::dvec3 p = glm::dvec3(ground.vertices[index].position) - place;
-                flat[corner] = {glm::dot(p, right), glm::dot(p, ahead)};
-                height[corner] = glm::dot(p, up);
-            }
-            const auto area = [](glm::dvec2 p, glm::dvec2 q) { return p.x * q.y - p.y * q.x; };
-            const double b0 = area(flat[1], flat[2]);
-            const double b1 = area(flat[2], flat[0]);
-            const double b2 = area(flat[0], flat[1]);
-            const double sum = b0 + b1 + b2;
-            const bool inside =
-                (b0 >= 0.0 && b1 >= 0.0 && b2 >= 0.0) || (b0 <= 0.0 && b1 <= 0.0 && b2 <= 0.0);
-            if (!inside || sum == 0.0)
-                continue;
-            const double hit = (b0 * height[0] + b1 * height[1] + b2 * height[2]) / sum;
-            const double absolute = hit + glm::dot(place, up);
-            highest = std::max(highest.value_or(absolute), absolute);
+        const std::size_t triangles = range.indexCount / 3;
+        const std::size_t stride = std::max<std::size_t>(triangles / shapeSamples, 1);
+        for (std::size_t i = 0; i < triangles; i += stride) {
+            const std::uint32_t* const corner = &ground.indices[range.firstIndex + 3 * i];
+            const glm::dvec3 a(ground.vertices[corner[0]].position);
+            const glm::dvec3 b(ground.vertices[corner[1]].position);
+            const glm::dvec3 c(ground.vertices[corner[2]].position);
+            const double area = double(stride) * glm::dot(glm::cross(b - a, c - a), up);
+            (area > 0.0 ? above : below) += std::abs(area);
         }
     }
-    return highest;
+    return std::min(above, below) < 0.02 * std::max(above, below);
+}
+
+/// Adds roots, tips and ground.
+void addShape(const field::FieldView& field, Scene& scene)
+{
+    if (!field.bounds().isEmpty())
+        scene.points.clear();
+    // Patch boxes include every possible bend; roots and tips give the actual extent.
+    const std::size_t stride = std::max<std::size_t>(field.blades.size() / shapeSamples, 1);
+    std::size_t count = 0;
+    const std::size_t each = std::max<std::size_t>(field.blades.size() / stride / seenSamples, 1);
+    for (const shared::Patch& cell : field.patches) {
+        const std::size_t end = std::size_t(cell.firstBlade) + cell.bladeCount;
+        for (std::size_t i = (cell.firstBlade + stride - 1) / stride * stride; i < end;
+             i += stride) {
+            const shared::Blade blade = shared::unpackBlade(field.blades[i], cell);
+            const glm::vec3 tip = blade.root + blade.height * blade.up;
+            scene.points.push_back(blade.root);
+            scene.points.push_back(tip);
+            if (count++ % each == 0)
+                scene.roots.push_back(glm::mix(blade.root, tip, 0.5f));
+        }
+    }
+    addHull(field.ground->vertices, scene.points);
+    if (scene.points.empty())
+        scene.points = sceneOf(field.bounds(), glm::vec3(scene.up)).points;
+    scene.isLevel = isHeightfield(*field.ground, scene.up);
 }
 
 } // namespace
@@ -229,35 +348,64 @@ Camera presetCamera(CameraPreset preset, const Aabb& content, glm::dvec3 origin,
     return presetOf(preset, sceneOf(content, groundUp), origin, static_cast<double>(aspect));
 }
 
+Camera presetCamera(CameraPreset preset, const field::FieldView& field,
+                    const PresetSettings& settings)
+{
+    Scene scene = sceneOf(field.bounds(), settings.groundUp);
+    const glm::vec3 sun = settings.sunDirection.value_or(FrameSettings::of(field).sunDirection);
+    if (glm::length(sun) > 0.0f)
+        scene.sun = glm::normalize(glm::dvec3(sun));
+    addShape(field, scene);
+
+    // The ground.
+    std::optional<GroundSurface> own;
+    if (settings.surface == nullptr && preset != CameraPreset::top)
+        own.emplace(field);
+    const GroundSurface* const surface = settings.surface != nullptr ? settings.surface
+                                         : own                       ? &*own
+                                                                     : nullptr;
+    if (surface != nullptr && !surface->isEmpty()) {
+        scene.surface = surface;
+        const glm::dvec3 size(scene.box.size());
+        const double above = glm::length(size);
+        scene.groundHeight = [&, above](glm::dvec3 place) -> std::optional<double> {
+            const glm::dvec3 start =
+                field.origin + place +
+                scene.up * (glm::dot(glm::dvec3(scene.box.centre()) - place, scene.up) + above);
+            const auto hit = surface->hit(start, -scene.up);
+            if (!hit)
+                return std::nullopt;
+            return glm::dot(hit->place - field.origin, scene.up);
+        };
+    }
+
+    const auto aspect = static_cast<double>(settings.aspect);
+    if (preset == CameraPreset::eye && scene.surface != nullptr) {
+        ViewpointSettings wanted;
+        wanted.up = scene.up;
+        wanted.sun = scene.sun;
+        wanted.height = eyeHeight(sidesOf(scene));
+        wanted.tanY = std::tan(0.5 * glm::radians(fieldOfView));
+        wanted.tanX = aspect * wanted.tanY;
+        if (const auto viewpoint = findViewpoint(field, *scene.surface, wanted)) {
+            Camera camera;
+            camera.eye = viewpoint->eye;
+            camera.target = viewpoint->eye + 6.0 * wanted.height * viewpoint->forward;
+            camera.up = glm::vec3(scene.up);
+            camera.fovY = static_cast<float>(fieldOfView);
+            return camera;
+        }
+    }
+    return presetOf(preset, scene, field.origin, aspect);
+}
+
 Camera presetCamera(CameraPreset preset, const field::FieldView& field, glm::vec3 groundUp,
                     float aspect)
 {
-    Scene scene = sceneOf(field.bounds(), groundUp);
-    if (!field.bounds().isEmpty())
-        scene.points.clear();
-
-    // Patch boxes include every possible bend; roots and tips give the actual extent. About 20 000
-    // blades, spread over the whole field, are enough.
-    const std::size_t stride = std::max<std::size_t>(field.blades.size() / 20'000, 1);
-    for (const shared::Patch& cell : field.patches) {
-        const std::size_t end = std::size_t(cell.firstBlade) + cell.bladeCount;
-        for (std::size_t i = (cell.firstBlade + stride - 1) / stride * stride; i < end;
-             i += stride) {
-            const shared::Blade blade = shared::unpackBlade(field.blades[i], cell);
-            scene.points.push_back(blade.root);
-            scene.points.push_back(blade.root + blade.height * blade.up);
-        }
-    }
-    for (const shared::GroundVertex& vertex : field.ground->vertices)
-        scene.points.push_back(vertex.position);
-    if (scene.points.empty())
-        scene.points = sceneOf(field.bounds(), groundUp).points;
-
-    if (!field.ground->indices.empty())
-        scene.groundHeight = [&field, up = scene.up](glm::dvec3 place) {
-            return groundHeight(*field.ground, up, place);
-        };
-    return presetOf(preset, scene, field.origin, static_cast<double>(aspect));
+    PresetSettings settings;
+    settings.groundUp = groundUp;
+    settings.aspect = aspect;
+    return presetCamera(preset, field, settings);
 }
 
 } // namespace sward::render

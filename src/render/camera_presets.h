@@ -1,6 +1,9 @@
 #pragma once
 
 #include "render/camera.h"
+#include "render/ground_surface.h"
+
+#include <optional>
 
 namespace sward::field {
 struct FieldView;
@@ -8,8 +11,23 @@ struct FieldView;
 
 namespace sward::render {
 
+/// What preset cameras depend on beside the field.
+struct PresetSettings {
+    glm::vec3 groundUp{0.0f, 1.0f, 0.0f};
+    float aspect = 16.0f / 9.0f;            ///< width of the picture / height
+    std::optional<glm::vec3> sunDirection;  ///< towards the sun; unset: as FrameSettings::of()
+    const GroundSurface* surface = nullptr; ///< of the field; null: made as needed
+};
+
 /// The preset cameras of camera.h for a field whose shape is known: they frame its patches and
-/// ground instead of its box, and their eye height starts at the actual ground.
+/// ground instead of its box.
+/// `fit` shows the whole from the sunny side, the sun beside or three-quarters behind the camera,
+/// where most roots are seen; a heightfield with its horizon. `eye` is findViewpoint() at the
+/// height of a person, less on grounds shorter than 8 m. `edge` starts at the actual ground.
+Camera presetCamera(CameraPreset preset, const field::FieldView& field,
+                    const PresetSettings& settings);
+
+/// The same under the usual sun.
 Camera presetCamera(CameraPreset preset, const field::FieldView& field, glm::vec3 groundUp,
                     float aspect);
 

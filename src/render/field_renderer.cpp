@@ -9,6 +9,7 @@
 #include "gpu/upload.h"
 #include "render/blade_dump.h"
 #include "render/cull/cull_view.h"
+#include "render/exposure.h"
 #include "render/preview/field_renderer_parts.h"
 #include "render/tessellation/geometry_choice.h"
 #include "shaders/shared/passes.h"
@@ -116,7 +117,7 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , plan(planWithin(field))
     , blades(context, shaders, uploaded<FieldBuffers>(context, field, plan.records),
              wanted.testsSmallBlades.value_or(!context.isCpu()))
-    , shape{field.origin, field.bounds(), blades.buffers().bladeSize()}
+    , shape{field.origin, field.bounds(), blades.buffers().bladeSize(), chosenExposure(field)}
 {
     expect(wanted.framesInFlight >= 1, "at least one frame is in flight");
     if (raster)

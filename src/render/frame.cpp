@@ -104,7 +104,29 @@ glm::vec3 skyUpOf(const shared::Gravity& gravity, glm::vec3 eye)
     return unitOr(-glm::mix(gravity.direction, pull, gravity.blend), -gravity.direction);
 }
 
+/// `direction` turned as +y is to `up` (unit), by the shortest way.
+glm::vec3 turnedWith(glm::vec3 up, glm::vec3 direction)
+{
+    const glm::vec3 usual(0.0f, 1.0f, 0.0f);
+    const float cosine = glm::dot(usual, up);
+    if (cosine < -0.9999f)
+        return {direction.x, -direction.y, -direction.z};
+    const glm::vec3 axis = glm::cross(usual, up);
+    return direction + glm::cross(axis, direction) +
+           glm::cross(axis, glm::cross(axis, direction)) / (1.0f + cosine);
+}
+
 } // namespace
+
+FrameSettings FrameSettings::of(const field::FieldView& field)
+{
+    FrameSettings s;
+    s.environment = *field.defaults;
+    s.winds = sourcesOf(s.environment.wind);
+    const glm::vec3 up = unitOr(-s.environment.gravityDirection, glm::vec3(0.0f, 1.0f, 0.0f));
+    s.sunDirection = turnedWith(up, s.sunDirection);
+    return s;
+}
 
 void project(shared::Frame& frame, const glm::mat4& viewProjection, glm::vec3 eye)
 {
@@ -169,7 +191,7 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     frame.skyUp = skyUpOf(frame.environment.gravity, view.eye);
     if (settings.skyUp)
         frame.skyUp = unitOr(*settings.skyUp, frame.skyUp);
-    frame.exposure = settings.exposure;
+    frame.exposure = settings.exposure.value_or(field.exposure);
     frame.lowSun = 1.0f - glm::smoothstep(0.0f, 0.6f, glm::dot(frame.sunDirection, frame.skyUp));
     frame.fogFalloff = settings.fogHeight > 0.0f ? 1.0f / settings.fogHeight : 0.0f;
     frame.fogDensity = fogAtEye(field, view.eye, settings, frame.skyUp);

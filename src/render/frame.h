@@ -16,6 +16,7 @@ struct FieldShape {
     glm::dvec3 origin{0.0};
     Aabb content;           ///< relative to the origin
     field::BladeSize blade; ///< typical size
+    float exposure = 1.0f;  ///< where the settings leave it open
 };
 
 /// Writes the projection of a frame's picture, for an eye at `eye`.

@@ -75,27 +75,24 @@ struct FrameSettings {
     /// last frame in which both cameras were the same.
     std::optional<Camera> cullingCamera;
 
-    /// Towards the sun, world space; record() normalises it. By default at an angle to the preset
-    /// views, to show form and light through the blades.
+    /// Towards the sun, world space; record() normalises it. By default 37° high. The
+    /// preset `fit` looks from its side.
     glm::vec3 sunDirection{0.72f, 0.62f, -0.42f};
     glm::vec3 sunColor{3.4f, 2.85f, 2.1f};      ///< linear radiance
     glm::vec3 skyColor{0.42f, 0.60f, 0.92f};    ///< linear radiance from above
     glm::vec3 groundColor{0.20f, 0.23f, 0.11f}; ///< linear radiance from below: grass in the sun
-    float exposure = 1.0f;                      ///< of the film, linear
-    float fogDensity = -1.0f;                   ///< [1/m]; below 0: chosen from the field's size
-    float fogHeight = 0.0f; ///< [m] above the lowest ground where 1/e of it is left; 0: nowhere
-    float clouds = 0.35f;   ///< [0, 1] cover of the sky
+    /// Of the film, linear. Unset: the renderer of a field chooses it by the field's colours
+    /// (exposure.h); 1 in a host's view.
+    std::optional<float> exposure;
+    float fogDensity = -1.0f; ///< [1/m]; below 0: chosen from the field's size
+    float fogHeight = 0.0f;   ///< [m] above the lowest ground where 1/e of it is left; 0: nowhere
+    float clouds = 0.35f;     ///< [0, 1] cover of the sky
     float thatch = 1.0f; ///< [0, 1] share of the undergrowth that covers the ground between blades
     std::optional<glm::vec3> skyUp; ///< up direction of the sky; unset: against gravity
 
     /// Settings initialised from the defaults saved in the field.
-    static FrameSettings of(const field::FieldView& field)
-    {
-        FrameSettings s;
-        s.environment = *field.defaults;
-        s.winds = sourcesOf(s.environment.wind);
-        return s;
-    }
+    /// The sun stands as high above the field's ground as above a level one.
+    static FrameSettings of(const field::FieldView& field);
 };
 
 } // namespace sward::render

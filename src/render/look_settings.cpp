@@ -91,7 +91,11 @@ void readLook(SettingsReader& reader, FrameSettings& settings)
             fail(ErrorKind::input, "{}: has no length", look.placeOf("up"));
         settings.skyUp = skyUp;
     }
-    look.read("exposure", settings.exposure, 1e-6, 1e6);
+    if (look.has("exposure")) {
+        float exposure = 1.0f;
+        look.read("exposure", exposure, 1e-6, 1e6);
+        settings.exposure = exposure;
+    }
     look.finish();
 }
 

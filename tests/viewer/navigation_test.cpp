@@ -54,7 +54,7 @@ protected:
 
     bool isBall_ = false;
     field::Field field_;
-    GroundSurface ground_;
+    render::GroundSurface ground_;
 };
 
 TEST_F(NavigationTest, FliesAheadOnlyWhileTheRightButtonIsHeld)

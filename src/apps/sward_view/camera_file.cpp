@@ -57,7 +57,8 @@ render::Camera readCamera(const std::filesystem::path& path, glm::vec3 up)
     return readCamera(reader, path.string(), up);
 }
 
-CameraPath chooseCamera(const std::string& name, const field::FieldView& field, float aspect)
+CameraPath chooseCamera(const std::string& name, const field::FieldView& field, float aspect,
+                        glm::vec3 sunDirection)
 {
     using render::CameraPreset;
     struct Named {
@@ -71,7 +72,9 @@ CameraPath chooseCamera(const std::string& name, const field::FieldView& field, 
     const Named* found = std::find_if(std::begin(presets), std::end(presets),
                                       [&name](const Named& entry) { return name == entry.name; });
     if (found != std::end(presets))
-        return CameraPath(render::presetCamera(found->preset, field, groundUpOf(field), aspect));
+        return CameraPath(render::presetCamera(
+            found->preset, field,
+            {.groundUp = groundUpOf(field), .aspect = aspect, .sunDirection = sunDirection}));
 
     // A word that is neither a preset nor a file is probably a misspelt preset.
     if (!std::filesystem::exists(name) && name.find_first_of("./") == std::string::npos)

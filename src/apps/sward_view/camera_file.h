@@ -24,7 +24,8 @@ render::Camera readCamera(SettingsReader& reader, const std::string& place, glm:
 render::Camera readCamera(const std::filesystem::path& path, glm::vec3 up);
 
 /// The camera of --camera: fit, eye, top, edge, or a file with a camera or a path.
-CameraPath chooseCamera(const std::string& name, const field::FieldView& field, float aspect);
+CameraPath chooseCamera(const std::string& name, const field::FieldView& field, float aspect,
+                        glm::vec3 sunDirection);
 
 /// Unit vector away from the field's gravity: the up-vector of its cameras.
 glm::vec3 groundUpOf(const field::FieldView& field);

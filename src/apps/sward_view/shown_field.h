@@ -1,11 +1,11 @@
 #pragma once
 
 #include "apps/sward_view/field_group.h"
-#include "apps/sward_view/ground_surface.h"
 #include "apps/sward_view/meadow_requests.h"
 #include "apps/sward_view/window/watched_file.h"
 #include "field/inspect.h"
 #include "field/read.h"
+#include "render/ground_surface.h"
 
 #include <cstddef>
 #include <exception>
@@ -54,7 +54,7 @@ struct ShownField {
     FieldGroup group;
     const field::FieldView& view; ///< of all
     field::Summary summary;       ///< of all
-    GroundSurface ground;
+    render::GroundSurface ground;
     std::string name; ///< window title
 };
 

@@ -130,11 +130,12 @@ std::string settingsText(const FrameSettings& settings)
                     {"ground", vector(settings.groundColor)},
                     {"clouds", number(settings.clouds)},
                     {"thatch", number(settings.thatch)},
-                    {"fog_height", number(settings.fogHeight)},
-                    {"exposure", number(settings.exposure)}};
+                    {"fog_height", number(settings.fogHeight)}};
     if (settings.skyUp)
         json["look"]["up"] = vector(*settings.skyUp);
-    // If absent, the fog density is chosen from the field.
+    // If absent, exposure and fog density are chosen from the field.
+    if (settings.exposure)
+        json["look"]["exposure"] = number(*settings.exposure);
     if (settings.fogDensity >= 0.0f)
         json["look"]["fog"] = number(settings.fogDensity);
     return json.dump(2) + "\n";

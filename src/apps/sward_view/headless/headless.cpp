@@ -79,7 +79,8 @@ Headless::Headless(const FrameOptions& options, bool recordCullResults)
     , camera_(options.sceneCamera
                   ? readCameraPath(options.sceneCamera->text, options.sceneCamera->place,
                                    groundUpOf(fields_.view()))
-                  : chooseCamera(options.camera, fields_.view(), aspectOf(options.size)))
+                  : chooseCamera(options.camera, fields_.view(), aspectOf(options.size),
+                                 settings_.sunDirection))
     , instance_(createInstance(options.validation))
     , device_(instance_, {.selection = options.device})
     , samples_(options.samples.value_or(4))

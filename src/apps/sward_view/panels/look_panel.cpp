@@ -1,6 +1,8 @@
 #include "apps/sward_view/panels/panels.h"
 #include "render/look_settings.h"
 
+#include <optional>
+
 namespace sward::view {
 
 void drawLookPanel(Controls& controls, ViewerState& state)
@@ -42,8 +44,16 @@ void drawLookPanel(Controls& controls, ViewerState& state)
                     "at every height");
 
     controls.section("Film");
-    controls.number("Exposure", settings.exposure, {0.05f, 20.0f, "", "%.2f", true},
-                    "Scale from light to the picture");
+    bool isChosen = !settings.exposure;
+    if (controls.toggle("By the field", isChosen,
+                        "Exposure that shows this field's colours neither dark nor bleached"))
+        settings.exposure = isChosen ? std::nullopt : std::optional(1.0f);
+    ImGui::BeginDisabled(isChosen);
+    float exposure = settings.exposure.value_or(1.0f);
+    if (controls.number("Exposure", exposure, {0.05f, 20.0f, "", "%.2f", true},
+                        "Scale from light to the picture"))
+        settings.exposure = exposure;
+    ImGui::EndDisabled();
 }
 
 } // namespace sward::view

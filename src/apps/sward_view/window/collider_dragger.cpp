@@ -32,8 +32,8 @@ void move(render::Collider& collider, const glm::dvec3& way, double before, doub
 }
 
 // Projects `place` to the ground below or above it.
-glm::dvec3 laidOn(const GroundSurface& ground, const glm::dvec3& place, const glm::dvec3& up,
-                  double radius)
+glm::dvec3 laidOn(const render::GroundSurface& ground, const glm::dvec3& place,
+                  const glm::dvec3& up, double radius)
 {
     const auto hit = ground.hit(place + up * (probe * radius), -up);
     return hit ? hit->place + up * (resting * radius) : place;
@@ -47,7 +47,7 @@ glm::dvec3 middleOf(const render::Collider& collider, double time)
 }
 
 bool ColliderDragger::grab(const std::vector<render::Collider>& colliders, const Sight& sight,
-                           const GroundSurface& ground, double time)
+                           const render::GroundSurface& ground, double time)
 {
     const auto hit = ground.hit(sight.eye, sight.direction);
     double nearest = std::numeric_limits<double>::infinity();
@@ -77,7 +77,7 @@ bool ColliderDragger::grab(const std::vector<render::Collider>& colliders, const
     return true;
 }
 
-void ColliderDragger::drag(const Sight& sight, const GroundSurface& ground,
+void ColliderDragger::drag(const Sight& sight, const render::GroundSurface& ground,
                            const std::function<glm::dvec3(const glm::dvec3&)>& upAt)
 {
     if (!held_)
@@ -94,7 +94,8 @@ void ColliderDragger::release()
     wanted_.reset();
 }
 
-void ColliderDragger::advance(std::vector<render::Collider>& colliders, const GroundSurface& ground,
+void ColliderDragger::advance(std::vector<render::Collider>& colliders,
+                              const render::GroundSurface& ground,
                               const std::function<glm::dvec3(const glm::dvec3&)>& upAt,
                               double before, double now)
 {

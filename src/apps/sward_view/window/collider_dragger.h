@@ -1,8 +1,8 @@
 #pragma once
 
-#include "apps/sward_view/ground_surface.h"
 #include "apps/sward_view/picking.h"
 #include "render/colliders.h"
+#include "render/ground_surface.h"
 
 #include <glm/vec3.hpp>
 
@@ -21,10 +21,10 @@ public:
 
     /// Grabs the nearest collider in front of the ground; returns whether there was one.
     bool grab(const std::vector<render::Collider>& colliders, const Sight& sight,
-              const GroundSurface& ground, double time);
+              const render::GroundSurface& ground, double time);
 
     /// Moves the held collider to the ground point on the line of sight.
-    void drag(const Sight& sight, const GroundSurface& ground,
+    void drag(const Sight& sight, const render::GroundSurface& ground,
               const std::function<glm::dvec3(const glm::dvec3&)>& upAt);
 
     /// Releases the collider; a fast one rolls on.
@@ -33,7 +33,7 @@ public:
     bool holds() const { return held_.has_value(); }
 
     /// Moves held and rolling colliders from time `before` to `now` [s].
-    void advance(std::vector<render::Collider>& colliders, const GroundSurface& ground,
+    void advance(std::vector<render::Collider>& colliders, const render::GroundSurface& ground,
                  const std::function<glm::dvec3(const glm::dvec3&)>& upAt, double before,
                  double now);
 

@@ -45,8 +45,12 @@ LoadedField::LoadedField(const gpu::Device& device, std::unique_ptr<ShownField> 
     int number = 1;
     for (const CameraPreset preset :
          {CameraPreset::fit, CameraPreset::eye, CameraPreset::top, CameraPreset::edge})
-        navigation_.setBookmark(
-            number++, render::presetCamera(preset, field_->view, groundUpOf(field_->view), aspect));
+        navigation_.setBookmark(number++,
+                                render::presetCamera(preset, field_->view,
+                                                     {.groundUp = groundUpOf(field_->view),
+                                                      .aspect = aspect,
+                                                      .sunDirection = settings.sunDirection,
+                                                      .surface = &field_->ground}));
     for (const field::Camera& saved : field_->view.defaults->cameras) {
         if (number > 9)
             break;

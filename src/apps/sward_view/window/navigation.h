@@ -1,9 +1,9 @@
 #pragma once
 
-#include "apps/sward_view/ground_surface.h"
 #include "apps/sward_view/window/input.h"
 #include "apps/sward_view/window/orbit.h"
 #include "render/camera.h"
+#include "render/ground_surface.h"
 
 #include <array>
 #include <functional>
@@ -18,7 +18,7 @@ public:
         glm::vec3 axis{0.0f, 1.0f, 0.0f};                  ///< unit; axis of orbits
         double size = 100.0;                               ///< [m] size of the field
         std::function<glm::dvec3(const glm::dvec3&)> upAt; ///< unit, away from gravity, world
-        const GroundSurface* ground = nullptr;             ///< may be null
+        const render::GroundSurface* ground = nullptr;     ///< may be null
     };
 
     Navigation(const render::Camera& home, Place place);

@@ -98,7 +98,7 @@ void Viewer::show(Opening::Opened opened)
                                 members[opened.place]->source.input;
     const bool isBaked = opened.count == 1 && !members[opened.place]->source.report.empty();
     render::FrameSettings settings = isSame ? viewerState_.settings : frame.settingsFor(view);
-    CameraPath path = chooseCamera(frame.camera, view, aspect());
+    CameraPath path = chooseCamera(frame.camera, view, aspect(), settings.sunDirection);
     const render::Camera home = path.at(0.0);
     auto next = std::make_unique<LoadedField>(
         device_, std::move(opened.field),

@@ -106,7 +106,7 @@ Sight Viewer::sightAt(glm::vec2 pixel) const
 
 bool Viewer::handleColliders(const Input& input, bool mouse)
 {
-    const GroundSurface& ground = loadedField_->field().ground;
+    const render::GroundSurface& ground = loadedField_->field().ground;
     if (mouse && input.leftPressed && !loadedField_->navigation().isWalking())
         dragsCollider_ =
             viewerState_.hand.grab(viewerState_.settings.colliders, sightAt(input.pressedAt),

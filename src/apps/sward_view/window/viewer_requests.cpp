@@ -67,7 +67,10 @@ void Viewer::fulfil()
     }
     if (requests.frameField)
         navigation.show(render::presetCamera(render::CameraPreset::fit, loadedField_->field().view,
-                                             groundUpOf(loadedField_->field().view), aspect()));
+                                             {.groundUp = groundUpOf(loadedField_->field().view),
+                                              .aspect = aspect(),
+                                              .sunDirection = viewerState_.settings.sunDirection,
+                                              .surface = &loadedField_->field().ground}));
     if (requests.goHome)
         navigation.goHome();
     if (requests.walk && !navigation.isWalking() && !navigation.walk(true))
