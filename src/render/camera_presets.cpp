@@ -64,10 +64,11 @@ Sides sidesOf(const Scene& scene)
 }
 
 /// The camera nearest to the scene that looks along `forward` with the whole scene centred in
-/// `filled` of the frame. Each point bounds the eye by a half-space per side of the frame; the
+/// `filled` of the frame, or raised by the share `raised` of the way to where it stands on the
+/// lower border of that. Each point bounds the eye by a half-space per side of the frame; the
 /// tightest pair of opposite sides decides.
 Camera framing(const Scene& scene, glm::dvec3 origin, glm::dvec3 forward, glm::dvec3 up,
-               double aspect)
+               double aspect, double raised = 0.0)
 {
     const glm::dvec3 right = glm::normalize(glm::cross(forward, up));
     const glm::dvec3 above = glm::cross(right, forward);
@@ -92,8 +93,10 @@ Camera framing(const Scene& scene, glm::dvec3 origin, glm::dvec3 forward, glm::d
     }
     const double depth =
         std::min({-(east + west) / (2.0 * tanX), -(north + south) / (2.0 * tanY), nearest - 1e-3});
-    const glm::dvec3 eye =
-        0.5 * (east - west) * right + 0.5 * (north - south) * above + depth * forward;
+    const double middle = 0.5 * (north - south);
+    const double highest = -south - tanY * depth;
+    const glm::dvec3 eye = 0.5 * (east - west) * right +
+                           (middle + raised * (highest - middle)) * above + depth * forward;
 
     Camera camera;
     camera.eye = origin + eye;
@@ -136,8 +139,10 @@ double slopeAhead(const Scene& scene, glm::dvec3 eye, const Sides& sides, double
     return highest && *highest < lowest ? *highest : usual;
 }
 
-/// Elevations of `fit` [degrees]: a horizon is in the picture; a body shows its top.
-constexpr double levelElevation = 14.0;
+/// Slopes of the view of `fit` [degrees]. Level ground is seen from farther above than that, with
+/// the horizon in the upper part of the picture; a body is in the middle.
+constexpr double levelElevation = 17.0;
+constexpr double levelRaised = 1.0;
 constexpr double bodyElevation = 24.0;
 
 /// Angles between the horizontal directions to the viewer and to the sun that `fit` tries
@@ -198,8 +203,9 @@ Camera fitting(const Scene& scene, glm::dvec3 origin, const Sides& sides, double
     for (std::size_t i = 0; i < sunAngles.size(); ++i) {
         const double angle = glm::radians(sunAngles[i]);
         const glm::dvec3 towards = std::cos(angle) * sunSide + std::sin(angle) * beside;
-        const Camera camera = framing(
-            scene, origin, -std::cos(elevation) * towards - std::sin(elevation) * up, up, aspect);
+        const Camera camera =
+            framing(scene, origin, -std::cos(elevation) * towards - std::sin(elevation) * up, up,
+                    aspect, scene.isLevel ? levelRaised : 0.0);
         const double score = seenShare(scene, origin, camera) +
                              areaWeight * areaShare(scene, origin, camera, aspect) -
                              orderWeight * static_cast<double>(i);
@@ -280,15 +286,30 @@ void addHull(const std::vector<shared::GroundVertex>& corners, std::vector<glm::
         points.push_back(corners[i].position);
     if (stride == 1)
         return;
-    for (int axis = 14; axis < 27; ++axis) {
-        const glm::vec3 way(float(axis % 3 - 1), float(axis / 3 % 3 - 1), float(axis / 9 - 1));
-        const auto isNearer = [way](const auto& a, const auto& b) {
-            return glm::dot(a.position, way) < glm::dot(b.position, way);
-        };
-        const auto ends = std::minmax_element(corners.begin(), corners.end(), isNearer);
-        points.push_back(ends.first->position);
-        points.push_back(ends.second->position);
+    constexpr std::size_t axes = 13;
+    std::array<glm::vec3, axes> ways;
+    for (std::size_t i = 0; i < axes; ++i) {
+        const int code = static_cast<int>(i) + 14;
+        ways[i] = glm::vec3(float(code % 3 - 1), float(code / 3 % 3 - 1), float(code / 9 - 1));
     }
+    std::array<float, axes> low;
+    std::array<float, axes> high;
+    low.fill(std::numeric_limits<float>::max());
+    high.fill(std::numeric_limits<float>::lowest());
+    std::array<glm::vec3, 2 * axes> ends{};
+    for (const shared::GroundVertex& corner : corners)
+        for (std::size_t i = 0; i < axes; ++i) {
+            const float along = glm::dot(corner.position, ways[i]);
+            if (along < low[i]) {
+                low[i] = along;
+                ends[2 * i] = corner.position;
+            }
+            if (along > high[i]) {
+                high[i] = along;
+                ends[2 * i + 1] = corner.position;
+            }
+        }
+    points.insert(points.end(), ends.begin(), ends.end());
 }
 
 /// Whether nearly all of the ground faces up, or all down.
@@ -355,7 +376,6 @@ Camera presetCamera(CameraPreset preset, const field::FieldView& field,
     const glm::vec3 sun = settings.sunDirection.value_or(FrameSettings::of(field).sunDirection);
     if (glm::length(sun) > 0.0f)
         scene.sun = glm::normalize(glm::dvec3(sun));
-    addShape(field, scene);
 
     // The ground.
     std::optional<GroundSurface> own;
@@ -396,6 +416,7 @@ Camera presetCamera(CameraPreset preset, const field::FieldView& field,
             return camera;
         }
     }
+    addShape(field, scene);
     return presetOf(preset, scene, field.origin, aspect);
 }
 

@@ -4,7 +4,9 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -56,6 +58,8 @@ GroundSurface::GroundSurface(const field::FieldView& field)
             runs_.push_back(run);
         }
     }
+    sortRuns();
+
     // Levels of boxes, until one level has few.
     std::vector<Aabb> below;
     for (const Run& run : runs_)
@@ -67,6 +71,29 @@ GroundSurface::GroundSurface(const field::FieldView& field)
         boxes_.push_back(above);
         below = std::move(above);
     }
+}
+
+void GroundSurface::sortRuns()
+{
+    Aabb all;
+    for (const Run& run : runs_)
+        all.add(run.box);
+    const glm::vec3 scale = 1023.0f / glm::max(all.size(), glm::vec3(1e-20f));
+    // Order along a Z-curve, so that consecutive runs are near each other in all directions.
+    std::vector<std::pair<std::uint32_t, Run>> sorted;
+    sorted.reserve(runs_.size());
+    for (const Run& run : runs_) {
+        const glm::uvec3 cell((run.box.centre() - all.low) * scale);
+        std::uint32_t place = 0;
+        for (std::uint32_t bit = 10; bit-- > 0;)
+            place = (place << 3u) | (((cell.x >> bit) & 1u) << 2u) |
+                    (((cell.y >> bit) & 1u) << 1u) | ((cell.z >> bit) & 1u);
+        sorted.emplace_back(place, run);
+    }
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t i = 0; i < runs_.size(); ++i)
+        runs_[i] = sorted[i].second;
 }
 
 struct GroundSurface::Search {
@@ -109,15 +136,24 @@ void GroundSurface::searchBox(std::size_t level, std::size_t box, Search& search
 {
     const std::size_t first = box * boxesPerBox;
     const std::size_t count = level == 0 ? runs_.size() : boxes_[level - 1].size();
+    // Nearest first: most of the others are then behind the hit.
+    std::array<std::pair<double, std::size_t>, boxesPerBox> found{};
+    std::size_t foundCount = 0;
     for (std::size_t i = first; i < std::min(first + boxesPerBox, count); ++i) {
         const Aabb& bounds = level == 0 ? runs_[i].box : boxes_[level - 1][i];
         const std::optional<double> entered = enters(bounds, search.eye, search.inverse);
-        if (!entered || *entered > search.nearest)
+        if (!entered)
             continue;
+        std::size_t place = foundCount++;
+        for (; place > 0 && found[place - 1].first > *entered; --place)
+            found[place] = found[place - 1];
+        found[place] = {*entered, i};
+    }
+    for (std::size_t k = 0; k < foundCount && found[k].first <= search.nearest; ++k) {
         if (level == 0)
-            searchRun(runs_[i], search);
+            searchRun(runs_[found[k].second], search);
         else
-            searchBox(level - 1, i, search);
+            searchBox(level - 1, found[k].second, search);
     }
 }
 

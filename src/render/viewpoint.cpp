@@ -121,12 +121,12 @@ public:
         double bestScore = -endless;
         for (std::size_t i = 0; i < std::min(finalists, prospects.size()); ++i) {
             const auto [score, tilt] = framed(prospects[i]);
-            if (prospects[i].from.isCovered != prospects[0].from.isCovered || score <= bestScore)
+            if (prospects[i].from.isCovered != prospects[0].from.isCovered || !(score > bestScore))
                 continue;
             bestScore = score;
             best = {prospects[i].from.eye, direction(prospects[i].azimuth, tilt)};
         }
-        return best;
+        return bestScore > -endless ? std::optional(best) : std::nullopt;
     }
 
 private:
@@ -263,6 +263,7 @@ private:
     struct Seen {
         double distance = endless; ///< [eye heights]
         bool isGrass = false;
+        bool isLit = false; ///< faces the sun
     };
     using Grid = std::vector<Seen>; ///< rows × columns
 
@@ -273,6 +274,7 @@ private:
         int all = 0;
         int ground = 0;
         int grass = 0;
+        int lit = 0;
         int walls = 0;
         std::array<int, 5> bands{};
         for (int row = 0; row < rows; ++row) {
@@ -286,19 +288,22 @@ private:
                     continue;
                 ++ground;
                 grass += seen.isGrass ? 1 : 0;
+                lit += seen.isLit ? 1 : 0;
                 walls += elevation > -5.0 && seen.distance < 6.0 ? 1 : 0;
                 const double band = std::log2(std::max(seen.distance, 2.0)) - 1.0; // from 2 heights
                 ++bands[std::min<std::size_t>(static_cast<std::size_t>(band), 4)];
             }
         }
-        const double whole = std::max(all, 1);
+        if (ground == 0)
+            return -endless;
+        const double whole = all;
         const double share = ground / whole;
         double mixture = 0.0;
         for (const int band : bands)
             mixture += band > 0.05 * whole ? 0.15 : 0.0;
         return 1.5 * std::min(share / wantedGround, 1.0) -
-               1.2 * std::max(share - wantedGround, 0.0) + 0.6 * grass / whole + mixture -
-               2.0 * walls / whole - 0.01 * std::abs(tilt + 8.0);
+               1.2 * std::max(share - wantedGround, 0.0) + (0.6 * grass + 0.6 * lit) / whole +
+               mixture - 2.0 * walls / whole - 0.01 * std::abs(tilt + 8.0);
     }
 
     /// Score and tilt [degrees] of the best picture of a prospect.
@@ -313,7 +318,9 @@ private:
                     direction(prospect.azimuth + std::atan(across), highestRow - rowStep * row);
                 Seen seen;
                 if (const auto hit = ground_.hit(prospect.from.eye, ray))
-                    seen = {hit->distance / settings_.height, grass_.growsAt(hit->place)};
+                    seen = {hit->distance / settings_.height, grass_.growsAt(hit->place),
+                            glm::dot(hit->normal, settings_.sun) * glm::dot(hit->normal, ray) <
+                                0.0};
                 grid.push_back(seen);
             }
         double best = -endless;
