@@ -17,8 +17,8 @@
 namespace sward::render {
 namespace {
 
-constexpr float leastExposure = 0.25f;
-constexpr float mostExposure = 4.0f;
+constexpr float minExposure = 0.25f;
+constexpr float maxExposure = 4.0f;
 
 /// Radiance times exposure that the film (shaders/film_curve.glsl) shows as 18 % grey, and as 97 %.
 constexpr float exposedGrey = 0.163f;
@@ -26,7 +26,7 @@ constexpr float exposedBright = 4.7f;
 
 /// Mean radiance of a meadow in preset views relative to shared::Cover::sward times the light on
 /// level ground. Measured: lawn, meadow and steppe on hills.
-constexpr float meadowBrightness = 0.8f;
+constexpr float meadowBrightness = 0.85f;
 
 /// Triangles of the ground whose colours are looked at, and the share of them that may clip.
 constexpr std::size_t groundSamples = 50'000;
@@ -138,8 +138,8 @@ float chosenExposure(const field::FieldView& field)
     // Radiance of the brightest ground where it faces the sun.
     const glm::vec3 light = usual.sunColor + sky;
     const float brightest = brightestOf(ground) * std::max({light.x, light.y, light.z});
-    const float allowed = brightest > 0.0f ? exposedBright / brightest : mostExposure;
-    return std::clamp(std::min(wanted, allowed), leastExposure, mostExposure);
+    const float allowed = brightest > 0.0f ? exposedBright / brightest : maxExposure;
+    return std::clamp(std::min(wanted, allowed), minExposure, maxExposure);
 }
 
 } // namespace sward::render
