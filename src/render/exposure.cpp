@@ -25,8 +25,8 @@ constexpr float exposedGrey = 0.163f;
 constexpr float exposedBright = 4.7f;
 
 /// Mean radiance of a meadow in preset views relative to shared::Cover::sward times the light on
-/// level ground. Measured: lawn, meadow and steppe on hills.
-constexpr float meadowBrightness = 0.85f;
+/// level ground: leaves shade one another. Measured: lawn, meadow and steppe on hills.
+constexpr float meadowBrightness = 0.6f;
 
 /// Triangles of the ground whose colours are looked at, and the share of them that may clip.
 constexpr std::size_t groundSamples = 50'000;
@@ -122,7 +122,7 @@ float chosenExposure(const field::FieldView& field)
     glm::vec3 color(0.0f);
     shared::Cover cover = {};
     describeUndergrowth(field, cover);
-    if (cover.structure > 0.0f) {
+    if (!field.blades.empty()) {
         color = meadowBrightness * cover.sward;
     } else {
         float area = 0.0f;
