@@ -154,7 +154,7 @@ TEST(Drifts, KeepSharesAndGatherSpecies)
         const auto [share, driftSpread] = spread(0.8, slot);
         EXPECT_NEAR(even, shares[slot], 0.02);
         EXPECT_NEAR(share, shares[slot], 0.02) << slot;
-        EXPECT_GT(driftSpread, 1.1 * evenSpread) << slot; // chance alone repeats within 0.03
+        EXPECT_GT(driftSpread, 1.1 * evenSpread) << slot;
     }
 }
 
