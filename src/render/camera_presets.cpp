@@ -6,7 +6,6 @@
 #include "render/viewpoint.h"
 
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>

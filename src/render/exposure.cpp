@@ -8,10 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace sward::render {

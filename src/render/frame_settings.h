@@ -75,8 +75,8 @@ struct FrameSettings {
     /// last frame in which both cameras were the same.
     std::optional<Camera> cullingCamera;
 
-    /// Towards the sun, world space; record() normalises it. By default 37° high. The
-    /// preset `fit` looks from its side.
+    /// Towards the sun, world space; record() normalises it. By default 37° high. The preset
+    /// `fit` looks from its side.
     glm::vec3 sunDirection{0.72f, 0.62f, -0.42f};
     glm::vec3 sunColor{3.4f, 2.85f, 2.1f};      ///< linear radiance
     glm::vec3 skyColor{0.42f, 0.60f, 0.92f};    ///< linear radiance from above

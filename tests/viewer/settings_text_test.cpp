@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <optional>
 
 namespace sward::render {
 namespace {
@@ -95,11 +96,13 @@ TEST(SettingsText, IsTheSameWhenItIsWrittenAgain)
     EXPECT_EQ(settingsText(readBack(FrameSettings())), settingsText(FrameSettings()));
 }
 
-TEST(SettingsText, LeavesOutAirThatIsChosenByItself)
+TEST(SettingsText, LeavesOutAirAndExposureThatAreChosenByThemselves)
 {
     FrameSettings s;
     s.fogDensity = -1.0f;
+    s.exposure.reset();
     EXPECT_LT(readBack(s).fogDensity, 0.0f);
+    EXPECT_EQ(readBack(s).exposure, std::nullopt);
 }
 
 } // namespace
