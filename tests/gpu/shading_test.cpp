@@ -117,6 +117,7 @@ protected:
         {
             // The same light and air for every field.
             settings.fogDensity = 0.0f;
+            settings.exposure = 1.0f;
             camera.eye = {0.0, 14.0, 3.0};
             camera.near = 1.0f;
             camera.far = 40.0f;
