@@ -108,6 +108,8 @@ vec4 groundPicture(GroundPoint point)
         shade = meadowShade(point.position);
         albedo = groundUnder(FRAME.cover, albedo, shade, leafArea);
     }
+    // Litter is rough, bare soil and sand are not.
+    relief.slope *= mix(0.3, 1.0, under);
     relief.brightness = max(relief.brightness, 0.2);
     n = normalize(n - (relief.slope - n * dot(n, relief.slope)));
     const float facing = max(dot(n, FRAME.sunDirection), 0.0);

@@ -58,10 +58,11 @@ class SwardTest(unittest.TestCase):
 
     def test_a_thinned_meadow_is_as_bright_from_afar(self):
         whole = None
+        (self.folder / "s.json").write_text('{"look": {"exposure": 1}}', encoding="utf-8")
         for share in (1, 0.5, 0.1):
             field, said = self.bake("plane", "--budget", str(int(share * BUILT_IN)))
             self.assertEqual("--budget" in said, share < 1, said)
-            light = linear_mean_of(self.draw(field, [0, 120, 400], 0.5))
+            light = linear_mean_of(self.draw(field, [0, 120, 400], 0.5, "--settings", "s.json"))
             whole = whole or light
             for channel in range(3):
                 # Red and green are the sward's; air adds most of the blue.
