@@ -13,7 +13,7 @@ namespace sward::render {
 
 /// What preset cameras depend on beside the field.
 struct PresetSettings {
-    glm::vec3 groundUp{0.0f, 1.0f, 0.0f};
+    glm::vec3 groundUp{0.0f, 1.0f, 0.0f};       ///< unit: away from the ground
     float aspect = 16.0f / 9.0f;                ///< width of the picture / height
     std::optional<glm::vec3> sunDirection = {}; ///< towards the sun; unset: as FrameSettings::of()
     const GroundSurface* surface = nullptr;     ///< of the field; null: made as needed

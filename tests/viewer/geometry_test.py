@@ -98,7 +98,7 @@ class GeometryTest(unittest.TestCase):
                          "height_m": [0.6, 1.2]}]}))
                     field = self.bake("plane", "--count", "4000", "--meadow", meadow)
                     least = MIN_PSNR_OF_FOLDS if fold > 0.0 and samples == "4" else MIN_PSNR
-                    self.compare(field, "--camera", "eye", "--samples", samples, least=least)
+                    self.compare(field, "--camera", "edge", "--samples", samples, least=least)
 
     def test_without_level_of_detail_and_at_a_fixed_level(self):
         field = self.bake("dunes", "--count", "10000")

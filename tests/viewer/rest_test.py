@@ -20,10 +20,9 @@ from viewer import Viewer  # noqa: E402
 SWARD = os.environ["SWARD_PROGRAM"]
 VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
 
-# Of the window at rest to the reference picture, which has 256 samples and no level of detail, in dB; and how much
-# farther from it than a picture that render makes it may be. That one has 29.4, one pass of the window 25.
-LEAST_PSNR = 28.5
-MAX_PSNR_LOSS = 0.5
+# Of the window at rest to the reference picture, which has 256 samples and no level of detail, in dB. It is nearer to
+# that than a picture that render makes, with 31.8.
+LEAST_PSNR = 31.5
 
 # From an input to the first moving picture, seconds; a whole fine picture takes longer on two processors.
 LONGEST_ANSWER = 1.0
@@ -124,7 +123,7 @@ class RestTest(unittest.TestCase):
         print(f"PSNR to the reference: {at_rest:.1f} dB at rest, {before:.1f} before, "
               f"{rendered:.1f} by render")
         self.assertGreater(at_rest, LEAST_PSNR)
-        self.assertGreater(at_rest, rendered - MAX_PSNR_LOSS)
+        self.assertGreater(at_rest, rendered)
         self.assertLess(before, LEAST_PSNR)
 
         begin, used = time.monotonic(), processor_seconds(viewer.process.pid)

@@ -30,7 +30,7 @@ constexpr std::uint32_t maxEdge = 512;
 // Wanted time of the longest tile [s]: input is answered within a tenth of a second.
 constexpr double wantedOfTile = 0.08;
 
-constexpr std::uint32_t samplesOfMean = 4;
+constexpr std::uint32_t samplesOfMean = 16;
 
 VkImageSubresourceLayers colorLayers()
 {
