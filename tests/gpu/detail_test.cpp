@@ -66,7 +66,8 @@ double largestShift(const std::vector<std::byte>& a, const std::vector<std::byte
     return most;
 }
 
-/// Drives with and without level of detail, and compares their largest jumps.
+/// Drives three ways with and without level of detail, and compares the sums of their largest
+/// jumps.
 void DetailTest::driveAndCompare(std::uint32_t samples)
 {
     const field::Field field = test::makeField({.blades = 4000,
@@ -79,24 +80,28 @@ void DetailTest::driveAndCompare(std::uint32_t samples)
     test::Picture picture(context(), size);
     FrameSettings settings = FrameSettings::of(field::viewOf(field));
     settings.winds.clear();
+    settings.exposure = 1.0f;
     std::array<double, 2> largest{};
-    for (const bool levelOfDetail : {false, true}) {
-        settings.levelOfDetail = levelOfDetail;
-        std::vector<std::byte> before;
-        for (int frame = 0; frame < frames; ++frame) {
-            Camera camera;
-            const double z = 18.0 - way * frame / frames;
-            camera.eye = {0.3, 1.2, z};
-            camera.target = {0.3, 0.0, z - 5.0};
-            camera.fovY = 50.0f;
-            picture.draw(renderer, camera, settings, 1.0);
-            std::vector<std::byte> now = picture.pixels();
-            if (!before.empty())
-                largest[levelOfDetail ? 1 : 0] =
-                    std::max(largest[levelOfDetail ? 1 : 0], largestTile(before, now));
-            before = std::move(now);
+    // A maximum is a matter of chance: several ways are compared together.
+    for (const double x : {-1.7, 0.3, 2.3})
+        for (const bool levelOfDetail : {false, true}) {
+            settings.levelOfDetail = levelOfDetail;
+            double jump = 0.0;
+            std::vector<std::byte> before;
+            for (int frame = 0; frame < frames; ++frame) {
+                Camera camera;
+                const double z = 18.0 - way * frame / frames;
+                camera.eye = {x, 1.2, z};
+                camera.target = {x, 0.0, z - 5.0};
+                camera.fovY = 50.0f;
+                picture.draw(renderer, camera, settings, 1.0);
+                std::vector<std::byte> now = picture.pixels();
+                if (!before.empty())
+                    jump = std::max(jump, largestTile(before, now));
+                before = std::move(now);
+            }
+            largest[levelOfDetail ? 1 : 0] += jump;
         }
-    }
     EXPECT_GT(largest[0], 1.0) << "the camera moves";
     EXPECT_LE(largest[1], 1.1 * largest[0]) << samples << " samples";
 }

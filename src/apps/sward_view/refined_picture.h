@@ -74,7 +74,7 @@ private:
 std::uint32_t nextTileEdge(std::uint32_t edge, double seconds);
 
 /// Settings for pictures of a mean, whose renderer has `samples` per pixel: blades are as narrow as
-/// in a picture of four samples.
+/// in a picture of sixteen samples.
 render::FrameSettings refinedSettings(render::FrameSettings settings, std::uint32_t samples);
 
 } // namespace sward::view

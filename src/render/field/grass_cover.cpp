@@ -32,7 +32,7 @@ constexpr float undergrowthHeight = 0.3f;
 constexpr float swardHeight = 0.6f;
 
 /// Size of the ground's largest crumbs [mean blade heights].
-constexpr float largestCrumb = 0.5f;
+constexpr float largestCrumb = 0.6f;
 
 /// Box of the drawn ground and the roots.
 Aabb placesOf(const field::FieldView& field)
