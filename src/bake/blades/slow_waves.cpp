@@ -14,7 +14,8 @@ namespace {
 // origin.
 double waveAt(glm::dvec3 place, double length, std::uint64_t key)
 {
-    const glm::dvec3 p = place / length;
+    // Numbers of cells must fit into 64 bits, whatever the blade scale.
+    const glm::dvec3 p = glm::clamp(place / length, -1e18, 1e18);
     const glm::dvec3 cell = glm::floor(p);
     const glm::dvec3 f = p - cell;
     const glm::dvec3 s = f * f * (3.0 - 2.0 * f);

@@ -1,5 +1,6 @@
 #include "bake/filter/ground_green.h"
 
+#include "bake/patches/display_ground.h"
 #include "core/random.h"
 #include "terrain/image/image_sampling.h"
 
@@ -46,22 +47,6 @@ Hsv hsvOf(glm::dvec3 color)
 double ramp(double x, double none, double full)
 {
     return std::clamp((x - none) / (full - none), 0.0, 1.0);
-}
-
-bool isShown(const terrain::GroundMesh& ground, const terrain::GroundMaterial& material,
-             bool colorsAreMask)
-{
-    return ground.hasColors && !colorsAreMask && material.image == terrain::GroundMaterial::noImage;
-}
-
-// Whether somebody chose the base colour.
-bool isChosen(glm::dvec3 color)
-{
-    const glm::dvec3 earth(glm::vec3(terrain::GroundMaterial{}.baseColor));
-    const double high = std::max({color.x, color.y, color.z});
-    const double low = std::min({color.x, color.y, color.z});
-    const bool isNeutral = high >= 0.4 && high - low <= 0.02 * high;
-    return !isNeutral && color != earth;
 }
 
 // A texel, linear by a square, as groundColor() takes it.
@@ -164,7 +149,7 @@ double GroundGreen::at(const RootSample& root) const
     glm::dvec3 color(glm::vec3(material.baseColor));
     if (material.image != terrain::GroundMaterial::noImage)
         color *= imageAround(root, material);
-    if (isShown(ground_, material, colorsAreMask_)) {
+    if (showsVertexColors(ground_, ground_.materialOf[root.triangle], colorsAreMask_)) {
         const glm::uvec3 corners = ground_.triangles[root.triangle];
         const auto b = static_cast<double>(root.barycentric.x);
         const auto c = static_cast<double>(root.barycentric.y);
@@ -182,13 +167,13 @@ bool hasOwnColors(const terrain::GroundMesh& ground, bool colorsAreMask)
     for (std::size_t t = 0; t < ground.triangles.size(); ++t)
         if (ground.bears[t] != 0)
             bears[ground.materialOf[t]] = true;
-    for (std::size_t m = 0; m < bears.size(); ++m) {
-        const terrain::GroundMaterial& material = ground.materials[m];
-        if (bears[m] && (material.image != terrain::GroundMaterial::noImage ||
-                         isShown(ground, material, colorsAreMask) ||
-                         isChosen(glm::dvec3(glm::vec3(material.baseColor)))))
+    // What is drawn as earth has never been given a colour.
+    const glm::vec3 earth(terrain::GroundMaterial{}.baseColor);
+    const std::vector<glm::vec3> drawn = drawnBaseColors(ground, colorsAreMask);
+    for (std::uint32_t m = 0; m < bears.size(); ++m)
+        if (bears[m] && (ground.materials[m].image != terrain::GroundMaterial::noImage ||
+                         showsVertexColors(ground, m, colorsAreMask) || drawn[m] != earth))
             return true;
-    }
     return false;
 }
 

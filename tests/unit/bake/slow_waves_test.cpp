@@ -43,6 +43,15 @@ std::vector<shared::Blade> sown(const terrain::GroundMesh& mesh, const BakeSetti
     return blades;
 }
 
+TEST(SlowWaves, AreBoundedWhereverTheGroundLies)
+{
+    for (const double far : {1e6, 1e12, 1e30, -1e300}) {
+        const double wave = slowWaves(glm::dvec3(far, 0.3, -far), 2.5, 7.0, 1);
+        EXPECT_GE(wave, -1.0) << far;
+        EXPECT_LE(wave, 1.0) << far;
+    }
+}
+
 TEST(SlowWaves, AreEvenAroundZeroAndSmooth)
 {
     for (const std::uint64_t seed : {0U, 1U, 77U}) {
