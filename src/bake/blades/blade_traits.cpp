@@ -2,7 +2,7 @@
 
 #include "bake/blades/ground_color.h"
 #include "bake/blades/slow_waves.h"
-#include "bake/patches/display_ground.h"
+#include "bake/drawn_colors.h"
 #include "bake/sample/triangle_points.h"
 #include "bake/up_vector.h"
 #include "core/exact_math.h"

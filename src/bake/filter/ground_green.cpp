@@ -1,6 +1,6 @@
 #include "bake/filter/ground_green.h"
 
-#include "bake/patches/display_ground.h"
+#include "bake/drawn_colors.h"
 #include "core/random.h"
 #include "terrain/image/image_sampling.h"
 
