@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_buffer_reference_uvec2 : require
 // Registers pages of blades that enter or leave memory: their places and the blade counts below each node of the patch
-// tree. Blades that enter start at rest. One work-group per page.
+// tree; or the states of one placed field, in which blades that enter start at rest. One work-group per page.
 #include "shaders/shared/pages.h"
 #include "shaders/shared/passes.h"
 
@@ -24,9 +24,12 @@ void main()
     const uint first = change.page * pageBlades;
     const uint end = min(first + pageBlades, push.bladeCount);
     const bool comes = change.place != noPlace;
-    if (thread == 0u)
+    const bool isOfStates = push.isOfStates != 0u;
+    if (isOfStates && !comes)
+        return;
+    if (thread == 0u && !isOfStates)
         push.pages.at[change.page] = change.place;
-    for (uint i = thread; comes && i < end - first; i += pageThreads) {
+    for (uint i = thread; isOfStates && i < end - first; i += pageThreads) {
         push.states.at[change.place + i] = 0u;
         push.etas.at[change.place + i] = 0.0;
     }
@@ -42,9 +45,10 @@ void main()
         const bool isHigh = cell.firstBlade + cell.bladeCount > end;
         if ((isLow && (change.edges & lowEdge) == 0u) || (isHigh && (change.edges & highEdge) == 0u))
             continue;
-        if (comes) {
+        if (isOfStates) {
             push.patchTimes.at[patchIndex] = push.settledAt;
             push.patchCounts.at[patchIndex] = 0u;
+            continue;
         }
         count(patchIndex, comes ? cell.bladeCount : 0u - cell.bladeCount);
     }

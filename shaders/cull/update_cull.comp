@@ -287,7 +287,7 @@ void updateBlade(Eyepoint view, Environment environment, uint slot, uint i, Stor
         // A blade that was thinned out before has no earlier state and gets no motion.
         if (keepsBefore) {
             UintArray kept = push.before;
-            kept.at[index] = i < movedBefore ? before : state.turn;
+            kept.at[stored.place] = i < movedBefore ? before : state.turn;
         }
         CULL_VIEW.states.at[stored.place] = state.turn;
         if (keepsEtas)

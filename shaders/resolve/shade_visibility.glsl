@@ -13,9 +13,10 @@ Ribbon ribbonBefore(Motion motion, SeenBlade seen)
     if (motion.moves == 0u || FRAME.patchTimes.at[seen.patchIndex] != FRAME.time)
         return ribbon;
     const Patch cell = FRAME.patches.at[seen.patchIndex];
-    const Blade blade = raised(unpackBlade(FRAME.blades.at[seen.blade], cell),
+    const uint place = placeOf(uvec2(FRAME.pages), seen.blade);
+    const Blade blade = raised(unpackBlade(FRAME.blades.at[place], cell),
                                leafAreaLimitOf(push.cullView.at[0].view, cell).height);
-    const BladeState before = BladeState(motion.statesBefore.at[seen.blade], 0.0);
+    const BladeState before = BladeState(motion.statesBefore.at[place], 0.0);
     const Pose pose = poseOfState(axesAlong(blade.up, ribbon.axis), before);
     ribbon.v1 = blade.root + blade.height * pose.v1;
     ribbon.v2 = blade.root + blade.height * pose.v2;

@@ -46,7 +46,7 @@ struct PagePush {
     uint nonEmptyPatchCount;
     uint bladeCount; ///< of the field
     float settledAt; ///< [s] time at which a new blade counts as settled in its wind
-    uint reserved;
+    uint isOfStates; ///< 0: changes the table and the counts; else the states of one placed field
 };
 SHARED_LAYOUT(PagePush, 96)
 

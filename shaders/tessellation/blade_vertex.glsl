@@ -72,7 +72,8 @@ void main()
     outV1Before = outV1;
     outV2Before = outV2;
     if (push.motion.at[0].moves != 0u && FRAME.patchTimes.at[visible.patchIndex] == FRAME.time) {
-        const BladeState before = BladeState(push.motion.at[0].statesBefore.at[visible.blade], 0.0);
+        const BladeState before = BladeState(
+            push.motion.at[0].statesBefore.at[placeOf(uvec2(FRAME.pages), visible.blade)], 0.0);
         const Ribbon earlier = drawnBlade(visible, drawn.blade, before).ribbon;
         outV1Before = vec4(earlier.v1, 0.0);
         outV2Before = vec4(earlier.v2, 0.0);

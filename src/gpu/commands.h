@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gpu/command_pool.h"
 #include "gpu/context.h"
 #include "gpu/handle.h"
 
@@ -11,22 +12,6 @@
 #include <string>
 
 namespace sward::gpu {
-
-/// Command buffers that can be recorded repeatedly, one at a time.
-class CommandPool {
-public:
-    explicit CommandPool(const DeviceContext& context); ///< for the context's queue
-
-    /// For queues of a family.
-    CommandPool(const DeviceContext& context, std::uint32_t queueFamily);
-
-    /// A command buffer that lives as long as the pool.
-    VkCommandBuffer allocate(const std::string& name) const;
-
-private:
-    const DeviceContext& context_;
-    Owned<VkCommandPool, &DeviceFunctions::DestroyCommandPool> pool_;
-};
 
 /// Begins recording for one submission. The device must have completed the former commands.
 void begin(VkCommandBuffer commands);

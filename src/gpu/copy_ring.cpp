@@ -38,12 +38,12 @@ VkSemaphoreSubmitInfo at(VkSemaphore semaphore, std::uint64_t value)
 } // namespace
 
 CopyRing::CopyRing(const DeviceContext& context, const Buffer& target, VkDeviceSize batchBytes,
-                   std::uint32_t batches)
+                   std::uint32_t batches, bool usesQueue)
     : context_(context)
     , target_(target)
     , batchBytes_(batchBytes)
-    , pool_(context,
-            context.copyQueue != VK_NULL_HANDLE ? context.copyQueueFamily : context.queueFamily)
+    , hasQueue_(usesQueue && context.copyQueue != VK_NULL_HANDLE)
+    , pool_(context, hasQueue_ ? context.copyQueueFamily : context.queueFamily)
 {
     expect(batches >= 1, "there is a batch");
     for (std::uint32_t i = 0; i < batches; ++i) {
@@ -71,14 +71,14 @@ CopyRing::~CopyRing()
     wait.semaphoreCount = 1;
     wait.pSemaphores = &semaphore;
     wait.pValues = &submitted_;
-    vkWaitSemaphores(context_.device, &wait, UINT64_MAX);
+    context_.vk.WaitSemaphores(context_.device, &wait, UINT64_MAX);
 }
 
 bool CopyRing::isDone(std::uint32_t batch)
 {
     const std::uint64_t number = batches_[batch].number;
     if (number > seen_)
-        check(vkGetSemaphoreCounterValue(context_.device, done_.get(), &seen_),
+        check(context_.vk.GetSemaphoreCounterValue(context_.device, done_.get(), &seen_),
               "vkGetSemaphoreCounterValue");
     return number <= seen_;
 }
@@ -113,9 +113,14 @@ void CopyRing::record(const Recording& commands, std::uint32_t index) const noex
 void CopyRing::submit(std::uint32_t index)
 {
     Batch& batch = batches_[index];
-    gpu::begin(batch.commands);
-    record(batch.commands, index);
-    check(vkEndCommandBuffer(batch.commands), "vkEndCommandBuffer");
+    const DeviceFunctions& vk = context_.vk;
+    check(vk.ResetCommandBuffer(batch.commands, 0), "vkResetCommandBuffer");
+    VkCommandBufferBeginInfo beginning{};
+    beginning.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
+    beginning.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    check(vk.BeginCommandBuffer(batch.commands, &beginning), "vkBeginCommandBuffer");
+    record({context_, batch.commands}, index);
+    check(vk.EndCommandBuffer(batch.commands), "vkEndCommandBuffer");
     VkCommandBufferSubmitInfo recorded{};
     recorded.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
     recorded.commandBuffer = batch.commands;
@@ -127,7 +132,7 @@ void CopyRing::submit(std::uint32_t index)
     submit.pCommandBufferInfos = &recorded;
     submit.signalSemaphoreInfoCount = 1;
     submit.pSignalSemaphoreInfos = &signal;
-    check(vkQueueSubmit2(context_.copyQueue, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit2");
+    check(vk.QueueSubmit2(context_.copyQueue, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit2");
 }
 
 VkSemaphoreSubmitInfo CopyRing::copied() const

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gpu/buffer.h"
-#include "gpu/commands.h"
+#include "gpu/command_pool.h"
 #include "gpu/context.h"
 #include "gpu/handle.h"
 #include "gpu/recording.h"
@@ -16,18 +16,18 @@
 namespace sward::gpu {
 
 /// Copies bytes into one buffer while frames continue, in batches of bounded size, each with its
-/// own mapped memory. The caller's command buffer records a batch; or, if the context has a copy
-/// queue, the batch is submitted there. Only the destructor waits.
+/// own mapped memory. The caller's command buffer records a batch; or, if the ring uses the
+/// context's copy queue, the batch is submitted there. Only the destructor waits.
 class CopyRing {
 public:
-    /// `context` and `target` outlive it.
+    /// `context` and `target` outlive it. `usesQueue`: if the context has a copy queue.
     CopyRing(const DeviceContext& context, const Buffer& target, VkDeviceSize batchBytes,
-             std::uint32_t batches);
+             std::uint32_t batches, bool usesQueue = true);
     CopyRing(const CopyRing&) = delete;
     CopyRing& operator=(const CopyRing&) = delete;
     ~CopyRing(); ///< waits for what was submitted
 
-    bool hasQueue() const { return context_.copyQueue != VK_NULL_HANDLE; }
+    bool hasQueue() const { return hasQueue_; }
     std::uint32_t batches() const { return static_cast<std::uint32_t>(batches_.size()); }
     VkDeviceSize batchBytes() const { return batchBytes_; }
 
@@ -65,6 +65,7 @@ private:
     const DeviceContext& context_;
     const Buffer& target_;
     VkDeviceSize batchBytes_;
+    bool hasQueue_;
     CommandPool pool_;
     std::vector<Batch> batches_;
     Semaphore done_;              ///< counts submissions

@@ -20,7 +20,9 @@ namespace sward::gpu {
     each(CreateDescriptorSetLayout) each(DestroyDescriptorSetLayout)                               \
     each(CreateDescriptorPool) each(DestroyDescriptorPool)                                         \
     each(AllocateDescriptorSets) each(UpdateDescriptorSets)                                        \
-    each(CreateCommandPool) each(DestroyCommandPool)                                               \
+    each(CreateCommandPool) each(DestroyCommandPool) each(AllocateCommandBuffers)                  \
+    each(ResetCommandBuffer) each(BeginCommandBuffer) each(EndCommandBuffer) each(QueueSubmit2)    \
+    each(WaitSemaphores) each(GetSemaphoreCounterValue)                                            \
     each(CreateFence) each(DestroyFence) each(CreateSemaphore) each(DestroySemaphore)              \
     each(CreateQueryPool) each(DestroyQueryPool)                                                   \
     each(CmdBindPipeline) each(CmdBindDescriptorSets) each(CmdPushConstants)                       \

@@ -124,7 +124,7 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
         expectNumbers(context, field.blades.size(), ground.triangleCount());
     if (plan.records.pages > 0)
         streaming.emplace(context, shaders, field, blades.buffers().baked(),
-                          blades.buffers().ownStates(), plan.streaming);
+                          plan.streaming);
     const gpu::UniformSetLayout frameLayout(context, "frame");
     for (std::uint32_t i = 0; i < wanted.framesInFlight; ++i)
         slots.emplace_back(context, frameLayout);
@@ -190,7 +190,7 @@ void FieldRenderer::Parts::stream(shared::Frame& frame, const FrameSettings& wan
         seen = cullViewFrom(frame,
                             viewMatrices(*wanted.cullingCamera, shape.origin, size, shape.content))
                    .view;
-    streaming->choose(seen, slot);
+    streaming->choose({&seen, 1}, slot);
     frame.view.lodThreshold = seen.lodThreshold;
 }
 
@@ -198,7 +198,8 @@ void FieldRenderer::Parts::recordStreaming(VkCommandBuffer commands, std::uint32
                                            double time) const
 {
     gpu::memoryBarrier(commands, gpu::fillAccess, gpu::fillAccess);
-    streaming->record({context, commands}, slot, static_cast<float>(time));
+    const BladeStates* const states = &blades.buffers().ownStates();
+    streaming->record({context, commands}, slot, static_cast<float>(time), {&states, 1});
     gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
 }
 

@@ -20,4 +20,17 @@ struct FrameStats {
     std::uint64_t culledOcclusion = 0;   ///< behind the ground
 };
 
+/// What streaming holds and misses of fields larger than their budgets.
+struct StreamingStats {
+    std::uint64_t pages = 0;          ///< of 1024 blades, of the fields
+    std::uint64_t places = 0;         ///< pages that fit into the budgets
+    std::uint64_t residentPages = 0;  ///< in device memory
+    std::uint64_t residentBlades = 0; ///< of patches that are completely there
+    std::uint64_t wantedPages = 0;    ///< with blades that a view draws, by the last survey
+    std::uint64_t missingPages = 0;   ///< of these, not in device memory
+    std::uint64_t copiedBytes = 0;    ///< recorded in the last frame
+    float thinning = 1.0f;    ///< largest factor on FrameSettings::lodThreshold, 1 to 8
+    bool isSettled = true;    ///< with unchanged views further frames would change nothing
+};
+
 } // namespace sward::render

@@ -1,6 +1,7 @@
 #include "render/grass.h"
 
 #include "core/embedded.h"
+#include "core/error.h"
 #include "core/expect.h"
 #include "gpu/barrier.h"
 #include "gpu/debug.h"
@@ -10,6 +11,7 @@
 #include "render/cull/walk_pass.h"
 #include "render/field/placed_field.h"
 #include "render/host_shadow_maps.h"
+#include "render/host_streaming.h"
 #include "render/raster/host_raster.h"
 #include "shaders/shared/passes.h"
 
@@ -57,6 +59,8 @@ struct Grass::Parts {
     UpdateCullPass update;
     HostShadowMaps shadowMaps;
     HostRaster raster;
+    HostStreaming streaming;
+    std::shared_ptr<const void> owner = std::make_shared<char>(); ///< see ResidentField::Parts
     std::map<std::uint64_t, std::unique_ptr<PlacedField>> placed;
     std::vector<Removed> removed;
     std::uint64_t lastId = 0;
@@ -89,6 +93,8 @@ struct Grass::Parts {
     ViewDepth& depthOf(std::uint32_t view) { return depths[slot * settings.maxViews + view]; }
     shared::DepthPyramid lookAtDepth(const HostView& view, ViewDepth& depth);
 
+    void take(const ResidentField::Parts& field) const;
+
     /// Calls `use` for each instance that is in the frame.
     template <typename Use>
     void forEach(const Use& use) const
@@ -116,6 +122,7 @@ InstanceId Grass::add(const FieldInstance& instance)
     Parts& parts = *parts_;
     expect(instance.field != nullptr, "an instance is one of a field");
     expect(instance.placement.scale > 0.0, "an instance has a size");
+    parts.take(instance.field->parts());
     const std::uint64_t id = ++parts.lastId;
     parts.placed.emplace(id,
                          std::make_unique<PlacedField>(parts.context, instance, parts.settings));
@@ -187,6 +194,20 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
     parts.raster.begin(parts.shaders, slot, frame.views, parts.instances, frame.settings.debug);
 }
 
+/// A streamed field holds what the views of one Grass see, in slots of its own.
+void Grass::Parts::take(const ResidentField::Parts& field) const
+{
+    if (field.streaming == nullptr)
+        return;
+    if (field.budget.framesInFlight < settings.framesInFlight)
+        fail(ErrorKind::usage, "the field is streamed for {} frames in flight; the grass has {}",
+             field.budget.framesInFlight, settings.framesInFlight);
+    const std::shared_ptr<const void> other = field.grass.lock();
+    if (other && other != owner)
+        fail(ErrorKind::usage, "the field is streamed, and other grass draws it");
+    field.grass = owner;
+}
+
 shared::DepthPyramid Grass::Parts::lookAtDepth(const HostView& view, ViewDepth& depth)
 {
     // The view's depth does not apply to a frozen camera.
@@ -222,7 +243,7 @@ void Grass::Parts::walkAll(const gpu::Recording& commands, std::uint32_t firstVi
 
 void Grass::recordUpdate(VkCommandBuffer buffer) noexcept
 {
-    const Parts& parts = *parts_;
+    Parts& parts = *parts_;
     const gpu::Recording commands(parts.context, buffer);
     const gpu::LabelScope label(parts.context, commands, "grass/update");
 
@@ -240,6 +261,7 @@ void Grass::recordUpdate(VkCommandBuffer buffer) noexcept
                                  static_cast<float>(parts.time - double(shared::settlingTime)));
     }
     gpu::transferToCompute(commands);
+    parts.streaming.record(commands, parts.slot, static_cast<float>(parts.time), parts.instances);
     parts.shadowMaps.record(commands);
 
     // Each view moves only blades that no earlier view has moved.
@@ -362,6 +384,11 @@ FrameStats Grass::stats(std::uint32_t view, std::uint32_t slot) const
     for (const auto& [id, field] : parts_->placed)
         field->addCounts(slot, view, sum);
     return sum;
+}
+
+StreamingStats Grass::streamingStats() const
+{
+    return parts_->streaming.stats(parts_->instances);
 }
 
 VkDeviceSize Grass::deviceBytes() const

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "gpu/context.h"
-#include "render/field/resident_field.h"
+#include "render/resident_field.h"
 #include "render/frame_settings.h"
+#include "render/frame_stats.h"
 #include "render/host_view.h"
 #include "render/placement.h"
 #include "render/tessellation/blade_target.h"
@@ -61,7 +62,8 @@ public:
     Grass& operator=(const Grass&) = delete;
     ~Grass(); ///< after the commands of the last frame
 
-    /// Takes effect in the next frame. Throws Error{runtime} if there is not enough memory.
+    /// Takes effect in the next frame. Throws Error{runtime} if there is not enough memory, and
+    /// Error{usage} if a streamed field has less frames in flight or is drawn by another Grass.
     InstanceId add(const FieldInstance& instance);
     void move(InstanceId id, const Placement& placement); ///< from the next frame on
     void remove(InstanceId id); ///< frees its memory when its last frame's slot is reused
@@ -71,8 +73,8 @@ public:
     /// for light out of its ranges (host_light.h); then the frame before is still the last.
     void begin(std::uint32_t slot, const GrassFrame& frame);
 
-    /// Moves each blade that any of the frame's views may see, once. Call once after begin(),
-    /// outside of a rendering; the same holds for recordCull().
+    /// Moves each blade that any of the frame's views may see, once, after the copies of blades
+    /// that are streamed. Call once after begin(), outside of a rendering; so with recordCull().
     void recordUpdate(VkCommandBuffer commands) noexcept;
 
     /// Lists the visible blades of one view. Call after recordUpdate(), and after the view's depth,
@@ -101,6 +103,9 @@ public:
     /// Blade statistics of a view, over all instances, for the frame last begun in `slot`; after
     /// its commands have completed. `simulated` counts for all views.
     FrameStats stats(std::uint32_t view, std::uint32_t slot) const;
+
+    /// Of the fields of the frame last begun that are streamed, after recordUpdate().
+    StreamingStats streamingStats() const;
 
     VkDeviceSize deviceBytes() const; ///< excludes the fields themselves
 

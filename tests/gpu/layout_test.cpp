@@ -209,7 +209,7 @@ std::size_t fillValues(Values& v)
     shared::PagePush& p = v.pagePush;
     n.fillAll(p.changes, p.pages, p.states, p.etas, p.patches, p.subtrees, p.patchTimes,
               p.patchCounts, p.nonEmptyPatches, p.firstNonEmptyPatches, p.nonEmptyPatchCount,
-              p.bladeCount, p.settledAt, p.reserved);
+              p.bladeCount, p.settledAt, p.isOfStates);
     n.fillAll(v.groundCluster.low, v.groundCluster.material, v.groundCluster.high,
               v.groundCluster.indexCount);
     n.fillAll(v.indexedDraw.indexCount, v.indexedDraw.instanceCount, v.indexedDraw.firstIndex,

@@ -55,7 +55,7 @@ protected:
     /// Updates once and loads everything that fits.
     static void settle(Residency& residency, const shared::Eyepoint& view, float threshold)
     {
-        while (!residency.survey(view, threshold, 100))
+        while (!residency.survey({&view, 1}, threshold, 100))
             continue;
         for (;;) {
             while (const auto gone = residency.leave(residency.freePlaces()))

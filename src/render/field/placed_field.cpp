@@ -103,6 +103,7 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
     writeTables({constants.mapped().data(), constants.address()}, field.shape, settings, colliders,
                 tabled);
 
+    seen_.clear();
     for (std::uint32_t i = 0; i < frame.views.size(); ++i) {
         const HostView& view = frame.views[i];
         const glm::dmat4 toWorld = placement.toWorld(field.shape.origin);
@@ -134,6 +135,7 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
         shared::Frame cullView = drawn;
         if (view.cullViewFrom)
             look(cullView, seenBy(*view.cullViewFrom * toWorld));
+        seen_.push_back(cullView.view);
         cullView.pyramid = pyramids[i];
         shared::Frame updated = cullView;
         updated.draw = moved_.address();
@@ -150,6 +152,16 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
     written_ = number;
     placementBefore_ = placement;
     timeBefore_ = frame.time;
+}
+
+void PlacedField::thin(std::uint32_t slot, std::span<const shared::Eyepoint> raised) const
+{
+    for (std::uint32_t view = 0; view < raised.size(); ++view)
+        for (std::uint32_t kind = 0; kind < frameKinds; ++kind) {
+            std::byte* const frame =
+                slots_[slot].constants.mapped().data() + frameOffset(kind, view);
+            reinterpret_cast<shared::Frame*>(frame)->view.lodThreshold = raised[view].lodThreshold;
+        }
 }
 
 shared::Motion PlacedField::motionOf(const GrassFrame& frame, const HostView& view) const
@@ -246,9 +258,12 @@ void PlacedField::addCounts(std::uint32_t slot, std::uint32_t view, FrameStats& 
 {
     const auto counts = slots_[slot].counts.mappedAs<shared::DrawArguments>();
     const auto& cullResults = counts[1 + view].cullResults;
+    std::uint64_t resident = isUploaded() ? blades().bladeCount() : 0;
+    if (streaming() != nullptr)
+        resident = streaming()->residentBlades(slot);
     sum.total += blades().bladeCount();
-    sum.resident += isUploaded() ? blades().bladeCount() : 0;
-    sum.streamedOut += isUploaded() ? 0 : blades().bladeCount();
+    sum.resident += resident;
+    sum.streamedOut += blades().bladeCount() - resident;
     sum.simulated += counts[0].simulated;
     sum.drawn += cullResults[shared::cullResultDrawn];
     sum.lod += cullResults[shared::cullResultLod];

@@ -4,7 +4,7 @@
 #include "gpu/recording.h"
 #include "gpu/uniform_sets.h"
 #include "render/field/blade_states.h"
-#include "render/field/resident_parts.h"
+#include "render/resident_parts.h"
 #include "render/field/visible_blades.h"
 #include "render/frame_slot.h"
 #include "render/grass.h"
@@ -14,6 +14,7 @@
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace sward::render {
@@ -51,6 +52,15 @@ public:
     /// Wind and colliders of the frame written last.
     const shared::Environment& environment() const { return environment_; }
 
+    /// Culling eyepoints of the views of the frame written last.
+    std::span<const shared::Eyepoint> seen() const { return seen_; }
+
+    /// Raises the lodThreshold of that frame, which the device has not read yet: one per view.
+    void thin(std::uint32_t slot, std::span<const shared::Eyepoint> raised) const;
+
+    /// The streaming of its field; null if all blades are resident.
+    Streaming* streaming() const { return instance_.field->parts().streaming.get(); }
+
     /// True for the first call: the blades have not moved before.
     bool beginsToMove();
 
@@ -84,6 +94,7 @@ private:
     gpu::Buffer moved_;
     std::vector<VisibleBlades> lists_;
     std::vector<Slot> slots_;
+    std::vector<shared::Eyepoint> seen_;
     shared::Environment environment_ = {};
     Placement placementBefore_; ///< of the frame written before
     double timeBefore_ = 0.0;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace sward::render {
 namespace {
@@ -42,6 +43,28 @@ void dispatchPixels(const gpu::Recording& commands, glm::uvec2 size)
     commands.vk->CmdDispatch(
         commands, static_cast<std::uint32_t>(gpu::groupsFor(size.x, shared::seedThreads)),
         static_cast<std::uint32_t>(gpu::groupsFor(size.y, shared::seedThreads)), 1);
+}
+
+/// The unit that draws large blades.
+std::uint32_t largeTo(const gpu::DeviceContext& context)
+{
+    return context.isCpu() ? shared::largeToNone : shared::largeToGroups;
+}
+
+gpu::ComputePipeline bladesPipeline(const gpu::DeviceContext& context,
+                                    const gpu::ShaderLibrary& shaders,
+                                    const gpu::UniformSetLayout& frameLayout, std::uint32_t samples,
+                                    bool isPaged)
+{
+    return {context,
+            shaders,
+            {.name = "host raster/blades",
+             .shader = "raster_blades.comp",
+             .pushConstantBytes = sizeof(shared::RasterPush),
+             .setLayouts = {frameLayout.get()},
+             .constants = {{.id = 1, .value = samples},
+                           {.id = 3, .value = isPaged},
+                           {.id = 4, .value = largeTo(context)}}}};
 }
 
 /// Tiles of shared::HostViewPush::tiles.
@@ -95,23 +118,16 @@ const char* HostRaster::obstacle(const HostView& view,
 HostRaster::Pipelines HostRaster::pipelinesFor(const gpu::ShaderLibrary& shaders,
                                                std::uint32_t samples) const
 {
-    const std::uint32_t largeTo = context_->isCpu() ? shared::largeToNone : shared::largeToGroups;
-    const std::vector<gpu::SpecializationConstant> constants{{.id = 1, .value = samples},
-                                                             {.id = 4, .value = largeTo}};
     const auto ofInstances = [&](const char* name, const char* shader) {
         return gpu::ComputePipeline(*context_, shaders,
                                     {.name = name,
                                      .shader = shader,
                                      .pushConstantBytes = sizeof(shared::HostViewPush),
-                                     .constants = constants});
+                                     .constants = {{.id = 1, .value = samples},
+                                                   {.id = 4, .value = largeTo(*context_)}}});
     };
     Pipelines made;
-    made.blades = gpu::ComputePipeline(*context_, shaders,
-                                       {.name = "host raster/blades",
-                                        .shader = "raster_blades.comp",
-                                        .pushConstantBytes = sizeof(shared::RasterPush),
-                                        .setLayouts = {frameLayout_.get()},
-                                        .constants = constants});
+    made.blades = bladesPipeline(*context_, shaders, frameLayout_, samples, false);
     if (!context_->isCpu())
         made.large = ofInstances("host raster/large blades", "raster_large_of_instances.comp");
     made.cut = ofInstances("host raster/cut blades", "raster_cut_of_instances.comp");
@@ -153,10 +169,13 @@ gpu::ComputePipeline HostRaster::seedFor(const gpu::ShaderLibrary& shaders, std:
 }
 
 void HostRaster::prepare(const gpu::ShaderLibrary& shaders, const HostView& view,
-                         std::uint32_t index, LightSettings light, View& out)
+                         std::uint32_t index, LightSettings light, bool hasPaged, View& out)
 {
     if (!pipelines_.contains(view.samples))
         pipelines_.emplace(view.samples, pipelinesFor(shaders, view.samples));
+    gpu::ComputePipeline& paged = pipelines_.at(view.samples).pagedBlades;
+    if (hasPaged && paged.get() == VK_NULL_HANDLE)
+        paged = bladesPipeline(*context_, shaders, frameLayout_, view.samples, true);
     out.pipelines = &pipelines_.at(view.samples);
     light.samples = view.samples;
     light.hasHostLight = out.shadowMap != nullptr;
@@ -198,11 +217,13 @@ void HostRaster::begin(const gpu::ShaderLibrary& shaders, std::uint32_t slotInde
     Slot& slot = slots_[slotIndex];
     std::ranges::fill(slot.views, View{});
     const LightSettings light{.debugMode = knownDebugMode(debug), .isOfOne = instances.size() == 1};
+    const bool hasPaged = std::ranges::any_of(
+        instances, [](const PlacedField* instance) { return instance->blades().isPaged(); });
     bool rasters = false;
     for (std::uint32_t i = 0; i < slot.views.size(); ++i) {
         if (i < views.size() && obstacle(views[i], instances) == nullptr) {
             slot.views[i].shadowMap = shadowMaps_->of(slotIndex, i);
-            prepare(shaders, views[i], i, light, slot.views[i]);
+            prepare(shaders, views[i], i, light, hasPaged, slot.views[i]);
             rasters = true;
         } else {
             pictures_[i] = {};
@@ -281,14 +302,16 @@ void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
     }
 
     const Pipelines& pipelines = *view.pipelines;
-    pipelines.blades.bind(commands);
+    const gpu::ComputePipeline* bound = nullptr;
     for (std::size_t i = 0; i < instances.size(); ++i) {
         if (instances[i] == nullptr)
             continue;
-        instances[i]
-            ->rasterFrame(slotIndex, viewIndex)
-            .bind(commands, pipelines.blades.layout(), frameSet);
-        pipelines.blades.push(commands, view.pushes[i]);
+        const gpu::ComputePipeline& blades =
+            instances[i]->blades().isPaged() ? pipelines.pagedBlades : pipelines.blades;
+        if (&blades != std::exchange(bound, &blades))
+            blades.bind(commands);
+        instances[i]->rasterFrame(slotIndex, viewIndex).bind(commands, blades.layout(), frameSet);
+        blades.push(commands, view.pushes[i]);
         commands.vk->CmdDispatchIndirect(commands, instances[i]->list(viewIndex).rounds().get(), 0);
     }
     gpu::computeToCompute(commands);

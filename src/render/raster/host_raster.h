@@ -62,7 +62,7 @@ public:
 
 private:
     struct Pipelines {
-        gpu::ComputePipeline blades, cut;
+        gpu::ComputePipeline blades, cut, pagedBlades; ///< the latter of streamed fields, if any
         gpu::ComputePipeline large; ///< unused on a CPU device
     };
 
@@ -100,7 +100,7 @@ private:
     gpu::ComputePipeline seedFor(const gpu::ShaderLibrary& shaders, std::uint32_t samples,
                                  bool hasReversedZ) const;
     void prepare(const gpu::ShaderLibrary& shaders, const HostView& view, std::uint32_t index,
-                 LightSettings light, View& out);
+                 LightSettings light, bool hasPaged, View& out);
     void writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const HostView> views,
                     Instances instances) const;
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <utility>
 
 namespace sward::render {
@@ -82,18 +83,20 @@ Residency::Residency(const field::FieldView& field, std::uint32_t places)
     }
 }
 
-bool Residency::survey(const shared::Eyepoint& view, float threshold, std::uint32_t most)
+bool Residency::survey(std::span<const shared::Eyepoint> views, float threshold, std::uint32_t most)
 {
+    expect(!views.empty(), "someone looks");
     if (field_.patches.empty())
         return true;
     if (visited_ == queue_.size()) {
-        // An unchanged view without missing pages needs no survey, unless a wanted page left.
-        const bool isSame = number_ > 0 && std::memcmp(&view, &view_, sizeof view) == 0;
+        // Unchanged views without missing pages need no survey, unless a wanted page left.
+        const bool isSame = views.size() == views_.size() &&
+                            std::memcmp(views.data(), views_.data(), views.size_bytes()) == 0;
         if (isSame && !lacks() && !hasGivenUp_)
             return true;
         hasGivenUp_ = false;
         fruitless_ = isSame ? fruitless_ : 0;
-        view_ = view;
+        views_.assign(views.begin(), views.end());
         threshold_ = threshold;
         queue_.clear();
         queue_.push_back(0);
@@ -115,16 +118,28 @@ void Residency::visit(std::uint32_t entry)
     const std::uint32_t node = entry & ~outsideBit;
     const shared::Patch& cell = field_.patches[node];
     const shared::Subtree& below = subtrees_[node];
-    const bool outside =
-        (entry & outsideBit) != 0 || shared::patchCulled(view_, cell, below.widest);
-    const float distance = shared::boxDistance(view_.eye, cell.boundsLow, cell.boundsHigh);
-    const float width = view_.lodWidth * view_.pixelsPerUnit / std::max(distance, 1e-6f);
-    const float share = width / std::max(threshold_, 1e-6f);
-    const auto worthOf = [share](float rank) { return share / std::max(rank, 1e-6f); };
-
-    if (cell.bladeCount > 0 && worthOf(cell.rankLow) > minWorth)
-        want(cell, gradeOf(worthOf(cell.rankLow), cell.rankLow, outside));
-    if (cell.childCount == 0 || worthOf(below.rankBelow) <= minWorth)
+    const bool isBelowOutside = (entry & outsideBit) != 0;
+    bool outside = true;
+    bool wants = false;
+    bool descends = false;
+    std::uint8_t grade = 0;
+    for (const shared::Eyepoint& view : views_) {
+        const bool outsideOfView =
+            isBelowOutside || shared::patchCulled(view, cell, below.widest);
+        const float distance = shared::boxDistance(view.eye, cell.boundsLow, cell.boundsHigh);
+        const float width = view.lodWidth * view.pixelsPerUnit / std::max(distance, 1e-6f);
+        const float share = width / std::max(threshold_, 1e-6f);
+        const auto worthOf = [share](float rank) { return share / std::max(rank, 1e-6f); };
+        if (cell.bladeCount > 0 && worthOf(cell.rankLow) > minWorth) {
+            wants = true;
+            grade = std::max(grade, gradeOf(worthOf(cell.rankLow), cell.rankLow, outsideOfView));
+        }
+        descends = descends || worthOf(below.rankBelow) > minWorth;
+        outside = outside && outsideOfView;
+    }
+    if (wants)
+        want(cell, grade);
+    if (cell.childCount == 0 || !descends)
         return;
     for (std::uint32_t child = 0; child < cell.childCount; ++child)
         queue_.push_back((cell.firstChild + child) | (outside ? outsideBit : 0u));
@@ -152,6 +167,7 @@ void Residency::want(const shared::Patch& cell, std::uint8_t grade)
 void Residency::finish()
 {
     lastNumber_ = number_;
+    seenPages_ = std::accumulate(wanted_.begin() + seenGrade + 1, wanted_.end(), 0u);
     // Find the lowest grade whose pages fit as a whole.
     std::uint64_t total = 0;
     std::uint32_t grade = gradeCount;
@@ -208,6 +224,7 @@ shared::PageChange Residency::arrive(std::uint32_t index)
 {
     expect(pages_[index].state == State::coming, "the page is on its way");
     pages_[index].state = State::there;
+    ++residentPages_;
     skipPresent();
     return change(index, true);
 }
@@ -231,6 +248,7 @@ std::optional<Residency::Gone> Residency::leave(std::uint32_t waiting)
             continue;
         pageAt_[page.place] = noPlace;
         page.state = State::leaving;
+        --residentPages_;
         hasGivenUp_ = hasGivenUp_ || isWanted;
         fruitless_ = 0;
         return Gone{change(index, false), page.place};
@@ -283,6 +301,15 @@ float Residency::thinning() const
     const int grade = pages_[order_[firstMissing_]].grade;
     return std::clamp(std::exp2(static_cast<float>(grade - seenGrade) / gradesPerOctave), 1.0f,
                       maxThinning);
+}
+
+std::uint32_t Residency::missingPages() const
+{
+    return static_cast<std::uint32_t>(
+        std::count_if(order_.begin() + static_cast<std::ptrdiff_t>(firstMissing_), order_.end(),
+                      [this](std::uint32_t page) {
+                          return pages_[page].grade > seenGrade && !isThere(page);
+                      }));
 }
 
 std::uint32_t Residency::placeOf(std::uint32_t page) const

@@ -20,11 +20,11 @@ public:
     /// Room for `places` pages, all free. The data viewed by `field` must outlive it.
     Residency(const field::FieldView& field, std::uint32_t places);
 
-    /// Visits `most` nodes more. A survey keeps one eyepoint from begin to end; the call after its
-    /// end begins the next one. `threshold` [pixels]: the blade width at which level of detail
-    /// begins if all blades are resident (Eyepoint::lodThreshold). Returns whether a survey has
-    /// ended.
-    bool survey(const shared::Eyepoint& view, float threshold, std::uint32_t most);
+    /// Visits `most` nodes more, for at least one view; a patch is as wanted as by the view that
+    /// wants it most. A survey keeps its views from begin to end; the call after its end begins the
+    /// next one. `threshold` [pixels]: the blade width at which level of detail begins if all
+    /// blades are resident (Eyepoint::lodThreshold). Returns whether a survey has ended.
+    bool survey(std::span<const shared::Eyepoint> views, float threshold, std::uint32_t most);
 
     /// The best page that fits, is not resident and was not requested since the last survey ended.
     /// Removes it from the list.
@@ -59,6 +59,9 @@ public:
     std::uint64_t blades() const { return blades_; }   ///< of fully resident patches
     std::uint64_t patches() const { return patches_; } ///< number of those patches, or a few more
     std::uint32_t pageCount() const { return static_cast<std::uint32_t>(pages_.size()); }
+    std::uint32_t residentPages() const { return residentPages_; }
+    std::uint32_t seenPages() const { return seenPages_; } ///< some view draws of, by the last survey
+    std::uint32_t missingPages() const; ///< of these, not resident; takes a while if many are
 
 private:
     enum class State : std::uint8_t { absent, coming, there, leaving };
@@ -88,7 +91,7 @@ private:
     std::vector<std::uint32_t> free_;   ///< places
 
     // The current survey.
-    shared::Eyepoint view_ = {};
+    std::vector<shared::Eyepoint> views_;
     float threshold_ = 0.0f;
     std::vector<std::uint32_t> queue_; ///< nodes; outsideBit marks invisible ones
     std::size_t visited_ = 0;
@@ -108,6 +111,8 @@ private:
 
     std::uint64_t blades_ = 0;
     std::uint64_t patches_ = 0;
+    std::uint32_t residentPages_ = 0;
+    std::uint32_t seenPages_ = 0;
 };
 
 } // namespace sward::render

@@ -16,7 +16,7 @@ using shared::pageBlades;
 
 constexpr VkDeviceSize pageBytes = pageBlades * sizeof(shared::PackedBlade);
 
-/// Nodes of the patch tree visited per frame: about half a millisecond.
+/// Nodes of the patch tree visited per frame for one view: about half a millisecond.
 constexpr std::uint32_t nodesPerFrame = 8192;
 
 /// Maximum change of thinning per frame: a tenth of the width.
@@ -44,17 +44,23 @@ VkDeviceSize maxChanges(const Streaming::Settings& settings)
     return VkDeviceSize(pagesPerFrame(settings)) * (batchesOf(settings) + 1);
 }
 
+void raise(std::span<shared::Eyepoint> seen, float threshold)
+{
+    for (shared::Eyepoint& view : seen)
+        view.lodThreshold = threshold;
+}
+
 } // namespace
 
 Streaming::Streaming(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
                      const field::FieldView& field, const BakedBlades& blades,
-                     const BladeStates& states, const Settings& settings)
+                     const Settings& settings)
     : field_(field)
     , blades_(blades)
-    , states_(states)
     , settings_(settings)
     , residency_(field, blades.placeCount() / pageBlades)
-    , copies_(context, blades.blades(), pagesPerFrame(settings) * pageBytes, batchesOf(settings))
+    , copies_(context, blades.blades(), pagesPerFrame(settings) * pageBytes, batchesOf(settings),
+              settings.usesCopyQueue)
     , change_(context, shaders,
               {.name = "change pages",
                .shader = "change_pages.comp",
@@ -73,20 +79,24 @@ Streaming::Streaming(const gpu::DeviceContext& context, const gpu::ShaderLibrary
     left_.reserve(blades.placeCount() / pageBlades);
 }
 
-void Streaming::choose(shared::Eyepoint& seen, std::uint32_t slot)
+void Streaming::choose(std::span<shared::Eyepoint> seen, std::uint32_t slot)
 {
     expect(slot < frames_.size(), "the slot is one of the frames in flight");
+    expect(!seen.empty(), "someone looks");
     InFlight& frame = frames_[slot];
     done_ = std::max(done_, frame.number);
     frame.number = ++frame_;
     frame.count = 0;
+    copied_ = 0;
 
     // Survey by what is drawn now.
-    const float threshold = seen.lodThreshold;
+    const float threshold = seen.front().lodThreshold;
     if (thinning_ > 0.0f)
-        seen.lodThreshold = threshold * thinning_;
+        raise(seen, threshold * thinning_);
+    const auto views = static_cast<std::uint32_t>(seen.size());
     const bool hasLooked =
-        residency_.survey(seen, threshold > 0.0f ? threshold : rankingThreshold, nodesPerFrame);
+        residency_.survey(seen, threshold > 0.0f ? threshold : rankingThreshold,
+                          std::max(nodesPerFrame / views, 1u));
 
     // The place of a page that has left is free once no frame reads it.
     const auto stillRead =
@@ -121,7 +131,7 @@ void Streaming::choose(shared::Eyepoint& seen, std::uint32_t slot)
         thinning_ = wanted;
     else
         thinning_ = std::clamp(wanted, thinning_ / thinningStep, thinning_ * thinningStep);
-    seen.lodThreshold = threshold * thinning_;
+    raise(seen, threshold * thinning_);
     const bool isOnItsWay = std::ranges::any_of(coming_, [](const auto& p) { return !p.empty(); });
     isSettled_ = hasLooked && frame.count == 0 && left_.empty() && !isOnItsWay &&
                  thinning_ == wanted && residency_.isAllThere();
@@ -174,13 +184,14 @@ bool Streaming::fill(std::uint32_t batch)
         const auto room = copies_.add(batch, *place * pageBytes, bytes.size());
         expect(room.size() == bytes.size(), "the batch has room");
         std::memcpy(room.data(), bytes.data(), bytes.size());
+        copied_ += bytes.size();
         coming_[batch].push_back(*page);
     }
     return !coming_[batch].empty();
 }
 
-void Streaming::record(const gpu::Recording& commands, std::uint32_t slot,
-                       float time) const noexcept
+void Streaming::record(const gpu::Recording& commands, std::uint32_t slot, float time,
+                       std::span<const BladeStates* const> states) const noexcept
 {
     const InFlight& frame = frames_[slot];
     if (!copies_.hasQueue())
@@ -188,21 +199,46 @@ void Streaming::record(const gpu::Recording& commands, std::uint32_t slot,
     if (frame.count == 0)
         return;
     change_.bind(commands);
-    change_.push(commands, shared::PagePush{.changes = frame.changes.address(),
-                                            .pages = blades_.pages(),
-                                            .states = states_.states().address(),
-                                            .etas = states_.etas().address(),
-                                            .patches = blades_.patches(),
-                                            .subtrees = blades_.tree().subtrees(),
-                                            .patchTimes = states_.patchTimes(),
-                                            .patchCounts = states_.patchCounts(),
-                                            .nonEmptyPatches = blades_.nonEmptyPatches(),
-                                            .firstNonEmptyPatches = blades_.firstNonEmptyPatches(),
-                                            .nonEmptyPatchCount = blades_.nonEmptyPatchCount(),
-                                            .bladeCount = blades_.bladeCount(),
-                                            .settledAt = time - shared::settlingTime,
-                                            .reserved = 0});
-    commands.vk->CmdDispatch(commands, frame.count, 1, 1);
+    shared::PagePush push{.changes = frame.changes.address(),
+                          .pages = blades_.pages(),
+                          .states = 0,
+                          .etas = 0,
+                          .patches = blades_.patches(),
+                          .subtrees = blades_.tree().subtrees(),
+                          .patchTimes = 0,
+                          .patchCounts = 0,
+                          .nonEmptyPatches = blades_.nonEmptyPatches(),
+                          .firstNonEmptyPatches = blades_.firstNonEmptyPatches(),
+                          .nonEmptyPatchCount = blades_.nonEmptyPatchCount(),
+                          .bladeCount = blades_.bladeCount(),
+                          .settledAt = time - shared::settlingTime,
+                          .isOfStates = 0};
+    const auto dispatch = [&] {
+        change_.push(commands, push);
+        commands.vk->CmdDispatch(commands, frame.count, 1, 1);
+    };
+    dispatch();
+    push.isOfStates = 1;
+    for (const BladeStates* placed : states) {
+        push.states = placed->states().address();
+        push.etas = placed->etas().address();
+        push.patchTimes = placed->patchTimes();
+        push.patchCounts = placed->patchCounts();
+        dispatch();
+    }
+}
+
+StreamingStats Streaming::stats() const
+{
+    return {.pages = residency_.pageCount(),
+            .places = blades_.placeCount() / pageBlades,
+            .residentPages = residency_.residentPages(),
+            .residentBlades = residency_.blades(),
+            .wantedPages = residency_.seenPages(),
+            .missingPages = residency_.missingPages(),
+            .copiedBytes = copied_,
+            .thinning = std::max(thinning_, 1.0f),
+            .isSettled = isSettled_};
 }
 
 std::vector<BladePart> Streaming::partsOf(const shared::Patch& cell) const

@@ -9,6 +9,7 @@
 #include "gpu/shader_library.h"
 #include "render/field/baked_blades.h"
 #include "render/field/blade_states.h"
+#include "render/frame_stats.h"
 #include "render/streaming/residency.h"
 #include "shaders/shared/eyepoint.h"
 #include "shaders/shared/pages.h"
@@ -17,6 +18,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace sward::render {
@@ -29,32 +31,39 @@ struct BladePart {
 
 /// Streams visible blades into device memory if it does not hold the whole field (decision 0026): a
 /// bounded number of pages per frame, by the frame's own commands or by the context's copy queue.
+/// Several placed fields may share the blades, each with its own states.
 class Streaming {
 public:
     struct Settings {
         std::uint32_t framesInFlight = 1;
         VkDeviceSize frameBytes = 0; ///< maximum upload per frame
         bool waitsForDisk = false;   ///< false: blades not in CPU memory are loaded later
+        bool usesCopyQueue = true;   ///< if the context has one; else copies are recorded
     };
 
-    /// The data viewed by `field`, `blades` and `states` must outlive it; `blades` must be paged.
+    /// The data viewed by `field`, and `blades`, must outlive it; `blades` must be paged.
     Streaming(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-              const field::FieldView& field, const BakedBlades& blades, const BladeStates& states,
-              const Settings& settings);
+              const field::FieldView& field, const BakedBlades& blades, const Settings& settings);
 
     /// Chooses arriving and leaving pages for the frame recorded next in `slot`, whose former
-    /// commands have completed. `seen` is the eyepoint for culling; its lodThreshold is raised to
-    /// match the resident blades.
-    void choose(shared::Eyepoint& seen, std::uint32_t slot);
+    /// commands have completed. `seen`: the eyepoints for culling, at least one, of equal
+    /// lodThreshold, which is raised to match the resident blades. Must be followed by record().
+    void choose(std::span<shared::Eyepoint> seen, std::uint32_t slot);
 
-    /// Records the changes. Needs barriers from and to all accesses to blades; `time` [s].
-    void record(const gpu::Recording& commands, std::uint32_t slot, float time) const noexcept;
+    /// Records the changes, for the blades and for all `states` with collision state. Needs
+    /// barriers from and to all accesses to them; `time` [s].
+    void record(const gpu::Recording& commands, std::uint32_t slot, float time,
+                std::span<const BladeStates* const> states) const noexcept;
 
     /// Whether further frames would change nothing with a fixed eye.
     bool isSettled() const { return isSettled_; }
 
     /// Number of resident blades in the frame last chosen in `slot`.
     std::uint64_t residentBlades(std::uint32_t slot) const { return frames_[slot].resident; }
+
+    /// Counts of the frame last chosen. Not for every frame of a huge field: it counts what is
+    /// missing.
+    StreamingStats stats() const;
 
     /// Upper bound of patches with resident blades.
     std::uint64_t residentPatches() const { return residency_.patches(); }
@@ -88,7 +97,6 @@ private:
 
     field::FieldView field_;
     const BakedBlades& blades_;
-    const BladeStates& states_;
     Settings settings_;
     Residency residency_;
     gpu::CopyRing copies_;
@@ -99,6 +107,7 @@ private:
     std::uint64_t frame_ = 0;                        ///< number of the last frame
     std::uint64_t done_ = 0;                         ///< last completed frame
     float thinning_ = 0.0f;                          ///< 0: before the first frame
+    std::uint64_t copied_ = 0;                       ///< bytes, in the last frame
     bool isSettled_ = false;
 };
 

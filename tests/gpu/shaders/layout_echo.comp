@@ -407,7 +407,7 @@ void main()
     put(sources.at[0].pagePush.at[1].nonEmptyPatchCount);
     put(sources.at[0].pagePush.at[1].bladeCount);
     put(sources.at[0].pagePush.at[1].settledAt);
-    put(sources.at[0].pagePush.at[1].reserved);
+    put(sources.at[0].pagePush.at[1].isOfStates);
 
     put(sources.at[0].groundCluster.at[1].low);
     put(sources.at[0].groundCluster.at[1].material);

@@ -3,21 +3,28 @@
 #include "gpu/staged_upload.h"
 #include "render/field/baked_blades.h"
 #include "render/field/grass_cover.h"
-#include "render/field/resident_field.h"
 #include "render/frame.h"
+#include "render/resident_field.h"
+#include "render/streaming/streaming.h"
+
+#include <memory>
 
 namespace sward::render {
 
 /// Members of a resident field.
 struct ResidentField::Parts {
-    Parts(const gpu::DeviceContext& deviceContext, const field::FieldView& field);
+    Parts(const gpu::DeviceContext& deviceContext, const field::FieldView& field,
+          const FieldBudget& wanted);
 
     const gpu::DeviceContext& context;
     gpu::StagedUpload upload; ///< declared before its targets
-    BakedBlades blades;
     GrassCover cover;
+    FieldBudget budget;
+    BakedBlades blades;
     FieldShape shape;
     field::Defaults defaults;
+    std::unique_ptr<Streaming> streaming; ///< if not all blades are resident
+    mutable std::weak_ptr<const void> grass; ///< what draws a streamed field
 };
 
 } // namespace sward::render

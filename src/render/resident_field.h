@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vulkan/vulkan.h>
 
+#include <cstdint>
 #include <memory>
 
 namespace sward::gpu {
@@ -14,13 +15,26 @@ struct DeviceContext;
 
 namespace sward::render {
 
+/// Limit of the device memory of a field and of its instances. What does not fit is streamed
+/// (decision 0036): blades that the frames' views see come by pages, others go.
+struct FieldBudget {
+    std::uint64_t bytes = 0;     ///< mapped memory of the copies included; 0: unlimited
+    std::uint32_t instances = 1; ///< included in `bytes`: that many instances, …
+    std::uint32_t views = 1;     ///< … their lists for that many views each …
+    bool keepsMotion = false;    ///< … and Grass::Settings::keepsMotion
+    std::uint32_t framesInFlight = 2; ///< at least Grass::Settings::framesInFlight
+    bool waitsForDisk = false;        ///< false: blades not in CPU memory come in later frames
+};
+
 /// A field's blades on a device, shared by all instances. The host's command buffers upload it, at
 /// once or in pieces; its instances are skipped until then.
 class ResidentField {
 public:
-    /// Allocates, and copies the field into mapped memory; `field` may be destroyed. Submits
-    /// nothing. `context` must outlive it. Throws Error{runtime} if there is not enough memory.
-    ResidentField(const gpu::DeviceContext& context, const field::FieldView& field);
+    /// Allocates, and copies the field into mapped memory; `field` may be destroyed unless
+    /// isStreamed(). Submits nothing. `context` must outlive it. Throws Error{runtime} if memory or
+    /// budget is too small.
+    ResidentField(const gpu::DeviceContext& context, const field::FieldView& field,
+                  const FieldBudget& budget = {});
     ResidentField(const ResidentField&) = delete;
     ResidentField& operator=(const ResidentField&) = delete;
     ~ResidentField(); ///< after the commands of the last frame that draws it
@@ -34,11 +48,15 @@ public:
     /// Frees the mapped memory, after the commands of the whole upload have completed.
     void releaseStaging();
 
+    /// Whether not all blades fit into the budget. What `field` views must then outlive this, and
+    /// one Grass alone may draw it.
+    bool isStreamed() const;
+
     glm::dvec3 origin() const;               ///< [m] of places in its content
     Aabb content() const;                    ///< box of everything visible [m]
     const field::Defaults& defaults() const; ///< saved in the field, in its space
-    VkDeviceSize deviceBytes() const;
-    VkDeviceSize stagingBytes() const;
+    VkDeviceSize deviceBytes() const;        ///< with the mapped memory of streaming
+    VkDeviceSize stagingBytes() const;       ///< of the upload
 
     struct Parts;
     const Parts& parts() const { return *parts_; } ///< for Sward's own passes

@@ -1,0 +1,125 @@
+#include "render/resident_field.h"
+
+#include "core/embedded.h"
+#include "core/expect.h"
+#include "gpu/shader_library.h"
+#include "render/resident_parts.h"
+#include "render/streaming/page_budget.h"
+#include "shaders/shared/pages.h"
+#include "shaders/shared/passes.h"
+
+namespace sward::embedded {
+std::span<const EmbeddedFile> shaders();
+} // namespace sward::embedded
+
+namespace sward::render {
+
+namespace {
+
+/// Bytes of a field with room for so many blades, and of the instances of its budget.
+std::uint64_t bytesWith(const field::FieldView& field, const FieldBudget& budget,
+                        std::uint64_t places)
+{
+    const std::uint64_t perInstance =
+        sizeof(shared::BladeState) + (budget.keepsMotion ? sizeof(shared::BladeState::turn) : 0) +
+        budget.views * sizeof(shared::VisibleBlade);
+    return treeBytes(field, budget.instances, budget.views) +
+           places * (sizeof(shared::PackedBlade) + budget.instances * perInstance);
+}
+
+Streaming::Settings streamingWithin(const FieldBudget& budget, std::uint64_t pages)
+{
+    Streaming::Settings settings = streamingOf(pages, budget.framesInFlight, budget.waitsForDisk);
+    settings.usesCopyQueue = false;
+    return settings;
+}
+
+/// Pages of blades that fit; 0: all blades do. `others` [bytes] of the field's other members.
+std::uint32_t pagesOf(const field::FieldView& field, const FieldBudget& budget,
+                      std::uint64_t others)
+{
+    if (budget.bytes == 0)
+        return 0;
+    return pagesWithin(field,
+                       {.bytes = budget.bytes,
+                        .whole = others + bytesWith(field, budget, field.blades.size()),
+                        .with = [&](std::uint64_t pages) {
+                            return others + bytesWith(field, budget, pages * shared::pageBlades) +
+                                   pagingBytes(field, streamingWithin(budget, pages));
+                        }});
+}
+
+} // namespace
+
+ResidentField::Parts::Parts(const gpu::DeviceContext& deviceContext, const field::FieldView& field,
+                            const FieldBudget& wanted)
+    : context(deviceContext)
+    , upload(context)
+    , cover(context, upload, field)
+    , budget(wanted)
+    , blades(context, upload, field, shared::walkStart, pagesOf(field, wanted, cover.bytes()))
+    , shape{field.origin, field.bounds(), blades.bladeSize()}
+    , defaults(*field.defaults)
+{
+    expect(wanted.framesInFlight >= 1, "at least one frame is in flight");
+    if (blades.isPaged())
+        streaming = std::make_unique<Streaming>(
+            context, gpu::ShaderLibrary(embedded::shaders()), field, blades,
+            streamingWithin(budget, blades.placeCount() / shared::pageBlades));
+}
+
+ResidentField::ResidentField(const gpu::DeviceContext& context, const field::FieldView& field,
+                             const FieldBudget& budget)
+    : parts_(std::make_unique<Parts>(context, field, budget))
+{
+}
+
+ResidentField::~ResidentField() = default;
+
+void ResidentField::recordUpload(VkCommandBuffer commands, VkDeviceSize maxBytes) noexcept
+{
+    parts_->upload.record({parts_->context, commands}, maxBytes);
+}
+
+bool ResidentField::isUploaded() const
+{
+    return parts_->upload.isRecorded();
+}
+
+void ResidentField::releaseStaging()
+{
+    parts_->upload.release();
+}
+
+bool ResidentField::isStreamed() const
+{
+    return parts_->streaming != nullptr;
+}
+
+glm::dvec3 ResidentField::origin() const
+{
+    return parts_->shape.origin;
+}
+
+Aabb ResidentField::content() const
+{
+    return parts_->shape.content;
+}
+
+const field::Defaults& ResidentField::defaults() const
+{
+    return parts_->defaults;
+}
+
+VkDeviceSize ResidentField::deviceBytes() const
+{
+    return parts_->blades.bytes() + parts_->cover.bytes() +
+           (parts_->streaming ? parts_->streaming->bytes() : 0);
+}
+
+VkDeviceSize ResidentField::stagingBytes() const
+{
+    return parts_->upload.bytes();
+}
+
+} // namespace sward::render
