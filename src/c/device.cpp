@@ -73,6 +73,32 @@ sward_status sward_resident_create(const sward_context* context, const sward_fie
     });
 }
 
+sward_status sward_resident_create_within(const sward_context* context, const sward_field* field,
+                                          const sward_budget* budget, sward_resident** resident)
+{
+    return guarded([&] {
+        checked(context, "context");
+        checked(field, "field");
+        checked(budget, "budget");
+        checked(resident, "resident");
+        require(budget->instances >= 1 && budget->views >= 1, "instances or views is 0");
+        require(budget->frames_in_flight >= 1, "frames_in_flight is 0");
+        *resident = new sward_resident{std::make_shared<render::ResidentField>(
+            context->context, field->mapped.view(),
+            render::FieldBudget{.bytes = budget->bytes,
+                                .instances = budget->instances,
+                                .views = budget->views,
+                                .keepsMotion = budget->keeps_motion,
+                                .framesInFlight = budget->frames_in_flight,
+                                .waitsForDisk = budget->waits_for_disk})};
+    });
+}
+
+bool sward_resident_is_streamed(const sward_resident* resident)
+{
+    return resident != nullptr && resident->field->isStreamed();
+}
+
 void sward_resident_destroy(sward_resident* resident)
 {
     delete resident;

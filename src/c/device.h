@@ -34,10 +34,10 @@ typedef struct sward_context_info {
     VkQueue queue;         /* draws and computes */
     uint32_t queue_family; /* of the queue */
     const sward_features* features;
-    bool has_debug_utils;                          /* VK_EXT_debug_utils is enabled */
+    bool has_debug_utils;                             /* VK_EXT_debug_utils is enabled */
     PFN_vkGetInstanceProcAddr get_instance_proc_addr; /* of the host's loader; never null */
-    const VkAllocationCallbacks* allocation;       /* or null; outlives the context */
-    VkPipelineCache pipeline_cache;                /* or VK_NULL_HANDLE */
+    const VkAllocationCallbacks* allocation;          /* or null; outlives the context */
+    VkPipelineCache pipeline_cache;                   /* or VK_NULL_HANDLE */
 } sward_context_info;
 
 sward_status sward_context_create(const sward_context_info* info, sward_context** context);
@@ -50,6 +50,21 @@ typedef struct sward_resident sward_resident;
 /* Allocates, and copies the field into mapped memory; the field may be destroyed then. */
 sward_status sward_resident_create(const sward_context* context, const sward_field* field,
                                    sward_resident** resident);
+
+/* Limit of the device memory of a field and of so many instances with so many views each. */
+typedef struct sward_budget {
+    uint64_t bytes; /* 0: unlimited */
+    uint32_t instances, views;
+    uint32_t frames_in_flight; /* at least that of sward_grass_info */
+    bool keeps_motion;         /* as in sward_grass_info */
+    bool waits_for_disk;       /* false: what is not in the CPU's memory comes in later frames */
+} sward_budget;
+
+/* The same within a budget. If not all fits, blades that the views see come by pages: the field
+ * must then outlive the resident field and its instances, and one grass alone draws it. */
+sward_status sward_resident_create_within(const sward_context* context, const sward_field* field,
+                                          const sward_budget* budget, sward_resident** resident);
+bool sward_resident_is_streamed(const sward_resident* resident);
 
 /* Instances keep what they need; destroy after the commands of sward_resident_record_upload(). */
 void sward_resident_destroy(sward_resident* resident);

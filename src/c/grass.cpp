@@ -294,3 +294,14 @@ sward_status sward_grass_get_stats(const sward_grass* grass, uint32_t view, uint
                       found.culledDistance + found.culledOcclusion};
     });
 }
+
+sward_status sward_grass_get_streaming(const sward_grass* grass, sward_streaming* streaming)
+{
+    return guarded([&] {
+        checked(grass, "grass");
+        checked(streaming, "streaming");
+        const render::StreamingStats found = grass->grass.streamingStats();
+        *streaming = {found.pages,        found.places,      found.residentPages, found.wantedPages,
+                      found.missingPages, found.copiedBytes, found.isSettled};
+    });
+}

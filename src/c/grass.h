@@ -55,6 +55,14 @@ typedef struct sward_stats {
     uint64_t resident, simulated, drawn, thinned, culled; /* blades; culled by any test */
 } sward_stats;
 
+/* Of fields larger than their budgets: pages of 1024 blades. */
+typedef struct sward_streaming {
+    uint64_t pages, places;                               /* of the fields; that fit */
+    uint64_t resident_pages, wanted_pages, missing_pages; /* the last are wanted and not resident */
+    uint64_t copied_bytes;                                /* in the last frame */
+    bool is_settled; /* with unchanged views further frames change nothing */
+} sward_streaming;
+
 sward_status sward_target_create(const sward_context* context, const sward_target_info* info,
                                  sward_target** target);
 void sward_target_destroy(sward_target* target); /* after the commands that draw with it */
@@ -90,6 +98,10 @@ const char* sward_grass_why_tessellated(const sward_grass* grass, uint32_t view)
 /* Of the frame last begun in `slot`, after its commands have completed. */
 sward_status sward_grass_get_stats(const sward_grass* grass, uint32_t view, uint32_t slot,
                                    sward_stats* stats);
+
+/* Of the frame last begun, after sward_grass_record_update(). */
+sward_status sward_grass_get_streaming(const sward_grass* grass, sward_streaming* streaming);
+
 #ifdef __cplusplus
 }
 #endif

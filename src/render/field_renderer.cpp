@@ -123,8 +123,7 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     if (raster)
         expectNumbers(context, field.blades.size(), ground.triangleCount());
     if (plan.records.pages > 0)
-        streaming.emplace(context, shaders, field, blades.buffers().baked(),
-                          plan.streaming);
+        streaming.emplace(context, shaders, field, blades.buffers().baked(), plan.streaming);
     const gpu::UniformSetLayout frameLayout(context, "frame");
     for (std::uint32_t i = 0; i < wanted.framesInFlight; ++i)
         slots.emplace_back(context, frameLayout);

@@ -29,8 +29,8 @@ struct StreamingStats {
     std::uint64_t wantedPages = 0;    ///< with blades that a view draws, by the last survey
     std::uint64_t missingPages = 0;   ///< of these, not in device memory
     std::uint64_t copiedBytes = 0;    ///< recorded in the last frame
-    float thinning = 1.0f;    ///< largest factor on FrameSettings::lodThreshold, 1 to 8
-    bool isSettled = true;    ///< with unchanged views further frames would change nothing
+    float thinning = 1.0f;            ///< largest factor on FrameSettings::lodThreshold, 1 to 8
+    bool isSettled = true;            ///< with unchanged views further frames would change nothing
 };
 
 } // namespace sward::render

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "gpu/context.h"
-#include "render/resident_field.h"
 #include "render/frame_settings.h"
 #include "render/frame_stats.h"
 #include "render/host_view.h"
 #include "render/placement.h"
+#include "render/resident_field.h"
 #include "render/tessellation/blade_target.h"
 
 #include <vulkan/vulkan.h>

@@ -20,9 +20,9 @@ namespace {
 std::uint64_t bytesWith(const field::FieldView& field, const FieldBudget& budget,
                         std::uint64_t places)
 {
-    const std::uint64_t perInstance =
-        sizeof(shared::BladeState) + (budget.keepsMotion ? sizeof(shared::BladeState::turn) : 0) +
-        budget.views * sizeof(shared::VisibleBlade);
+    const std::uint64_t perInstance = sizeof(shared::BladeState) +
+                                      (budget.keepsMotion ? sizeof(shared::BladeState::turn) : 0) +
+                                      budget.views * sizeof(shared::VisibleBlade);
     return treeBytes(field, budget.instances, budget.views) +
            places * (sizeof(shared::PackedBlade) + budget.instances * perInstance);
 }
@@ -40,13 +40,13 @@ std::uint32_t pagesOf(const field::FieldView& field, const FieldBudget& budget,
 {
     if (budget.bytes == 0)
         return 0;
-    return pagesWithin(field,
-                       {.bytes = budget.bytes,
-                        .whole = others + bytesWith(field, budget, field.blades.size()),
-                        .with = [&](std::uint64_t pages) {
-                            return others + bytesWith(field, budget, pages * shared::pageBlades) +
-                                   pagingBytes(field, streamingWithin(budget, pages));
-                        }});
+    return pagesWithin(field, {.bytes = budget.bytes,
+                               .whole = others + bytesWith(field, budget, field.blades.size()),
+                               .with = [&](std::uint64_t pages) {
+                                   return others +
+                                          bytesWith(field, budget, pages * shared::pageBlades) +
+                                          pagingBytes(field, streamingWithin(budget, pages));
+                               }});
 }
 
 } // namespace

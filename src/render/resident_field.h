@@ -18,10 +18,10 @@ namespace sward::render {
 /// Limit of the device memory of a field and of its instances. What does not fit is streamed
 /// (decision 0036): blades that the frames' views see come by pages, others go.
 struct FieldBudget {
-    std::uint64_t bytes = 0;     ///< mapped memory of the copies included; 0: unlimited
-    std::uint32_t instances = 1; ///< included in `bytes`: that many instances, …
-    std::uint32_t views = 1;     ///< … their lists for that many views each …
-    bool keepsMotion = false;    ///< … and Grass::Settings::keepsMotion
+    std::uint64_t bytes = 0;          ///< mapped memory of the copies included; 0: unlimited
+    std::uint32_t instances = 1;      ///< included in `bytes`: that many instances, …
+    std::uint32_t views = 1;          ///< … their lists for that many views each …
+    bool keepsMotion = false;         ///< … and Grass::Settings::keepsMotion
     std::uint32_t framesInFlight = 2; ///< at least Grass::Settings::framesInFlight
     bool waitsForDisk = false;        ///< false: blades not in CPU memory come in later frames
 };

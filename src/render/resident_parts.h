@@ -23,7 +23,7 @@ struct ResidentField::Parts {
     BakedBlades blades;
     FieldShape shape;
     field::Defaults defaults;
-    std::unique_ptr<Streaming> streaming; ///< if not all blades are resident
+    std::unique_ptr<Streaming> streaming;    ///< if not all blades are resident
     mutable std::weak_ptr<const void> grass; ///< what draws a streamed field
 };
 

@@ -345,6 +345,37 @@ static void light_frame(sward_grass* grass, const sward_target* target, sward_fr
     REQUIRE(sward_grass_begin(grass, 0, &frame) == SWARD_ERROR_USAGE); /* no image */
 }
 
+/* Draws the field within the smallest budget that shows some of it. */
+static void stream_field(const sward_context* context, const sward_field* field, sward_grass* grass,
+                         const sward_target* target, const sward_frame* frame)
+{
+    sward_budget budget = {.bytes = 1000, .instances = 1, .views = 1};
+    sward_resident* resident = NULL;
+    REQUIRE(sward_resident_create_within(context, field, &budget, &resident) ==
+            SWARD_ERROR_USAGE); /* no frame in flight */
+    budget.frames_in_flight = 1;
+    REQUIRE(sward_resident_create_within(context, field, &budget, &resident) ==
+            SWARD_ERROR_RUNTIME);
+    REQUIRE(strstr(sward_last_error(), "budget") != NULL);
+    while (sward_resident_create_within(context, field, &budget, &resident) != SWARD_OK)
+        budget.bytes += 1 << 15;
+    REQUIRE(sward_resident_is_streamed(resident));
+    VkCommandBuffer commands = begin_commands();
+    sward_resident_record_upload(resident, commands, VK_WHOLE_SIZE);
+    submit_and_wait(commands);
+    const sward_placement place = {.rotation = {0, 0, 0, 1}, .scale = 1.0};
+    sward_instance one = 0;
+    REQUIRE(sward_grass_add(grass, resident, &place, &one) == SWARD_OK);
+    sward_streaming streaming = {.is_settled = false};
+    for (int i = 0; i < 100 && !streaming.is_settled; ++i) {
+        REQUIRE(draw(grass, target, frame) > 0);
+        REQUIRE(sward_grass_get_streaming(grass, &streaming) == SWARD_OK);
+    }
+    REQUIRE(streaming.is_settled && streaming.places < streaming.pages);
+    REQUIRE(streaming.resident_pages > 0 && streaming.resident_pages <= streaming.places);
+    sward_resident_destroy(resident);
+}
+
 static void draw_field(const sward_field* field)
 {
     sward_features* features = make_device();
@@ -418,6 +449,8 @@ static void draw_field(const sward_field* field)
     REQUIRE(sward_grass_remove(grass, one) == SWARD_OK);
     REQUIRE(sward_grass_remove(grass, one) == SWARD_ERROR_USAGE);
     REQUIRE(draw(grass, target, &frame) == 0);
+
+    stream_field(context, field, grass, target, &frame);
 
     sward_grass_destroy(grass);
     sward_target_destroy(target);

@@ -1,8 +1,10 @@
 // Measures the cost of grass in a host's frames, by either method of drawing:
 //   sward_host_bench FIELD.sward SCENE.json [raster|tessellation] [samples=N] [instances=N]
-//   [frames=N] [lamps=N] [ambient=1] [shadow=1]
-// The host's depth is at the far plane; Sward processes it like any other. Prints one line of JSON:
-// medians in milliseconds by device timestamps, and by the clock for the CPU.
+//   [frames=N] [lamps=N] [ambient=1] [shadow=1] [budget=MIB] [fly=1]
+// With a budget the field is streamed if it does not fit; fly follows the scene's moving camera
+// there and back. The host's depth is at the far plane; Sward processes it like any other. Prints
+// one line of JSON: medians in milliseconds by device timestamps, and by the clock for the CPU and
+// whole frames.
 #include "field/read.h"
 #include "gpu/check.h"
 #include "gpu/commands.h"
@@ -14,11 +16,13 @@
 #include "gpu/timestamps.h"
 #include "render/grass.h"
 
+#include <glm/common.hpp>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -40,7 +44,7 @@ struct Options {
     render::Geometry geometry = render::Geometry::raster;
     std::map<std::string, int> numbers{{"samples", 1},  {"instances", 1}, {"frames", 300},
                                        {"radiance", 0}, {"lamps", 0},     {"ambient", 0},
-                                       {"shadow", 0}};
+                                       {"shadow", 0},   {"budget", 0},    {"fly", 0}};
 };
 
 Options optionsOf(int argc, char** argv)
@@ -74,6 +78,35 @@ glm::dmat4 worldToClip(const nlohmann::json& camera)
     projection[2][3] = -1.0;
     return projection * glm::lookAt(vectorOf(camera.at("eye")), vectorOf(camera.at("target")),
                                     glm::dvec3(0.0, 1.0, 0.0));
+}
+
+/// The scene's moving camera at a time [s]: there, back, and again.
+nlohmann::json cameraAt(const nlohmann::json& path, double time)
+{
+    const double last = path.back().at("time").get<double>();
+    const double phase = std::fmod(time, 2.0 * last);
+    const double at = phase < last ? phase : 2.0 * last - phase;
+    std::size_t next = 1;
+    while (next + 1 < path.size() && path[next].at("time").get<double>() < at)
+        ++next;
+    const nlohmann::json& from = path[next - 1];
+    const nlohmann::json& to = path[next];
+    const double begun = from.at("time").get<double>();
+    const double share = (at - begun) / (to.at("time").get<double>() - begun);
+    nlohmann::json camera = from;
+    for (const char* key : {"eye", "target"}) {
+        const glm::dvec3 place = glm::mix(vectorOf(from.at(key)), vectorOf(to.at(key)), share);
+        camera[key] = {place.x, place.y, place.z};
+    }
+    return camera;
+}
+
+/// Median, 99th percentile and maximum.
+nlohmann::json spreadOf(const std::vector<double>& values)
+{
+    const gpu::Statistics found = gpu::statisticsOf(values);
+    const double most = values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+    return {{"median", found.median}, {"p99", found.p99}, {"max", most}};
 }
 
 /// A square of instances as wide as the field in total, each rotated.
@@ -124,7 +157,11 @@ void run(const Options& options)
     const gpu::Device device(instance);
     const gpu::DeviceContext& context = device.context();
     const field::MappedField mapped = field::readField(options.field);
-    const auto lawn = std::make_shared<render::ResidentField>(context, mapped.view());
+    render::FieldBudget budget{.bytes = std::uint64_t(options.numbers.at("budget")) << 20,
+                               .instances =
+                                   static_cast<std::uint32_t>(options.numbers.at("instances")),
+                               .framesInFlight = slots};
+    const auto lawn = std::make_shared<render::ResidentField>(context, mapped.view(), budget);
     gpu::submitAndWait(context, [&](VkCommandBuffer commands) { lawn->recordUpload(commands); });
     lawn->releaseStaging();
     const auto samples = static_cast<std::uint32_t>(options.numbers.at("samples"));
@@ -174,7 +211,9 @@ void run(const Options& options)
     render::HostLight light{.lamps = lamps};
     if (options.numbers.at("ambient") != 0)
         light.ambient = render::HostAmbient::constant(glm::vec3(0.5f));
-    render::HostView view{.worldToClip = worldToClip(scene.at("camera")),
+    const bool flies = options.numbers.at("fly") != 0;
+    render::HostView view{.worldToClip =
+                              worldToClip(flies ? scene.at("moving")[0] : scene.at("camera")),
                           .size = {extent.width, extent.height},
                           .samples = samples,
                           .geometry = options.geometry,
@@ -185,18 +224,27 @@ void run(const Options& options)
     gpu::FrameRing ring(context, slots);
     gpu::Timestamps times(context, {.slots = slots});
     std::vector<double> recorded;
+    std::vector<double> frames; // from begin to begin
+    std::uint64_t copied = 0;
+    double lastBegin = 0.0;
     const auto begun = std::chrono::steady_clock::now();
     const auto seconds = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     };
-    // Warm up half a second to reach the device's clock, then measure.
+    // Warm up half a second to reach the device's clock, and until what is streamed of the first
+    // view is there; then measure.
     int counted = 0;
     for (int frame = 0; counted < options.numbers.at("frames"); ++frame) {
-        if (counted == 0 && seconds() < 0.5)
+        if (counted == 0 && (seconds() < 0.5 || !grass.streamingStats().isSettled))
             times.clearHistory();
         else
             ++counted;
+        if (flies && counted > 0)
+            view.worldToClip = worldToClip(cameraAt(scene.at("moving"), counted / 60.0));
         const gpu::FrameRing::Frame recording = ring.begin();
+        if (counted > 1)
+            frames.push_back(1e3 * (seconds() - lastBegin));
+        lastBegin = seconds();
         VkCommandBuffer commands = recording.commands;
         times.beginFrame(commands, recording.slot);
         gpu::transition(commands, depth, gpu::ImageUse::undefined, gpu::ImageUse::depthTarget);
@@ -228,7 +276,10 @@ void run(const Options& options)
             grass.recordDraw(commands, 0, target);
         });
         times.end(commands, all);
-        recorded.push_back(1e3 * (seconds() - before));
+        if (counted > 0) {
+            recorded.push_back(1e3 * (seconds() - before));
+            copied += grass.streamingStats().copiedBytes;
+        }
         ring.submit(recording);
     }
     ring.finish();
@@ -239,9 +290,24 @@ void run(const Options& options)
                        {"geometry", grass.whyTessellated(0) == nullptr ? "raster" : "tessellation"},
                        {"drawn", grass.stats(0, 0).drawn},
                        {"device_bytes", grass.deviceBytes()},
-                       {"cpu_ms", gpu::statisticsOf(recorded).median}};
-    for (const std::string& name : times.names())
+                       {"field_bytes", lawn->deviceBytes()},
+                       {"cpu_ms", gpu::statisticsOf(recorded).median},
+                       {"cpu_spread_ms", spreadOf(recorded)},
+                       {"frame_spread_ms", spreadOf(frames)}};
+    for (const std::string& name : times.names()) {
         out["gpu_ms"][name] = times.statistics(name).median;
+        out["gpu_p99_ms"][name] = times.statistics(name).p99;
+    }
+    if (lawn->isStreamed()) {
+        const render::StreamingStats stats = grass.streamingStats();
+        out["streaming"] = {{"pages", stats.pages},
+                            {"places", stats.places},
+                            {"resident_pages", stats.residentPages},
+                            {"wanted_pages", stats.wantedPages},
+                            {"missing_pages", stats.missingPages},
+                            {"copied_bytes", copied},
+                            {"thinning", stats.thinning}};
+    }
     std::puts(out.dump().c_str());
 }
 
@@ -253,7 +319,7 @@ try {
     if (argc < 3) {
         std::fputs(
             "usage: sward_host_bench FIELD.sward SCENE.json [raster|tessellation] [samples=N] "
-            "[instances=N] [frames=N] [lamps=N] [ambient=1] [shadow=1]\n",
+            "[instances=N] [frames=N] [lamps=N] [ambient=1] [shadow=1] [budget=MIB] [fly=1]\n",
             stderr);
         return 1;
     }

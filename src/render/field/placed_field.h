@@ -4,10 +4,10 @@
 #include "gpu/recording.h"
 #include "gpu/uniform_sets.h"
 #include "render/field/blade_states.h"
-#include "render/resident_parts.h"
 #include "render/field/visible_blades.h"
 #include "render/frame_slot.h"
 #include "render/grass.h"
+#include "render/resident_parts.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/passes.h"
 

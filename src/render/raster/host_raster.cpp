@@ -119,12 +119,12 @@ HostRaster::Pipelines HostRaster::pipelinesFor(const gpu::ShaderLibrary& shaders
                                                std::uint32_t samples) const
 {
     const auto ofInstances = [&](const char* name, const char* shader) {
-        return gpu::ComputePipeline(*context_, shaders,
-                                    {.name = name,
-                                     .shader = shader,
-                                     .pushConstantBytes = sizeof(shared::HostViewPush),
-                                     .constants = {{.id = 1, .value = samples},
-                                                   {.id = 4, .value = largeTo(*context_)}}});
+        return gpu::ComputePipeline(
+            *context_, shaders,
+            {.name = name,
+             .shader = shader,
+             .pushConstantBytes = sizeof(shared::HostViewPush),
+             .constants = {{.id = 1, .value = samples}, {.id = 4, .value = largeTo(*context_)}}});
     };
     Pipelines made;
     made.blades = bladesPipeline(*context_, shaders, frameLayout_, samples, false);

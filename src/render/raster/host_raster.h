@@ -63,7 +63,7 @@ public:
 private:
     struct Pipelines {
         gpu::ComputePipeline blades, cut, pagedBlades; ///< the latter of streamed fields, if any
-        gpu::ComputePipeline large; ///< unused on a CPU device
+        gpu::ComputePipeline large;                    ///< unused on a CPU device
     };
 
     /// Specialisation of a lighting pipeline.

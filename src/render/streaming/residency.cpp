@@ -124,8 +124,7 @@ void Residency::visit(std::uint32_t entry)
     bool descends = false;
     std::uint8_t grade = 0;
     for (const shared::Eyepoint& view : views_) {
-        const bool outsideOfView =
-            isBelowOutside || shared::patchCulled(view, cell, below.widest);
+        const bool outsideOfView = isBelowOutside || shared::patchCulled(view, cell, below.widest);
         const float distance = shared::boxDistance(view.eye, cell.boundsLow, cell.boundsHigh);
         const float width = view.lodWidth * view.pixelsPerUnit / std::max(distance, 1e-6f);
         const float share = width / std::max(threshold_, 1e-6f);
@@ -305,11 +304,9 @@ float Residency::thinning() const
 
 std::uint32_t Residency::missingPages() const
 {
-    return static_cast<std::uint32_t>(
-        std::count_if(order_.begin() + static_cast<std::ptrdiff_t>(firstMissing_), order_.end(),
-                      [this](std::uint32_t page) {
-                          return pages_[page].grade > seenGrade && !isThere(page);
-                      }));
+    return static_cast<std::uint32_t>(std::count_if(
+        order_.begin() + static_cast<std::ptrdiff_t>(firstMissing_), order_.end(),
+        [this](std::uint32_t page) { return pages_[page].grade > seenGrade && !isThere(page); }));
 }
 
 std::uint32_t Residency::placeOf(std::uint32_t page) const

@@ -94,9 +94,8 @@ void Streaming::choose(std::span<shared::Eyepoint> seen, std::uint32_t slot)
     if (thinning_ > 0.0f)
         raise(seen, threshold * thinning_);
     const auto views = static_cast<std::uint32_t>(seen.size());
-    const bool hasLooked =
-        residency_.survey(seen, threshold > 0.0f ? threshold : rankingThreshold,
-                          std::max(nodesPerFrame / views, 1u));
+    const bool hasLooked = residency_.survey(seen, threshold > 0.0f ? threshold : rankingThreshold,
+                                             std::max(nodesPerFrame / views, 1u));
 
     // The place of a page that has left is free once no frame reads it.
     const auto stillRead =
