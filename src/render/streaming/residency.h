@@ -60,11 +60,8 @@ public:
     std::uint64_t patches() const { return patches_; } ///< number of those patches, or a few more
     std::uint32_t pageCount() const { return static_cast<std::uint32_t>(pages_.size()); }
     std::uint32_t residentPages() const { return residentPages_; }
-    std::uint32_t seenPages() const
-    {
-        return seenPages_;
-    }                                   ///< some view draws of, by the last survey
-    std::uint32_t missingPages() const; ///< of these, not resident; takes a while if many are
+    std::uint32_t seenPages() const { return seenPages_; } ///< a view draws of, by the last survey
+    std::uint32_t missingPages() const; ///< of these, not resident; slow if many are
 
 private:
     enum class State : std::uint8_t { absent, coming, there, leaving };
