@@ -43,11 +43,12 @@ BladeColors bladeColors(Blade blade, Species species, uint index, float leafArea
     colors.root = mix(species.rootColor * shift, ground, species.groundTint) * light;
     colors.tip = species.tipColor * shift * light;
 
-    // Some blades have dried from the tip downwards.
-    const float dry = smoothstep(0.0, 0.25, species.dryness * (0.6 + 0.8 * meadow) - other);
+    // Some blades have dried from the tip downwards, and some are dead.
+    const float dead = blade.clump == driedClump ? 1.0 : 0.0;
+    const float dry = max(smoothstep(0.0, 0.25, species.dryness * (0.6 + 0.8 * meadow) - other), dead);
     const vec3 straw = vec3(0.42, 0.32, 0.13) * (0.7 + 0.6 * single);
     colors.tip = mix(colors.tip, straw, 0.8 * dry);
-    colors.root = mix(colors.root, straw * 0.6, 0.25 * dry);
+    colors.root = mix(colors.root, straw * 0.6, 0.25 * dry + 0.5 * dead);
     return colors;
 }
 

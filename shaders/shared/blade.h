@@ -32,9 +32,12 @@ struct Blade {
     float exposure;  ///< [0, 1] share of open sky above the root
     uint species;    ///< slot in the field's species table, 0–7
     vec3 tint;       ///< [0, 1] colour of the ground at the root, as stored in images (sRGB)
-    uint clump;      ///< 0–255, the same for neighbours of one clump
+    uint clump;      ///< 0–254, the same for neighbours of one clump; driedClump
     uint hash;       ///< 0–15
 };
+
+/// The number of a clump that stands for none: its blades are dead and dry.
+SHARED_CONST uint driedClump = 255u;
 
 // Maximum errors of packing, each asserted by blade_test.cpp. Root: half a rootStep per axis.
 // Height and width: half a step of the patch. Up: octahedralMaxError.

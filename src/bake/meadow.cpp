@@ -98,6 +98,8 @@ SpeciesTraits parseSpecies(const json& object, const std::string& place)
         reader.readWord("facing", facingNames, static_cast<std::uint32_t>(species.facing)));
     reader.read("tuft_spacing_m", species.tuftSpacing, 0.0, 1e6);
     reader.read("tuft_radius_m", species.tuftRadius, 0.0, 1e6);
+    reader.read("tuft_lean", species.tuftLean, 0.0, 1.0);
+    reader.read("tuft_litter", species.tuftLitter, 0.0, 1.0);
     reader.read("root_color", look.rootColor, 0.0, 1.0);
     reader.read("tip_color", look.tipColor, 0.0, 1.0);
     reader.read("tip_threshold", look.tipThreshold, 0.0, 0.99);
@@ -140,6 +142,13 @@ Meadow parseMeadow(std::string_view text, const std::string& place)
     reader.read("drifts", meadow.drifts, 0.0, 1.0);
     reader.read("cover_from_above", meadow.closedCover, 0.01, 0.999);
     reader.read("fit_overhangs", meadow.fitsOverhangs);
+    EdgeTraits& edges = meadow.edges;
+    reader.read("occluder_reach_m", edges.occluderReach, 0.0, 100.0);
+    reader.read("occluder_height", edges.occluderHeight, 0.1, 4.0);
+    reader.read("occluder_dryness", edges.occluderDryness, 0.0, 1.0);
+    reader.read("path_reach_m", edges.pathReach, 0.0, 100.0);
+    reader.read("path_height", edges.pathHeight, 0.05, 1.0);
+    reader.read("path_lean", edges.pathLean, 0.0, 1.0);
     const json& list = reader.child("species");
     reader.finish();
     if (!list.is_array() || list.empty() || list.size() > shared::maxSpecies)
@@ -195,6 +204,8 @@ std::string toJson(const Meadow& meadow)
                         {"facing", facingNames[static_cast<std::size_t>(one.facing)]},
                         {"tuft_spacing_m", one.tuftSpacing},
                         {"tuft_radius_m", one.tuftRadius},
+                        {"tuft_lean", one.tuftLean},
+                        {"tuft_litter", one.tuftLitter},
                         {"root_color", toArray(one.look.rootColor)},
                         {"tip_color", toArray(one.look.tipColor)},
                         {"tip_threshold", shortest(one.look.tipThreshold)},
@@ -213,6 +224,12 @@ std::string toJson(const Meadow& meadow)
                 {"drifts", meadow.drifts},
                 {"cover_from_above", meadow.closedCover},
                 {"fit_overhangs", meadow.fitsOverhangs},
+                {"occluder_reach_m", meadow.edges.occluderReach},
+                {"occluder_height", meadow.edges.occluderHeight},
+                {"occluder_dryness", meadow.edges.occluderDryness},
+                {"path_reach_m", meadow.edges.pathReach},
+                {"path_height", meadow.edges.pathHeight},
+                {"path_lean", meadow.edges.pathLean},
                 {"species", list}}
         .dump(2);
 }

@@ -38,7 +38,9 @@ enum class Dimension : std::uint32_t {
     facing,
     hash,
     clump,
-    sky
+    sky,
+    dryness,
+    litter
 };
 
 constexpr std::uint64_t keyBits(field::BladeKey key)

@@ -22,8 +22,12 @@ terrain::SurfaceFeatures featuresOf(const terrain::GroundMesh& ground, const Bak
 {
     checkGround(ground, settings);
     const terrain::FeatureChoice choice = featuresFor(settings);
-    return choice.any() ? findFeatures(ground, terrain::analyse(ground), choice)
-                        : terrain::SurfaceFeatures{};
+    terrain::SurfaceFeatures features;
+    if (choice.any())
+        features = findFeatures(ground, terrain::analyse(ground), choice);
+    if (settings.meadow.edges.pathReach > 0.0)
+        features.bareEdges = bareEdges(ground);
+    return features;
 }
 
 BakePlan planWhole(const GroundView& whole, const BakeSettings& settings, Diagnostics& diagnostics,

@@ -1,5 +1,7 @@
 #include "terrain/topology/surface_features.h"
 
+#include "terrain/topology/weld.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
@@ -160,6 +162,45 @@ SurfaceFeatures findFeatures(const GroundMesh& mesh, const Topology& topology,
     return features;
 }
 
+std::vector<SurfaceFeatures::BorderEdge> bareEdges(const GroundMesh& mesh)
+{
+    std::vector<SurfaceFeatures::BorderEdge> edges;
+    const auto bears = [](std::uint8_t one) { return one != 0; };
+    if (std::none_of(mesh.bears.begin(), mesh.bears.end(), bears) ||
+        std::all_of(mesh.bears.begin(), mesh.bears.end(), bears))
+        return edges;
+
+    // List the edges of bare triangles, then find those of bearing ones among them.
+    std::uint32_t welded = 0;
+    const std::vector<std::uint32_t> weldOf = weld(mesh.positions, welded);
+    const auto keyOf = [&](std::size_t triangle, glm::length_t e) {
+        const std::uint32_t a = weldOf[mesh.triangles[triangle][e]];
+        const std::uint32_t b = weldOf[mesh.triangles[triangle][(e + 1) % 3]];
+        return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
+    };
+    using Side = std::pair<std::uint64_t, std::uint32_t>;
+    std::vector<Side> bare;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+        for (glm::length_t e = 0; mesh.bears[t] == 0 && e < 3; ++e)
+            bare.emplace_back(keyOf(t, e), t);
+    std::sort(bare.begin(), bare.end());
+    constexpr double levelCosine = 0.70710678118654752;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (glm::length_t e = 0; mesh.bears[t] != 0 && e < 3; ++e) {
+            const std::uint64_t key = keyOf(t, e);
+            auto side = std::lower_bound(bare.begin(), bare.end(), Side(key, 0));
+            const auto isLevel = [&](std::uint32_t other) {
+                return glm::dot(mesh.faceNormal(t), mesh.faceNormal(other)) > levelCosine;
+            };
+            while (side != bare.end() && side->first == key && !isLevel(side->second))
+                ++side;
+            if (side != bare.end() && side->first == key)
+                edges.push_back({mesh.positions[mesh.triangles[t][e]],
+                                 mesh.positions[mesh.triangles[t][(e + 1) % 3]]});
+        }
+    return edges;
+}
+
 SurfaceFeatures partOf(const SurfaceFeatures& whole, std::span<const std::uint32_t> vertices,
                        std::span<const std::uint32_t> triangles, const Aabb& box, double reach)
 {
@@ -179,6 +220,8 @@ SurfaceFeatures partOf(const SurfaceFeatures& whole, std::span<const std::uint32
                glm::all(glm::greaterThanEqual(glm::dvec3(glm::max(edge.from, edge.to)), low));
     };
     std::copy_if(whole.borders.begin(), whole.borders.end(), std::back_inserter(part.borders),
+                 inReach);
+    std::copy_if(whole.bareEdges.begin(), whole.bareEdges.end(), std::back_inserter(part.bareEdges),
                  inReach);
     return part;
 }

@@ -21,9 +21,10 @@ struct SurfaceFeatures {
         glm::vec3 to{0.0f};
     };
 
-    std::vector<float> curvature;    ///< per vertex, meanCurvature(); empty: not requested
-    std::vector<float> islandArea;   ///< [m²] per triangle: of its connected piece; may be empty
-    std::vector<BorderEdge> borders; ///< of bearing triangles; empty: none or not requested
+    std::vector<float> curvature;      ///< per vertex, meanCurvature(); empty: not requested
+    std::vector<float> islandArea;     ///< [m²] per triangle: of its connected piece; may be empty
+    std::vector<BorderEdge> borders;   ///< of bearing triangles; empty: none or not requested
+    std::vector<BorderEdge> bareEdges; ///< see bareEdges(); empty: none or not requested
 };
 
 /// Selects features.
@@ -45,8 +46,12 @@ SurfaceFeatures findFeatures(const GroundMesh& mesh, const Topology& topology,
 /// three triangles, inconsistent fronts), the mean of the neighbours.
 std::vector<float> meanCurvature(const GroundMesh& mesh, const Topology& topology);
 
+/// Edges of bearing triangles beyond which a triangle goes on about level, within 45°, and bears
+/// nothing: the sides of paths, not of walls and cliffs. Vertices of equal position count as one.
+std::vector<SurfaceFeatures::BorderEdge> bareEdges(const GroundMesh& mesh);
+
 /// Extracts the features of a part with these vertices and triangles of the whole, in this order.
-/// Keeps borders within `reach` [m] of `box`, which holds the part's roots (relative to the shared
+/// Keeps edges within `reach` [m] of `box`, which holds the part's roots (relative to the shared
 /// origin).
 SurfaceFeatures partOf(const SurfaceFeatures& whole, std::span<const std::uint32_t> vertices,
                        std::span<const std::uint32_t> triangles, const Aabb& box, double reach);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "bake/blades/clumps.h"
+#include "bake/blades/path_edges.h"
+#include "bake/filter/exposure.h"
 #include "bake/filter/root_filter.h"
 #include "bake/root_sample.h"
 #include "bake/settings.h"
@@ -15,8 +17,9 @@ namespace sward::bake {
 
 /// Makes the blade of a root: up-vector, facing, size, stiffness, species and tint. Each uses the
 /// random numbers of the root and of its clump. A blade of a tuft stands up to half the tuft
-/// spacing away from its root. Thread-safe. The blade depends only on the root, the settings and
-/// the scene within reachOf().
+/// spacing away from its root. At the foot of occluders blades are higher, beside paths lower and
+/// leaning away; a tuft opens from its middle to its rim, over dead blades. Thread-safe. The blade
+/// depends only on the root, the settings and the scene within reachOf().
 class BladeGrower {
 public:
     /// Values computed once for the whole ground; the mesh may be a part of it.
@@ -27,11 +30,13 @@ public:
     };
 
     /// All arguments must outlive it. `query` is of the whole scene; null unless settings use
-    /// exposure or clearance (which shortens blades to the room above) or growsTufts().
+    /// exposure or clearance (which shortens blades to the room above) or growsTufts(). Without
+    /// `features`, paths beside bare triangles are not seen.
     BladeGrower(const terrain::GroundMesh& ground, const BakeSettings& settings, const Whole& whole,
-                const RootFilter& filter, const terrain::SurfaceQuery* query);
+                const RootFilter& filter, const terrain::SurfaceQuery* query,
+                const terrain::SurfaceFeatures* features = nullptr);
 
-    shared::Blade grow(const RootSample& root, float exposure) const;
+    shared::Blade grow(const RootSample& root, const Surroundings& around) const;
 
 private:
     RootSample gather(const RootSample& root, const SpeciesTraits& species,
@@ -47,6 +52,7 @@ private:
     bool colorsAreMask_;
     std::vector<glm::vec3> baseColors_; ///< per material, as drawn
     bool fitsOverhangs_; ///< from the settings; a part of the ground may need no rays
+    PathEdges paths_;
     Clumps clumps_;
     std::vector<std::optional<Clumps>> tufts_; ///< per species
 };

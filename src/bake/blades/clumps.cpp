@@ -66,6 +66,7 @@ Clumps::Clumps(const terrain::GroundMesh& ground, double spacing, std::uint64_t 
 {
     if (spacing <= 0.0)
         return;
+    spacing_ = spacing;
     reach_ = reachShare * spacing;
     scatter(ground, spacing, hashBits(seed, clumpSalt));
     sortIntoBuckets();

@@ -31,6 +31,9 @@ public:
     /// The clump nearest to a position, or null if none is within reach().
     const Clump* nearest(glm::vec3 place) const;
 
+    /// Typical distance of clumps [m].
+    double spacing() const { return spacing_; }
+
     /// Largest distance of a blade from its clump [m].
     double reach() const { return reach_; }
 
@@ -41,6 +44,7 @@ private:
     void sortIntoBuckets();
     std::size_t bucketOf(glm::ivec3 cell) const;
 
+    double spacing_ = 0.0;
     double reach_ = 0.0;
     UninitializedVector<Clump> clumps_; ///< by bucket, unordered inside
     std::vector<std::uint32_t> first_;  ///< beginning of each bucket, and the end

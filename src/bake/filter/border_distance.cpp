@@ -4,7 +4,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace sward::bake {
 
@@ -42,11 +41,11 @@ BorderDistance::BorderDistance(const terrain::GroundMesh& ground,
     });
 }
 
-double BorderDistance::at(const RootSample& root) const
+terrain::SurfaceQuery::Nearest BorderDistance::nearest(const RootSample& root) const
 {
     if (!segments_ || isNear_[root.triangle] == 0)
-        return std::numeric_limits<double>::infinity();
-    return segments_->nearest(glm::dvec3(root.position), limit_).distance;
+        return {};
+    return segments_->nearest(glm::dvec3(root.position), limit_);
 }
 
 } // namespace sward::bake

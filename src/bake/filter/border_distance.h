@@ -19,7 +19,10 @@ public:
                    const std::vector<terrain::SurfaceFeatures::BorderEdge>& borders, double limit);
 
     /// Distance [m]; infinite beyond the limit.
-    double at(const RootSample& root) const;
+    double at(const RootSample& root) const { return nearest(root).distance; }
+
+    /// The nearest point of a border; as SurfaceQuery::nearest() beyond the limit.
+    terrain::SurfaceQuery::Nearest nearest(const RootSample& root) const;
 
 private:
     double limit_;

@@ -3,12 +3,15 @@
 #include "bake/up_vector.h"
 #include "core/exact_math.h"
 #include "core/random.h"
+#include "terrain/topology/triangle_geometry.h"
 
 #include <glm/geometric.hpp>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sward::bake {
 namespace {
@@ -18,14 +21,18 @@ constexpr double goldenAngle = 2.39996322972865332;
 // Ray offset from the surface as a share of the ray length; avoids hits on neighbouring triangles.
 constexpr double skinShare = 1e-4;
 
+// Cosine of the least angle between an occluder and the plane of a root.
+constexpr double steepCosine = 0.70710678118654752;
+
 } // namespace
 
 Exposure::Exposure(const terrain::GroundMesh& ground, const BakeSettings& settings,
-                   double rayLength, const terrain::SurfaceQuery& query)
+                   double rayLength, const terrain::SurfaceQuery& query, double footReach)
     : ground_(ground)
     , query_(query)
     , seed_(settings.seed)
     , rayLength_(rayLength)
+    , footReach_(std::min(footReach, rayLength))
 {
     for (int i = 0; i < settings.exposureRays; ++i) {
         const SinCos angle = exactSinCos(goldenAngle * i);
@@ -33,7 +40,8 @@ Exposure::Exposure(const terrain::GroundMesh& ground, const BakeSettings& settin
     }
 }
 
-double Exposure::at(const RootSample& root) const
+template <typename Blocked>
+double Exposure::openShare(const RootSample& root, Blocked blocked) const
 {
     if (spiral_.empty())
         return 1.0;
@@ -59,29 +67,66 @@ double Exposure::at(const RootSample& root) const
         const double radius = std::sqrt(squared);
         const glm::dvec3 direction = radius * ray.cos * tangent + radius * ray.sin * bitangent +
                                      std::sqrt(1.0 - squared) * normal;
-        open += query_.occluded(glm::dvec3(root.position), direction, rayLength_,
-                                skinShare * rayLength_, {.one = root.triangle})
-                    ? 0
-                    : 1;
+        const bool isBlocked = query_.occluded(glm::dvec3(root.position), direction, rayLength_,
+                                               skinShare * rayLength_, {.one = root.triangle});
+        open += isBlocked ? 0 : 1;
+        if (isBlocked)
+            blocked(direction);
     }
     return double(open) / double(spiral_.size());
 }
 
-std::vector<float> castExposure(const Roots& roots, const terrain::GroundMesh& ground,
-                                const BakeSettings& settings, double rayLength,
-                                const terrain::SurfaceQuery& query, Progress& progress)
+double Exposure::footDistance(const RootSample& root, glm::dvec3 direction) const
 {
-    const Exposure sky(ground, settings, rayLength, query);
-    std::vector<float> exposure(roots.size());
+    const glm::dvec3 place(root.position);
+    const auto hit = query_.cast(place, direction, std::min(2.0 * footReach_, rayLength_),
+                                 skinShare * rayLength_, {.one = root.triangle});
+    if (!hit.isHit() || std::fabs(glm::dot(ground_.faceNormal(hit.triangle),
+                                           glm::dvec3(root.normal))) > steepCosine)
+        return std::numeric_limits<double>::infinity();
+    const glm::uvec3 corners = ground_.triangles[hit.triangle];
+    const terrain::Triangle triangle{glm::dvec3(ground_.positions[corners.x]),
+                                     glm::dvec3(ground_.positions[corners.y]),
+                                     glm::dvec3(ground_.positions[corners.z])};
+    return glm::length(terrain::nearestPoint(triangle, place) - place);
+}
+
+double Exposure::at(const RootSample& root) const
+{
+    return openShare(root, [](glm::dvec3) {});
+}
+
+Surroundings Exposure::around(const RootSample& root) const
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    const double open = openShare(root, [&](glm::dvec3 direction) {
+        if (footReach_ > 0.0)
+            nearest = std::min(nearest, footDistance(root, direction));
+    });
+    Surroundings found{static_cast<float>(open), 0.0f};
+    if (nearest < footReach_) {
+        const double near = 1.0 - nearest / footReach_;
+        found.foot = static_cast<float>(near * near * (3.0 - 2.0 * near));
+    }
+    return found;
+}
+
+std::vector<Surroundings> castExposure(const Roots& roots, const terrain::GroundMesh& ground,
+                                       const BakeSettings& settings, double scale,
+                                       const terrain::SurfaceQuery& query, Progress& progress)
+{
+    const Exposure sky(ground, settings, settings.rayLength * scale, query,
+                       settings.meadow.edges.occluderReach * scale);
+    std::vector<Surroundings> found(roots.size());
     progress.begin("rays", roots.size());
     // Roots are in spatial order, so neighbouring rays visit neighbouring nodes.
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, roots.size(), 1024),
                       [&](const tbb::blocked_range<std::size_t>& range) {
                           for (std::size_t i = range.begin(); i < range.end(); ++i)
-                              exposure[i] = static_cast<float>(sky.at(roots[i]));
+                              found[i] = sky.around(roots[i]);
                           progress.advance(range.size());
                       });
-    return exposure;
+    return found;
 }
 
 } // namespace sward::bake

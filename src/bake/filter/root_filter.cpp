@@ -132,7 +132,7 @@ double RootFilter::weigh(const RootSample& root, double chance, Reject& reason) 
 
 Stand RootFilter::standAt(const RootSample& root) const
 {
-    Stand stand{mix_.evenShares(), {}};
+    Stand stand{mix_.evenShares(), {}, 1.0};
     stand.vigour.fill(1.0);
     if (!weighs_)
         return stand;
@@ -142,9 +142,11 @@ Stand RootFilter::standAt(const RootSample& root) const
         stand.vigour = mix_.habitatWeights(ground_, root, site, ignored);
         stand.shares = mix_.shares(stand.vigour);
     }
-    const double weight = weighEverybody(root, site, 0.0, ignored);
+    stand.weight = weighEverybody(root, site, 0.0, ignored);
     for (double& vigour : stand.vigour)
-        vigour *= weight;
+        vigour *= stand.weight;
+    if (mix_.needsPlace())
+        stand.weight *= stand.shares.total;
     return stand;
 }
 
@@ -219,8 +221,10 @@ double reachOf(const terrain::GroundMesh& ground, const BakeSettings& settings, 
     if (hasOccluders(ground))
         reach = std::max(reach, OccluderTest::reach);
     reach = std::max(reach, 1.5 * clumpSpacing);
+    reach = std::max(reach, settings.meadow.edges.pathReach * scale);
     for (const SpeciesTraits& species : settings.meadow.species) {
-        reach = std::max(reach, species.height.y * scale * (1.0 + settings.meadow.heightWaves));
+        reach = std::max(reach, species.height.y * scale * (1.0 + settings.meadow.heightWaves) *
+                                    std::max(1.0, settings.meadow.edges.occluderHeight));
         reach = std::max(reach, 3.0 * species.tuftSpacing * scale);
     }
     return reach;

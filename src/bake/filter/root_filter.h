@@ -23,6 +23,7 @@ namespace sward::bake {
 struct Stand {
     SpeciesShares shares; ///< of each species, by the rules of SpeciesMix
     PerSpecies vigour{};  ///< weight [0, 1] of common filters times the species' habitat
+    double weight = 1.0;  ///< share [0, 1] of the density, as from RootFilter::weigh()
 };
 
 /// All masks and filters, evaluated for one root at a time. Thread-safe. The result depends only on

@@ -115,19 +115,21 @@ TileResult bakeTile(const GroundView& part, const BakeSettings& settings, const 
     result.counts.undersides = countUndersides(ground, roots, settings.groundUp);
     result.timing.patches = watch.lap();
 
-    std::vector<float> exposure;
+    std::vector<Surroundings> around;
     if (settings.exposureRays > 0 && rays != nullptr)
-        exposure = castExposure(roots, ground, settings, settings.rayLength * plan.plan.scale,
-                                *rays, progress);
+        around = castExposure(roots, ground, settings, plan.plan.scale, *rays, progress);
     result.timing.rays += watch.lap();
 
     const BladeGrower grower(ground, settings,
-                             {plan.plan.scale, plan.plan.area, plan.plan.widening}, filter, rays);
+                             {plan.plan.scale, plan.plan.area, plan.plan.widening}, filter, rays,
+                             &part.features);
     result.timing.traits = watch.lap();
     result.timing.traits = watch.lap();
     result.cells = growCells(
         ground, roots, order, ranks,
-        [&](std::size_t i) { return grower.grow(roots[i], exposure.empty() ? 1.0f : exposure[i]); },
+        [&](std::size_t i) {
+            return grower.grow(roots[i], around.empty() ? Surroundings() : around[i]);
+        },
         progress);
     result.timing.traits += watch.lap();
     return result;

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 // Eight letters each; the last two are the version.
-constexpr const char* partKind = "SWPART02";
+constexpr const char* partKind = "SWPART03";
 constexpr const char* imageKind = "SWIMAG01";
 constexpr const char* tileKind = "SWTILE01";
 constexpr const char* planFormat = "sward plan 2";
@@ -227,6 +227,7 @@ void writePart(const fs::path& path, const std::string& id, const TilePart& part
     writer.add(part.features.curvature);
     writer.add(part.features.islandArea);
     writer.add(part.features.borders);
+    writer.add(part.features.bareEdges);
     terrain::write(writer, part.ground);
     writer.commit();
 }
@@ -253,6 +254,7 @@ TilePart readPart(const fs::path& folder, std::uint32_t tile, const std::string&
     reader.read(part.features.curvature);
     reader.read(part.features.islandArea);
     reader.read(part.features.borders);
+    reader.read(part.features.bareEdges);
     part.ground = terrain::readGround(reader, path.string());
     const auto fits = [](std::size_t features, std::size_t all) {
         return features == 0 || features == all;

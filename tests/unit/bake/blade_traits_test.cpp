@@ -38,7 +38,7 @@ std::vector<shared::Blade> grown(const terrain::GroundMesh& mesh, const BakeSett
                              &place.query());
     std::vector<shared::Blade> blades;
     for (const RootSample& root : roots)
-        blades.push_back(grower.grow(root, 1.0f));
+        blades.push_back(grower.grow(root, {}));
     return blades;
 }
 

@@ -39,7 +39,7 @@ std::vector<shared::Blade> sown(const terrain::GroundMesh& mesh, const BakeSetti
                              &place.query());
     std::vector<shared::Blade> blades;
     for (const RootSample& root : roots)
-        blades.push_back(grower.grow(root, 1.0f));
+        blades.push_back(grower.grow(root, {}));
     return blades;
 }
 
