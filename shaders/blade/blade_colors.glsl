@@ -48,7 +48,7 @@ BladeColors bladeColors(Blade blade, Species species, uint index, float leafArea
     const float dry = max(smoothstep(0.0, 0.25, species.dryness * (0.6 + 0.8 * meadow) - other), dead);
     const vec3 straw = vec3(0.42, 0.32, 0.13) * (0.7 + 0.6 * single);
     colors.tip = mix(colors.tip, straw, 0.8 * dry);
-    colors.root = mix(colors.root, straw * 0.6, 0.25 * dry + 0.5 * dead);
+    colors.root = mix(colors.root, straw * 0.6, 0.25 * dry + 0.3 * dead);
     return colors;
 }
 

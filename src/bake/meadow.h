@@ -32,7 +32,7 @@ struct SpeciesTraits {
     Facing facing = Facing::outward;  ///< of blades in a clump
     double tuftSpacing = 0.0;         ///< [m] typical distance of tufts; 0: no tufts
     double tuftRadius = 0.03;         ///< [m] radius of the ground that a tuft covers
-    double tuftLean = 0.7;            ///< [0, 1]: how far a tuft opens from its middle to its rim
+    double tuftLean = 0.85;           ///< [0, 1]: how far a tuft opens from its middle to its rim
     double tuftLitter = 0.12;         ///< [0, 1] share of short, dead, lying blades in a tuft
     shared::Species look = {};        ///< colours, shape, gloss
 };
@@ -40,7 +40,7 @@ struct SpeciesTraits {
 /// How grass changes where it ends. Lengths in [m] at blade scale 1; a reach of 0 turns it off.
 struct EdgeTraits {
     double occluderReach = 0.5;    ///< [m] from the foot of rocks and walls
-    double occluderHeight = 1.35;  ///< relative height at their foot, [0.1, 4]
+    double occluderHeight = 1.5;   ///< relative height at their foot, [0.1, 4]
     double occluderDryness = 0.25; ///< [0, 1] share of dried blades there
     double pathReach = 0.4;        ///< [m] from bare ground that goes on level
     double pathHeight = 0.6;       ///< relative height beside it, [0.05, 1]

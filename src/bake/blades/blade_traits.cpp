@@ -185,9 +185,9 @@ glm::dvec2 barycentrics(glm::dvec3 p0, glm::dvec3 p1, glm::dvec3 p2, glm::dvec3 
 }
 
 // Dead blades at the foot of a tuft: height relative to the others, and stiffness. They rest at
-// angles of 130° to 70° from upright, which is on the ground or near it.
-constexpr glm::dvec2 litterHeight{0.3, 0.55};
-constexpr glm::dvec2 litterStiffness{0.1, 0.3};
+// angles of 125° to 45° from upright, which is on the ground or near it.
+constexpr glm::dvec2 litterHeight{0.2, 0.5};
+constexpr glm::dvec2 litterStiffness{0.12, 0.38};
 
 // Seed of the clumps of one species' tufts, independent of other species.
 std::uint64_t tuftSeed(std::uint64_t seed, std::size_t slot)
@@ -306,7 +306,7 @@ shared::Blade BladeGrower::grow(const RootSample& root, const Surroundings& arou
     if (isTuft) {
         const double lean = species.tuftLean;
         front = turnedTowards(front, up, glm::dvec3(place.position) - glm::dvec3(clump->centre),
-                              isLitter ? 0.8 : lean * std::sqrt(1.0 - outside));
+                              isLitter ? 0.45 : lean * std::sqrt(1.0 - outside));
         stiffnessShare += lean * (outside - stiffnessShare);
     }
     double stiffness = within(species.stiffness, stiffnessShare);
@@ -332,7 +332,7 @@ shared::Blade BladeGrower::grow(const RootSample& root, const Surroundings& arou
         (1.0 + (edges.occluderHeight - 1.0) * foot) * (1.0 - (1.0 - edges.pathHeight) * trodden);
     if (isLitter) {
         height *= within(litterHeight, dice.own(Dimension::hash));
-        stiffness = within(litterStiffness, dice.own(Dimension::hash));
+        stiffness = within(litterStiffness, dice.own(Dimension::stiffness));
     }
     const bool isDried = isLitter || dice.own(Dimension::dryness) < edges.occluderDryness * foot;
 
