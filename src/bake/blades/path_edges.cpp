@@ -64,7 +64,9 @@ PathEdges::Edge PathEdges::at(const RootSample& root, double weight) const
     if (weight > 0.0 && weight < 1.0) {
         const glm::dvec3 slope = slopeOfWeight(root, weight);
         const double steepness = std::sqrt(glm::dot(slope, slope));
-        const double nearness = (1.0 - weight) * std::min(steepness * reach_, 1.0);
+        // 1 where the weight falls to 0 within the reach, 0 where it takes five reaches.
+        const double sharpness = std::clamp(1.25 * steepness * reach_ - 0.25, 0.0, 1.0);
+        const double nearness = (1.0 - weight) * sharpness;
         if (nearness > edge.nearness)
             edge = {nearness, slope / steepness};
     }

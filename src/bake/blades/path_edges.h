@@ -15,8 +15,8 @@ namespace sward::bake {
 
 /// How near a root is to a path, where grass ends on about level ground. Two things count: the
 /// distance to bare triangles (terrain::bareEdges), and a weight of masks and filters that is low
-/// and falls by most of its range within EdgeTraits::pathReach. A weight that is low over a wide
-/// area is thin grass and no path. Thread-safe.
+/// and falls from 1 to 0 within EdgeTraits::pathReach or, at a lesser share, within five of it. A
+/// weight that is low over a wide area is thin grass and no path. Thread-safe.
 class PathEdges {
 public:
     /// A path beside a root.

@@ -51,6 +51,12 @@ TEST(Meadow, RefusesWhatCannotGrow)
         R"({"species": [{}], "sparse_height": 2})",
         R"({"species": [{}], "height_waves": 0.6})",
         R"({"species": [{}], "drifts": -0.1})",
+        R"({"species": [{}], "occluder_height": 0})",
+        R"({"species": [{}], "occluder_dryness": 1.1})",
+        R"({"species": [{}], "path_height": 1.5})",
+        R"({"species": [{}], "path_reach_m": -1})",
+        R"({"species": [{"tuft_lean": 2}]})",
+        R"({"species": [{"tuft_litter": -0.1}]})",
     };
     for (const char* text : wrong)
         EXPECT_THROW(parseMeadow(text, "meadow.json"), Error) << text;
@@ -61,13 +67,15 @@ TEST(Meadow, WritesEverythingThatItReads)
 {
     const char* const text = R"({
         "name": "all", "clump_size_m": 0.3, "sparse_height": 0.5, "cover_from_above": 0.25,
-        "fit_overhangs": false, "height_waves": 0.25, "drifts": 0.5,
+        "fit_overhangs": false, "height_waves": 0.25, "drifts": 0.5, "occluder_reach_m": 0.7,
+        "occluder_height": 2, "occluder_dryness": 0.75, "path_reach_m": 0.3, "path_height": 0.25,
+        "path_lean": 0.125,
         "species": [{
             "name": "one", "share": 0.25, "priority": -2, "cover": 0.5, "slope": "5:40~2.5",
             "altitude": ":300", "curvature": "-0.1:", "mask": ["vertex-color:G:invert",
             "texture:splat.png:B"], "height_m": [0.1, 0.2], "width_m": [0.01, 0.02],
             "stiffness": [0.2, 0.3], "clumping": 0.75, "facing": "shared", "tuft_spacing_m": 0.4,
-            "tuft_radius_m": 0.05}]})";
+            "tuft_radius_m": 0.05, "tuft_lean": 0.5, "tuft_litter": 0.25}]})";
     const Meadow meadow = parseMeadow(text, "all.json");
     const SpeciesTraits& one = meadow.species[0];
     EXPECT_EQ(one.priority, -2);
@@ -87,6 +95,14 @@ TEST(Meadow, WritesEverythingThatItReads)
     EXPECT_EQ(meadow.sparseHeight, 0.5);
     EXPECT_EQ(meadow.heightWaves, 0.25);
     EXPECT_EQ(meadow.drifts, 0.5);
+    EXPECT_EQ(meadow.edges.occluderReach, 0.7);
+    EXPECT_EQ(meadow.edges.occluderHeight, 2.0);
+    EXPECT_EQ(meadow.edges.occluderDryness, 0.75);
+    EXPECT_EQ(meadow.edges.pathReach, 0.3);
+    EXPECT_EQ(meadow.edges.pathHeight, 0.25);
+    EXPECT_EQ(meadow.edges.pathLean, 0.125);
+    EXPECT_EQ(one.tuftLean, 0.5);
+    EXPECT_EQ(one.tuftLitter, 0.25);
     EXPECT_EQ(toJson(parseMeadow(toJson(meadow), "again")), toJson(meadow));
 }
 

@@ -8,16 +8,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <memory>
 
 namespace sward::bake {
 namespace {
 
-// Hills with an island, and in one corner a rock and a roof that bear nothing.
+// Hills with an island and a path, and in one corner a rock and a roof that bear nothing.
 terrain::GroundMesh scene()
 {
     terrain::GroundMesh ground = meshes::hills(300.0, 150);
+    for (std::size_t t = 0; t < ground.triangles.size(); ++t)
+        if (std::fabs(ground.positions[ground.triangles[t].x].z - 60.0f) < 3.0f)
+            ground.bears[t] = 0;
     append(ground, meshes::moved(meshes::square(3.0), {20.0, 30.0, 0.0}));
     terrain::GroundMesh occluders = meshes::moved(meshes::cube(30.0), {-130.0, 0.0, -130.0});
     append(occluders, meshes::moved(meshes::square(40.0), {-110.0, 12.0, -110.0}));
@@ -36,6 +40,8 @@ BakeSettings choosy()
     settings.curvature = {-0.2, 0.05, 0.1};
     settings.border = parseSoftMinimum("--border", "5~9");
     settings.minIsland = 20.0;
+    settings.meadow.edges.pathReach = 4.0;
+    settings.meadow.edges.occluderReach = 5.0;
     settings.masks = {Mask()};
     settings.excluded = {{"cube", 3.0,
                           std::make_shared<terrain::GroundMesh>(
@@ -70,6 +76,7 @@ TEST_P(ChoosyTiles, AreTogetherWhatOneBakeIs)
     Diagnostics diagnostics;
     Progress progress;
     const terrain::SurfaceFeatures features = featuresOf(ground, settings);
+    EXPECT_GT(features.bareEdges.size(), 200U);
     const GroundView all{ground, features};
     const BakePlan plan = planWhole(all, settings, diagnostics, progress);
     TileResult whole = bakeTile(all, settings, plan, nullptr, progress);

@@ -149,6 +149,28 @@ TEST(BorderEdges, AreThoseOfBearingTrianglesAlone)
     EXPECT_DOUBLE_EQ(borderLength(featuresOf(mesh)), 12.0);
 }
 
+TEST(BareEdges, AreBesideLevelGroundThatBearsNothing)
+{
+    // Four strips along z: two bear, one is bare and level, one is a bare wall.
+    GroundMesh mesh =
+        meshes::soup({{0, 0, 0}, {0, 0, 3}, {1, 0, 0}, {1, 0, 3}}, {{0, 1, 2}, {2, 1, 3}});
+    const GroundMesh strip = mesh;
+    append(mesh, meshes::moved(strip, {1, 0, 0}));
+    append(mesh, meshes::moved(strip, {2, 0, 0}));
+    append(mesh,
+           meshes::soup({{0, 1, 0}, {0, 1, 3}, {0, 0, 0}, {0, 0, 3}}, {{0, 1, 2}, {2, 1, 3}}));
+    EXPECT_TRUE(bareEdges(mesh).empty());
+    for (const std::size_t bare : {4U, 5U, 6U, 7U})
+        mesh.bears[bare] = 0;
+    const std::vector<SurfaceFeatures::BorderEdge> edges = bareEdges(mesh);
+    ASSERT_EQ(edges.size(), 1U) << "no wall, no rim";
+    EXPECT_EQ(edges[0].from.x, 2.0f);
+    EXPECT_EQ(edges[0].to.x, 2.0f);
+    EXPECT_EQ(glm::length(edges[0].to - edges[0].from), 3.0f);
+    std::fill(mesh.bears.begin(), mesh.bears.end(), std::uint8_t(0));
+    EXPECT_TRUE(bareEdges(mesh).empty());
+}
+
 TEST(IslandArea, IsThatOfTheConnectedPiece)
 {
     // A thousand islands in a grid, island i of side 1 + i/1000.
