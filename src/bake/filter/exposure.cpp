@@ -10,6 +10,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -23,6 +24,12 @@ constexpr double skinShare = 1e-4;
 
 // Cosine of the least angle between an occluder and the plane of a root.
 constexpr double steepCosine = 0.70710678118654752;
+
+// Sine of the least angle, 20°, at which rays look for occluders. Lower rays meet mostly far hills.
+constexpr double leastRise = 0.34202014332566873;
+
+// How many of a root's blocked rays look for occluders.
+constexpr std::size_t footRays = 2;
 
 } // namespace
 
@@ -98,11 +105,16 @@ double Exposure::at(const RootSample& root) const
 
 Surroundings Exposure::around(const RootSample& root) const
 {
-    double nearest = std::numeric_limits<double>::infinity();
+    // The lowest rays come last.
+    std::array<glm::dvec3, footRays> low{};
+    std::size_t count = 0;
     const double open = openShare(root, [&](glm::dvec3 direction) {
-        if (footReach_ > 0.0)
-            nearest = std::min(nearest, footDistance(root, direction));
+        if (glm::dot(direction, glm::dvec3(root.normal)) > leastRise)
+            low[count++ % footRays] = direction;
     });
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; footReach_ > 0.0 && i < std::min(count, footRays); ++i)
+        nearest = std::min(nearest, footDistance(root, low[i]));
     Surroundings found{static_cast<float>(open), 0.0f};
     if (nearest < footReach_) {
         const double near = 1.0 - nearest / footReach_;

@@ -20,9 +20,9 @@ struct Surroundings {
 /// rays over the hemisphere about the normal and returns the share that hits nothing. Thread-safe.
 /// Depends only on the root, the seed and the scene within the ray length.
 ///
-/// The same rays find occluders that stand beside a root: triangles at more than 45° to its plane,
-/// whether they bear grass or not. What counts is the distance of the whole triangle, so that the
-/// direction of the ray does not matter at a wall.
+/// The two lowest blocked rays that rise by 20° or more find occluders that stand beside a root:
+/// triangles at more than 45° to its plane, whether they bear grass or not. What counts is the
+/// distance of the whole triangle, so that the direction of the ray does not matter at a wall.
 class Exposure {
 public:
     /// `rayLength` and `footReach`, of the foot of occluders, in [m]; rays see occluders up to
