@@ -26,7 +26,7 @@ constexpr double skinShare = 1e-4;
 constexpr double steepCosine = 0.70710678118654752;
 
 // Sine of the least angle, 20°, at which rays look for occluders. Lower rays meet mostly far hills.
-constexpr double leastRise = 0.34202014332566873;
+constexpr double minRise = 0.34202014332566873;
 
 // How many of a root's blocked rays look for occluders.
 constexpr std::size_t footRays = 2;
@@ -109,7 +109,7 @@ Surroundings Exposure::around(const RootSample& root) const
     std::array<glm::dvec3, footRays> low{};
     std::size_t count = 0;
     const double open = openShare(root, [&](glm::dvec3 direction) {
-        if (glm::dot(direction, glm::dvec3(root.normal)) > leastRise)
+        if (glm::dot(direction, glm::dvec3(root.normal)) > minRise)
             low[count++ % footRays] = direction;
     });
     double nearest = std::numeric_limits<double>::infinity();
