@@ -93,8 +93,9 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, LeafAreaLimit 
     BladeSurface surface;
     surface.root = vec4(colors.root, risen * sunSeen(FRAME.shadow, drawn.ribbon.v0, blade.up));
     surface.tip = vec4(colors.tip, risen * sunSeen(FRAME.shadow, drawn.ribbon.v2, blade.up));
+    // Only the leaves above a ribbon's base shade it.
     surface.material = vec4(blade.exposure, species.translucency, species.gloss,
-                            leavesAround(FRAME.cover, leafArea));
+                            leavesAround(FRAME.cover, leafArea) * leafShareAbove(drawn.base));
     return limit.light < 1.0 ? liftedSurface(surface, limit.light) : surface;
 }
 

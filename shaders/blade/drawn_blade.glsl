@@ -5,6 +5,7 @@
 
 #include "shaders/blade/known_shape.glsl"
 #include "shaders/cull/pages.glsl"
+#include "shaders/shared/organ.h"
 #include "shaders/shared/passes.h"
 #include "shaders/shared/ribbon.h"
 #include "shaders/shared/visibility.h"
@@ -13,11 +14,48 @@
 #define FRAME push.frame.at[0]
 #endif
 
+/// Whether there are compound plants; known at pipeline creation.
+layout(constant_id = 17) const bool mayHaveOrgans = true;
+
 struct DrawnBlade {
     Ribbon ribbon;
-    Blade blade;
-    Species species;
+    Blade blade; ///< `height` is the ribbon's length
+    Species species; ///< of a ribbon on a stalk: the organ's look
+    float base; ///< [0, 1] height of the ribbon's base on its plant; 0 for all others
 };
+
+/// A blade, a stalk or a ribbon on one, with its curve and its look.
+struct PosedLook {
+    PosedBlade posed;
+    Species look;
+    float base;  ///< as in DrawnBlade
+    uint number; ///< ribbonNumber()
+};
+
+PosedLook posedLook(Blade blade, BladeState state)
+{
+    PosedLook part = PosedLook(posedBlade(blade, state), FRAME.species.at[blade.species], 0.0, 0u);
+    if (!mayHaveOrgans || part.look.organKinds == 0u)
+        return part;
+    part.number = blade.clump;
+    if (part.number > 0u) {
+        uint within;
+        OrganTable organs = FRAME.organs; // a reference cannot be const
+        const Organ organ = organs.at[organOf(organs, part.look, part.number, within)];
+        part.posed = posedRibbon(part.posed, organ, part.number, within);
+        part.look = organ.look;
+        part.base = 0.5 * (organ.place.x + organ.place.y);
+    }
+    // All parts of a plant have one tone.
+    part.posed.blade.clump = plantKey(blade) % driedClump;
+    return part;
+}
+
+/// Maximum distance [m] of a blade's curve from its root. A ribbon is at most as long as its stalk, plus its variation.
+float maxReach(Blade blade)
+{
+    return (mayHaveOrgans ? 2.3 : 1.0) * blade.height;
+}
 
 float segmentsOf(Ribbon ribbon, float height, uint shape, float heightPixels, float widthPixels)
 {
@@ -29,29 +67,36 @@ float segmentsOf(Ribbon ribbon, float height, uint shape, float heightPixels, fl
                        float(FRAME.maxTessellation));
 }
 
-/// `blade` is the unpacked and raised() visible blade, `state` its state.
-DrawnBlade drawnBlade(VisibleBlade visible, Blade blade, BladeState state)
+/// `part` is of the unpacked and raised() visible blade.
+DrawnBlade drawnBlade(VisibleBlade visible, PosedLook part)
 {
-    const Species species = FRAME.species.at[blade.species];
+    const Species species = part.look;
+    const PosedBlade posed = part.posed;
     DrawnBlade drawn;
-    drawn.blade = blade;
+    drawn.blade = posed.blade;
     drawn.species = species;
+    drawn.base = part.base;
 
-    const vec3 axis = widthAxis(blade.up, blade.facing);
-    const Pose pose = poseOfState(axesAlong(blade.up, axis), state);
+    const float height = posed.blade.height;
     Ribbon ribbon;
-    ribbon.v0 = blade.root;
-    ribbon.v1 = blade.root + blade.height * pose.v1;
-    ribbon.v2 = blade.root + blade.height * pose.v2;
-    ribbon.axis = axis;
-    ribbon.width = blade.width * widthFactorOf(visible);
-    const float widthPixels = visible.pixels * ribbon.width / blade.height;
+    ribbon.v0 = posed.v0;
+    ribbon.v1 = posed.v1;
+    ribbon.v2 = posed.v2;
+    ribbon.axis = posed.axis;
+    ribbon.width = posed.blade.width * widthFactorOf(visible);
+    const float widthPixels = visible.pixels * ribbon.width / height;
     ribbon.fold = foldOf(species.fold, widthPixels);
     const uint shape = knownShape(species.shape);
     ribbon.outline = outlineOf(shape, species.tipThreshold,
-                               segmentsOf(ribbon, blade.height, shape, visible.pixels, widthPixels));
+                               segmentsOf(ribbon, height, shape, visible.pixels, widthPixels));
     drawn.ribbon = ribbon;
     return drawn;
+}
+
+/// `blade` is the unpacked and raised() visible blade, `state` its state.
+DrawnBlade drawnBlade(VisibleBlade visible, Blade blade, BladeState state)
+{
+    return drawnBlade(visible, posedLook(blade, state));
 }
 
 BladeState stateOf(VisibleBlade visible)

@@ -299,12 +299,20 @@ void updateBlade(Eyepoint view, Environment environment, uint slot, uint i, Stor
     // Cull it, and keep it if it is drawn. The late pass tests large blades for occlusion; this pass tests the others
     // against the ground.
     const LeafAreaLimit limit = limitOfSlot(slot);
-    const Blade drawn = raised(blade, limit.height);
-    Verdict verdict = cullBlade(view, limit, drawn, index, state, bladeRank(cell, i));
-    const float pixels = pixelsCovered(drawn, verdict.pixels, verdict.widthFactor);
+    uint number = 0u;
+    PosedBlade drawn = posedBlade(raised(blade, limit.height), state);
+    if ((features & featureOrgans) != 0u) {
+        const Species species = CULL_VIEW.species.at[blade.species];
+        number = ribbonNumber(species, blade);
+        if (number > 0u)
+            drawn = ribbonOf(CULL_VIEW.organs, species, drawn, number);
+    }
+    // A plant is thinned out as a whole.
+    Verdict verdict = cullBlade(view, limit, drawn, index, bladeRank(cell, i - min(number, i)));
+    const float pixels = pixelsCovered(drawn.blade, verdict.pixels, verdict.widthFactor);
     const bool isTestedLater = hasTwoPasses() && isTested(pixels);
     if (verdict.cullResult == cullResultDrawn && (view.cullMask & cullOcclusion) != 0u && !isTestedLater &&
-        isHidden(drawn.root, verdict.v1, verdict.v2, verdict.margin))
+        isHidden(drawn.v0, drawn.v1, drawn.v2, verdict.margin))
         verdict.cullResult = cullResultOcclusion;
     if (verdict.cullResult != cullResultDrawn) {
         atomicAdd(cullResultSums[verdict.cullResult], 1u);

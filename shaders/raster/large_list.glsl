@@ -65,8 +65,8 @@ bool listsThoseBeside()
 bool isFarBeside(Lens lens, VisibleBlade visible, Blade blade)
 {
     const float reach =
-        blade.height + marginBeside(blade.width * widthFactorOf(visible),
-                                    length(blade.root - lens.eye) + blade.height, lens.minWidth);
+        maxReach(blade) + marginBeside(blade.width * widthFactorOf(visible),
+                                       length(blade.root - lens.eye) + maxReach(blade), lens.minWidth);
     bool beside = false;
     SHARED_UNROLL for (uint i = 0u; i < 4u; ++i) beside =
         beside || planeDistance(FRAME.view.planes[i], blade.root) < -reach;

@@ -44,12 +44,13 @@ LateBlade lateBlade(Lens lens, VisibleBlade visible)
     const Blade blade = visibleBlade(visible);
     if (listsThoseBeside() && isFarBeside(lens, visible, blade))
         return own;
-    own.ribbon = drawnBlade(visible, blade, state).ribbon;
-    const float distance = length(own.ribbon.v0 - lens.eye) + blade.height;
+    const DrawnBlade drawn = drawnBlade(visible, blade, state);
+    own.ribbon = drawn.ribbon;
+    const float distance = length(own.ribbon.v0 - lens.eye) + drawn.blade.height;
     const float margin = marginBeside(own.ribbon.width, distance, lens.minWidth);
     if (listsThoseBeside() && isBeside(own.ribbon, margin))
         return own;
-    own.pixels = pixelsOf(lens, visible, own.ribbon, blade.height);
+    own.pixels = pixelsOf(lens, visible, own.ribbon, drawn.blade.height);
     if (!curveInside(FRAME.view.planes[4], own.ribbon.v0, own.ribbon.v1, own.ribbon.v2, margin)) {
         leftToBeCut(own.ribbon, visible.blade);
         return own;

@@ -71,12 +71,14 @@ OwnBlade ownBlade(Lens lens, VisibleBlade visible)
     const Blade blade = visibleBlade(visible);
     if (listsThoseBeside() && isFarBeside(lens, visible, blade))
         return own;
-    own.ribbon = drawnBlade(visible, blade, state).ribbon;
-    const float margin = marginBeside(own.ribbon.width, length(own.ribbon.v0 - lens.eye) + blade.height,
+    const DrawnBlade drawn = drawnBlade(visible, blade, state);
+    own.ribbon = drawn.ribbon;
+    const float height = drawn.blade.height;
+    const float margin = marginBeside(own.ribbon.width, length(own.ribbon.v0 - lens.eye) + height,
                                       lens.minWidth);
     if (listsThoseBeside() && isBeside(own.ribbon, margin))
         return own;
-    const float pixels = pixelsOf(lens, visible, own.ribbon, blade.height);
+    const float pixels = pixelsOf(lens, visible, own.ribbon, height);
     const bool mayBeCut =
         !curveInside(FRAME.view.planes[4], own.ribbon.v0, own.ribbon.v1, own.ribbon.v2, margin);
     if (mayBeCut) {
@@ -86,7 +88,7 @@ OwnBlade ownBlade(Lens lens, VisibleBlade visible)
     // A pixel of four samples costs a thread twice as much as a pixel of one.
     if (largeTo != largeToNone && pixels > largeBladePixels * inversesqrt(float(samplesPerPixel)))
         leaveToOthers(own, pixels);
-    if (largeTo == largeToNone && pixelsAtMost(lens, own.ribbon, blade.height) > maxPixelsOfThread &&
+    if (largeTo == largeToNone && pixelsAtMost(lens, own.ribbon, height) > maxPixelsOfThread &&
         leftToBeCut(own.ribbon, visible.blade))
         return own;
     own.isDrawn = true;

@@ -21,10 +21,12 @@ uint patchOf(uint blade)
 }
 
 /// A blade of patch `patchIndex`, raised() by its limit, as in the list of visible blades.
-VisibleBlade visibleBlade(uint index, uint patchIndex, Patch cell, Blade blade, LeafAreaLimit limit)
+VisibleBlade visibleBlade(uint index, uint patchIndex, Patch cell, PosedLook part, LeafAreaLimit limit)
 {
     const Eyepoint view = push.cullView.at[0].view;
-    const DrawnSize size = drawnSize(view, limit, blade, bladeRank(cell, index - cell.firstBlade),
+    const Blade blade = part.posed.blade;
+    const uint i = index - cell.firstBlade;
+    const DrawnSize size = drawnSize(view, limit, blade, bladeRank(cell, i - min(part.number, i)),
                                      length(blade.root - view.eye));
     return VisibleBlade(index, patchIndex, packFactors(size.widthFactor, limit.height), size.pixels);
 }
@@ -50,16 +52,16 @@ SeenBlade freshBlade(uint index)
     LeafAreaLimit limit = noLeafAreaLimit();
     if (limitsLeafArea)
         limit = leafAreaLimitOf(push.cullView.at[0].view, cell);
-    const Blade blade = raised(unpackBlade(bits, cell), limit.height);
-    const VisibleBlade visible = visibleBlade(index, patchIndex, cell, blade, limit);
-    const DrawnBlade drawn = drawnBlade(visible, blade, state);
+    const PosedLook part = posedLook(raised(unpackBlade(bits, cell), limit.height), state);
+    const VisibleBlade visible = visibleBlade(index, patchIndex, cell, part, limit);
+    const DrawnBlade drawn = drawnBlade(visible, part);
     SeenBlade seen;
     seen.ribbon = drawn.ribbon;
     seen.surface = bladeSurface(drawn, visible, limit);
     seen.blade = index;
     seen.patchIndex = patchIndex;
     seen.hasHistory = uvec2(push.seen) != uvec2(0u) &&
-                      pixelsCovered(blade, visible.pixels, widthFactorOf(visible)) > testedSmallPixels;
+                      pixelsCovered(part.posed.blade, visible.pixels, widthFactorOf(visible)) > testedSmallPixels;
     return seen;
 }
 

@@ -16,10 +16,12 @@ Ribbon ribbonBefore(Motion motion, SeenBlade seen)
     const uint place = placeOf(uvec2(FRAME.pages), seen.blade);
     const Blade blade = raised(unpackBlade(FRAME.blades.at[place], cell),
                                leafAreaLimitOf(push.cullView.at[0].view, cell).height);
-    const BladeState before = BladeState(motion.statesBefore.at[place], 0.0);
-    const Pose pose = poseOfState(axesAlong(blade.up, ribbon.axis), before);
-    ribbon.v1 = blade.root + blade.height * pose.v1;
-    ribbon.v2 = blade.root + blade.height * pose.v2;
+    const PosedBlade before =
+        posedLook(blade, BladeState(motion.statesBefore.at[place], 0.0)).posed;
+    ribbon.v0 = before.v0;
+    ribbon.v1 = before.v1;
+    ribbon.v2 = before.v2;
+    ribbon.axis = before.axis;
     return ribbon;
 }
 

@@ -21,8 +21,9 @@ struct Eyepoint {
     float buckets;        ///< of the stepwise thinning, see bucketsKeep(); 0: off
     float bucketDistance; ///< [m]
     uint cullMask;
+    float areaFactor; ///< area of the field's blades relative to height times width of their patches
 };
-SHARED_LAYOUT(Eyepoint, 152)
+SHARED_LAYOUT(Eyepoint, 156)
 
 SHARED_END
 #endif

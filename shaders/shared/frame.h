@@ -9,6 +9,7 @@
 #include "shaders/shared/eyepoint.h"
 #include "shaders/shared/host_light.h"
 #include "shaders/shared/occlusion.h"
+#include "shaders/shared/organ.h"
 #include "shaders/shared/patch.h"
 #include "shaders/shared/pose.h"
 #include "shaders/shared/shape.h"
@@ -92,6 +93,7 @@ struct Frame {
     FloatArray etas;  ///< … and BladeState::eta, or address 0 if there has been no collider
     PatchArray patches;
     SpeciesArray species;
+    OrganTable organs; ///< of all species; address 0: there are no compound plants
     VisibleArray visible;
     DrawArray draw;
     FloatArray patchTimes; ///< per patch: the time of its blades' last update [s] …
@@ -132,7 +134,7 @@ struct Frame {
     float lowSun;   ///< [0, 1]: 1 for a sun on the horizon or below
 
     float time;        ///< [s]
-    uint reserved[31]; ///< padding: consecutive frames meet any offset alignment of constants
+    uint reserved[27]; ///< padding: consecutive frames meet any offset alignment of constants
 };
 SHARED_LAYOUT(Frame, 1536)
 

@@ -71,14 +71,15 @@ SHARED_CONST uint featureThinning = 1u << 8u; ///< a lodThreshold above 0
 SHARED_CONST uint featureLeafAreaLimit = 1u << 9u;   ///< maxLeafArea above 0
 SHARED_CONST uint featurePages = 1u << 10u;   ///< only some blades may be in memory
 SHARED_CONST uint featureCullResults = 1u << 11u;   ///< the cull result of each blade is recorded
+SHARED_CONST uint featureOrgans = 1u << 12u;   ///< there are compound plants
 SHARED_CONST uint featureAll = 0xffffffffu;
 
 /// The features that a frame uses.
-SHARED_FN uint featuresOf(Eyepoint view, bool isPaged, bool hasCullResults)
+SHARED_FN uint featuresOf(Eyepoint view, bool isPaged, bool hasCullResults, bool hasOrgans)
 {
     return view.cullMask | (view.lodThreshold > 0.0f ? featureThinning : 0u) |
            (view.maxLeafArea > 0.0f ? featureLeafAreaLimit : 0u) | (isPaged ? featurePages : 0u) |
-           (hasCullResults ? featureCullResults : 0u);
+           (hasCullResults ? featureCullResults : 0u) | (hasOrgans ? featureOrgans : 0u);
 }
 
 // Roles of the update of a visible patch.

@@ -13,7 +13,8 @@ SHARED_CONST uint shapeQuad = 1u;        ///< full width
 SHARED_CONST uint shapeTriangle = 2u;    ///< tapers to a point from the root on
 SHARED_CONST uint shapeQuadratic = 3u;   ///< one edge straight, the other a parabola
 SHARED_CONST uint shapeDandelion = 4u;   ///< lobes on both sides
-SHARED_CONST uint shapeCount = 5u;
+SHARED_CONST uint shapeLeaf = 5u; ///< a point at both ends, widest at the tip threshold
+SHARED_CONST uint shapeCount = 6u;
 
 /// Lobes of a dandelion's leaf on each side; each needs segmentsPerLobe segments.
 SHARED_CONST float dandelionLobes = 4.0f;
@@ -35,6 +36,11 @@ SHARED_FN vec2 outlineAt(uint shape, float tipThreshold, float t)
         const float rest = 1.0f - t;
         const float wave = abs(sin(3.14159265f * dandelionLobes * rest));
         half_ = 0.5f * sqrt(rest) * (2.0f - rest - sqrt(0.5f * wave));
+    } else if (shape == shapeLeaf) {
+        // Two parabolas that meet at the widest place.
+        const float away = t < tipThreshold ? (tipThreshold - t) / max(tipThreshold, 1e-3f)
+                                            : (t - tipThreshold) / max(1.0f - tipThreshold, 1e-3f);
+        half_ = 0.5f - 0.5f * min(away * away, 1.0f);
     }
     return vec2(-half_, half_);
 }
@@ -48,7 +54,7 @@ SHARED_FN bool isEven(uint shape)
 /// Whether the edges' distance from the curve never grows towards the tip.
 SHARED_FN bool isTapering(uint shape)
 {
-    return shape != shapeDandelion;
+    return shape != shapeDandelion && shape != shapeLeaf;
 }
 
 /// Area below the outline, in widths times lengths.
@@ -58,7 +64,7 @@ SHARED_FN float outlineArea(uint shape, float tipThreshold)
         return 0.5f + 0.5f * tipThreshold;
     if (shape == shapeTriangle)
         return 0.5f;
-    if (shape == shapeQuadratic)
+    if (shape == shapeQuadratic || shape == shapeLeaf)
         return 2.0f / 3.0f;
     return shape == shapeDandelion ? 0.57268f : 1.0f;
 }
@@ -125,6 +131,10 @@ SHARED_FN vec2 singleSegment(uint shape, float tipThreshold)
         return vec2(1.0f, 0.0f);
     if (shape == shapeQuadratic)
         return vec2(7.0f / 6.0f, 1.0f / 6.0f);
+    if (shape == shapeLeaf) {
+        const float moment = 0.25f + tipThreshold * (1.0f / 6.0f);
+        return vec2(8.0f / 3.0f - 6.0f * moment, 6.0f * moment - 4.0f / 3.0f);
+    }
     return shape == shapeDandelion ? vec2(0.64894f, 0.49642f) : vec2(1.0f);
 }
 
@@ -150,8 +160,10 @@ SHARED_FN float segmentsFor(vec3 v0, vec3 v1, vec3 v2, float size, uint shape, f
     const float curve = ceil(sqrt(stray));
     if (shape == shapeDandelion && widthPixels > 2.0f)
         return dandelionLobes * segmentsPerLobe;
-    // A tip is visible if the blade is wider than a pixel.
-    const float tip = widthPixels > 3.0f ? 3.0f : (widthPixels > 1.0f ? 2.0f : 1.0f);
+    // A tip is visible if the blade is wider than a pixel; a leaf narrows at both ends, in curves.
+    float tip = widthPixels > 3.0f ? 3.0f : (widthPixels > 1.0f ? 2.0f : 1.0f);
+    if (shape == shapeLeaf && widthPixels > 3.0f)
+        tip = widthPixels > 12.0f ? 8.0f : 4.0f;
     return clamp(max(curve, tip), 1.0f, max(most, 1.0f));
 }
 

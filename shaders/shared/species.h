@@ -18,10 +18,12 @@ struct Species {
     float translucency;   ///< [0, 1]: share of transmitted light
     float gloss;          ///< [0, 1]
     float dryness;        ///< [0, 1]: share of blades with yellowed tips
-    uint shape;           ///< shapeTriangleTip … shapeDandelion
+    uint shape;           ///< shapeTriangleTip … shapeLeaf
     float fold;           ///< [0, 1]; 1: the halves of the blade meet at a right angle
+    uint firstOrgan;      ///< of a compound plant: index of its first organ …
+    uint organKinds;      ///< … and number of its organs; 0: the species has only blades
 };
-SHARED_LAYOUT(Species, 56)
+SHARED_LAYOUT(Species, 64)
 
 SHARED_BUFFER(SpeciesArray, Species, readonly)
 

@@ -6,6 +6,7 @@
 #include "shaders/shared/culling.h"
 #include "shaders/shared/eyepoint.h"
 #include "shaders/shared/octahedral.h"
+#include "shaders/shared/organ.h"
 #include "shaders/shared/patch.h"
 #include "shaders/shared/pose.h"
 #include "shaders/shared/ribbon.h"
@@ -18,9 +19,7 @@ struct Verdict {
     uint cullResult;
     float widthFactor; ///< 0 unless drawn
     float pixels;      ///< height on the screen [pixels]
-    vec3 v1;           ///< of the blade's curve; only valid with cullFrustum or cullOcclusion
-    vec3 v2;
-    float margin; ///< [m] maximum distance of the blade from the curve
+    float margin;      ///< [m] maximum distance of the blade from its curve
 };
 
 /// Share of the blades that is drawn at `distance` [m]: lodFullShare if none is left out or fades,
@@ -96,7 +95,7 @@ SHARED_FN LeafAreaLimit leafAreaLimitOf(Eyepoint view, Patch cell)
     // Most visible patches are too near for a limit at any density or steepness.
     if (leafAreaShare(view.maxLeafArea, maxLeafArea, 0.0f, pixels) >= lodFullShare)
         return limit;
-    const float leafArea = leafAreaAround(cell);
+    const float leafArea = min(view.areaFactor * leafAreaAround(cell), maxLeafArea);
     const float cosine = steepestRay(view.eye, cell);
     limit.share = leafAreaShare(view.maxLeafArea, leafArea, cosine, pixels);
     const float range = 255.0f * cell.heightStep;
@@ -209,16 +208,17 @@ SHARED_FN bool patchCulled(Eyepoint view, Patch cell, float widest)
 
 /// Whether a blade is so narrow in the view that it keeps no sample wherever it is drawn, so that
 /// culling does not change the picture; or whether it exceeds the set cosine.
-SHARED_FN bool seenTooNarrow(Eyepoint view, Blade blade, uint index, vec3 axis, float distance,
-                             float widthFactor)
+SHARED_FN bool seenTooNarrow(Eyepoint view, PosedBlade posed, uint index, float widthFactor)
 {
-    const float cosine = edgeOnCosine(view.eye, blade.root, axis);
+    const Blade blade = posed.blade;
+    const float distance = length(posed.v0 - view.eye);
+    const float cosine = edgeOnCosine(view.eye, posed.v0, posed.axis);
     if (cosine > view.maxEdgeOn)
         return true;
     const float nearest = distance - blade.height;
     if (nearest <= 0.0f || view.minWidth <= 0.0f)
         return false;
-    // All points of the blade are within its height of its root, so rays to them turn by at most
+    // All points of the blade are within its height of its base, so rays to them turn by at most
     // asin(height/distance) ≤ π/2 · height/distance.
     const float sine = min(sqrt(1.0f - cosine * cosine) + 1.58f * blade.height / distance, 1.0f);
     const float widest = outlineMost * blade.width * widthFactor * sine;
@@ -226,12 +226,12 @@ SHARED_FN bool seenTooNarrow(Eyepoint view, Blade blade, uint index, vec3 axis, 
 }
 
 /// The cull result of one blade of a visible patch, in the order orientation, frustum, distance,
-/// level of detail. `limit`: leafAreaLimitOf() its patch; `blade` is raised() by it. `index` is its
+/// level of detail. `limit`: leafAreaLimitOf() its patch; the blade is raised() by it. `index` is its
 /// resident id.
-SHARED_FN Verdict cullBlade(Eyepoint view, LeafAreaLimit limit, Blade blade, uint index,
-                             BladeState state, float rank)
+SHARED_FN Verdict cullBlade(Eyepoint view, LeafAreaLimit limit, PosedBlade posed, uint index,
+                            float rank)
 {
-    const vec3 axis = widthAxis(blade.up, blade.facing);
+    const Blade blade = posed.blade;
     const float distance = length(blade.root - view.eye);
     const DrawnSize size = drawnSize(view, limit, blade, rank, distance);
     const float factor = size.widthFactor;
@@ -241,26 +241,15 @@ SHARED_FN Verdict cullBlade(Eyepoint view, LeafAreaLimit limit, Blade blade, uin
     verdict.widthFactor = factor;
     verdict.pixels = size.pixels;
 
+    verdict.margin = 0.5f * outlineMost * blade.width * max(factor, 1.0f) +
+                     sectionMargin(distance + blade.height, view.minWidth);
     bool outside = false;
-    verdict.v1 = blade.root;
-    verdict.v2 = blade.root;
-    verdict.margin = 0.0f;
-    if ((view.cullMask & (cullFrustum | cullOcclusion)) != 0u) {
-        const Pose pose = poseOfState(axesAlong(blade.up, axis), state);
-        const vec3 v1 = blade.root + blade.height * pose.v1;
-        const vec3 v2 = blade.root + blade.height * pose.v2;
-        const float margin = 0.5f * outlineMost * blade.width * max(factor, 1.0f) +
-                             sectionMargin(distance + blade.height, view.minWidth);
-        verdict.v1 = v1;
-        verdict.v2 = v2;
-        verdict.margin = margin;
-        if ((view.cullMask & cullFrustum) != 0u)
-            SHARED_UNROLL for (uint i = 0u; i < 6u; ++i) outside =
-                outside || curveOutside(view.planes[i], blade.root, v1, v2, margin);
-    }
+    if ((view.cullMask & cullFrustum) != 0u)
+        SHARED_UNROLL for (uint i = 0u; i < 6u; ++i) outside =
+            outside || curveOutside(view.planes[i], posed.v0, posed.v1, posed.v2, verdict.margin);
 
     if ((view.cullMask & cullOrientation) != 0u &&
-        seenTooNarrow(view, blade, index, axis, distance, factor > 0.0f ? factor : 1.0f))
+        seenTooNarrow(view, posed, index, factor > 0.0f ? factor : 1.0f))
         verdict.cullResult = cullResultOrientation;
     else if (outside)
         verdict.cullResult = cullResultFrustum;

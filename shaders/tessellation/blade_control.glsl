@@ -13,6 +13,8 @@ layout(location = 7) in uint inBend[];
 #ifdef HAS_MOTION
 layout(location = 8) in vec4 inV1Before[];
 layout(location = 9) in vec4 inV2Before[];
+layout(location = 10) in vec4 inV0Before[];
+layout(location = 11) in vec4 inAxisBefore[];
 #endif
 
 layout(location = 0) patch out vec4 outV0;
@@ -26,6 +28,8 @@ layout(location = 7) patch out uint outBend;
 #ifdef HAS_MOTION
 layout(location = 8) patch out vec4 outV1Before;
 layout(location = 9) patch out vec4 outV2Before;
+layout(location = 10) patch out vec4 outV0Before;
+layout(location = 11) patch out vec4 outAxisBefore;
 #endif
 
 void main()
@@ -51,5 +55,7 @@ void main()
 #ifdef HAS_MOTION
     outV1Before = inV1Before[0];
     outV2Before = inV2Before[0];
+    outV0Before = inV0Before[0];
+    outAxisBefore = inAxisBefore[0];
 #endif
 }

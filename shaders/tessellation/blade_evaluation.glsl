@@ -22,6 +22,8 @@ layout(location = 7) patch in uint inBend;
 #ifdef HAS_MOTION
 layout(location = 8) patch in vec4 inV1Before;
 layout(location = 9) patch in vec4 inV2Before;
+layout(location = 10) patch in vec4 inV0Before;
+layout(location = 11) patch in vec4 inAxisBefore;
 #endif
 
 layout(location = 0) centroid out vec3 outPosition;
@@ -60,6 +62,8 @@ void main()
 
 #ifdef HAS_MOTION
     Ribbon before = ribbon;
+    before.v0 = inV0Before.xyz;
+    before.axis = inAxisBefore.xyz;
     before.v1 = inV1Before.xyz;
     before.v2 = inV2Before.xyz;
     const CrossSection sectionBefore = crossSectionAt(before, gl_TessCoord.y, FRAME.view.eye, FRAME.view.minWidth);

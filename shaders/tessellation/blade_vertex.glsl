@@ -22,6 +22,8 @@ layout(location = 7) out uint outBend;
 #ifdef HAS_MOTION
 layout(location = 8) out vec4 outV1Before;
 layout(location = 9) out vec4 outV2Before;
+layout(location = 10) out vec4 outV0Before;
+layout(location = 11) out vec4 outAxisBefore;
 #endif
 
 BladeVaryings varyingsOf(Ribbon ribbon, BladeSurface surface)
@@ -71,12 +73,16 @@ void main()
     // Blades that were not updated in this frame have no motion.
     outV1Before = outV1;
     outV2Before = outV2;
+    outV0Before = outV0;
+    outAxisBefore = outAxis;
     if (push.motion.at[0].moves != 0u && FRAME.patchTimes.at[visible.patchIndex] == FRAME.time) {
         const BladeState before = BladeState(
             push.motion.at[0].statesBefore.at[placeOf(uvec2(FRAME.pages), visible.blade)], 0.0);
-        const Ribbon earlier = drawnBlade(visible, drawn.blade, before).ribbon;
+        const Ribbon earlier = drawnBlade(visible, visibleBlade(visible), before).ribbon;
         outV1Before = vec4(earlier.v1, 0.0);
         outV2Before = vec4(earlier.v2, 0.0);
+        outV0Before = vec4(earlier.v0, 0.0);
+        outAxisBefore = vec4(earlier.axis, 0.0);
     }
 #endif
 }

@@ -49,7 +49,8 @@ field::Field fieldWithoutBlades(const terrain::GroundMesh& ground, const BakeSet
     field.origin = ground.origin;
     field.copyright = ground.copyright;
     for (const SpeciesTraits& species : settings.meadow.species)
-        field.species.push_back({species.name, species.look});
+        field.species.push_back({species.name, species.look, species.organs});
+    field::numberOrgans(field.species, "the meadow");
     field.thinned = plan.plan.thinned;
     field.ground = displayGround(ground, masksByVertexColor(settings));
     field.defaults = defaultsFor(settings, plan.plan.scale);

@@ -110,6 +110,8 @@ SpeciesTraits parseSpecies(const json& object, const std::string& place)
     reader.read("dryness", look.dryness, 0.0, 1.0);
     look.shape = reader.readWord("shape", field::shapeNames, look.shape);
     reader.read("fold", look.fold, 0.0, 1.0);
+    if (reader.has("organs"))
+        species.organs = field::parseOrgans(reader.child("organs"), reader.placeOf("organs"));
     reader.finish();
     return species;
 }
@@ -216,6 +218,8 @@ std::string toJson(const Meadow& meadow)
                         {"dryness", shortest(one.look.dryness)},
                         {"shape", field::shapeNames[one.look.shape]},
                         {"fold", shortest(one.look.fold)}});
+        if (!one.organs.empty())
+            list.back()["organs"] = field::organsJson(one.organs);
     }
     return json{{"name", meadow.name},
                 {"clump_size_m", meadow.clumpSize},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bake/filter/habitat.h"
+#include "field/organs.h"
 #include "shaders/shared/species.h"
 
 #include <glm/vec2.hpp>
@@ -35,6 +36,7 @@ struct SpeciesTraits {
     double tuftLean = 0.85;           ///< [0, 1]: how far a tuft opens from its middle to its rim
     double tuftLitter = 0.12;         ///< [0, 1] share of short, dead, lying blades in a tuft
     shared::Species look = {};        ///< colours, shape, gloss
+    std::vector<field::Organ> organs; ///< of a compound plant, whose stalk is the blade
 };
 
 /// How grass changes where it ends. Lengths in [m] at blade scale 1; a reach of 0 turns it off.

@@ -86,6 +86,8 @@ std::vector<double> sampledDistances(const FieldView& field)
         const double within = samples == blades ? 0.5 : uniform(0, k, 0);
         const double at = (double(k) + within) * double(blades) / double(samples);
         const std::size_t index = std::min(static_cast<std::size_t>(at), blades - 1);
+        if (field.isRibbon(index))
+            continue;
         if (const std::optional<double> distance = search.nearest(index))
             distances.push_back(*distance);
     }
@@ -201,9 +203,10 @@ Distributions distributionsOf(const FieldView& field)
     for (const shared::Patch& patch : field.patches) {
         if (patch.bladeCount > 0)
             result.bladesPerPatch.add(double(patch.bladeCount));
-        for (const shared::PackedBlade& bits :
-             field.blades.subspan(patch.firstBlade, patch.bladeCount)) {
-            const shared::Blade blade = shared::unpackBlade(bits, patch);
+        for (std::size_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i) {
+            if (field.isRibbon(i))
+                continue;
+            const shared::Blade blade = shared::unpackBlade(field.blades[i], patch);
             result.height.add(double(blade.height));
             result.width.add(double(blade.width));
             result.stiffness.add(double(blade.stiffness));

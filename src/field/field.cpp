@@ -10,6 +10,12 @@ std::uint64_t bladeId(BladeKey key)
            11;
 }
 
+bool FieldView::isRibbon(std::size_t blade) const
+{
+    const std::uint32_t look = blades[blade].look;
+    return look >> 24U != 0 && species[look >> 21U & 7U].look.organKinds > 0;
+}
+
 std::uint64_t FieldView::idOf(std::size_t blade) const
 {
     return keys.empty() ? blade : bladeId(keys[blade]);

@@ -4,6 +4,7 @@
 #include "core/uninitialized.h"
 #include "field/defaults.h"
 #include "field/display_ground.h"
+#include "field/organs.h"
 #include "shaders/shared/blade.h"
 #include "shaders/shared/patch.h"
 #include "shaders/shared/physics.h"
@@ -31,14 +32,15 @@ struct BladeKey {
 /// 2⁵³, so that every program can read it as a number.
 std::uint64_t bladeId(BladeKey key);
 
-/// Names of the shapes of a blade, shared::shapeTriangleTip … shapeDandelion.
+/// Names of the shapes of a blade, shared::shapeTriangleTip … shapeLeaf.
 inline constexpr std::array<std::string_view, shared::shapeCount> shapeNames{
-    "triangle-tip", "quad", "triangle", "quadratic", "dandelion"};
+    "triangle-tip", "quad", "triangle", "quadratic", "dandelion", "leaf"};
 
 /// A kind of grass.
 struct Species {
-    std::string name;          ///< of the species
-    shared::Species look = {}; ///< as shaders see it
+    std::string name;               ///< of the species
+    shared::Species look = {};      ///< as shaders see it
+    std::vector<Organ> organs = {}; ///< of a compound plant; see numberOrgans()
 };
 
 /// A baked meadow: the only data that the offline half passes to the running half.
@@ -72,6 +74,9 @@ struct FieldView {
 
     /// Box of everything visible, relative to the origin; empty if there is nothing.
     Aabb bounds() const;
+
+    /// Whether a blade is a ribbon on the stalk of a compound plant.
+    bool isRibbon(std::size_t blade) const;
 
     /// Id of a blade by its index: bladeId() of its key, or the index if the field has no keys.
     std::uint64_t idOf(std::size_t blade) const;

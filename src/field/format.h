@@ -11,7 +11,8 @@ namespace sward::field::format {
 
 inline constexpr std::array<char, 8> magic{'S', 'W', 'A', 'R', 'D', '\r', '\n', '\x1a'};
 inline constexpr std::uint16_t majorVersion = 1;
-inline constexpr std::uint16_t minorVersion = 1; ///< newest; 0 without the chunk `cover`
+inline constexpr std::uint16_t minorVersion =
+    2; ///< newest; 1: the chunk `cover`; 2: organs of species
 inline constexpr std::uint32_t endianMark = 0x01020304;
 inline constexpr std::uint64_t alignment = 64;
 inline constexpr std::uint32_t maxChunks = 64;
@@ -33,7 +34,7 @@ static_assert(sizeof(FileHeader) == 64);
 using ChunkId = std::array<char, 8>;
 
 // Flags of a chunk.
-inline constexpr std::uint32_t critical = 1; ///< readers must reject an unknown chunk
+inline constexpr std::uint32_t critical = 1;   ///< readers must reject an unknown chunk
 inline constexpr std::uint32_t compressed = 2; ///< stored as one zstd frame
 inline constexpr std::uint32_t knownFlags = critical | compressed;
 

@@ -28,6 +28,10 @@ Summary summarise(const FieldView& field)
         for (const shared::PackedBlade& bits :
              field.blades.subspan(patch.firstBlade, patch.bladeCount)) {
             const shared::Blade blade = shared::unpackBlade(bits, patch);
+            if (shared::ribbonNumber(field.species[blade.species].look, blade) > 0) {
+                ++summary.ribbons;
+                continue;
+            }
             heights += double(blade.height);
             widths += double(blade.width);
             summary.heightLow = std::min(summary.heightLow, double(blade.height));
@@ -37,9 +41,9 @@ Summary summarise(const FieldView& field)
     }
     if (summary.leaves > 0)
         summary.bladesPerLeaf = double(inLeaves) / double(summary.leaves);
-    if (summary.blades > 0) {
-        summary.heightMean = heights / double(summary.blades);
-        summary.widthMean = widths / double(summary.blades);
+    if (const auto rooted = double(summary.blades - summary.ribbons); rooted > 0.0) {
+        summary.heightMean = heights / rooted;
+        summary.widthMean = widths / rooted;
     }
     return summary;
 }

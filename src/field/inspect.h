@@ -12,7 +12,8 @@ namespace sward::field {
 
 /// Statistics of a field for users and programs.
 struct Summary {
-    std::uint64_t blades = 0;              ///< of the field
+    std::uint64_t blades = 0;              ///< of the field, with those on stalks
+    std::uint64_t ribbons = 0;             ///< blades on the stalks of compound plants
     std::uint64_t patches = 0;             ///< of its tree
     std::uint64_t leaves = 0;              ///< patches without children
     int levels = 0;                        ///< of the tree
@@ -22,7 +23,7 @@ struct Summary {
     double heightMean = 0;                 ///< [m]
     double heightHigh = 0;                 ///< [m]
     double widthMean = 0;                  ///< [m]
-    std::vector<std::uint64_t> perSpecies; ///< blades of each
+    std::vector<std::uint64_t> perSpecies; ///< blades of each, without those on stalks
     std::uint64_t groundTriangles = 0;     ///< of all levels of detail
 };
 Summary summarise(const FieldView& field);
@@ -37,9 +38,8 @@ struct Comparison {
     double largestFacingAngle = 0.0;      ///< [rad] between width axes in world space
     double largestHeightDifference = 0.0; ///< relative
     double largestWidthDifference = 0.0;  ///< relative
-    std::uint64_t traitsDiffer = 0; ///< matched blades that differ by more than the packing error
-    std::vector<std::string>
-        reasons; ///< empty: equal within `tolerance` and the packing errors
+    std::uint64_t traitsDiffer = 0;   ///< matched blades that differ by more than the packing error
+    std::vector<std::string> reasons; ///< empty: equal within `tolerance` and the packing errors
 };
 
 enum class Match { order, id };

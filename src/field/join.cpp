@@ -56,7 +56,9 @@ bool areAlike(const Species& a, const Species& b)
            a.look.colorVariation == b.look.colorVariation &&
            a.look.translucency == b.look.translucency && a.look.gloss == b.look.gloss &&
            a.look.dryness == b.look.dryness && a.look.shape == b.look.shape &&
-           a.look.fold == b.look.fold;
+           a.look.fold == b.look.fold &&
+           std::equal(a.organs.begin(), a.organs.end(), b.organs.begin(), b.organs.end(),
+                      [](const Organ& c, const Organ& d) { return areAlike(c, d); });
 }
 
 // Assigns slots to the member's species; new species are added to the table.
@@ -298,6 +300,7 @@ JoinedFields join(std::span<const Member> members)
         moves.push_back(moveOf(member, field.origin));
         joinSpecies(member, moves.back(), field.species);
     }
+    numberOrgans(field.species, "the fields shown together");
     layOut(members, moves, joined);
 
     std::size_t blades = 0;

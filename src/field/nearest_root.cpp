@@ -35,6 +35,8 @@ void RootSearch::visit(const shared::Patch& patch, std::size_t self, const glm::
 {
     ++visited_;
     for (std::size_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i) {
+        if (field_.isRibbon(i))
+            continue;
         const glm::dvec3 difference = rootOf(field_, patch, i) - from;
         if (i != self)
             best = std::min(best, glm::dot(difference, difference));

@@ -34,7 +34,7 @@ void requireUnit(const glm::vec3& v, const std::string& place)
 std::string speciesText(const std::vector<Species>& species)
 {
     json list = json::array();
-    for (const Species& one : species)
+    for (const Species& one : species) {
         list.push_back({{"name", one.name},
                         {"root_color", toArray(one.look.rootColor)},
                         {"tip_color", toArray(one.look.tipColor)},
@@ -46,6 +46,9 @@ std::string speciesText(const std::vector<Species>& species)
                         {"dryness", one.look.dryness},
                         {"shape", shapeNames[one.look.shape]},
                         {"fold", one.look.fold}});
+        if (!one.organs.empty())
+            list.back()["organs"] = organsJson(one.organs);
+    }
     return list.dump();
 }
 
@@ -70,9 +73,12 @@ std::vector<Species> parseSpecies(std::string_view text, const std::string& plac
         reader.read("dryness", one.look.dryness, 0.0, 1.0);
         one.look.shape = reader.readWord("shape", shapeNames, one.look.shape);
         reader.read("fold", one.look.fold, 0.0, 1.0);
+        if (reader.has("organs"))
+            one.organs = parseOrgans(reader.child("organs"), reader.placeOf("organs"));
         reader.finish();
         result.push_back(std::move(one));
     }
+    numberOrgans(result, place);
     return result;
 }
 

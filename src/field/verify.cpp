@@ -4,6 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace sward::field {
@@ -83,6 +85,35 @@ void verifyTree(const FieldView& field, const std::string& place)
              nextChild, field.patches.size());
 }
 
+// Verifies that each ribbon of a compound plant follows its stalk, with the stalk's data.
+void verifyPlants(const FieldView& field, const std::string& place)
+{
+    std::array<std::uint32_t, shared::maxSpecies> ribbons{};
+    for (std::size_t i = 0; i < field.species.size(); ++i)
+        ribbons[i] = ribbonsOf(field.species[i].organs);
+    if (std::all_of(ribbons.begin(), ribbons.end(), [](std::uint32_t n) { return n == 0; }))
+        return;
+    constexpr std::uint32_t widthBits = 63U << 16U;
+    constexpr std::uint32_t clumpBits = 255U << 24U;
+    for (const shared::Patch& patch : field.patches)
+        for (std::size_t b = patch.firstBlade; b < patch.firstBlade + patch.bladeCount; ++b) {
+            const shared::PackedBlade& blade = field.blades[b];
+            const std::uint32_t number = blade.look >> 24U;
+            if (number == 0 || ribbons[blade.look >> 21U & 7U] == 0)
+                continue;
+            if (number > ribbons[blade.look >> 21U & 7U])
+                fail(ErrorKind::input, "{}: blade {} is ribbon {} of a plant with {}", place, b,
+                     number, ribbons[blade.look >> 21U & 7U]);
+            const shared::PackedBlade& before = field.blades[std::max<std::size_t>(b, 1) - 1];
+            if (b == patch.firstBlade || before.look >> 24U != number - 1 ||
+                before.rootXY != blade.rootXY || before.rootZUp != blade.rootZUp ||
+                ((before.shape ^ blade.shape) & ~widthBits) != 0 ||
+                ((before.look ^ blade.look) & ~clumpBits) != 0)
+                fail(ErrorKind::input, "{}: blade {} is ribbon {} without its stalk", place, b,
+                     number);
+        }
+}
+
 void verifyGround(const DisplayGround& ground, const std::string& place)
 {
     for (std::size_t v = 0; v < ground.vertices.size(); ++v) {
@@ -136,6 +167,7 @@ void verify(const FieldView& field, const std::string& place)
         if (((field.blades[b].look >> 21) & 7) >= field.species.size())
             fail(ErrorKind::input, "{}: blade {} has species {}; there are {}", place, b,
                  (field.blades[b].look >> 21) & 7, field.species.size());
+    verifyPlants(field, place);
     verifyGround(*field.ground, place);
 }
 

@@ -88,8 +88,16 @@ private:
     std::vector<Chunk> chunks_;
 };
 
+// The oldest version that describes the field: without newer parts a file stays the same bytes.
+std::uint16_t minorVersionOf(const Field& field)
+{
+    const bool hasOrgans = std::any_of(field.species.begin(), field.species.end(),
+                                       [](const Species& one) { return !one.organs.empty(); });
+    return hasOrgans ? format::minorVersion : field.thinned == 1.0 ? 0 : 1;
+}
+
 // Assigns each chunk its offset, and the header its hash.
-format::FileHeader layOut(std::vector<Chunk>& chunks, const glm::dvec3& origin)
+format::FileHeader layOut(std::vector<Chunk>& chunks, const Field& field)
 {
     std::uint64_t offset = sizeof(format::FileHeader) + chunks.size() * sizeof(format::ChunkEntry);
     for (Chunk& chunk : chunks) {
@@ -102,15 +110,11 @@ format::FileHeader layOut(std::vector<Chunk>& chunks, const glm::dvec3& origin)
     format::FileHeader header = {};
     header.magic = format::magic;
     header.majorVersion = format::majorVersion;
-    // Files without newer chunks stay the same bytes.
-    const bool hasCover = std::any_of(chunks.begin(), chunks.end(), [](const Chunk& chunk) {
-        return chunk.entry.id == format::cover;
-    });
-    header.minorVersion = hasCover ? format::minorVersion : 0;
+    header.minorVersion = minorVersionOf(field);
     header.endianMark = format::endianMark;
     header.fileBytes = aligned(offset);
     header.chunkCount = static_cast<std::uint32_t>(chunks.size());
-    header.origin = {origin.x, origin.y, origin.z};
+    header.origin = {field.origin.x, field.origin.y, field.origin.z};
 
     std::vector<std::byte> hashed(sizeof header + chunks.size() * sizeof(format::ChunkEntry));
     std::memcpy(hashed.data(), &header, sizeof header);
@@ -165,7 +169,7 @@ struct Encoded {
             list.addPlain(format::cover, std::span(std::as_const(cover)), 0);
         list.addPlain(format::provenance, std::span(field.provenance), 0);
         list.compressAll();
-        header = layOut(list.chunks(), field.origin);
+        header = layOut(list.chunks(), field);
     }
     Encoded(const Encoded&) = delete;
     Encoded& operator=(const Encoded&) = delete;

@@ -47,6 +47,9 @@ std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGrou
     for (const std::uint32_t p : group.patches) {
         const shared::Patch& patch = field.patches[p];
         for (std::size_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i) {
+            // A prototype is an upright blade; ribbons have their own directions.
+            if (field.isRibbon(i))
+                continue;
             Instance instance;
             instance.blade = bladeOf(field, p, i, source);
             instance.id = field.idOf(i);

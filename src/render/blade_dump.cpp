@@ -14,15 +14,18 @@ namespace sward::render {
 namespace {
 
 /// The place and pose of a blade in world space.
-FieldRenderer::BladeRecord recordOf(const shared::Blade& blade, const shared::BladeState& state,
-                                    glm::dvec3 origin)
+FieldRenderer::BladeRecord recordOf(const field::FieldView& field,
+                                    const std::vector<shared::Organ>& organs,
+                                    const shared::Blade& blade, const shared::BladeState& state)
 {
-    const glm::vec3 axis = shared::widthAxis(blade.up, blade.facing);
-    const shared::Pose pose = shared::poseOfState(shared::axesAlong(blade.up, axis), state);
+    const shared::Species& look = field.species[blade.species].look;
+    shared::PosedBlade posed = shared::posedBlade(blade, state);
+    if (const std::uint32_t number = shared::ribbonNumber(look, blade); number > 0)
+        posed = shared::ribbonOf(field::viewOf(organs), look, posed, number);
     FieldRenderer::BladeRecord record;
-    record.root = origin + glm::dvec3(blade.root);
-    record.v1 = record.root + glm::dvec3(blade.height * pose.v1);
-    record.v2 = record.root + glm::dvec3(blade.height * pose.v2);
+    record.root = field.origin + glm::dvec3(posed.v0);
+    record.v1 = field.origin + glm::dvec3(posed.v1);
+    record.v2 = field.origin + glm::dvec3(posed.v2);
     record.up = blade.up;
     record.eta = state.eta;
     return record;
@@ -65,12 +68,13 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
         cullResults = gpu::readBufferAs<std::uint32_t>(context, buffers.cullResults());
 
     // Pose each blade of each patch.
+    const std::vector<shared::Organ> organs = field::organTable(field.species);
     std::vector<FieldRenderer::BladeRecord> records(field.blades.size());
     for (const shared::Patch& cell : field.patches) {
         for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
             const std::size_t index = cell.firstBlade + i;
-            records[index] = recordOf(shared::unpackBlade(field.blades[index], cell),
-                                      {turns[index], etas[index]}, field.origin);
+            records[index] = recordOf(field, organs, shared::unpackBlade(field.blades[index], cell),
+                                      {turns[index], etas[index]});
             records[index].id = field.idOf(index);
             records[index].cullResult =
                 cullResults.empty() ? shared::cullResultPatch : cullResults[index];
@@ -112,11 +116,12 @@ readPatch(const gpu::DeviceContext& context, const FieldBuffers& buffers,
         return {};
     etas.resize(cell.bladeCount, 0.0f);
     cullResults.resize(cell.bladeCount, shared::cullResultPatch);
+    const std::vector<shared::Organ> organs = field::organTable(field.species);
     std::vector<FieldRenderer::BladeRecord> records(cell.bladeCount);
     for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
         const std::size_t index = cell.firstBlade + i;
-        records[i] = recordOf(shared::unpackBlade(field.blades[index], cell), {turns[i], etas[i]},
-                              field.origin);
+        records[i] = recordOf(field, organs, shared::unpackBlade(field.blades[index], cell),
+                              {turns[i], etas[i]});
         records[i].id = field.idOf(index);
         records[i].cullResult = cullResults[i];
     }

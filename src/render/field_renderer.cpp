@@ -35,16 +35,24 @@ FieldBuffers::Records recordsFor(const gpu::DeviceContext& context, Geometry geo
             .walkStart = context.isCpu() ? shared::walkStart : shared::walkStartOfGpu};
 }
 
+/// Whether some species, or an organ of one, is so.
+template <typename Is>
+bool anyLook(const field::FieldView& field, Is is)
+{
+    return std::ranges::any_of(field.species, [&](const field::Species& kind) {
+        return is(kind.look) || std::ranges::any_of(kind.organs, is, &field::Organ::look);
+    });
+}
+
 /// TargetSettings::onlyShape.
 std::uint32_t onlyShapeOf(const field::FieldView& field)
 {
-    const auto shapeOf = [](const field::Species& kind) { return kind.look.shape; };
     if (field.species.empty())
         return shared::shapeCount;
-    const std::uint32_t shape = shapeOf(field.species[0]);
-    return std::ranges::count(field.species, shape, shapeOf) == std::ssize(field.species)
-               ? shape
-               : shared::shapeCount;
+    const std::uint32_t shape = field.species[0].look.shape;
+    return anyLook(field, [&](const shared::Species& look) { return look.shape != shape; })
+               ? shared::shapeCount
+               : shape;
 }
 
 TargetSettings targetFor(const gpu::DeviceContext& context, const field::FieldView& field,
@@ -54,8 +62,9 @@ TargetSettings targetFor(const gpu::DeviceContext& context, const field::FieldVi
     return {.colorFormat = wanted.colorFormat,
             .samples = wanted.samples,
             .mayBePaged = wanted.deviceBytes > 0,
-            .mayFold = std::ranges::any_of(
-                field.species, [](const field::Species& kind) { return kind.look.fold > 0.0f; }),
+            .mayFold = anyLook(field, [](const shared::Species& look) { return look.fold > 0.0f; }),
+            .mayHaveOrgans =
+                anyLook(field, [](const shared::Species& look) { return look.organKinds > 0; }),
             .onlyShape = onlyShapeOf(field),
             .groupsDrawLarge = !isForCpu,
             .sortsTiles = isForCpu};

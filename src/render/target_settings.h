@@ -20,6 +20,7 @@ struct TargetSettings {
     std::uint32_t debugMode = shared::debugAsTold; ///< see knownDebugMode()
     bool mayBePaged = false;                       ///< some blades may not be resident
     bool mayFold = true;                           ///< there are folded blades
+    bool mayHaveOrgans = true;                     ///< there are compound plants
     std::uint32_t onlyShape = shared::shapeCount;  ///< of all blades, if they share one
     bool groupsDrawLarge = true; ///< work-groups draw large blades; else one thread per blade
     bool sortsTiles = false;     ///< tile classification for shading
@@ -37,8 +38,7 @@ constexpr std::uint32_t knownDebugMode(DebugMode mode)
 /// Specialisation for shading a frame's blades.
 struct Shading {
     std::uint32_t debugMode = shared::debugAsTold; ///< see knownDebugMode()
-    bool limitsLeafArea =
-        false; ///< leaf-area limit, see shared::leafAreaShare()
+    bool limitsLeafArea = false;                   ///< leaf-area limit, see shared::leafAreaShare()
     bool hasShadingCache =
         false; ///< for large blades, see ShadingCachePass; needs the occlusion test
     auto operator<=>(const Shading&) const = default;

@@ -97,7 +97,7 @@ bool isClose(const shared::Frame& frame, const shared::Blade& blade, std::uint32
              shared::BladeState state, const shared::Verdict& verdict)
 {
     constexpr float margin = 1e-5f;
-    const glm::vec3 axis = shared::widthAxis(blade.up, blade.facing);
+    const shared::PosedBlade posed = shared::posedBlade(blade, state);
     const glm::vec3 ray = blade.root - frame.view.eye;
     const float distance = glm::length(ray);
     shared::Eyepoint narrower = frame.view;
@@ -105,17 +105,15 @@ bool isClose(const shared::Frame& frame, const shared::Blade& blade, std::uint32
     narrower.minWidth *= 1.0f - 10.0f * margin;
     wider.minWidth *= 1.0f + 10.0f * margin;
     const float factor = verdict.widthFactor > 0.0f ? verdict.widthFactor : 1.0f;
-    if (shared::seenTooNarrow(narrower, blade, index, axis, distance, factor) !=
-        shared::seenTooNarrow(wider, blade, index, axis, distance, factor))
+    if (shared::seenTooNarrow(narrower, posed, index, factor) !=
+        shared::seenTooNarrow(wider, posed, index, factor))
         return true;
     if (std::abs(distance - frame.view.drawDistance) < margin * distance)
         return true;
-    const shared::Pose pose = shared::poseOfState(shared::axesAlong(blade.up, axis), state);
     for (const glm::vec4& plane : frame.view.planes) {
-        const float reach =
-            std::max({shared::planeDistance(plane, blade.root),
-                      shared::planeDistance(plane, blade.root + blade.height * pose.v1),
-                      shared::planeDistance(plane, blade.root + blade.height * pose.v2)});
+        const float reach = std::max({shared::planeDistance(plane, posed.v0),
+                                      shared::planeDistance(plane, posed.v1),
+                                      shared::planeDistance(plane, posed.v2)});
         const float reserve =
             0.5f * shared::outlineMost * blade.width * std::max(verdict.widthFactor, 1.0f) +
             shared::sectionMargin(distance + blade.height, frame.view.minWidth);
@@ -144,9 +142,9 @@ TEST_F(CullingTest, CullsAsTheCpuDoesSaveWhereRoundingDecides)
             for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
                 const std::size_t index = cell.firstBlade + i;
                 const shared::Blade drawn = shared::raised(blade(index), limit.height);
-                const shared::Verdict verdict =
-                    shared::cullBlade(view, limit, drawn, static_cast<std::uint32_t>(index),
-                                      states_[index], shared::bladeRank(cell, i));
+                const shared::Verdict verdict = shared::cullBlade(
+                    view, limit, shared::posedBlade(drawn, states_[index]),
+                    static_cast<std::uint32_t>(index), shared::bladeRank(cell, i));
                 const std::uint32_t expected =
                     culled ? shared::cullResultPatch : verdict.cullResult;
                 ++tested;

@@ -54,7 +54,8 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
         .keepsEtas = true,
         .features = hasAllFeatures_
                         ? shared::featureAll
-                        : shared::featuresOf(frame.view, frame.pages != 0, frame.cullResults != 0)};
+                        : shared::featuresOf(frame.view, frame.pages != 0, frame.cullResults != 0,
+                                             frame.organs.address != 0)};
     pass_.prepare(shaders_, variant);
     const render::FrameConstants constants(context_, gpu::UniformSetLayout(context_, "frame"),
                                            "frame");

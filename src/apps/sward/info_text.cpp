@@ -76,7 +76,9 @@ std::string infoText(const std::string& file, const field::FieldView& field,
     const auto row = [&](const char* name, const std::string& value) {
         text += fmt::format("  {:<20}{}\n", name, value);
     };
-    row("blades", fmt::format("{}", summary.blades));
+    row("blades", summary.ribbons == 0 ? fmt::format("{}", summary.blades)
+                                       : fmt::format("{}, of these {} on the stalks of plants",
+                                                     summary.blades, summary.ribbons));
     row("patches", fmt::format("{} in {}; {} leaves of {:.1f} blades on average", summary.patches,
                                counted(std::uint64_t(summary.levels), "level"), summary.leaves,
                                summary.bladesPerLeaf));
@@ -109,6 +111,7 @@ std::string infoJson(const std::string& file, const field::FieldView& field,
     all["file"] = file;
     all["bytes"] = fileBytes;
     all["blades"] = summary.blades;
+    all["ribbons"] = summary.ribbons;
     all["bytes_per_blade"] = bytesPerBlade(fileBytes, summary.blades);
     all["patches"] = summary.patches;
     all["leaves"] = summary.leaves;

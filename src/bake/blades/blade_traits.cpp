@@ -184,6 +184,18 @@ glm::dvec2 barycentrics(glm::dvec3 p0, glm::dvec3 p1, glm::dvec3 p2, glm::dvec3 
             glm::clamp(glm::dot(glm::cross(p1 - p0, offset), normal) / squared, 0.0, 1.0)};
 }
 
+// Ribbon `within` of an organ, number `number` on the plant.
+GrownBlade ribbonOn(const shared::Blade& stalk, const field::Organ& organ, std::uint32_t within,
+                    std::uint32_t number, double widening)
+{
+    const float share = organ.count > 1 ? float(within) / float(organ.count - 1) : 0.0f;
+    const float length = stalk.height * glm::mix(organ.length.x, organ.length.y, share);
+    GrownBlade ribbon{stalk, length * (1.0f + 0.3f * organ.variation)};
+    ribbon.blade.width = length * organ.width * static_cast<float>(widening);
+    ribbon.blade.clump = number;
+    return ribbon;
+}
+
 // Dead blades at the foot of a tuft: height relative to the others, and stiffness. They rest at
 // angles of 125° to 45° from upright, which is on the ground or near it.
 constexpr glm::dvec2 litterHeight{0.2, 0.5};
@@ -216,6 +228,8 @@ BladeGrower::BladeGrower(const terrain::GroundMesh& ground, const BakeSettings& 
     , clumps_(ground, clumpSpacing(settings.meadow.clumpSize * whole.scale, whole.area),
               settings.seed)
     , tufts_(settings.meadow.species.size())
+    , hasPlants_(std::any_of(settings.meadow.species.begin(), settings.meadow.species.end(),
+                             [](const SpeciesTraits& one) { return !one.organs.empty(); }))
 {
     for (std::size_t slot = 0; query != nullptr && slot < tufts_.size(); ++slot)
         if (const double spacing = settings.meadow.species[slot].tuftSpacing * scale_;
@@ -265,20 +279,60 @@ double BladeGrower::roomOver(const RootSample& root, glm::dvec3 up, double heigh
     return std::max(used * query_->clearance(place, up, wanted, root.triangle), minShare * height);
 }
 
+BladeGrower::Choice BladeGrower::choose(const RootSample& root) const
+{
+    Choice choice{.clump = clumps_.nearest(root.position),
+                  .stand = filter_.standAt(root),
+                  .inBlades = (ground_.origin + glm::dvec3(root.position)) / scale_,
+                  .slot = 0};
+    const Meadow& meadow = settings_.meadow;
+    const bool drifts =
+        meadow.drifts > 0.0 && meadow.species.size() > 1 && choice.stand.shares.total > 0.0;
+    const SpeciesShares shares =
+        drifts ? drifted(choice.stand.shares, meadow, choice.inBlades, settings_.seed)
+               : choice.stand.shares;
+    choice.slot =
+        chooseSpecies(meadow, shares, Dice(settings_.seed, keyOf(ground_, root), choice.clump));
+    return choice;
+}
+
+std::uint32_t BladeGrower::bladesOf(const RootSample& root) const
+{
+    if (!hasPlants_)
+        return 1;
+    return 1 + field::ribbonsOf(settings_.meadow.species[choose(root).slot].organs);
+}
+
 shared::Blade BladeGrower::grow(const RootSample& root, const Surroundings& around) const
 {
-    // Choose the species by position and clump. A tuft counts as the clump.
+    return growBlade(root, around, choose(root));
+}
+
+void BladeGrower::grow(const RootSample& root, const Surroundings& around,
+                       std::span<GrownBlade> blades) const
+{
+    const Choice choice = choose(root);
+    const shared::Blade stalk = growBlade(root, around, choice);
+    blades[0] = {stalk};
+    std::uint32_t number = 1;
+    for (const field::Organ& organ : settings_.meadow.species[choice.slot].organs)
+        for (std::uint32_t i = 0; i < organ.count; ++i, ++number)
+            blades[number] = ribbonOn(stalk, organ, i, number, widthScale_ / scale_);
+    if (blades.size() > 1)
+        blades[0].blade.clump = 0;
+}
+
+shared::Blade BladeGrower::growBlade(const RootSample& root, const Surroundings& around,
+                                     const Choice& choice) const
+{
+    // A tuft counts as the clump.
     const field::BladeKey key = keyOf(ground_, root);
-    const Clumps::Clump* clump = clumps_.nearest(root.position);
-    const Stand stand = filter_.standAt(root);
+    const Clumps::Clump* clump = choice.clump;
+    const Stand& stand = choice.stand;
     const Meadow& meadow = settings_.meadow;
-    const glm::dvec3 inBlades = (ground_.origin + glm::dvec3(root.position)) / scale_;
-    const bool drifts =
-        meadow.drifts > 0.0 && meadow.species.size() > 1 && stand.shares.total > 0.0;
-    const SpeciesShares shares =
-        drifts ? drifted(stand.shares, meadow, inBlades, settings_.seed) : stand.shares;
-    const std::uint32_t slot = chooseSpecies(meadow, shares, Dice(settings_.seed, key, clump));
-    const SpeciesTraits& species = settings_.meadow.species[slot];
+    const glm::dvec3& inBlades = choice.inBlades;
+    const std::uint32_t slot = choice.slot;
+    const SpeciesTraits& species = meadow.species[slot];
     RootSample place = root;
     double outside = 1.0; // 1: in the middle of a tuft, 0: at its rim
     bool isTuft = false;

@@ -4,13 +4,16 @@
 #include "bake/blades/path_edges.h"
 #include "bake/filter/exposure.h"
 #include "bake/filter/root_filter.h"
+#include "bake/patches/patch_header.h"
 #include "bake/root_sample.h"
 #include "bake/settings.h"
 #include "shaders/shared/blade.h"
 #include "terrain/ground_mesh.h"
 #include "terrain/query/surface_query.h"
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace sward::bake {
@@ -36,9 +39,27 @@ public:
                 const RootFilter& filter, const terrain::SurfaceQuery* query,
                 const terrain::SurfaceFeatures* features = nullptr);
 
+    /// Number of blades at a root: 1, or more for a compound plant.
+    std::uint32_t bladesOf(const RootSample& root) const;
+
+    /// The blade of a root, or the stalk of its plant.
     shared::Blade grow(const RootSample& root, const Surroundings& around) const;
 
+    /// The same with its ribbons; bladesOf() many.
+    void grow(const RootSample& root, const Surroundings& around,
+              std::span<GrownBlade> blades) const;
+
 private:
+    /// What grows at a root, by its position and clump.
+    struct Choice {
+        const Clumps::Clump* clump;
+        Stand stand;
+        glm::dvec3 inBlades; ///< place in the world in units of the blade scale
+        std::uint32_t slot;  ///< of the species
+    };
+    Choice choose(const RootSample& root) const;
+    shared::Blade growBlade(const RootSample& root, const Surroundings& around,
+                            const Choice& choice) const;
     RootSample gather(const RootSample& root, const SpeciesTraits& species,
                       const Clumps::Clump& tuft) const;
     double roomOver(const RootSample& root, glm::dvec3 up, double height) const;
@@ -55,6 +76,7 @@ private:
     PathEdges paths_;
     Clumps clumps_;
     std::vector<std::optional<Clumps>> tufts_; ///< per species
+    bool hasPlants_;                           ///< some species has organs
 };
 
 /// Whether some species grows in tufts; this requires a SurfaceQuery.

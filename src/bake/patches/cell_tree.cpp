@@ -24,11 +24,12 @@ constexpr double finestPerMetre = double(1 << finestDepth) / widestPatch;
 constexpr std::size_t parallelFrom = 20'000;
 
 // A root in its cell: its position in the progressive order, its octants (three bits each, widest
-// first), and its index.
+// first), its index and the number of its blades.
 struct Ranked {
     std::uint64_t order;
     std::uint64_t octants;
     std::uint32_t root;
+    std::uint32_t blades;
 
     bool operator<(const Ranked& other) const
     {
@@ -39,12 +40,13 @@ struct Ranked {
 // A cell under construction.
 struct Node {
     std::size_t firstOwn = 0;
-    std::uint32_t ownCount = 0;
+    std::uint32_t ownCount = 0;   // roots
+    std::uint32_t bladeCount = 0; // of these roots
     std::vector<std::unique_ptr<Node>> children;
 };
 
-// Number of roots that a cell keeps: all if they fit, else a fifth (one part for itself and one for
-// each of four children, as on a surface), at most the room. So no patch is nearly empty, which
+// Number of blades that a cell keeps: all if they fit, else a fifth (one part for itself and one
+// for each of four children, as on a surface), at most the room. So no patch is nearly empty, which
 // would waste its fixed cost.
 std::size_t shareOfCell(std::size_t total, bool canBeDivided)
 {
@@ -103,10 +105,17 @@ private:
     std::unique_ptr<Node> buildNode(std::size_t begin, std::size_t end, int shift)
     {
         auto node = std::make_unique<Node>();
-        const std::size_t total = end - begin;
+        std::size_t total = 0;
+        for (std::size_t i = begin; i < end; ++i)
+            total += ranked_[i].blades;
         node->firstOwn = begin;
-        node->ownCount = static_cast<std::uint32_t>(shareOfCell(total, shift > 0));
-        begin += node->ownCount;
+        // At least one root, so that each cell holds blades: a plant fits into a patch.
+        const std::size_t share = shareOfCell(total, shift > 0);
+        while (begin < end &&
+               (node->ownCount == 0 || node->bladeCount + ranked_[begin].blades <= share)) {
+            node->bladeCount += ranked_[begin++].blades;
+            ++node->ownCount;
+        }
         if (begin == end)
             return node;
 
@@ -135,8 +144,14 @@ private:
     UninitializedVector<Ranked> scratch_;
 };
 
-// Emits the patches level by level, with the index of each patch's first root in tree order.
-void flatten(const Node& root, CellTree& tree, std::vector<std::size_t>& firstOwn)
+// The roots of a patch in tree order.
+struct OwnRoots {
+    std::size_t first;
+    std::size_t count;
+};
+
+// Emits the patches level by level, with the roots of each.
+void flatten(const Node& root, CellTree& tree, std::vector<OwnRoots>& owns)
 {
     struct Pending {
         const Node* node;
@@ -153,12 +168,12 @@ void flatten(const Node& root, CellTree& tree, std::vector<std::size_t>& firstOw
         const auto index = static_cast<std::uint32_t>(tree.patches.size());
         shared::Patch& patch = tree.patches.emplace_back();
         patch.firstBlade = nextBlade;
-        patch.bladeCount = node.ownCount;
+        patch.bladeCount = node.bladeCount;
         patch.parent = pending.parent;
         patch.level = pending.level;
         patch.childCount = static_cast<std::uint32_t>(node.children.size());
         patch.firstChild = node.children.empty() ? shared::noPatch : nextChild;
-        firstOwn.push_back(node.firstOwn);
+        owns.push_back({node.firstOwn, node.ownCount});
         nextChild += patch.childCount;
         nextBlade += patch.bladeCount;
         for (const std::unique_ptr<Node>& child : node.children)
@@ -185,7 +200,7 @@ float shareBefore(const std::vector<std::uint64_t>& orders, std::uint64_t order)
 }
 
 CellTree growCell(const terrain::GroundMesh& ground, const Roots& roots, std::span<Ranked> ranked,
-                  const LocalRanks& ranks, const GrowBlade& grow, Progress& progress)
+                  const LocalRanks& ranks, const RootGrowth& growth, Progress& progress)
 {
     CellTree tree;
     tree.cell = cellOf(ground.origin, roots[ranked[0].root].position);
@@ -198,28 +213,34 @@ CellTree growCell(const terrain::GroundMesh& ground, const Roots& roots, std::sp
             own.push_back(root.order);
         orders = &own;
     }
-    std::vector<std::size_t> firstOwn;
-    flatten(*CellBuilder(ranked).build(), tree, firstOwn);
+    std::vector<OwnRoots> owns;
+    flatten(*CellBuilder(ranked).build(), tree, owns);
 
-    tree.blades.resize(ranked.size());
-    tree.keys.resize(ranked.size());
+    const std::size_t blades = tree.patches.back().firstBlade + tree.patches.back().bladeCount;
+    tree.blades.resize(blades);
+    tree.keys.resize(blades);
     std::vector<SubtreeDescription> subtrees(tree.patches.size());
     tbb::parallel_for(std::size_t(0), tree.patches.size(), [&](std::size_t i) {
         shared::Patch& patch = tree.patches[i];
-        const std::span<const Ranked> chosen = ranked.subspan(firstOwn[i], patch.bladeCount);
-        std::array<shared::Blade, shared::maxPatchBlades> room;
-        const std::span<shared::Blade> held(room.data(), patch.bladeCount);
-        for (std::size_t b = 0; b < held.size(); ++b)
-            held[b] = grow(chosen[b].root);
+        const std::span<const Ranked> chosen = ranked.subspan(owns[i].first, owns[i].count);
+        std::array<GrownBlade, shared::maxPatchBlades> room;
+        const std::span<GrownBlade> held(room.data(), patch.bladeCount);
+        field::BladeKey* key = &tree.keys[patch.firstBlade];
+        std::size_t next = 0;
+        for (const Ranked& root : chosen) {
+            growth.grow(root.root, held.subspan(next, root.blades));
+            next += root.blades;
+            const field::BladeKey own = keyOf(ground, roots[root.root]);
+            for (std::uint32_t number = 0; number < root.blades; ++number)
+                *key++ = field::ribbonKey(own, number);
+        }
         patch.rankLow = shareBefore(*orders, chosen.front().order);
         patch.rankHigh = shareBefore(*orders, chosen.back().order);
         describeOwn(patch, held);
         subtrees[i].addOwn(held);
-        for (std::size_t b = 0; b < held.size(); ++b) {
-            tree.blades[patch.firstBlade + b] = shared::packBlade(held[b], patch);
-            tree.keys[patch.firstBlade + b] = keyOf(ground, roots[chosen[b].root]);
-        }
-        progress.advance(patch.bladeCount);
+        for (std::size_t b = 0; b < held.size(); ++b)
+            tree.blades[patch.firstBlade + b] = shared::packBlade(held[b].blade, patch);
+        progress.advance(chosen.size());
     });
 
     // From the leaves upwards.
@@ -236,7 +257,7 @@ CellTree growCell(const terrain::GroundMesh& ground, const Roots& roots, std::sp
 
 std::vector<CellTree> growCells(const terrain::GroundMesh& ground, const Roots& roots,
                                 const std::vector<std::uint64_t>& order, const LocalRanks& ranks,
-                                const GrowBlade& grow, Progress& progress)
+                                const RootGrowth& growth, Progress& progress)
 {
     progress.begin("patches", roots.size());
 
@@ -267,9 +288,10 @@ std::vector<CellTree> growCells(const terrain::GroundMesh& ground, const Roots& 
     UninitializedVector<Ranked> ranked(roots.size());
     std::vector<std::size_t> next(first.begin(), first.end());
     for (std::size_t i = 0; i < roots.size(); ++i)
-        ranked[next[cellOfRoot[i]]++] = {order[i], 0, static_cast<std::uint32_t>(i)};
+        ranked[next[cellOfRoot[i]]++] = {order[i], 0, static_cast<std::uint32_t>(i), 1};
     tbb::parallel_for(std::size_t(0), ranked.size(), [&](std::size_t i) {
         ranked[i].octants = octantsOf(roots[ranked[i].root].position);
+        ranked[i].blades = growth.count(ranked[i].root);
     });
     cellOfRoot = {};
 
@@ -277,7 +299,7 @@ std::vector<CellTree> growCells(const terrain::GroundMesh& ground, const Roots& 
     tbb::parallel_for(std::size_t(0), cells.size(), [&](std::size_t i) {
         trees[i] =
             growCell(ground, roots, std::span(ranked).subspan(first[i], first[i + 1] - first[i]),
-                     ranks, grow, progress);
+                     ranks, growth, progress);
     });
     return trees;
 }

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace sward::bake {
@@ -26,16 +27,23 @@ struct CellTree {
     SubtreeDescription::Summary summary = {};
 };
 
-/// Makes the blade of the root with this index; called from several threads.
-using GrowBlade = std::function<shared::Blade(std::size_t root)>;
+/// Makes the blades of a root by its index: one, or the stalk of a plant and then its ribbons.
+/// Called from several threads.
+struct RootGrowth {
+    /// 1 to 1 + shared::maxRibbons.
+    std::function<std::uint32_t(std::size_t root)> count;
+    /// Fills as many as `count` says.
+    std::function<void(std::size_t root, std::span<GrownBlade> blades)> grow;
+};
 
-/// Groups roots into the cells of an octree fixed in the world. From the top, a cell keeps up to
-/// 512 of its roots, the first ones in `order` (see progressive_order.h), and passes the rest to
-/// its children. A cell with slightly more than 512 keeps a fifth, so that the patches below it are
-/// not nearly empty. Returns one tree for each 32 m cell, sorted by cell. Blades are grown and
-/// packed patch by patch, because unpacked blades would dominate the memory.
+/// Groups roots into the cells of an octree fixed in the world. From the top, a cell keeps the
+/// first of its roots in `order` (see progressive_order.h), with up to 512 blades, and passes the
+/// rest to its children. A cell with slightly more than 512 keeps a fifth, so that the patches
+/// below it are not nearly empty. The blades of a root stay together. Returns one tree for each 32
+/// m cell, sorted by cell. Blades are grown and packed patch by patch, because unpacked blades
+/// would dominate the memory.
 std::vector<CellTree> growCells(const terrain::GroundMesh& ground, const Roots& roots,
                                 const std::vector<std::uint64_t>& order, const LocalRanks& ranks,
-                                const GrowBlade& grow, Progress& progress);
+                                const RootGrowth& growth, Progress& progress);
 
 } // namespace sward::bake

@@ -12,10 +12,10 @@ namespace sward::bake {
 namespace {
 
 // A blade's curve stays within its length of the root (poseBlade() keeps it to 0.1 %). Half the
-// width extends to the sides. The rest covers packing.
-float reachOf(const shared::Blade& blade)
+// width extends to the sides. The rest covers packing. A ribbon begins on that curve.
+float reachOf(const GrownBlade& grown)
 {
-    return 1.02f * blade.height + 0.55f * blade.width;
+    return 1.02f * (grown.blade.height + grown.ribbon) + 0.55f * grown.blade.width;
 }
 
 // Up-vectors are packed with an angular error e; cos e ≥ 1 − e²/2.
@@ -33,10 +33,11 @@ float cosineOfSum(float a, float b)
 
 } // namespace
 
-void SubtreeDescription::addOwn(std::span<const shared::Blade> own)
+void SubtreeDescription::addOwn(std::span<const GrownBlade> own)
 {
-    for (const shared::Blade& blade : own) {
-        const glm::vec3 reach(reachOf(blade));
+    for (const GrownBlade& grown : own) {
+        const shared::Blade& blade = grown.blade;
+        const glm::vec3 reach(reachOf(grown));
         box_.add(blade.root - reach);
         box_.add(blade.root + reach);
         sum_ += glm::dvec3(blade.up);
@@ -75,16 +76,17 @@ SubtreeDescription::Summary SubtreeDescription::finish(shared::Patch& patch)
     return {box_.low, box_.high, sum_, count_, cone.axis, cone.cosine};
 }
 
-void describeOwn(shared::Patch& patch, std::span<const shared::Blade> own)
+void describeOwn(shared::Patch& patch, std::span<const GrownBlade> own)
 {
     if (own.empty())
         return;
     Aabb roots;
     float heightHigh = 0.0f;
     float widthHigh = 0.0f;
-    patch.heightLow = own[0].height;
-    patch.widthLow = own[0].width;
-    for (const shared::Blade& blade : own) {
+    patch.heightLow = own[0].blade.height;
+    patch.widthLow = own[0].blade.width;
+    for (const GrownBlade& grown : own) {
+        const shared::Blade& blade = grown.blade;
         roots.add(blade.root);
         patch.heightLow = std::min(patch.heightLow, blade.height);
         patch.widthLow = std::min(patch.widthLow, blade.width);

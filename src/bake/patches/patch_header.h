@@ -10,6 +10,12 @@
 
 namespace sward::bake {
 
+/// A blade, and how far it reaches beyond that.
+struct GrownBlade {
+    shared::Blade blade;
+    float ribbon = 0.0f; ///< [m] length of a ribbon on a stalk; 0 for all other blades
+};
+
 /// Bounds of all blades in a patch's subtree, gathered from the leaves upwards: a box with the
 /// reach of every bent blade, and a cone about all up-vectors.
 class SubtreeDescription {
@@ -24,7 +30,7 @@ public:
     };
 
     /// Adds the patch's own blades.
-    void addOwn(std::span<const shared::Blade> own);
+    void addOwn(std::span<const GrownBlade> own);
 
     /// Adds a finished child.
     void addChild(const Summary& child);
@@ -45,6 +51,6 @@ private:
 };
 
 /// Sets the quantisation steps of the patch's own blades.
-void describeOwn(shared::Patch& patch, std::span<const shared::Blade> own);
+void describeOwn(shared::Patch& patch, std::span<const GrownBlade> own);
 
 } // namespace sward::bake

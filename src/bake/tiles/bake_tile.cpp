@@ -125,12 +125,13 @@ TileResult bakeTile(const GroundView& part, const BakeSettings& settings, const 
                              &part.features);
     result.timing.traits = watch.lap();
     result.timing.traits = watch.lap();
-    result.cells = growCells(
-        ground, roots, order, ranks,
-        [&](std::size_t i) {
-            return grower.grow(roots[i], around.empty() ? Surroundings() : around[i]);
-        },
-        progress);
+    result.cells =
+        growCells(ground, roots, order, ranks,
+                  {[&](std::size_t i) { return grower.bladesOf(roots[i]); },
+                   [&](std::size_t i, std::span<GrownBlade> blades) {
+                       grower.grow(roots[i], around.empty() ? Surroundings() : around[i], blades);
+                   }},
+                  progress);
     result.timing.traits += watch.lap();
     return result;
 }

@@ -25,8 +25,8 @@ void MovingBlades::prepare(const gpu::ShaderLibrary& shaders, const shared::Fram
                 .hasColliders = frame.environment.colliderCount > 0,
                 .keepsEtas = buffers_.hasEtas(),
                 .testsSmall = testsSmall_,
-                .features =
-                    shared::featuresOf(frame.view, frame.pages != 0, frame.cullResults != 0)};
+                .features = shared::featuresOf(frame.view, frame.pages != 0, frame.cullResults != 0,
+                                               frame.organs.address != 0)};
     update_.prepare(shaders, variant_);
 }
 

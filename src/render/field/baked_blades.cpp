@@ -77,6 +77,12 @@ BakedBlades::BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& u
     firstNonEmptyPatches_ = allocate(context, "field/first nonEmptyPatches",
                                      firstNonEmptyPatches.size() * sizeof(std::uint32_t));
     species_ = allocate(context, "field/species", species.size() * sizeof(shared::Species));
+    areaFactor_ = field::areaFactor(field);
+    const std::vector<shared::Organ> organs = field::organTable(field.species);
+    if (!organs.empty()) {
+        organs_ = allocate(context, "field/organs", organs.size() * sizeof(shared::Organ));
+        upload.toBuffer(organs_, std::span<const shared::Organ>(organs));
+    }
     if (pages == 0) {
         upload.toBuffer(blades_, field.blades);
     } else {
@@ -110,6 +116,8 @@ void BakedBlades::describe(shared::Frame& frame) const
     frame.patches = patches_.address();
     frame.pages = pages_.address();
     frame.species = species_.address();
+    frame.organs.address = organs_.address();
+    frame.view.areaFactor = areaFactor_;
     frame.patchCount = patchCount_;
     frame.bladeCount = bladeCount_;
 }

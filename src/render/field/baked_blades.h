@@ -32,10 +32,7 @@ public:
     std::uint32_t placeCount() const { return placeCount_; } ///< resident blades at most
     bool isPaged() const { return pages_.address() != 0; }   ///< false: all blades are resident
     std::uint32_t patchCount() const { return patchCount_; }
-    std::uint32_t nonEmptyPatchCount() const
-    {
-        return nonEmptyPatchCount_;
-    }                                                              ///< non-empty patches
+    std::uint32_t nonEmptyPatchCount() const { return nonEmptyPatchCount_; } ///< non-empty patches
     const gpu::Buffer& blades() const { return blades_; }          ///< shared::PackedBlade
     VkDeviceAddress patches() const { return patches_.address(); } ///< shared::Patch
     VkDeviceAddress pages() const { return pages_.address(); }     ///< Frame::pages
@@ -67,6 +64,8 @@ private:
     gpu::Buffer patches_;
     gpu::Buffer pages_; ///< empty if all blades are resident
     gpu::Buffer species_;
+    gpu::Buffer organs_; ///< of compound plants, if there are any
+    float areaFactor_ = 1.0f;
     gpu::Buffer nonEmptyPatches_;
     gpu::Buffer firstNonEmptyPatches_;
     std::optional<PatchTree> tree_;

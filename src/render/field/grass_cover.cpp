@@ -109,10 +109,6 @@ private:
 
 void dealBlades(const field::FieldView& field, Corners& leaves)
 {
-    std::array<float, shared::maxSpecies> shares{};
-    for (std::size_t i = 0; i < std::min<std::size_t>(field.species.size(), shares.size()); ++i)
-        shares[i] =
-            shared::outlineArea(field.species[i].look.shape, field.species[i].look.tipThreshold);
     const double all = static_cast<double>(std::max<std::size_t>(field.blades.size(), 1));
     const double share = std::min(1.0, static_cast<double>(maxCoverBlades) / all);
     for (const shared::Patch& cell : field.patches) {
@@ -122,7 +118,9 @@ void dealBlades(const field::FieldView& field, Corners& leaves)
         for (std::uint32_t i = 0; i < read; ++i) {
             const shared::Blade blade =
                 shared::unpackBlade(field.blades[cell.firstBlade + i], cell);
-            const float area = blade.height * blade.width * shares[blade.species];
+            const field::BladePart part = field::partOf(field.species[blade.species], blade);
+            const float area = part.length * blade.width *
+                               shared::outlineArea(part.look->shape, part.look->tipThreshold);
             leaves.deal(blade.root,
                         area * static_cast<float>(cell.bladeCount) / static_cast<float>(read));
         }
@@ -209,9 +207,10 @@ void describeUndergrowth(const field::FieldView& field, shared::Cover& cover)
         for (std::size_t i = (cell.firstBlade + stride - 1) / stride * stride; i < end;
              i += stride) {
             const shared::Blade blade = shared::unpackBlade(field.blades[i], cell);
-            const shared::Species& look = field.species[blade.species].look;
+            const field::BladePart part = field::partOf(field.species[blade.species], blade);
+            const shared::Species& look = *part.look;
             const float area =
-                blade.height * blade.width * shared::outlineArea(look.shape, look.tipThreshold);
+                part.length * blade.width * shared::outlineArea(look.shape, look.tipThreshold);
             roots += area * look.rootColor;
             tips += area * look.tipColor;
             leaves += area;

@@ -54,7 +54,8 @@ RasterPass::RasterPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
                                                    {.id = 3, .value = target.mayBePaged},
                                                    {.id = 4, .value = largeTo},
                                                    {.id = 11, .value = target.mayFold},
-                                                   {.id = 14, .value = target.onlyShape}}});
+                                                   {.id = 14, .value = target.onlyShape},
+                                                   {.id = 17, .value = target.mayHaveOrgans}}});
     };
     const std::uint32_t untold = shared::largeToNone;
     const std::uint32_t largeTo =

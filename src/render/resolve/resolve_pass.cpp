@@ -87,6 +87,7 @@ void ResolvePass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
                                    {.id = 12, .value = shown.blades ? 1u : 0u},
                                    {.id = 13, .value = shown.sky ? 1u : 0u},
                                    {.id = 14, .value = target_.onlyShape},
+                                   {.id = 17, .value = target_.mayHaveOrgans ? 1u : 0u},
                                    {.id = 15, .value = shading.hasShadingCache ? 1u : 0u}})});
     parts_.emplace(shading, std::move(parts));
 }

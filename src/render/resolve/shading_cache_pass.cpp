@@ -46,7 +46,8 @@ void ShadingCachePass::prepare(const gpu::ShaderLibrary& shaders, Shading shadin
                                                      {.id = 1, .value = target_.samples},
                                                      {.id = 8, .value = shading.limitsLeafArea},
                                                      {.id = 11, .value = target_.mayFold},
-                                                     {.id = 14, .value = target_.onlyShape}}}));
+                                                     {.id = 14, .value = target_.onlyShape},
+                                                     {.id = 17, .value = target_.mayHaveOrgans}}}));
 }
 
 void ShadingCachePass::describe(shared::RasterPush& push) const

@@ -174,7 +174,9 @@ field::Species meadowGrass()
                   .gloss = 0.5f,
                   .dryness = 0.15f,
                   .shape = shared::shapeTriangleTip,
-                  .fold = 0.0f};
+                  .fold = 0.0f,
+                  .firstOrgan = 0,
+                  .organKinds = 0};
     return grass;
 }
 

@@ -143,16 +143,17 @@ TEST(PatchTree, TakesManyBladesInOnePlace)
     const std::vector<std::uint64_t> order = progressiveOrder({}, roots, evenPoissonShare);
     const LocalRanks ranks(glm::dvec3(0.0), roots, order);
     Progress progress;
-    const auto grow = [&](std::size_t i) {
-        shared::Blade blade = {};
-        blade.root = roots[i].position;
-        blade.up = roots[i].normal;
-        blade.height = 0.5f;
-        blade.width = 0.01f;
-        return blade;
-    };
+    const RootGrowth growth{[](std::size_t) { return 1U; },
+                            [&](std::size_t i, std::span<GrownBlade> blades) {
+                                shared::Blade& blade = blades[0].blade;
+                                blade = {};
+                                blade.root = roots[i].position;
+                                blade.up = roots[i].normal;
+                                blade.height = 0.5f;
+                                blade.width = 0.01f;
+                            }};
     field::Field field;
-    joinCells(growCells({}, roots, order, ranks, grow, progress), field);
+    joinCells(growCells({}, roots, order, ranks, growth, progress), field);
     EXPECT_EQ(field.blades.size(), 5000U);
     std::set<std::uint32_t> candidates;
     for (const field::BladeKey& key : field.keys)

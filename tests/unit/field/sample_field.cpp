@@ -75,9 +75,18 @@ field::Field sampleField(std::uint32_t bladesPerPatch)
     root.rankLow = 0.0f;
     root.rankHigh = 0.5f;
 
-    shared::Species look = {
-        glm::vec3(0.1f),        0.5f, glm::vec3(0.3f), 0.5f, 0.5f, 0.5f, 0.5f, 0.1f,
-        shared::shapeQuadratic, 0.25f};
+    shared::Species look = {glm::vec3(0.1f),
+                            0.5f,
+                            glm::vec3(0.3f),
+                            0.5f,
+                            0.5f,
+                            0.5f,
+                            0.5f,
+                            0.1f,
+                            shared::shapeQuadratic,
+                            0.25f,
+                            0,
+                            0};
     field.species = {{"grass", look}, {"clover", look}};
     const glm::vec3 corners[] = {{0, 0, 0}, {8, 0, 0}, {8, 0, 8}, {0, 0, 8}};
     for (const glm::vec3& corner : corners)

@@ -51,8 +51,9 @@ TEST(Outline, KeepsItsAreaHoweverItIsCut)
                 EXPECT_NEAR(areaOfChords(outline) / double(outlineArea(shape, threshold)), 1.0,
                             tolerance)
                     << "shape " << shape << ", " << segments << " segments";
-                for (float t = 0.0f; t <= 1.0f; t += 1.0f / 64.0f) {
-                    const vec2 edges = edgesAt(outline, t);
+                // Between its cross-sections an outline is not drawn.
+                for (float i = 0.0f; i <= segments; i += 1.0f) {
+                    const vec2 edges = edgesAt(outline, i / segments);
                     EXPECT_LE(edges.x, edges.y);
                     EXPECT_LE(std::max(-edges.x, edges.y), 0.5f * outlineMost);
                 }
@@ -240,14 +241,17 @@ TEST(OrientationCulling, LeavesOutOnlyBladesWithoutASample)
         view.maxEdgeOn = 1.0f;
         view.samples = i % 2 == 0 ? 1u : 4u;
         const vec3 axis = widthAxis(blade.up, blade.facing);
-        if (!seenTooNarrow(view, blade, i, axis, length(blade.root), 1.0f))
+        const vec3 tip =
+            poseBlade(blade.up, frontOf(blade.up, axis), blade.up + dice.direction()).v2;
+        const PosedBlade posed =
+            posedBlade(blade, stateOf(blade.up, frontOf(blade.up, axis), normalize(tip), 0.0f));
+        if (!seenTooNarrow(view, posed, i, 1.0f))
             continue;
         ++narrow;
-        const Pose pose = poseBlade(blade.up, frontOf(blade.up, axis), blade.up + dice.direction());
         Ribbon ribbon = {};
-        ribbon.v0 = blade.root;
-        ribbon.v1 = blade.root + blade.height * pose.v1;
-        ribbon.v2 = blade.root + blade.height * pose.v2;
+        ribbon.v0 = posed.v0;
+        ribbon.v1 = posed.v1;
+        ribbon.v2 = posed.v2;
         ribbon.axis = axis;
         ribbon.width = blade.width;
         ribbon.outline = outlineOf(i % shapeCount, 0.4f, float(1 + i % 5));
