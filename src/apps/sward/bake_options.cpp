@@ -242,8 +242,10 @@ void BakeOptions::addPlaces(CLI::App& app)
 
 void BakeOptions::addBlades(CLI::App& app)
 {
-    app.add_option("--meadow", meadow_,
-                   "Species that are sown: a .json file, or meadow, lawn or steppe")
+    app.add_option(
+           "--meadow", meadow_,
+           "Species that are sown: a .json file, or meadow, lawn, daisies, alpine, marsh, prairie "
+           "or steppe")
         ->type_name("FILE|NAME")
         ->group("Blades")
         ->capture_default_str();

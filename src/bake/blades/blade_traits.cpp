@@ -61,10 +61,20 @@ private:
 };
 
 // Chooses a species by the shares at the root. Blades of one clump are mostly of one species.
+// Compound plants stand alone: they would fill the clump that they get.
 std::uint32_t chooseSpecies(const Meadow& meadow, const SpeciesShares& shares, const Dice& dice)
 {
-    const bool followsClump = dice.own(Dimension::clump) < meadow.species[0].clumping;
-    return shares.at(followsClump ? dice.clump(Dimension::species) : dice.own(Dimension::species));
+    const std::uint32_t own = shares.at(dice.own(Dimension::species));
+    if (dice.own(Dimension::clump) >= meadow.species[0].clumping ||
+        !meadow.species[own].organs.empty())
+        return own;
+    SpeciesShares blades = shares;
+    for (std::size_t slot = 0; slot < meadow.species.size(); ++slot)
+        if (!meadow.species[slot].organs.empty()) {
+            blades.total -= blades.share[slot];
+            blades.share[slot] = 0.0;
+        }
+    return blades.at(dice.clump(Dimension::species));
 }
 
 // Lengths of the waves of height and of drifts [m] at blade scale 1. Clumps are smaller than these.

@@ -52,7 +52,9 @@ TEST(Plan, BuiltInMeadowsStateTheirCover)
 {
     // Leaf area index of the closed sward; a blade's plan is smaller than its area.
     const std::map<std::string, std::pair<double, double>> index{
-        {"meadow", {3.0, 8.0}}, {"lawn", {2.0, 6.0}}, {"steppe", {1.0, 5.0}}};
+        {"meadow", {3.0, 8.0}},  {"lawn", {2.0, 6.0}},   {"steppe", {1.0, 5.0}},
+        {"daisies", {2.5, 8.0}}, {"alpine", {1.5, 6.0}}, {"marsh", {2.0, 9.0}},
+        {"prairie", {1.5, 8.0}}};
     for (const auto& [name, range] : index) {
         const Meadow meadow = loadMeadow(name);
         const BladeCover one = coverOf(meadow);

@@ -9,6 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 namespace sward::bake {
 namespace {
 
@@ -113,6 +116,42 @@ TEST(Plants, ThinningKeepsTheirShare)
     EXPECT_NEAR(whole, 1.0 / 3.0, 0.02);
     for (const float share : {0.05f, 0.2f, 0.5f})
         EXPECT_NEAR(shareOfPlants(share) / whole, 1.0, 0.07) << share;
+}
+
+TEST(Plants, StandAloneInClumpsOfGrass)
+{
+    BakeSettings settings = plantSettings(400.0);
+    settings.meadow.clumpSize = 1.0;
+    settings.meadow.species[0].clumping = 1.0;
+    settings.meadow.species[1].share = 0.05;
+    const field::Field field = grow(meshes::square(10.0), settings, 2);
+    const field::FieldView view = field::viewOf(field);
+    // Plants by square metre.
+    std::array<std::array<int, 10>, 10> counts{};
+    double plants = 0.0;
+    double roots = 0.0;
+    glm::vec3 low(1e9f);
+    for (const shared::Patch& patch : view.patches)
+        if (patch.bladeCount > 0)
+            low = glm::min(low, patch.rootLow);
+    for (const shared::Patch& patch : view.patches)
+        for (std::uint32_t i = 0; i < patch.bladeCount; ++i) {
+            const std::size_t b = patch.firstBlade + i;
+            if (view.isRibbon(b))
+                continue;
+            roots += 1.0;
+            if ((view.blades[b].look >> 21U & 7U) != 1)
+                continue;
+            plants += 1.0;
+            const glm::vec3 at = shared::unpackBlade(view.blades[b], patch).root - low;
+            ++counts[std::min<std::size_t>(static_cast<std::size_t>(at.x), 9)]
+                    [std::min<std::size_t>(static_cast<std::size_t>(at.z), 9)];
+        }
+    // The share holds, and no square has many times its part.
+    EXPECT_NEAR(plants / roots, 0.05 / 1.05, 0.005);
+    for (const auto& row : counts)
+        for (const int count : row)
+            EXPECT_LT(count, 3.0 * plants / 100.0);
 }
 
 TEST(Plants, AreReadFromAMeadowAndWrittenAgain)

@@ -85,8 +85,10 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
     app.add_flag("--watch", options->frame.watch,
                  "Open files and settings again whenever they change")
         ->group(group);
-    app.add_option("--meadow", options->viewer.meadow,
-                   "Species that are sown on a mesh: meadow, lawn, steppe, or a .json file")
+    app.add_option(
+           "--meadow", options->viewer.meadow,
+           "Species that are sown on a mesh: meadow, lawn, daisies, alpine, marsh, prairie, "
+           "steppe, or a .json file")
         ->type_name("NAME|FILE")
         ->group(group)
         ->default_str("meadow");
