@@ -148,7 +148,7 @@ def ids(keys):
 
 
 def blades(field):
-    """The blades in plain numbers: a dictionary of COLUMNS, in the order of the file."""
+    """The blades with roots in plain numbers: a dictionary of COLUMNS, in the order of the file."""
     patches, packed = field["PATCHES"], field["BLADES"]
     patch = np.repeat(np.arange(len(patches)), patches["blade_count"])
     require(len(patch) == len(packed), "the patches do not cover the blades")
@@ -158,16 +158,20 @@ def blades(field):
     steps = np.stack([bits(0, 0, 16), bits(0, 16, 16), bits(1, 0, 16)], axis=1)
     root = field["origin"] + (own["root_low"] + own["root_step"][:, None] * steps)
     up = octahedral((bits(1, 16, 8) - 127) / 127, (bits(1, 24, 8) - 127) / 127)
-    return {"id": ids(field["KEYS"]) if len(field["KEYS"]) else np.arange(len(packed)),
-            "x": root[:, 0], "y": root[:, 1], "z": root[:, 2],
-            "ux": up[:, 0], "uy": up[:, 1], "uz": up[:, 2],
-            "facing": bits(2, 0, 8) * np.float32(2 * np.pi / 256),
-            "height": own["height_low"] + own["height_step"] * bits(2, 8, 8),
-            "width": own["width_low"] + own["width_step"] * bits(2, 16, 6),
-            "stiffness": bits(2, 22, 6) / 63, "species": bits(3, 21, 3).astype("u4"),
-            "exposure": bits(3, 16, 5) / 31, "tint_r": bits(3, 0, 5) / 31,
-            "tint_g": bits(3, 5, 6) / 63, "tint_b": bits(3, 11, 5) / 31,
-            "clump": bits(3, 24, 8).astype("u4"), "patch": patch}
+    table = {"id": ids(field["KEYS"]) if len(field["KEYS"]) else np.arange(len(packed)),
+             "x": root[:, 0], "y": root[:, 1], "z": root[:, 2],
+             "ux": up[:, 0], "uy": up[:, 1], "uz": up[:, 2],
+             "facing": bits(2, 0, 8) * np.float32(2 * np.pi / 256),
+             "height": own["height_low"] + own["height_step"] * bits(2, 8, 8),
+             "width": own["width_low"] + own["width_step"] * bits(2, 16, 6),
+             "stiffness": bits(2, 22, 6) / 63, "species": bits(3, 21, 3).astype("u4"),
+             "exposure": bits(3, 16, 5) / 31, "tint_r": bits(3, 0, 5) / 31,
+             "tint_g": bits(3, 5, 6) / 63, "tint_b": bits(3, 11, 5) / 31,
+             "clump": bits(3, 24, 8).astype("u4"), "patch": patch}
+    # Ribbons on the stalks of compound plants have no root of their own.
+    plants = np.array(["organs" in species for species in field["SPECIES"]])
+    rooted = (table["clump"] == 0) | ~plants[table["species"]]
+    return {name: column[rooted] for name, column in table.items()}
 
 
 def main(arguments):

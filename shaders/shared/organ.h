@@ -113,7 +113,9 @@ SHARED_FN PosedBlade posedRibbon(PosedBlade stalk, Organ organ, uint number, uin
     const Blade plant = stalk.blade;
     const float share = organ.count > 1u ? float(within) / float(organ.count - 1u) : 0.0f;
     const float t = mix(organ.place.x, organ.place.y, share);
-    const vec3 along = normalize(bezierTangent(stalk.v0, stalk.v1, stalk.v2, t));
+    // The curve of a straight stalk stands still at its tip: v1 and v2 are one.
+    vec3 along = bezierTangent(stalk.v0, stalk.v1, stalk.v2, t);
+    along = normalize(dot(along, along) > 1e-10f * plant.height * plant.height ? along : stalk.v1 - stalk.v0);
     // The width axis is level, so it is nowhere parallel to a stalk but to one that lies along it.
     vec3 side = stalk.axis - along * dot(along, stalk.axis);
     const float level = dot(side, side);

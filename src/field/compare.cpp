@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace sward::field {
 namespace {
@@ -18,12 +17,22 @@ struct Pairing {
     std::uint64_t onlySecond = 0;
 };
 
+// Indices of the blades with roots: ribbons repeat what their stalks say.
+std::vector<std::size_t> rootedOf(const FieldView& field)
+{
+    std::vector<std::size_t> rooted;
+    rooted.reserve(field.blades.size());
+    for (std::size_t b = 0; b < field.blades.size(); ++b)
+        if (!field.isRibbon(b))
+            rooted.push_back(b);
+    return rooted;
+}
+
 std::vector<std::size_t> orderById(const FieldView& field, std::vector<std::uint64_t>& ids)
 {
     ids.resize(field.keys.size());
     std::transform(field.keys.begin(), field.keys.end(), ids.begin(), bladeId);
-    std::vector<std::size_t> order(ids.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::vector<std::size_t> order = rootedOf(field);
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return ids[a] != ids[b] ? ids[a] < ids[b] : a < b;
     });
@@ -58,13 +67,15 @@ Pairing pairById(const FieldView& first, const FieldView& second)
 
 Pairing pairByOrder(const FieldView& first, const FieldView& second)
 {
-    const std::size_t common = std::min(first.blades.size(), second.blades.size());
+    const std::vector<std::size_t> a = rootedOf(first);
+    const std::vector<std::size_t> b = rootedOf(second);
+    const std::size_t common = std::min(a.size(), b.size());
     Pairing result;
     result.pairs.reserve(common);
     for (std::size_t i = 0; i < common; ++i)
-        result.pairs.emplace_back(i, i);
-    result.onlyFirst = first.blades.size() - common;
-    result.onlySecond = second.blades.size() - common;
+        result.pairs.emplace_back(a[i], b[i]);
+    result.onlyFirst = a.size() - common;
+    result.onlySecond = b.size() - common;
     return result;
 }
 

@@ -201,11 +201,11 @@ Distributions distributionsOf(const FieldView& field)
 
     Cells cells(cell);
     for (const shared::Patch& patch : field.patches) {
-        if (patch.bladeCount > 0)
-            result.bladesPerPatch.add(double(patch.bladeCount));
+        std::uint32_t rooted = 0;
         for (std::size_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i) {
             if (field.isRibbon(i))
                 continue;
+            ++rooted;
             const shared::Blade blade = shared::unpackBlade(field.blades[i], patch);
             result.height.add(double(blade.height));
             result.width.add(double(blade.width));
@@ -214,6 +214,8 @@ Distributions distributionsOf(const FieldView& field)
             result.slope.add(slopeOf(field, blade));
             cells.add(blade);
         }
+        if (patch.bladeCount > 0)
+            result.bladesPerPatch.add(double(rooted));
     }
     result.density = cells.densities();
     return result;

@@ -41,9 +41,10 @@ Summary summarise(const FieldView& field)
     }
     if (summary.leaves > 0)
         summary.bladesPerLeaf = double(inLeaves) / double(summary.leaves);
-    if (const auto rooted = double(summary.blades - summary.ribbons); rooted > 0.0) {
-        summary.heightMean = heights / rooted;
-        summary.widthMean = widths / rooted;
+    summary.blades -= summary.ribbons;
+    if (summary.blades > 0) {
+        summary.heightMean = heights / double(summary.blades);
+        summary.widthMean = widths / double(summary.blades);
     }
     return summary;
 }

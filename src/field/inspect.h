@@ -12,8 +12,8 @@ namespace sward::field {
 
 /// Statistics of a field for users and programs.
 struct Summary {
-    std::uint64_t blades = 0;              ///< of the field, with those on stalks
-    std::uint64_t ribbons = 0;             ///< blades on the stalks of compound plants
+    std::uint64_t blades = 0;              ///< of the field, without those on stalks
+    std::uint64_t ribbons = 0;             ///< on the stalks of compound plants
     std::uint64_t patches = 0;             ///< of its tree
     std::uint64_t leaves = 0;              ///< patches without children
     int levels = 0;                        ///< of the tree

@@ -74,6 +74,12 @@ Organ parseOrgan(const json& object, const std::string& place)
     return organ;
 }
 
+bool havePlants(const FieldView& field)
+{
+    return std::any_of(field.species.begin(), field.species.end(),
+                       [](const Species& one) { return !one.organs.empty(); });
+}
+
 } // namespace
 
 bool areAlike(const Organ& a, const Organ& b)
@@ -189,11 +195,18 @@ BladePart partOf(const Species& species, const shared::Blade& blade)
     return {&species.look, blade.height};
 }
 
+std::uint64_t rootedBlades(const FieldView& field)
+{
+    std::uint64_t ribbons = 0;
+    for (std::size_t b = 0; havePlants(field) && b < field.blades.size(); ++b)
+        ribbons += field.isRibbon(b) ? 1U : 0U;
+    return field.blades.size() - ribbons;
+}
+
 float areaFactor(const FieldView& field)
 {
     constexpr std::size_t sampledPatches = 2000;
-    const bool hasPlants = std::any_of(field.species.begin(), field.species.end(),
-                                       [](const Species& one) { return !one.organs.empty(); });
+    const bool hasPlants = havePlants(field);
     double area = 0.0;
     double expected = 0.0;
     const std::size_t stride = field.patches.size() / sampledPatches + 1;

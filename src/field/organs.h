@@ -64,6 +64,9 @@ struct BladePart {
 };
 BladePart partOf(const Species& species, const shared::Blade& blade);
 
+/// Number of a field's blades without those on stalks: what users call its blades.
+std::uint64_t rootedBlades(const FieldView& field);
+
 /// Mean area (length times width) of the blades of compound plants and all others, relative to
 /// their patches' middle height times middle width; 1 without compound plants. From a sample.
 float areaFactor(const FieldView& field);

@@ -127,7 +127,7 @@ void describe(GltfDocument& document, const field::FieldView& field,
     ordered_json root = {{"name", "field"}, {"translation", origin}};
     if (!children.empty())
         root["children"] = std::move(children);
-    root["extras"] = {{"origin_m", origin}, {"blades", field.blades.size()}};
+    root["extras"] = {{"origin_m", origin}, {"blades", field::rootedBlades(field)}};
     document.setScene(document.add("nodes", std::move(root)));
 }
 

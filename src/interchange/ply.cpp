@@ -44,7 +44,7 @@ std::string headerOf(const field::FieldView& field, const ExportSettings& settin
     header += commentLines(settings.generator);
     header += "comment metres, Y up, world space; colour of the ground at the root, sRGB\n";
     header += commentLines(*field.copyright);
-    header += fmt::format("element vertex {}\n", field.blades.size());
+    header += fmt::format("element vertex {}\n", field::rootedBlades(field));
     for (const char* name : {"x", "y", "z"})
         header += fmt::format("property double {}\n", name);
     for (const char* name :
@@ -104,7 +104,8 @@ void writePly(const field::FieldView& field, const std::filesystem::path& path,
     for (std::uint32_t p = 0; p < field.patches.size(); ++p) {
         const shared::Patch& patch = field.patches[p];
         for (std::size_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i)
-            points.addBlade(bladeOf(field, p, i, settings.source), field.origin, field.idOf(i));
+            if (!field.isRibbon(i))
+                points.addBlade(bladeOf(field, p, i, settings.source), field.origin, field.idOf(i));
         if (points.size() >= plyWriteSize)
             points.writeTo(file);
         progress.advance(patch.bladeCount);

@@ -24,8 +24,8 @@ std::string tableOf(const field::FieldView& first, const field::FieldView& secon
     const auto row = [&](const char* name, const std::string& value) {
         text += fmt::format("{:<30}{}\n", name, value);
     };
-    row("blades in A", fmt::format("{}", first.blades.size()));
-    row("blades in B", fmt::format("{}", second.blades.size()));
+    row("blades in A", fmt::format("{}", field::rootedBlades(first)));
+    row("blades in B", fmt::format("{}", field::rootedBlades(second)));
     row(match == field::Match::id ? "matched by id" : "matched by order",
         fmt::format("{}", found.matched));
     row("only in A", fmt::format("{}", found.onlyFirst));

@@ -85,7 +85,7 @@ public:
         const CancelOnInterrupt cancel(progress);
         format.write(field.view(), output_, settings, progress);
         bar.clear();
-        writeResult(fmt::format("{}: {} blades, {}\n", output_, field.view().blades.size(),
+        writeResult(fmt::format("{}: {} blades, {}\n", output_, field::rootedBlades(field.view()),
                                 sizeText(std::filesystem::file_size(output_))));
         return 0;
     }

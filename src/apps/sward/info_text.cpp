@@ -76,9 +76,9 @@ std::string infoText(const std::string& file, const field::FieldView& field,
     const auto row = [&](const char* name, const std::string& value) {
         text += fmt::format("  {:<20}{}\n", name, value);
     };
-    row("blades", summary.ribbons == 0 ? fmt::format("{}", summary.blades)
-                                       : fmt::format("{}, of these {} on the stalks of plants",
-                                                     summary.blades, summary.ribbons));
+    row("blades", fmt::format("{}", summary.blades));
+    if (summary.ribbons > 0)
+        row("ribbons", fmt::format("{} on the stalks of plants", summary.ribbons));
     row("patches", fmt::format("{} in {}; {} leaves of {:.1f} blades on average", summary.patches,
                                counted(std::uint64_t(summary.levels), "level"), summary.leaves,
                                summary.bladesPerLeaf));

@@ -22,7 +22,7 @@ public:
         // Reading validates: it throws at the first error.
         const field::MappedField field = field::readField(file_);
         writeResult(fmt::format("{}: valid, {} blades in {} patches\n", file_,
-                                field.view().blades.size(), field.view().patches.size()));
+                                field::rootedBlades(field.view()), field.view().patches.size()));
         return 0;
     }
 

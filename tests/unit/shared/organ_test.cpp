@@ -15,7 +15,10 @@ Organ randomOrgan(tests::Dice& dice)
 {
     Organ organ = {};
     organ.count = 1u + uint(dice.number(0.0f, 12.0f));
-    organ.place = vec2(dice.number(0.0f, 1.0f), dice.number(0.0f, 1.0f));
+    // Heads stand at the tip.
+    organ.place = dice.number(0.0f, 1.0f) < 0.2f
+                      ? vec2(1.0f)
+                      : vec2(dice.number(0.0f, 1.0f), dice.number(0.0f, 1.0f));
     organ.pitch = vec2(dice.number(0.0f, 3.14f), dice.number(0.0f, 3.14f));
     organ.size = vec2(dice.number(0.01f, 1.0f), dice.number(0.01f, 1.0f));
     organ.azimuth = dice.number(-6.3f, 6.3f);
@@ -35,6 +38,9 @@ PosedBlade randomStalk(tests::Dice& dice)
     blade.facing = float(uint(dice.number(0.0f, 255.9f))) * (twoPi / 256.0f);
     blade.height = dice.number(0.02f, 2.0f);
     blade.hash = uint(dice.number(0.0f, 15.9f));
+    // Every tenth stands upright, as all do before they have moved.
+    if (dice.number(0.0f, 1.0f) < 0.1f)
+        return posedBlade(blade, stateOfTurn(vec2(0.0f), 0.0f));
     const vec3 front = frontOf(blade.up, widthAxis(blade.up, blade.facing));
     return posedBlade(blade,
                       stateOf(blade.up, front, keptAbove(blade.up, front, dice.direction()), 0.0f));
