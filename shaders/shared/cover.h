@@ -17,7 +17,7 @@ struct Cover {
     uint countX;         ///< corners along each axis, ≥ 2; 0: no grass
     uint countY;
     uint countZ;
-    float farthest; ///< [m] draw distance of grass; no shade beyond it
+    float farthest;   ///< [m] draw distance of grass; no shade beyond it
     vec3 undergrowth; ///< linear colour of litter, moss and leaf sheaths below a closed sward
     float thatch;     ///< [0, 1] share of the undergrowth that is drawn
     vec3 sward;       ///< linear colour of the leaves of the closed sward
@@ -67,8 +67,7 @@ SHARED_FN vec3 groundUnder(Cover cover, vec3 bare, vec3 shade, float leafArea)
 /// where no blade was left out. `leafArea` of the meadow.
 SHARED_FN float swardShare(Cover cover, float leafArea)
 {
-    return cover.thatch *
-           (undergrowthBelow(leafArea) - undergrowthBelow(leafArea / cover.thinned));
+    return cover.thatch * (undergrowthBelow(leafArea) - undergrowthBelow(leafArea / cover.thinned));
 }
 
 /// Brightness of the sward, seen at this cosine from the ground's normal, relative to its leaves in

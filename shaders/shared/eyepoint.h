@@ -14,14 +14,15 @@ struct Eyepoint {
     float pixelsPerUnit;  ///< pixels of something 1 m large at 1 m distance
     float lodThreshold;   ///< [pixels] width below which blades are left out; 0: none
     float lodWidth;       ///< [m] typical width of a blade
-    float minWidth;     ///< [m at 1 m distance] see crossSectionAt(); 0: true width
-    float maxLeafArea;     ///< see leafAreaShare(); 0: no limit
-    float maxEdgeOn;     ///< cosine beyond which a blade is seen edge-on; 1: never
+    float minWidth;       ///< [m at 1 m distance] see crossSectionAt(); 0: true width
+    float maxLeafArea;    ///< see leafAreaShare(); 0: no limit
+    float maxEdgeOn;      ///< cosine beyond which a blade is seen edge-on; 1: never
     uint samples;         ///< per pixel
     float buckets;        ///< of the stepwise thinning, see bucketsKeep(); 0: off
     float bucketDistance; ///< [m]
     uint cullMask;
-    float areaFactor; ///< area of the field's blades relative to height times width of their patches
+    float
+        areaFactor; ///< area of the field's blades relative to height times width of their patches
 };
 SHARED_LAYOUT(Eyepoint, 156)
 

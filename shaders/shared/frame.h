@@ -96,13 +96,13 @@ struct Frame {
     OrganTable organs; ///< of all species; address 0: there are no compound plants
     VisibleArray visible;
     DrawArray draw;
-    FloatArray patchTimes; ///< per patch: the time of its blades' last update [s] …
-    UintArray patchCounts; ///< … and the number of blades, from its first, that were moved
-    UintArray cullResults; ///< cull result per blade in memory, or address 0 if off
-    UintArray pages;       ///< place of each page of blades in memory (pages.h); address 0: all
-                           ///< blades are in memory, in order
+    FloatArray patchTimes;    ///< per patch: the time of its blades' last update [s] …
+    UintArray patchCounts;    ///< … and the number of blades, from its first, that were moved
+    UintArray cullResults;    ///< cull result per blade in memory, or address 0 if off
+    UintArray pages;          ///< place of each page of blades in memory (pages.h); address 0: all
+                              ///< blades are in memory, in order
     HostLightArray hostLight; ///< the host's light; address 0: only the light of this frame
-    DepthPyramid pyramid;  ///< depths of the ground; without depths it hides nothing
+    DepthPyramid pyramid;     ///< depths of the ground; without depths it hides nothing
 
     mat4 viewProjection; ///< reversed Z: 1 near, 0 far
     vec3 rays[3];        ///< see rayThrough(): change of the ray per place of the picture,

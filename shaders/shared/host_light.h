@@ -37,8 +37,8 @@ SHARED_LAYOUT(Lamp, 56)
 
 /// The host's light in one view of one field.
 struct HostLight {
-    mat4 ambient[3]; ///< red, green, blue: see ambientLight()
-    vec3 above;      ///< ambientLight() towards the sky's up-vector
+    mat4 ambient[3];               ///< red, green, blue: see ambientLight()
+    vec3 above;                    ///< ambientLight() towards the sky's up-vector
     Cascade cascades[maxCascades]; ///< the finest first
     Lamp lamps[maxLamps];
     uint cascadeCount; ///< 0: all places are in the sun

@@ -87,9 +87,9 @@ SHARED_FN vec4 valueNoiseSlope(vec3 p)
     const float h11 = h011 + s.x * d11;
     const float h0 = mix(h00, h10, s.y);
     const float h1 = mix(h01, h11, s.y);
-    return latticeUnit *
-           vec4(slope.x * mix(mix(d00, d10, s.y), mix(d01, d11, s.y), s.z),
-                slope.y * mix(h10 - h00, h11 - h01, s.z), slope.z * (h1 - h0), mix(h0, h1, s.z));
+    return latticeUnit * vec4(slope.x * mix(mix(d00, d10, s.y), mix(d01, d11, s.y), s.z),
+                              slope.y * mix(h10 - h00, h11 - h01, s.z), slope.z * (h1 - h0),
+                              mix(h0, h1, s.z));
 }
 
 SHARED_END

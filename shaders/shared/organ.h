@@ -20,17 +20,17 @@ SHARED_CONST uint maxOrganKinds = 32u; ///< of all species of a field
 /// and its number on the plant (1, 2 …) in place of the clump. So its state is that of its stalk,
 /// and it stays attached without reading the stalk.
 struct Organ {
-    Species look;     ///< colours and outline
-    uint count;       ///< ≥ 1
-    vec2 place;       ///< [0, 1] along the stalk: of the first ribbon and of the last
-    vec2 pitch;       ///< 0 … π between the stalk's direction and the ribbon at its base
-    vec2 size;        ///< (0, 1] length in stalk lengths
-    float width;      ///< (0, 2] in lengths of the ribbon
-    float azimuth;    ///< of the first ribbon about the stalk, from the stalk's width axis
-    float turn;       ///< about the stalk, from each ribbon to the next
-    float bend;       ///< −π … π from the base to the tip, away from the stalk's direction
-    float leg;        ///< legLength(bend)
-    float variation;  ///< [0, 1] of angles and length
+    Species look;    ///< colours and outline
+    uint count;      ///< ≥ 1
+    vec2 place;      ///< [0, 1] along the stalk: of the first ribbon and of the last
+    vec2 pitch;      ///< 0 … π between the stalk's direction and the ribbon at its base
+    vec2 size;       ///< (0, 1] length in stalk lengths
+    float width;     ///< (0, 2] in lengths of the ribbon
+    float azimuth;   ///< of the first ribbon about the stalk, from the stalk's width axis
+    float turn;      ///< about the stalk, from each ribbon to the next
+    float bend;      ///< −π … π from the base to the tip, away from the stalk's direction
+    float leg;       ///< legLength(bend)
+    float variation; ///< [0, 1] of angles and length
 };
 SHARED_LAYOUT(Organ, 116)
 
@@ -97,7 +97,9 @@ SHARED_FN uint plantKey(Blade blade)
 /// A number in [−½, ½] for a ribbon, from its plant.
 SHARED_FN float organDice(Blade blade, uint number, uint salt)
 {
-    return float(mixUint(plantKey(blade) | (number << 12u) | (salt << 20u)) >> 8u) * (1.0f / 16777215.0f) - 0.5f;
+    return float(mixUint(plantKey(blade) | (number << 12u) | (salt << 20u)) >> 8u) *
+               (1.0f / 16777215.0f) -
+           0.5f;
 }
 
 /// `v`, lifted to the ground plane of the plant at `root`.
@@ -115,7 +117,8 @@ SHARED_FN PosedBlade posedRibbon(PosedBlade stalk, Organ organ, uint number, uin
     const float t = mix(organ.place.x, organ.place.y, share);
     // The curve of a straight stalk stands still at its tip: v1 and v2 are one.
     vec3 along = bezierTangent(stalk.v0, stalk.v1, stalk.v2, t);
-    along = normalize(dot(along, along) > 1e-10f * plant.height * plant.height ? along : stalk.v1 - stalk.v0);
+    along = normalize(
+        dot(along, along) > 1e-10f * plant.height * plant.height ? along : stalk.v1 - stalk.v0);
     // The width axis is level, so it is nowhere parallel to a stalk but to one that lies along it.
     vec3 side = stalk.axis - along * dot(along, stalk.axis);
     const float level = dot(side, side);
@@ -136,7 +139,8 @@ SHARED_FN PosedBlade posedRibbon(PosedBlade stalk, Organ organ, uint number, uin
     const float leg = organ.leg * ribbon.blade.height;
     ribbon.v0 = bezierPoint(stalk.v0, stalk.v1, stalk.v2, t);
     const vec3 v1 = ribbon.v0 + leg * (cos(pitch) * along + sin(pitch) * outwards);
-    const vec3 v2 = v1 + leg * (cos(pitch + organ.bend) * along + sin(pitch + organ.bend) * outwards);
+    const vec3 v2 =
+        v1 + leg * (cos(pitch + organ.bend) * along + sin(pitch + organ.bend) * outwards);
     ribbon.v1 = aboveGround(plant.root, plant.up, v1);
     ribbon.v2 = aboveGround(plant.root, plant.up, v2);
     return ribbon;

@@ -38,16 +38,16 @@ SHARED_FN uint updateGroups(uint patches, uint ofGroup)
 struct UpdatePush {
     FrameArray cullView; ///< frame with the culling camera
     VisiblePatchArray live;
-    WalkLevelArray levels; ///< the first holds the number of visible patches
-    WalkLevelArray rounds; ///< each round's list length, and work-groups to rasterise it
-    UintArray nonEmptyPatches;      ///< indices of the non-empty patches
-    FrameArray views;      ///< views for which blades are moved, if there are several
-    UintArray before;      ///< receives the states before the motion, if they are kept
-    UintArray seenBefore;  ///< see RasterPush; address 0: all blades are in the early list
+    WalkLevelArray levels;     ///< the first holds the number of visible patches
+    WalkLevelArray rounds;     ///< each round's list length, and work-groups to rasterise it
+    UintArray nonEmptyPatches; ///< indices of the non-empty patches
+    FrameArray views;          ///< views for which blades are moved, if there are several
+    UintArray before;          ///< receives the states before the motion, if they are kept
+    UintArray seenBefore;      ///< see RasterPush; address 0: all blades are in the early list
     uint nonEmptyPatchCount;
     uint onlyUpdate; ///< 1: move all blades of all non-empty patches, cull and count none
     uint firstLive;  ///< the round's first visible patch …
-    uint maxLive;   ///< … and the maximum number of its visible patches
+    uint maxLive;    ///< … and the maximum number of its visible patches
     uint round;
     uint lateRound; ///< the round of the late list
     uint viewCount; ///< frames at `views`
@@ -67,11 +67,11 @@ SHARED_FN bool forgetsSeen(uint blade, uint frame)
 
 // Feature flags: code that a pipeline of the update contains and a frame may use. The tests of
 // cullMask, and more.
-SHARED_CONST uint featureThinning = 1u << 8u; ///< a lodThreshold above 0
-SHARED_CONST uint featureLeafAreaLimit = 1u << 9u;   ///< maxLeafArea above 0
-SHARED_CONST uint featurePages = 1u << 10u;   ///< only some blades may be in memory
-SHARED_CONST uint featureCullResults = 1u << 11u;   ///< the cull result of each blade is recorded
-SHARED_CONST uint featureOrgans = 1u << 12u;   ///< there are compound plants
+SHARED_CONST uint featureThinning = 1u << 8u;      ///< a lodThreshold above 0
+SHARED_CONST uint featureLeafAreaLimit = 1u << 9u; ///< maxLeafArea above 0
+SHARED_CONST uint featurePages = 1u << 10u;        ///< only some blades may be in memory
+SHARED_CONST uint featureCullResults = 1u << 11u;  ///< the cull result of each blade is recorded
+SHARED_CONST uint featureOrgans = 1u << 12u;       ///< there are compound plants
 SHARED_CONST uint featureAll = 0xffffffffu;
 
 /// The features that a frame uses.
@@ -84,18 +84,18 @@ SHARED_FN uint featuresOf(Eyepoint view, bool isPaged, bool hasCullResults, bool
 
 // Roles of the update of a visible patch.
 SHARED_CONST uint moveAndCull = 0u;
-SHARED_CONST uint onlyMove = 1u;  ///< moves the blades that any view wants; lists nothing
+SHARED_CONST uint onlyMove = 1u; ///< moves the blades that any view wants; lists nothing
 SHARED_CONST uint onlyCull = 2u; ///< blades that are already moved
 
 struct WalkPush {
     FrameArray cullView;
-    SubtreeArray subtrees; ///< by patch
-    UintArray queue;       ///< room for each patch once
-    VisiblePatchArray live;   ///< room for each non-empty patch
-    WalkLevelArray levels; ///< one more than the levels of the tree
-    uint startCount;       ///< patches of the levels at which the walk begins …
-    uint startLevel;       ///< … and the last of these levels
-    uint level;            ///< 0 for these levels together, then 1, 2, …
+    SubtreeArray subtrees;  ///< by patch
+    UintArray queue;        ///< room for each patch once
+    VisiblePatchArray live; ///< room for each non-empty patch
+    WalkLevelArray levels;  ///< one more than the levels of the tree
+    uint startCount;        ///< patches of the levels at which the walk begins …
+    uint startLevel;        ///< … and the last of these levels
+    uint level;             ///< 0 for these levels together, then 1, 2, …
     uint reserved;
 };
 SHARED_LAYOUT(WalkPush, 56)
@@ -206,9 +206,9 @@ struct LargePart {
     float scale;
     uint instance; ///< RasterPush::instance
     uint blade;    ///< resident id
-    uint part;  ///< 0–7 number of this part, 8–15 number of parts; 0: nothing, the list was full;
-                ///< 16–22 the first drawn segment, 23–29 one past the last; after an early
-                ///< pass the late pass draws all other segments
+    uint part; ///< 0–7 number of this part, 8–15 number of parts; 0: nothing, the list was full;
+               ///< 16–22 the first drawn segment, 23–29 one past the last; after an early
+               ///< pass the late pass draws all other segments
 };
 SHARED_LAYOUT(LargePart, 80)
 
@@ -293,7 +293,7 @@ struct RasterPush {
     LargePartArray large;
     WalkLevelArray largeCount; ///< list lengths, and work-groups for the lists: see largeParts …
     LargePartArray cut;        ///< blades that reach through the near plane
-    UintArray nonEmptyPatches;          ///< non-empty patches, in the order of their blades
+    UintArray nonEmptyPatches; ///< non-empty patches, in the order of their blades
     UintArray firstNonEmptyPatches; ///< per nonEmptyPatchStride blades: index into nonEmptyPatches
 
     /// The visibility history: a bit for each quarter of each blade, by resident id, whether a
@@ -308,8 +308,8 @@ struct RasterPush {
     uvec2 size;              ///< [pixels]
     uint isBgr;              ///< 1: the picture's first channel is blue
     uint round;              ///< round of the list to rasterise: its first blades, or its last ones
-    uint firstBlade; ///< visibility value of the blade with id 0: see VisibilityArray
-    uint instance;   ///< index of this instance in a view of several
+    uint firstBlade;         ///< visibility value of the blade with id 0: see VisibilityArray
+    uint instance;           ///< index of this instance in a view of several
 };
 SHARED_LAYOUT(RasterPush, 128)
 
@@ -384,7 +384,8 @@ SHARED_FN uint packLight(vec3 light)
 SHARED_FN vec3 unpackLight(uint packed)
 {
     const float scale = exp2(float(packed >> 27u) - 24.0f);
-    return scale * vec3(float(packed & 511u), float((packed >> 9u) & 511u), float((packed >> 18u) & 511u));
+    return scale *
+           vec3(float(packed & 511u), float((packed >> 9u) & 511u), float((packed >> 18u) & 511u));
 }
 
 /// Threads along each axis of a work-group that initialises a visibility with the host's depth.

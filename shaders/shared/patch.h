@@ -30,8 +30,8 @@ struct Patch {
     uint childCount; ///< ≤ 8
     uint level;      ///< depth below the root of the tree
     float rankLow;   ///< share of the surrounding blades before this patch's own, coarse to fine
-    float rankHigh; ///< the same for its last one; blade i of n has the rank low + (high − low)·(i
-                    ///< + ½)/n
+    float rankHigh;  ///< the same for its last one; blade i of n has the rank low + (high − low)·(i
+                     ///< + ½)/n
 };
 SHARED_LAYOUT(Patch, 104)
 

@@ -179,8 +179,8 @@ SHARED_CONST float stickingSpeed = 0.06f;
 
 /// Moves a blade by the time `elapsed` [s] up to `time`, for any duration. `near` are the colliders
 /// that may touch it. Returns its new state.
-SHARED_FN BladeState advanceBlade(Blade blade, Environment environment, ColliderMask near, BladeState state,
-                                  float time, float elapsed)
+SHARED_FN BladeState advanceBlade(Blade blade, Environment environment, ColliderMask near,
+                                  BladeState state, float time, float elapsed)
 {
     const BladeAxes axes = axesAlong(blade.up, widthAxis(blade.up, blade.facing));
     // Contact fades within 1/a seconds, a = (1 − b)/2 … 1/2 as in the demo.
@@ -205,9 +205,9 @@ SHARED_FN BladeState advanceBlade(Blade blade, Environment environment, Collider
         // Use the wind at the middle of the step.
         const vec3 wind =
             windAlongAxes(environment.wind, blade.root, axes, direction, time - back - 0.5f * dt);
-        turn =
-            turnAbove(relaxTurn(blade.stiffness, gravity + (radius * direction.z) * wind,
-                                environment.recovery, turn, direction.z < lyingBelow, radius, eta, dt));
+        turn = turnAbove(relaxTurn(blade.stiffness, gravity + (radius * direction.z) * wind,
+                                   environment.recovery, turn, direction.z < lyingBelow, radius,
+                                   eta, dt));
         if (environment.colliderCount > 0u) {
             const vec3 moved = directionOfTurn(turn);
             const vec3 tip = pushBlade(

@@ -13,7 +13,7 @@ SHARED_CONST uint shapeQuad = 1u;        ///< full width
 SHARED_CONST uint shapeTriangle = 2u;    ///< tapers to a point from the root on
 SHARED_CONST uint shapeQuadratic = 3u;   ///< one edge straight, the other a parabola
 SHARED_CONST uint shapeDandelion = 4u;   ///< lobes on both sides
-SHARED_CONST uint shapeLeaf = 5u; ///< a point at both ends, widest at the tip threshold
+SHARED_CONST uint shapeLeaf = 5u;        ///< a point at both ends, widest at the tip threshold
 SHARED_CONST uint shapeCount = 6u;
 
 /// Lobes of a dandelion's leaf on each side; each needs segmentsPerLobe segments.

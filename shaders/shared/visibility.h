@@ -69,9 +69,9 @@ SHARED_FN float steepestRay(vec3 eye, Patch cell)
 
 /// The leaf-area limit of a patch, part of whose grass the patch's own grass hides.
 struct LeafAreaLimit {
-    float share; ///< drawn share of its blades, see leafAreaShare(); lodFullShare: all
+    float share;  ///< drawn share of its blades, see leafAreaShare(); lodFullShare: all
     float height; ///< height compensation factor, see heightCompensation()
-    float light; ///< factor on the leaf area above the blades for lighting, see leafAreaLight()
+    float light;  ///< factor on the leaf area above the blades for lighting, see leafAreaLight()
 };
 
 /// No limit: all blades, unchanged.
@@ -100,7 +100,8 @@ SHARED_FN LeafAreaLimit leafAreaLimitOf(Eyepoint view, Patch cell)
     limit.share = leafAreaShare(view.maxLeafArea, leafArea, cosine, pixels);
     const float range = 255.0f * cell.heightStep;
     const float spread = min(2.0f * range / max(cell.heightLow + range, 1e-6f), 1.0f);
-    limit.height = heightCompensation(limit.share, leafAreaShare(1.0f, leafArea, cosine, 1.0f), spread);
+    limit.height =
+        heightCompensation(limit.share, leafAreaShare(1.0f, leafArea, cosine, 1.0f), spread);
     limit.light = leafAreaLight(limit.share, spread);
     return limit;
 }
@@ -120,7 +121,8 @@ struct DrawnSize {
 };
 
 /// `limit`: leafAreaLimitOf() the patch; `blade` is raised() by it.
-SHARED_FN DrawnSize drawnSize(Eyepoint view, LeafAreaLimit limit, Blade blade, float rank, float distance)
+SHARED_FN DrawnSize drawnSize(Eyepoint view, LeafAreaLimit limit, Blade blade, float rank,
+                              float distance)
 {
     // Widened blades reach a layer's area with fewer blades, in proportion.
     const float share = shareAt(view, distance);
@@ -226,8 +228,8 @@ SHARED_FN bool seenTooNarrow(Eyepoint view, PosedBlade posed, uint index, float 
 }
 
 /// The cull result of one blade of a visible patch, in the order orientation, frustum, distance,
-/// level of detail. `limit`: leafAreaLimitOf() its patch; the blade is raised() by it. `index` is its
-/// resident id.
+/// level of detail. `limit`: leafAreaLimitOf() its patch; the blade is raised() by it. `index` is
+/// its resident id.
 SHARED_FN Verdict cullBlade(Eyepoint view, LeafAreaLimit limit, PosedBlade posed, uint index,
                             float rank)
 {

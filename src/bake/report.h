@@ -60,14 +60,14 @@ struct Report {
     std::uint64_t kept = 0;          ///< roots in the field
     std::array<std::uint64_t, rejectCount> rejected{}; ///< by Reject
     double spacingRequested = 0.0;                     ///< [m]; 0: none requested
-    double spacingMinimum = 0.0;   ///< [m] between roots of one sheet, as stored
-    double relativeRadius = 0.0;   ///< minimum / spacing of a hexagonal packing
-    double densityRequested = 0.0; ///< [1/m²]
-    double densityReached = 0.0;   ///< [1/m²] kept roots per area
-    double densityClosed = 0.0;    ///< [1/m²] of a closed sward; 0 unless it decided the amount
-    double widening = 1.0;         ///< factor on the width of blades
-    bool slopeChosen = false;      ///< by the ground's shape, not by a setting
-    SoftRange slope;               ///< [degrees] of the filter, as requested or chosen
+    double spacingMinimum = 0.0;       ///< [m] between roots of one sheet, as stored
+    double relativeRadius = 0.0;       ///< minimum / spacing of a hexagonal packing
+    double densityRequested = 0.0;     ///< [1/m²]
+    double densityReached = 0.0;       ///< [1/m²] kept roots per area
+    double densityClosed = 0.0;        ///< [1/m²] of a closed sward; 0 unless it decided the amount
+    double widening = 1.0;             ///< factor on the width of blades
+    bool slopeChosen = false;          ///< by the ground's shape, not by a setting
+    SoftRange slope;                   ///< [degrees] of the filter, as requested or chosen
     std::optional<GreenShares> colors; ///< of the bearing ground; none if it has no colours
     bool proposesGreen = false;        ///< the colours matter, and no mask reads them
     /// Wall-clock seconds of each stage.

@@ -10,13 +10,12 @@ namespace sward {
 
 /// Category of an Error. The value is the exit code of the programs.
 enum class ErrorKind {
-    usage = 1,   ///< the command line or a setting is wrong
-    io = 2,      ///< a file cannot be read or written, or would be overwritten
-    input = 3,   ///< a file was read, but its content is not valid
-    runtime = 4, ///< the device was lost, there is no display
-    unsupported =
-        5, ///< valid, but not supported: an extension, a file version, no Vulkan device
-    difference = 7, ///< a comparison found a difference
+    usage = 1,       ///< the command line or a setting is wrong
+    io = 2,          ///< a file cannot be read or written, or would be overwritten
+    input = 3,       ///< a file was read, but its content is not valid
+    runtime = 4,     ///< the device was lost, there is no display
+    unsupported = 5, ///< valid, but not supported: an extension, a file version, no Vulkan device
+    difference = 7,  ///< a comparison found a difference
     interrupted = 130,
 };
 

@@ -254,8 +254,7 @@ void MappedField::Contents::read(const std::string& name)
     species = parseSpecies(reader.text(format::species, true), fmt::format("{}: species", place));
     defaults = parseDefaults(reader.text(format::defaults, true),
                              fmt::format("{}: defaults", place), copyright);
-    view.thinned =
-        parseCover(reader.text(format::cover, false), fmt::format("{}: cover", place));
+    view.thinned = parseCover(reader.text(format::cover, false), fmt::format("{}: cover", place));
     provenance = reader.text(format::provenance, false);
     if (provenance.empty())
         provenance = "{}";

@@ -11,7 +11,7 @@ struct Required {
 };
 
 struct Optional {
-    bool OptionalFeatures::*flag;
+    bool OptionalFeatures::* flag;
     Member member;
 };
 

@@ -28,8 +28,7 @@ struct FieldRendererSettings {
     /// on CPU devices. Never changes a picture.
     std::optional<bool> testsSmallBlades{};
 
-    bool recordCullResults =
-        false; ///< records cull results for dumpBlades(); 20 bytes per blade
+    bool recordCullResults = false; ///< records cull results for dumpBlades(); 20 bytes per blade
 
     /// Patches that the rasteriser updates and draws per round, with 16 bytes per blade. 0: as many
     /// as hold an eighth of all blades, or 16 million blades.

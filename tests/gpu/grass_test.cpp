@@ -35,7 +35,8 @@ TEST_F(GrassTest, DrawsTheSameInEitherConventionOfDepth)
 TEST_F(GrassTest, LooksTheSameWhereWorldAndCameraAreMovedTogether)
 {
     // Rotating, moving and scaling a field, its camera and its world together does not change the
-    // picture. Waves belong to the world and stay where they are, so the wind is the same everywhere.
+    // picture. Waves belong to the world and stay where they are, so the wind is the same
+    // everywhere.
     settings_.winds = {windSource(shared::windTurning)};
     const auto resident = upload(field_);
     const Placement placement{.position = {3e4, -2e3, 5e4},

@@ -129,9 +129,7 @@ void BakeOptions::addGround(CLI::App& app)
         });
     app.add_option_function<std::vector<double>>(
            "--extent",
-           [&map](const std::vector<double>& sides) {
-               map.extent = {sides.at(0), sides.at(1)};
-           },
+           [&map](const std::vector<double>& sides) { map.extent = {sides.at(0), sides.at(1)}; },
            "Size of a heightmap along x and z in metres")
         ->default_str("1 m from sample to sample")
         ->expected(2)

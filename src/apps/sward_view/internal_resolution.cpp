@@ -9,7 +9,7 @@ namespace {
 constexpr double tolerance = 1.15; ///< factor above the wanted time that is allowed
 constexpr double aim = 1.1; ///< factor above the wanted time that a rise may be expected to take
 constexpr double maxGrowth = 1.6; ///< of a step's time; that of its pixels is 1.5625
-constexpr int patience = 6;        ///< consecutive fast frames before the scale rises
+constexpr int patience = 6;       ///< consecutive fast frames before the scale rises
 constexpr int inFlight = 2; ///< frames drawn at the former scale whose times are still reported
 
 // Largest thinning of blades: wider ones would look like leaves.

@@ -23,9 +23,9 @@ class FieldBuffers {
 public:
     /// Optional storage per blade besides blade and state, and how the walk visits patches.
     struct Records {
-        bool list = false; ///< list of visible blades for all; else rounds are possible
-        bool cullResults = false;       ///< cull results
-        bool etas = false;              ///< collision state; else from the first collider on
+        bool list = false;        ///< list of visible blades for all; else rounds are possible
+        bool cullResults = false; ///< cull results
+        bool etas = false;        ///< collision state; else from the first collider on
         std::uint32_t roundPatches = 0; ///< visible patches per round; 0: by roundPatchesOf()
         std::uint32_t walkStart = shared::walkStart; ///< nodes that a walk begins with, at most
         std::uint32_t pages = 0; ///< pages of blades in memory; 0: all blades are resident
@@ -77,10 +77,7 @@ public:
     const gpu::Buffer& states() const { return states_.states(); }
     const gpu::Buffer& etas() const { return states_.etas(); }
     const gpu::Buffer& visible() const { return list_.visible(); }
-    const gpu::Buffer& cullResults() const
-    {
-        return cullResults_;
-    } ///< empty unless recorded
+    const gpu::Buffer& cullResults() const { return cullResults_; } ///< empty unless recorded
 
 private:
     BakedBlades baked_;

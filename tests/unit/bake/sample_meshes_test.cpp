@@ -162,9 +162,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Ground{"islands", [] { return islands(1000); }},
                     Ground{"triangle", [] { return meshes::triangle(); }},
                     Ground{"far",
-                           [] {
-                               return meshes::moved(meshes::sphere(96, 2.0), {1e6, 0, -1e6});
-                           }}),
+                           [] { return meshes::moved(meshes::sphere(96, 2.0), {1e6, 0, -1e6}); }}),
     [](const testing::TestParamInfo<Ground>& tested) { return std::string(tested.param.name); });
 
 TEST(PoissonField, OfATurnedMeshIsAsEvenAndAsDense)

@@ -19,7 +19,7 @@ struct Row {
     const char* name;
     const char* about;
     std::uint32_t cullResult;
-    std::uint64_t render::FrameStats::*count;
+    std::uint64_t render::FrameStats::* count;
 };
 constexpr std::array<Row, 5> rows{
     {{"Patch", "Whole patches beyond the picture or the draw distance, before their blades",

@@ -68,10 +68,7 @@ struct Window::Parts {
         }
         Library(const Library&) = delete;
         Library& operator=(const Library&) = delete;
-        ~Library()
-        {
-            glfwTerminate();
-        }
+        ~Library() { glfwTerminate(); }
     };
 
     struct DestroyWindow {
@@ -89,28 +86,16 @@ struct Window::Parts {
         return *static_cast<Parts*>(glfwGetWindowUserPointer(window));
     }
 
-    bool isDown(int key) const
-    {
-        return glfwGetKey(window.get(), key) == GLFW_PRESS;
-    }
-    bool isHeld(int button) const
-    {
-        return glfwGetMouseButton(window.get(), button) == GLFW_PRESS;
-    }
-    bool shift() const
-    {
-        return isDown(GLFW_KEY_LEFT_SHIFT) || isDown(GLFW_KEY_RIGHT_SHIFT);
-    }
+    bool isDown(int key) const { return glfwGetKey(window.get(), key) == GLFW_PRESS; }
+    bool isHeld(int button) const { return glfwGetMouseButton(window.get(), button) == GLFW_PRESS; }
+    bool shift() const { return isDown(GLFW_KEY_LEFT_SHIFT) || isDown(GLFW_KEY_RIGHT_SHIFT); }
 
     static void onCursor(GLFWwindow* window, double x, double y);
     static void onButton(GLFWwindow* window, int button, int action, int modifiers);
     static void onScroll(GLFWwindow* window, double x, double y);
     static void onKey(GLFWwindow* window, int key, int code, int action, int modifiers);
     static void onDrop(GLFWwindow* window, int count, const char** paths);
-    static void onRefresh(GLFWwindow* window)
-    {
-        of(window).input.exposed = true;
-    }
+    static void onRefresh(GLFWwindow* window) { of(window).input.exposed = true; }
 };
 
 void Window::Parts::onCursor(GLFWwindow* window, double x, double y)
