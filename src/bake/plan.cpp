@@ -29,8 +29,12 @@ void closeSward(Plan& plan, const BakeSettings& settings, Diagnostics& diagnosti
     plan.closedDensity = closedDensity(settings.meadow) / (plan.scale * plan.scale);
     plan.density = plan.closedDensity;
     plan.expected = plan.density * plan.area;
-    const double limit = std::min(double(settings.budget), double(settings.maxBlades));
-    const char* const option = settings.budget <= settings.maxBlades ? "--budget" : "--max-blades";
+    // Ribbons of plants take as much memory as blades.
+    const double perRoot = bladesPerRoot(settings.meadow);
+    const double limit = std::min(double(settings.budget) / perRoot, double(settings.maxBlades));
+    const char* const option = double(settings.budget) / perRoot <= double(settings.maxBlades)
+                                   ? "--budget"
+                                   : "--max-blades";
     if (plan.expected <= limit)
         return;
     const double missing = plan.expected / limit;
@@ -39,8 +43,8 @@ void closeSward(Plan& plan, const BakeSettings& settings, Diagnostics& diagnosti
     diagnostics.warn("a closed sward on {:.4g} m² is {:.4g} blades and {:.3g} GB; {} {:.4g} "
                      "leaves {:.4g} per m² of {:.4g}, {:.2g} times as wide, on ground in the "
                      "sward's colour ({} or --density allow more)",
-                     plan.area, plan.expected, plan.expected * bytesPerBlade * 1e-9, option, limit,
-                     limit / plan.area, plan.closedDensity, plan.widening, option);
+                     plan.area, plan.expected, plan.expected * perRoot * bytesPerBlade * 1e-9,
+                     option, limit, limit / plan.area, plan.closedDensity, plan.widening, option);
     plan.density = limit / plan.area;
     plan.expected = limit;
 }
@@ -79,7 +83,8 @@ Plan planBake(double area, double extent, const BakeSettings& settings, Diagnost
     if (plan.expected > double(settings.maxBlades))
         fail(ErrorKind::input,
              "{:.6g} blades would grow on {:.4g} m², more than --max-blades {}; about {:.3g} GB",
-             plan.expected, area, settings.maxBlades, plan.expected * bytesPerBlade * 1e-9);
+             plan.expected, area, settings.maxBlades,
+             plan.expected * bladesPerRoot(settings.meadow) * bytesPerBlade * 1e-9);
     return plan;
 }
 

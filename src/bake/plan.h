@@ -25,10 +25,11 @@ struct Plan {
 double automaticScale(double area);
 
 /// Chooses scale and density for `area` m². With neither density, spacing nor count, the meadow's
-/// closedDensity() at scale 1 (more where blades are smaller), but at most `budget` blades. Fewer
-/// blades are up to twice as wide, and a warning tells. The spacing is widened by the quantisation
-/// error of the field file (at most 0.9 mm), so that it also holds there. `extent` [m] is the
-/// ground's largest extent. Throws Error{input} when more than maxBlades would grow.
+/// closedDensity() at scale 1 (more where blades are smaller), but at most `budget` blades, the
+/// ribbons of plants among them. Fewer blades are up to twice as wide, and a warning tells. The
+/// spacing is widened by the quantisation error of the field file (at most 0.9 mm), so that it also
+/// holds there. `extent` [m] is the ground's largest extent. Throws Error{input} when more than
+/// maxBlades roots would grow.
 Plan planBake(double area, double extent, const BakeSettings& settings, Diagnostics& diagnostics);
 
 } // namespace sward::bake

@@ -46,7 +46,7 @@ struct BakeSettings {
     std::optional<std::uint64_t> count;    ///< blades kept, exactly
     std::optional<double> spacing;         ///< [m] between roots of Poisson disks; sets the density
     Spread spread = Spread::uniform;       ///< distribution of roots
-    std::uint64_t budget = 50'000'000;     ///< most blades where the meadow decides their number
+    std::uint64_t budget = 50'000'000;     ///< most blades and ribbons where the meadow decides
     std::uint64_t maxBlades = 200'000'000; ///< larger bakes fail before sampling
     std::optional<double> bladeScale;      ///< none: automatic, smaller on small ground
     std::uint64_t seed = 0;                ///< seed of all random numbers

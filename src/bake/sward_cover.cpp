@@ -121,4 +121,14 @@ double closedDensity(const Meadow& meadow)
     return std::clamp(std::round(wanted / plan), 1.0, maxDensity);
 }
 
+double bladesPerRoot(const Meadow& meadow)
+{
+    const SpeciesMix mix(meadow);
+    const SpeciesShares& shares = mix.evenShares();
+    double ribbons = 0.0;
+    for (std::size_t slot = 0; slot < meadow.species.size(); ++slot)
+        ribbons += double(shares.share[slot]) * field::ribbonsOf(meadow.species[slot].organs);
+    return shares.total > 0.0 ? 1.0 + ribbons / shares.total : 1.0;
+}
+
 } // namespace sward::bake

@@ -22,4 +22,8 @@ BladeCover coverOf(const Meadow& meadow);
 /// A whole number from 1 to 1e6.
 double closedDensity(const Meadow& meadow);
 
+/// Blades that one root grows on average, by the shares where all habitats have weight 1: 1, plus
+/// the ribbons of a plant. At least 1.
+double bladesPerRoot(const Meadow& meadow);
+
 } // namespace sward::bake

@@ -2,6 +2,24 @@
 
 namespace sward::golden {
 
+namespace {
+
+// The compound plants of a meadow, as many of each species, large and close; grasses are left out.
+Scene plantsOf(const std::string& meadow, const std::string& scale,
+               const std::vector<std::string>& plants, const std::vector<std::string>& grasses)
+{
+    Scene scene{"plants_" + meadow,
+                {"plane", "--meadow", meadow, "--count", "400", "--blade-scale", scale},
+                {"--camera", "CAMERAS/plants.json"}};
+    for (const std::string& plant : plants)
+        scene.bake.insert(scene.bake.end(), {"--set", "species." + plant + ".share=1"});
+    for (const std::string& grass : grasses)
+        scene.bake.insert(scene.bake.end(), {"--set", "species." + grass + ".share=1e-6"});
+    return scene;
+}
+
+} // namespace
+
 const std::vector<Scene>& scenes()
 {
     // At most 10 000 blades each: lavapipe draws them on the CPU. They are oversized, so that few
@@ -44,6 +62,22 @@ const std::vector<Scene>& scenes()
          {"plane", "--count", "10000", "--blade-scale", "4"},
          {"--camera", "top", "--wind-strength", "0", "--collider", "sphere:-2,1,-1,3", "--collider",
           "capsule:-5,0,6,7,0,1,1"}},
+
+        // Compound plants: every built-in species with organs is in one of these.
+        plantsOf("hay", "3", {"timothy", "bent", "buttercup", "ox-eye daisy", "sage", "red clover"},
+                 {"ryegrass", "fescue"}),
+        plantsOf("dunes", "2", {"marram in flower"}, {"marram"}),
+        plantsOf("daisies", "6",
+                 {"clover", "daisy", "white clover flower", "plantain", "dandelion",
+                  "dandelion clock", "buttercup"},
+                 {"lawn"}),
+        plantsOf("alpine", "6", {"arnica", "aster", "gentian", "anemone", "globeflower", "bent"},
+                 {"fescue", "mat-grass"}),
+        plantsOf("marsh", "1.6", {"bulrush", "cotton-grass", "marsh marigold", "iris", "fern"},
+                 {"sedge", "moor-grass"}),
+        plantsOf("prairie", "2.2",
+                 {"switchgrass", "coneflower", "black-eyed susan", "blazing star", "wild rye"},
+                 {"bluestem", "little bluestem"}),
 
         // No blades: only ground and sky.
         {"empty", {"plane", "--slope", "45:90", "--density", "10"}, {"--camera", "fit"}},

@@ -83,6 +83,9 @@ class SwardTest(unittest.TestCase):
         (self.folder / "bare.json").write_text('{"look": {"thatch": 0}}', encoding="utf-8")
         bare = linear_mean_of(self.draw(thin, [0, 12, 12], 30, "--settings", "bare.json"))
         self.assertGreater(sum(bare), 1.05 * sum(hidden))
+        # The option says the same as the settings, and overrides them.
+        self.assertEqual(linear_mean_of(self.draw(thin, [0, 12, 12], 30, "--thatch", "0")), bare)
+        self.assertEqual(linear_mean_of(self.draw(thin, [0, 12, 12], 30, "--settings", "bare.json", "--thatch", "1")), hidden)
 
 
 if __name__ == "__main__":

@@ -176,8 +176,9 @@ void BakeOptions::addAmount(CLI::App& app)
         ->group(group)
         ->capture_default_str();
     app.add_option("--budget", direct_.settings.budget,
-                   "Blades, 1 to 4000000000, that a bake without --density, --spacing and --count "
-                   "grows at most; fewer blades are wider, and the ground takes the sward's colour")
+                   "Blades, 1 to 4000000000, ribbons of plants among them, that a bake without "
+                   "--density, --spacing and --count grows at most; fewer blades are wider, and "
+                   "the ground takes the sward's colour")
         ->type_name("N")
         ->group(group)
         ->capture_default_str();
@@ -240,10 +241,9 @@ void BakeOptions::addPlaces(CLI::App& app)
 
 void BakeOptions::addBlades(CLI::App& app)
 {
-    app.add_option(
-           "--meadow", meadow_,
-           "Species that are sown: a .json file, or meadow, lawn, daisies, alpine, marsh, prairie "
-           "or steppe")
+    app.add_option("--meadow", meadow_,
+                   "Species that are sown: a .json file, or meadow, grass, hay, lawn, daisies, "
+                   "alpine, marsh, prairie, steppe or dunes")
         ->type_name("FILE|NAME")
         ->group("Blades")
         ->capture_default_str();

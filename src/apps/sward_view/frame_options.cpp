@@ -100,6 +100,13 @@ void FrameOptions::addShared(CLI::App& app)
         },
         "M", "Distance in metres beyond which no blade is drawn, 0.001 to 1e9")
         ->default_str("the field's");
+    option(
+        "--thatch",
+        [this](const std::string& text) {
+            thatch = static_cast<float>(apps::parseNumber("--thatch", text, 0, 1));
+        },
+        "SHARE", "Undergrowth that is drawn on the ground between blades, 0 to 1")
+        ->default_str("1, or the settings file's");
     group = "Environment";
     option(
         "--wind-strength",
@@ -223,6 +230,7 @@ render::FrameSettings FrameOptions::settingsFor(const field::FieldView& view) co
     settings.debug = debug;
     if (drawDistance)
         settings.environment.drawDistance = *drawDistance;
+    settings.thatch = thatch.value_or(settings.thatch);
     if (windStrength)
         render::scaleWind(settings.winds, *windStrength);
     return settings;

@@ -32,6 +32,7 @@ struct FrameOptions {
     std::optional<bool> rastersForCpu; ///< unset: chosen by the device
     render::DebugMode debug = render::DebugMode::none;
     std::optional<float> drawDistance;       ///< [m]; unset: the field's
+    std::optional<float> thatch;             ///< [0, 1]; unset: the settings'
     std::optional<float> windStrength;       ///< [1/s]; unset: the field's or the settings'
     std::string settingsFile;                ///< empty: none
     std::optional<SceneText> sceneCamera;    ///< a camera or a path, instead of `camera`

@@ -21,8 +21,8 @@ struct MeadowRequests {
     std::string masks;  ///< texts of --mask, separated by blanks
     std::string traits; ///< KEY=VALUE of --set, separated by blanks
 };
-inline constexpr const char* meadowNames[] = {"meadow", "lawn",  "steppe", "daisies",
-                                              "alpine", "marsh", "prairie"};
+inline constexpr const char* meadowNames[] = {"meadow", "grass", "hay",     "lawn",   "daisies",
+                                              "alpine", "marsh", "prairie", "steppe", "dunes"};
 
 /// Converts the requests to arguments of `sward bake`.
 std::vector<std::string> bakeArguments(const MeadowRequests& requests);

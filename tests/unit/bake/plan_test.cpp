@@ -52,7 +52,8 @@ TEST(Plan, BuiltInMeadowsStateTheirCover)
 {
     // Leaf area index of the closed sward; a blade's plan is smaller than its area.
     const std::map<std::string, std::pair<double, double>> index{
-        {"meadow", {3.0, 8.0}},  {"lawn", {2.0, 6.0}},   {"steppe", {1.0, 5.0}},
+        {"meadow", {3.0, 8.0}},  {"grass", {3.0, 8.0}},  {"hay", {3.0, 8.0}},
+        {"dunes", {0.5, 4.0}},   {"lawn", {2.0, 6.0}},   {"steppe", {1.0, 5.0}},
         {"daisies", {2.5, 8.0}}, {"alpine", {1.5, 6.0}}, {"marsh", {2.0, 9.0}},
         {"prairie", {1.5, 8.0}}};
     for (const auto& [name, range] : index) {
@@ -90,6 +91,17 @@ TEST(Plan, ABudgetKeepsTheLeafAreaThatItCanAndTellsTheRest)
         EXPECT_LE(plan.widening, 2.0);
         ASSERT_EQ(diagnostics.warnings().size(), 1U);
         EXPECT_NE(diagnostics.warnings()[0].find("--budget"), std::string::npos);
+    }
+    // Ribbons of plants count as blades.
+    {
+        Diagnostics diagnostics;
+        BakeSettings plants = settings;
+        plants.meadow = loadMeadow("prairie");
+        plants.budget = 10'000;
+        const double perRoot = bladesPerRoot(plants.meadow);
+        EXPECT_GT(perRoot, 1.5);
+        EXPECT_NEAR(planBake(1e4, 100.0, plants, diagnostics).expected * perRoot, 1e4, 1.0);
+        EXPECT_EQ(bladesPerRoot(loadMeadow("grass")), 1.0);
     }
     // The lower of two limits is the one that the warning names.
     {

@@ -25,7 +25,7 @@ terrain::GroundMesh plain(double side)
 BakeSettings meadowWith(double heightWaves, double drifts)
 {
     BakeSettings settings = tests::plainSettings(1.0);
-    settings.meadow = loadMeadow("meadow");
+    settings.meadow = loadMeadow("grass");
     settings.meadow.heightWaves = heightWaves;
     settings.meadow.drifts = drifts;
     return settings;

@@ -87,8 +87,8 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
         ->group(group);
     app.add_option(
            "--meadow", options->viewer.meadow,
-           "Species that are sown on a mesh: meadow, lawn, daisies, alpine, marsh, prairie, "
-           "steppe, or a .json file")
+           "Species that are sown on a mesh: meadow, grass, hay, lawn, daisies, alpine, marsh, "
+           "prairie, steppe, dunes, or a .json file")
         ->type_name("NAME|FILE")
         ->group(group)
         ->default_str("meadow");
