@@ -96,9 +96,9 @@ void main()
         if (thread == 0u)
             seenCount = 0u;
         barrier();
-        const uint asked = first + thread * stride;
-        if (asked < push.clusterCount && clusterSeen(push.clusters.at[asked]))
-            seenClusters[atomicAdd(seenCount, 1u)] = asked;
+        const uint candidate = first + thread * stride;
+        if (candidate < push.clusterCount && clusterSeen(push.clusters.at[candidate]))
+            seenClusters[atomicAdd(seenCount, 1u)] = candidate;
         barrier();
         for (uint i = 0u; i < seenCount; ++i) {
             const uint cluster = seenClusters[i];

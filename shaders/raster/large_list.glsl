@@ -36,22 +36,22 @@ bool putParts(Ribbon ribbon, VisibleBlade visible, uint slot, uint parts, uvec2 
 /// Updates the dispatch sizes for `parts` listed parts, limited to the list's capacity.
 void noteListed(uint parts)
 {
-    WalkLevelArray asked = push.largeCount;
+    WalkLevelArray lists = push.largeCount;
     const uint listed = min(parts, maxLargeParts);
-    atomicMax(asked.at[largeParts].groups[0], groupsForLarge(listed));
+    atomicMax(lists.at[largeParts].groups[0], groupsForLarge(listed));
     if (isLate || push.round > 0u)
-        atomicMax(asked.at[largeLate].groups[0], groupsForLate(listed));
+        atomicMax(lists.at[largeLate].groups[0], groupsForLate(listed));
 }
 
 /// Lists a blade that may reach through the near plane for clipping; returns whether there was room.
 bool leftToBeCut(Ribbon ribbon, uint blade)
 {
-    WalkLevelArray asked = push.largeCount;
-    const uint slot = atomicAdd(asked.at[largeCut].count, 1u);
+    WalkLevelArray lists = push.largeCount;
+    const uint slot = atomicAdd(lists.at[largeCut].count, 1u);
     if (slot >= maxCutBlades)
         return false;
     putPart(push.cut, slot, partOf(ribbon, blade, packPart(0u, 1u, 0u, uint(ribbon.outline.segments))));
-    atomicMax(asked.at[largeCut].groups[0], min(slot + 1u, maxGroups));
+    atomicMax(lists.at[largeCut].groups[0], min(slot + 1u, maxGroups));
     return true;
 }
 

@@ -83,8 +83,8 @@ void listTogether(Lens lens, bool hasBlade, uint place)
     }
     barrier();
     if (gl_LocalInvocationIndex == 0u && listedParts > 0u) {
-        WalkLevelArray asked = push.largeCount;
-        listBase = atomicAdd(asked.at[largeParts].count, listedParts);
+        WalkLevelArray lists = push.largeCount;
+        listBase = atomicAdd(lists.at[largeParts].count, listedParts);
         noteListed(listBase + listedParts);
     }
     barrier();

@@ -116,8 +116,8 @@ void rasterise(Lens lens, bool hasBlade, uint place)
             before = atomicAdd(listedParts, own.parts);
         barrier();
         if (thread == 0u && listedParts > 0u) {
-            WalkLevelArray asked = push.largeCount;
-            listBase = atomicAdd(asked.at[largeParts].count, listedParts);
+            WalkLevelArray lists = push.largeCount;
+            listBase = atomicAdd(lists.at[largeParts].count, listedParts);
             noteListed(listBase + listedParts);
         }
         barrier();

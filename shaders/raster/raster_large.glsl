@@ -174,15 +174,15 @@ void drawBetween(Lens commonLens, uint first, uint end, uint item, uint blades, 
     if (section < end) {
         for (uint i = 1u; i < blades; ++i)
             number += section >= items[i].firstSection ? 1u : 0u;
-        const LargePart asked = partAt(item + number);
+        const LargePart listed = partAt(item + number);
 #ifdef HAS_INSTANCES
-        chooseInstance(asked.instance);
+        chooseInstance(listed.instance);
         const Lens lens = lensOf();
 #else
         const Lens lens = commonLens;
 #endif
-        const Ribbon ribbon = ribbonOf(asked);
-        part = asked.part;
+        const Ribbon ribbon = ribbonOf(listed);
+        part = listed.part;
         own = section - items[number].firstSection;
         const float i = float(items[number].beginsAt + own);
         hasRidge = isFolded(ribbon);

@@ -78,12 +78,12 @@ float farthestTogether(uvec2 own)
 /// which are drawn completely.
 void beginLatePass()
 {
-    WalkLevelArray asked = push.largeCount;
+    WalkLevelArray lists = push.largeCount;
     const uint listed = listedLarge();
-    asked.at[largeEarly].count = listed;
-    asked.at[largeCut].count = 0u;
-    asked.at[largeCut].groups[0] = 0u;
-    asked.at[largeLate].groups[0] = groupsForLate(listed);
+    lists.at[largeEarly].count = listed;
+    lists.at[largeCut].count = 0u;
+    lists.at[largeCut].groups[0] = 0u;
+    lists.at[largeLate].groups[0] = groupsForLate(listed);
 }
 
 /// Whether all other work-groups have filled their cells. The calling thread has written the group's cell of the third
@@ -91,8 +91,8 @@ void beginLatePass()
 bool areOthersDone()
 {
     memoryBarrierBuffer();
-    WalkLevelArray asked = push.largeCount;
-    return atomicAdd(asked.at[largeLate].count, 1u) + 1u == gl_NumWorkGroups.x * gl_NumWorkGroups.y;
+    WalkLevelArray lists = push.largeCount;
+    return atomicAdd(lists.at[largeLate].count, 1u) + 1u == gl_NumWorkGroups.x * gl_NumWorkGroups.y;
 }
 
 void main()

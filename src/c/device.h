@@ -51,7 +51,7 @@ typedef struct sward_resident sward_resident;
 sward_status sward_resident_create(const sward_context* context, const sward_field* field,
                                    sward_resident** resident);
 
-/* Limit of the device memory of a field and of so many instances with so many views each. */
+/* Limit of the device memory of a field and its `instances`, each in `views` views. */
 typedef struct sward_budget {
     uint64_t bytes; /* 0: unlimited */
     uint32_t instances, views;

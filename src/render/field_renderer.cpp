@@ -250,7 +250,7 @@ FramePlace FieldRenderer::Parts::fillCullView(const shared::Frame& frame,
                                               std::uint32_t slot)
 {
     expect(wanted.debug != DebugMode::reason || settings.recordCullResults,
-           "who asks for reasons has them recorded");
+           "debug mode reason needs settings.recordCullResults");
     if (wanted.debug == DebugMode::reason)
         slots[slot].listing.fill(listingAll(frame));
     shared::Frame cullView = frame;

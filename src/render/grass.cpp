@@ -341,7 +341,7 @@ void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view,
     const gpu::Recording commands(parts.context, buffer);
     const gpu::LabelScope label(parts.context, commands, "grass/draw");
     expect(!target.settings().writesMotion || parts.settings.keepsMotion,
-           "who asks for motion has it kept");
+           "a target with motion needs Grass::Settings::keepsMotion");
     const gpu::GraphicsPipeline* const visibility = target.visibilityPipeline();
     const Parts::ViewDrawing& drawing = parts.drawings[view];
     if (drawing.isRastered && visibility != nullptr &&

@@ -16,7 +16,7 @@ namespace sward::render {
 
 namespace {
 
-/// Bytes of a field with room for so many blades, and of the instances of its budget.
+/// Bytes of a field with room for `places` blades, and of the instances of its budget.
 std::uint64_t bytesWith(const field::FieldView& field, const FieldBudget& budget,
                         std::uint64_t places)
 {

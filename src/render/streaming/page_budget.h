@@ -25,7 +25,7 @@ struct PageBudget {
     std::uint64_t bytes = 0; ///< in total
     std::uint64_t whole = 0; ///< needed if all blades are resident
 
-    /// Needed with so many pages of blades; rises with them.
+    /// Bytes that a number of pages of blades needs; rises with it.
     std::function<std::uint64_t(std::uint64_t)> with;
 };
 
