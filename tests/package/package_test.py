@@ -1,5 +1,6 @@
 """The installed library in programs of others: each component finds what it needs and no more."""
 
+import math
 import os
 import re
 import shutil
@@ -271,7 +272,40 @@ class DebianPackages(GuestTest):
         self.assertLess(sum(file.stat().st_size for file in root.rglob("*")), 60e6)
 
 
-class Embed(GuestTest):
+class ExampleTest(GuestTest):
+    """A test of a host in examples/, under the validation layer."""
+
+    def build_example(self, name):
+        """Builds a copy, as a stranger does: of at most 200 lines, without libraries that render does
+        not need."""
+        shutil.copytree(ROOT / "examples" / name, self.folder / name)
+        sources = [path for path in (self.folder / name).iterdir() if path.suffix in (".cpp", ".h")]
+        self.assertLessEqual(sum(len(path.read_bytes().splitlines()) for path in sources), 200)
+        self.configure(without=["TinyGLTF", "embree", "OpenMesh", "glfw3"], source=name)
+        self.build()
+        self.program = f"build/{name}"
+        self.assertNotRegex(libraries_of(self.folder / self.program),
+                            r"(?i)glfw|imgui|embree|openmesh|gltf")
+
+    def run_example(self, field, feature, *options):
+        settings = self.folder / "vk_layer_settings.txt"
+        settings.write_text(VALIDATION.format(feature=feature), encoding="utf-8")
+        return self.run_here(self.program, field, "frame.png", *options,
+                             VK_INSTANCE_LAYERS="VK_LAYER_KHRONOS_validation",
+                             VK_LAYER_SETTINGS_PATH=str(settings))
+
+    def picture(self):
+        """What the example has drawn last."""
+        from PIL import Image
+        return Image.open(self.folder / "frame.png").convert("RGB")
+
+    @staticmethod
+    def green_share(picture, box):
+        pixels = list(picture.crop(box).getdata())
+        return sum(g > r and g > b for r, g, b in pixels) / len(pixels)
+
+
+class Embed(ExampleTest):
     """examples/embed: a host with a Vulkan of its own."""
 
     def assert_looks_as_accepted(self, picture):
@@ -287,18 +321,10 @@ class Embed(GuestTest):
         worst = max(abs(a - b) for one, other in zip(*tiles) for a, b in zip(one, other))
         self.assertLessEqual(worst, 10, f"of 255, see {drawn}")
 
-    def run_embed(self, field, feature, *options):
-        settings = self.folder / "vk_layer_settings.txt"
-        settings.write_text(VALIDATION.format(feature=feature), encoding="utf-8")
-        return self.run_here("build/embed", field, "frame.png", *options,
-                             VK_INSTANCE_LAYERS="VK_LAYER_KHRONOS_validation",
-                             VK_LAYER_SETTINGS_PATH=str(settings))
-
     def picture_of(self, field, *options):
-        from PIL import Image
-        self.assertRegex(self.run_embed(field, "SYNCHRONIZATION_VALIDATION", *options),
+        self.assertRegex(self.run_example(field, "SYNCHRONIZATION_VALIDATION", *options),
                          r"^llvmpipe.* drew \d+ blades\n$")
-        picture = Image.open(self.folder / "frame.png").convert("RGB")
+        picture = self.picture()
         self.assertEqual(picture.size, (640, 360))
         return picture
 
@@ -310,13 +336,7 @@ class Embed(GuestTest):
 
     def test_embed_draws_on_its_own_device_without_a_validation_message(self):
         needs("pillow")
-        shutil.copytree(ROOT / "examples/embed", self.folder / "embed")
-        sources = [path for path in (self.folder / "embed").iterdir() if path.suffix in (".cpp", ".h")]
-        self.assertLessEqual(sum(len(path.read_bytes().splitlines()) for path in sources), 200)
-        self.configure(without=["TinyGLTF", "embree", "OpenMesh", "glfw3"], source="embed")
-        self.build()
-        self.assertNotRegex(libraries_of(self.folder / "build/embed"),
-                            r"(?i)glfw|imgui|embree|openmesh|gltf")
+        self.build_example("embed")
         field = self.bake("--count", 30000, "--blade-scale", 2.5, "--force")
         picture = self.picture_of(field)
         self.assert_looks_as_accepted(picture)
@@ -324,8 +344,8 @@ class Embed(GuestTest):
         # Background sky; a post in front of some grass and behind other grass.
         red, _, blue = picture.getpixel((320, 20))
         self.assertGreater(blue, red)
-        soil = list(picture.crop((30, 90, 320, 230)).getdata())
-        self.assertGreater(sum(g > r and g > b for r, g, b in soil), 0.2 * len(soil))
+        soil = (30, 90, 320, 230)
+        self.assertGreater(self.green_share(picture, soil), 0.2)
 
         # Whatever the depth's convention, the scope and the way to draw, the picture is the same.
         for options in (["forward"], ["render-pass"], ["forward", "render-pass"],
@@ -335,12 +355,72 @@ class Embed(GuestTest):
 
         # The layer has listened: it has much to say when asked for advice. Without blades the boxes
         # are bare: what was green before was grass.
-        from PIL import Image
         bald = self.bake("--count", 0, "--force")
-        self.assertIn("BestPractices", self.run_embed(bald, "BEST_PRACTICES"))
-        soil = Image.open(self.folder / "frame.png").convert("RGB").crop((30, 90, 320, 230))
-        bare = list(soil.getdata())
-        self.assertLess(sum(g > r and g > b for r, g, b in bare), 0.02 * len(bare))
+        self.assertIn("BestPractices", self.run_example(bald, "BEST_PRACTICES"))
+        self.assertLess(self.green_share(self.picture(), soil), 0.02)
+
+
+class EmbedMsaa(ExampleTest):
+    """examples/embed_msaa: two views, four samples, a render pass, forward Z, a budget."""
+
+    halves = ((0, 96, 256, 288), (256, 96, 512, 288))
+
+    def picture_and_pages(self, field, *options):
+        """The picture, and by their names the numbers that the host prints of streaming."""
+        said = self.run_example(field, "SYNCHRONIZATION_VALIDATION", *options)
+        number = r"(\d+(?:\.\d+)?)"
+        found = re.fullmatch(
+            rf"llvmpipe.* drew \d+ and \d+ blades\n{number} pages, {number} fit, {number} resident, "
+            rf"{number} wanted, {number} missing, thinning {number}, (settled|not settled)\n", said)
+        self.assertIsNotNone(found, said)
+        names = ("pages", "fit", "resident", "wanted", "missing", "thinning")
+        picture = self.picture()
+        self.assertEqual(picture.size, (512, 288))
+        return picture, dict(zip(names, map(float, found.groups()))) | {"settled": found[7] == "settled"}
+
+    @staticmethod
+    def decibels(picture, other):
+        """Their peak signal-to-noise ratio."""
+        from PIL import ImageChops, ImageStat
+        squares = ImageStat.Stat(ImageChops.difference(picture, other)).sum2
+        mean = sum(squares) / (3 * picture.size[0] * picture.size[1])
+        return 10 * math.log10(255 ** 2 / max(mean, 1e-9))
+
+    def test_embed_msaa_streams_for_two_views_without_a_validation_message(self):
+        needs("pillow")
+        self.build_example("embed_msaa")
+        field = self.bake("--count", 120000, "--blade-scale", 1.5, "--force")
+        whole, pages = self.picture_and_pages(field)
+        self.assertEqual(pages["pages"], 0, "without a budget nothing streams")
+        for half in self.halves:
+            self.assertGreater(self.green_share(whole, half), 0.5)
+
+        # Half of the field fits, and all that is seen at the end. Blades that were missing on the way
+        # have another past, so that they do not bend quite alike.
+        within, pages = self.picture_and_pages(field, "--budget", 4)
+        self.assertLess(pages["fit"], 0.7 * pages["pages"])
+        self.assertLess(pages["wanted"], pages["resident"] + 1)
+        self.assertEqual((pages["missing"], pages["thinning"], pages["settled"]), (0, 1, True))
+        self.assertGreater(self.decibels(whole, within), 33)
+
+        # What is seen does not fit: fewer blades, which are wider, in both views.
+        thin, pages = self.picture_and_pages(field, "--budget", 2)
+        self.assertGreater(pages["missing"], 0)
+        self.assertGreater(pages["thinning"], 2)
+        self.assertLess(self.decibels(whole, thin), 28)
+        for half in self.halves:
+            self.assertGreater(self.green_share(thin, half), 0.4)
+
+        # Neither the convention of depth nor the way to draw changes the picture.
+        self.assertGreater(self.decibels(whole, self.picture_and_pages(field, "--reversed")[0]), 45)
+        rastered, _ = self.picture_and_pages(field, "--raster", "--budget", 4)
+        self.assertGreater(self.decibels(within, rastered), 36)
+
+        # Without blades the ground is bare, and the layer has listened (see Embed).
+        bald = self.bake("--count", 0, "--force")
+        self.assertIn("BestPractices", self.run_example(bald, "BEST_PRACTICES", "--raster"))
+        for half in self.halves:
+            self.assertLess(self.green_share(self.picture(), half), 0.02)
 
 
 if __name__ == "__main__":
