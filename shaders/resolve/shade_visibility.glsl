@@ -1,8 +1,6 @@
 // Lights the visibility of a host's view: a blade's light replaces its id.
-#include "shaders/raster/instances.glsl"
+#include "shaders/resolve/sight_blade.glsl"
 #include "shaders/blade/cross_section_point.glsl"
-#include "shaders/raster/put_sample.glsl"
-#include "shaders/resolve/shade_found.glsl"
 
 layout(local_size_x = rasterTile, local_size_y = rasterTile) in;
 
@@ -46,18 +44,12 @@ vec2 motionOf(Motion motion, Lens lens, SeenBlade seen, Found found)
 /// Lights one blade at a pixel. `samples`: bits of the samples that show it; `depth`: at sample `middle` of these.
 void lightBlade(uvec2 pixel, uint what, uint samples, uint middle, float depth)
 {
-    const uint instance = instanceOf(what);
-#ifndef ONE_INSTANCE
-    chooseInstance(instance);
-#endif
-    const Lens lens = lensOf();
-    const SeenBlade seen = freshBlade(what - push.firstBlade);
-    const Found found = find(lens, seen.ribbon,
-                             Sighting(vec2(pixel) + samplePlace(middle), depth, vec2(pixel) + middleOf(samples)));
-    const uint light = packLight(shadeFound(seen, found).rgb);
+    const SightedBlade blade = sightBlade(pixel, what, samples, middle, depth);
+    const uint light = packLight(shadeFound(blade.seen, blade.found).rgb);
     uint moved = 0u;
     if (uvec2(host.motions) != uvec2(0u))
-        moved = packHalf2x16(motionOf(host.instances.at[instance].motion.at[0], lens, seen, found));
+        moved = packHalf2x16(
+            motionOf(host.instances.at[blade.instance].motion.at[0], blade.lens, blade.seen, blade.found));
     VisibilityHalves visibility = VisibilityHalves(uvec2(host.visibility));
     UintArray motions = host.motions;
     const uint first = sampleIndex(pixel, 0u);
@@ -85,10 +77,7 @@ void main()
         anySeen |= seen[s];
     if (anySeen == 0u)
         return;
-    // All pixels of a tile store the same value.
-    UintArray tiles = host.tiles;
-    const uvec2 tile = pixel / hostTile;
-    tiles.at[tile.y * tilesAlong(host.size.x, hostTile) + tile.x] = 1u;
+    noteTile(pixel);
     // Light each blade once for all samples that show it, at the middle one: see gather.glsl.
     for (uint s = 0u; s < samplesPerPixel; ++s) {
         uint samples = 0u;

@@ -357,21 +357,36 @@ SHARED_CONST uint hostTile = 64u;
 /// Data of the stages that process all instances of a host's view together.
 struct HostViewPush {
     HostInstanceArray instances; ///< in the order of their RasterPush::firstBlade
-    VisibilityArray visibility;  ///< after lighting: packLight() instead of ids
+    VisibilityArray visibility;  ///< after lighting: packLight() instead of ids, unless stored
     UintArray motions;           ///< of each sample, two halves; address 0: off
     UintArray tiles;             ///< of hostTile² pixels, row after row: 1 if it shows a blade
     uvec2 size;                  ///< [pixels]
     uint instanceCount;
-    float slack; ///< depth by which the host's geometry is assumed farther
+    float slack;       ///< depth by which the host's geometry is assumed farther
+    uvec2 firstStored; ///< [pixels] where the view begins in the host's stored picture
 };
-SHARED_LAYOUT(HostViewPush, 48)
+SHARED_LAYOUT(HostViewPush, 56)
+
+// Flags of a pipeline that stores light into a host's picture.
+SHARED_CONST uint storesPicture = 1u;
+SHARED_CONST uint storesDeveloped = 1u << 1u; ///< tone-mapped; else radiance
+SHARED_CONST uint storesSrgb = 1u << 2u;      ///< by sRGB's encoding
+SHARED_CONST uint storesBgr = 1u << 3u;       ///< blue first
+SHARED_CONST uint storesDepth = 1u << 4u;     ///< into a second image
+SHARED_CONST uint storesForwardZ = 1u << 5u;  ///< of this convention; else reversed Z
+
+/// Light that a half and packLight() can hold: 0 … 65 408.
+SHARED_FN vec3 boundedLight(vec3 light)
+{
+    return clamp(light, vec3(0.0f), vec3(65408.0f));
+}
 
 /// Light in 32 bits: three mantissas of 9 bits and an exponent of 5 bits. Error: 1/512 of the
 /// largest channel. Never 0, the visibility's value for no surface. Clamped to 65 408.
 /// (EXT_texture_shared_exponent)
 SHARED_FN uint packLight(vec3 light)
 {
-    const vec3 bounded = clamp(light, vec3(0.0f), vec3(65408.0f));
+    const vec3 bounded = boundedLight(light);
     const float largest = max(max(bounded.x, bounded.y), max(bounded.z, 1.0f / 65536.0f));
     // 2^exponent is above the largest channel, also after rounding.
     const float exponent = floor(log2(largest * 1.0015f)) + 1.0f;

@@ -76,9 +76,10 @@ struct Grass::Parts {
 
     /// How a view is drawn.
     struct ViewDrawing {
-        const char* obstacle = nullptr; ///< why it is not rasterised; null: none
+        const char* obstacle = nullptr;      ///< why it is not rasterised; null: none
+        const char* storeObstacle = nullptr; ///< why it is not stored; null: none
         std::uint32_t samples = 1;
-        bool isRastered = false; ///< in this frame
+        bool isRastered = false; ///< in this frame, and stored if there is no obstacle
     };
     std::vector<ViewDrawing> drawings;
 
@@ -153,9 +154,12 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
     expect(slot < parts.settings.framesInFlight, "the slot is one of the frames in flight");
     expect(frame.views.size() <= parts.settings.maxViews, "a frame has at most maxViews");
     requireValid(frame.light);
-    for (const HostView& view : frame.views)
+    for (const HostView& view : frame.views) {
         if (view.shadow)
             requireValid(*view.shadow);
+        if (view.stored)
+            requireValid(*view.stored, view.size);
+    }
 
     // The slot's former frame and all earlier ones have completed.
     std::erase_if(parts.removed, [&](const Parts::Removed& removed) {
@@ -189,9 +193,11 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
     parts.drawings.clear();
     for (const HostView& view : frame.views)
         parts.drawings.push_back(
-            {parts.raster.obstacle(view, parts.instances), view.samples, false});
+            {.obstacle = parts.raster.obstacle(view, parts.instances),
+             .storeObstacle = parts.raster.storeObstacle(view, parts.instances, frame.settings),
+             .samples = view.samples});
     parts.shadowMaps.begin(slot, frame.light, frame.views);
-    parts.raster.begin(parts.shaders, slot, frame.views, parts.instances, frame.settings.debug);
+    parts.raster.begin(parts.shaders, slot, frame.views, parts.instances, frame.settings);
 }
 
 /// A streamed field holds what the views of one Grass see, in slots of its own.
@@ -333,6 +339,12 @@ const char* Grass::whyTessellated(std::uint32_t view) const noexcept
     return parts_->drawings[view].obstacle;
 }
 
+const char* Grass::whyNotStored(std::uint32_t view) const noexcept
+{
+    expect(view < parts_->viewCount, "the view is one of the frame's");
+    return parts_->drawings[view].storeObstacle;
+}
+
 void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view,
                        const BladeTarget& target) const noexcept
 {
@@ -344,6 +356,10 @@ void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view,
            "a target with motion needs Grass::Settings::keepsMotion");
     const gpu::GraphicsPipeline* const visibility = target.visibilityPipeline();
     const Parts::ViewDrawing& drawing = parts.drawings[view];
+    // What is stored is not drawn a second time; only its depth may be.
+    if (drawing.isRastered && drawing.storeObstacle == nullptr &&
+        !target.settings().colorFormats.empty())
+        return;
     if (drawing.isRastered && visibility != nullptr &&
         target.settings().samples == drawing.samples) {
         parts.raster.recordDraw(commands, parts.slot, view, *visibility);

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "gpu/context.h"
-#include "render/frame_settings.h"
 #include "render/frame_stats.h"
-#include "render/host_view.h"
+#include "render/grass_frame.h"
 #include "render/placement.h"
 #include "render/resident_field.h"
 #include "render/tessellation/blade_target.h"
@@ -12,7 +11,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 
 namespace sward::render {
 
@@ -24,26 +22,6 @@ struct FieldInstance {
 
 /// Identifies an instance; never reused.
 enum class InstanceId : std::uint64_t {};
-
-/// A capsule that pushes blades aside, or a ball if both ends coincide. World space.
-struct HostCollider {
-    glm::dvec3 from{0.0};     ///< [m]
-    glm::dvec3 to{0.0};       ///< [m]
-    double radius = 0.5;      ///< [m]
-    glm::vec3 velocity{0.0f}; ///< [m/s] of its movement to here
-};
-
-/// Description of one frame by the host.
-struct GrassFrame {
-    double time = 0.0;                 ///< [s], never decreasing; steps of any length
-    std::span<const HostView> views{}; ///< blades are moved for these and drawn in these
-
-    /// Wind, gravity, sun, sky and level of detail, all in world space. Its colliders are ignored,
-    /// and there is no fog if `fogDensity` is below 0.
-    const FrameSettings& settings;
-    std::span<const HostCollider> colliders{}; ///< at most shared::maxColliders
-    HostLight light{};                         ///< the host's ambient light and lamps on blades
-};
 
 /// All the grass of a host's world. It moves once per frame and is drawn in any view. Uses one
 /// thread at a time and one queue family, submits nothing and never waits. docs/engine.md
@@ -84,15 +62,23 @@ public:
     /// Rasterises the listed blades by compute shaders, much faster than the tessellator. Call
     /// after recordCull() of the view, outside of a rendering, once the view's depth, if any, is
     /// complete: hidden blades are not lit. Records nothing if whyTessellated() has a reason.
+    ///
+    /// Also stores the blades into the view's StoredPicture unless whyNotStored() has a reason.
+    /// Waits for all commands before it; all commands after it see the grass.
     void recordRaster(VkCommandBuffer commands, std::uint32_t view) noexcept;
 
     /// Why recordDraw() tessellates the blades of one view; null if it draws the result of
     /// recordRaster().
     const char* whyTessellated(std::uint32_t view) const noexcept;
 
+    /// Why recordRaster() does not store the blades of one view, so that recordDraw() is needed;
+    /// null if it stores them.
+    const char* whyNotStored(std::uint32_t view) const noexcept;
+
     /// Draws the blades inside the host's rendering, with scissor and viewport set: the view's
     /// size, depths from 0 to 1. Draws the result of recordRaster() if target and view have equal
-    /// samples, else tessellates. Callable repeatedly after recordCull().
+    /// samples, else tessellates. Callable repeatedly after recordCull(). Draws nothing if
+    /// recordRaster() has stored the view, unless the target is one of depth alone.
     void recordDraw(VkCommandBuffer commands, std::uint32_t view,
                     const BladeTarget& target) const noexcept;
 

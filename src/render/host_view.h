@@ -4,6 +4,7 @@
 #include "render/camera.h"
 #include "render/geometry.h"
 #include "render/host_light.h"
+#include "render/stored_picture.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -49,6 +50,10 @@ struct HostView {
 
     /// Shadow map of the host's sun; unset: the whole view is in the sun.
     std::optional<HostShadow> shadow{};
+
+    /// Picture that Grass::recordRaster() stores the grass into, instead of a composite by
+    /// Grass::recordDraw(); unset: none. Grass::whyNotStored() tells whether it does.
+    std::optional<StoredPicture> stored{};
 };
 
 /// The view's matrix for culling: converts `fieldToClip` from the host's convention to reversed Z,

@@ -47,6 +47,7 @@ public:
     /// ready to be sampled.
     void recordWall(VkCommandBuffer commands, double distance) const;
     render::HostDepth depth() const; ///< after recordWall()
+    const gpu::Image& depthImage() const { return depth_; }
 
     /// Records a picture with only one view's grass, and the wall if there is one.
     void record(VkCommandBuffer commands, const render::Grass& grass, std::uint32_t view,

@@ -204,7 +204,8 @@ std::size_t fillValues(Values& v)
     n.fillAll(v.motionPush.frame, v.motionPush.motion);
     n.fillAll(v.hostInstance.raster, v.hostInstance.motion);
     shared::HostViewPush& h = v.hostViewPush;
-    n.fillAll(h.instances, h.visibility, h.motions, h.tiles, h.size, h.instanceCount, h.slack);
+    n.fillAll(h.instances, h.visibility, h.motions, h.tiles, h.size, h.instanceCount, h.slack,
+              h.firstStored);
     n.fillAll(v.pageChange.page, v.pageChange.place, v.pageChange.edges);
     shared::PagePush& p = v.pagePush;
     n.fillAll(p.changes, p.pages, p.states, p.etas, p.patches, p.subtrees, p.patchTimes,

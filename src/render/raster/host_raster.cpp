@@ -2,7 +2,6 @@
 
 #include "gpu/barrier.h"
 #include "render/field/placed_field.h"
-#include "render/host_shadow_maps.h"
 #include "render/target_settings.h"
 
 #include <algorithm>
@@ -13,7 +12,6 @@ namespace sward::render {
 namespace {
 
 constexpr std::uint32_t frameSet = 0;
-constexpr std::uint32_t asRadiance = 2; ///< see lighting.glsl
 
 /// The visibility is 0 where there is no blade.
 constexpr std::uint32_t firstId = 1;
@@ -79,8 +77,8 @@ std::uint32_t tileCount(glm::uvec2 size)
 HostRaster::HostRaster(const gpu::DeviceContext& context, const HostShadowMaps& shadowMaps,
                        const Settings& settings)
     : context_(&context)
-    , shadowMaps_(&shadowMaps)
     , settings_(settings)
+    , lighting_(context, shadowMaps, settings.slots, settings.maxViews)
     , frameLayout_(context, "host raster/frame")
     , imageLayout_(
           context,
@@ -115,6 +113,22 @@ const char* HostRaster::obstacle(const HostView& view,
     return nullptr;
 }
 
+const char* HostRaster::storeObstacle(const HostView& view, Instances instances,
+                                      const FrameSettings& settings) const
+{
+    if (const char* const found = obstacle(view, instances))
+        return found;
+    if (!view.stored)
+        return "the view has no picture that is stored into";
+    if (view.depth && view.depth->samples != view.samples)
+        return "the depth has another number of samples than the view";
+    if (view.depth && view.cullViewFrom)
+        return "the depth does not apply to a frozen camera";
+    if (view.depth && (settings.cullMask & shared::cullOcclusion) == 0)
+        return "the frame leaves out the test that reads the depth";
+    return nullptr;
+}
+
 HostRaster::Pipelines HostRaster::pipelinesFor(const gpu::ShaderLibrary& shaders,
                                                std::uint32_t samples) const
 {
@@ -134,27 +148,6 @@ HostRaster::Pipelines HostRaster::pipelinesFor(const gpu::ShaderLibrary& shaders
     return made;
 }
 
-gpu::ComputePipeline HostRaster::lightFor(const gpu::ShaderLibrary& shaders,
-                                          LightSettings settings) const
-{
-    std::string shader = settings.isOfOne ? "shade_visibility" : "shade_visibility_of_instances";
-    shader += settings.hasHostLight ? "_host_light.comp" : ".comp";
-    std::vector<VkDescriptorSetLayout> sets;
-    if (settings.isOfOne)
-        sets.push_back(frameLayout_.get());
-    if (settings.hasHostLight)
-        sets.push_back(shadowMaps_->layout().get());
-    return {*context_,
-            shaders,
-            {.name = settings.isOfOne ? "host raster/light" : "host raster/light instances",
-             .shader = shader,
-             .pushConstantBytes = sizeof(shared::HostViewPush),
-             .setLayouts = sets,
-             .constants = {{.id = 0, .value = settings.debugMode},
-                           {.id = 1, .value = settings.samples},
-                           {.id = 9, .value = asRadiance}}}};
-}
-
 gpu::ComputePipeline HostRaster::seedFor(const gpu::ShaderLibrary& shaders, std::uint32_t samples,
                                          bool hasReversedZ) const
 {
@@ -169,7 +162,7 @@ gpu::ComputePipeline HostRaster::seedFor(const gpu::ShaderLibrary& shaders, std:
 }
 
 void HostRaster::prepare(const gpu::ShaderLibrary& shaders, const HostView& view,
-                         std::uint32_t index, LightSettings light, bool hasPaged, View& out)
+                         std::uint32_t index, bool hasPaged, View& out)
 {
     if (!pipelines_.contains(view.samples))
         pipelines_.emplace(view.samples, pipelinesFor(shaders, view.samples));
@@ -177,11 +170,6 @@ void HostRaster::prepare(const gpu::ShaderLibrary& shaders, const HostView& view
     if (hasPaged && paged.get() == VK_NULL_HANDLE)
         paged = bladesPipeline(*context_, shaders, frameLayout_, view.samples, true);
     out.pipelines = &pipelines_.at(view.samples);
-    light.samples = view.samples;
-    light.hasHostLight = out.shadowMap != nullptr;
-    if (!lights_.contains(light))
-        lights_.emplace(light, lightFor(shaders, light));
-    out.light = &lights_.at(light);
     // Depth with another number of samples does not match the view's samples.
     if (view.depth && view.depth->samples == view.samples) {
         const std::pair wanted{view.samples, view.hasReversedZ};
@@ -207,23 +195,27 @@ void HostRaster::prepare(const gpu::ShaderLibrary& shaders, const HostView& view
                 .tiles = pictures.tiles->address(),
                 .size = view.size,
                 .instanceCount = 0,
-                .slack = view.depth ? view.depth->slack : 0.0f};
+                .slack = view.depth ? view.depth->slack : 0.0f,
+                .firstStored = view.stored ? view.stored->first : glm::uvec2(0)};
 }
 
 void HostRaster::begin(const gpu::ShaderLibrary& shaders, std::uint32_t slotIndex,
                        std::span<const HostView> views,
-                       std::span<const PlacedField* const> instances, DebugMode debug)
+                       std::span<const PlacedField* const> instances, const FrameSettings& settings)
 {
     Slot& slot = slots_[slotIndex];
     std::ranges::fill(slot.views, View{});
-    const LightSettings light{.debugMode = knownDebugMode(debug), .isOfOne = instances.size() == 1};
+    const HostLighting::Settings lighting{.debugMode = knownDebugMode(settings.debug),
+                                          .isOfOne = instances.size() == 1};
     const bool hasPaged = std::ranges::any_of(
         instances, [](const PlacedField* instance) { return instance->blades().isPaged(); });
     bool rasters = false;
     for (std::uint32_t i = 0; i < slot.views.size(); ++i) {
         if (i < views.size() && obstacle(views[i], instances) == nullptr) {
-            slot.views[i].shadowMap = shadowMaps_->of(slotIndex, i);
-            prepare(shaders, views[i], i, light, hasPaged, slot.views[i]);
+            prepare(shaders, views[i], i, hasPaged, slot.views[i]);
+            const bool stores = storeObstacle(views[i], instances, settings) == nullptr;
+            slot.views[i].lighting =
+                lighting_.prepare(shaders, slotIndex, i, views[i], stores, lighting);
             rasters = true;
         } else {
             pictures_[i] = {};
@@ -328,16 +320,10 @@ void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
     const bool isOfOne = view.push.instanceCount == 1;
     const bool isGone = isOfOne && instances[0] == nullptr; // removed after begin()
     if (!isGone) {
-        view.light->bind(commands);
+        FramePlace frame;
         if (isOfOne)
-            instances[0]
-                ->rasterFrame(slotIndex, viewIndex)
-                .bind(commands, view.light->layout(), frameSet);
-        if (view.shadowMap != nullptr)
-            view.shadowMap->bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, view.light->layout(),
-                                 isOfOne ? frameSet + 1 : frameSet);
-        view.light->push(commands, view.push);
-        dispatchPixels(commands, view.push.size);
+            frame = instances[0]->rasterFrame(slotIndex, viewIndex);
+        HostLighting::record(commands, view.lighting, isOfOne ? &frame : nullptr, view.push);
     }
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
 }

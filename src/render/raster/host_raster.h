@@ -11,7 +11,7 @@
 #include "render/frame_settings.h"
 #include "render/host_view.h"
 #include "render/raster/large_blade_list.h"
-#include "shaders/shared/debug_mode.h"
+#include "render/resolve/host_lighting.h"
 #include "shaders/shared/passes.h"
 
 #include <vulkan/vulkan.h>
@@ -29,7 +29,8 @@ class HostShadowMaps;
 class PlacedField;
 
 /// Rasterises the blades of a host's views by compute shaders: all instances of a view into one
-/// visibility buffer, initialised from the host's depth. BladeTarget draws the result.
+/// visibility buffer, initialised from the host's depth. HostLighting stores the result into the
+/// host's picture, or BladeTarget draws it.
 class HostRaster {
 public:
     using Instances = std::span<const PlacedField* const>;
@@ -45,9 +46,13 @@ public:
     /// Why a view of these instances is not rasterised; null if it is.
     const char* obstacle(const HostView& view, Instances instances) const;
 
+    /// Why a view is not stored into its picture, but may be drawn; null if it is.
+    const char* storeObstacle(const HostView& view, Instances instances,
+                              const FrameSettings& settings) const;
+
     /// Begins a frame in a completed `slot`, after its HostShadowMaps; makes objects on first use.
     void begin(const gpu::ShaderLibrary& shaders, std::uint32_t slot,
-               std::span<const HostView> views, Instances instances, DebugMode debug);
+               std::span<const HostView> views, Instances instances, const FrameSettings& settings);
 
     /// Rasterises and lights the view's lists. `depth`: the host's, as PyramidPass reads it, or
     /// null. Records a barrier before and after.
@@ -66,13 +71,6 @@ private:
         gpu::ComputePipeline large;                    ///< unused on a CPU device
     };
 
-    /// Specialisation of a lighting pipeline.
-    struct LightSettings {
-        std::uint32_t samples = 1, debugMode = shared::debugNothing; ///< see knownDebugMode()
-        bool isOfOne = false, hasHostLight = false; ///< a single instance; see View::shadowMap
-        auto operator<=>(const LightSettings&) const = default;
-    };
-
     /// Kept until no slot uses them.
     struct Pictures {
         std::shared_ptr<gpu::Buffer> visibility, tiles, motions; ///< of shared::HostViewPush
@@ -82,10 +80,9 @@ private:
     struct View {
         Pictures pictures;
         std::shared_ptr<LargeBladeList> large;
-        const Pipelines* pipelines = nullptr;        ///< null: the view is not rasterised
-        const gpu::ComputePipeline* light = nullptr; ///< null: no instances
-        const gpu::ImageSet* shadowMap = nullptr;    ///< null: no light of the host's
-        const gpu::ComputePipeline* seed = nullptr;  ///< null: the visibility starts cleared
+        const Pipelines* pipelines = nullptr; ///< null: the view is not rasterised
+        HostLighting::View lighting;
+        const gpu::ComputePipeline* seed = nullptr; ///< null: the visibility starts cleared
         shared::HostViewPush push = {};
         std::vector<shared::RasterPush> pushes; ///< one per instance
     };
@@ -96,21 +93,19 @@ private:
     };
 
     Pipelines pipelinesFor(const gpu::ShaderLibrary& shaders, std::uint32_t samples) const;
-    gpu::ComputePipeline lightFor(const gpu::ShaderLibrary& shaders, LightSettings settings) const;
     gpu::ComputePipeline seedFor(const gpu::ShaderLibrary& shaders, std::uint32_t samples,
                                  bool hasReversedZ) const;
     void prepare(const gpu::ShaderLibrary& shaders, const HostView& view, std::uint32_t index,
-                 LightSettings light, bool hasPaged, View& out);
+                 bool hasPaged, View& out);
     void writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const HostView> views,
                     Instances instances) const;
 
     const gpu::DeviceContext* context_;
-    const HostShadowMaps* shadowMaps_;
     Settings settings_;
+    HostLighting lighting_;
     gpu::UniformSetLayout frameLayout_;
     gpu::ImageSetLayout imageLayout_;              ///< compatible with PyramidPass
     std::map<std::uint32_t, Pipelines> pipelines_; ///< by samples
-    std::map<LightSettings, gpu::ComputePipeline> lights_;
     std::map<std::pair<std::uint32_t, bool>, gpu::ComputePipeline> seeds_; ///< reversed: true
     std::shared_ptr<LargeBladeList> largeList_; ///< shared by all views in sequence
     std::vector<Pictures> pictures_;            ///< the newest per view

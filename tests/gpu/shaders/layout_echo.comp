@@ -390,6 +390,7 @@ void main()
     put(sources.at[0].hostViewPush.at[1].size);
     put(sources.at[0].hostViewPush.at[1].instanceCount);
     put(sources.at[0].hostViewPush.at[1].slack);
+    put(sources.at[0].hostViewPush.at[1].firstStored);
 
     put(sources.at[0].pageChange.at[1].page);
     put(sources.at[0].pageChange.at[1].place);

@@ -1,0 +1,40 @@
+// A blade where a pixel of a host's view shows it.
+#ifndef SWARD_RESOLVE_SIGHT_BLADE_GLSL
+#define SWARD_RESOLVE_SIGHT_BLADE_GLSL
+
+#include "shaders/raster/instances.glsl"
+#include "shaders/raster/put_sample.glsl"
+#include "shaders/resolve/shade_found.glsl"
+
+struct SightedBlade {
+    Lens lens;
+    SeenBlade seen;
+    Found found;
+    uint instance;
+};
+
+/// `what`: its value in the visibility; `samples`: bits of the samples that show it; `depth`: at sample `middle` of
+/// these. Selects its instance.
+SightedBlade sightBlade(uvec2 pixel, uint what, uint samples, uint middle, float depth)
+{
+    SightedBlade blade;
+    blade.instance = instanceOf(what);
+#ifndef ONE_INSTANCE
+    chooseInstance(blade.instance);
+#endif
+    blade.lens = lensOf();
+    blade.seen = freshBlade(what - push.firstBlade);
+    blade.found = find(blade.lens, blade.seen.ribbon,
+                       Sighting(vec2(pixel) + samplePlace(middle), depth, vec2(pixel) + middleOf(samples)));
+    return blade;
+}
+
+/// Notes that the tile of a pixel shows a blade. All pixels of a tile store the same value.
+void noteTile(uvec2 pixel)
+{
+    UintArray tiles = host.tiles;
+    const uvec2 tile = pixel / hostTile;
+    tiles.at[tile.y * tilesAlong(host.size.x, hostTile) + tile.x] = 1u;
+}
+
+#endif

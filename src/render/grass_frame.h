@@ -1,0 +1,33 @@
+#pragma once
+
+#include "render/frame_settings.h"
+#include "render/host_light.h"
+#include "render/host_view.h"
+
+#include <glm/vec3.hpp>
+
+#include <span>
+
+namespace sward::render {
+
+/// A capsule that pushes blades aside, or a ball if both ends coincide. World space.
+struct HostCollider {
+    glm::dvec3 from{0.0};     ///< [m]
+    glm::dvec3 to{0.0};       ///< [m]
+    double radius = 0.5;      ///< [m]
+    glm::vec3 velocity{0.0f}; ///< [m/s] of its movement to here
+};
+
+/// Description of one frame by the host.
+struct GrassFrame {
+    double time = 0.0;                 ///< [s], never decreasing; steps of any length
+    std::span<const HostView> views{}; ///< blades are moved for these and drawn in these
+
+    /// Wind, gravity, sun, sky and level of detail, all in world space. Its colliders are ignored,
+    /// and there is no fog if `fogDensity` is below 0.
+    const FrameSettings& settings;
+    std::span<const HostCollider> colliders{}; ///< at most shared::maxColliders
+    HostLight light{};                         ///< the host's ambient light and lamps on blades
+};
+
+} // namespace sward::render

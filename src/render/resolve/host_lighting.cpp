@@ -1,0 +1,113 @@
+#include "render/resolve/host_lighting.h"
+
+#include "render/host_shadow_maps.h"
+
+#include <string>
+
+namespace sward::render {
+namespace {
+
+constexpr std::uint32_t asRadiance = 2; ///< see lighting.glsl
+
+std::uint32_t flagsOf(const HostView& view)
+{
+    const StoredPicture& stored = *view.stored;
+    return shared::storesPicture | (stored.keepsRadiance ? 0u : shared::storesDeveloped) |
+           (stored.isSrgb ? shared::storesSrgb : 0u) | (stored.isBgr ? shared::storesBgr : 0u) |
+           (stored.depth != VK_NULL_HANDLE ? shared::storesDepth : 0u) |
+           (view.hasReversedZ ? 0u : shared::storesForwardZ);
+}
+
+} // namespace
+
+HostLighting::HostLighting(const gpu::DeviceContext& context, const HostShadowMaps& shadowMaps,
+                           std::uint32_t slots, std::uint32_t maxViews)
+    : context_(&context)
+    , shadowMaps_(&shadowMaps)
+    , frameLayout_(context, "host lighting/frame")
+    , imageLayout_(context, {.name = "host lighting/stored image",
+                             .storageCount = 1,
+                             .stages = VK_SHADER_STAGE_COMPUTE_BIT})
+    , maxViews_(maxViews)
+    , pictures_(std::size_t(slots) * maxViews)
+{
+}
+
+gpu::ComputePipeline HostLighting::pipelineFor(const gpu::ShaderLibrary& shaders,
+                                               const Settings& settings) const
+{
+    const bool stores = settings.storedAs != 0;
+    std::string shader = stores ? "store_visibility" : "shade_visibility";
+    shader += settings.isOfOne ? "" : "_of_instances";
+    shader += settings.hasHostLight ? "_host_light" : "";
+    shader += !stores ? ".comp" : settings.storesHalves ? "_halves.comp" : "_bytes.comp";
+    std::vector<VkDescriptorSetLayout> sets;
+    if (settings.isOfOne)
+        sets.push_back(frameLayout_.get());
+    if (settings.hasHostLight)
+        sets.push_back(shadowMaps_->layout().get());
+    if (stores)
+        sets.insert(sets.end(), 2, imageLayout_.get());
+    std::string name = stores ? "host lighting/store" : "host lighting/light";
+    name += settings.isOfOne ? "" : " instances";
+    return {*context_,
+            shaders,
+            {.name = name,
+             .shader = shader,
+             .pushConstantBytes = sizeof(shared::HostViewPush),
+             .setLayouts = sets,
+             .constants = {{.id = 0, .value = settings.debugMode},
+                           {.id = 1, .value = settings.samples},
+                           {.id = 9, .value = asRadiance},
+                           {.id = 18, .value = settings.storedAs}}}};
+}
+
+HostLighting::View HostLighting::prepare(const gpu::ShaderLibrary& shaders, std::uint32_t slot,
+                                         std::uint32_t index, const HostView& view, bool stores,
+                                         Settings settings)
+{
+    View made;
+    made.shadowMap = shadowMaps_->of(slot, index);
+    settings.samples = view.samples;
+    settings.hasHostLight = made.shadowMap != nullptr;
+    if (stores) {
+        std::optional<Picture>& picture = pictures_[std::size_t(slot) * maxViews_ + index];
+        if (!picture)
+            picture = Picture{{*context_, imageLayout_, "view/stored color"},
+                              {*context_, imageLayout_, "view/stored depth"}};
+        const StoredPicture& stored = *view.stored;
+        picture->color.setStorage(0, stored.color);
+        picture->depth.setStorage(0, stored.depth != VK_NULL_HANDLE ? stored.depth : stored.color);
+        made.color = &picture->color;
+        made.depth = &picture->depth;
+        settings.storedAs = flagsOf(view);
+        settings.storesHalves = stored.format == VK_FORMAT_R16G16B16A16_SFLOAT;
+    }
+    auto found = pipelines_.find(settings);
+    if (found == pipelines_.end())
+        found = pipelines_.emplace(settings, pipelineFor(shaders, settings)).first;
+    made.pipeline = &found->second;
+    return made;
+}
+
+void HostLighting::record(const gpu::Recording& commands, const View& view, const FramePlace* frame,
+                          const shared::HostViewPush& push)
+{
+    const gpu::PipelineLayout& layout = view.pipeline->layout();
+    view.pipeline->bind(commands);
+    std::uint32_t set = 0;
+    if (frame != nullptr)
+        frame->bind(commands, layout, set++);
+    if (view.shadowMap != nullptr)
+        view.shadowMap->bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout, set++);
+    if (view.color != nullptr)
+        for (const gpu::ImageSet* image : {view.color, view.depth})
+            image->bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout, set++);
+    view.pipeline->push(commands, push);
+    const auto groupsAlong = [](std::uint32_t pixels) {
+        return static_cast<std::uint32_t>(gpu::groupsFor(pixels, shared::rasterTile));
+    };
+    commands.vk->CmdDispatch(commands, groupsAlong(push.size.x), groupsAlong(push.size.y), 1);
+}
+
+} // namespace sward::render

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "gpu/compute_pipeline.h"
+#include "gpu/context.h"
+#include "gpu/image_set.h"
+#include "gpu/recording.h"
+#include "gpu/shader_library.h"
+#include "gpu/uniform_sets.h"
+#include "render/frame_place.h"
+#include "render/host_view.h"
+#include "shaders/shared/debug_mode.h"
+#include "shaders/shared/passes.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace sward::render {
+
+class HostShadowMaps;
+
+/// Lights the visibility of hosts' views: in place of its ids, for a composite, or into a
+/// StoredPicture.
+class HostLighting {
+public:
+    /// Specialisation of a pipeline.
+    struct Settings {
+        std::uint32_t samples = 1, debugMode = shared::debugNothing; ///< see knownDebugMode()
+        bool isOfOne = false, hasHostLight = false; ///< of a single instance; see View::shadowMap
+        std::uint32_t storedAs = 0; ///< flags of shared::storesPicture …; 0: in place of ids
+        bool storesHalves = false;  ///< else bytes
+        auto operator<=>(const Settings&) const = default;
+    };
+
+    /// What lights one view.
+    struct View {
+        const gpu::ComputePipeline* pipeline = nullptr; ///< null: nothing is lit
+        const gpu::ImageSet* shadowMap = nullptr;       ///< null: no light of the host's
+        const gpu::ImageSet* color = nullptr;           ///< null: the light replaces ids
+        const gpu::ImageSet* depth = nullptr;           ///< beside a colour
+    };
+
+    HostLighting(const gpu::DeviceContext& context, const HostShadowMaps& shadowMaps,
+                 std::uint32_t slots, std::uint32_t maxViews);
+
+    /// Makes what lights a view of a frame in a completed `slot`, after its HostShadowMaps. Takes
+    /// all settings but debugMode and isOfOne from `view`, which is stored if `stores`.
+    View prepare(const gpu::ShaderLibrary& shaders, std::uint32_t slot, std::uint32_t index,
+                 const HostView& view, bool stores, Settings settings);
+
+    /// Lights the view. `frame`: of its only instance; null for several.
+    static void record(const gpu::Recording& commands, const View& view, const FramePlace* frame,
+                       const shared::HostViewPush& push);
+
+private:
+    gpu::ComputePipeline pipelineFor(const gpu::ShaderLibrary& shaders,
+                                     const Settings& settings) const;
+
+    /// The images of a StoredPicture. Without depth the colour takes its place, unused.
+    struct Picture {
+        gpu::ImageSet color, depth;
+    };
+
+    const gpu::DeviceContext* context_;
+    const HostShadowMaps* shadowMaps_;
+    gpu::UniformSetLayout frameLayout_;
+    gpu::ImageSetLayout imageLayout_; ///< of one stored image
+    std::uint32_t maxViews_;
+    std::map<Settings, gpu::ComputePipeline> pipelines_;
+    std::vector<std::optional<Picture>> pictures_; ///< [slot][view], made on first use
+};
+
+} // namespace sward::render
