@@ -43,6 +43,18 @@ render::HostShadow shadowOf(const sward_shadow& given, std::vector<glm::dmat4>& 
             .lift = given.lift};
 }
 
+render::StoredPicture storedOf(const sward_stored_picture& given)
+{
+    return {.color = given.color,
+            .format = given.format,
+            .isSrgb = given.is_srgb,
+            .isBgr = given.is_bgr,
+            .keepsRadiance = given.keeps_radiance,
+            .depth = given.depth,
+            .size = {given.width, given.height},
+            .first = {given.first_x, given.first_y}};
+}
+
 render::HostLamp lampOf(const sward_lamp& given)
 {
     render::HostLamp lamp{.position = glm::make_vec3(given.position),
@@ -89,6 +101,8 @@ render::HostView viewOf(const sward_view& given)
         view.depth = render::HostDepth{given.depth, given.depth_layout, given.depth_samples,
                                        given.depth_slack};
     }
+    if (given.stored != nullptr)
+        view.stored = storedOf(*given.stored);
     return view;
 }
 
@@ -278,6 +292,12 @@ const char* sward_grass_why_tessellated(const sward_grass* grass, uint32_t view)
 {
     return grass == nullptr || view >= grass->views ? "there is no such view"
                                                     : grass->grass.whyTessellated(view);
+}
+
+const char* sward_grass_why_not_stored(const sward_grass* grass, uint32_t view)
+{
+    return grass == nullptr || view >= grass->views ? "there is no such view"
+                                                    : grass->grass.whyNotStored(view);
 }
 
 sward_status sward_grass_get_stats(const sward_grass* grass, uint32_t view, uint32_t slot,

@@ -81,7 +81,8 @@ sward_status sward_grass_remove(sward_grass* grass, sward_instance instance);
 /* Begins a frame in a slot whose former commands have completed. Records nothing. */
 sward_status sward_grass_begin(sward_grass* grass, uint32_t slot, const sward_frame* frame);
 
-/* Outside of a rendering, in this order: once; for each view; for each view. */
+/* Outside of a rendering, in this order: once; for each view; for each view. The last stores grass
+ * into the view's sward_stored_picture, if it has one and nothing is in the way. */
 void sward_grass_record_update(sward_grass* grass, VkCommandBuffer commands);
 void sward_grass_record_cull(sward_grass* grass, VkCommandBuffer commands, uint32_t view);
 void sward_grass_record_raster(sward_grass* grass, VkCommandBuffer commands, uint32_t view);
@@ -94,6 +95,10 @@ void sward_grass_record_depth(const sward_grass* grass, VkCommandBuffer commands
 
 /* Why a view of the frame last begun is tessellated; null if it is rasterised. */
 const char* sward_grass_why_tessellated(const sward_grass* grass, uint32_t view);
+
+/* Why a view of that frame is not stored and needs sward_grass_record_draw(), which draws nothing
+ * of a view that is stored; null if it is stored. */
+const char* sward_grass_why_not_stored(const sward_grass* grass, uint32_t view);
 
 /* Of the frame last begun in `slot`, after its commands have completed. */
 sward_status sward_grass_get_stats(const sward_grass* grass, uint32_t view, uint32_t slot,

@@ -26,6 +26,20 @@ typedef struct sward_shadow {
     float lift;                    /* [texels] along the blade's up-vector: 1.5 */
 } sward_shadow;
 
+/* The host's picture, of one sample a pixel, that sward_grass_record_raster() stores grass into,
+ * over what the host has drawn. Both images are 2D views of one layer and one mip level with the
+ * usage STORAGE, in the layout GENERAL. */
+typedef struct sward_stored_picture {
+    VkImageView color;
+    VkFormat format;           /* of the view: R8G8B8A8_UNORM or R16G16B16A16_SFLOAT */
+    bool is_srgb;              /* the image is sRGB, its view UNORM */
+    bool is_bgr;               /* the image has blue first, its view red */
+    bool keeps_radiance;       /* linear radiance; else developed for a screen */
+    VkImageView depth;         /* R32_SFLOAT: gets the nearest blade's; VK_NULL_HANDLE: none */
+    uint32_t width, height;    /* [pixels] of both images */
+    uint32_t first_x, first_y; /* [pixels] where the view begins */
+} sward_stored_picture;
+
 typedef struct sward_view {
     double world_to_clip[16]; /* column after column, to Vulkan's clip space */
     uint32_t width, height;   /* [pixels] */
@@ -41,6 +55,8 @@ typedef struct sward_view {
     float depth_slack; /* 1.2e-7 of 32 and 24 bits, 3e-5 of 16 bits */
 
     const sward_shadow* shadow; /* of the sun; null: the whole view is in the sun */
+
+    const sward_stored_picture* stored; /* null: grass is drawn by sward_grass_record_draw() */
 } sward_view;
 
 typedef struct sward_collider {

@@ -226,16 +226,9 @@ static sward_view view_from_above(const sward_field_info* info)
 /* Sum of the channels of the picture drawn last. */
 static unsigned long brightness = 0;
 
-/* Draws one frame; returns how many pixels are grass. */
-static unsigned draw(sward_grass* grass, const sward_target* target, const sward_frame* frame)
+/* Ends the commands of a picture in `layout`, and reads it: returns how many pixels are grass. */
+static unsigned submit_and_count(VkCommandBuffer commands, VkImage image, VkImageLayout layout)
 {
-    const VkImageAspectFlags color_aspect = VK_IMAGE_ASPECT_COLOR_BIT;
-    const struct picture color = make_picture(
-        VK_FORMAT_R8G8B8A8_SRGB,
-        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, color_aspect);
-    const struct picture depth =
-        make_picture(VK_FORMAT_D32_SFLOAT, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-                     VK_IMAGE_ASPECT_DEPTH_BIT);
     const VkDeviceSize bytes = 4u * width * height;
     const VkBufferCreateInfo buffer_info = {.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
                                             .size = bytes,
@@ -254,6 +247,37 @@ static unsigned draw(sward_grass* grass, const sward_target* target, const sward
     REQUIRE(vkAllocateMemory(device, &allocation, NULL, &memory) == VK_SUCCESS);
     REQUIRE(vkBindBufferMemory(device, buffer, memory, 0) == VK_SUCCESS);
 
+    const VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
+    to_layout(commands, image, aspect, layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    const VkBufferImageCopy copy = {.imageSubresource = {aspect, 0, 0, 1},
+                                    .imageExtent = {width, height, 1}};
+    vkCmdCopyImageToBuffer(commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer, 1, &copy);
+    submit_and_wait(commands);
+
+    void* mapped = NULL;
+    REQUIRE(vkMapMemory(device, memory, 0, bytes, 0, &mapped) == VK_SUCCESS);
+    unsigned covered = 0;
+    brightness = 0;
+    for (unsigned i = 0; i < width * height; ++i) {
+        const unsigned char* pixel = (const unsigned char*)mapped + 4 * i;
+        covered += pixel[0] + pixel[1] + pixel[2] > 0 ? 1u : 0u;
+        brightness += (unsigned long)(pixel[0] + pixel[1] + pixel[2]);
+    }
+    vkDestroyBuffer(device, buffer, NULL);
+    vkFreeMemory(device, memory, NULL);
+    return covered;
+}
+
+/* Draws one frame; returns how many pixels are grass. */
+static unsigned draw(sward_grass* grass, const sward_target* target, const sward_frame* frame)
+{
+    const VkImageAspectFlags color_aspect = VK_IMAGE_ASPECT_COLOR_BIT;
+    const struct picture color = make_picture(
+        VK_FORMAT_R8G8B8A8_SRGB,
+        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, color_aspect);
+    const struct picture depth =
+        make_picture(VK_FORMAT_D32_SFLOAT, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                     VK_IMAGE_ASPECT_DEPTH_BIT);
     REQUIRE(sward_grass_begin(grass, 0, frame) == SWARD_OK);
     VkCommandBuffer commands = begin_commands();
     sward_grass_record_update(grass, commands);
@@ -287,27 +311,45 @@ static unsigned draw(sward_grass* grass, const sward_target* target, const sward
     vkCmdSetScissor(commands, 0, 1, &rendering.renderArea);
     sward_grass_record_draw(grass, commands, 0, target);
     vkCmdEndRendering(commands);
-    to_layout(commands, color.image, color_aspect, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-              VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
-    const VkBufferImageCopy copy = {.imageSubresource = {color_aspect, 0, 0, 1},
-                                    .imageExtent = {width, height, 1}};
-    vkCmdCopyImageToBuffer(commands, color.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer, 1,
-                           &copy);
-    submit_and_wait(commands);
-
-    void* mapped = NULL;
-    REQUIRE(vkMapMemory(device, memory, 0, bytes, 0, &mapped) == VK_SUCCESS);
-    unsigned covered = 0;
-    brightness = 0;
-    for (unsigned i = 0; i < width * height; ++i) {
-        const unsigned char* pixel = (const unsigned char*)mapped + 4 * i;
-        covered += pixel[0] + pixel[1] + pixel[2] > 0 ? 1u : 0u;
-        brightness += (unsigned long)(pixel[0] + pixel[1] + pixel[2]);
-    }
-    vkDestroyBuffer(device, buffer, NULL);
-    vkFreeMemory(device, memory, NULL);
+    const unsigned covered =
+        submit_and_count(commands, color.image, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
     destroy_picture(color);
     destroy_picture(depth);
+    return covered;
+}
+
+/* Stores one frame over a black picture; returns how many pixels are grass. */
+static unsigned store(sward_grass* grass, sward_frame frame)
+{
+    const VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
+    const struct picture color = make_picture(VK_FORMAT_R8G8B8A8_UNORM,
+                                              VK_IMAGE_USAGE_STORAGE_BIT |
+                                                  VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                                                  VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                                              aspect);
+    sward_stored_picture stored = {.color = color.view,
+                                   .format = VK_FORMAT_R8G8B8A8_UNORM,
+                                   .is_srgb = true,
+                                   .width = width,
+                                   .height = height - 1};
+    sward_view view = frame.views[0];
+    view.stored = &stored;
+    frame.views = &view;
+    REQUIRE(sward_grass_begin(grass, 0, &frame) == SWARD_ERROR_USAGE); /* too low for the view */
+    stored.height = height;
+    REQUIRE(sward_grass_begin(grass, 0, &frame) == SWARD_OK);
+    REQUIRE(sward_grass_why_not_stored(grass, 0) == NULL);
+    REQUIRE(sward_grass_why_not_stored(grass, 1) != NULL);
+    VkCommandBuffer commands = begin_commands();
+    to_layout(commands, color.image, aspect, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
+    const VkClearColorValue black = {.float32 = {0.0f, 0.0f, 0.0f, 0.0f}};
+    const VkImageSubresourceRange all = {aspect, 0, 1, 0, 1};
+    vkCmdClearColorImage(commands, color.image, VK_IMAGE_LAYOUT_GENERAL, &black, 1, &all);
+    sward_grass_record_update(grass, commands);
+    sward_grass_record_cull(grass, commands, 0);
+    sward_grass_record_raster(grass, commands, 0);
+    const unsigned covered = submit_and_count(commands, color.image, VK_IMAGE_LAYOUT_GENERAL);
+    destroy_picture(color);
     return covered;
 }
 
@@ -443,6 +485,12 @@ static void draw_field(const sward_field* field)
         printf("%s: %u of %d pixels, %llu blades\n",
                sward_grass_why_tessellated(grass, 0) == NULL ? "rasterised" : "tessellated",
                covered, width * height, (unsigned long long)stats.drawn);
+        if (sward_grass_why_tessellated(grass, 0) == NULL) {
+            const unsigned long drawn = brightness;
+            const unsigned stored = store(grass, frame);
+            REQUIRE(stored + covered / 100 >= covered && stored <= covered + covered / 100);
+            REQUIRE(labs((long)brightness - (long)drawn) < (long)(drawn / 50));
+        }
     }
     REQUIRE(sward_grass_why_tessellated(grass, 0) != NULL);
     light_frame(grass, target, frame, &info);
