@@ -1,10 +1,11 @@
 // Measures the cost of grass in a host's frames, by either method of drawing:
 //   sward_host_bench FIELD.sward SCENE.json [raster|tessellation] [samples=N] [instances=N]
-//   [frames=N] [lamps=N] [ambient=1] [shadow=1] [budget=MIB] [fly=1]
-// With a budget the field is streamed if it does not fit; fly follows the scene's moving camera
-// there and back. The host's depth is at the far plane; Sward processes it like any other. Prints
-// one line of JSON: medians in milliseconds by device timestamps, and by the clock for the CPU and
-// whole frames.
+//   [frames=N] [lamps=N] [ambient=1] [shadow=1] [budget=MIB] [fly=1] [store=1]
+// With store the light is stored into the host's picture of one sample, with store=2 also the
+// depth; there is no composite, and "draw" is empty. With a budget the field is streamed if it does
+// not fit; fly follows the scene's moving camera there and back. The host's depth is at the far
+// plane; Sward processes it like any other. Prints one line of JSON: medians in milliseconds by
+// device timestamps, and by the clock for the CPU and whole frames.
 #include "field/read.h"
 #include "gpu/check.h"
 #include "gpu/commands.h"
@@ -42,9 +43,9 @@ struct Options {
     std::string field;
     std::string scene;
     render::Geometry geometry = render::Geometry::raster;
-    std::map<std::string, int> numbers{{"samples", 1},  {"instances", 1}, {"frames", 300},
-                                       {"radiance", 0}, {"lamps", 0},     {"ambient", 0},
-                                       {"shadow", 0},   {"budget", 0},    {"fly", 0}};
+    std::map<std::string, int> numbers{
+        {"samples", 1}, {"instances", 1}, {"frames", 300}, {"radiance", 0}, {"lamps", 0},
+        {"ambient", 0}, {"shadow", 0},    {"budget", 0},   {"fly", 0},      {"store", 0}};
 };
 
 Options optionsOf(int argc, char** argv)
@@ -151,6 +152,21 @@ std::vector<render::HostLamp> lampsOver(const render::ResidentField& field, int 
     return lamps;
 }
 
+/// The host's opaque scene: a sky in the colour, and its far depth. Leaves both for storage.
+void recordScene(VkCommandBuffer commands, const gpu::Image& color, const gpu::Image& depth)
+{
+    for (const gpu::Image* image : {&color, &depth})
+        gpu::transition(commands, *image, gpu::ImageUse::undefined, gpu::ImageUse::colorTarget);
+    {
+        const gpu::ColorAttachment targets[]{
+            {.view = color.view(), .clear = std::array{0.3f, 0.5f, 0.8f, 1.0f}},
+            {.view = depth.view(), .clear = std::array{0.0f, 0.0f, 0.0f, 0.0f}}};
+        const gpu::RenderingScope scope(commands, extent, targets);
+    }
+    for (const gpu::Image* image : {&color, &depth})
+        gpu::transition(commands, *image, gpu::ImageUse::colorTarget, gpu::ImageUse::storage);
+}
+
 void run(const Options& options)
 {
     const gpu::Instance instance;
@@ -174,6 +190,18 @@ void run(const Options& options)
     const gpu::Image depth =
         image("depth", VK_FORMAT_D32_SFLOAT,
               VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
+    // What grass is stored into: the host's resolved colour, and a depth for its later passes.
+    const int store = options.numbers.at("store");
+    const gpu::Image resolved(context, {.name = "resolved",
+                                        .format = colorFormat,
+                                        .extent = extent,
+                                        .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
+                                        .storedAs = VK_FORMAT_R8G8B8A8_UNORM});
+    const gpu::Image storedDepth(
+        context, {.name = "stored depth",
+                  .format = VK_FORMAT_R32_SFLOAT,
+                  .extent = extent,
+                  .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_STORAGE_BIT});
     render::Grass grass(context, {.framesInFlight = slots});
     addInstances(grass, lawn, options.numbers.at("instances"));
     const render::BladeTarget target(context,
@@ -221,6 +249,15 @@ void run(const Options& options)
     if (options.numbers.at("shadow") != 0)
         view.shadow = render::HostShadow{.view = mapView.get(), .worldToShadow = worldToShadow};
 
+    if (store != 0)
+        view.stored =
+            render::StoredPicture{.color = resolved.storedView(),
+                                  .format = VK_FORMAT_R8G8B8A8_UNORM,
+                                  .isSrgb = true,
+                                  .keepsRadiance = false,
+                                  .depth = store > 1 ? storedDepth.view() : VK_NULL_HANDLE,
+                                  .size = {extent.width, extent.height}};
+
     gpu::FrameRing ring(context, slots);
     gpu::Timestamps times(context, {.slots = slots});
     std::vector<double> recorded;
@@ -253,6 +290,8 @@ void run(const Options& options)
                 commands, extent, {}, gpu::DepthAttachment{.view = depth.view(), .clear = 0.0f});
         }
         gpu::transition(commands, depth, gpu::ImageUse::depthTarget, gpu::ImageUse::sampled);
+        if (store != 0)
+            recordScene(commands, resolved, storedDepth);
         const double before = seconds();
         grass.begin(
             recording.slot,
@@ -265,9 +304,14 @@ void run(const Options& options)
         timed("update", [&] { grass.recordUpdate(commands); });
         timed("cull", [&] { grass.recordCull(commands, 0); });
         timed("raster", [&] { grass.recordRaster(commands, 0); });
-        gpu::transition(commands, depth, gpu::ImageUse::sampled, gpu::ImageUse::depthTarget);
-        gpu::transition(commands, color, gpu::ImageUse::undefined, gpu::ImageUse::colorTarget);
+        const bool isDrawn = grass.whyNotStored(0) != nullptr;
+        if (isDrawn) {
+            gpu::transition(commands, depth, gpu::ImageUse::sampled, gpu::ImageUse::depthTarget);
+            gpu::transition(commands, color, gpu::ImageUse::undefined, gpu::ImageUse::colorTarget);
+        }
         timed("draw", [&] {
+            if (!isDrawn)
+                return;
             const gpu::ColorAttachment attachment{.view = color.view(),
                                                   .clear = std::array{0.3f, 0.5f, 0.8f, 1.0f}};
             const gpu::RenderingScope scope(
@@ -288,6 +332,7 @@ void run(const Options& options)
                        {"samples", samples},
                        {"instances", options.numbers.at("instances")},
                        {"geometry", grass.whyTessellated(0) == nullptr ? "raster" : "tessellation"},
+                       {"stored", grass.whyNotStored(0) == nullptr},
                        {"drawn", grass.stats(0, 0).drawn},
                        {"device_bytes", grass.deviceBytes()},
                        {"field_bytes", lawn->deviceBytes()},
@@ -319,7 +364,8 @@ try {
     if (argc < 3) {
         std::fputs(
             "usage: sward_host_bench FIELD.sward SCENE.json [raster|tessellation] [samples=N] "
-            "[instances=N] [frames=N] [lamps=N] [ambient=1] [shadow=1] [budget=MIB] [fly=1]\n",
+            "[instances=N] [frames=N] [lamps=N] [ambient=1] [shadow=1] [budget=MIB] [fly=1] "
+            "[store=1]\n",
             stderr);
         return 1;
     }
