@@ -21,8 +21,10 @@ VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
 
 
 def bake(ground, count, path, *arguments):
+    # Blades alone, so that the numbers of blades are those of the bake.
+    meadow = [] if "--meadow" in arguments else ["--meadow", "grass"]
     subprocess.run([SWARD, "bake", ground, "--count", str(count), "--blade-scale", "8", "-o", path,
-                    "--force", "-q", *arguments], check=True)
+                    "--force", "-q", *meadow, *arguments], check=True)
 
 
 class FieldsTest(unittest.TestCase):

@@ -44,7 +44,8 @@ class GeometryTest(unittest.TestCase):
 
     def bake(self, *arguments):
         field = self.folder / "field.sward"
-        self.run_program(SWARD, "bake", *arguments, "-o", field, "--force", "-q")
+        meadow = [] if "--meadow" in arguments else ["--meadow", "grass"]
+        self.run_program(SWARD, "bake", *arguments, *meadow, "-o", field, "--force", "-q")
         return field
 
     def draw(self, field, *arguments):

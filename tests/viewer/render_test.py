@@ -31,7 +31,7 @@ class RenderTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory(prefix="sward-render-")
         cls.addClassCleanup(folder.cleanup)
         cls.field = Path(folder.name) / "hills.sward"
-        subprocess.run([SWARD, "bake", "hills", "--count", str(BLADES), "-o", cls.field, "-q"],
+        subprocess.run([SWARD, "bake", "hills", "--count", str(BLADES), "--meadow", "grass", "-o", cls.field, "-q"],
                        check=True)
 
     def setUp(self):
@@ -96,7 +96,7 @@ class RenderTest(unittest.TestCase):
 
     def test_a_field_larger_than_its_budget_is_shown_in_part(self):
         field, blades = self.folder / "wide.sward", 100_000
-        subprocess.run([SWARD, "bake", "plane", "--count", str(blades), "-o", field, "-q"],
+        subprocess.run([SWARD, "bake", "plane", "--count", str(blades), "--meadow", "grass", "-o", field, "-q"],
                        check=True)
 
         def stats(*arguments, code=0):

@@ -54,7 +54,7 @@ TEST(Plan, BuiltInMeadowsStateTheirCover)
     const std::map<std::string, std::pair<double, double>> index{
         {"meadow", {3.0, 8.0}},  {"grass", {3.0, 8.0}},  {"hay", {3.0, 8.0}},
         {"dunes", {0.5, 4.0}},   {"lawn", {2.0, 6.0}},   {"steppe", {1.0, 5.0}},
-        {"daisies", {2.5, 8.0}}, {"alpine", {1.5, 6.0}}, {"marsh", {2.0, 9.0}},
+        {"daisies", {2.5, 8.0}}, {"alpine", {1.5, 7.0}}, {"marsh", {2.0, 9.0}},
         {"prairie", {1.5, 8.0}}};
     for (const auto& [name, range] : index) {
         const Meadow meadow = loadMeadow(name);
