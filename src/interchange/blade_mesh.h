@@ -10,9 +10,16 @@
 
 namespace sward::interchange {
 
+/// What a species' blades are like on average.
+struct MeanBlade {
+    float stiffness = 0.5f;     ///< [0, 1]
+    float slenderness = 0.005f; ///< width relative to height
+};
+
 /// The blade of one species as triangles: a ribbon along the Bézier curve of shared/physics.h. It
 /// starts at the origin, grows along +Y and leans to +Z. Its length is 1, its root width along X is
-/// 1, so that a scale of (width, height, height) gives a blade.
+/// 1, so that a scale of (width, height, height) gives a blade. For a compound plant, the whole
+/// plant with a stalk of length 1; a scale of its height gives a plant.
 struct BladeMesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;     ///< unit; of the side facing +Z
@@ -25,9 +32,10 @@ struct BladeMesh {
 /// Rows of quads for a blade shape.
 std::uint32_t bladeSegments(std::uint32_t shape);
 
-/// The mesh of `species` for a resting blade of `stiffness` [0, 1] on level ground: no wind,
-/// gravity and recovery from the field's defaults, outline and fold from the species.
-BladeMesh bladeMesh(const shared::Species& species, const field::Defaults& defaults,
-                    float stiffness);
+/// The mesh of `species` for a resting blade on level ground: no wind, gravity and recovery from
+/// the field's defaults, outline and fold from the species. Ribbons of a plant are those of a plant
+/// with hash and facing 0; others vary by Organ::variation.
+BladeMesh bladeMesh(const field::Species& species, const field::Defaults& defaults,
+                    const MeanBlade& mean);
 
 } // namespace sward::interchange

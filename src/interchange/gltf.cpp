@@ -50,10 +50,10 @@ std::size_t addBladeMesh(GltfDocument& document, const BladeMesh& mesh, const st
 // Mesh and material of species i have index i.
 void addSpecies(GltfDocument& document, const field::FieldView& field)
 {
-    const std::vector<float> stiffness = meanStiffness(field);
+    const std::vector<MeanBlade> means = meanBlades(field);
     for (std::size_t s = 0; s < field.species.size(); ++s) {
         const field::Species& species = field.species[s];
-        const BladeMesh mesh = bladeMesh(species.look, *field.defaults, stiffness[s]);
+        const BladeMesh mesh = bladeMesh(species, *field.defaults, means[s]);
         const ordered_json pbr = {
             {"baseColorFactor", {mesh.baseColor.x, mesh.baseColor.y, mesh.baseColor.z, 1.0}},
             {"metallicFactor", 0.0},

@@ -36,7 +36,7 @@ void storeRotation(const Instance& i, std::byte* to)
 
 void storeScale(const Instance& i, std::byte* to)
 {
-    put<float, 3>(to, {i.blade.width, i.blade.height, i.blade.height});
+    put<float, 3>(to, {i.scale.x, i.scale.y, i.scale.z});
 }
 
 void storeStiffness(const Instance& i, std::byte* to)

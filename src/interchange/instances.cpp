@@ -47,7 +47,7 @@ std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGrou
     for (const std::uint32_t p : group.patches) {
         const shared::Patch& patch = field.patches[p];
         for (std::size_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i) {
-            // A prototype is an upright blade; ribbons have their own directions.
+            // The mesh of a stalk's species holds its ribbons.
             if (field.isRibbon(i))
                 continue;
             Instance instance;
@@ -55,27 +55,39 @@ std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGrou
             instance.id = field.idOf(i);
             instance.place = glm::vec3(glm::dvec3(instance.blade.root) - group.place);
             instance.rotation = orientation(instance.blade.up, instance.blade.facing);
+            const float across = field.species[instance.blade.species].organs.empty()
+                                     ? instance.blade.width
+                                     : instance.blade.height;
+            instance.scale = {across, instance.blade.height, instance.blade.height};
             instances.push_back(instance);
         }
     }
     return instances;
 }
 
-std::vector<float> meanStiffness(const field::FieldView& field)
+std::vector<MeanBlade> meanBlades(const field::FieldView& field)
 {
-    std::vector<double> sums(field.species.size());
-    std::vector<std::uint64_t> counts(field.species.size());
+    struct Sums {
+        double stiffness = 0.0;
+        double slenderness = 0.0;
+        std::uint64_t count = 0;
+    };
+    std::vector<Sums> sums(field.species.size());
     for (const shared::Patch& patch : field.patches)
-        for (const shared::PackedBlade& bits :
-             field.blades.subspan(patch.firstBlade, patch.bladeCount)) {
-            const shared::Blade blade = shared::unpackBlade(bits, patch);
-            sums[blade.species] += double(blade.stiffness);
-            ++counts[blade.species];
+        for (std::size_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i) {
+            if (field.isRibbon(i))
+                continue;
+            const shared::Blade blade = shared::unpackBlade(field.blades[i], patch);
+            Sums& own = sums[blade.species];
+            own.stiffness += double(blade.stiffness);
+            own.slenderness += double(blade.width) / double(blade.height);
+            ++own.count;
         }
-    std::vector<float> means(field.species.size(), 0.5f);
+    std::vector<MeanBlade> means(field.species.size());
     for (std::size_t s = 0; s < means.size(); ++s)
-        if (counts[s] > 0)
-            means[s] = static_cast<float>(sums[s] / double(counts[s]));
+        if (sums[s].count > 0)
+            means[s] = {static_cast<float>(sums[s].stiffness / double(sums[s].count)),
+                        static_cast<float>(sums[s].slenderness / double(sums[s].count))};
     return means;
 }
 

@@ -2,6 +2,7 @@
 
 #include "field/field.h"
 #include "interchange/blade_groups.h"
+#include "interchange/blade_mesh.h"
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -17,6 +18,7 @@ struct Instance {
     std::uint64_t id;   ///< field::bladeId, or the blade's index without keys
     glm::vec3 place;    ///< [m] relative to the group
     glm::quat rotation; ///< see orientation()
+    glm::vec3 scale;    ///< [m] width, height, height; of a compound plant thrice its height
 };
 
 /// Blade `index` of patch `patch`. Throws Error{input} naming `source` if one of its numbers is not
@@ -33,7 +35,8 @@ std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGrou
 /// of shared/blade.h; +X is then opposite to its width axis.
 glm::quat orientation(const glm::vec3& up, float facing);
 
-/// Mean stiffness of each species' blades; 0.5 for a species without blades.
-std::vector<float> meanStiffness(const field::FieldView& field);
+/// Means of each species' blades, ribbons left out; those of MeanBlade for a species without
+/// blades.
+std::vector<MeanBlade> meanBlades(const field::FieldView& field);
 
 } // namespace sward::interchange

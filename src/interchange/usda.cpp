@@ -38,7 +38,7 @@ void appendOrientation(Out out, const Instance& i)
 
 void appendScale(Out out, const Instance& i)
 {
-    appendVector(out, i.blade.width, i.blade.height, i.blade.height);
+    appendVector(out, i.scale.x, i.scale.y, i.scale.z);
 }
 
 void appendSpecies(Out out, const Instance& i)
@@ -176,11 +176,10 @@ void writeUsda(const field::FieldView& field, const std::filesystem::path& path,
     appendHeader(out, field, settings);
 
     // Define each species' blade once, as an undrawn prototype.
-    const std::vector<float> stiffness = meanStiffness(field);
+    const std::vector<MeanBlade> means = meanBlades(field);
     fmt::format_to(out, "    class Scope \"Blades\"\n    {{\n");
     for (std::size_t s = 0; s < prototypes.size(); ++s)
-        text.append(usdBlade(prototypes[s],
-                             bladeMesh(field.species[s].look, *field.defaults, stiffness[s]),
+        text.append(usdBlade(prototypes[s], bladeMesh(field.species[s], *field.defaults, means[s]),
                              field.species[s].look));
     fmt::format_to(out, "    }}\n");
 

@@ -61,7 +61,8 @@ class Amount(CliTest):
     def test_without_a_wish_the_number_keeps_to_the_budget_and_says_so(self):
         (self.folder / "large.glb").write_bytes(glb_bytes(square(1000.0)))
         for budget, options in ((50e6, ()), (1e6, ("--budget", "1000000"))):
-            self.sward("bake", "large.glb", "--dry-run", "--report", "r.json", "--blade-scale", "1", "-q", "--force", *options)
+            self.sward("bake", "large.glb", "--dry-run", "--report", "r.json", "--blade-scale", "1", "-q", "--force",
+                       "--meadow", "grass", *options)
             report = self.read_json("r.json")
             self.assertLess(abs(report["roots"]["kept"] - budget), 0.05 * budget)
             self.assertEqual(report["widening"], 2)
@@ -122,7 +123,7 @@ class Amount(CliTest):
         self.assertAlmostEqual(ratio / 0.001, 1.0, delta=0.02)
         for report in (ant, garden):
             self.assertEqual(report["warnings"], [])
-        county = self.report("county.glb", dry=True)
+        county = self.report("county.glb", "--meadow", "grass", dry=True)
         self.assertEqual(county["blade_scale"], 1.0)
         self.assertTrue(49e6 < county["roots"]["kept"] < 51e6, county["roots"])
         self.assertEqual(county["widening"], 2)

@@ -64,12 +64,14 @@ class Determinism(CliTest):
 
     def test_any_distribution_gives_the_same_blades(self):
         # Other compilers, C libraries and versions of Embree, OpenMesh and tinygltf.
-        fields = {ground: hashes(self.bake(ground, *OPTIONS[2:], "--count", "5000", to=f"{ground}.sward"))
+        blades = ("--meadow", "grass")
+        fields = {ground: hashes(self.bake(ground, *OPTIONS[2:], *blades, "--count", "5000", to=f"{ground}.sward"))
                   for ground in ("plane", "sphere", "hills", "dunes", "torus", "arch")}
-        fields["hills, poisson"] = hashes(self.bake("hills", "--sampling", "poisson", "--count", "5000",
+        fields["hills, poisson"] = hashes(self.bake("hills", *blades, "--sampling", "poisson", "--count", "5000",
                                                     "--curvature", ":0.5~0.2", "--slope",
                                                     "0:180", to="poisson.sward"))
-        fields["landscape"] = hashes(self.bake(ROOT / "assets/meshes/landscape.glb", *OPTIONS[2:],
+        fields["hills, plants"] = hashes(self.bake("hills", "--meadow", "hay", "--count", "5000", to="hay.sward"))
+        fields["landscape"] = hashes(self.bake(ROOT / "assets/meshes/landscape.glb", *OPTIONS[2:], *blades,
                                                "--density", "5", "--mask", "vertex-color:R", to="mesh.sward"))
         text = json.dumps(fields, indent=2) + "\n"
         self.assertEqual(fields, json.loads(KNOWN.read_text(encoding="ascii")),

@@ -8,7 +8,7 @@ import numpy
 
 import gltf_instances
 import node_readers
-from export_tables import ExportTest, PLACE_ERROR, front, turned
+from export_tables import ExportTest, PLACE_ERROR, SPECIES, front, turned
 from meshes import container, glb_bytes, square
 
 
@@ -26,7 +26,7 @@ class GlbExport(ExportTest):
         up = self.columns(table, "ux", "uy", "uz")
         self.assert_near(turned(found["ROTATION"], (0, 1, 0)), up, 2e-6)
         self.assert_near(turned(found["ROTATION"], (0, 0, 1)), front(up, table["facing"]), 4e-6)
-        self.assert_near(found["SCALE"], self.columns(table, "width", "height", "height"), 1e-8)
+        self.assert_near(found["SCALE"], self.scales(table), 1e-8)
         for attribute, column in (("_HEIGHT", "height"), ("_WIDTH", "width"),
                                   ("_STIFFNESS", "stiffness"), ("_EXPOSURE", "exposure"),
                                   ("_SPECIES", "species"), ("_CLUMP", "clump"),
@@ -61,7 +61,8 @@ class GlbExport(ExportTest):
 
     def test_three_js_shows_the_blades_where_they_are(self):
         # A matrix of three.js is of single precision before it is moved to the world, in doubles.
-        for field in (self.bake("hills", "--count", "60000", "--exposure", "0"), self.far_field()):
+        for field in (self.bake("hills", "--count", "60000", "--exposure", "0", "--meadow", "grass"),
+                      self.far_field("--meadow", "grass")):
             with self.subTest(field=field.name):
                 rows = node_readers.three_instances(self.export(field, "blades.glb"))
                 rows = rows[numpy.argsort(rows[:, 0])]
@@ -73,8 +74,8 @@ class GlbExport(ExportTest):
                 self.assert_near(numpy.linalg.norm(rows[:, 1:4], axis=1), table["width"], 1e-6)
 
     def test_blade_meshes_are_one_long_and_one_wide(self):
-        glb = gltf_instances.Glb.read(self.export(self.bake("plane", "--count", "500"), "b.glb"))
-        self.assertEqual(len(glb.json["meshes"]), 3, "the default meadow has three species")
+        glb = gltf_instances.Glb.read(self.export(self.bake("plane", "--count", "500", "--meadow", "grass"), "b.glb"))
+        self.assertEqual(len(glb.json["meshes"]), 3, "grass has three species")
         for mesh in glb.json["meshes"]:
             (primitive,) = mesh["primitives"]
             points = glb.numbers(primitive["attributes"]["POSITION"])
@@ -86,6 +87,27 @@ class GlbExport(ExportTest):
             red, green, blue, _ = material["pbrMetallicRoughness"]["baseColorFactor"]
             self.assertGreater(green + red, 3 * blue, "grass is not blue")
             self.assertTrue(material["doubleSided"])
+
+    def test_a_plant_is_one_instance_of_a_mesh_with_its_ribbons(self):
+        field = self.bake("plane", "--count", "3000")
+        glb = gltf_instances.Glb.read(self.export(field, "b.glb"))
+        self.assertEqual(gltf_instances.complaints(glb), [])
+        self.assertEqual(len(glb.json["meshes"]), len(SPECIES))
+        instances = 0
+        for mesh, one in zip(glb.json["meshes"], SPECIES):
+            triangles = len(glb.numbers(mesh["primitives"][0]["indices"])) / 3
+            ribbons = sum(organ["count"] for organ in one.get("organs", []))
+            self.assertGreaterEqual(triangles, 7 * (1 + ribbons), one["name"])
+        for node in glb.json["nodes"]:
+            attributes = node.get("extensions", {}).get("EXT_mesh_gpu_instancing", {}).get("attributes")
+            if attributes is None:
+                continue
+            scales, heights = glb.numbers(attributes["SCALE"]), glb.numbers(attributes["_HEIGHT"])
+            instances += len(scales)
+            is_plant = "organs" in SPECIES[node["mesh"]]
+            across = heights if is_plant else glb.numbers(attributes["_WIDTH"])
+            self.assertTrue(numpy.array_equal(scales[:, 0], across.reshape(-1)), node["name"])
+        self.assertEqual(instances, 3000)
 
     def test_the_ground_comes_along_when_asked_for(self):
         field = self.bake("hills", "--count", "200")

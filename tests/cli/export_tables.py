@@ -1,9 +1,13 @@
 """What the tests of the exports share: a field as columns, and the geometry of a blade written anew."""
 
+import json
+
 import numpy
 
 from meshes import bumps, glb_bytes
-from support import CliTest
+from support import CliTest, ROOT
+
+SPECIES = json.loads((ROOT / "assets/meadows/meadow.json").read_text(encoding="utf-8"))["species"]
 
 # A float of up to 64 m, the size of a group, rounds by half of this [m]; the CSV by 1e-9.
 PLACE_ERROR = 4e-6
@@ -48,6 +52,13 @@ class ExportTest(CliTest):
     @staticmethod
     def columns(table, *names):
         return numpy.stack([table[name] for name in names], axis=1)
+
+    @staticmethod
+    def scales(table):
+        """Of the default meadow's instances: a compound plant is scaled by its height alone."""
+        plants = [slot for slot, species in enumerate(SPECIES) if "organs" in species]
+        across = numpy.where(numpy.isin(table["species"], plants), table["height"], table["width"])
+        return numpy.stack([across, table["height"], table["height"]], axis=1)
 
     def assert_near(self, values, expected, error):
         self.assertEqual(values.shape, expected.shape)

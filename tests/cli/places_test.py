@@ -301,7 +301,7 @@ class Places(CliTest):
 
     def test_what_no_species_takes_stays_bare(self):
         self.write("ground.glb", glb_bytes(square(10.0)))
-        roots = self.kept("ground.glb", "--set", "species.*.cover=0.125")
+        roots = self.kept("ground.glb", "--meadow", "grass", "--set", "species.*.cover=0.125")
         # Three species, an eighth each.
         self.assertLess(abs(roots["kept"] / roots["proposed"] - 0.375), 0.06)
 

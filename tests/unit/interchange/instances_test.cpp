@@ -88,7 +88,7 @@ TEST(Instances, OfNumbersBeyondAllBoundsAreRefused)
     EXPECT_THROW(instancesOf(view, groupBlades(view)[0], "f"), Error);
 }
 
-TEST(Instances, MeanStiffnessIsTheSpeciesOwn)
+TEST(Instances, MeansAreTheSpeciesOwn)
 {
     field::Field field = makeField({.blades = 4000});
     field.species.push_back(field.species[0]);
@@ -98,11 +98,12 @@ TEST(Instances, MeanStiffnessIsTheSpeciesOwn)
         field.blades[i].look |= 1U << 21;
         field.blades[i].shape |= 63U << 22;
     }
-    const std::vector<float> means = meanStiffness(field::viewOf(field));
+    const std::vector<MeanBlade> means = meanBlades(field::viewOf(field));
     ASSERT_EQ(means.size(), 3U);
-    EXPECT_NEAR(means[0], 0.55f, 0.02f);
-    EXPECT_FLOAT_EQ(means[1], 1.0f);
-    EXPECT_FLOAT_EQ(means[2], 0.5f);
+    EXPECT_NEAR(means[0].stiffness, 0.55f, 0.02f);
+    EXPECT_FLOAT_EQ(means[1].stiffness, 1.0f);
+    EXPECT_FLOAT_EQ(means[2].stiffness, MeanBlade().stiffness);
+    EXPECT_FLOAT_EQ(means[2].slenderness, MeanBlade().slenderness);
 }
 
 TEST(InstanceAttributes, AreAlignedAndHaveNoUnsignedInt)
