@@ -114,7 +114,7 @@ class GuestTest(unittest.TestCase):
         self.run_here("cmake", "--build", "build")
 
     def bake(self, *options):
-        self.run_here(PREFIX / "bin/sward", "bake", "plane", "-o", "field.sward", "-q", *options)
+        self.run_here(PREFIX / "bin/sward", "bake", "plane", "--meadow", "grass", "-o", "field.sward", "-q", *options)
         return self.folder / "field.sward"
 
 
