@@ -27,7 +27,8 @@ class EnvironmentTest(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def bake(self, ground, *arguments):
-        subprocess.run([SWARD, "bake", ground, *map(str, arguments), "-o", "f.sward", "-q"],
+        # Blades alone: a ribbon's tip follows its stalk.
+        subprocess.run([SWARD, "bake", ground, "--meadow", "grass", *map(str, arguments), "-o", "f.sward", "-q"],
                        check=True, cwd=self.folder)
 
     def render(self, *arguments, code=0):
