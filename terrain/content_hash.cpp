@@ -1,4 +1,5 @@
 #include "core/expect.h"
+#include "terrain/image/channel_image.h"
 #include "terrain/load.h"
 
 #include <fmt/core.h>
@@ -52,6 +53,8 @@ std::string contentHash(const GroundMesh& mesh)
     hasher.add(mesh.normals);
     hasher.add(mesh.uvs);
     hasher.add(mesh.colors);
+    for (const VertexAttribute& one : mesh.attributes.list)
+        hasher.add(one.values);
     hasher.add(mesh.triangles);
     hasher.add(mesh.materialOf);
     hasher.add(mesh.bears);
@@ -68,6 +71,9 @@ std::string contentHash(const GroundMesh& mesh)
     for (const GroundImage& image : mesh.images) {
         hasher.add(static_cast<double>(image.width));
         hasher.add(image.rgba);
+        for (const auto& channel : image.stored)
+            if (channel != nullptr)
+                hasher.add(channel->values);
     }
     return fmt::format("{:016x}", hasher.digest());
 }

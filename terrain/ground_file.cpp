@@ -1,6 +1,7 @@
 #include "terrain/ground_file.h"
 
 #include "core/error.h"
+#include "terrain/image/channel_image.h"
 
 #include <cstdint>
 
@@ -39,6 +40,11 @@ void write(RecordWriter& writer, const GroundMesh& ground)
     writer.add(ground.normals);
     writer.add(ground.uvs);
     writer.add(ground.colors);
+    writer.addOne(static_cast<std::uint64_t>(ground.attributes.list.size()));
+    for (const VertexAttribute& one : ground.attributes.list) {
+        writer.add(std::string_view(one.name));
+        writer.add(one.values);
+    }
     writer.add(ground.triangles);
     writer.add(ground.materialOf);
     writer.add(ground.nodeOf);
@@ -73,12 +79,17 @@ GroundMesh readGround(RecordReader& reader, const std::string& place)
     reader.read(ground.normals);
     reader.read(ground.uvs);
     reader.read(ground.colors);
+    std::uint64_t count = 0;
+    for (reader.readOne(count); count > 0; --count) {
+        VertexAttribute& one = ground.attributes.list.emplace_back();
+        reader.read(one.name);
+        reader.read(one.values);
+    }
     reader.read(ground.triangles);
     reader.read(ground.materialOf);
     reader.read(ground.nodeOf);
     reader.read(ground.bears);
     reader.read(ground.sourceOf);
-    std::uint64_t count = 0;
     for (reader.readOne(count); count > 0; --count) {
         GroundMaterial& material = ground.materials.emplace_back();
         reader.read(material.name);
@@ -121,6 +132,12 @@ void writePixels(RecordWriter& writer, const GroundImage& image)
 {
     writer.addOne(ImageRecord{image.width, image.height});
     writer.add(image.rgba);
+    for (const auto& channel : image.stored) {
+        const ChannelImage none;
+        const ChannelImage& own = channel != nullptr ? *channel : none;
+        writer.addOne(ImageRecord{own.width, own.height});
+        writer.add(own.values);
+    }
 }
 
 void readPixels(RecordReader& reader, GroundImage& image, const std::string& place)
@@ -132,6 +149,18 @@ void readPixels(RecordReader& reader, GroundImage& image, const std::string& pla
         image.rgba.size() != std::size_t(4) * image.width * image.height)
         fail(ErrorKind::input, "{}: {} bytes of {} x {} pixels, where the ground has {} x {}",
              place, image.rgba.size(), record.width, record.height, image.width, image.height);
+    for (auto& channel : image.stored) {
+        ChannelImage own;
+        reader.readOne(record);
+        reader.read(own.values);
+        own.width = record.width;
+        own.height = record.height;
+        if (own.values.size() != std::size_t(own.width) * own.height)
+            fail(ErrorKind::input, "{}: {} values of {} x {} pixels", place, own.values.size(),
+                 own.width, own.height);
+        if (!own.values.empty())
+            channel = std::make_shared<const ChannelImage>(std::move(own));
+    }
 }
 
 } // namespace sward::terrain

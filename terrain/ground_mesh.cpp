@@ -78,6 +78,33 @@ void validateTriangles(const GroundMesh& mesh, const std::string& place)
     }
 }
 
+// Appends the attributes of `other` to those of `mesh`, before its vertices are appended.
+void appendAttributes(GroundMesh& mesh, const GroundMesh& other)
+{
+    // What is no entry of its own is held by uvs or colors.
+    const auto valueAt = [](const GroundMesh& from, const std::string& name, std::size_t vertex) {
+        if (const VertexAttribute* const own = from.attributes.find(name))
+            return own->values[vertex];
+        if (name.starts_with("TEXCOORD_"))
+            return glm::vec4(from.uvs[vertex], 0.0f, 0.0f);
+        return name == "COLOR_0" ? from.colors[vertex] : glm::vec4(0.0f);
+    };
+    for (const VertexAttribute& one : other.attributes.list)
+        if (mesh.attributes.find(one.name) == nullptr) {
+            std::vector<glm::vec4> before;
+            for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+                before.push_back(valueAt(mesh, one.name, v));
+            mesh.attributes.entry(one.name).values = std::move(before);
+        }
+    for (VertexAttribute& one : mesh.attributes.list) {
+        if (const VertexAttribute* const own = other.attributes.find(one.name))
+            one.components = std::min(one.components, own->components);
+        for (std::size_t v = 0; v < other.positions.size(); ++v)
+            one.values.push_back(valueAt(other, one.name, v));
+    }
+    mesh.attributes.appendGaps(other.attributes, mesh.triangles.size());
+}
+
 } // namespace
 
 Aabb GroundMesh::bounds() const
@@ -109,6 +136,8 @@ void validate(const GroundMesh& mesh, const std::string& place)
     requireLength(mesh.normals.size(), vertices, "normals", place);
     requireLength(mesh.uvs.size(), vertices, "texture coordinates", place);
     requireLength(mesh.colors.size(), vertices, "colours", place);
+    for (const VertexAttribute& one : mesh.attributes.list)
+        requireLength(one.values.size(), vertices, one.name.c_str(), place);
     requireLength(mesh.materialOf.size(), triangles, "material indices", place);
     requireLength(mesh.nodeOf.size(), triangles, "node indices", place);
     requireLength(mesh.bears.size(), triangles, "roles", place);
@@ -118,6 +147,8 @@ void validate(const GroundMesh& mesh, const std::string& place)
     requireFinite(mesh.normals, "normal", place);
     requireFinite(mesh.uvs, "texture coordinate", place);
     requireFinite(mesh.colors, "colour", place);
+    for (const VertexAttribute& one : mesh.attributes.list)
+        requireFinite(one.values, one.name.c_str(), place);
 
     for (std::size_t i = 0; i < triangles; ++i)
         if (mesh.area(i) > 0.0)
@@ -145,6 +176,8 @@ void append(GroundMesh& mesh, const GroundMesh& other)
     const auto firstMaterial = static_cast<std::uint32_t>(mesh.materials.size());
     const auto firstImage = static_cast<std::uint32_t>(mesh.images.size());
     const auto firstNode = static_cast<std::uint32_t>(mesh.nodes.size());
+
+    appendAttributes(mesh, other);
 
     // Bring the positions to the origin of `mesh` before they are rounded.
     const glm::dvec3 shift = other.origin - mesh.origin;

@@ -1,16 +1,21 @@
 #pragma once
 
 #include "core/bounds.h"
+#include "terrain/vertex_attributes.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace sward::terrain {
+
+struct ChannelImage;
 
 /// An image for display: 8 bits, red, green, blue, alpha, sRGB colour, rows from the top.
 struct GroundImage {
@@ -18,6 +23,9 @@ struct GroundImage {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     std::vector<std::uint8_t> rgba; ///< 4·width·height
+
+    /// Channels as the file has them, for masks: of more pixels or bits than `rgba`, else null.
+    std::array<std::shared_ptr<const ChannelImage>, 4> stored{};
 };
 
 /// What an image shows outside [0, 1].
@@ -38,6 +46,8 @@ struct GroundMaterial {
     ImageWrap wrapU = ImageWrap::repeat;               ///< along u
     ImageWrap wrapV = ImageWrap::repeat;               ///< along v
     bool doubleSided = false;                          ///< the back is drawn too
+    bool srgbColors = false;   ///< vertex colours are stored as images are, else linear
+    float alphaCutoff = -1.0f; ///< no ground where its alpha is below; −1: no cut-outs
 };
 
 /// The ground: an indexed triangle soup in world space, Y up, metres. It need not be manifold,
@@ -55,6 +65,8 @@ struct GroundMesh {
     std::vector<glm::vec2> uvs; ///< (0, 0) at the image's upper left corner
     std::vector<glm::vec4>
         colors; ///< COLOR_0 as stored, [0, 1]; (1, 1, 1, 1) where the file has none
+
+    VertexAttributes attributes; ///< further ones, only those that masks read
 
     // Per triangle.
     std::vector<glm::uvec3> triangles;

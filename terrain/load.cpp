@@ -47,18 +47,22 @@ GroundMesh loadFile(const std::filesystem::path& path, const ImportSettings& set
     if (settings.scene)
         diagnostics.warn("{}: scene {} is ignored; only glTF has scenes", name, *settings.scene);
     if (extension == ".obj" || extension == ".ply" || extension == ".stl" || extension == ".off") {
-        Soup soup = importMesh(path, glm::length(glm::dvec3(worldFromFile[0])), diagnostics);
+        Soup soup = importMesh(path, settings.masks, glm::length(glm::dvec3(worldFromFile[0])),
+                               diagnostics);
         transform(soup, worldFromFile);
         return settle(std::move(soup), name);
     }
-    if (isHeightmap(path))
-        return place(importHeightmap(path, settings.heightmap, diagnostics), worldFromFile, name);
+    if (isHeightmap(path)) {
+        GroundMesh mesh = importHeightmap(path, settings.heightmap, diagnostics);
+        mesh.attributes.addGeneratedGaps(settings.masks, mesh.triangles.size(), name);
+        return place(std::move(mesh), worldFromFile, name);
+    }
     if (extension == ".json") {
         constexpr std::size_t recipeLimit = 1U << 20;
         const std::vector<std::byte> bytes = readFile(path, recipeLimit);
         const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-        return place(makeFromRecipe(text, name, path.parent_path(), diagnostics), worldFromFile,
-                     name);
+        return place(makeFromRecipe(text, name, path.parent_path(), diagnostics, settings.masks),
+                     worldFromFile, name);
     }
     if (extension == ".tif" || extension == ".tiff")
         fail(ErrorKind::unsupported,
@@ -77,8 +81,8 @@ bool isMeshFile(const std::string& extension)
            extension == ".ply" || extension == ".stl" || extension == ".off";
 }
 
-GroundMesh loadBuiltIn(const std::string& name, const glm::dmat4& worldFromFile,
-                       Diagnostics& diagnostics)
+GroundMesh loadBuiltIn(const std::string& name, const ImportSettings& settings,
+                       const glm::dmat4& worldFromFile, Diagnostics& diagnostics)
 {
     const std::string_view recipe = builtInRecipe(name);
     if (recipe.empty()) {
@@ -87,7 +91,8 @@ GroundMesh loadBuiltIn(const std::string& name, const glm::dmat4& worldFromFile,
         fail(ErrorKind::io, "{}: no such file, and no built-in terrain ({}){}", name,
              fmt::join(known, " "), near.empty() ? "" : fmt::format("; did you mean {}?", near));
     }
-    return place(makeFromRecipe(recipe, name, {}, diagnostics), worldFromFile, name);
+    return place(makeFromRecipe(recipe, name, {}, diagnostics, settings.masks), worldFromFile,
+                 name);
 }
 
 } // namespace
@@ -109,7 +114,7 @@ GroundMesh load(const std::string& input, const ImportSettings& settings, Diagno
         std::error_code ignored;
         const bool isFile = std::filesystem::is_regular_file(input, ignored);
         GroundMesh mesh = isFile ? loadFile(input, settings, worldFromFile, diagnostics)
-                                 : loadBuiltIn(input, worldFromFile, diagnostics);
+                                 : loadBuiltIn(input, settings, worldFromFile, diagnostics);
         assignRoles(mesh, settings, input, diagnostics);
         // The names of generated ground are the program's own.
         if (isFile && settings.bareNames && isMeshFile(fileKind(input)))

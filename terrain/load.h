@@ -32,6 +32,7 @@ struct ImportSettings {
     std::vector<std::string> occluderNodes{};    ///< globs; these block rays and bear nothing
     bool bareNames = true; ///< rock, water, roads … of a mesh file bear nothing: bare_names.h
     HeightmapSettings heightmap{}; ///< for heightmaps only
+    MaskInputs masks{};            ///< what masks read, beyond what every ground has
 };
 
 /// Loads ground from `input`: an existing file by its extension (.glb .gltf .obj .ply .stl .off, a

@@ -170,10 +170,11 @@ GroundMesh arch(Recipe& recipe)
 }
 
 GroundMesh mesh(Recipe& recipe, const std::string& place, const std::filesystem::path& folder,
-                Diagnostics& diagnostics)
+                const MaskInputs& read, Diagnostics& diagnostics)
 {
     std::string file;
     ImportSettings s;
+    s.masks = read;
     recipe.reader.read("file", file);
     recipe.reader.read("up_axis", s.upAxis);
     recipe.reader.read("units", s.units);
@@ -216,16 +217,9 @@ GroundMesh heightmap(Recipe& recipe, const std::string& place, const std::filesy
     }
 }
 
-} // namespace
-
-GroundMesh makeFromRecipe(std::string_view text, const std::string& place,
-                          const std::filesystem::path& folder, Diagnostics& diagnostics)
+GroundMesh makeOfKind(const std::string& kind, Recipe& recipe, const std::string& place,
+                      const std::filesystem::path& folder, Diagnostics& diagnostics)
 {
-    const nlohmann::json object = parseJson(text, place);
-    Recipe recipe(object, place);
-    std::string kind;
-    recipe.reader.read("kind", kind);
-
     if (kind == "plane")
         return plane(recipe);
     if (kind == "sphere")
@@ -238,14 +232,29 @@ GroundMesh makeFromRecipe(std::string_view text, const std::string& place,
         return dunes(recipe);
     if (kind == "arch")
         return arch(recipe);
-    if (kind == "mesh")
-        return mesh(recipe, place, folder, diagnostics);
     if (kind == "heightmap")
         return heightmap(recipe, place, folder, diagnostics);
     fail(ErrorKind::input,
          "{}: kind \"{}\" is not known; known are plane sphere torus hills dunes arch mesh "
          "heightmap",
          place, kind);
+}
+
+} // namespace
+
+GroundMesh makeFromRecipe(std::string_view text, const std::string& place,
+                          const std::filesystem::path& folder, Diagnostics& diagnostics,
+                          const MaskInputs& read)
+{
+    const nlohmann::json object = parseJson(text, place);
+    Recipe recipe(object, place);
+    std::string kind;
+    recipe.reader.read("kind", kind);
+    if (kind == "mesh")
+        return mesh(recipe, place, folder, read, diagnostics);
+    GroundMesh made = makeOfKind(kind, recipe, place, folder, diagnostics);
+    made.attributes.addGeneratedGaps(read, made.triangles.size(), place);
+    return made;
 }
 
 std::string_view builtInRecipe(std::string_view name)

@@ -51,6 +51,9 @@ std::string toJson(const Report& report)
         object["ground_colors"] = {{"green", report.colors->green},
                                    {"bare", report.colors->bare},
                                    {"proposes_mask", report.proposesGreen}};
+    object["masks"] = ordered_json::array();
+    for (const Report::MaskUse& use : report.masks)
+        object["masks"].push_back({{"mask", use.mask}, {"reads", use.reads}});
     object["timing_s"] = {{"load", timing.load},     {"topology", timing.topology},
                           {"rays", timing.rays},     {"sample", timing.sample},
                           {"traits", timing.traits}, {"patches", timing.patches},

@@ -70,6 +70,12 @@ struct Report {
     SoftRange slope;                   ///< [degrees] of the filter, as requested or chosen
     std::optional<GreenShares> colors; ///< of the bearing ground; none if it has no colours
     bool proposesGreen = false;        ///< the colours matter, and no mask reads them
+    /// A mask, also of a species.
+    struct MaskUse {
+        std::string mask;  ///< as an option says it
+        std::string reads; ///< vertex attribute: COLOR_0, TEXCOORD_1, _MASK …; or empty
+    };
+    std::vector<MaskUse> masks; ///< what they read
     /// Wall-clock seconds of each stage.
     struct Timing {
         double load = 0;          ///< of the input

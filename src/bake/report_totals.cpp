@@ -50,6 +50,20 @@ SoftRange altitudesOf(const terrain::GroundMesh& ground, const GroundUp& groundU
     return range;
 }
 
+// What each mask reads of the ground.
+std::vector<Report::MaskUse> maskUses(const BakeSettings& settings)
+{
+    std::vector<Report::MaskUse> uses;
+    const auto add = [&](const std::vector<Mask>& masks) {
+        for (const Mask& mask : masks)
+            uses.push_back({textOf(mask), mask.attributeName()});
+    };
+    add(settings.masks);
+    for (const SpeciesTraits& species : settings.meadow.species)
+        add(species.habitat.masks);
+    return uses;
+}
+
 void add(Report::Timing& sum, const Report::Timing& more)
 {
     sum.rays += more.rays;
@@ -93,6 +107,7 @@ void finishReport(Report& report, const Totals& totals, const BakeSettings& sett
         fail(ErrorKind::input, "--count {}: the ground keeps only {} of its candidates",
              *settings.count, totals.counts.kept);
     report.bladeScale = plan.plan.scale;
+    report.masks = maskUses(settings);
     report.densityRequested = settings.count ? 0.0 : plan.plan.density;
     report.densityClosed = plan.plan.closedDensity;
     report.widening = plan.plan.widening;
@@ -113,6 +128,7 @@ Report reportOf(const terrain::GroundMesh& ground, const BakeSettings& settings,
         report.input.altitudes = altitudesOf(ground, settings.groundUp);
     report.input.hash = terrain::contentHash(ground);
     report.seed = settings.seed;
+    report.masks = maskUses(settings);
     report.slope = settings.slope;
     report.threads = threads;
     const double scale = settings.bladeScale.value_or(automaticScale(report.input.area));

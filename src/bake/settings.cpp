@@ -218,6 +218,14 @@ Sides parseSides(const std::string& text)
     fail(ErrorKind::usage, "--sides is \"{}\"; expected front, back or both", text);
 }
 
+terrain::MaskInputs maskInputs(const BakeSettings& settings)
+{
+    std::vector<Mask> masks = settings.masks;
+    for (const SpeciesTraits& species : settings.meadow.species)
+        masks.insert(masks.end(), species.habitat.masks.begin(), species.habitat.masks.end());
+    return inputsOf(masks);
+}
+
 void loadMaskImages(BakeSettings& settings)
 {
     loadImages(settings.masks);

@@ -89,6 +89,9 @@ Spread parseSpread(const std::string& text);
 /// "front", "back", "both". Throws Error{usage}.
 Sides parseSides(const std::string& text);
 
+/// What importers have to keep for all masks, including the species' masks.
+terrain::MaskInputs maskInputs(const BakeSettings& settings);
+
 /// Reads the images of all masks, including the species' masks. Throws Error{io, input}.
 void loadMaskImages(BakeSettings& settings);
 

@@ -198,6 +198,8 @@ terrain::GroundMesh partOf(const terrain::GroundMesh& ground,
     part.copyright = ground.copyright;
     part.hasColors = ground.hasColors;
     part.hasNormals = ground.hasNormals;
+    for (const terrain::VertexAttribute& one : ground.attributes.list)
+        part.attributes.list.push_back({one.name, one.components, {}});
 
     // Number the vertices in order of first use.
     std::unordered_map<std::uint32_t, std::uint32_t> vertexOf;
@@ -207,6 +209,8 @@ terrain::GroundMesh partOf(const terrain::GroundMesh& ground,
         part.normals.push_back(ground.normals[v]);
         part.uvs.push_back(ground.uvs[v]);
         part.colors.push_back(ground.colors[v]);
+        for (std::size_t i = 0; i < ground.attributes.list.size(); ++i)
+            part.attributes.list[i].values.push_back(ground.attributes.list[i].values[v]);
     }
     for (const std::uint32_t t : triangles) {
         const glm::uvec3 corners = ground.triangles[t];

@@ -77,8 +77,6 @@ void warnAboutUndersides(const RootCounts& counts, Diagnostics& diagnostics)
 void warnAboutIdle(const RootCounts& counts, const Report::Input& ground,
                    const BakeSettings& settings, Diagnostics& diagnostics)
 {
-    if (!settings.masks.empty() && rejectedBy(counts, Reject::mask) == 0)
-        diagnostics.warn("--mask rejects nothing: it is white on all ground that bears grass");
     if (settings.border.low > -unbounded && rejectedBy(counts, Reject::border) == 0)
         diagnostics.warn("--border rejects nothing: the ground that bears grass has no border "
                          "nearer than {} m",

@@ -1,5 +1,6 @@
 #include "bake/whole_plan.h"
 
+#include "bake/filter/plain_masks.h"
 #include "bake/plan.h"
 #include "bake/sample/root_source.h"
 #include "bake/sample/surface_sampler.h"
@@ -34,6 +35,7 @@ BakePlan planWhole(const GroundView& whole, const BakeSettings& settings, Diagno
                    Progress& progress)
 {
     const terrain::GroundMesh& ground = whole.ground;
+    warnOfPlainMasks(ground, settings, diagnostics);
     BakePlan plan;
     plan.plan =
         planBake(bearingArea(ground, settings.sides), extentOf(ground), settings, diagnostics);

@@ -92,14 +92,35 @@ void append(const Soup& mesh, Soup& soup)
     for (const glm::uvec3& triangle : mesh.triangles)
         soup.triangles.push_back(triangle + static_cast<std::uint32_t>(first));
     soup.hasColors = soup.hasColors || mesh.hasColors;
+    for (const VertexAttribute& one : mesh.attributes.list) {
+        VertexAttribute& kept = soup.attributes.entry(one.name);
+        kept.components = std::min(kept.components, one.components);
+        take(kept.values, one.values, glm::vec4(0.0f));
+    }
+    soup.attributes.appendGaps(mesh.attributes, soup.triangles.size() - mesh.triangles.size());
+}
+
+// Drops sets of texture coordinates that the ground has anyway, since its materials show them.
+void dropShownSets(Soup& soup)
+{
+    const auto isShown = [&](VertexAttribute& one) {
+        if (!one.name.starts_with("TEXCOORD_"))
+            return false;
+        one.values.resize(soup.positions.size(), glm::vec4(0.0f));
+        soup.uvs.resize(soup.positions.size(), glm::vec2(0.0f));
+        return holdsForAll(one.values.size(),
+                           [&](std::size_t i) { return glm::vec2(one.values[i]) == soup.uvs[i]; });
+    };
+    std::erase_if(soup.attributes.list, isShown);
 }
 
 // Reads the meshes of a scene at their placements.
 class SceneReader {
 public:
     SceneReader(const GltfModel& model, const std::vector<GltfPlacement>& placements,
-                const std::string& place, Diagnostics& diagnostics)
+                const MaskInputs& read, const std::string& place, Diagnostics& diagnostics)
         : model_(model)
+        , read_(read)
         , place_(place)
         , diagnostics_(diagnostics)
     {
@@ -114,12 +135,12 @@ public:
         const std::size_t firstTriangle = soup.triangles.size();
         const auto mesh = static_cast<std::size_t>(placement.mesh);
         if (uses_[placement.mesh] == 1) {
-            readGltfMesh(model_, mesh, uvs, place_, soup, diagnostics_);
+            readGltfMesh(model_, mesh, uvs, read_, place_, soup, diagnostics_);
         } else {
             // Read a repeated mesh once, into a separate soup.
             const auto [found, isNew] = meshes_.try_emplace(placement.mesh);
             if (isNew)
-                readGltfMesh(model_, mesh, uvs, place_, found->second, diagnostics_);
+                readGltfMesh(model_, mesh, uvs, read_, place_, found->second, diagnostics_);
             append(found->second, soup);
         }
         transform(soup, worldFromFile * placement.transform, firstVertex, firstTriangle);
@@ -134,6 +155,7 @@ public:
 
 private:
     const GltfModel& model_;
+    const MaskInputs& read_;
     const std::string& place_;
     Diagnostics& diagnostics_;
     std::map<int, std::size_t> uses_;
@@ -161,15 +183,17 @@ Soup importGltf(const std::filesystem::path& path, const ImportSettings& setting
     Soup soup;
     reserve(model, placements, place, soup);
     soup.copyright = model.structure.asset.copyright;
-    const std::vector<GltfUvSource> uvs = importGltfMaterials(model, place, soup, diagnostics);
+    const std::vector<GltfUvSource> uvs =
+        importGltfMaterials(model, settings.masks.imageChannels, place, soup, diagnostics);
 
-    SceneReader scene(model, placements, place, diagnostics);
+    SceneReader scene(model, placements, settings.masks, place, diagnostics);
     for (const GltfPlacement& placement : placements)
         scene.show(placement, uvs, worldFromFile, soup);
     if (soup.triangles.empty())
         fail(ErrorKind::input, "{}: no triangles: its scene shows {} meshes with none among them",
              place, placements.size());
     dropUnusedDefault(soup);
+    dropShownSets(soup);
     return soup;
 }
 

@@ -49,12 +49,14 @@ GltfUvSource uvSourceOf(const tinygltf::TextureInfo& texture)
 // Decodes each image once, and only images of some material.
 class Images {
 public:
-    Images(const GltfModel& model, const std::string& place, Soup& soup, Diagnostics& diagnostics)
+    Images(const GltfModel& model, std::uint32_t storedChannels, const std::string& place,
+           Soup& soup, Diagnostics& diagnostics)
         : model_(model)
         , place_(place)
         , soup_(soup)
         , diagnostics_(diagnostics)
     {
+        budget_.storedChannels = storedChannels;
     }
 
     std::uint32_t indexOf(int textureIndex)
@@ -127,12 +129,13 @@ float unitInterval(double value)
 
 } // namespace
 
-std::vector<GltfUvSource> importGltfMaterials(const GltfModel& file, const std::string& place,
-                                              Soup& soup, Diagnostics& diagnostics)
+std::vector<GltfUvSource> importGltfMaterials(const GltfModel& file, std::uint32_t storedChannels,
+                                              const std::string& place, Soup& soup,
+                                              Diagnostics& diagnostics)
 {
     const tinygltf::Model& model = file.structure;
     std::vector<GltfUvSource> sources;
-    Images images(file, place, soup, diagnostics);
+    Images images(file, storedChannels, place, soup, diagnostics);
     for (std::size_t i = 0; i < model.materials.size(); ++i) {
         const tinygltf::Material& material = model.materials[i];
         const tinygltf::PbrMetallicRoughness& surface = material.pbrMetallicRoughness;

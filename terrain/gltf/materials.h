@@ -6,6 +6,7 @@
 
 #include <glm/mat3x2.hpp>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,10 @@ struct GltfUvSource {
 };
 
 /// Adds the materials of the model, with their base colour images, to `soup`, and one more at the
-/// end for primitives without a material. The result has one entry per material.
-std::vector<GltfUvSource> importGltfMaterials(const GltfModel& model, const std::string& place,
-                                              Soup& soup, Diagnostics& diagnostics);
+/// end for primitives without a material. The result has one entry per material. `storedChannels`
+/// as in ImageBudget.
+std::vector<GltfUvSource> importGltfMaterials(const GltfModel& model, std::uint32_t storedChannels,
+                                              const std::string& place, Soup& soup,
+                                              Diagnostics& diagnostics);
 
 } // namespace sward::terrain

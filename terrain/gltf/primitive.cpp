@@ -2,11 +2,14 @@
 
 #include "core/error.h"
 #include "terrain/gltf/accessor.h"
+#include "terrain/unit_colors.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <span>
 
 namespace sward::terrain {
 namespace {
@@ -63,7 +66,8 @@ public:
     {
     }
 
-    void read(const std::vector<GltfUvSource>& uvs, Diagnostics& diagnostics)
+    void read(const std::vector<GltfUvSource>& uvs, const MaskInputs& wanted,
+              Diagnostics& diagnostics)
     {
         readPositions();
         readNormals();
@@ -71,8 +75,11 @@ public:
                                          ? static_cast<std::size_t>(primitive_.material)
                                          : uvs.size() - 1;
         readUvs(uvs.at(material), diagnostics);
-        readColors();
+        readColors(diagnostics);
+        const std::size_t firstTriangle = soup_.triangles.size();
         readTriangles(static_cast<std::uint32_t>(material), diagnostics);
+        for (const std::string& name : wanted.attributes)
+            readForMasks(name, uvs.at(material).set, firstTriangle, diagnostics);
     }
 
 private:
@@ -147,19 +154,49 @@ private:
         });
     }
 
-    void readColors()
+    void readColors(Diagnostics& diagnostics)
     {
         const auto accessor = attribute(primitive_, "COLOR_0");
         if (!accessor)
             return;
         soup_.colors.resize(first_ + vertices_, glm::vec4(1.0f));
-        const auto channel = [](float value) { return std::fmin(std::fmax(value, 0.0f), 1.0f); };
         readAttribute(*accessor, "COLOR_0", 3, 4,
                       [&](std::size_t vertex, const float* c, std::size_t components) {
-                          soup_.colors[vertex] = {channel(c[0]), channel(c[1]), channel(c[2]),
-                                                  components == 4 ? channel(c[3]) : 1.0f};
+                          soup_.colors[vertex] = {c[0], c[1], c[2], components == 4 ? c[3] : 1.0f};
                       });
+        bringToUnit(std::span(soup_.colors).subspan(first_), place_, "COLOR_0", diagnostics);
         soup_.hasColors = true;
+    }
+
+    // Reads an attribute of a mask, or notes that it is missing.
+    void readForMasks(const std::string& name, int ownSet, std::size_t firstTriangle,
+                      Diagnostics& diagnostics)
+    {
+        const std::string given =
+            name == materialCoordinates ? fmt::format("TEXCOORD_{}", ownSet) : name;
+        const auto accessor = attribute(primitive_, given);
+        if (!accessor)
+            soup_.attributes.addGap(name, firstTriangle, soup_.triangles.size(), place_);
+        if (!accessor || name == materialCoordinates || name == "COLOR_0")
+            return;
+        const bool isUv = name.starts_with("TEXCOORD_");
+        const bool isColor = name.starts_with("COLOR_");
+        VertexAttribute& kept = soup_.attributes.entry(name);
+        const GltfAccessor shape(model_, *accessor, place_);
+        if (!isColor)
+            kept.components =
+                std::min(kept.components, static_cast<std::uint32_t>(shape.components()));
+        kept.values.resize(first_ + vertices_, glm::vec4(0.0f));
+        const std::size_t low = isUv ? 2 : isColor ? 3 : 1;
+        readAttribute(*accessor, name, low, isUv ? 2 : 4,
+                      [&](std::size_t vertex, const float* numbers, std::size_t components) {
+                          glm::vec4 value(0.0f, 0.0f, 0.0f, isColor ? 1.0f : 0.0f);
+                          for (std::size_t c = 0; c < components; ++c)
+                              value[int(c)] = numbers[c];
+                          kept.values[vertex] = value;
+                      });
+        if (!isUv)
+            bringToUnit(std::span(kept.values).subspan(first_), place_, name, diagnostics);
     }
 
     void readTriangles(std::uint32_t material, Diagnostics& diagnostics)
@@ -259,7 +296,8 @@ GltfMeshSize sizeOfGltfMesh(const GltfModel& model, std::size_t mesh)
 }
 
 void readGltfMesh(const GltfModel& model, std::size_t mesh, const std::vector<GltfUvSource>& uvs,
-                  const std::string& place, Soup& soup, Diagnostics& diagnostics)
+                  const MaskInputs& read, const std::string& place, Soup& soup,
+                  Diagnostics& diagnostics)
 {
     const tinygltf::Mesh& source = model.structure.meshes.at(mesh);
     for (std::size_t i = 0; i < source.primitives.size(); ++i) {
@@ -272,7 +310,7 @@ void readGltfMesh(const GltfModel& model, std::size_t mesh, const std::vector<Gl
             diagnostics.warn("{}: points and lines are not ground and are left out", where);
             continue;
         }
-        PrimitiveReader(model, primitive, std::move(where), soup).read(uvs, diagnostics);
+        PrimitiveReader(model, primitive, std::move(where), soup).read(uvs, read, diagnostics);
     }
 }
 

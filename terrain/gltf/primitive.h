@@ -18,9 +18,10 @@ struct GltfMeshSize {
 GltfMeshSize sizeOfGltfMesh(const GltfModel& model, std::size_t mesh);
 
 /// Appends the triangles of all primitives of a mesh to `soup`, in the mesh's space. Skips points
-/// and lines with a warning. Numbers materials as importGltfMaterials() does. Throws Error{input}
-/// naming mesh, primitive and vertex.
+/// and lines with a warning. Numbers materials as importGltfMaterials() does. Keeps the attributes
+/// that masks `read`. Throws Error{input} naming mesh, primitive and vertex.
 void readGltfMesh(const GltfModel& model, std::size_t mesh, const std::vector<GltfUvSource>& uvs,
-                  const std::string& place, Soup& soup, Diagnostics& diagnostics);
+                  const MaskInputs& read, const std::string& place, Soup& soup,
+                  Diagnostics& diagnostics);
 
 } // namespace sward::terrain

@@ -7,6 +7,7 @@
 #include <stb/stb_image.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace sward::terrain {
@@ -20,13 +21,10 @@ struct FreePixels {
     void operator()(unsigned short* pixels) const { stbi_image_free(pixels); }
 };
 
-} // namespace
-
-ChannelImage readChannel(const std::string& file, int channel)
+ChannelImage decodeChannel(std::span<const std::byte> bytes, const std::string& file, int channel)
 {
-    const std::vector<std::byte> bytes = readFile(file, maxBytes);
     const auto* const data = reinterpret_cast<const unsigned char*>(bytes.data());
-    const int length = static_cast<int>(bytes.size());
+    const int length = static_cast<int>(std::min(bytes.size(), maxBytes));
 
     // Check the size before allocating memory.
     int width = 0;
@@ -56,6 +54,32 @@ ChannelImage readChannel(const std::string& file, int channel)
     return image;
 }
 
+} // namespace
+
+ChannelImage readChannel(const std::string& file, int channel)
+{
+    return decodeChannel(readFile(file, maxBytes), file, channel);
+}
+
+std::optional<ChannelImage> readStoredChannel(std::span<const std::byte> file, int channel,
+                                              std::uint32_t plainSide)
+{
+    const auto* const data = reinterpret_cast<const unsigned char*>(file.data());
+    const int length = static_cast<int>(std::min(file.size(), maxBytes));
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    if (stbi_info_from_memory(data, length, &width, &height, &channels) == 0 ||
+        (std::max(width, height) <= static_cast<int>(plainSide) &&
+         stbi_is_16_bit_from_memory(data, length) == 0))
+        return std::nullopt;
+    try {
+        return decodeChannel(file, "image", channel);
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
 std::string contentHash(const ChannelImage& image)
 {
     const XXH64_hash_t size = (XXH64_hash_t(image.width) << 32) | image.height;
@@ -64,13 +88,18 @@ std::string contentHash(const ChannelImage& image)
                                             image.values.size() * sizeof(std::uint16_t), size));
 }
 
-double valueAt(const ChannelImage& image, const glm::dvec2& uv)
+double valueAt(const ChannelImage& image, const ImageWraps& wraps, const glm::dvec2& uv)
 {
     constexpr double unit = 1.0 / 65535.0;
     const auto pixel = [&](std::size_t x, std::size_t y) {
         return double(image.values[y * image.width + x]);
     };
-    return unit * bilinear({image.width, image.height}, ImageWraps(), uv, pixel);
+    return unit * bilinear({image.width, image.height}, wraps, uv, pixel);
+}
+
+double valueAt(const ChannelImage& image, const glm::dvec2& uv)
+{
+    return valueAt(image, ImageWraps(), uv);
 }
 
 } // namespace sward::terrain

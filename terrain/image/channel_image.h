@@ -2,7 +2,10 @@
 
 #include <glm/vec2.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,11 +23,21 @@ struct ChannelImage {
 /// Error{input} for one that is no image, is larger than 2²⁷ pixels, or has no alpha channel.
 ChannelImage readChannel(const std::string& file, int channel);
 
+/// The same of a file in memory that may lack the channel: none if it does, is damaged or too
+/// large. Also none if an image of 8 bits and of at most `plainSide` pixels per side says as much.
+std::optional<ChannelImage> readStoredChannel(std::span<const std::byte> file, int channel,
+                                              std::uint32_t plainSide);
+
 /// XXH3 over size and values, as 16 hex digits.
 std::string contentHash(const ChannelImage& image);
 
 /// Value [0, 1] at texture coordinates, (0, 0) the upper left corner: bilinear between pixel
 /// centres; the image repeats in both directions.
 double valueAt(const ChannelImage& image, const glm::dvec2& uv);
+
+struct ImageWraps;
+
+/// The same of an image with other wrap modes.
+double valueAt(const ChannelImage& image, const ImageWraps& wraps, const glm::dvec2& uv);
 
 } // namespace sward::terrain

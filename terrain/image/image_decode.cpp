@@ -1,6 +1,7 @@
 #include "terrain/image/image_decode.h"
 
 #include "core/error.h"
+#include "terrain/image/channel_image.h"
 #include "terrain/image/png_pixels.h"
 
 #include <stb/stb_image.h>
@@ -158,7 +159,13 @@ GroundImage decodeImage(std::span<const std::byte> file, const std::string& plac
                         ImageBudget& budget, Diagnostics& diagnostics)
 {
     try {
-        return decode(file, place, budget);
+        GroundImage image = decode(file, place, budget);
+        for (int channel = 0; channel < 4; ++channel)
+            if ((budget.storedChannels >> channel & 1U) != 0)
+                if (auto own = readStoredChannel(file, channel, imageSizeLimit))
+                    image.stored[static_cast<std::size_t>(channel)] =
+                        std::make_shared<const ChannelImage>(std::move(*own));
+        return image;
     } catch (const Error& error) {
         diagnostics.warn("{}; its material is drawn without an image", error.what());
         return {};

@@ -14,6 +14,7 @@ namespace sward::terrain {
 /// image count as one; the smallest image counts as a quarter of a megapixel.
 struct ImageBudget {
     std::uint64_t pixels = std::uint64_t(1) << 29;
+    std::uint32_t storedChannels = 0; ///< bit c: fill GroundImage::stored[c] where rgba says less
 };
 
 /// Decodes a PNG, JPEG, TGA or BMP to RGBA. A box filter shrinks an image of more than

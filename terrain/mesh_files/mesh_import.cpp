@@ -84,9 +84,24 @@ void warnOfCoarseness(const Soup& soup, double metresPerUnit, const std::string&
             place, largest, largest * 0x1p-24 * 1e3);
 }
 
+// Lets vertex colours, if there are any, be the colour of all materials that have none.
+void showColors(Soup& soup)
+{
+    if (!soup.hasColors)
+        return;
+    if (soup.materials.empty())
+        soup.materials.push_back({.name = "ground"});
+    for (GroundMaterial& material : soup.materials) {
+        material.srgbColors = true;
+        if (material.baseColor == GroundMaterial{}.baseColor)
+            material.baseColor = glm::vec4(1.0f);
+    }
+}
+
 } // namespace
 
-Soup importMesh(const std::filesystem::path& path, double metresPerUnit, Diagnostics& diagnostics)
+Soup importMesh(const std::filesystem::path& path, const MaskInputs& read, double metresPerUnit,
+                Diagnostics& diagnostics)
 {
     const std::string place = path.string();
     const MappedFile mapped(path);
@@ -96,9 +111,10 @@ Soup importMesh(const std::filesystem::path& path, double metresPerUnit, Diagnos
         fail(ErrorKind::input, "{}: empty", place);
     if (fileKind(path) == ".obj") {
         std::vector<std::string> libraries;
-        Soup soup = readObj(file, place, libraries);
+        Soup soup = readObj(file, place, read, libraries, diagnostics);
         if (!libraries.empty())
-            readMtl(path, libraries, soup, diagnostics);
+            readMtl(path, libraries, read.imageChannels, soup, diagnostics);
+        showColors(soup);
         return soup;
     }
 
@@ -111,6 +127,7 @@ Soup importMesh(const std::filesystem::path& path, double metresPerUnit, Diagnos
     if (scan.isBinary)
         options += Options::Binary;
     OpenMeshSoup importer(place);
+    importer.expectFaceUvs(std::move(scan.faceUvs));
     {
         const QuietOpenMesh quiet;
         if (!format.read(stream, importer, options))
@@ -129,7 +146,13 @@ Soup importMesh(const std::filesystem::path& path, double metresPerUnit, Diagnos
         warnOfCoarseness(importer.soup(), metresPerUnit, place, diagnostics);
     else
         refine(importer.soup(), std::move(scan.positions), place);
-    return importer.take();
+    importer.setColors(scan.colors);
+    for (std::size_t v = 0; v < scan.uvs.size(); ++v)
+        importer.set_texcoord(OpenMesh::VertexHandle(static_cast<int>(v)),
+                              OpenMesh::Vec2f(scan.uvs[v].x, scan.uvs[v].y));
+    Soup soup = importer.take(read, diagnostics);
+    showColors(soup);
+    return soup;
 }
 
 } // namespace sward::terrain

@@ -55,7 +55,7 @@ public:
     {
     }
 
-    Soup run()
+    Soup run(const MaskInputs& read, Diagnostics& diagnostics)
     {
         while (!cursor_.atEnd())
             readLine(wholeLine());
@@ -69,10 +69,13 @@ public:
             materialOf.push_back(materialOf_[face]);
             nodeOf.push_back(nodeOf_[face]);
         }
-        Soup soup = soup_.take();
+        const std::vector<std::string> nodes = nodes_.take();
+        Soup soup = soup_.take(read, diagnostics, [&](std::uint32_t face) {
+            return fmt::format("{}: object \"{}\"", place_, nodes[nodeOf_[face]]);
+        });
         soup.materialOf = std::move(materialOf);
         soup.nodeOf = std::move(nodeOf);
-        soup.nodes = nodes_.take();
+        soup.nodes = nodes;
         for (const std::string& name : materials_.take())
             soup.materials.push_back({.name = name});
         return soup;
@@ -233,9 +236,10 @@ private:
 
 } // namespace
 
-Soup readObj(std::string_view file, const std::string& place, std::vector<std::string>& libraries)
+Soup readObj(std::string_view file, const std::string& place, const MaskInputs& read,
+             std::vector<std::string>& libraries, Diagnostics& diagnostics)
 {
-    return ObjReader(file, place, libraries).run();
+    return ObjReader(file, place, libraries).run(read, diagnostics);
 }
 
 } // namespace sward::terrain

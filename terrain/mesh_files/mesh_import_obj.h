@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/diagnostics.h"
 #include "terrain/topology/soup.h"
 
 #include <string>
@@ -11,7 +12,9 @@ namespace sward::terrain {
 /// Reads the text of an OBJ: positions in double precision, colours after them, normals and texture
 /// coordinates per corner, objects and groups as nodes, materials by name. Skips faces of less than
 /// three corners. Appends the text of each mtllib to `libraries`. OpenMesh's own reader aborts the
-/// program on some faces. Throws Error{input} naming the line.
-Soup readObj(std::string_view file, const std::string& place, std::vector<std::string>& libraries);
+/// program on some faces. Notes objects without what masks `read`. Throws Error{input} naming the
+/// line.
+Soup readObj(std::string_view file, const std::string& place, const MaskInputs& read,
+             std::vector<std::string>& libraries, Diagnostics& diagnostics);
 
 } // namespace sward::terrain

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <cstddef>
 #include <string>
@@ -14,8 +16,11 @@ namespace sward::terrain {
 /// double precision where the file has more.
 struct MeshScan {
     std::vector<glm::dvec3> positions; ///< in the reader's order; empty if the reader's suffice
-    std::size_t vertices = 0;          ///< expected of the reader; 0 if it may merge some
-    std::size_t faces = 0;             ///< expected of the reader
+    std::vector<glm::vec4> colors; ///< of the vertices, [0, 1] if the file has integers; or empty
+    std::vector<glm::vec2> uvs;    ///< of the vertices, (0, 0) in the lower left; or empty
+    std::vector<std::vector<glm::vec2>> faceUvs; ///< of the corners of each face; or empty
+    std::size_t vertices = 0;                    ///< expected of the reader; 0 if it may merge some
+    std::size_t faces = 0;                       ///< expected of the reader
 
     std::string cleaned; ///< the text for the reader; empty: the file as it is
     bool isBinary = false;

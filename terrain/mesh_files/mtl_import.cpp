@@ -65,13 +65,15 @@ std::filesystem::path fileNamed(const std::filesystem::path& folder, std::string
 
 class MtlReader {
 public:
-    MtlReader(const std::filesystem::path& obj, Soup& soup, Diagnostics& diagnostics)
+    MtlReader(const std::filesystem::path& obj, std::uint32_t storedChannels, Soup& soup,
+              Diagnostics& diagnostics)
         : place_(obj.string())
         , folder_(obj.parent_path())
         , soup_(soup)
         , diagnostics_(diagnostics)
         , isKnown_(soup.materials.size(), false)
     {
+        budget_.storedChannels = storedChannels;
         for (std::size_t i = 0; i < soup.materials.size(); ++i)
             indices_.emplace(soup.materials[i].name, i);
     }
@@ -225,9 +227,9 @@ private:
 } // namespace
 
 void readMtl(const std::filesystem::path& path, const std::vector<std::string>& libraries,
-             Soup& soup, Diagnostics& diagnostics)
+             std::uint32_t storedChannels, Soup& soup, Diagnostics& diagnostics)
 {
-    MtlReader reader(path, soup, diagnostics);
+    MtlReader reader(path, storedChannels, soup, diagnostics);
     for (const std::string& library : libraries)
         reader.read(library);
     reader.warnOfUnknown();

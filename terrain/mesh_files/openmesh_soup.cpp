@@ -1,6 +1,7 @@
 #include "terrain/mesh_files/openmesh_soup.h"
 
 #include "core/error.h"
+#include "terrain/unit_colors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +61,14 @@ OpenMesh::FaceHandle OpenMeshSoup::add_face(const VHandles& corners)
         soup_.triangles.emplace_back(corners_[0], corners_[i], corners_[i + 1]);
         faceOf_.push_back(static_cast<std::uint32_t>(faces_));
     }
-    return OpenMesh::FaceHandle(static_cast<int>(faces_++));
+    const std::size_t face = faces_++;
+    if (face < faceUvs_.size() && !faceUvs_[face].empty()) {
+        std::vector<OpenMesh::Vec2f> uvs;
+        for (const glm::vec2& uv : faceUvs_[face])
+            uvs.emplace_back(uv.x, uv.y);
+        add_face_texcoords(OpenMesh::FaceHandle(static_cast<int>(face)), corners[0], uvs);
+    }
+    return OpenMesh::FaceHandle(static_cast<int>(face));
 }
 
 void OpenMeshSoup::add_face_texcoords(OpenMesh::FaceHandle, OpenMesh::VertexHandle first,
@@ -78,6 +86,8 @@ void OpenMeshSoup::add_face_texcoords(OpenMesh::FaceHandle, OpenMesh::VertexHand
         return imageUv(uv[0], uv[1]);
     };
     cornerUvs_.resize(3 * soup_.triangles.size(), glm::vec2(0.0f));
+    isFaceMapped_.resize(firstTriangle_, false);
+    isFaceMapped_.resize(soup_.triangles.size(), true);
     for (std::size_t i = 1; i + 1 < corners_.size(); ++i) {
         const std::size_t triangle = firstTriangle_ + i - 1;
         cornerUvs_[3 * triangle] = uvOf(0);
@@ -106,8 +116,54 @@ void OpenMeshSoup::set_normal(OpenMesh::VertexHandle vertex, const OpenMesh::Vec
 void OpenMeshSoup::keepColor(OpenMesh::VertexHandle vertex, const glm::vec4& color)
 {
     soup_.colors.resize(soup_.positions.size(), glm::vec4(1.0f));
-    soup_.colors[indexOf(vertex)] = glm::clamp(color, 0.0f, 1.0f);
+    isColored_.resize(soup_.positions.size(), false);
+    const std::size_t index = indexOf(vertex);
+    // An invalid number becomes 0.
+    for (glm::length_t c = 0; c < 4; ++c)
+        soup_.colors[index][c] = std::isfinite(color[c]) ? color[c] : 0.0f;
+    isColored_[index] = true;
     soup_.hasColors = true;
+}
+
+void OpenMeshSoup::setColors(const std::vector<glm::vec4>& colors)
+{
+    for (std::size_t v = 0; v < colors.size(); ++v)
+        keepColor(OpenMesh::VertexHandle(static_cast<int>(v)), colors[v]);
+}
+
+// Brings colours into [0, 1]. Vertices without one stay white.
+void OpenMeshSoup::finishColors(Diagnostics& diagnostics)
+{
+    if (!soup_.hasColors)
+        return;
+    isColored_.resize(soup_.colors.size(), false);
+    for (std::size_t v = 0; v < soup_.colors.size(); ++v)
+        if (!isColored_[v])
+            soup_.colors[v] = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
+    bringToUnit(soup_.colors, place_, "the colour of its vertices", diagnostics);
+    for (std::size_t v = 0; v < soup_.colors.size(); ++v)
+        if (!isColored_[v])
+            soup_.colors[v] = glm::vec4(1.0f);
+}
+
+void OpenMeshSoup::noteGaps(const MaskInputs& read, const PartName& partOf)
+{
+    isColored_.resize(soup_.positions.size(), false);
+    isMapped_.resize(soup_.positions.size(), false);
+    isFaceMapped_.resize(soup_.triangles.size(), false);
+    const auto holds = [&](const std::vector<bool>& has, std::size_t triangle) {
+        const glm::uvec3 t = soup_.triangles[triangle];
+        return has[t.x] && has[t.y] && has[t.z];
+    };
+    for (const std::string& name : read.attributes)
+        for (std::size_t t = 0; t < soup_.triangles.size(); ++t) {
+            const bool isThere = name == "COLOR_0" ? holds(isColored_, t)
+                                 : name == "TEXCOORD_0" || name == materialCoordinates
+                                     ? isFaceMapped_[t] || holds(isMapped_, t)
+                                     : false;
+            if (!isThere)
+                soup_.attributes.addGap(name, t, t + 1, partOf ? partOf(faceOf_[t]) : place_);
+        }
 }
 
 void OpenMeshSoup::set_color(OpenMesh::VertexHandle vertex, const OpenMesh::Vec3uc& color)
@@ -134,6 +190,8 @@ void OpenMeshSoup::set_texcoord(OpenMesh::VertexHandle vertex, const OpenMesh::V
 {
     soup_.uvs.resize(soup_.positions.size(), glm::vec2(0.0f));
     soup_.uvs[indexOf(vertex)] = imageUv(uv[0], uv[1]);
+    isMapped_.resize(soup_.positions.size(), false);
+    isMapped_[indexOf(vertex)] = true;
 }
 
 void OpenMeshSoup::set_texcoord(OpenMesh::VertexHandle vertex, const OpenMesh::Vec3f& uv)
@@ -151,8 +209,10 @@ OpenMesh::FaceHandle OpenMeshSoup::add_face(OpenMesh::HalfedgeHandle)
     return OpenMesh::FaceHandle();
 }
 
-Soup OpenMeshSoup::take()
+Soup OpenMeshSoup::take(const MaskInputs& read, Diagnostics& diagnostics, const PartName& partOf)
 {
+    finishColors(diagnostics);
+    noteGaps(read, partOf);
     const std::size_t vertices = soup_.positions.size();
     soup_.normals.resize(vertices, glm::vec3(0.0f));
     for (std::size_t i = 0; i < normalsDisagree_.size(); ++i)

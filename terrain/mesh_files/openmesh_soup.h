@@ -1,9 +1,11 @@
 #pragma once
 
+#include "core/diagnostics.h"
 #include "terrain/topology/soup.h"
 
 #include <OpenMesh/Core/IO/importer/BaseImporter.hh>
 
+#include <functional>
 #include <string>
 
 namespace sward::terrain {
@@ -17,8 +19,18 @@ public:
     {
     }
 
-    /// The soup read so far; polygons are fans. Texture coordinates have (0, 0) in the upper left.
-    Soup take();
+    /// The soup read so far; polygons are fans. Texture coordinates have (0, 0) in the upper left,
+    /// colours are brought into [0, 1]. Notes triangles without attributes that masks `read`, of
+    /// the part that `partOf(face)` names; without it, of the whole file.
+    using PartName = std::function<std::string(std::uint32_t)>;
+    Soup take(const MaskInputs& read, Diagnostics& diagnostics, const PartName& partOf = {});
+
+    /// Replaces the colours, one to a vertex.
+    void setColors(const std::vector<glm::vec4>& colors);
+
+    /// Texture coordinates of the corners of faces that come after, in order; empty for a face
+    /// without. (0, 0) is in the lower left.
+    void expectFaceUvs(std::vector<std::vector<glm::vec2>> uvs) { faceUvs_ = std::move(uvs); }
 
     /// The current content, one vertex per vertex of the file.
     Soup& soup() { return soup_; }
@@ -79,15 +91,21 @@ public:
 private:
     std::size_t indexOf(OpenMesh::VertexHandle vertex) const;
     void keepColor(OpenMesh::VertexHandle vertex, const glm::vec4& color);
+    void finishColors(Diagnostics& diagnostics);
+    void noteGaps(const MaskInputs& read, const PartName& partOf);
 
     std::string place_;
     Soup soup_;
     std::size_t faces_ = 0;
     std::vector<std::uint32_t> faceOf_;
-    std::vector<bool> normalsDisagree_;  // per vertex with a normal
-    std::size_t firstTriangle_ = 0;      // of the last face
-    std::vector<glm::vec2> cornerUvs_;   // three to a triangle; empty until the first
-    std::vector<std::uint32_t> corners_; // of the last face
+    std::vector<bool> normalsDisagree_; // per vertex with a normal
+    std::vector<bool> isColored_;       // per vertex; empty until the first colour
+    std::vector<bool> isMapped_;        // per vertex with texture coordinates of its own
+    std::vector<bool> isFaceMapped_;    // per triangle with texture coordinates of its corners
+    std::vector<std::vector<glm::vec2>> faceUvs_; // per face to come
+    std::size_t firstTriangle_ = 0;               // of the last face
+    std::vector<glm::vec2> cornerUvs_;            // three to a triangle; empty until the first
+    std::vector<std::uint32_t> corners_;          // of the last face
 };
 
 } // namespace sward::terrain

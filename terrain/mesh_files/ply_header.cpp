@@ -121,8 +121,7 @@ bool isNeeded(const PlyElement& element, const PlyProperty& property)
 {
     if (element.name == "face")
         return property.isCorners();
-    constexpr std::string_view known[] = {"x",     "y",    "z",     "nx", "ny", "nz", "red",
-                                          "green", "blue", "alpha", "s",  "t",  "u",  "v"};
+    constexpr std::string_view known[] = {"x", "y", "z", "nx", "ny", "nz"};
     return element.name == "vertex" && !property.length &&
            std::find(std::begin(known), std::end(known), property.name) != std::end(known);
 }

@@ -44,7 +44,8 @@ struct PlyHeader {
 /// Throws Error{input} naming the line that is wrong.
 PlyHeader readPlyHeader(std::string_view file, const std::string& place);
 
-/// Whether ground and OpenMesh's reader use a property; the reader fails at others.
+/// Whether OpenMesh's reader is given a property; it fails at many others. scanPly() reads colours
+/// and texture coordinates.
 bool isNeeded(const PlyElement& element, const PlyProperty& property);
 
 /// The header in standard keywords with the needed properties only; OpenMesh's reader loops forever

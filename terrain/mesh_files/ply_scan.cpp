@@ -11,6 +11,57 @@
 namespace sward::terrain {
 namespace {
 
+// What scanPly() reads of a vertex: its coordinates, colour and texture coordinates.
+enum class PlyRole { none, position, color, uv };
+
+struct PlyUse {
+    PlyRole role = PlyRole::none;
+    glm::length_t axis = 0;
+};
+
+PlyUse plyUseOf(const PlyElement& element, const PlyProperty& property)
+{
+    struct Known {
+        std::string_view name;
+        PlyRole role;
+        glm::length_t axis;
+    };
+    constexpr Known all[] = {
+        {"x", PlyRole::position, 0},
+        {"y", PlyRole::position, 1},
+        {"z", PlyRole::position, 2},
+        {"red", PlyRole::color, 0},
+        {"green", PlyRole::color, 1},
+        {"blue", PlyRole::color, 2},
+        {"alpha", PlyRole::color, 3},
+        {"diffuse_red", PlyRole::color, 0},
+        {"diffuse_green", PlyRole::color, 1},
+        {"diffuse_blue", PlyRole::color, 2},
+        {"r", PlyRole::color, 0},
+        {"g", PlyRole::color, 1},
+        {"b", PlyRole::color, 2},
+        {"a", PlyRole::color, 3},
+        {"texture_u", PlyRole::uv, 0},
+        {"texture_v", PlyRole::uv, 1},
+        {"u", PlyRole::uv, 0},
+        {"v", PlyRole::uv, 1},
+        {"s", PlyRole::uv, 0},
+        {"t", PlyRole::uv, 1},
+    };
+    for (const Known& one : all)
+        if (element.name == "vertex" && !property.length && one.name == property.name)
+            return {one.role, one.axis};
+    return {};
+}
+
+// The number of an integer type that stands for 1 in a colour; 1 for types that have no such rule.
+double plyUnitOf(const PlyType& type)
+{
+    if (type.isFloat || type.size > 2)
+        return 1.0;
+    return static_cast<double>((1U << (8 * type.size - (type.isSigned ? 1 : 0))) - 1U);
+}
+
 class PlyScanner {
 public:
     PlyScanner(std::string_view file, const std::string& place)
@@ -104,53 +155,86 @@ private:
                  place_, element.name, index, length);
         const auto count = static_cast<std::size_t>(length);
         const bool named = property.isCorners();
+        const bool isUv = element.name == "face" && property.name == "texcoord";
+        std::vector<float> numbers;
         for (std::size_t i = 0; i < count; ++i) {
             const double value = readNumber(property.type, element, index);
             if (named && !(value >= 0.0 && value < static_cast<double>(scan_.vertices)))
                 fail(ErrorKind::input, "{}: {} {}: names vertex {}, but there are {}", place_,
                      element.name, index, value, scan_.vertices);
+            if (isUv)
+                numbers.push_back(static_cast<float>(value));
         }
+        if (!isUv)
+            return;
+        scan_.faceUvs.resize(index + 1);
+        for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
+            scan_.faceUvs[index].emplace_back(numbers[i], numbers[i + 1]);
     }
 
-    // Keeps the coordinates of a vertex in `at`.
-    void readScalar(const PlyProperty& property, const PlyElement& element, std::size_t index,
-                    glm::dvec3& at)
+    // Keeps a number of vertex `index`.
+    void readScalar(const PlyUse& use, const PlyProperty& property, const PlyElement& element,
+                    std::size_t index)
     {
         const double value = readNumber(property.type, element, index);
-        const bool isCoordinate = element.name == "vertex" && property.name.size() == 1 &&
-                                  property.name[0] >= 'x' && property.name[0] <= 'z';
-        if (!isCoordinate)
+        switch (use.role) {
+        case PlyRole::none:
             return;
+        case PlyRole::position:
+            break;
+        case PlyRole::color:
+            scan_.colors[index][use.axis] = static_cast<float>(value / plyUnitOf(property.type));
+            return;
+        case PlyRole::uv:
+            scan_.uvs[index][use.axis] = static_cast<float>(value);
+            return;
+        }
         if (!std::isfinite(value))
             fail(ErrorKind::input, "{}: coordinate {} of vertex {} is not a finite number", place_,
                  property.name, index);
-        at[property.name[0] - 'x'] = value;
+        scan_.positions[index][use.axis] = value;
         keepPositions_ =
             keepPositions_ || property.type.size == 8 || header_.format == PlyHeader::Format::text;
     }
 
+    // What is read of each property. Makes room for colours and texture coordinates.
+    std::vector<PlyUse> usesOf(const PlyElement& element)
+    {
+        std::vector<PlyUse> uses;
+        const auto allocate = [&](auto& values, const auto& value, PlyRole role) {
+            const auto has = [&](const PlyUse& use) { return use.role == role; };
+            if (std::any_of(uses.begin(), uses.end(), has))
+                values.assign(element.count, value);
+        };
+        for (const PlyProperty& property : element.properties)
+            uses.push_back(plyUseOf(element, property));
+        if (element.name == "vertex")
+            scan_.positions.assign(element.count, glm::dvec3(0.0));
+        allocate(scan_.colors, glm::vec4(0.0f, 0.0f, 0.0f, 1.0f), PlyRole::color);
+        allocate(scan_.uvs, glm::vec2(0.0f), PlyRole::uv);
+        return uses;
+    }
+
     void walk(const PlyElement& element)
     {
-        const bool isVertex = element.name == "vertex";
-        if (isVertex)
+        const std::vector<PlyUse> uses = usesOf(element);
+        if (element.name == "vertex")
             scan_.vertices = element.count;
         if (element.name == "face")
             scan_.faces = element.count;
         for (std::size_t i = 0; i < element.count; ++i) {
-            glm::dvec3 at(0.0);
-            for (const PlyProperty& property : element.properties) {
+            for (std::size_t p = 0; p < element.properties.size(); ++p) {
+                const PlyProperty& property = element.properties[p];
                 const std::size_t begin = position();
                 if (property.length)
                     readList(property, element, i);
                 else
-                    readScalar(property, element, i, at);
+                    readScalar(uses[p], property, element, i);
                 if (isNeeded(element, property))
                     plainBody_.append(rest_.substr(begin, position() - begin));
             }
             if (header_.format == PlyHeader::Format::text)
                 plainBody_.push_back('\n');
-            if (isVertex)
-                scan_.positions.push_back(at);
         }
     }
 

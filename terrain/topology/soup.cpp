@@ -76,6 +76,7 @@ void dropUnusedVertices(GroundMesh& mesh)
     keepUsed(mesh.normals, newIndex);
     keepUsed(mesh.uvs, newIndex);
     keepUsed(mesh.colors, newIndex);
+    mesh.attributes.keep(newIndex, unused);
     renumber(mesh.triangles, newIndex);
 }
 
@@ -157,6 +158,7 @@ Soup soupOf(const GroundMesh& mesh)
     soup.normals = mesh.normals;
     soup.uvs = mesh.uvs;
     soup.colors = mesh.colors;
+    soup.attributes = mesh.attributes;
     soup.triangles = mesh.triangles;
     soup.materialOf = mesh.materialOf;
     soup.nodeOf = mesh.nodeOf;
@@ -211,9 +213,13 @@ GroundMesh settle(Soup&& soup, const std::string& place)
         static_cast<std::size_t>(std::count(newIndex.begin(), newIndex.end(), unused));
     const bool allUsed = used == newIndex.size();
     takeVertices(soup, newIndex, used, place, mesh);
+    mesh.attributes = std::move(soup.attributes);
+    mesh.attributes.resize(newIndex.size());
     mesh.triangles = std::move(soup.triangles);
-    if (!allUsed)
+    if (!allUsed) {
         renumber(mesh.triangles, newIndex);
+        mesh.attributes.keep(newIndex, unused);
+    }
 
     mesh.materialOf = std::move(soup.materialOf);
     mesh.nodeOf = std::move(soup.nodeOf);

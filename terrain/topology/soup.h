@@ -20,6 +20,7 @@ struct Soup {
     std::vector<glm::vec3> normals; ///< of any length; (0, 0, 0): the file has none
     std::vector<glm::vec2> uvs;     ///< (0, 0)
     std::vector<glm::vec4> colors;  ///< (1, 1, 1, 1)
+    VertexAttributes attributes;    ///< values may be shorter, as of the arrays above
 
     std::vector<glm::uvec3> triangles;
     std::vector<std::uint32_t> materialOf;

@@ -148,6 +148,7 @@ void assignNormals(GroundMesh& mesh, const std::vector<glm::vec3>& cornerNormals
             mesh.uvs.push_back(glm::vec2(mesh.uvs[vertex]));
             mesh.colors.push_back(glm::vec4(mesh.colors[vertex]));
             mesh.normals.push_back(normal);
+            mesh.attributes.copyVertex(vertex);
             copy = nextCopy[copy];
         }
         vertex = copy;

@@ -229,10 +229,13 @@ void BakeOptions::addPlaces(CLI::App& app)
         ->capture_default_str();
     option("--sky", sky_, "MIN:MAX[~SOFT]", "Share of these rays that meet nothing, 0 to 1")
         ->default_str("0:1");
-    option("--mask", masks_, "MASK",
-           "Factor on the density, from vertex-color:C, texture:FILE[:C] or material-texture:C, or "
-           "ground:green, which is 1 where the ground's own colour is that of grass; C "
-           "is R, G, B or A; :invert may follow; may be repeated")
+    option(
+        "--mask", masks_, "MASK",
+        "Factor on the density, from vertex-color:C (vertex-color1:C, vertex-color:_NAME), "
+        "texture:FILE[:C] or material-texture:C, or ground:green, which is 1 where the ground's "
+        "own colour is that of grass; C is R, G, B or A; a texture lies at TEXCOORD_0, with :uv1 "
+        "at another set, with :transform as the material's image; :invert may follow; may be "
+        "repeated")
         ->allow_extra_args(false);
     option("--exclude", excluded_, "FILE[:margin M]",
            "No grass above, below or within M metres of these meshes; M is 0 to 1e9, 0 if left "
@@ -327,6 +330,7 @@ BakeRequest BakeOptions::request() const
         settings.excluded.push_back(bake::parseExcludedArea(area));
     settings.meadow = bake::withAssignments(bake::loadMeadow(meadow_), assignments_);
     bake::validate(settings);
+    request.import.masks = bake::maskInputs(settings);
     if (!printConfig)
         bake::loadMaskImages(settings);
 

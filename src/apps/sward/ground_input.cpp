@@ -60,6 +60,7 @@ terrain::GroundMesh loadGround(const BakeRequest& request, Diagnostics& diagnost
     occluding.bearingMaterials.clear();
     occluding.occluderNodes.clear();
     occluding.bareNames = false;
+    occluding.masks = {};
     for (const std::string& file : request.occluders) {
         terrain::GroundMesh occluder = loadOne(file, occluding, diagnostics);
         std::fill(occluder.bears.begin(), occluder.bears.end(), std::uint8_t(0));

@@ -1,7 +1,7 @@
 #include "bake/filter/ground_green.h"
 
 #include "bake/drawn_colors.h"
-#include "core/random.h"
+#include "bake/filter/sample_places.h"
 #include "terrain/image/image_sampling.h"
 
 #include <glm/common.hpp>
@@ -182,31 +182,15 @@ std::optional<GreenShares> greenShares(const terrain::GroundMesh& ground, double
 {
     if (!hasOwnColors(ground, colorsAreMask))
         return std::nullopt;
-    std::vector<double> upTo; // area of the bearing triangles up to each
-    double area = 0.0;
-    for (std::size_t t = 0; t < ground.triangles.size(); ++t)
-        upTo.push_back(area += ground.bears[t] != 0 ? ground.area(t) : 0.0);
     GreenShares shares;
-    if (!(area > 0.0))
-        return shares;
-
-    // One place in each of equal parts of the area.
     constexpr std::uint64_t places = 16384;
     const GroundGreen green(ground, scale, colorsAreMask);
-    std::size_t triangle = 0;
-    for (std::uint64_t i = 0; i < places; ++i) {
-        const double at = (double(i) + uniform(0, i, 0)) / double(places) * area;
-        while (triangle + 1 < upTo.size() && upTo[triangle] <= at)
-            ++triangle;
-        const double s = std::sqrt(uniform(0, i, 1));
-        const double v = uniform(0, i, 2);
-        RootSample root{};
-        root.triangle = static_cast<std::uint32_t>(triangle);
-        root.barycentric = glm::vec2(glm::dvec2(s * (1.0 - v), s * v));
+    forEachPlace(ground, places, [&](const RootSample& root) {
         const double weight = green.at(root);
         shares.green += weight >= 0.5 ? 1.0 / double(places) : 0.0;
         shares.bare += weight < 0.25 ? 1.0 / double(places) : 0.0;
-    }
+        return true;
+    });
     return shares;
 }
 

@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 // Eight letters each; the last two are the version.
-constexpr const char* partKind = "SWPART03";
-constexpr const char* imageKind = "SWIMAG01";
+constexpr const char* partKind = "SWPART04";
+constexpr const char* imageKind = "SWIMAG02";
 constexpr const char* tileKind = "SWTILE01";
 constexpr const char* planFormat = "sward plan 2";
 

@@ -138,6 +138,67 @@ TEST(CheckMasks, NamesTheMaterialThatLacksSomething)
     EXPECT_EQ(complaint(own), "");
 }
 
+TEST(Masks, AreReadAndWrittenInEveryForm)
+{
+    const std::array<std::array<const char*, 3>, 12> forms{{
+        {"vertex-color:G", "vertex-color:G", "COLOR_0"},
+        {"vertex-color1:R", "vertex-color1:R", "COLOR_1"},
+        {"vertex-color15:A:invert", "vertex-color15:A:invert", "COLOR_15"},
+        {"vertex-color:_MASK", "vertex-color:_MASK:R", "_MASK"},
+        {"vertex-color:_WET_2:B:invert", "vertex-color:_WET_2:B:invert", "_WET_2"},
+        {"texture:a.png", "texture:a.png:R", "TEXCOORD_0"},
+        {"texture:a.png:uv1", "texture:a.png:R:uv1", "TEXCOORD_1"},
+        {"texture:a.png:B:uv12:invert", "texture:a.png:B:uv12:invert", "TEXCOORD_12"},
+        {"texture:a.png:transform", "texture:a.png:R:transform", terrain::materialCoordinates},
+        {"texture:C:uvs/a.png:G", "texture:C:uvs/a.png:G", "TEXCOORD_0"},
+        {"material-texture:A", "material-texture:A", terrain::materialCoordinates},
+        {"ground:green", "ground:green", ""},
+    }};
+    for (const auto& [text, written, attribute] : forms) {
+        const std::optional<Mask> mask = readMask(text);
+        ASSERT_TRUE(mask) << text;
+        EXPECT_EQ(textOf(*mask), written);
+        EXPECT_EQ(mask->attributeName(), attribute) << text;
+        EXPECT_EQ(textOf(*readMask(written)), written);
+    }
+    for (const char* const text :
+         {"vertex-color16:R", "vertex-color01:R", "vertex-color-1:R", "vertex-color1",
+          "vertex-color:mask", "material-texture:R:uv1", "texture:", "texture::uv1"})
+        EXPECT_FALSE(readMask(text)) << text;
+}
+
+TEST(CheckMasks, NamesThePartWithoutTheAttribute)
+{
+    terrain::GroundMesh mesh = meshes::grid(4, 2.0);
+    mesh.hasColors = true;
+    mesh.materials[0].name = "turf";
+    mesh.attributes.addGap("COLOR_0", 8, 12, "a.glb: mesh 0, primitive 2");
+    mesh.attributes.addGap("_WET", 0, 32, "a.glb: mesh 0");
+    const auto complaint = [&](const char* text) {
+        try {
+            checkMasks({parseMask(text)}, mesh);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::input);
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const std::string text = complaint("vertex-color:R");
+    EXPECT_NE(text.find("a.glb: mesh 0, primitive 2: material \"turf\" has no vertex colours"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(complaint("vertex-color:_WET").find("no vertex attribute _WET"), std::string::npos);
+    // What bears nothing needs nothing.
+    std::fill_n(mesh.bears.begin() + 8, 4, std::uint8_t(0));
+    EXPECT_EQ(complaint("vertex-color:R"), "");
+    // A channel that the attribute does not have is an error too.
+    mesh.attributes = {};
+    mesh.attributes.list.push_back({"_WET", 1, {}});
+    mesh.attributes.resize(mesh.positions.size());
+    EXPECT_EQ(complaint("vertex-color:_WET:R"), "");
+    EXPECT_NE(complaint("vertex-color:_WET:G").find("1 components"), std::string::npos);
+}
+
 TEST(LoadImages, SaysWhichFileIsMissing)
 {
     std::vector<Mask> masks = {parseMask("texture:no such mask.png:R")};

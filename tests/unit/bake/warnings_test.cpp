@@ -1,3 +1,4 @@
+#include "bake/filter/plain_masks.h"
 #include "bake/report_totals.h"
 #include "bake/warnings.h"
 #include "support/meshes.h"
@@ -86,12 +87,36 @@ TEST(Warnings, PointOutWhatDoesNothing)
     EXPECT_TRUE(has(text, "--exclude pond.glb: excludes nothing")) << text;
     EXPECT_TRUE(has(text, "3999")) << text;
     EXPECT_TRUE(has(text, "--border rejects nothing")) << text;
+}
 
-    terrain::GroundMesh white = meshes::square(10.0);
-    white.hasColors = true;
-    settings = tests::plainSettings(1.0);
-    settings.masks = {Mask()};
-    EXPECT_TRUE(has(warningsOf(white, settings), "--mask rejects nothing"));
+TEST(Warnings, SayWhichMaskIsPlain)
+{
+    // Of three masks one is white, one is black on all that bears, and one is neither.
+    terrain::GroundMesh ground = meshes::grid(4, 10.0);
+    ground.hasColors = true;
+    for (glm::vec4& color : ground.colors)
+        color = glm::vec4(1.0f, 0.0f, 0.5f, 1.0f);
+    ground.bears[7] = 0;
+    const glm::uvec3 bare = ground.triangles[7];
+    ground.colors[bare.x].z = 0.0f;
+    BakeSettings settings = tests::plainSettings(1.0);
+    for (int channel = 0; channel < 3; ++channel)
+        settings.masks.push_back({.channel = channel});
+    settings.meadow.species[0].habitat.masks = {{.channel = 1, .invert = true}};
+    Diagnostics diagnostics;
+    warnOfPlainMasks(ground, settings, diagnostics);
+    const std::vector<std::string>& warnings = diagnostics.warnings();
+    ASSERT_EQ(warnings.size(), 3U);
+    EXPECT_TRUE(has(warnings[0], "--mask vertex-color:R rejects nothing")) << warnings[0];
+    EXPECT_TRUE(has(warnings[1], "--mask vertex-color:G rejects everything")) << warnings[1];
+    EXPECT_TRUE(has(warnings[2], "mask vertex-color:G:invert rejects nothing")) << warnings[2];
+
+    // A single corner that bears and differs ends it.
+    for (const std::uint32_t corner : {ground.triangles[0].x})
+        ground.colors[corner] = glm::vec4(0.9f, 0.1f, 0.5f, 1.0f);
+    Diagnostics none;
+    warnOfPlainMasks(ground, settings, none);
+    EXPECT_TRUE(none.warnings().empty());
 }
 
 } // namespace
