@@ -67,6 +67,11 @@ std::string contentHash(const GroundMesh& mesh)
         hasher.add(material.doubleSided ? 1.0 : 0.0);
         hasher.add(static_cast<double>(material.wrapU));
         hasher.add(static_cast<double>(material.wrapV));
+        // What most grounds do not have leaves their hashes as they are.
+        if (material.alphaCutoff > 0.0f)
+            hasher.add(static_cast<double>(material.alphaCutoff));
+        if (material.srgbColors)
+            hasher.add(1.0);
     }
     for (const GroundImage& image : mesh.images) {
         hasher.add(static_cast<double>(image.width));

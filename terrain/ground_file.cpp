@@ -17,6 +17,8 @@ struct MaterialRecord {
     std::uint32_t wrapU;
     std::uint32_t wrapV;
     std::uint32_t doubleSided;
+    std::uint32_t srgbColors;
+    float alphaCutoff;
 };
 
 struct ImageRecord {
@@ -53,10 +55,10 @@ void write(RecordWriter& writer, const GroundMesh& ground)
     writer.addOne(static_cast<std::uint64_t>(ground.materials.size()));
     for (const GroundMaterial& material : ground.materials) {
         writer.add(std::string_view(material.name));
-        writer.addOne(MaterialRecord{material.baseColor, material.roughness, material.metallic,
-                                     material.image, static_cast<std::uint32_t>(material.wrapU),
-                                     static_cast<std::uint32_t>(material.wrapV),
-                                     material.doubleSided ? 1U : 0U});
+        writer.addOne(MaterialRecord{
+            material.baseColor, material.roughness, material.metallic, material.image,
+            static_cast<std::uint32_t>(material.wrapU), static_cast<std::uint32_t>(material.wrapV),
+            material.doubleSided ? 1U : 0U, material.srgbColors ? 1U : 0U, material.alphaCutoff});
     }
     writer.addOne(static_cast<std::uint64_t>(ground.images.size()));
     for (const GroundImage& image : ground.images) {
@@ -102,6 +104,8 @@ GroundMesh readGround(RecordReader& reader, const std::string& place)
         material.wrapU = wrapOf(record.wrapU, place);
         material.wrapV = wrapOf(record.wrapV, place);
         material.doubleSided = record.doubleSided != 0;
+        material.srgbColors = record.srgbColors != 0;
+        material.alphaCutoff = record.alphaCutoff;
     }
     for (reader.readOne(count); count > 0; --count) {
         GroundImage& image = ground.images.emplace_back();

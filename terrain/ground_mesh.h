@@ -62,9 +62,8 @@ struct GroundMesh {
     // Per vertex; `normals` (unit), `uvs` and `colors` have one entry per position.
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
-    std::vector<glm::vec2> uvs; ///< (0, 0) at the image's upper left corner
-    std::vector<glm::vec4>
-        colors; ///< COLOR_0 as stored, [0, 1]; (1, 1, 1, 1) where the file has none
+    std::vector<glm::vec2> uvs;    ///< (0, 0) at the image's upper left corner
+    std::vector<glm::vec4> colors; ///< as stored, [0, 1]; (1, 1, 1, 1) where the file has none
 
     VertexAttributes attributes; ///< further ones, only those that masks read
 

@@ -35,4 +35,11 @@ std::vector<glm::vec3> drawnBaseColors(const terrain::GroundMesh& ground, bool c
     return colors;
 }
 
+glm::vec3 vertexColor(const terrain::GroundMesh& ground, std::uint32_t material,
+                      std::uint32_t vertex)
+{
+    const glm::vec3 stored(ground.colors[vertex]);
+    return ground.materials[material].srgbColors ? stored * stored : stored;
+}
+
 } // namespace sward::bake

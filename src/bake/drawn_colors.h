@@ -19,4 +19,9 @@ bool showsVertexColors(const terrain::GroundMesh& ground, std::uint32_t material
 /// white or light grey has never been given a colour: it is drawn as earth.
 std::vector<glm::vec3> drawnBaseColors(const terrain::GroundMesh& ground, bool colorsAreMask);
 
+/// Colour of a vertex on a material, linear. What is stored as in images is squared, as blades take
+/// the transfer curve everywhere: within 0.04 of sRGB.
+glm::vec3 vertexColor(const terrain::GroundMesh& ground, std::uint32_t material,
+                      std::uint32_t vertex);
+
 } // namespace sward::bake

@@ -133,10 +133,21 @@ private:
         if (hasUvs_)
             primitive.attributes["TEXCOORD_0"] = addAttribute(mesh_.uvs, part, TINYGLTF_TYPE_VEC2);
         if (mesh_.hasColors)
-            primitive.attributes["COLOR_0"] = addAttribute(mesh_.colors, part, TINYGLTF_TYPE_VEC4);
+            primitive.attributes["COLOR_0"] =
+                addAttribute(mesh_.materials[material].srgbColors ? linearColors() : mesh_.colors,
+                             part, TINYGLTF_TYPE_VEC4);
         primitive.indices = addAccessor(part.indices, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
                                         TINYGLTF_TYPE_SCALAR, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
         return primitive;
+    }
+
+    // Colours as COLOR_0 has them: a bake takes sRGB for a square, and reads the same again.
+    std::vector<glm::vec4> linearColors() const
+    {
+        std::vector<glm::vec4> colors = mesh_.colors;
+        for (glm::vec4& color : colors)
+            color = {color.x * color.x, color.y * color.y, color.z * color.z, color.w};
+        return colors;
     }
 
     void addBounds(const Part& part, tinygltf::Accessor& accessor)
@@ -170,6 +181,10 @@ private:
             tinygltf::Material material;
             material.name = ground.name;
             material.doubleSided = ground.doubleSided;
+            if (ground.alphaCutoff > 0.0f) {
+                material.alphaMode = "MASK";
+                material.alphaCutoff = static_cast<double>(ground.alphaCutoff);
+            }
             auto& surface = material.pbrMetallicRoughness;
             const glm::dvec4 color(ground.baseColor);
             surface.baseColorFactor = {color.x, color.y, color.z, color.w};

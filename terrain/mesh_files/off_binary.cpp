@@ -87,7 +87,7 @@ std::optional<std::string> textOf(std::string_view keyword, std::string_view bod
             float number = 0.0f;
             if (!reader.read(number))
                 return std::nullopt;
-            fmt::format_to(end, "{} ", number);
+            fmt::format_to(end, "{:#} ", number); // with a point: no colour is a byte
         }
         text.push_back('\n');
     }

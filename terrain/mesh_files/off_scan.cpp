@@ -46,6 +46,46 @@ bool isKeyword(std::string_view word)
     return word.size() >= 3 && word.substr(word.size() - 3) == "OFF";
 }
 
+constexpr float noAlpha = -1.0f; // of a colour of three numbers
+
+// What a vertex has by the keyword of its file: [ST][C][N]OFF.
+struct OffVertex {
+    explicit OffVertex(const std::string& keyword)
+        : hasNormal(keyword.find('N') != std::string::npos)
+        , hasColor(keyword.find('C') != std::string::npos)
+        , hasUv(keyword.starts_with("ST"))
+    {
+    }
+
+    bool hasNormal;
+    bool hasColor;
+    bool hasUv;
+};
+
+// Reads colour and texture coordinates. Alpha may be missing; what is no number is 0.
+void readOffRest(TextCursor& words, const OffVertex& form, MeshScan& scan, bool& hasShares)
+{
+    std::vector<float> numbers;
+    for (std::string_view word = words.word(); !word.empty(); word = words.word()) {
+        hasShares = hasShares || (form.hasColor && numbers.size() < 3 &&
+                                  word.find_first_of(".eE") != std::string_view::npos);
+        numbers.push_back(static_cast<float>(parseNumber(word).value_or(0.0)));
+    }
+    const std::size_t uvs = form.hasUv && numbers.size() >= 2 ? 2 : 0;
+    const std::size_t colors = numbers.size() - uvs;
+    if (form.hasUv)
+        scan.uvs.emplace_back(uvs == 2 ? glm::vec2(numbers[colors], numbers[colors + 1])
+                                       : glm::vec2(0.0f));
+    if (!form.hasColor)
+        return;
+    glm::vec4 color(0.0f);
+    for (std::size_t c = 0; c < std::min<std::size_t>(colors, 4); ++c)
+        color[int(c)] = numbers[c];
+    if (colors < 4)
+        color.w = noAlpha;
+    scan.colors.push_back(color);
+}
+
 } // namespace
 
 MeshScan scanOff(std::string_view file, const std::string& place)
@@ -74,11 +114,15 @@ MeshScan scanOff(std::string_view file, const std::string& place)
         fail(ErrorKind::input, "{}: says {} vertices and {} faces, which {} bytes cannot hold",
              place, counts, faceCount, file.size());
 
+    // After the coordinates come normals, colours and texture coordinates. The reader is given
+    // normals alone.
+    const OffVertex form(keyword);
+    bool hasShares = false; // some colour has a point: it is no byte
     MeshScan scan;
     scan.vertices = *vertices;
     scan.faces = *faces;
-    scan.cleaned =
-        keyword + "\n" + std::to_string(*vertices) + " " + std::to_string(*faces) + " 0\n";
+    scan.cleaned = std::string(form.hasNormal ? "NOFF" : "OFF") + "\n" + std::to_string(*vertices) +
+                   " " + std::to_string(*faces) + " 0\n";
     const auto keep = [&](std::string_view line) {
         scan.cleaned.append(line);
         scan.cleaned.push_back('\n');
@@ -96,7 +140,15 @@ MeshScan scanOff(std::string_view file, const std::string& place)
             position[axis] = *number;
         }
         scan.positions.push_back(position);
-        keep(line);
+        for (int axis = 0; form.hasNormal && axis < 3; ++axis)
+            words.word();
+        keep(line.substr(0, std::min(words.offset(), line.size())));
+        readOffRest(words, form, scan, hasShares);
+    }
+    for (glm::vec4& color : scan.colors) {
+        const bool isOpaque = color.w == noAlpha;
+        color = hasShares ? color : color / 255.0f;
+        color.w = isOpaque ? 1.0f : color.w;
     }
     for (std::size_t i = 0; i < *faces; ++i) {
         const std::string_view line = lines.next("its last face");

@@ -48,9 +48,9 @@ glm::vec3 groundColor(const terrain::GroundMesh& ground, const RootSample& root,
         color *= imageColor(ground.images[material.image], material, glm::dvec2(uv));
     }
     if (showsVertexColors(ground, ground.materialOf[root.triangle], colorsAreMask)) {
-        const glm::vec4 vertexColor = (1.0f - b - c) * ground.colors[corners.x] +
-                                      b * ground.colors[corners.y] + c * ground.colors[corners.z];
-        color *= glm::vec3(vertexColor.x, vertexColor.y, vertexColor.z);
+        const std::uint32_t own = ground.materialOf[root.triangle];
+        color *= (1.0f - b - c) * vertexColor(ground, own, corners.x) +
+                 b * vertexColor(ground, own, corners.y) + c * vertexColor(ground, own, corners.z);
     }
     return glm::sqrt(glm::clamp(color, 0.0f, 1.0f));
 }

@@ -153,9 +153,10 @@ double GroundGreen::at(const RootSample& root) const
         const glm::uvec3 corners = ground_.triangles[root.triangle];
         const auto b = static_cast<double>(root.barycentric.x);
         const auto c = static_cast<double>(root.barycentric.y);
-        color *= (1.0 - b - c) * glm::dvec3(glm::vec3(ground_.colors[corners.x])) +
-                 b * glm::dvec3(glm::vec3(ground_.colors[corners.y])) +
-                 c * glm::dvec3(glm::vec3(ground_.colors[corners.z]));
+        const std::uint32_t own = ground_.materialOf[root.triangle];
+        color *= (1.0 - b - c) * glm::dvec3(vertexColor(ground_, own, corners.x)) +
+                 b * glm::dvec3(vertexColor(ground_, own, corners.y)) +
+                 c * glm::dvec3(vertexColor(ground_, own, corners.z));
     }
     color = glm::clamp(color, 0.0, 1.0);
     return greenWeight({std::sqrt(color.x), std::sqrt(color.y), std::sqrt(color.z)});

@@ -48,7 +48,8 @@ field::DisplayGround displayGround(const terrain::GroundMesh& ground, bool color
             continue;
         for (glm::length_t corner = 0; corner < 3; ++corner) {
             const std::uint32_t v = ground.triangles[t][corner];
-            shown.vertices[v].color = packColor(ground.colors[v]);
+            shown.vertices[v].color =
+                packColor({vertexColor(ground, ground.materialOf[t], v), ground.colors[v].w});
         }
     }
 
