@@ -87,7 +87,7 @@ void appendAttributes(GroundMesh& mesh, const GroundMesh& other)
             return own->values[vertex];
         if (name.starts_with("TEXCOORD_"))
             return glm::vec4(from.uvs[vertex], 0.0f, 0.0f);
-        return name == "COLOR_0" ? from.colors[vertex] : glm::vec4(0.0f);
+        return name == "COLOR_0" ? from.colors[vertex] : glm::vec4(1.0f);
     };
     for (const VertexAttribute& one : other.attributes.list)
         if (mesh.attributes.find(one.name) == nullptr) {

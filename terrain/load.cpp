@@ -10,6 +10,7 @@
 #include "terrain/mesh_files/mesh_import.h"
 #include "terrain/placement.h"
 #include "terrain/recipe.h"
+#include "terrain/repeated_ground.h"
 #include "terrain/topology/soup.h"
 
 #include <fmt/ranges.h>
@@ -115,6 +116,8 @@ GroundMesh load(const std::string& input, const ImportSettings& settings, Diagno
         const bool isFile = std::filesystem::is_regular_file(input, ignored);
         GroundMesh mesh = isFile ? loadFile(input, settings, worldFromFile, diagnostics)
                                  : loadBuiltIn(input, settings, worldFromFile, diagnostics);
+        if (isFile && isMeshFile(fileKind(input)))
+            removeCoarseLevels(mesh, settings, input, diagnostics);
         assignRoles(mesh, settings, input, diagnostics);
         // The names of generated ground are the program's own.
         if (isFile && settings.bareNames && isMeshFile(fileKind(input)))

@@ -55,7 +55,7 @@ void VertexAttributes::appendGaps(const VertexAttributes& other, std::size_t fir
 void VertexAttributes::resize(std::size_t count)
 {
     for (VertexAttribute& one : list)
-        one.values.resize(count, glm::vec4(0.0f));
+        one.values.resize(count, glm::vec4(1.0f));
 }
 
 void VertexAttributes::copyVertex(std::size_t vertex)

@@ -23,7 +23,7 @@ struct MaskInputs {
 struct VertexAttribute {
     std::string name;              ///< as in glTF: TEXCOORD_1, COLOR_1, _MASK
     std::uint32_t components = 4;  ///< the fewest that a part of the file gives, 1 to 4
-    std::vector<glm::vec4> values; ///< per vertex; 0 where there is none
+    std::vector<glm::vec4> values; ///< per vertex; 1 where there is none
 };
 
 /// Consecutive triangles of a part of the file that lacks an attribute which a mask reads.
@@ -56,7 +56,7 @@ struct VertexAttributes {
     /// Appends the gaps of `other`, whose triangles begin at `firstTriangle` here.
     void appendGaps(const VertexAttributes& other, std::size_t firstTriangle);
 
-    /// Gives every attribute a value for each of `count` vertices, 0 for new ones.
+    /// Gives every attribute a value for each of `count` vertices, 1 for new ones.
     void resize(std::size_t count);
 
     /// Appends a copy of a vertex.

@@ -9,7 +9,7 @@ namespace sward::bake {
 const char* nameOf(Reject reason)
 {
     static constexpr std::array<const char*, rejectCount> names{
-        "spacing",   "mask",  "material",  "slope",    "altitude", "border",
+        "spacing",   "mask",  "cutout",    "material", "slope",    "altitude", "border",
         "curvature", "water", "clearance", "exposure", "occluder", "excluded"};
     return names[static_cast<std::size_t>(reason)];
 }

@@ -17,6 +17,7 @@ namespace sward::bake {
 enum class Reject {
     spacing,
     mask,
+    cutout,
     material,
     slope,
     altitude,
@@ -28,7 +29,7 @@ enum class Reject {
     occluder,
     excluded
 };
-inline constexpr std::size_t rejectCount = 12;
+inline constexpr std::size_t rejectCount = 13;
 
 /// Key of a reason in the report.
 const char* nameOf(Reject reason);

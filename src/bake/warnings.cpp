@@ -17,11 +17,19 @@ constexpr double hardlyAny = 0.01;
 // The option that causes a rejection.
 const char* optionOf(Reject reason)
 {
-    static constexpr std::array<const char*, rejectCount> options{
-        "--spacing",   "--mask",        "--material",
-        "--slope",     "--altitude",    "--border, --min-island",
-        "--curvature", "--above-water", "--clearance",
-        "--sky",       "--occluder",    "--exclude"};
+    static constexpr std::array<const char*, rejectCount> options{"--spacing",
+                                                                  "--mask",
+                                                                  "alphaMode MASK",
+                                                                  "--material",
+                                                                  "--slope",
+                                                                  "--altitude",
+                                                                  "--border, --min-island",
+                                                                  "--curvature",
+                                                                  "--above-water",
+                                                                  "--clearance",
+                                                                  "--sky",
+                                                                  "--occluder",
+                                                                  "--exclude"};
     return options[static_cast<std::size_t>(reason)];
 }
 

@@ -207,6 +207,7 @@ private:
             o.keep({"name", "mesh", "children", "matrix", "translation", "rotation", "scale"});
         if (kept.contains("children") && kept["children"].empty())
             kept.erase("children");
+        keepVisibility(o, size("nodes"), kept);
         keepInstancing(o, accessorCounts_, kept);
         return kept;
     }

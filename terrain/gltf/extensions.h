@@ -9,8 +9,9 @@
 
 namespace sward::terrain {
 
-/// Rejects a file that requires an unknown extension. Warns of extensions that change how the
-/// ground looks. Throws Error{unsupported}.
+/// Rejects a file that requires an unknown extension, or uses one that makes other triangles. Warns
+/// of other unknown extensions and of those that change how the ground looks. Throws
+/// Error{unsupported}.
 void checkGltfExtensions(const nlohmann::json& document, const std::string& place,
                          Diagnostics& diagnostics);
 

@@ -7,6 +7,8 @@
 #include "terrain/gltf/nodes.h"
 #include "terrain/gltf/primitive.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -95,7 +97,7 @@ void append(const Soup& mesh, Soup& soup)
     for (const VertexAttribute& one : mesh.attributes.list) {
         VertexAttribute& kept = soup.attributes.entry(one.name);
         kept.components = std::min(kept.components, one.components);
-        take(kept.values, one.values, glm::vec4(0.0f));
+        take(kept.values, one.values, glm::vec4(1.0f));
     }
     soup.attributes.appendGaps(mesh.attributes, soup.triangles.size() - mesh.triangles.size());
 }
@@ -179,7 +181,7 @@ Soup importGltf(const std::filesystem::path& path, const ImportSettings& setting
 {
     const std::string place = path.string();
     const GltfModel model = readGltfModel(path, diagnostics);
-    const auto placements = placeGltfMeshes(model, settings.scene, place);
+    const auto placements = placeGltfMeshes(model, settings.scene, place, diagnostics);
     Soup soup;
     reserve(model, placements, place, soup);
     soup.copyright = model.structure.asset.copyright;

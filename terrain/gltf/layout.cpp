@@ -121,7 +121,9 @@ json checkMaterial(const GltfObject& o, std::size_t textures)
 {
     o.text("name");
     o.truth("doubleSided");
-    json kept = o.keep({"name", "doubleSided"});
+    o.text("alphaMode");
+    o.number("alphaCutoff");
+    json kept = o.keep({"name", "doubleSided", "alphaMode", "alphaCutoff"});
     const json* const found = o.object("pbrMetallicRoughness");
     if (found == nullptr)
         return kept;
@@ -152,6 +154,22 @@ json checkMaterial(const GltfObject& o, std::size_t textures)
             keptImage["extensions"][moved] = m.keep({"offset", "scale", "rotation", "texCoord"});
         }
     return kept;
+}
+
+void keepVisibility(const GltfObject& node, std::size_t nodes, json& kept)
+{
+    const json* const extensions = node.object("extensions");
+    if (extensions == nullptr)
+        return;
+    if (const json* const shown = node.part(*extensions).object("KHR_node_visibility")) {
+        node.part(*shown).truth("visible");
+        kept["extensions"]["KHR_node_visibility"] = node.part(*shown).keep({"visible"});
+    }
+    if (const json* const levels = node.part(*extensions).object("MSFT_lod")) {
+        node.part(*levels).indices("ids", nodes);
+        if (levels->contains("ids") && !(*levels)["ids"].empty())
+            kept["extensions"]["MSFT_lod"] = node.part(*levels).keep({"ids"});
+    }
 }
 
 void keepInstancing(const GltfObject& node, const std::vector<std::uint64_t>& accessorCounts,

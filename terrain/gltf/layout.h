@@ -25,6 +25,9 @@ std::uint64_t gltfComponentCount(std::string_view type);
 nlohmann::json checkAccessor(const GltfObject& accessor, const std::vector<GltfView>& views);
 nlohmann::json checkMaterial(const GltfObject& material, std::size_t textures);
 
+/// Copies KHR_node_visibility and MSFT_lod of `node`, one of `nodes`, into `kept`.
+void keepVisibility(const GltfObject& node, std::size_t nodes, nlohmann::json& kept);
+
 /// Copies EXT_mesh_gpu_instancing of `node` into `kept`, if it has one.
 void keepInstancing(const GltfObject& node, const std::vector<std::uint64_t>& accessorCounts,
                     nlohmann::json& kept);

@@ -147,6 +147,8 @@ std::vector<GltfUvSource> importGltfMaterials(const GltfModel& file, std::uint32
         ground.roughness = unitInterval(surface.roughnessFactor);
         ground.metallic = unitInterval(surface.metallicFactor);
         ground.doubleSided = material.doubleSided;
+        if (material.alphaMode == "MASK")
+            ground.alphaCutoff = static_cast<float>(std::clamp(material.alphaCutoff, 0.0, 1e6));
         ground.image = images.indexOf(surface.baseColorTexture.index);
         if (surface.baseColorTexture.index >= 0) {
             const auto texture = static_cast<std::size_t>(surface.baseColorTexture.index);

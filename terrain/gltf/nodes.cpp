@@ -96,11 +96,40 @@ std::vector<glm::dmat4> instancesOf(const GltfModel& model, const tinygltf::Node
     return instances;
 }
 
+// Whether KHR_node_visibility hides a node and what is below it.
+bool isHidden(const tinygltf::Node& node)
+{
+    const auto found = node.extensions.find("KHR_node_visibility");
+    if (found == node.extensions.end() || !found->second.Has("visible"))
+        return false;
+    const tinygltf::Value& visible = found->second.Get("visible");
+    return visible.IsBool() && !visible.Get<bool>();
+}
+
+// The nodes that MSFT_lod shows in the place of others from afar.
+std::vector<bool> coarserLevels(const tinygltf::Model& model)
+{
+    std::vector<bool> coarse(model.nodes.size(), false);
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        const auto found = model.nodes[i].extensions.find("MSFT_lod");
+        if (found == model.nodes[i].extensions.end() || coarse[i])
+            continue;
+        const tinygltf::Value& levels = found->second.Get("ids");
+        for (int level = 0; level < static_cast<int>(levels.ArrayLen()); ++level) {
+            const int node = levels.Get(level).GetNumberAsInt();
+            if (node != static_cast<int>(i))
+                coarse[static_cast<std::size_t>(node)] = true;
+        }
+    }
+    return coarse;
+}
+
 class Walker {
 public:
     Walker(const GltfModel& model, const std::string& place)
         : model_(model)
         , place_(place)
+        , coarse_(coarserLevels(model.structure))
     {
     }
 
@@ -115,6 +144,14 @@ public:
         if (++visits_ > visitLimit)
             fail(ErrorKind::input, "{}: its scene shows more than {} nodes", place_, visitLimit);
         const std::string place = fmt::format("{}: node \"{}\"", place_, path);
+        if (isHidden(node)) {
+            hidden_.push_back(path);
+            return;
+        }
+        if (coarse_[static_cast<std::size_t>(index)]) {
+            coarser_.push_back(path);
+            return;
+        }
         const glm::dmat4 transform = parent * localTransform(node, place);
 
         if (node.mesh >= 0) {
@@ -133,11 +170,30 @@ public:
             visit(child, transform, path);
     }
 
-    std::vector<GltfPlacement> take() { return std::move(placements_); }
+    std::vector<GltfPlacement> take(Diagnostics& diagnostics)
+    {
+        const auto warn = [&](const std::vector<std::string>& paths, const char* why) {
+            if (!paths.empty())
+                diagnostics.warn("{}: {} nodes are {}, and left out with what is below them: {}{}",
+                                 place_, paths.size(), why, paths[0],
+                                 paths.size() > 1 ? ", …" : "");
+        };
+        warn(hidden_, "hidden (KHR_node_visibility)");
+        warn(coarser_, "coarser levels of detail (MSFT_lod)");
+        if (placements_.empty() && !(hidden_.empty() && coarser_.empty()))
+            fail(ErrorKind::input,
+                 "{}: its scene shows no mesh: {} nodes are hidden (KHR_node_visibility), {} are "
+                 "coarser levels of detail (MSFT_lod)",
+                 place_, hidden_.size(), coarser_.size());
+        return std::move(placements_);
+    }
 
 private:
     const GltfModel& model_;
     const std::string& place_;
+    std::vector<bool> coarse_;         // per node
+    std::vector<std::string> hidden_;  // paths
+    std::vector<std::string> coarser_; // paths
     std::vector<GltfPlacement> placements_;
     std::size_t visits_ = 0;
     std::size_t bytes_ = 0; // of placements
@@ -156,10 +212,36 @@ std::vector<int> rootNodes(const tinygltf::Model& model)
     return roots;
 }
 
+// The roots that do not lie below another one: what is named twice is shown once.
+std::vector<int> withoutChildren(const tinygltf::Model& model, const std::vector<int>& roots,
+                                 const std::string& place, Diagnostics& diagnostics)
+{
+    std::vector<int> parent(model.nodes.size(), -1);
+    for (std::size_t i = 0; i < model.nodes.size(); ++i)
+        for (const int child : model.nodes[i].children)
+            parent[static_cast<std::size_t>(child)] = static_cast<int>(i);
+    std::vector<bool> isRoot(model.nodes.size(), false);
+    for (const int root : roots)
+        isRoot[static_cast<std::size_t>(root)] = true;
+    std::vector<int> kept;
+    for (const int root : roots) {
+        int above = parent[static_cast<std::size_t>(root)];
+        while (above >= 0 && !isRoot[static_cast<std::size_t>(above)])
+            above = parent[static_cast<std::size_t>(above)];
+        if (above < 0)
+            kept.push_back(root);
+        else
+            diagnostics.warn("{}: its scene names node {} and node {}, below which it is; it is "
+                             "placed once, there",
+                             place, root, above);
+    }
+    return kept;
+}
+
 } // namespace
 
 std::vector<GltfPlacement> placeGltfMeshes(const GltfModel& file, std::optional<int> scene,
-                                           const std::string& place)
+                                           const std::string& place, Diagnostics& diagnostics)
 {
     const tinygltf::Model& model = file.structure;
     const auto scenes = static_cast<int>(model.scenes.size());
@@ -171,9 +253,9 @@ std::vector<GltfPlacement> placeGltfMeshes(const GltfModel& file, std::optional<
     Walker walker(file, place);
     const std::vector<int> roots =
         scenes == 0 ? rootNodes(model) : model.scenes[static_cast<std::size_t>(chosen)].nodes;
-    for (const int root : roots)
+    for (const int root : withoutChildren(model, roots, place, diagnostics))
         walker.visit(root, glm::dmat4(1.0), "");
-    return walker.take();
+    return walker.take(diagnostics);
 }
 
 } // namespace sward::terrain

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/diagnostics.h"
 #include "terrain/gltf/model.h"
 
 #include <glm/mat4x4.hpp>
@@ -19,8 +20,11 @@ struct GltfPlacement {
 };
 
 /// Every mesh of a scene, in order of its nodes. Takes `scene`, else the file's default, else the
-/// first; all root nodes in a file without scenes. Throws Error{usage} if there is no such scene.
+/// first; all root nodes in a file without scenes. Leaves out, with a warning, nodes that
+/// KHR_node_visibility hides, coarser levels of MSFT_lod, and a node that the scene names beside
+/// the node whose child it is. Throws Error{usage} if there is no such scene, Error{input} if all
+/// meshes are left out.
 std::vector<GltfPlacement> placeGltfMeshes(const GltfModel& model, std::optional<int> scene,
-                                           const std::string& place);
+                                           const std::string& place, Diagnostics& diagnostics);
 
 } // namespace sward::terrain

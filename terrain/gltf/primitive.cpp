@@ -79,7 +79,7 @@ public:
         const std::size_t firstTriangle = soup_.triangles.size();
         readTriangles(static_cast<std::uint32_t>(material), diagnostics);
         for (const std::string& name : wanted.attributes)
-            readForMasks(name, uvs.at(material).set, firstTriangle, diagnostics);
+            readForMasks(name, uvs.at(material), firstTriangle, diagnostics);
     }
 
 private:
@@ -169,11 +169,11 @@ private:
     }
 
     // Reads an attribute of a mask, or notes that it is missing.
-    void readForMasks(const std::string& name, int ownSet, std::size_t firstTriangle,
+    void readForMasks(const std::string& name, const GltfUvSource& shown, std::size_t firstTriangle,
                       Diagnostics& diagnostics)
     {
         const std::string given =
-            name == materialCoordinates ? fmt::format("TEXCOORD_{}", ownSet) : name;
+            name == materialCoordinates ? fmt::format("TEXCOORD_{}", shown.set) : name;
         const auto accessor = attribute(primitive_, given);
         if (!accessor)
             soup_.attributes.addGap(name, firstTriangle, soup_.triangles.size(), place_);
@@ -186,7 +186,7 @@ private:
         if (!isColor)
             kept.components =
                 std::min(kept.components, static_cast<std::uint32_t>(shape.components()));
-        kept.values.resize(first_ + vertices_, glm::vec4(0.0f));
+        kept.values.resize(first_ + vertices_, glm::vec4(1.0f));
         const std::size_t low = isUv ? 2 : isColor ? 3 : 1;
         readAttribute(*accessor, name, low, isUv ? 2 : 4,
                       [&](std::size_t vertex, const float* numbers, std::size_t components) {
@@ -195,6 +195,12 @@ private:
                               value[int(c)] = numbers[c];
                           kept.values[vertex] = value;
                       });
+        // Packers store coordinates as integers, and their scale in the material.
+        if (isUv && !shape.isFloat() && shown.placing != GltfUvSource{}.placing)
+            diagnostics.warn("{}: {} is stored in integers, and its material has a "
+                             "KHR_texture_transform that may hold their scale: a mask with "
+                             ":transform follows it",
+                             place_, name);
         if (!isUv)
             bringToUnit(std::span(kept.values).subspan(first_), place_, name, diagnostics);
     }

@@ -1,5 +1,6 @@
 """A bake dealt out to tiles gives the bytes of one bake, whatever happens to the tiles on the way."""
 
+import json
 import os
 import random
 import shutil
@@ -7,7 +8,7 @@ import signal
 import subprocess
 import unittest
 
-from meshes import color_png, glb_bytes, square, textured_gltf
+from meshes import color_png, glb_bytes, png, square, textured_gltf
 from output_test import small_files_only
 from support import CliTest, DONE, INPUT, INTERRUPTED, IO, PROGRAM, USAGE, digest
 
@@ -38,6 +39,32 @@ class ClusterTest(CliTest):
 
 
 class Tiles(ClusterTest):
+    def test_masks_and_cut_outs_are_the_same_in_tiles(self):
+        # What a mask reads of an untransformed set, and the holes of a material that moves its own.
+        noise = random.Random(6).randbytes(4 * 64 * 64)
+        (self.folder / "holes.png").write_bytes(png(64, 64, 8, 6, noise))
+        (self.folder / "mask.png").write_bytes(color_png(64, 64, noise[:3 * 64 * 64]))
+        mesh = square(160.0, cells=40)
+        uvs = [(x / 160.0 + 0.5, z / 160.0 + 0.5) for x, _, z in mesh.positions]
+        document = json.loads(textured_gltf(mesh, uvs, "holes.png"))
+        material = document["materials"][0]
+        material["alphaMode"] = "MASK"
+        material["pbrMetallicRoughness"]["baseColorTexture"]["extensions"] = {
+            "KHR_texture_transform": {"scale": [3, 5], "rotation": 0.4}}
+        self.ground = self.write_json("moved.gltf", document).name
+        options = ("--density", "1", "--mask", "texture:mask.png:G", "--report", "report.json", "--force")
+        whole = digest(self.bake(self.ground, *options))
+        rejected = self.read_json("report.json")["roots"]["rejected"]
+        self.assertGreater(rejected["cutout"], 1000)
+        self.plan(*options[:4])
+        for index in range(TILES):
+            self.tile(index)
+        self.sward("merge", "plan.json", "tiles", "-o", "merged.sward", "-q", "--report", "merged.json")
+        self.assertEqual(digest(self.folder / "merged.sward"), whole)
+        merged = self.read_json("merged.json")
+        self.assertEqual(merged["roots"]["rejected"], rejected)
+        self.assertEqual(merged["masks"], [{"mask": "texture:mask.png:G", "reads": "TEXCOORD_0"}])
+
     def test_any_order_and_any_threads_give_the_bytes_of_one_bake(self):
         whole = digest(self.bake(self.ground, *OPTIONS))
         self.plan(*OPTIONS)

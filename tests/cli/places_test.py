@@ -1,9 +1,10 @@
 """Where grass grows: slope, altitude, clearance, roles, and the space a file is read into."""
 
+import json
 import math
 import unittest
 
-from meshes import Mesh, glb_bytes, grey_png, obj_text, square
+from meshes import Mesh, color_png, glb_bytes, grey_png, obj_text, png, square, textured_gltf
 from support import CliTest, INPUT, USAGE
 
 
@@ -15,8 +16,8 @@ def ramp(degrees, side=10.0):
     return mesh
 
 
-def scene(parts):
-    """A GLB with one named node and material for each (name, mesh)."""
+def scene(parts, node=None, document=None):
+    """A GLB with one named node and material for each (name, mesh); `node` changes the last node."""
     positions, triangles, nodes, meshes = [], [], [], []
     for name, mesh in parts:
         first = len(positions)
@@ -25,6 +26,7 @@ def scene(parts):
         triangles += [tuple(i + first for i in t) for t in mesh.triangles]
         nodes.append({"mesh": len(meshes), "name": name})
         meshes.append((begin, len(mesh.triangles)))
+    nodes[-1].update(node or {})
     corners = 12 * len(positions)
     accessors = [{"bufferView": 0, "componentType": 5126, "count": len(positions), "type": "VEC3",
                   "min": [min(p[k] for p in positions) for k in range(3)],
@@ -39,7 +41,8 @@ def scene(parts):
         "scenes": [{"nodes": list(range(len(nodes)))}], "nodes": nodes, "meshes": primitives,
         "materials": [{"name": f"{name}_material"} for name, _ in parts], "accessors": accessors,
         "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": corners},
-                        {"buffer": 0, "byteOffset": corners, "byteLength": 12 * len(triangles)}]})
+                        {"buffer": 0, "byteOffset": corners, "byteLength": 12 * len(triangles)}],
+        **(document or {})})
 
 
 def lifted(mesh, x=0.0, y=0.0):
@@ -71,6 +74,75 @@ class Places(CliTest):
         roots = self.kept("ramp.glb", "--slope", "0:25~10")
         # Half way through the soft part half of all stay: ±5 standard deviations of 2000 tries.
         self.assertLess(abs(roots["kept"] / roots["proposed"] - 0.5), 0.06)
+
+    def test_a_texture_mask_lies_where_the_file_says(self):
+        mesh = square(8.0)
+        uvs = [(p[0] / 8 + 0.5, p[2] / 8 + 0.5) for p in mesh.positions]
+        document = json.loads(textured_gltf(mesh, uvs, "left.png"))
+        texture = document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]
+        texture["extensions"] = {"KHR_texture_transform": {"scale": [8, 8]}}
+        self.write("a.gltf", json.dumps(document))
+        self.write("left.png", color_png(2, 1, bytes([255] * 3 + [0] * 3)))
+        left = {}
+        for form in ("texture:left.png", "texture:left.png:uv0", "texture:left.png:transform",
+                     "material-texture:R"):
+            blades = self.grown("a.gltf", "--mask", form)
+            left[form] = sum(b.root[0] < 0 for b in blades) / len(blades)
+        # Between the middles of two pixels the mask falls evenly: three quarters stand in the left half.
+        self.assertGreater(left["texture:left.png"], 0.7)
+        self.assertEqual(left["texture:left.png"], left["texture:left.png:uv0"])
+        self.assertLess(left["texture:left.png:transform"], 0.6)
+        self.assertLess(left["material-texture:R"], 0.6)
+        masks = self.report("a.gltf", "--count", "10", "--mask", "texture:left.png:G")["masks"]
+        self.assertEqual(masks, [{"mask": "texture:left.png:G", "reads": "TEXCOORD_0"}])
+        self.refused("bake", "a.gltf", "-o", "b.sward", "--mask", "texture:left.png:uv1", code=INPUT,
+                     names=["a.gltf: mesh 0, primitive 0", "\"painted\"", "TEXCOORD_1"])
+
+    def test_hidden_and_repeated_ground_bears_once(self):
+        parts = [("hill", square(4.0)), ("helper", lifted(square(4.0), x=9))]
+        document = {"extensionsUsed": ["KHR_node_visibility"]}
+        for visible, count in ((True, 640), (False, 320)):
+            content = scene(parts, node={"extensions": {"KHR_node_visibility": {"visible": visible}}},
+                            document=document)
+            self.write("a.glb", content)
+            report = self.report("a.glb", "--density", "20", "--blade-scale", "1")
+            self.assertEqual(report["roots"]["kept"], count)
+            self.assertEqual(any("hidden" in w for w in report["warnings"]), not visible)
+        self.write("twin.glb", scene([("hill", square(4.0)), ("hill_physics", square(4.0))]))
+        self.write("hill.obj", obj_text(square(4.0)))
+        for inputs in (["twin.glb"], ["hill.obj", "hill.obj"]):
+            report = self.report(*inputs, "--density", "20", "--blade-scale", "1")
+            self.assertEqual(report["roots"]["kept"], 320)
+            self.assertTrue(any("128 triangles" in w for w in report["warnings"]), report["warnings"])
+
+    def test_nothing_grows_in_cut_outs(self):
+        mesh = square(8.0)
+        uvs = [(p[0] / 8 + 0.5, p[2] / 8 + 0.5) for p in mesh.positions]
+        document = json.loads(textured_gltf(mesh, uvs, "leaf.png"))
+        # Opaque, and nearly clear.
+        self.write("leaf.png", png(2, 1, 8, 6, bytes([90, 120, 40, 255, 90, 120, 40, 20])))
+        for mode, cutoff, share in (("OPAQUE", None, 1.0), ("BLEND", None, 1.0), ("MASK", None, 0.5),
+                                    ("MASK", 0.05, 1.0), ("MASK", 1.0, 0.25)):
+            document["materials"][0]["alphaMode"] = mode
+            if cutoff is not None:
+                document["materials"][0]["alphaCutoff"] = cutoff
+            self.write("a.gltf", json.dumps(document))
+            roots = self.kept("a.gltf")
+            # Between the middles of the two pixels alpha falls evenly, and rises again behind them.
+            self.assertEqual(roots["rejected"]["cutout"], roots["proposed"] - roots["kept"])
+            if mode != "MASK" or cutoff == 0.05:
+                self.assertEqual(roots["kept"], roots["proposed"])
+            elif cutoff is None:
+                self.assertTrue(0.4 < roots["kept"] / roots["proposed"] < 0.6)
+            else:
+                self.assertLess(roots["kept"], 0.1 * roots["proposed"])
+
+    def test_heightmaps_that_lie_on_one_another_are_a_warning(self):
+        self.write("a.png", grey_png(5, 5, [1000 * (i % 5) for i in range(25)]))
+        self.write("b.png", grey_png(5, 5, [900 * (i // 5) for i in range(25)]))
+        report = self.report("a.png", "b.png", "--density", "20", "--blade-scale", "1")
+        self.assertTrue(any("a.png" in w and "b.png" in w and "lie on one another" in w
+                            for w in report["warnings"]), report["warnings"])
 
     def test_altitude_cuts_at_the_metre(self):
         self.write("ramp.glb", glb_bytes(ramp(30)))

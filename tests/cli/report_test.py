@@ -6,7 +6,7 @@ from support import CliTest, ROOT
 
 # The contract: every key and the kind of its value.
 NUMBER = (int, float)
-REASONS = ("spacing", "mask", "material", "slope", "altitude", "border", "curvature", "water",
+REASONS = ("spacing", "mask", "cutout", "material", "slope", "altitude", "border", "curvature", "water",
            "clearance", "exposure", "occluder", "excluded")
 STAGES = ("load", "topology", "rays", "sample", "traits", "patches", "write", "total")
 CONTRACT = {
@@ -16,6 +16,7 @@ CONTRACT = {
     "slope_deg": list,
     "widening": NUMBER,
     "ground_colors": (dict, type(None)),
+    "masks": list,
     "threads": int,
     "blade_scale": NUMBER,
     "roots": {"proposed": int, "kept": int, "rejected": {reason: int for reason in REASONS}},
@@ -27,7 +28,7 @@ CONTRACT = {
     "warnings": list,
 }
 LANDSCAPE = ROOT / "assets/meshes/landscape.glb"
-FILTERS = ("--mask", "vertex-color:R", "--slope", "0:40", "--altitude", "-0.5:", "--clearance", "0.5",
+FILTERS = ("--mask", "vertex-color:R:or-white", "--slope", "0:40", "--altitude", "-0.5:", "--clearance", "0.5",
            "--density", "60")
 
 

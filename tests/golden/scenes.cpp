@@ -46,7 +46,7 @@ const std::vector<Scene>& scenes()
         // A terrain of another program: textures, several nodes, a painted mask.
         {"landscape",
          {"MESHES/landscape.glb", "--count", "10000", "--blade-scale", "6", "--mask",
-          "vertex-color:R"},
+          "vertex-color:R:or-white"},
          {"--camera", "fit"}},
 
         // The wind: the same field at rest and a second later.

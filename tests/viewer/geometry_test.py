@@ -85,7 +85,7 @@ class GeometryTest(unittest.TestCase):
 
     def test_landscape(self):
         self.each_number_of_samples(
-            self.bake(MESHES / "landscape.glb", "--mask", "vertex-color:R", "--count", "20000",
+            self.bake(MESHES / "landscape.glb", "--mask", "vertex-color:R:or-white", "--count", "20000",
                       "--blade-scale", "3"), "--camera", "eye")
 
     def test_each_shape_flat_and_folded(self):

@@ -234,8 +234,8 @@ void BakeOptions::addPlaces(CLI::App& app)
         "Factor on the density, from vertex-color:C (vertex-color1:C, vertex-color:_NAME), "
         "texture:FILE[:C] or material-texture:C, or ground:green, which is 1 where the ground's "
         "own colour is that of grass; C is R, G, B or A; a texture lies at TEXCOORD_0, with :uv1 "
-        "at another set, with :transform as the material's image; :invert may follow; may be "
-        "repeated")
+        "at another set, with :transform as the material's image; :or-white makes vertex colours "
+        "white in parts without any; :invert may follow; may be repeated")
         ->allow_extra_args(false);
     option("--exclude", excluded_, "FILE[:margin M]",
            "No grass above, below or within M metres of these meshes; M is 0 to 1e9, 0 if left "

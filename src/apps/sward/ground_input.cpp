@@ -5,8 +5,13 @@
 #include "terrain/file_kind.h"
 #include "terrain/heightmap/heightmap.h"
 #include "terrain/plausibility.h"
+#include "terrain/repeated_ground.h"
+
+#include <glm/common.hpp>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace sward::apps {
 namespace {
@@ -31,6 +36,9 @@ terrain::GroundMesh loadBearing(const std::string& input, const BakeRequest& req
     const bool isGltf = kind == ".glb" || kind == ".gltf";
     if (isGltf || kind == ".obj" || kind == ".ply" || kind == ".stl" || kind == ".off")
         terrain::warnOfImplausible(ground, request.import, isGltf, input, diagnostics);
+    // What coincides is said to, even if its name is a collider's.
+    terrain::removeCoincident(ground, diagnostics);
+    terrain::removeColliders(ground, request.import, input, diagnostics);
     return ground;
 }
 
@@ -45,14 +53,53 @@ void warnWithoutHeightmap(const BakeRequest& request, Diagnostics& diagnostics)
                          "heightmap (.png .r16 .exr)");
 }
 
+// Bounds of a ground in the world, and its input.
+struct Placed {
+    std::string input;
+    glm::dvec3 low;
+    glm::dvec3 high;
+};
+
+// A heightmap says nothing of its place: two of them lie around the same origin.
+void warnOfOverlap(const std::vector<Placed>& maps, Diagnostics& diagnostics)
+{
+    for (std::size_t i = 0; i < maps.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const glm::dvec3 low = glm::max(maps[i].low, maps[j].low);
+            const glm::dvec3 high = glm::min(maps[i].high, maps[j].high);
+            if (low.x < high.x && low.z < high.z)
+                diagnostics.warn(
+                    "{} and {} lie on one another over {:.6g} x {:.6g} m: a heightmap has no place "
+                    "of its own and lies around the origin; place them as nodes of a glTF",
+                    maps[j].input, maps[i].input, high.x - low.x, high.z - low.z);
+        }
+}
+
+Placed placeOf(const std::string& input, const terrain::GroundMesh& ground)
+{
+    const Aabb box = ground.bounds();
+    return {input, ground.origin + glm::dvec3(box.low), ground.origin + glm::dvec3(box.high)};
+}
+
 } // namespace
 
 terrain::GroundMesh loadGround(const BakeRequest& request, Diagnostics& diagnostics)
 {
     warnWithoutHeightmap(request, diagnostics);
     terrain::GroundMesh ground = loadBearing(request.inputs.front(), request, diagnostics);
-    for (std::size_t i = 1; i < request.inputs.size(); ++i)
-        terrain::append(ground, loadBearing(request.inputs[i], request, diagnostics));
+    std::vector<Placed> maps;
+    if (terrain::isHeightmap(request.inputs.front()))
+        maps.push_back(placeOf(request.inputs.front(), ground));
+    for (std::size_t i = 1; i < request.inputs.size(); ++i) {
+        const std::string& input = request.inputs[i];
+        const terrain::GroundMesh next = loadBearing(input, request, diagnostics);
+        if (terrain::isHeightmap(input))
+            maps.push_back(placeOf(input, next));
+        terrain::append(ground, next);
+    }
+    warnOfOverlap(maps, diagnostics);
+    if (request.inputs.size() > 1)
+        terrain::removeCoincident(ground, diagnostics);
 
     // Occluders are in the same space as the ground; ignore globs of bearing parts.
     terrain::ImportSettings occluding = request.import;

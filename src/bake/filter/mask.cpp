@@ -17,6 +17,7 @@ constexpr const char* channelNames = "RGBA";
 constexpr const char* groundGreenText = "ground:green";
 constexpr const char* invertWord = ":invert";
 constexpr const char* transformWord = ":transform";
+constexpr const char* whiteWord = ":or-white";
 constexpr int setLimit = 16; // of colours or texture coordinates
 
 // The number of a set of colours or texture coordinates, without leading zeros.
@@ -109,8 +110,9 @@ std::string describe(const std::string& attribute)
                            "some",
                            attribute);
     if (attribute.starts_with("COLOR_"))
-        return fmt::format("no vertex colours (glTF {})", attribute);
-    return fmt::format("no vertex attribute {}", attribute);
+        return fmt::format("no vertex colours (glTF {}), and :or-white takes it for white",
+                           attribute);
+    return fmt::format("no vertex attribute {}, and :or-white takes it for white", attribute);
 }
 
 // Throws if a part of the file that bears grass lacks what the mask reads of its vertices.
@@ -121,7 +123,7 @@ void checkParts(const Mask& mask, const terrain::GroundMesh& ground)
     std::uint32_t material = 0;
     std::size_t more = 0;
     for (const terrain::AttributeGap& gap : ground.attributes.gaps) {
-        if (gap.attribute != name)
+        if (gap.attribute != name || mask.orWhite)
             continue;
         const auto begin = ground.bears.begin() + gap.first;
         const auto end = ground.bears.begin() + gap.end;
@@ -140,6 +142,8 @@ void checkParts(const Mask& mask, const terrain::GroundMesh& ground)
              textOf(mask), ground.attributes.parts[first->part], ground.materials[material].name,
              describe(name), more == 0 ? "" : fmt::format(", nor have {} other parts", more));
     const terrain::VertexAttribute* const own = ground.attributes.find(name);
+    if (own == nullptr && mask.orWhite && name != "COLOR_0")
+        fail(ErrorKind::input, "--mask {}: no part of the ground has {}", textOf(mask), name);
     if (own != nullptr && mask.source == Mask::Source::vertexColor &&
         own->components <= static_cast<std::uint32_t>(mask.channel))
         fail(ErrorKind::input, "--mask {}: {} has {} components, and {} would be number {}",
@@ -197,6 +201,7 @@ std::optional<Mask> readMask(const std::string& text)
     }
     const std::string texture = "texture:";
     const std::string color = "vertex-color";
+    mask.orWhite = rest.starts_with(color) && takeEnd(rest, whiteWord);
     if (rest.starts_with(texture))
         mask.attribute = takeCoordinates(rest);
     const std::optional<int> channel = takeChannel(rest);
@@ -238,14 +243,16 @@ std::string textOf(const Mask& mask)
     if (mask.source == Mask::Source::groundGreen)
         return fmt::format("{}{}", groundGreenText, mask.invert ? invertWord : "");
     const char* const invert = mask.invert ? invertWord : "";
+    const char* const white = mask.orWhite ? whiteWord : "";
     const char channel = channelNames[mask.channel];
     const std::size_t prefix = mask.attribute.rfind('_') + 1;
     if (mask.source == Mask::Source::materialTexture)
         return fmt::format("material-texture:{}{}", channel, invert);
     if (mask.source == Mask::Source::vertexColor) {
         if (mask.attribute.starts_with("_"))
-            return fmt::format("vertex-color:{}:{}{}", mask.attribute, channel, invert);
-        return fmt::format("vertex-color{}:{}{}", mask.attribute.substr(prefix), channel, invert);
+            return fmt::format("vertex-color:{}:{}{}{}", mask.attribute, channel, white, invert);
+        return fmt::format("vertex-color{}:{}{}{}", mask.attribute.substr(prefix), channel, white,
+                           invert);
     }
     if (mask.attribute == terrain::materialCoordinates)
         return fmt::format("texture:{}:{}{}{}", mask.file, channel, transformWord, invert);

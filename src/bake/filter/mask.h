@@ -26,6 +26,7 @@ struct Mask {
     bool invert = false;
     std::string file = {}; ///< of a texture
     std::shared_ptr<const terrain::ChannelImage> image = {};
+    bool orWhite = false;       ///< vertex colours: parts of a file that have none count as white
     std::string attribute = {}; ///< that is read, by its glTF name; empty: the usual one
 
     /// The vertex attribute that is read: COLOR_0 of vertex colours, TEXCOORD_0 as stored of a
@@ -39,8 +40,9 @@ struct Mask {
 
 /// Parses "vertex-color:C", "vertex-colorN:C" (COLOR_N), "vertex-color:_NAME[:C]" (a custom
 /// attribute), "material-texture:C", "texture:FILE[:C]" with ":uvN" (TEXCOORD_N) or ":transform"
-/// (as the material places its own image), or "ground:green", optionally with ":invert". C is R, G,
-/// B or A; R where it may be left out. N is 0 to 15. Returns none for any other text.
+/// (as the material places its own image), or "ground:green", optionally with ":invert", vertex
+/// colours before it with ":or-white". C is R, G, B or A; R where it may be left out. N is 0 to 15.
+/// Returns none for any other text.
 std::optional<Mask> readMask(const std::string& text);
 
 /// As readMask(), for an option. Throws Error{usage}.

@@ -41,6 +41,7 @@ RootFilter::RootFilter(const terrain::GroundMesh& ground, const BakeSettings& se
     , scale_(scale)
     , everybody_({settings.slope, settings.altitude, settings.curvature, settings.masks})
     , mix_(settings.meadow)
+    , cutout_(ground, masksByVertexColor(settings))
 {
     if (needsGreen(settings))
         green_.emplace(ground, scale, masksByVertexColor(settings));
@@ -57,8 +58,8 @@ RootFilter::RootFilter(const terrain::GroundMesh& ground, const BakeSettings& se
     needsSite_ = everywhere.needsSlope() || everywhere.needsAltitude() ||
                  everywhere.needsCurvature() || mix_.needsPlace() || restricts(settings.water) ||
                  green_.has_value();
-    weighs_ =
-        needsSite_ || everywhere.needsAnything() || settings.minIsland > 0.0 || border_.has_value();
+    weighs_ = cutout_.isAny() || needsSite_ || everywhere.needsAnything() ||
+              settings.minIsland > 0.0 || border_.has_value();
     needsObstacles_ = settings.clearance > 0.0 || !excluded_.empty() || occluders_.has_value() ||
                       sky_.has_value();
 }
@@ -92,6 +93,10 @@ Site RootFilter::siteOf(const RootSample& root) const
 double RootFilter::weighEverybody(const RootSample& root, const Site& site, double chance,
                                   Reject& reason) const
 {
+    if (cutout_.isAny() && cutout_.holds(root)) {
+        reason = Reject::cutout;
+        return 0.0;
+    }
     // A too small island counts as border.
     if (settings_.minIsland > 0.0 &&
         double(features_->islandArea[root.triangle]) < settings_.minIsland) {

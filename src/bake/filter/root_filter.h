@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bake/filter/border_distance.h"
+#include "bake/filter/cutout.h"
 #include "bake/filter/excluded_area.h"
 #include "bake/filter/exposure.h"
 #include "bake/filter/ground_green.h"
@@ -64,6 +65,7 @@ private:
     double scale_;
     HabitatWeight everybody_;
     SpeciesMix mix_;
+    Cutout cutout_;
     std::optional<GroundGreen> green_;
     std::optional<BorderDistance> border_;
     std::vector<Exclusion> excluded_;

@@ -17,7 +17,7 @@ using nlohmann::json;
 // Eight letters each; the last two are the version.
 constexpr const char* partKind = "SWPART04";
 constexpr const char* imageKind = "SWIMAG02";
-constexpr const char* tileKind = "SWTILE01";
+constexpr const char* tileKind = "SWTILE02";
 constexpr const char* planFormat = "sward plan 2";
 
 constexpr std::size_t planLimit = std::size_t(16) << 20;

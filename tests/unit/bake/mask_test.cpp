@@ -140,12 +140,14 @@ TEST(CheckMasks, NamesTheMaterialThatLacksSomething)
 
 TEST(Masks, AreReadAndWrittenInEveryForm)
 {
-    const std::array<std::array<const char*, 3>, 12> forms{{
+    const std::array<std::array<const char*, 3>, 14> forms{{
         {"vertex-color:G", "vertex-color:G", "COLOR_0"},
         {"vertex-color1:R", "vertex-color1:R", "COLOR_1"},
         {"vertex-color15:A:invert", "vertex-color15:A:invert", "COLOR_15"},
         {"vertex-color:_MASK", "vertex-color:_MASK:R", "_MASK"},
         {"vertex-color:_WET_2:B:invert", "vertex-color:_WET_2:B:invert", "_WET_2"},
+        {"vertex-color:R:or-white", "vertex-color:R:or-white", "COLOR_0"},
+        {"vertex-color:_A:or-white:invert", "vertex-color:_A:R:or-white:invert", "_A"},
         {"texture:a.png", "texture:a.png:R", "TEXCOORD_0"},
         {"texture:a.png:uv1", "texture:a.png:R:uv1", "TEXCOORD_1"},
         {"texture:a.png:B:uv12:invert", "texture:a.png:B:uv12:invert", "TEXCOORD_12"},
@@ -188,6 +190,7 @@ TEST(CheckMasks, NamesThePartWithoutTheAttribute)
               std::string::npos)
         << text;
     EXPECT_NE(complaint("vertex-color:_WET").find("no vertex attribute _WET"), std::string::npos);
+    EXPECT_EQ(complaint("vertex-color:R:or-white"), "");
     // What bears nothing needs nothing.
     std::fill_n(mesh.bears.begin() + 8, 4, std::uint8_t(0));
     EXPECT_EQ(complaint("vertex-color:R"), "");
