@@ -171,6 +171,7 @@ void append(GroundMesh& mesh, const GroundMesh& other)
             mesh.copyright += "; " + other.copyright;
     }
     mesh.hasColors = mesh.hasColors || other.hasColors;
+    mesh.precision = std::max(mesh.precision, other.precision);
 
     const auto firstVertex = static_cast<std::uint32_t>(mesh.positions.size());
     const auto firstMaterial = static_cast<std::uint32_t>(mesh.materials.size());

@@ -79,6 +79,7 @@ struct GroundMesh {
     std::vector<std::string> nodes; ///< names; the path "parent/child" for nested nodes
     std::string copyright;          ///< glTF asset.copyright, passed on to exports
 
+    double precision = 0.0; ///< [m] to which vertices of open edges are taken for one; 0: exact
     bool hasColors = false; ///< some vertex has a colour in the file
     bool hasNormals =
         false; ///< every vertex had a usable normal in the file; else topology makes them

@@ -36,6 +36,11 @@ BakePlan planWhole(const GroundView& whole, const BakeSettings& settings, Diagno
 {
     const terrain::GroundMesh& ground = whole.ground;
     warnOfPlainMasks(ground, settings, diagnostics);
+    if (whole.features.seamVertices + whole.features.seamEdges > 0)
+        diagnostics.warn("along seams {} vertices no farther apart than {:.3g} m, the precision of "
+                         "the file's coordinates, are taken for one, and {} edges meet at "
+                         "T-junctions: they are no border",
+                         whole.features.seamVertices, ground.precision, whole.features.seamEdges);
     BakePlan plan;
     plan.plan =
         planBake(bearingArea(ground, settings.sides), extentOf(ground), settings, diagnostics);

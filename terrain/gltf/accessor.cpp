@@ -81,6 +81,22 @@ GltfAccessor::GltfAccessor(const GltfModel& model, int index, std::string place)
 {
 }
 
+double GltfAccessor::step() const
+{
+    if (isFloat() || !accessor_.normalized)
+        return isFloat() ? 0.0 : 1.0;
+    switch (accessor_.componentType) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return 1.0 / 127.0;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return 1.0 / 255.0;
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return 1.0 / 32767.0;
+    default:
+        return 1.0 / 65535.0;
+    }
+}
+
 void GltfAccessor::requireComponents(std::size_t low, std::size_t high) const
 {
     if (components_ < low || components_ > high)

@@ -17,6 +17,9 @@ public:
 
     std::size_t count() const { return accessor_.count; }
     std::size_t components() const { return components_; }
+    /// Difference of neighbouring numbers of integers, normalised or not; 0 of floats.
+    double step() const;
+
     bool isFloat() const { return accessor_.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT; }
 
     /// Throws Error{input} unless there are `low` to `high` components.

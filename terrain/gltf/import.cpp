@@ -116,6 +116,21 @@ void dropShownSets(Soup& soup)
     std::erase_if(soup.attributes.list, isShown);
 }
 
+// The step of a mesh's coordinates after it is placed. Exporters write transforms in single
+// precision, so that a place in the scene has no more.
+double placedPrecision(const Soup& soup, std::size_t firstVertex, const glm::dmat4& placing)
+{
+    double scale = 0.0;
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+        scale = std::max(scale, glm::length(glm::dvec3(placing[axis])));
+    double farthest = 0.0;
+    for (std::size_t v = firstVertex; v < soup.positions.size(); ++v) {
+        const glm::dvec3 size = glm::abs(soup.positions[v]);
+        farthest = std::max({farthest, size.x, size.y, size.z});
+    }
+    return soup.precision * scale + 0x1p-23 * farthest;
+}
+
 // Reads the meshes of a scene at their placements.
 class SceneReader {
 public:
@@ -136,6 +151,8 @@ public:
         const std::size_t firstVertex = soup.positions.size();
         const std::size_t firstTriangle = soup.triangles.size();
         const auto mesh = static_cast<std::size_t>(placement.mesh);
+        const double before = soup.precision;
+        soup.precision = 0.0;
         if (uses_[placement.mesh] == 1) {
             readGltfMesh(model_, mesh, uvs, read_, place_, soup, diagnostics_);
         } else {
@@ -144,9 +161,12 @@ public:
             if (isNew)
                 readGltfMesh(model_, mesh, uvs, read_, place_, found->second, diagnostics_);
             append(found->second, soup);
+            soup.precision = found->second.precision;
         }
-        transform(soup, worldFromFile * placement.transform, firstVertex, firstTriangle);
+        const glm::dmat4 placing = worldFromFile * placement.transform;
+        transform(soup, placing, firstVertex, firstTriangle);
         requireFinite(soup, firstVertex, placement, place_);
+        soup.precision = std::max(before, placedPrecision(soup, firstVertex, placing));
 
         // Instances of one node share its name.
         if (soup.nodes.empty() || soup.nodes.back() != placement.path || !placement.repeats)

@@ -125,6 +125,19 @@ private:
                       [&](std::size_t vertex, const float* p, std::size_t) {
                           soup_.positions[vertex] = glm::dvec3(p[0], p[1], p[2]);
                       });
+        notePrecision(*accessor);
+    }
+
+    // The step of quantised positions, or that of single precision.
+    void notePrecision(int accessor)
+    {
+        const GltfAccessor reader(model_, accessor, place_);
+        double step = reader.step();
+        for (std::size_t v = first_; reader.isFloat() && v < soup_.positions.size(); ++v) {
+            const glm::dvec3 size = glm::abs(soup_.positions[v]);
+            step = std::max(step, 0x1p-23 * std::max({size.x, size.y, size.z}));
+        }
+        soup_.precision = std::max(soup_.precision, step);
     }
 
     void readNormals()

@@ -84,6 +84,34 @@ void warnOfCoarseness(const Soup& soup, double metresPerUnit, const std::string&
             place, largest, largest * 0x1p-24 * 1e3);
 }
 
+// Difference of neighbouring coordinates: the last decimal of a text, or that of single or double
+// precision.
+double stepOf(const std::vector<glm::dvec3>& positions, bool isText)
+{
+    double largest = 0.0;
+    bool isSingle = true;
+    for (const glm::dvec3& p : positions)
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            largest = std::max(largest, std::fabs(p[axis]));
+            isSingle = isSingle && double(float(p[axis])) == p[axis];
+        }
+    const auto isWhole = [&](double factor) {
+        return std::all_of(positions.begin(), positions.end(), [&](const glm::dvec3& p) {
+            for (glm::length_t axis = 0; axis < 3; ++axis)
+                if (const double number = p[axis] * factor;
+                    std::fabs(number - std::round(number)) > 1e-4)
+                    return false;
+            return true;
+        });
+    };
+    constexpr int decimals = 8;
+    double factor = 1.0;
+    for (int i = 0; isText && i <= decimals; ++i, factor *= 10.0)
+        if (isWhole(factor))
+            return 1.0 / factor;
+    return largest * (isSingle ? 0x1p-23 : 0x1p-52);
+}
+
 // Lets vertex colours, if there are any, be the colour of all materials that have none.
 void showColors(Soup& soup)
 {
@@ -115,6 +143,7 @@ Soup importMesh(const std::filesystem::path& path, const MaskInputs& read, doubl
         if (!libraries.empty())
             readMtl(path, libraries, read.imageChannels, soup, diagnostics);
         showColors(soup);
+        soup.precision = metresPerUnit * stepOf(soup.positions, true);
         return soup;
     }
 
@@ -152,6 +181,7 @@ Soup importMesh(const std::filesystem::path& path, const MaskInputs& read, doubl
                               OpenMesh::Vec2f(scan.uvs[v].x, scan.uvs[v].y));
     Soup soup = importer.take(read, diagnostics);
     showColors(soup);
+    soup.precision = metresPerUnit * stepOf(soup.positions, !scan.isBinary);
     return soup;
 }
 

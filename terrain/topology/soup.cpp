@@ -85,7 +85,8 @@ void completeNormals(GroundMesh& mesh)
 {
     const std::vector<glm::vec3> given = mesh.normals;
     const std::vector<glm::uvec3> triangles = mesh.triangles;
-    computeNormals(mesh, analyse(mesh));
+    constexpr double creaseAngle = 0.7853981633974483; // [rad], 45 degrees
+    computeNormals(mesh, analyse(mesh, creaseAngle, Seams::withoutTJunctions));
 
     bool someGiven = false;
     for (std::size_t i = 0; i < triangles.size(); ++i)
@@ -167,6 +168,7 @@ Soup soupOf(const GroundMesh& mesh)
     soup.nodes = mesh.nodes;
     soup.copyright = mesh.copyright;
     soup.hasColors = mesh.hasColors;
+    soup.precision = mesh.precision;
     return soup;
 }
 
@@ -231,6 +233,11 @@ GroundMesh settle(Soup&& soup, const std::string& place)
     mesh.nodes = std::move(soup.nodes);
     mesh.copyright = std::move(soup.copyright);
     mesh.hasColors = soup.hasColors;
+    // Positions are rounded once more.
+    if (soup.precision > 0.0) {
+        const glm::vec3 size = mesh.bounds().size();
+        mesh.precision = soup.precision + 0x1p-23 * double(std::max({size.x, size.y, size.z}));
+    }
     if (mesh.materials.empty())
         mesh.materials.push_back({.name = "ground"});
     if (mesh.nodes.empty())

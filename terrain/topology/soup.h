@@ -31,6 +31,10 @@ struct Soup {
     std::vector<std::string> nodes;
     std::string copyright;
     bool hasColors = false;
+
+    /// Distance [m] between vertices that may be one and the same, rounded twice: the step of its
+    /// coordinates, of decimals or single precision. 0: all are exact.
+    double precision = 0.0;
 };
 
 /// A mesh as a soup in world space. Roles are not kept.

@@ -23,13 +23,18 @@ std::vector<float> islandAreas(const GroundMesh& mesh, const Topology& topology)
     return result;
 }
 
+std::uint8_t seamsOf(const Topology& topology, std::size_t triangle)
+{
+    return topology.seamEdges.empty() ? std::uint8_t(0) : topology.seamEdges[triangle];
+}
+
 std::vector<SurfaceFeatures::BorderEdge> borderEdges(const GroundMesh& mesh,
                                                      const Topology& topology)
 {
     std::vector<SurfaceFeatures::BorderEdge> borders;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (glm::length_t e = 0; mesh.bears[t] != 0 && topology.originalOf[t] == t && e < 3; ++e)
-            if ((unsigned(topology.borderEdges[t]) >> e & 1U) != 0)
+            if ((unsigned(topology.borderEdges[t] & ~seamsOf(topology, t)) >> e & 1U) != 0)
                 borders.push_back({mesh.positions[mesh.triangles[t][e]],
                                    mesh.positions[mesh.triangles[t][(e + 1) % 3]]});
     return borders;
@@ -153,6 +158,8 @@ SurfaceFeatures findFeatures(const GroundMesh& mesh, const Topology& topology,
                              const FeatureChoice& choice)
 {
     SurfaceFeatures features;
+    features.seamVertices = topology.seamVertexCount;
+    features.seamEdges = topology.seamEdgeCount;
     if (choice.curvature)
         features.curvature = meanCurvature(mesh, topology);
     if (choice.islands)

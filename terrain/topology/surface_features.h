@@ -25,6 +25,9 @@ struct SurfaceFeatures {
     std::vector<float> islandArea;     ///< [m²] per triangle: of its connected piece; may be empty
     std::vector<BorderEdge> borders;   ///< of bearing triangles; empty: none or not requested
     std::vector<BorderEdge> bareEdges; ///< see bareEdges(); empty: none or not requested
+
+    std::uint64_t seamVertices = 0; ///< of the whole ground: Topology::seamVertexCount
+    std::uint64_t seamEdges = 0;    ///< of the whole ground: Topology::seamEdgeCount
 };
 
 /// Selects features.

@@ -2,12 +2,14 @@
 
 #include "core/exact_math.h"
 #include "terrain/topology/half_edges.h"
+#include "terrain/topology/seams.h"
 #include "terrain/topology/weld.h"
 
 #include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
 
 #include <numeric>
+#include <utility>
 
 namespace sward::terrain {
 namespace {
@@ -65,6 +67,7 @@ void joinCollapsed(const std::vector<glm::uvec3>& triangles, const Adjacency& ad
 }
 
 void findComponents(const std::vector<glm::uvec3>& triangles, const Adjacency& adjacency,
+                    const std::vector<std::pair<std::uint32_t, std::uint32_t>>& further,
                     Topology& topology)
 {
     Pieces pieces(triangles.size());
@@ -76,6 +79,8 @@ void findComponents(const std::vector<glm::uvec3>& triangles, const Adjacency& a
         pieces.join(i, adjacency.originalOf[i]);
         someCollapsed = someCollapsed || adjacency.collapsed[i] != 0;
     }
+    for (const auto& [one, other] : further)
+        pieces.join(one, other);
     if (someCollapsed)
         joinCollapsed(triangles, adjacency, topology.weldedVertices, pieces);
 
@@ -97,7 +102,7 @@ std::vector<glm::dvec3> faceNormals(const GroundMesh& mesh)
 
 } // namespace
 
-Topology analyse(const GroundMesh& mesh, double creaseAngle)
+Topology analyse(const GroundMesh& mesh, double creaseAngle, Seams seams)
 {
     Topology topology;
     topology.weldOf = weld(mesh.positions, topology.weldedVertices);
@@ -106,10 +111,25 @@ Topology analyse(const GroundMesh& mesh, double creaseAngle)
         t = {topology.weldOf[t.x], topology.weldOf[t.y], topology.weldOf[t.z]};
 
     Adjacency adjacency = findNeighbours(triangles, topology.weldedVertices);
+    topology.seamVertexCount =
+        weldSeams(mesh, triangles, adjacency, topology.weldOf, topology.weldedVertices);
+    if (topology.seamVertexCount > 0) {
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            const glm::uvec3 t = mesh.triangles[i];
+            triangles[i] = {topology.weldOf[t.x], topology.weldOf[t.y], topology.weldOf[t.z]};
+        }
+        adjacency = findNeighbours(triangles, topology.weldedVertices);
+    }
+    TJunctions junctions;
+    if (seams == Seams::withTJunctions)
+        junctions =
+            findTJunctions(mesh, triangles, adjacency, topology.weldOf, topology.weldedVertices);
+    topology.seamEdgeCount = junctions.count;
+    topology.seamEdges = std::move(junctions.edges);
     topology.nonManifoldEdgeCount = adjacency.crowdedEdgeCount;
     topology.nonManifoldVertexCount = adjacency.splitVertexCount;
     topology.creaseEdgeCount = adjacency.crowdedEdgeCount;
-    findComponents(triangles, adjacency, topology);
+    findComponents(triangles, adjacency, junctions.neighbours, topology);
 
     const std::vector<glm::dvec3> normals = faceNormals(mesh);
     const double smoothest = exactSinCos(creaseAngle).cos;
@@ -128,7 +148,9 @@ Topology analyse(const GroundMesh& mesh, double creaseAngle)
             const std::uint32_t other = adjacency.neighbours[i][e];
             if (other == Adjacency::none) {
                 topology.borderEdges[i] |= bit;
-                topology.borderEdgeCount += repeated ? 0U : 1U;
+                const bool isSeam =
+                    !topology.seamEdges.empty() && (topology.seamEdges[i] & bit) != 0;
+                topology.borderEdgeCount += repeated || isSeam ? 0U : 1U;
                 continue;
             }
             // A repeated triangle shares no normal with its original or its neighbours.

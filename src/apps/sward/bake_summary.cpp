@@ -107,12 +107,13 @@ void tell(const std::string& name, const bake::Report& report)
 std::string topologyLine(const terrain::Topology& topology)
 {
     return fmt::format(
-        "topology: {} welded vertices, {} components, {} border edges, {} creases, {} "
+        "topology: {} welded vertices ({} across seams), {} components, {} border edges, {} "
+        "creases, {} "
         "non-manifold edges, {} non-manifold vertices, {} degenerate and {} duplicate "
         "triangles",
-        topology.weldedVertices, topology.components, topology.borderEdgeCount,
-        topology.creaseEdgeCount, topology.nonManifoldEdgeCount, topology.nonManifoldVertexCount,
-        topology.degenerateTriangles, topology.duplicateTriangles);
+        topology.weldedVertices, topology.seamVertexCount, topology.components,
+        topology.borderEdgeCount, topology.creaseEdgeCount, topology.nonManifoldEdgeCount,
+        topology.nonManifoldVertexCount, topology.degenerateTriangles, topology.duplicateTriangles);
 }
 
 } // namespace sward::apps
