@@ -6,6 +6,8 @@
 #include "bake/tile_region.h"
 #include "core/error.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,20 +33,23 @@ void closeSward(Plan& plan, const BakeSettings& settings, Diagnostics& diagnosti
     plan.expected = plan.density * plan.area;
     // Ribbons of plants take as much memory as blades.
     const double perRoot = bladesPerRoot(settings.meadow);
-    const double limit = std::min(double(settings.budget) / perRoot, double(settings.maxBlades));
-    const char* const option = double(settings.budget) / perRoot <= double(settings.maxBlades)
-                                   ? "--budget"
-                                   : "--max-blades";
+    const double budget = double(settings.budget) / perRoot;
+    const bool isBudget = budget <= double(settings.maxBlades);
+    const double limit = isBudget ? budget : double(settings.maxBlades);
+    const char* const option = isBudget ? "--budget" : "--max-blades";
     if (plan.expected <= limit)
         return;
     const double missing = plan.expected / limit;
     plan.widening = std::min(std::sqrt(missing), maxWidening);
     plan.thinned = missing / plan.widening;
-    diagnostics.warn("a closed sward on {:.4g} m² is {:.4g} blades and {:.3g} GB; {} {:.4g} "
+    diagnostics.warn("a closed sward on {:.4g} m² is {:.4g} blades{} and {:.3g} GB; {} {} "
                      "leaves {:.4g} per m² of {:.4g}, {:.2g} times as wide, on ground in the "
                      "sward's colour ({} or --density allow more)",
-                     plan.area, plan.expected, plan.expected * perRoot * bytesPerBlade * 1e-9,
-                     option, limit, limit / plan.area, plan.closedDensity, plan.widening, option);
+                     plan.area, plan.expected,
+                     perRoot > 1.0 ? fmt::format(" with {:.2g} ribbons each", perRoot - 1.0) : "",
+                     plan.expected * perRoot * bytesPerBlade * 1e-9, option,
+                     isBudget ? settings.budget : settings.maxBlades, limit / plan.area,
+                     plan.closedDensity, plan.widening, option);
     plan.density = limit / plan.area;
     plan.expected = limit;
 }
