@@ -4,6 +4,7 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <mutex>
@@ -62,7 +63,66 @@ StatusLine& statusLine()
     return line;
 }
 
+constexpr std::size_t longestWord = 400; // [bytes] longer ones are shortened
+constexpr std::size_t shownStart = 160;
+constexpr std::size_t shownEnd = 80;
+
+bool isContinuation(char c)
+{
+    return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;
+}
+
+// Length of the UTF-8 control character at `i`: C0 but line feed and tab, DEL, C1. 0: none.
+std::size_t controlAt(const std::string& text, std::size_t i)
+{
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if ((byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7f)
+        return 1;
+    const bool isC1 = byte == 0xc2 && i + 1 < text.size() &&
+                      static_cast<unsigned char>(text[i + 1]) >= 0x80 &&
+                      static_cast<unsigned char>(text[i + 1]) < 0xa0;
+    return isC1 ? 2 : 0;
+}
+
+// Appends text[begin, end), without its middle if it is long. Never cuts a UTF-8 character.
+void appendWord(const std::string& text, std::size_t begin, std::size_t end, std::string& to)
+{
+    if (end - begin <= longestWord) {
+        to.append(text, begin, end - begin);
+        return;
+    }
+    std::size_t head = begin + shownStart;
+    std::size_t tail = end - shownEnd;
+    while (head > begin && isContinuation(text[head]))
+        --head;
+    while (tail < end && isContinuation(text[tail]))
+        ++tail;
+    to.append(text, begin, head - begin).append("…").append(text, tail, end - tail);
+}
+
 } // namespace
+
+std::string printable(const std::string& text)
+{
+    std::string plain;
+    plain.reserve(text.size());
+    for (std::size_t i = 0; i < text.size();)
+        if (const std::size_t length = controlAt(text, i); length > 0) {
+            plain += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[i + length - 1]));
+            i += length;
+        } else {
+            plain += text[i++];
+        }
+    std::string result;
+    for (std::size_t begin = 0; begin < plain.size();) {
+        const std::size_t end = std::min(plain.find_first_of(" \n", begin), plain.size());
+        appendWord(plain, begin, end, result);
+        if (end < plain.size())
+            result += plain[end];
+        begin = end + 1;
+    }
+    return result;
+}
 
 void setStatusLine(const std::string& line)
 {
@@ -89,7 +149,7 @@ void write(Level level, const std::string& text)
     const char* label = level == Level::error     ? "error: "
                         : level == Level::warning ? "warning: "
                                                   : "";
-    logger().log(toSpdlog(level), "{}{}", label, text);
+    logger().log(toSpdlog(level), "{}{}", label, printable(text));
     status.show();
 }
 

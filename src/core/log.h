@@ -17,7 +17,12 @@ void setLevel(Level level);
 /// control sequences.
 void setStatusLine(const std::string& line);
 
-/// Writes one line to stderr. Programs log; libraries return numbers and fill Diagnostics.
+/// Text for a terminal: control characters of files and arguments become \xNN, and a word of more
+/// than 400 bytes loses its middle.
+std::string printable(const std::string& text);
+
+/// Writes one line to stderr, made printable. Programs log; libraries return numbers and fill
+/// Diagnostics.
 void write(Level level, const std::string& text);
 
 template <typename... Args>

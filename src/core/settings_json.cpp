@@ -1,6 +1,7 @@
 #include "core/settings_json.h"
 
 #include "core/error.h"
+#include "core/foreign_bytes.h"
 
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -218,6 +219,8 @@ void SettingsReader::finish() const
 
 nlohmann::json parseJson(std::string_view text, const std::string& place)
 {
+    text = withoutMark(text);
+    refuseForeign(std::as_bytes(std::span(text)), place);
     requireBounds(text, place);
     try {
         return nlohmann::json::parse(text);
