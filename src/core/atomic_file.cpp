@@ -6,6 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -13,6 +15,28 @@
 
 namespace sward {
 namespace {
+
+// Names of the temporary files, for a signal handler. One that finds no place is not removed there.
+std::array<std::atomic<const char*>, 64> temporaryNames{};
+static_assert(std::atomic<const char*>::is_always_lock_free, "a signal handler reads it");
+
+void announce(const char* name)
+{
+    for (std::atomic<const char*>& place : temporaryNames) {
+        const char* empty = nullptr;
+        if (place.compare_exchange_strong(empty, name))
+            return;
+    }
+}
+
+void forget(const char* name)
+{
+    for (std::atomic<const char*>& place : temporaryNames) {
+        const char* own = name;
+        if (place.compare_exchange_strong(own, nullptr))
+            return;
+    }
+}
 
 std::filesystem::path folderOf(const std::filesystem::path& path)
 {
@@ -57,6 +81,7 @@ AtomicFile::AtomicFile(std::filesystem::path path, bool overwrite)
         fail(ErrorKind::io, "{}: cannot create a file beside it: {}", path_.string(),
              std::strerror(errno));
     temporary_ = name;
+    announce(temporary_.c_str());
     // mkstemp makes it private; a result is as readable as the user's mask allows.
     const mode_t mask = ::umask(0);
     ::umask(mask);
@@ -67,8 +92,16 @@ AtomicFile::~AtomicFile()
 {
     if (fd_ >= 0)
         ::close(fd_);
+    forget(temporary_.c_str());
     if (!committed_)
         ::unlink(temporary_.c_str());
+}
+
+void removeTemporaryFiles() noexcept
+{
+    for (const std::atomic<const char*>& place : temporaryNames)
+        if (const char* const name = place.load())
+            ::unlink(name);
 }
 
 void AtomicFile::write(std::span<const std::byte> bytes)

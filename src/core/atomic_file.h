@@ -38,6 +38,9 @@ private:
     bool committed_ = false;
 };
 
+/// Removes the temporary files of this process. Only for a signal handler that then ends it.
+void removeTemporaryFiles() noexcept;
+
 /// Throws Error{io} if `path` exists and `overwrite` is false. To be called before long work.
 void refuseOverwrite(const std::filesystem::path& path, bool overwrite);
 

@@ -1,8 +1,12 @@
 #include "apps/common/interrupt.h"
 
+#include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/expect.h"
 #include "core/progress.h"
+
+#include <sys/time.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <csignal>
@@ -16,11 +20,28 @@ std::atomic<Progress*> watched = nullptr;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<Progress*>::is_always_lock_free,
               "a signal handler may only touch lock-free atomics");
 
+std::atomic<bool> isBound = false;
+constexpr suseconds_t patience = 800'000; // [µs]
+
+// Work has not stopped by itself.
+extern "C" void onTimeout(int)
+{
+    removeTemporaryFiles();
+    constexpr char text[] = "\nerror: interrupted\n";
+    const ssize_t ignored = ::write(STDERR_FILENO, text, sizeof text - 1);
+    static_cast<void>(ignored);
+    ::_exit(static_cast<int>(ErrorKind::interrupted));
+}
+
 extern "C" void onSignal(int number)
 {
     // Restore the default action, so that a second signal ends work that does not poll the flag.
     std::signal(number, SIG_DFL);
     requested.store(true);
+    if (isBound.load()) {
+        const itimerval timer{{0, 0}, {0, patience}};
+        ::setitimer(ITIMER_REAL, &timer, nullptr);
+    }
     if (Progress* progress = watched.load())
         progress->cancel();
 }
@@ -37,6 +58,12 @@ InterruptFlag::~InterruptFlag()
 {
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
+}
+
+void boundInterrupts() noexcept
+{
+    std::signal(SIGALRM, onTimeout);
+    isBound.store(true);
 }
 
 bool interruptRequested() noexcept

@@ -16,6 +16,10 @@ public:
     ~InterruptFlag();
 };
 
+/// From now on a signal ends the program after 0.8 s, if work that does not ask has not stopped by
+/// then: temporary files are removed and the exit code is 130. For programs without a window.
+void boundInterrupts() noexcept;
+
 /// Whether a signal was received.
 bool interruptRequested() noexcept;
 

@@ -1,6 +1,7 @@
 // sward: grows grass on ground and keeps it in a field file.
 
 #include "apps/common/command_line.h"
+#include "apps/common/interrupt.h"
 #include "apps/common/program.h"
 #include "apps/sward/subcommand.h"
 #include "core/error.h"
@@ -48,5 +49,8 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
-    return sward::apps::runProgram("sward", [&] { return run(argc, argv); });
+    return sward::apps::runProgram("sward", [&] {
+        sward::apps::boundInterrupts();
+        return run(argc, argv);
+    });
 }
