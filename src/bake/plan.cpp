@@ -5,6 +5,7 @@
 #include "bake/sward_cover.h"
 #include "bake/tile_region.h"
 #include "core/error.h"
+#include "field/field.h"
 
 #include <fmt/format.h>
 
@@ -41,7 +42,7 @@ void closeSward(Plan& plan, const BakeSettings& settings, Diagnostics& diagnosti
         return;
     const double missing = plan.expected / limit;
     plan.widening = std::min(std::sqrt(missing), maxWidening);
-    plan.thinned = missing / plan.widening;
+    plan.thinned = std::min(missing / plan.widening, field::maxThinned);
     diagnostics.warn("a closed sward on {:.4g} m² is {:.4g} blades{} and {:.3g} GB; {} {} "
                      "leaves {:.4g} per m² of {:.4g}, {:.2g} times as wide, on ground in the "
                      "sward's colour ({} or --density allow more)",

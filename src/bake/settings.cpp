@@ -105,7 +105,7 @@ void validate(const BakeSettings& settings)
     requireRange("--budget", double(settings.budget), 1.0, 4e9);
     requireRange("--max-blades", double(settings.maxBlades), 0.0, 4e9);
     if (settings.bladeScale)
-        requireRange("--blade-scale", *settings.bladeScale, 1e-6, 1e6);
+        requireRange("--blade-scale", *settings.bladeScale, 1e-6, 1e5);
     requireRange("--clearance", settings.clearance, 0.0, 1e9);
     requireRange("--exposure", settings.exposureRays, 0, 1024);
     requireRange("--ray-length", settings.rayLength, 0.0, 1e9);

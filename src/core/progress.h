@@ -32,9 +32,10 @@ public:
     /// Whether cancel() has been called.
     bool isCancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
 
-private:
+    /// Throws Error{interrupted} if cancel() has been called.
     void throwIfCancelled() const;
 
+private:
     Callback callback_;
     std::string stage_;
     std::uint64_t total_ = 0;

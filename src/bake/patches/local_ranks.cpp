@@ -13,10 +13,12 @@ namespace {
 // Cells with at least this number of roots use their own ranks; others include their surroundings.
 constexpr std::size_t few = 2000;
 
+constexpr std::size_t askEvery = 65'536; // roots between two looks at the progress
+
 } // namespace
 
 LocalRanks::LocalRanks(const glm::dvec3& origin, const Roots& roots,
-                       const std::vector<std::uint64_t>& order)
+                       const std::vector<std::uint64_t>& order, const Progress& progress)
 {
     // Roots are in spatial order, so one lookup serves a run of roots in the same cell.
     tbb::enumerable_thread_specific<std::unordered_map<std::uint64_t, std::size_t>> partial;
@@ -43,6 +45,8 @@ LocalRanks::LocalRanks(const glm::dvec3& origin, const Roots& roots,
     if (orders_.empty())
         return;
     for (std::size_t i = 0; i < roots.size(); ++i) {
+        if (i % askEvery == 0)
+            progress.throwIfCancelled();
         const glm::vec3 place = roots[i].position;
         const CellNumber low = cellOf(origin, place - static_cast<float>(reach));
         const CellNumber high = cellOf(origin, place + static_cast<float>(reach));
@@ -53,8 +57,10 @@ LocalRanks::LocalRanks(const glm::dvec3& origin, const Roots& roots,
                         found != orders_.end())
                         found->second.push_back(order[i]);
     }
-    tbb::parallel_for_each(orders_,
-                           [](auto& cell) { std::sort(cell.second.begin(), cell.second.end()); });
+    tbb::parallel_for_each(orders_, [&](auto& cell) {
+        progress.throwIfCancelled();
+        std::sort(cell.second.begin(), cell.second.end());
+    });
 }
 
 const std::vector<std::uint64_t>* LocalRanks::around(const CellNumber& cell) const

@@ -2,6 +2,7 @@
 
 #include "bake/root_sample.h"
 #include "bake/tile_region.h"
+#include "core/progress.h"
 
 #include <glm/vec3.hpp>
 
@@ -20,9 +21,10 @@ public:
     /// depends only on the surroundings of the cell (see progressive_order.h).
     static constexpr double reach = 0.95;
 
-    /// `order` is the result of progressiveOrder().
+    /// `order` is the result of progressiveOrder(). Throws Error{interrupted} if `progress` is
+    /// cancelled meanwhile.
     LocalRanks(const glm::dvec3& origin, const Roots& roots,
-               const std::vector<std::uint64_t>& order);
+               const std::vector<std::uint64_t>& order, const Progress& progress);
 
     /// Sorted orders of the roots in and around a cell; null if the cell has enough roots of its
     /// own.

@@ -64,7 +64,8 @@ double PoissonDisk::reach(double spacing, bool filtered, const PoissonTuning& tu
     return latticeFor(spacing, filtered, tuning, 0.0).reach();
 }
 
-Sampling PoissonDisk::sample(Progress& progress, const TileRegion* counted) const
+Sampling PoissonDisk::sample(Progress& progress, const TileRegion* counted,
+                             const SearchLimit* limit) const
 {
     const std::vector<RegionPiece> pieces =
         piecesByRegion(ground_, settings_.sides, lattice_, tuning_.fragmentEdge * spacing_);
@@ -94,7 +95,10 @@ Sampling PoissonDisk::sample(Progress& progress, const TileRegion* counted) cons
         tbb::parallel_for(begin, end, [&](std::size_t r) {
             const std::span<const RegionPiece> own(pieces.data() + first[r],
                                                    first[r + 1] - first[r]);
-            filled[r] = fillers.local().fill(own, disks);
+            RegionFiller& filler = fillers.local();
+            if (limit != nullptr)
+                filler.bound(*limit);
+            filled[r] = filler.fill(own, disks);
             progress.advance(own.size());
         });
         if (kind != 3)

@@ -25,7 +25,9 @@ public:
 
     /// All roots, sorted by triangle and candidate. `proposed` counts the thrown darts; darts that
     /// must be rejected are never thrown. Counts only darts in `counted` (null: everywhere).
-    Sampling sample(Progress& progress, const TileRegion* counted = nullptr) const;
+    /// Throws Error{input} when `limit` is over (null: none).
+    Sampling sample(Progress& progress, const TileRegion* counted = nullptr,
+                    const SearchLimit* limit = nullptr) const;
 
     /// Largest distance along each axis of anything that affects a root [m].
     static double reach(double spacing, bool filtered, const PoissonTuning& tuning);

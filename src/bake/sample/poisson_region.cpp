@@ -73,6 +73,8 @@ public:
         return result;
     }
 
+    const SearchLimit* limit = nullptr; // of time, if there is one
+
 private:
     // A triangle side with parts in the region.
     struct TriangleSide {
@@ -268,6 +270,8 @@ void RegionFiller::Sampler::throwRound(int round, RegionResult& result)
     while (std::gcd(stride, count) != 1)
         ++stride;
     for (std::size_t i = 0, at = 0; i < count; ++i) {
+        if (limit != nullptr && i % 1024 == 0)
+            limit->require();
         if (parts_[at].open)
             throwAt(parts_[at], round, result);
         at += stride;
@@ -417,6 +421,11 @@ RegionFiller::RegionFiller(const terrain::GroundMesh& ground, std::uint64_t seed
 }
 
 RegionFiller::~RegionFiller() = default;
+
+void RegionFiller::bound(const SearchLimit& limit)
+{
+    sampler_->limit = &limit;
+}
 
 RegionResult RegionFiller::fill(std::span<const RegionPiece> pieces, const CubeIndex<Disk>& before)
 {

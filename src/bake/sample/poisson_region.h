@@ -6,6 +6,7 @@
 #include "bake/sample/cube_index.h"
 #include "bake/sample/disk.h"
 #include "bake/sample/poisson_fragments.h"
+#include "bake/sample/search_limit.h"
 #include "bake/tile_region.h"
 
 #include <array>
@@ -65,6 +66,9 @@ public:
                  const PoissonLattice& lattice, double spacing, bool filtered,
                  const PoissonTuning& tuning, const TileRegion* counted);
     ~RegionFiller();
+
+    /// Throws Error{input} in fill() when the limit is over; it must outlive the filler.
+    void bound(const SearchLimit& limit);
 
     /// Fills the region of these pieces, given the disks of all earlier regions.
     RegionResult fill(std::span<const RegionPiece> pieces, const CubeIndex<Disk>& before);

@@ -223,7 +223,7 @@ std::vector<Run> runsOf(const Roots& roots, const std::vector<State>& states,
 } // namespace
 
 std::vector<std::uint64_t> progressiveOrder(const terrain::GroundMesh& ground, const Roots& roots,
-                                            double evenUpTo)
+                                            double evenUpTo, const Progress* progress)
 {
     const auto priorityOf = [&](std::size_t i) {
         return mixBits(keyBits(keyOf(ground, roots[i])) + 1);
@@ -262,6 +262,8 @@ std::vector<std::uint64_t> progressiveOrder(const terrain::GroundMesh& ground, c
                    PoissonLattice::kindOf(runs[first[end]].region) == kind)
                 ++end;
             tbb::parallel_for(begin, end, [&](std::size_t region) {
+                if (progress != nullptr)
+                    progress->throwIfCancelled();
                 Chooser& chooser = choosers.local();
                 std::vector<Candidate>& candidates = chooser.candidates.all();
                 candidates.clear();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bake/root_sample.h"
+#include "core/progress.h"
 #include "terrain/ground_mesh.h"
 
 #include <cstdint>
@@ -18,9 +19,9 @@ namespace sward::bake {
 /// a 32 m cell depends only on roots within progressiveReach of the cell.
 ///
 /// After a share `evenUpTo` of the roots, the rest follows in random order: they are close
-/// neighbours of others.
+/// neighbours of others. Throws Error{interrupted} if `progress` is cancelled meanwhile.
 std::vector<std::uint64_t> progressiveOrder(const terrain::GroundMesh& ground, const Roots& roots,
-                                            double evenUpTo);
+                                            double evenUpTo, const Progress* progress = nullptr);
 
 /// Poisson disks are even up to more than half; random roots are not even at a half.
 inline constexpr double evenPoissonShare = 0.6;

@@ -37,10 +37,11 @@ RootPlan planPoissonCount(const terrain::GroundMesh& ground, const BakeSettings&
     const double wanted = double(count) * surplus + 2.0 * std::sqrt(double(count));
     plan.spacing = std::sqrt(tuning.yield * area / wanted);
     std::uint64_t most = 0;
+    const SearchLimit limit(count);
     for (int i = 0; i < maxTries; ++i) {
         const Sampling sampling =
             PoissonDisk(ground, settings, filter, plan.spacing, plan.filtered, tuning)
-                .sample(progress);
+                .sample(progress, nullptr, &limit);
         const std::size_t found = sampling.roots.size();
         most = std::max<std::uint64_t>(most, found);
         const bool isClose = double(found) <= double(count) * maxSurplus + 100.0 || i >= 3;

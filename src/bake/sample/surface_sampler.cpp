@@ -1,5 +1,6 @@
 #include "bake/sample/surface_sampler.h"
 
+#include "bake/sample/search_limit.h"
 #include "bake/sample/triangle_points.h"
 #include "core/error.h"
 #include "core/random.h"
@@ -29,6 +30,9 @@ constexpr double maxTrials = 1e8;
 // A count tests a few more candidates than needed; their priority threshold is searched above this
 // value.
 constexpr double windowStart = 0.9;
+
+// A count behind a filter that keeps less than this share is searched for within a SearchLimit.
+constexpr double smallShare = 0.01;
 
 // A candidate number has 31 bits per triangle side.
 constexpr double maxCandidates = 2147483647.0;
@@ -247,6 +251,7 @@ Amount SurfaceSampler::amountFor(std::uint64_t count, Progress& progress) const
         (double(count) * 1.02 + 6.0 * std::sqrt(double(count)) + 16.0) / (area * share);
     const double maxDensity = std::max(maxTrials, 4.0 * double(count)) / area;
     double from = count < 100'000 ? 0.0 : windowStart;
+    const SearchLimit limit(count);
     for (;;) {
         amount.density = std::min(amount.density, maxDensity);
         const Tries tries{{amount.density}, firstCandidates(amount.density)};
@@ -254,10 +259,12 @@ Amount SurfaceSampler::amountFor(std::uint64_t count, Progress& progress) const
         std::vector<std::pair<double, std::uint64_t>> window;
         std::uint64_t below = 0;
         std::mutex gathering;
-        forEachBlock(tries, progress, [&](std::uint64_t, std::uint64_t begin, std::uint64_t end) {
+        forEachBlock(tries, progress, [&](std::uint64_t, std::uint64_t first, std::uint64_t end) {
             Block block;
             std::vector<std::pair<double, std::uint64_t>> own;
-            forEachCandidate(tries, begin, end, [&](const RootSample& root) {
+            if (share < smallShare)
+                limit.require();
+            forEachCandidate(tries, first, end, [&](const RootSample& root) {
                 if (!takes(root, tries.amount, true, block))
                     return;
                 const field::BladeKey key = keyOf(ground_, root);

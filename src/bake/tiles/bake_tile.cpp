@@ -99,8 +99,9 @@ TileResult bakeTile(const GroundView& part, const BakeSettings& settings, const 
         result.spacingMinimum = nearestPair(roots, tuningOf(settings).sheetCosine,
                                             pairLimit * plan.roots.spacing, tile);
     std::vector<std::uint64_t> order = progressiveOrder(
-        ground, roots, settings.spread == Spread::uniform ? evenUniformShare : evenPoissonShare);
-    const LocalRanks ranks(ground.origin, roots, order);
+        ground, roots, settings.spread == Spread::uniform ? evenUniformShare : evenPoissonShare,
+        &progress);
+    const LocalRanks ranks(ground.origin, roots, order, progress);
     if (tile != nullptr) {
         std::size_t kept = 0;
         for (std::size_t i = 0; i < roots.size(); ++i)

@@ -141,7 +141,7 @@ TEST(PatchTree, TakesManyBladesInOnePlace)
     for (std::uint32_t i = 0; i < 5000; ++i)
         roots[i] = {0, i, {}, glm::vec3(1.0f, 2.0f, 3.0f), glm::vec3(0.0f, 1.0f, 0.0f)};
     const std::vector<std::uint64_t> order = progressiveOrder({}, roots, evenPoissonShare);
-    const LocalRanks ranks(glm::dvec3(0.0), roots, order);
+    const LocalRanks ranks(glm::dvec3(0.0), roots, order, Progress());
     Progress progress;
     const RootGrowth growth{[](std::size_t) { return 1U; },
                             [&](std::size_t i, std::span<GrownBlade> blades) {
