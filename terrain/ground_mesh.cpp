@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/expect.h"
 #include "terrain/blocks.h"
+#include "terrain/reach.h"
 
 #include <glm/geometric.hpp>
 
@@ -149,6 +150,9 @@ void validate(const GroundMesh& mesh, const std::string& place)
     requireFinite(mesh.colors, "colour", place);
     for (const VertexAttribute& one : mesh.attributes.list)
         requireFinite(one.values, one.name.c_str(), place);
+    const Aabb bounds = mesh.bounds();
+    requireReach({mesh.origin + glm::dvec3(bounds.low), mesh.origin + glm::dvec3(bounds.high)},
+                 place);
 
     for (std::size_t i = 0; i < triangles; ++i)
         if (mesh.area(i) > 0.0)

@@ -100,7 +100,8 @@ struct GroundMesh {
 };
 
 /// Throws Error{input} naming `place` if arrays differ in length, an index is out of range, a
-/// number is not finite, or no triangle has an area. Every importer and generator calls it last.
+/// number is not finite, a coordinate is out of reach (reach.h), or no triangle has an area. Every
+/// importer and generator calls it last.
 void validate(const GroundMesh& mesh, const std::string& place);
 
 /// Appends `other`, shifted to the origin of `mesh`.

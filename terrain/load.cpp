@@ -1,16 +1,19 @@
 #include "terrain/load.h"
 
 #include "core/error.h"
+#include "core/foreign_bytes.h"
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
 #include "terrain/bare_names.h"
 #include "terrain/file_kind.h"
 #include "terrain/gltf/import.h"
+#include "terrain/gltf/uri.h"
 #include "terrain/heightmap/heightmap.h"
 #include "terrain/mesh_files/mesh_import.h"
 #include "terrain/placement.h"
 #include "terrain/recipe.h"
 #include "terrain/repeated_ground.h"
+#include "terrain/rounding.h"
 #include "terrain/topology/soup.h"
 
 #include <fmt/ranges.h>
@@ -43,14 +46,20 @@ GroundMesh loadFile(const std::filesystem::path& path, const ImportSettings& set
     if (size > sizeLimit)
         fail(ErrorKind::unsupported, "{}: {} bytes, more than the {} that are read", name, size,
              sizeLimit);
-    if (extension == ".glb" || extension == ".gltf")
-        return settle(importGltf(path, settings, worldFromFile, diagnostics), name);
+    if (!isRawHeightmap(path))
+        refuseForeign(MappedFile(path).bytes(), name);
+    if (extension == ".glb" || extension == ".gltf") {
+        Soup soup = importGltf(path, settings, worldFromFile, diagnostics);
+        warnOfRounding(soup, name, diagnostics);
+        return settle(std::move(soup), name);
+    }
     if (settings.scene)
         diagnostics.warn("{}: scene {} is ignored; only glTF has scenes", name, *settings.scene);
     if (extension == ".obj" || extension == ".ply" || extension == ".stl" || extension == ".off") {
         Soup soup = importMesh(path, settings.masks, glm::length(glm::dvec3(worldFromFile[0])),
                                diagnostics);
         transform(soup, worldFromFile);
+        warnOfRounding(soup, name, diagnostics);
         return settle(std::move(soup), name);
     }
     if (isHeightmap(path)) {
@@ -72,7 +81,7 @@ GroundMesh loadFile(const std::filesystem::path& path, const ImportSettings& set
              name);
     fail(ErrorKind::unsupported,
          "{}: files of kind \"{}\" are not read; read are .glb .gltf .obj .ply .stl .off .png .r16 "
-         ".exr .json",
+         ".raw .r32 .hgt .asc .exr .json",
          name, extension);
 }
 
@@ -87,6 +96,8 @@ GroundMesh loadBuiltIn(const std::string& name, const ImportSettings& settings,
 {
     const std::string_view recipe = builtInRecipe(name);
     if (recipe.empty()) {
+        if (isOnNetwork(name))
+            fail(ErrorKind::io, "{}: is on the network; nothing is fetched: save it first", name);
         const std::vector<std::string> known = builtInNames();
         const std::string near = nearestWord(name, known);
         fail(ErrorKind::io, "{}: no such file, and no built-in terrain ({}){}", name,

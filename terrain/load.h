@@ -19,6 +19,9 @@ struct HeightmapSettings {
     std::optional<glm::dvec2> extent{}; ///< [m] along x and z; default 1 m per sample
     std::optional<glm::dvec2> height{}; ///< [m] of a sample value of 0 and of the full value
     std::string holeMask{};             ///< image of any size; black marks holes
+    std::string endian{};               ///< little or big, of .r16 .raw .r32; "": little
+    bool flipRows = false;              ///< the first row of the file lies at +z
+    std::optional<double> noData{};     ///< sample value that stands for no height
 };
 
 /// How to convert a file's ground to Sward's world: metres, Y up.

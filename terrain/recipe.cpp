@@ -3,6 +3,7 @@
 #include "core/embedded.h"
 #include "core/error.h"
 #include "core/settings_json.h"
+#include "terrain/file_kind.h"
 #include "terrain/heightmap/height_samples.h"
 #include "terrain/heightmap/heightmap.h"
 #include "terrain/load.h"
@@ -183,7 +184,7 @@ GroundMesh mesh(Recipe& recipe, const std::string& place, const std::filesystem:
     if (file.empty())
         fail(ErrorKind::input, "{}: file: missing", place);
     // Refuse nested recipes, because a recipe could name itself.
-    if (std::filesystem::path(file).extension() == ".json")
+    if (fileKind(file) == ".json")
         fail(ErrorKind::input, "{}: file: {} is a recipe; a mesh is needed", place, file);
     return load((folder / file).string(), s, diagnostics);
 }
@@ -200,9 +201,17 @@ GroundMesh heightmap(Recipe& recipe, const std::string& place, const std::filesy
     recipe.pair("extent", s.extent, smallest, longest);
     recipe.pair("height", s.height, -longest, longest);
     recipe.reader.read("hole_mask", mask);
+    recipe.reader.read("endian", s.endian);
+    recipe.reader.read("flip_rows", s.flipRows);
+    double noData = 0.0;
+    recipe.reader.read("no_data", noData, -1e30, 1e30);
+    if (recipe.reader.has("no_data"))
+        s.noData = noData;
     recipe.reader.finish();
     if (!isHeightmap(file))
-        fail(ErrorKind::input, "{}: file: \"{}\" is not a heightmap (.png .r16 .exr)", place, file);
+        fail(ErrorKind::input,
+             "{}: file: \"{}\" is not a heightmap (.png .r16 .raw .r32 .hgt .asc .exr)", place,
+             file);
     if (size)
         s.size = glm::uvec2(*size);
     if (!mask.empty())

@@ -21,6 +21,7 @@ public:
     double step() const;
 
     bool isFloat() const { return accessor_.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT; }
+    bool isWord() const { return accessor_.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT; }
 
     /// Throws Error{input} unless there are `low` to `high` components.
     void requireComponents(std::size_t low, std::size_t high) const;

@@ -54,6 +54,11 @@ GltfBuffers::GltfBuffers(nlohmann::json& document, const GltfParts& parts,
                 bytes = take(own_.back(), length, buffer, "its data URI");
                 uri = "data:";
                 uri.shrink_to_fit();
+            } else if (isOnNetwork(uri)) {
+                fail(ErrorKind::io,
+                     "{}: buffer {} is on the network: {}; nothing is fetched: save it beside the "
+                     "file and name it there",
+                     place, i, uri);
             } else {
                 const std::filesystem::path file = fileBeside(gltf, uri);
                 std::error_code error;

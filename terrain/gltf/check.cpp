@@ -110,9 +110,11 @@ private:
         const std::uint64_t offset = o.count("byteOffset").value_or(0);
         const std::uint64_t length = o.requiredCount("byteLength");
         const std::uint64_t total = buffers_.bytes(buffer).size();
-        if (total == 0)
-            o.failHere("buffer {} has no uri and no BIN chunk, and nothing is decoded into it",
-                       buffer);
+        if (total == 0) {
+            // Only what uses it is wrong.
+            views_.push_back({0, 0, buffer});
+            return o.keep({"buffer", "byteOffset", "byteLength"});
+        }
         if (length == 0 || offset > total || length > total - offset)
             o.failHere("bytes {} to {} are not inside buffer {} of {} bytes", offset,
                        offset + length, buffer, total);

@@ -6,11 +6,11 @@
 #include "terrain/gltf/model.h"
 #include "terrain/gltf/nodes.h"
 #include "terrain/gltf/primitive.h"
+#include "terrain/reach.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace sward::terrain {
@@ -25,22 +25,33 @@ constexpr std::uint64_t triangleLimit = 25'000'000;
 constexpr std::uint64_t costOfByte = 6; // of the file
 constexpr std::uint64_t bytesOfTriangle = 18;
 
-// Throws naming node, mesh and vertex of a position that is not finite.
-void requireFinite(const Soup& soup, std::size_t first, const GltfPlacement& placement,
+// The matrix of a placement, column by column.
+std::string matrixText(const glm::dmat4& matrix)
+{
+    std::string text;
+    for (glm::length_t column = 0; column < 4; ++column)
+        for (glm::length_t row = 0; row < 3; ++row)
+            text += fmt::format("{}{:.6g}", text.empty() ? "" : " ", matrix[column][row]);
+    return text;
+}
+
+// Throws naming node, mesh, vertex and matrix of a position that is not finite or out of reach.
+void requirePlaces(const Soup& soup, std::size_t first, const GltfPlacement& placement,
                    const std::string& place)
 {
-    const auto isFinite = [&](std::size_t i) {
-        const glm::dvec3& p = soup.positions[first + i];
-        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-    };
+    const auto isSound = [&](std::size_t i) { return isWithinReach(soup.positions[first + i]); };
     const std::size_t count = soup.positions.size() - first;
-    if (holdsForAll(count, isFinite))
+    if (holdsForAll(count, isSound))
         return;
-    for (std::size_t i = 0; i < count; ++i)
-        if (!isFinite(i))
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::dvec3& p = soup.positions[first + i];
+        if (!isSound(i))
             fail(ErrorKind::input,
-                 "{}: node \"{}\" puts vertex {} of mesh {} at no finite position", place,
-                 placement.path, i, placement.mesh);
+                 "{}: node \"{}\" puts vertex {} of mesh {} at ({:.6g}, {:.6g}, {:.6g}) m, outside "
+                 "±{} m; its matrix by columns is {}",
+                 place, placement.path, i, placement.mesh, p.x, p.y, p.z, farthestCoordinate,
+                 matrixText(placement.transform));
+    }
 }
 
 // Reserves memory for the whole scene, within the limit.
@@ -165,7 +176,7 @@ public:
         }
         const glm::dmat4 placing = worldFromFile * placement.transform;
         transform(soup, placing, firstVertex, firstTriangle);
-        requireFinite(soup, firstVertex, placement, place_);
+        requirePlaces(soup, firstVertex, placement, place_);
         soup.precision = std::max(before, placedPrecision(soup, firstVertex, placing));
 
         // Instances of one node share its name.

@@ -16,6 +16,11 @@ constexpr std::uint64_t instanceLimit = 1U << 21; // of a node
 void requireInside(const GltfObject& o, std::uint64_t offset, std::uint64_t count,
                    std::uint64_t size, std::uint64_t view, const std::vector<GltfView>& views)
 {
+    if (views[view].emptyBuffer)
+        o.failHere(
+            "its bufferView {}: buffer {} has no uri and no BIN chunk, and nothing is decoded "
+            "into it",
+            view, *views[view].emptyBuffer);
     const std::uint64_t length = views[view].length;
     const std::uint64_t stride = views[view].stride == 0 ? size : views[view].stride;
     if (stride < size)
@@ -189,8 +194,9 @@ void keepInstancing(const GltfObject& node, const std::vector<std::uint64_t>& ac
     // All attributes describe the same number of instances.
     json& keptAttributes = kept["extensions"][name]["attributes"];
     std::uint64_t instances = 0;
-    for (const char* key : {"TRANSLATION", "ROTATION", "SCALE"})
-        if (const auto accessor = node.part(*attributes).count(key, accessorCounts.size())) {
+    for (const auto& [key, unused] : attributes->items())
+        if (const auto accessor =
+                node.part(*attributes).count(key.c_str(), accessorCounts.size())) {
             const std::uint64_t count = accessorCounts[*accessor];
             if (instances != 0 && count != instances)
                 node.failHere("{} has {} for {} instances", name, count, instances);
@@ -200,7 +206,7 @@ void keepInstancing(const GltfObject& node, const std::vector<std::uint64_t>& ac
             keptAttributes[key] = *accessor;
         }
     if (instances == 0)
-        node.failHere("{} names neither TRANSLATION nor ROTATION nor SCALE", name);
+        node.failHere("{} names no attribute", name);
 }
 
 } // namespace sward::terrain

@@ -3,15 +3,17 @@
 #include "terrain/gltf/json.h"
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 namespace sward::terrain {
 
-/// A buffer view whose bytes are known to exist.
+/// A buffer view whose bytes are known to exist, unless it is empty.
 struct GltfView {
     std::uint64_t length = 0;
-    std::uint64_t stride = 0; ///< 0: packed
+    std::uint64_t stride = 0;                   ///< 0: packed
+    std::optional<std::uint64_t> emptyBuffer{}; ///< its buffer has no bytes; nothing may use it
 };
 
 /// Bytes of one component; 0 for a type that glTF does not have.

@@ -104,6 +104,12 @@ private:
             return decodeImage(bytes.value_or(std::vector<std::byte>()), place, budget_,
                                diagnostics_);
         }
+        if (isOnNetwork(image.uri)) {
+            diagnostics_.warn("{}: {} is on the network, and nothing is fetched; its material is "
+                              "drawn without an image",
+                              place, image.uri);
+            return {};
+        }
         try {
             const MappedFile file(fileBeside(model_.path, image.uri));
             return decodeImage(file.bytes(), place, budget_, diagnostics_);

@@ -10,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace sward::terrain {
@@ -17,6 +19,64 @@ namespace {
 
 // JSON of a .gltf with all data in data URIs; larger data belongs into a .glb.
 constexpr std::size_t jsonLimit = std::size_t(512) << 20; // [bytes]
+
+// JSON writers of some languages print whole numbers as 5.0; JSON knows one kind of number. −0.0
+// stays, for its sign.
+void makeWholeNumbers(nlohmann::json& value)
+{
+    constexpr double limit = 0x1p53;
+    if (value.is_structured()) {
+        for (nlohmann::json& part : value)
+            makeWholeNumbers(part);
+        return;
+    }
+    if (!value.is_number_float())
+        return;
+    const auto number = value.get<double>();
+    if (!(std::fabs(number) < limit) || number != std::floor(number) ||
+        (number == 0.0 && std::signbit(number)))
+        return;
+    if (number >= 0.0)
+        value = static_cast<std::uint64_t>(number);
+    else
+        value = static_cast<std::int64_t>(number);
+}
+
+// glTF 1.0 keeps its objects under names, not in arrays.
+void refuseVersion1(const nlohmann::json& document, const std::string& place)
+{
+    bool isVersion1 = false;
+    for (const char* const key : {"meshes", "accessors", "bufferViews", "buffers", "nodes"})
+        if (const auto found = document.find(key); found != document.end())
+            isVersion1 = isVersion1 || found->is_object();
+    if (const auto asset = document.find("asset");
+        asset != document.end() && asset->is_object() && asset->contains("version")) {
+        const nlohmann::json& version = (*asset)["version"];
+        const std::string text = version.is_string() ? version.get<std::string>() : version.dump();
+        isVersion1 = isVersion1 || text.starts_with("1");
+    }
+    if (isVersion1)
+        fail(ErrorKind::unsupported,
+             "{}: glTF version 1; only 2.0 is read: convert it with gltf-pipeline or export it "
+             "anew",
+             place);
+}
+
+// tinygltf wants bytes behind indices, where zeros or sparse values may stand: it gets bufferView 0
+// until it has parsed. Returns the accessors without one.
+std::vector<std::size_t> lendViews(nlohmann::json& document)
+{
+    std::vector<std::size_t> lent;
+    if (!document.contains("accessors") || !document.contains("bufferViews"))
+        return lent;
+    nlohmann::json& accessors = document["accessors"];
+    for (std::size_t i = 0; i < accessors.size(); ++i)
+        if (!accessors[i].contains("bufferView")) {
+            accessors[i]["bufferView"] = 0;
+            lent.push_back(i);
+        }
+    return lent;
+}
 
 ImageWrap wrapOf(int mode)
 {
@@ -133,6 +193,8 @@ GltfModel readGltfModel(const std::filesystem::path& path, Diagnostics& diagnost
     nlohmann::json document = parseJson(parts.json, place);
     if (!document.is_object())
         fail(ErrorKind::input, "{}: its JSON is not an object", place);
+    makeWholeNumbers(document);
+    refuseVersion1(document, place);
     checkGltfExtensions(document, place, diagnostics);
 
     // Decompress first, then check everything.
@@ -144,6 +206,7 @@ GltfModel readGltfModel(const std::filesystem::path& path, Diagnostics& diagnost
     model.images = takeImages(document);
     model.wraps = takeWraps(document);
     emptyBuffers(document);
+    const std::vector<std::size_t> lent = lendViews(document);
     model.structure = parseStructure(document.dump(), place);
     requireSame(document, "bufferViews", model.structure.bufferViews.size(), place);
     requireSame(document, "accessors", model.structure.accessors.size(), place);
@@ -152,6 +215,8 @@ GltfModel readGltfModel(const std::filesystem::path& path, Diagnostics& diagnost
     requireSame(document, "meshes", model.structure.meshes.size(), place);
     requireSame(document, "nodes", model.structure.nodes.size(), place);
     requireSame(document, "scenes", model.structure.scenes.size(), place);
+    for (const std::size_t accessor : lent)
+        model.structure.accessors.at(accessor).bufferView = -1;
     return model;
 }
 

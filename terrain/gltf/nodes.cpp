@@ -39,6 +39,14 @@ glm::dmat4 compose(const glm::dvec3& translation, const std::array<double, 4>& q
 glm::dmat4 localTransform(const tinygltf::Node& node, const std::string& place)
 {
     if (node.matrix.size() == 16) {
+        constexpr double lastRow[] = {0.0, 0.0, 0.0, 1.0};
+        constexpr double tolerance = 1e-6; // rounding of exporters
+        for (std::size_t column = 0; column < 4; ++column)
+            if (std::fabs(node.matrix[4 * column + 3] - lastRow[column]) > tolerance)
+                fail(ErrorKind::input,
+                     "{}: element {} of its matrix is {}, but the last row must be 0 0 0 1: a "
+                     "projection does not place ground",
+                     place, 4 * column + 3, node.matrix[4 * column + 3]);
         glm::dmat4 matrix(1.0);
         for (glm::length_t column = 0; column < 4; ++column)
             for (glm::length_t row = 0; row < 3; ++row)
@@ -80,6 +88,13 @@ std::vector<glm::dmat4> instancesOf(const GltfModel& model, const tinygltf::Node
     const std::vector<float> t = numbersOf("TRANSLATION", 3);
     const std::vector<float> r = numbersOf("ROTATION", 4);
     const std::vector<float> s = numbersOf("SCALE", 3);
+
+    // Attributes of the application alone place every instance where the node is.
+    if (count == 0)
+        for (const std::string& key : attributes.Keys())
+            count = model.structure.accessors
+                        .at(static_cast<std::size_t>(attributes.Get(key).GetNumberAsInt()))
+                        .count;
 
     std::vector<glm::dmat4> instances;
     for (std::size_t i = 0; i < count; ++i) {

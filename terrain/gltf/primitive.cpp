@@ -89,6 +89,11 @@ private:
                        const Put& put)
     {
         const GltfAccessor reader(model_, accessor, place_ + ": " + name);
+        if (reader.isWord())
+            fail(ErrorKind::input,
+                 "{}: {}: accessor {} has component type 5125 (unsigned int), which this attribute "
+                 "cannot have",
+                 place_, name, accessor);
         reader.requireComponents(low, high);
         if (reader.count() != vertices_)
             fail(ErrorKind::input, "{}: {} has {} elements for {} vertices", place_, name,
@@ -327,6 +332,10 @@ void readGltfMesh(const GltfModel& model, std::size_t mesh, const std::vector<Gl
         where += fmt::format(", primitive {}", i);
         if (!isGround(primitive)) {
             diagnostics.warn("{}: points and lines are not ground and are left out", where);
+            continue;
+        }
+        if (!attribute(primitive, "POSITION")) {
+            diagnostics.warn("{}: it has no POSITION and is left out", where);
             continue;
         }
         PrimitiveReader(model, primitive, std::move(where), soup).read(uvs, read, diagnostics);

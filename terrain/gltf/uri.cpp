@@ -1,5 +1,6 @@
 #include "terrain/gltf/uri.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -87,6 +88,19 @@ std::optional<std::vector<std::byte>> decodeDataUri(std::string_view uri)
     const std::string plain = decodePercent(content);
     const auto* const bytes = reinterpret_cast<const std::byte*>(plain.data());
     return std::vector<std::byte>(bytes, bytes + plain.size());
+}
+
+bool isOnNetwork(std::string_view uri)
+{
+    for (const std::string_view scheme : {"http://", "https://", "ftp://", "ftps://", "s3://"}) {
+        const std::string_view start = uri.substr(0, scheme.size());
+        if (std::equal(
+                start.begin(), start.end(), scheme.begin(), scheme.end(), [](char a, char b) {
+                    return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
+                }))
+            return true;
+    }
+    return false;
 }
 
 std::filesystem::path fileBeside(const std::filesystem::path& gltf, std::string_view uri)

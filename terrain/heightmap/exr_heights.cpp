@@ -13,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <string_view>
 
 namespace sward::terrain {
@@ -22,10 +21,6 @@ namespace {
 // Channels times width. OpenEXR buffers up to 256 rows of all channels, 4 bytes each.
 constexpr std::size_t rowLimit = std::size_t(1) << 18;
 constexpr unsigned tileLimit = 4096; // samples on a side of a tile
-
-// No-data values of surveys, besides non-finite and out-of-range values.
-constexpr std::array<float, 4> noData = {-9999.0f, -32767.0f, -32768.0f, -99999.0f};
-constexpr float reach = 1e6f; // [m]
 
 // OpenEXR stream over bytes in memory.
 class MemoryStream final : public Imf::IStream {
@@ -103,7 +98,7 @@ std::string heightChannel(const Imf::ChannelList& channels)
     return channels.begin().name();
 }
 
-HeightSamples readSamples(MemoryStream& stream, const std::string& place)
+HeightSamples readSamples(MemoryStream& stream, const std::string& place, Diagnostics& diagnostics)
 {
     Imf::InputFile file(stream, 0);
     const Imath::Box2i window = file.header().dataWindow();
@@ -119,6 +114,9 @@ HeightSamples readSamples(MemoryStream& stream, const std::string& place)
                     static_cast<unsigned>(window.max.y - window.min.y + 1)};
     samples.values.resize(std::size_t(samples.size.x) * samples.size.y);
     Imf::FrameBuffer buffer;
+    if (name != "Y" && name != "Z" && name != "height" && name != "Height")
+        diagnostics.warn("{}: has no channel Y; its channel {} is taken as the height", place,
+                         name);
     buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, samples.values.data(), window));
     file.setFrameBuffer(buffer);
     file.readPixels(window.min.y, window.max.y);
@@ -134,7 +132,7 @@ HeightSamples readExrHeights(std::span<const std::byte> file, const std::string&
     try {
         MemoryStream stream(file, place);
         checkHeader(stream, place);
-        samples = readSamples(stream, place);
+        samples = readSamples(stream, place, diagnostics);
     } catch (const Error&) {
         throw;
     } catch (const std::exception& error) {
@@ -142,17 +140,7 @@ HeightSamples readExrHeights(std::span<const std::byte> file, const std::string&
              error.what());
     }
 
-    std::size_t holes = 0;
-    for (float& value : samples.values)
-        // The negation also catches NaN.
-        if (!(std::fabs(value) < reach) ||
-            std::find(noData.begin(), noData.end(), value) != noData.end()) {
-            value = std::numeric_limits<float>::quiet_NaN();
-            ++holes;
-        }
-    if (holes > 0)
-        diagnostics.warn("{}: {} of {} samples have no height and become holes", place, holes,
-                         samples.values.size());
+    dropNoData(samples, place, diagnostics);
     return samples;
 }
 

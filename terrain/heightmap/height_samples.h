@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sward::terrain {
@@ -19,6 +20,7 @@ struct HeightSamples {
     std::vector<float> values;
     double full = 1.0;     ///< highest value of the format
     bool isMetric = false; ///< the values are metres already
+    double step = 0.0;     ///< [m] from sample to sample, if the file tells; else 0
 };
 
 /// Most samples on a side of a heightmap.
@@ -32,10 +34,31 @@ inline constexpr std::uint32_t heightmapSideLimit = 32768;
 HeightSamples readPngHeights(std::span<const std::byte> file, const std::string& place,
                              bool isHeight, Diagnostics& diagnostics);
 
-/// 16 bits per sample, little-endian, without a header. Throws Error{usage} naming --size if `size`
-/// is missing or does not match the file.
+/// Samples without a header, 16 bits each, or 32 bits as floats in metres. Throws Error{usage}
+/// naming --size if `size` is missing or does not match the file. Warns if neighbours say that the
+/// other byte order is right.
+struct RawLayout {
+    bool isBigEndian = false;
+    bool isFloat = false;
+};
 HeightSamples readRawHeights(std::span<const std::byte> file, const std::optional<glm::uvec2>& size,
-                             const std::string& place);
+                             const RawLayout& layout, const std::string& place,
+                             Diagnostics& diagnostics);
+
+/// A tile of SRTM (.hgt): big-endian, signed, in metres, as wide as long.
+HeightSamples readHgtHeights(std::span<const std::byte> file, const std::string& place,
+                             Diagnostics& diagnostics);
+
+/// An ESRI ASCII grid (.asc), in metres.
+HeightSamples readAscHeights(std::string_view file, const std::string& place,
+                             Diagnostics& diagnostics);
+
+/// Sets samples of metres that are not finite, farther than 1000 km from 0, or −9999, −32767,
+/// −32768 or −99999 to NaN, with a warning.
+void dropNoData(HeightSamples& samples, const std::string& place, Diagnostics& diagnostics);
+
+/// Warns of a value of many samples that stand in cliffs around them: probably no data.
+void hintAtNoData(const HeightSamples& samples, const std::string& place, Diagnostics& diagnostics);
 
 /// One channel of an OpenEXR image: Y, else Z, R, height, else the first. Non-finite values and
 /// common no-data values become NaN. Throws Error{unsupported} for deep images.

@@ -27,15 +27,49 @@ HeightSamples readSamples(const std::filesystem::path& path, const HeightmapSett
     if (file.bytes().empty())
         fail(ErrorKind::input, "{}: empty", place);
     const std::string extension = fileKind(path);
-    if (extension == ".r16")
-        return readRawHeights(file.bytes(), settings.size, place);
-    HeightSamples samples = extension == ".exr"
-                                ? readExrHeights(file.bytes(), place, diagnostics)
+    const bool isFloat = extension == ".r32";
+    if (isFloat || extension == ".r16" || extension == ".raw")
+        return readRawHeights(file.bytes(), settings.size, {settings.endian == "big", isFloat},
+                              place, diagnostics);
+    if (!settings.endian.empty())
+        diagnostics.warn("{}: --endian is ignored; only .r16, .raw and .r32 do not tell their byte "
+                         "order",
+                         place);
+    const std::string_view text(reinterpret_cast<const char*>(file.bytes().data()),
+                                file.bytes().size());
+    HeightSamples samples = extension == ".exr"   ? readExrHeights(file.bytes(), place, diagnostics)
+                            : extension == ".hgt" ? readHgtHeights(file.bytes(), place, diagnostics)
+                            : extension == ".asc"
+                                ? readAscHeights(text, place, diagnostics)
                                 : readPngHeights(file.bytes(), place, true, diagnostics);
     if (settings.size && *settings.size != samples.size)
         fail(ErrorKind::usage, "{}: --size is {}x{}, but the image has {}x{} samples", place,
              settings.size->x, settings.size->y, samples.size.x, samples.size.y);
     return samples;
+}
+
+void flipRows(HeightSamples& samples)
+{
+    const auto width = static_cast<std::ptrdiff_t>(samples.size.x);
+    const auto row = [&](std::uint32_t j) {
+        return samples.values.begin() + static_cast<std::ptrdiff_t>(j) * width;
+    };
+    for (std::uint32_t j = 0; j < samples.size.y / 2; ++j)
+        std::swap_ranges(row(j), row(j) + width, row(samples.size.y - 1 - j));
+}
+
+// Removes the samples of a value.
+void makeHoles(HeightSamples& samples, double noData, const std::string& place,
+               Diagnostics& diagnostics)
+{
+    std::size_t holes = 0;
+    for (float& value : samples.values)
+        if (value == static_cast<float>(noData)) {
+            value = std::numeric_limits<float>::quiet_NaN();
+            ++holes;
+        }
+    if (holes == 0)
+        diagnostics.warn("{}: no sample is {}: --no-data changes nothing", place, noData);
 }
 
 // [m] along x and z.
@@ -48,6 +82,13 @@ glm::dvec2 extentOf(const HeightSamples& samples, const HeightmapSettings& setti
                 fail(ErrorKind::usage, "{}: --extent {} {}: each side must be in (0, {}] m", place,
                      settings.extent->x, settings.extent->y, longest);
         return *settings.extent;
+    }
+    if (samples.step > 0.0) {
+        const glm::dvec2 extent = samples.step * glm::dvec2(samples.size - 1U);
+        if (!(std::max(extent.x, extent.y) <= longest))
+            fail(ErrorKind::input, "{}: {} x {} m, more than {} m a side", place, extent.x,
+                 extent.y, longest);
+        return extent;
     }
     const glm::dvec2 extent = defaultStep * glm::dvec2(samples.size - 1U);
     diagnostics.warn("{}: without --extent X Z the samples lie {} m apart: {} x {} m", place,
@@ -122,7 +163,14 @@ std::vector<std::uint8_t> holesOf(const std::string& file, const glm::uvec2& cel
 bool isHeightmap(const std::filesystem::path& path)
 {
     const std::string extension = fileKind(path);
-    return extension == ".png" || extension == ".r16" || extension == ".exr";
+    return extension == ".png" || extension == ".exr" || extension == ".asc" ||
+           isRawHeightmap(path);
+}
+
+bool isRawHeightmap(const std::filesystem::path& path)
+{
+    const std::string extension = fileKind(path);
+    return extension == ".r16" || extension == ".raw" || extension == ".r32" || extension == ".hgt";
 }
 
 void requireHeightmapSize(std::uint64_t width, std::uint64_t height, const std::string& place,
@@ -134,37 +182,20 @@ void requireHeightmapSize(std::uint64_t width, std::uint64_t height, const std::
              width, height, least, heightmapSideLimit, heightPointLimit);
 }
 
-HeightSamples readRawHeights(std::span<const std::byte> file, const std::optional<glm::uvec2>& size,
-                             const std::string& place)
-{
-    if (!size)
-        fail(ErrorKind::usage,
-             "{}: --size WxH is missing: a .r16 does not tell its size; this one has {} samples",
-             place, file.size() / 2);
-    const std::uint64_t count = std::uint64_t(size->x) * size->y;
-    if (size->x < 2 || size->y < 2 || size->x > heightmapSideLimit ||
-        size->y > heightmapSideLimit || count > heightPointLimit)
-        fail(ErrorKind::usage, "{}: --size {}x{} is outside 2 to {} on a side and {} in all", place,
-             size->x, size->y, heightmapSideLimit, heightPointLimit);
-    if (file.size() != 2 * count)
-        fail(ErrorKind::input, "{}: --size {}x{} needs {} bytes, the file has {}", place, size->x,
-             size->y, 2 * count, file.size());
-
-    HeightSamples samples;
-    samples.size = *size;
-    samples.full = 65535.0;
-    samples.values.reserve(count);
-    for (std::size_t i = 0; i < file.size(); i += 2)
-        samples.values.push_back(static_cast<float>(std::to_integer<unsigned>(file[i]) |
-                                                    std::to_integer<unsigned>(file[i + 1]) << 8));
-    return samples;
-}
-
 GroundMesh importHeightmap(const std::filesystem::path& path, const HeightmapSettings& settings,
                            Diagnostics& diagnostics)
 {
     const std::string place = path.string();
+    if (!settings.endian.empty() && settings.endian != "little" && settings.endian != "big")
+        fail(ErrorKind::usage, "{}: --endian is \"{}\", neither little nor big", place,
+             settings.endian);
     HeightSamples samples = readSamples(path, settings, diagnostics);
+    if (settings.flipRows)
+        flipRows(samples);
+    if (settings.noData)
+        makeHoles(samples, *settings.noData, place, diagnostics);
+    else
+        hintAtNoData(samples, place, diagnostics);
     const HeightGrid grid{.extent = extentOf(samples, settings, place, diagnostics),
                           .cells = samples.size - 1U};
     const glm::dvec2 range = rangeOf(samples, settings, grid.extent, place, diagnostics);

@@ -11,10 +11,13 @@ namespace sward::terrain {
 /// Whether a file is read as a heightmap, by its extension.
 bool isHeightmap(const std::filesystem::path& path);
 
-/// Reads a heightmap (.png, .r16, .exr) as ground around the world's origin. The image's upper left
-/// corner is at −x and −z; texture coordinates go once over the whole. A missing setting gets a
-/// default and a warning that names the option. Throws Error{usage} naming an option that is
-/// missing or does not match, Error{io, input, unsupported}.
+/// Whether a heightmap has no header, so that its first bytes tell nothing: .r16 .raw .r32 .hgt.
+bool isRawHeightmap(const std::filesystem::path& path);
+
+/// Reads a heightmap (.png .r16 .raw .r32 .hgt .asc .exr) as ground around the world's origin. The
+/// image's upper left corner is at −x and −z; texture coordinates go once over the whole. A missing
+/// setting gets a default and a warning that names the option. Throws Error{usage} naming an option
+/// that is missing or does not match, Error{io, input, unsupported}.
 GroundMesh importHeightmap(const std::filesystem::path& path, const HeightmapSettings& settings,
                            Diagnostics& diagnostics);
 

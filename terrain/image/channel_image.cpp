@@ -1,8 +1,10 @@
 #include "terrain/image/channel_image.h"
 
 #include "core/error.h"
+#include "core/foreign_bytes.h"
 #include "core/mapped_file.h"
 #include "terrain/image/image_sampling.h"
+#include "terrain/image/truncated_image.h"
 
 #include <stb/stb_image.h>
 #include <xxhash.h>
@@ -26,6 +28,8 @@ ChannelImage decodeChannel(std::span<const std::byte> bytes, const std::string& 
     const auto* const data = reinterpret_cast<const unsigned char*>(bytes.data());
     const int length = static_cast<int>(std::min(bytes.size(), maxBytes));
 
+    refuseForeign(bytes, file);
+
     // Check the size before allocating memory.
     int width = 0;
     int height = 0;
@@ -44,6 +48,9 @@ ChannelImage decodeChannel(std::span<const std::byte> bytes, const std::string& 
         stbi_load_16_from_memory(data, length, &width, &height, &channels, channels));
     if (pixels == nullptr)
         fail(ErrorKind::input, "{}: the image is damaged ({})", file, stbi_failure_reason());
+
+    if (isTruncatedImage(bytes))
+        fail(ErrorKind::input, "{}: the image is truncated: it ends before its last pixel", file);
 
     ChannelImage image;
     image.width = static_cast<std::uint32_t>(width);

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "terrain/image/channel_image.h"
 #include "terrain/image/png_pixels.h"
+#include "terrain/image/truncated_image.h"
 
 #include <stb/stb_image.h>
 
@@ -150,6 +151,8 @@ GroundImage decode(std::span<const std::byte> file, const std::string& place, Im
         stbi_load_from_memory(bytes, length, &width, &height, &channels, 4));
     if (pixels == nullptr)
         fail(ErrorKind::input, "{}: the image is damaged ({})", place, stbi_failure_reason());
+    if (isTruncatedImage(file))
+        fail(ErrorKind::input, "{}: the image is truncated: it ends before its last pixel", place);
     return finish(pixels.get(), size);
 }
 

@@ -1,6 +1,7 @@
 #include "terrain/mesh_files/mesh_import.h"
 
 #include "core/error.h"
+#include "core/foreign_bytes.h"
 #include "core/mapped_file.h"
 #include "terrain/file_kind.h"
 #include "terrain/mesh_files/mesh_import_obj.h"
@@ -133,8 +134,8 @@ Soup importMesh(const std::filesystem::path& path, const MaskInputs& read, doubl
 {
     const std::string place = path.string();
     const MappedFile mapped(path);
-    const std::string_view file(reinterpret_cast<const char*>(mapped.bytes().data()),
-                                mapped.bytes().size());
+    const std::string_view file =
+        withoutMark({reinterpret_cast<const char*>(mapped.bytes().data()), mapped.bytes().size()});
     if (file.empty())
         fail(ErrorKind::input, "{}: empty", place);
     if (fileKind(path) == ".obj") {
@@ -170,6 +171,7 @@ Soup importMesh(const std::filesystem::path& path, const MaskInputs& read, doubl
              scan.faces);
     if (importer.facesSeen() == 0)
         fail(ErrorKind::input, "{}: no faces", place);
+    importer.warnOfCrossed(diagnostics);
 
     if (scan.positions.empty())
         warnOfCoarseness(importer.soup(), metresPerUnit, place, diagnostics);

@@ -61,6 +61,7 @@ public:
             readLine(wholeLine());
         if (soup_.facesSeen() == 0)
             fail(ErrorKind::input, "{}: no faces", place_);
+        soup_.warnOfCrossed(diagnostics);
 
         // Names are per face, a face may be several triangles.
         std::vector<std::uint32_t> materialOf;
@@ -194,7 +195,9 @@ private:
         corners_.clear();
         cornerUvs_.clear();
         cornerNormals_.clear();
-        for (std::string_view word = words.word(); !word.empty(); word = words.word())
+        // A comment may end the line.
+        for (std::string_view word = words.word(); !word.empty() && word.front() != '#';
+             word = words.word())
             readCorner(word);
         // Skip lines and points written as faces.
         if (corners_.size() < 3)

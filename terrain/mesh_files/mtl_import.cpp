@@ -1,6 +1,7 @@
 #include "terrain/mesh_files/mtl_import.h"
 
 #include "core/error.h"
+#include "core/foreign_bytes.h"
 #include "core/mapped_file.h"
 #include "terrain/image/image_decode.h"
 #include "terrain/mesh_files/text_cursor.h"
@@ -117,7 +118,7 @@ private:
         if (!read_.insert(file.string()).second)
             return;
         const std::vector<std::byte> bytes = readFile(file, libraryLimit);
-        TextCursor cursor({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        TextCursor cursor(withoutMark({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
         GroundMaterial* material = nullptr;
         while (!cursor.atEnd()) {
             const std::string_view line = cursor.line();

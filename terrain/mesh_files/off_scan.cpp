@@ -127,8 +127,29 @@ MeshScan scanOff(std::string_view file, const std::string& place)
         scan.cleaned.append(line);
         scan.cleaned.push_back('\n');
     };
+    // Numbers may continue on the next lines; what follows them on the last line is a colour.
+    std::string joined;
+    const auto wordsFrom = [&](std::string_view line, std::size_t count, const char* what) {
+        const auto counted = [&](std::string_view text, std::size_t found) {
+            TextCursor words(text);
+            while (found < count && !words.word().empty())
+                ++found;
+            return found;
+        };
+        std::size_t found = counted(line, 0);
+        if (found == count)
+            return line;
+        joined = line;
+        while (found < count) {
+            const std::string_view next = lines.next(what);
+            found = counted(next, found);
+            joined.append(1, ' ').append(next);
+        }
+        return std::string_view(joined);
+    };
     for (std::size_t i = 0; i < *vertices; ++i) {
-        const std::string_view line = lines.next("its last vertex");
+        const std::string_view line =
+            wordsFrom(lines.next("its last vertex"), 3, "its last vertex");
         TextCursor words(line);
         glm::dvec3 position(0.0);
         for (glm::length_t axis = 0; axis < 3; ++axis) {
@@ -151,13 +172,16 @@ MeshScan scanOff(std::string_view file, const std::string& place)
         color.w = isOpaque ? 1.0f : color.w;
     }
     for (std::size_t i = 0; i < *faces; ++i) {
-        const std::string_view line = lines.next("its last face");
+        std::string_view line = lines.next("its last face");
+        const auto corners = parseCount(TextCursor(line).word());
+        bool whole = corners.has_value() && *corners <= file.size();
+        if (whole)
+            line = wordsFrom(line, *corners + 1, "its last face");
         TextCursor words(line);
-        const auto corners = parseCount(words.word());
+        words.word();
         // Drop what follows the corners (a colour, say): OpenMesh's reader would parse it as the
         // next face. It would read −1 corners as four thousand million.
         std::string face = corners ? std::to_string(*corners) : std::string();
-        bool whole = corners.has_value() && *corners <= line.size();
         for (std::size_t c = 0; whole && c < *corners; ++c) {
             const auto index = parseCount(words.word());
             whole = index.has_value() && *index < *vertices;

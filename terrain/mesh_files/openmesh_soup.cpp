@@ -57,8 +57,15 @@ OpenMesh::FaceHandle OpenMeshSoup::add_face(const VHandles& corners)
     for (const OpenMesh::VertexHandle corner : corners)
         corners_.push_back(static_cast<std::uint32_t>(indexOf(corner)));
     firstTriangle_ = soup_.triangles.size();
-    for (std::size_t i = 1; i + 1 < corners_.size(); ++i) {
-        soup_.triangles.emplace_back(corners_[0], corners_[i], corners_[i + 1]);
+    places_.clear();
+    for (const std::uint32_t corner : corners_)
+        places_.push_back(soup_.positions[corner]);
+    bool crosses = false;
+    parts_ = triangulate(places_, crosses);
+    if (crosses && crossedFaces_++ == 0)
+        firstCrossed_ = faces_;
+    for (const PolygonTriangle& part : parts_) {
+        soup_.triangles.emplace_back(corners_[part[0]], corners_[part[1]], corners_[part[2]]);
         faceOf_.push_back(static_cast<std::uint32_t>(faces_));
     }
     const std::size_t face = faces_++;
@@ -88,12 +95,17 @@ void OpenMeshSoup::add_face_texcoords(OpenMesh::FaceHandle, OpenMesh::VertexHand
     cornerUvs_.resize(3 * soup_.triangles.size(), glm::vec2(0.0f));
     isFaceMapped_.resize(firstTriangle_, false);
     isFaceMapped_.resize(soup_.triangles.size(), true);
-    for (std::size_t i = 1; i + 1 < corners_.size(); ++i) {
-        const std::size_t triangle = firstTriangle_ + i - 1;
-        cornerUvs_[3 * triangle] = uvOf(0);
-        cornerUvs_[3 * triangle + 1] = uvOf(i);
-        cornerUvs_[3 * triangle + 2] = uvOf(i + 1);
-    }
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            cornerUvs_[3 * (firstTriangle_ + i) + corner] = uvOf(parts_[i][corner]);
+}
+
+void OpenMeshSoup::warnOfCrossed(Diagnostics& diagnostics) const
+{
+    if (crossedFaces_ > 0)
+        diagnostics.warn("{}: the edges of {} polygons cross, of face {} first; where they bear "
+                         "grass is undefined",
+                         place_, crossedFaces_, firstCrossed_);
 }
 
 void OpenMeshSoup::set_normal(OpenMesh::VertexHandle vertex, const OpenMesh::Vec3f& normal)

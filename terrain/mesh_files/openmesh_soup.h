@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/diagnostics.h"
+#include "terrain/mesh_files/polygon.h"
 #include "terrain/topology/soup.h"
 
 #include <OpenMesh/Core/IO/importer/BaseImporter.hh>
@@ -19,9 +20,9 @@ public:
     {
     }
 
-    /// The soup read so far; polygons are fans. Texture coordinates have (0, 0) in the upper left,
-    /// colours are brought into [0, 1]. Notes triangles without attributes that masks `read`, of
-    /// the part that `partOf(face)` names; without it, of the whole file.
+    /// The soup read so far; polygons are divided by triangulate(). Texture coordinates have (0, 0)
+    /// in the upper left, colours are brought into [0, 1]. Notes triangles without attributes that
+    /// masks `read`, of the part that `partOf(face)` names; without it, of the whole file.
     using PartName = std::function<std::string(std::uint32_t)>;
     Soup take(const MaskInputs& read, Diagnostics& diagnostics, const PartName& partOf = {});
 
@@ -36,6 +37,9 @@ public:
     Soup& soup() { return soup_; }
 
     std::size_t facesSeen() const { return faces_; }
+
+    /// Warns of polygons whose edges cross.
+    void warnOfCrossed(Diagnostics& diagnostics) const;
 
     /// Per triangle, the number of its face in the file.
     const std::vector<std::uint32_t>& faceOf() const { return faceOf_; }
@@ -106,6 +110,10 @@ private:
     std::size_t firstTriangle_ = 0;               // of the last face
     std::vector<glm::vec2> cornerUvs_;            // three to a triangle; empty until the first
     std::vector<std::uint32_t> corners_;          // of the last face
+    std::vector<glm::dvec3> places_;              // of its corners
+    std::vector<PolygonTriangle> parts_;          // of the last face
+    std::size_t crossedFaces_ = 0;
+    std::size_t firstCrossed_ = 0;
 };
 
 } // namespace sward::terrain

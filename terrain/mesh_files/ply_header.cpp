@@ -59,9 +59,6 @@ PlyProperty readProperty(TextCursor& words, std::size_t line, const std::string&
     std::string_view type = words.word();
     if (type == "list") {
         property.length = typeNamed(words.word(), line, place);
-        if (property.length->isFloat)
-            fail(ErrorKind::input, "{}: line {}: a list cannot have a length of floats", place,
-                 line);
         type = words.word();
     }
     property.type = typeNamed(type, line, place);
@@ -113,18 +110,82 @@ PlyHeader readPlyHeader(std::string_view file, const std::string& place)
     }
     if (!hasFormat)
         fail(ErrorKind::input, "{}: its header names no format", place);
-    header.rest = file.substr(std::min(cursor.offset(), file.size()));
+    // Where CR alone ends the lines, a line feed behind the last one is the first byte of the body.
+    std::size_t end = std::min(cursor.offset(), file.size());
+    const bool endsByCr = file.size() > 4 && file[3] == '\r' && file[4] != '\n';
+    if (endsByCr && end >= 2 && file[end - 1] == '\n' && file[end - 2] == '\r')
+        --end;
+    header.rest = file.substr(end);
     return header;
 }
 
 bool isNeeded(const PlyElement& element, const PlyProperty& property)
 {
-    if (element.name == "face")
+    if (element.name == "face" || element.name == "tristrips")
         return property.isCorners();
     constexpr std::string_view known[] = {"x", "y", "z", "nx", "ny", "nz"};
     return element.name == "vertex" && !property.length &&
            std::find(std::begin(known), std::end(known), property.name) != std::end(known);
 }
+
+bool isPlain(const PlyHeader& header)
+{
+    const auto isInt = [](const PlyType& type) {
+        return type.name == "int" || type.name == "int32" || type.name == "uint" ||
+               type.name == "uint32";
+    };
+    std::size_t vertexAt = header.elements.size();
+    for (std::size_t i = 0; i < header.elements.size(); ++i) {
+        const PlyElement& element = header.elements[i];
+        if (element.name == "vertex")
+            vertexAt = i;
+        if (element.name == "tristrips" || (element.name == "face" && i < vertexAt))
+            return false;
+        for (const PlyProperty& property : element.properties) {
+            if (!isNeeded(element, property))
+                continue;
+            if (property.length) {
+                const std::string_view length = property.length->name;
+                if (length != "uchar" && length != "uint8" && length != "int" && length != "int32")
+                    return false;
+                if (!isInt(property.type))
+                    return false;
+            } else if (isCoordinate(property) && !property.type.isFloat) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+bool isCoordinate(const PlyProperty& property)
+{
+    return property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
+}
+
+namespace {
+
+std::string propertyLine(const PlyProperty& property, bool isOrderly)
+{
+    if (property.length)
+        return isOrderly ? fmt::format("property list int int {}\n", property.name)
+                         : fmt::format("property list {} {} {}\n", property.length->name,
+                                       property.type.name, property.name);
+    const bool isWidened = isOrderly && isCoordinate(property);
+    return fmt::format("property {} {}\n", isWidened ? "double" : property.type.name,
+                       property.name);
+}
+
+std::string elementText(const PlyElement& element, std::size_t count, bool isOrderly)
+{
+    std::string text = fmt::format("element {} {}\n", element.name, count);
+    for (const PlyProperty& property : element.properties)
+        if (isNeeded(element, property))
+            text += propertyLine(property, isOrderly);
+    return text;
+}
+
+} // namespace
 
 std::string plainPlyHeader(const PlyHeader& header)
 {
@@ -133,20 +194,20 @@ std::string plainPlyHeader(const PlyHeader& header)
                              : header.format == Format::littleEndian ? "binary_little_endian"
                                                                      : "binary_big_endian";
     std::string text = fmt::format("ply\nformat {} 1.0\n", name);
-    for (const PlyElement& element : header.elements) {
-        if (element.name != "vertex" && element.name != "face")
-            continue;
-        text += fmt::format("element {} {}\n", element.name, element.count);
-        for (const PlyProperty& property : element.properties) {
-            if (!isNeeded(element, property))
-                continue;
-            text += property.length
-                        ? fmt::format("property list {} {} {}\n", property.length->name,
-                                      property.type.name, property.name)
-                        : fmt::format("property {} {}\n", property.type.name, property.name);
-        }
-    }
+    for (const PlyElement& element : header.elements)
+        if (element.name == "vertex" || element.name == "face")
+            text += elementText(element, element.count, false);
     return text + "end_header\n";
+}
+
+std::string orderlyPlyHeader(const PlyHeader& header, std::size_t faces)
+{
+    std::string text = "ply\nformat binary_little_endian 1.0\n";
+    for (const PlyElement& element : header.elements)
+        if (element.name == "vertex")
+            text += elementText(element, element.count, true);
+    return text + fmt::format("element face {}\nproperty list int int vertex_indices\nend_header\n",
+                              faces);
 }
 
 } // namespace sward::terrain

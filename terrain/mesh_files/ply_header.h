@@ -48,8 +48,20 @@ PlyHeader readPlyHeader(std::string_view file, const std::string& place);
 /// and texture coordinates.
 bool isNeeded(const PlyElement& element, const PlyProperty& property);
 
+/// Whether a property is a coordinate x, y or z.
+bool isCoordinate(const PlyProperty& property);
+
+/// Whether OpenMesh's reader takes the order of the elements and the types of the needed properties
+/// as they are. It wants vertices before faces, coordinates of floats and indices of 32 bits, and
+/// knows no strips.
+bool isPlain(const PlyHeader& header);
+
 /// The header in standard keywords with the needed properties only; OpenMesh's reader loops forever
 /// on some others.
 std::string plainPlyHeader(const PlyHeader& header);
+
+/// A header of a binary little-endian file with vertices, whose coordinates are doubles, then faces
+/// whose lists have lengths and indices of int.
+std::string orderlyPlyHeader(const PlyHeader& header, std::size_t faces);
 
 } // namespace sward::terrain

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <span>
 
 namespace sward::terrain {
 namespace {
@@ -69,6 +70,7 @@ public:
         , header_(readPlyHeader(file, place))
         , rest_(header_.rest)
         , body_(rest_)
+        , isPlain_(terrain::isPlain(header_))
     {
     }
 
@@ -83,14 +85,19 @@ public:
         if (needed > static_cast<double>(rest_.size() + 1))
             fail(ErrorKind::input, "{}: truncated: its header needs {:.0f} bytes, {} follow it",
                  place_, needed, rest_.size());
+        // Faces may come before the vertices.
+        for (const PlyElement& element : header_.elements)
+            if (element.name == "vertex")
+                scan_.vertices = element.count;
         for (const PlyElement& element : header_.elements) {
             if (element.count > 0 && element.properties.empty())
                 fail(ErrorKind::input, "{}: element {} has no properties for its {} entries",
                      place_, element.name, element.count);
             walk(element);
         }
-        scan_.isBinary = header_.format != PlyHeader::Format::text;
-        scan_.cleaned = plainPlyHeader(header_) + plainBody_;
+        scan_.isBinary = !isPlain_ || header_.format != PlyHeader::Format::text;
+        scan_.cleaned = isPlain_ ? plainPlyHeader(header_) + plainBody_
+                                 : orderlyPlyHeader(header_, scan_.faces) + plainBody_ + faceBody_;
         if (!keepPositions_)
             scan_.positions.clear();
         return std::move(scan_);
@@ -153,18 +160,34 @@ private:
         if (!(length >= 0.0) || length > left)
             fail(ErrorKind::input, "{}: {} {}: a list of {} entries, which the file cannot hold",
                  place_, element.name, index, length);
+        if (length != std::floor(length))
+            fail(ErrorKind::input, "{}: {} {}: a list of {} entries, which is no whole number",
+                 place_, element.name, index, length);
         const auto count = static_cast<std::size_t>(length);
         const bool named = property.isCorners();
+        const bool isStrip = named && element.name == "tristrips";
         const bool isUv = element.name == "face" && property.name == "texcoord";
         std::vector<float> numbers;
+        corners_.clear();
         for (std::size_t i = 0; i < count; ++i) {
             const double value = readNumber(property.type, element, index);
-            if (named && !(value >= 0.0 && value < static_cast<double>(scan_.vertices)))
-                fail(ErrorKind::input, "{}: {} {}: names vertex {}, but there are {}", place_,
-                     element.name, index, value, scan_.vertices);
             if (isUv)
                 numbers.push_back(static_cast<float>(value));
+            if (!named)
+                continue;
+            // −1 in a strip begins another one.
+            const bool isSound = (value >= 0.0 && value < static_cast<double>(scan_.vertices)) ||
+                                 (isStrip && value == -1.0);
+            if (!isSound || value != std::floor(value))
+                fail(ErrorKind::input, "{}: {} {}: names vertex {}, but there are {}", place_,
+                     element.name, index, value, scan_.vertices);
+            if (!isPlain_)
+                corners_.push_back(static_cast<std::int32_t>(value));
         }
+        if (isStrip)
+            addStrips();
+        else if (named && !isPlain_ && element.name == "face")
+            addFace(corners_);
         if (!isUv)
             return;
         scan_.faceUvs.resize(index + 1);
@@ -172,11 +195,47 @@ private:
             scan_.faceUvs[index].emplace_back(numbers[i], numbers[i + 1]);
     }
 
+    template <typename Value>
+    static void addValue(Value value, std::string& to)
+    {
+        char bytes[sizeof value];
+        std::memcpy(bytes, &value, sizeof value);
+        to.append(bytes, sizeof value);
+    }
+
+    void addFace(std::span<const std::int32_t> corners)
+    {
+        addValue(static_cast<std::int32_t>(corners.size()), faceBody_);
+        for (const std::int32_t corner : corners)
+            addValue(corner, faceBody_);
+    }
+
+    // Every other triangle of a strip is flipped.
+    void addStrips()
+    {
+        std::size_t begin = 0;
+        for (std::size_t i = 0; i < corners_.size(); ++i) {
+            if (corners_[i] < 0) {
+                begin = i + 1;
+                continue;
+            }
+            if (i < begin + 2)
+                continue;
+            const bool isFlipped = (i - begin) % 2 == 1;
+            const std::int32_t triangle[] = {corners_[i - 2], corners_[isFlipped ? i : i - 1],
+                                             corners_[isFlipped ? i - 1 : i]};
+            addFace(triangle);
+            ++scan_.faces;
+        }
+    }
+
     // Keeps a number of vertex `index`.
     void readScalar(const PlyUse& use, const PlyProperty& property, const PlyElement& element,
                     std::size_t index)
     {
         const double value = readNumber(property.type, element, index);
+        if (!isPlain_ && isNeeded(element, property))
+            addScalar(value, use.role == PlyRole::position, property.type);
         switch (use.role) {
         case PlyRole::none:
             return;
@@ -193,8 +252,23 @@ private:
             fail(ErrorKind::input, "{}: coordinate {} of vertex {} is not a finite number", place_,
                  property.name, index);
         scan_.positions[index][use.axis] = value;
-        keepPositions_ =
-            keepPositions_ || property.type.size == 8 || header_.format == PlyHeader::Format::text;
+        keepPositions_ = keepPositions_ || property.type.size == 8 || !isPlain_ ||
+                         header_.format == PlyHeader::Format::text;
+    }
+
+    // A number of an orderly file: coordinates are doubles, others keep their type.
+    void addScalar(double value, bool isPlace, const PlyType& type)
+    {
+        if (isPlace || (type.isFloat && type.size == 8))
+            addValue(value, plainBody_);
+        else if (type.isFloat)
+            addValue(static_cast<float>(value), plainBody_);
+        else {
+            const auto bits = static_cast<std::int64_t>(std::clamp(value, -0x1p53, 0x1p53));
+            char bytes[sizeof bits];
+            std::memcpy(bytes, &bits, sizeof bits);
+            plainBody_.append(bytes, type.size);
+        }
     }
 
     // What is read of each property. Makes room for colours and texture coordinates.
@@ -218,10 +292,8 @@ private:
     void walk(const PlyElement& element)
     {
         const std::vector<PlyUse> uses = usesOf(element);
-        if (element.name == "vertex")
-            scan_.vertices = element.count;
         if (element.name == "face")
-            scan_.faces = element.count;
+            scan_.faces += element.count;
         for (std::size_t i = 0; i < element.count; ++i) {
             for (std::size_t p = 0; p < element.properties.size(); ++p) {
                 const PlyProperty& property = element.properties[p];
@@ -230,10 +302,10 @@ private:
                     readList(property, element, i);
                 else
                     readScalar(uses[p], property, element, i);
-                if (isNeeded(element, property))
+                if (isPlain_ && isNeeded(element, property))
                     plainBody_.append(rest_.substr(begin, position() - begin));
             }
-            if (header_.format == PlyHeader::Format::text)
+            if (isPlain_ && header_.format == PlyHeader::Format::text)
                 plainBody_.push_back('\n');
         }
     }
@@ -244,7 +316,10 @@ private:
     TextCursor body_;
     std::size_t at_ = 0;
     MeshScan scan_;
-    std::string plainBody_; // the part of the rest for the reader
+    std::string plainBody_;             // the part of the rest for the reader
+    bool isPlain_;                      // the reader takes order and types as they are
+    std::string faceBody_;              // faces of an orderly file
+    std::vector<std::int32_t> corners_; // of the last list
     bool keepPositions_ = false;
 };
 

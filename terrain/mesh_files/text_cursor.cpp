@@ -16,13 +16,14 @@ bool isSpace(char c)
 
 std::string_view TextCursor::line()
 {
-    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-    std::string_view found = text_.substr(at_, end - at_);
-    if (!found.empty() && found.back() == '\r')
-        found.remove_suffix(1);
-    at_ = end + 1;
+    const std::size_t begin = std::min(at_, text_.size());
+    std::size_t end = begin;
+    while (end < text_.size() && text_[end] != '\n' && text_[end] != '\r')
+        ++end;
+    const bool isPair = end + 1 < text_.size() && text_[end] == '\r' && text_[end + 1] == '\n';
+    at_ = end + (isPair ? 2 : 1);
     ++lineNumber_;
-    return found;
+    return text_.substr(begin, end - begin);
 }
 
 std::string_view TextCursor::word()

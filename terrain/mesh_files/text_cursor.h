@@ -16,7 +16,7 @@ public:
 
     bool atEnd() const { return at_ >= text_.size(); }
 
-    /// The rest of this line without its end; goes to the next one.
+    /// The rest of this line without its end (LF, CR LF or CR); goes to the next one.
     std::string_view line();
 
     /// The next word, across lines; empty at the end.

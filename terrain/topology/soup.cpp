@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "terrain/blocks.h"
+#include "terrain/reach.h"
 #include "terrain/topology/topology.h"
 
 #include <glm/geometric.hpp>
@@ -118,6 +119,7 @@ DAabb boundsOf(const Soup& soup, const std::vector<std::uint32_t>& newIndex,
     for (std::size_t i = 0; i < newIndex.size(); ++i)
         if (newIndex[i] != unused)
             bounds.add(soup.positions[i]);
+    requireReach(bounds, place);
     return bounds;
 }
 

@@ -14,7 +14,7 @@ namespace sward::apps {
 namespace {
 
 constexpr int maxThreads = 1024;
-constexpr double largestBladeScale = 1e6;
+constexpr double largestBladeScale = 1e5;
 constexpr std::uint32_t maxHeightSamples = 32768; // on a side
 
 // Parses an option's text, or its default; the bake's parsers report errors.
@@ -61,11 +61,11 @@ std::vector<std::string> joinMargins(const std::vector<std::string>& words)
 
 void BakeOptions::add(CLI::App& app)
 {
-    app.add_option(
-           "INPUT", direct_.inputs,
-           "Ground, one or several files: a mesh (.glb .gltf .obj .ply .stl .off), a "
-           "heightmap (.png .r16 .exr), a recipe (.json), or a built-in: plane sphere hills "
-           "dunes torus arch")
+    app.add_option("INPUT", direct_.inputs,
+                   "Ground, one or several files: a mesh (.glb .gltf .obj .ply .stl .off), a "
+                   "heightmap (.png .r16 .raw .r32 .hgt .asc .exr), a recipe (.json), or a "
+                   "built-in: plane sphere hills "
+                   "dunes torus arch")
         ->type_name("");
     addGround(app);
     addAmount(app);
@@ -120,13 +120,12 @@ void BakeOptions::addGround(CLI::App& app)
             ->type_name(type)
             ->group("Ground");
     };
-    parsed(
-        "--size", "WxH",
-        "Samples of a heightmap along x and z, at most 17 million in all; required for .r16, other "
-        "formats state it",
-        [&map](const std::string& text) {
-            map.size = parseSize("--size", text, maxHeightSamples);
-        });
+    parsed("--size", "WxH",
+           "Samples of a heightmap along x and z, at most 17 million in all; required for .r16, "
+           ".raw and .r32; other formats state it",
+           [&map](const std::string& text) {
+               map.size = parseSize("--size", text, maxHeightSamples);
+           });
     app.add_option_function<std::vector<double>>(
            "--extent",
            [&map](const std::vector<double>& sides) { map.extent = {sides.at(0), sides.at(1)}; },
@@ -144,6 +143,15 @@ void BakeOptions::addGround(CLI::App& app)
         ->default_str("0 to a tenth of the longer side, of .exr as stored");
     option("--hole-mask", map.holeMask, "FILE",
            "Image over a heightmap; there is no ground where it is black");
+    option("--endian", map.endian, "little|big", "Byte order of .r16, .raw and .r32")
+        ->default_str("little");
+    app.add_flag("--flip-rows", map.flipRows, "The first row of a heightmap lies at +z, not at -z")
+        ->group("Ground");
+    parsed("--no-data", "V",
+           "Sample value of a heightmap that stands for no height; it makes holes",
+           [&map](const std::string& text) {
+               map.noData = parseNumber("--no-data", text, -1e30, 1e30);
+           });
 }
 
 void BakeOptions::addAmount(CLI::App& app)

@@ -26,6 +26,9 @@ std::string effectiveSettings(const BakeRequest& request)
     ground["extent"] = pair(map.extent);
     ground["height"] = pair(map.height);
     ground["hole_mask"] = map.holeMask;
+    ground["endian"] = map.endian.empty() ? "little" : map.endian;
+    ground["flip_rows"] = map.flipRows;
+    ground["no_data"] = map.noData ? nlohmann::ordered_json(*map.noData) : nullptr;
 
     nlohmann::ordered_json all;
     all["ground"] = std::move(ground);

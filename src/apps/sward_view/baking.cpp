@@ -53,8 +53,9 @@ std::string plain(std::string_view line)
 
 bool wantsBaking(const std::string& input)
 {
-    constexpr std::array<std::string_view, 10> extensions{".glb", ".gltf", ".obj", ".ply", ".stl",
-                                                          ".off", ".png",  ".r16", ".exr", ".json"};
+    constexpr std::array<std::string_view, 14> extensions{".glb", ".gltf", ".obj", ".ply", ".stl",
+                                                          ".off", ".png",  ".r16", ".raw", ".r32",
+                                                          ".hgt", ".asc",  ".exr", ".json"};
     constexpr std::array<std::string_view, 6> builtIns{"plane", "sphere", "hills",
                                                        "dunes", "torus",  "arch"};
     std::string extension = fs::path(input).extension().string();
