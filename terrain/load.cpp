@@ -20,7 +20,9 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <string_view>
 
 namespace sward::terrain {
 namespace {
@@ -79,6 +81,13 @@ GroundMesh loadFile(const std::filesystem::path& path, const ImportSettings& set
              "{}: TIFF is not read; make a heightmap of it: gdal_translate -ot UInt16 -of PNG "
              "-scale MIN MAX 0 65535",
              name);
+    constexpr std::array<std::string_view, 9> models{".fbx",  ".blend", ".usd", ".usda", ".usdc",
+                                                     ".usdz", ".dae",   ".3ds", ".max"};
+    if (std::find(models.begin(), models.end(), extension) != models.end())
+        fail(ErrorKind::unsupported,
+             "{}: models of kind \"{}\" are not read; export it as glTF (.glb), for example with "
+             "Blender",
+             name, extension);
     fail(ErrorKind::unsupported,
          "{}: files of kind \"{}\" are not read; read are .glb .gltf .obj .ply .stl .off .png .r16 "
          ".raw .r32 .hgt .asc .exr .json",

@@ -10,7 +10,7 @@
 namespace sward::terrain {
 namespace {
 
-constexpr double leastSteps = 100.0; // of the longest edge of a triangle
+constexpr double minSteps = 100.0; // of the longest edge of a triangle
 constexpr double tolerated = 0.01;   // share of a node's area in finer triangles
 
 // Areas of a node, all and that of triangles too fine for their place.
@@ -52,7 +52,7 @@ void warnOfRounding(const Soup& soup, const std::string& place, Diagnostics& dia
         if (!std::isfinite(area) || node >= nodes.size())
             continue;
         nodes[node].all += area;
-        if (std::max({largest(u), largest(v), largest(u - v)}) < leastSteps * step) {
+        if (std::max({largest(u), largest(v), largest(u - v)}) < minSteps * step) {
             nodes[node].fine += area;
             nodes[node].distance = std::max(nodes[node].distance, largest(a - origin));
         }

@@ -130,8 +130,8 @@ HeightSamples readAscHeights(std::string_view file, const std::string& place,
     }
     dropNoData(samples, place, diagnostics);
     // Cells of less than this are degrees of a geographic grid.
-    constexpr double leastMetres = 0.05;
-    if (header.cellSize >= leastMetres)
+    constexpr double minMetres = 0.05;
+    if (header.cellSize >= minMetres)
         samples.step = header.cellSize;
     else if (header.cellSize > 0.0)
         diagnostics.warn(

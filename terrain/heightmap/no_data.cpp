@@ -18,7 +18,7 @@ constexpr std::array<float, 6> wholeGaps = {0.0f, 255.0f, 65535.0f, 32768.0f, 32
 
 // A gap holds this share of the samples, and the steps at its rim are so many times as high as
 // elsewhere, and this share of the whole range.
-constexpr double leastShare = 1e-3;
+constexpr double minShare = 1e-3;
 constexpr double cliffFactor = 20.0;
 constexpr double cliffShare = 0.05;
 
@@ -66,7 +66,7 @@ void hintAtNoData(const HeightSamples& samples, const std::string& place, Diagno
     const double range = double(*high) - double(*low);
     for (const float gap : wholeGaps) {
         const auto count = std::count(samples.values.begin(), samples.values.end(), gap);
-        if (double(count) < leastShare * double(samples.values.size()))
+        if (double(count) < minShare * double(samples.values.size()))
             continue;
         Steps rim;
         Steps elsewhere;

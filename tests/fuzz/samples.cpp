@@ -98,6 +98,8 @@ void addHeightmaps(std::vector<Sample>& all)
     add("grey16.png", 0, terrain::greyPng({3, 2}, heights, 16));
     add("own_mask.png", 0x42, terrain::greyPng({3, 2}, {0, 255, 9, 80, 3, 7}, 8, true));
     add("heights.r16", 0x81, terrain::rawHeights(heights));
+    add("grid.asc", 0x21, "ncols 3\nnrows 2\ncellsize 2\nnodata_value 7\n0 1 2 3 4 7\n");
+    add("tile.hgt", 0x22, std::string("\0\1\0\2\0\3\x80\0", 8));
     add("float.exr", 2, terrain::floatExr({3, 2}, metres));
     add("half_tiles.exr", 0x82,
         terrain::floatExr({3, 2}, metres, {.isHalf = true, .isTiled = true}));

@@ -56,14 +56,19 @@ void meshImport(Bytes bytes)
 void heightmapImport(Bytes bytes)
 {
     static constexpr const char* extensions[] = {".png", ".r16", ".exr"};
+    static constexpr const char* others[] = {".asc", ".hgt", ".r32"};
     if (bytes.size() < 3)
         return;
-    const std::string extension = extensions[bytes[0] % std::size(extensions)];
+    const bool isOther = (bytes[0] & 0x20U) != 0;
+    const std::string extension = (isOther ? others : extensions)[bytes[0] % std::size(extensions)];
     terrain::ImportSettings settings;
+    settings.heightmap.flipRows = isOther && (bytes[1] & 1U) != 0;
+    if (isOther && (bytes[1] & 2U) != 0)
+        settings.heightmap.noData = bytes[2];
     settings.heightmap.extent = {10.0, 10.0};
     if ((bytes[0] & 0x80U) != 0)
         settings.heightmap.height = {-1.0, 1.0};
-    if (extension == ".r16")
+    if (extension == ".r16" || extension == ".r32")
         settings.heightmap.size = glm::uvec2(bytes[1], bytes[2]);
     const Bytes file = bytes.subspan(3);
     // Use the map as its own mask, as a valid or an invalid image.
