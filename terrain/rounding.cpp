@@ -11,7 +11,7 @@ namespace sward::terrain {
 namespace {
 
 constexpr double minSteps = 100.0; // of the longest edge of a triangle
-constexpr double tolerated = 0.01;   // share of a node's area in finer triangles
+constexpr double tolerated = 0.01; // share of a node's area in finer triangles
 
 // Areas of a node, all and that of triangles too fine for their place.
 struct NodeArea {

@@ -65,8 +65,8 @@ class SwardTest(unittest.TestCase):
         (self.folder / "s.json").write_text('{"look": {"exposure": 1}}', encoding="utf-8")
         field, _ = self.bake("plane", "--meadow", meadow)
         told = json.loads(subprocess.run([SWARD, "info", field, "--json"], capture_output=True, check=True).stdout)
-        # The number of ribbons differs by chance from what is expected.
-        blades = 1.05 * (told["blades"] + told.get("ribbons", 0))
+        # Drifts change the number of plants, and of their ribbons, on ground as small as this.
+        blades = 1.2 * (told["blades"] + told.get("ribbons", 0))
         for share in (1, 0.5, 0.1):
             field, said = self.bake("plane", "--meadow", meadow, "--budget", str(int(share * blades)))
             self.assertEqual("--budget" in said, share < 1, said)
