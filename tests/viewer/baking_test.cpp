@@ -32,7 +32,7 @@ TEST(BakeArguments, NameOnlyWhatIsWanted)
     requests.ground = "hills";
     EXPECT_THAT(bakeArguments(requests), ElementsAre("hills", "--meadow", "meadow"));
 
-    requests.meadow = 2;
+    requests.meadow = 8; // steppe
     requests.amount = 2;
     requests.spacing = 0.25f;
     requests.slopeHigh = 40.0f;
