@@ -81,7 +81,7 @@ class OpeningTest(unittest.TestCase):
         self.assert_ends_well(viewer)
 
     def test_it_is_baked_again_and_the_difference_is_told(self):
-        viewer = self.open(self.mesh, "--panel", "meadow")
+        viewer = self.open(self.mesh, "--panel", "meadow", "--meadow", "grass")
         self.assertTrue(viewer.shows("Meadow/Ground").endswith("plane.glb"))
         before = viewer.shows("Status/Numbers").split(" blades")[0].split(" of ")[1]
         viewer.set("Slope to", "Meadow", 0.02)

@@ -197,7 +197,7 @@ void BakeOptions::addAmount(CLI::App& app)
         ->group(group)
         ->capture_default_str();
     app.add_option("--blade-scale", bladeScale_,
-                   "Factor on the size of blades, 1e-6 to 1e6; auto: smaller and denser on small "
+                   "Factor on the size of blades, 1e-6 to 1e5; auto: smaller and denser on small "
                    "ground")
         ->type_name("auto|F")
         ->group(group)
