@@ -142,7 +142,7 @@ Report estimateBake(const terrain::GroundMesh& ground, const BakeSettings& setti
         Totals totals;
         totals.add(tile);
         totals.fill(report, factor);
-        warnAboutRoots(tile.counts, report.input, settings, diagnostics);
+        warnAboutRoots(tile.counts, report.input, settings, full, diagnostics);
         field::Field sample = fieldWithoutBlades(ground, settings, plan, report);
         const double withoutBlades = double(field::fieldBytes(sample));
         joinCells(std::move(tile.cells), sample);

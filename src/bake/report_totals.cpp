@@ -113,7 +113,7 @@ void finishReport(Report& report, const Totals& totals, const BakeSettings& sett
     report.widening = plan.plan.widening;
     totals.fill(report, 1.0);
     fillSpacing(report, totals.spacingMinimum, settings, plan);
-    warnAboutRoots(totals.counts, report.input, settings, diagnostics);
+    warnAboutRoots(totals.counts, report.input, settings, plan.plan, diagnostics);
 }
 
 Report reportOf(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads)

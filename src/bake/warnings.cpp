@@ -55,8 +55,30 @@ std::string reasonsOf(const RootCounts& counts)
     return text.empty() ? "no filter (no ground bears grass, or zero blades were requested)" : text;
 }
 
-void warnAboutNone(const RootCounts& counts, const Report::Input& ground, Diagnostics& diagnostics)
+// Why there is no root before any filter, and which amount would give some.
+std::string reasonOfNone(const Plan& plan)
 {
+    constexpr double some = 100.0;
+    constexpr double maxDensity = 1e15; // of --density
+    if (plan.area <= 0.0)
+        return "no ground bears grass";
+    if (plan.expected <= 0.0)
+        return "none was asked for";
+    const double density = some / plan.area;
+    return fmt::format(
+        "{:.2g} blades were expected on {:.3g} m² at {:.3g} per m²; {}--count {:.0f} "
+        "gives some, --scale or --units enlarges the ground",
+        plan.expected, plan.area, plan.expected / plan.area,
+        density <= maxDensity ? fmt::format("--density {:.3g} or ", density) : "", some);
+}
+
+void warnAboutNone(const RootCounts& counts, const Report::Input& ground, const Plan& plan,
+                   Diagnostics& diagnostics)
+{
+    if (counts.proposed == 0) {
+        diagnostics.warn("no blade grows: {}", reasonOfNone(plan));
+        return;
+    }
     std::string where;
     if (rejectedBy(counts, Reject::altitude) + rejectedBy(counts, Reject::water) > 0)
         where = fmt::format("; the ground lies from {:.6g} to {:.6g} m along ground-up",
@@ -110,10 +132,10 @@ void warnAboutIdle(const RootCounts& counts, const Report::Input& ground,
 } // namespace
 
 void warnAboutRoots(const RootCounts& counts, const Report::Input& ground,
-                    const BakeSettings& settings, Diagnostics& diagnostics)
+                    const BakeSettings& settings, const Plan& plan, Diagnostics& diagnostics)
 {
     if (counts.kept == 0) {
-        warnAboutNone(counts, ground, diagnostics);
+        warnAboutNone(counts, ground, plan, diagnostics);
         return;
     }
     const std::uint64_t asked = counts.proposed - rejectedBy(counts, Reject::spacing);

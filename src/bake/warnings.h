@@ -1,14 +1,16 @@
 #pragma once
 
+#include "bake/plan.h"
 #include "bake/report.h"
 #include "bake/settings.h"
 #include "core/diagnostics.h"
 
 namespace sward::bake {
 
-/// Warns of likely mistakes and names the option that fixes each: no or almost no root kept; roots
-/// on undersides; a border, a mask or an excluded area (with a loaded mesh) that rejects nothing.
+/// Warns of likely mistakes and names the option that fixes each: no or almost no root kept, or so
+/// few expected by `plan` that there is none; roots on undersides; a border, a mask or an excluded
+/// area (with a loaded mesh) that rejects nothing.
 void warnAboutRoots(const RootCounts& counts, const Report::Input& ground,
-                    const BakeSettings& settings, Diagnostics& diagnostics);
+                    const BakeSettings& settings, const Plan& plan, Diagnostics& diagnostics);
 
 } // namespace sward::bake

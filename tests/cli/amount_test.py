@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import unittest
 
 from meshes import bumps, glb_bytes, square
@@ -26,6 +27,24 @@ class Amount(CliTest):
             with self.subTest(density=density):
                 self.assert_poisson(self.kept("--density", density, "--blade-scale", "1"),
                                     density * 400)
+
+    def test_ground_too_small_for_a_blade_says_which_amount_gives_some(self):
+        proposal = ""
+        (self.folder / "tiny.glb").write_bytes(glb_bytes(square(0.01)))
+        for amount, expected in (("--density=200", "0.02 blades"), ("--spacing=1", "blades were"),
+                                 ("--density=0", "none was asked for")):
+            sampling = ("--sampling", "poisson") if "spacing" in amount else ()
+            for run in (("-o", "f.sward", "--force"), ("--dry-run",)):
+                with self.subTest(amount=amount, run=run):
+                    done = self.sward("bake", "tiny.glb", *run, amount, *sampling)
+                    self.assertIn(expected, done.stderr)
+                    found = re.search(r"--density (\S+) or --count (\d+)", done.stderr)
+                    self.assertEqual(found is None, amount == "--density=0", done.stderr)
+                    proposal = found.group(0) if found else proposal
+        for option in ("--density", "--count"):
+            self.bake("tiny.glb", option, re.search(option + r" (\S+)", proposal).group(1), "--force",
+                      to="f.sward")
+            self.assertGreater(self.info(self.folder / "f.sward")["blades"], 50)
 
     def test_the_default_closes_the_sward_and_says_so(self):
         done = self.sward("bake", "square.glb", "-o", "closed.sward", "--blade-scale", "1", "--report", "c.json", "--force")

@@ -26,7 +26,7 @@ std::string warningsOf(const terrain::GroundMesh& mesh, const BakeSettings& sett
         counts.undersides += std::uint64_t(glm::dot(glm::dvec3(root.normal), up) < 0.0);
     }
     Diagnostics diagnostics;
-    warnAboutRoots(counts, reportOf(mesh, settings, 1).input, settings, diagnostics);
+    warnAboutRoots(counts, reportOf(mesh, settings, 1).input, settings, Plan(), diagnostics);
     std::string all;
     for (const std::string& warning : diagnostics.warnings())
         all += warning + "\n";
@@ -53,6 +53,21 @@ TEST(Warnings, NameTheOptionThatLeavesNothing)
     const std::string text = warningsOf(meshes::square(10.0, 2.5), settings);
     EXPECT_TRUE(has(text, "altitude 2000 (--altitude)")) << text;
     EXPECT_TRUE(has(text, "from 2.5 to 2.5 m")) << text;
+}
+
+TEST(Warnings, NameAnAmountThatGivesSomeBlades)
+{
+    const BakeSettings settings = tests::plainSettings(1.0);
+    Plan plan;
+    plan.area = 1e-4;
+    plan.density = 200.0;
+    plan.expected = 0.02;
+    Diagnostics diagnostics;
+    warnAboutRoots(RootCounts(), Report::Input(), settings, plan, diagnostics);
+    ASSERT_EQ(diagnostics.warnings().size(), 1U);
+    const std::string text = diagnostics.warnings()[0];
+    EXPECT_TRUE(has(text, "0.02 blades were expected on 0.0001 m² at 200 per m²")) << text;
+    EXPECT_TRUE(has(text, "--density 1e+06 or --count 100")) << text;
 }
 
 TEST(Warnings, SayWhyHardlyAnythingGrows)
