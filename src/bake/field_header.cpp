@@ -2,6 +2,7 @@
 
 #include "bake/patches/display_ground.h"
 #include "bake/sample/surface_sampler.h"
+#include "core/json_text.h"
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
@@ -37,7 +38,7 @@ std::string provenanceOf(const BakeSettings& settings, const Report& report)
                                    {"input_hash", report.input.hash},
                                    {"blade_scale", report.bladeScale},
                                    {"settings", nlohmann::json::parse(toJson(settings))}};
-    return object.dump();
+    return jsonText(object);
 }
 
 } // namespace

@@ -1,7 +1,9 @@
 #include "bake/meadow.h"
 
+#include "bake/meadow_json.h"
 #include "core/embedded.h"
 #include "core/error.h"
+#include "core/json_text.h"
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
 
@@ -57,7 +59,7 @@ void readMasks(SettingsReader& reader, const char* key, std::vector<Mask>& masks
             entry.is_string() ? readMask(entry.get<std::string>()) : std::nullopt;
         if (!mask)
             fail(ErrorKind::input, "{}: {} is not a mask such as \"vertex-color:R:invert\"",
-                 reader.placeOf(key), entry.dump());
+                 reader.placeOf(key), jsonText(entry));
         masks.push_back(*mask);
     }
 }
@@ -134,7 +136,11 @@ json toArray(const Vec& v)
 
 Meadow parseMeadow(std::string_view text, const std::string& place)
 {
-    const json object = parseJson(text, place);
+    return meadowFromJson(parseJson(text, place), place);
+}
+
+Meadow meadowFromJson(const json& object, const std::string& place)
+{
     Meadow meadow;
     SettingsReader reader(object, place);
     reader.read("name", meadow.name);
@@ -186,6 +192,11 @@ Meadow loadMeadow(const std::string& fileOrName)
 
 std::string toJson(const Meadow& meadow)
 {
+    return jsonText(meadowToJson(meadow), 2);
+}
+
+json meadowToJson(const Meadow& meadow)
+{
     json list = json::array();
     for (const SpeciesTraits& one : meadow.species) {
         json masks = json::array();
@@ -221,21 +232,20 @@ std::string toJson(const Meadow& meadow)
         if (!one.organs.empty())
             list.back()["organs"] = field::organsJson(one.organs);
     }
-    return json{{"name", meadow.name},
-                {"clump_size_m", meadow.clumpSize},
-                {"sparse_height", meadow.sparseHeight},
-                {"height_waves", meadow.heightWaves},
-                {"drifts", meadow.drifts},
-                {"cover_from_above", meadow.closedCover},
-                {"fit_overhangs", meadow.fitsOverhangs},
-                {"occluder_reach_m", meadow.edges.occluderReach},
-                {"occluder_height", meadow.edges.occluderHeight},
-                {"occluder_dryness", meadow.edges.occluderDryness},
-                {"path_reach_m", meadow.edges.pathReach},
-                {"path_height", meadow.edges.pathHeight},
-                {"path_lean", meadow.edges.pathLean},
-                {"species", list}}
-        .dump(2);
+    return {{"name", meadow.name},
+            {"clump_size_m", meadow.clumpSize},
+            {"sparse_height", meadow.sparseHeight},
+            {"height_waves", meadow.heightWaves},
+            {"drifts", meadow.drifts},
+            {"cover_from_above", meadow.closedCover},
+            {"fit_overhangs", meadow.fitsOverhangs},
+            {"occluder_reach_m", meadow.edges.occluderReach},
+            {"occluder_height", meadow.edges.occluderHeight},
+            {"occluder_dryness", meadow.edges.occluderDryness},
+            {"path_reach_m", meadow.edges.pathReach},
+            {"path_height", meadow.edges.pathHeight},
+            {"path_lean", meadow.edges.pathLean},
+            {"species", list}};
 }
 
 std::vector<std::string> builtInMeadows()

@@ -1,5 +1,7 @@
 #include "bake/report.h"
 
+#include "core/json_text.h"
+
 #include <nlohmann/json.hpp>
 
 #include <numeric>
@@ -64,7 +66,7 @@ std::string toJson(const Report& report)
                         {"patches", report.output.patches},
                         {"bytes_per_blade", perBlade}};
     object["warnings"] = report.warnings;
-    return object.dump(2) + "\n";
+    return jsonText(object, 2) + "\n";
 }
 
 } // namespace sward::bake

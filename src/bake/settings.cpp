@@ -1,6 +1,8 @@
 #include "bake/settings.h"
 
+#include "bake/meadow_json.h"
 #include "core/error.h"
+#include "core/json_text.h"
 #include "terrain/load.h"
 
 #include <glm/geometric.hpp>
@@ -156,9 +158,9 @@ std::string toJson(const BakeSettings& settings)
         {"ray_length", settings.rayLength},
         {"masks", masks},
         {"excluded", excluded},
-        {"meadow", json::parse(toJson(named))},
+        {"meadow", meadowToJson(named)},
     };
-    return object.dump(2);
+    return jsonText(object, 2);
 }
 
 Alignment parseAlignment(const std::string& text)

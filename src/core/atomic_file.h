@@ -11,7 +11,8 @@ namespace sward {
 /// name; commit() synchronises and renames it. Without commit() nothing is left behind.
 class AtomicFile {
 public:
-    /// Throws Error{io} if `path` exists and `overwrite` is false, or cannot be written.
+    /// Follows symbolic links. Throws Error{io} where refuseOverwrite() does, or if the folder
+    /// takes no file.
     AtomicFile(std::filesystem::path path, bool overwrite);
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
@@ -31,7 +32,8 @@ public:
     void commit();
 
 private:
-    std::filesystem::path path_;
+    std::filesystem::path path_;   ///< as given, for messages
+    std::filesystem::path target_; ///< where links lead
     std::filesystem::path temporary_;
     int fd_ = -1;
     bool overwrite_;
@@ -41,8 +43,14 @@ private:
 /// Removes the temporary files of this process. Only for a signal handler that then ends it.
 void removeTemporaryFiles() noexcept;
 
-/// Throws Error{io} if `path` exists and `overwrite` is false. To be called before long work.
+/// Throws Error{io} if `path` exists and `overwrite` is false; if it is no regular file (a folder,
+/// device, pipe), or one that stdout or stderr goes to; if its folder is missing, or its name too
+/// long for it.
 void refuseOverwrite(const std::filesystem::path& path, bool overwrite);
+
+/// The same, and throws Error{io} if the folder takes no new file: tries one, which then goes. To
+/// be called before long work.
+void requireWritable(const std::filesystem::path& path, bool overwrite);
 
 /// Writes `text` as a whole file.
 void writeTextFile(const std::filesystem::path& path, std::string_view text, bool overwrite);

@@ -12,6 +12,8 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <mutex>
+#include <set>
 #include <utility>
 
 namespace sward {
@@ -26,6 +28,21 @@ struct Descriptor {
     }
 };
 
+// What tells files apart, by whatever names.
+using FileId = std::pair<dev_t, ino_t>;
+
+// All files opened so far. Ground, images and fields are read in parallel.
+struct ReadFiles {
+    std::mutex mutex;
+    std::set<FileId> ids;
+};
+
+ReadFiles& readFiles()
+{
+    static ReadFiles files;
+    return files;
+}
+
 // Opens a regular file and returns its size.
 std::size_t openRegular(const std::filesystem::path& path, Descriptor& file)
 {
@@ -37,6 +54,8 @@ std::size_t openRegular(const std::filesystem::path& path, Descriptor& file)
         fail(ErrorKind::io, "{}: cannot read its size: {}", path.string(), std::strerror(errno));
     if (!S_ISREG(status.st_mode))
         fail(ErrorKind::io, "{}: not a regular file", path.string());
+    const std::lock_guard lock(readFiles().mutex);
+    readFiles().ids.emplace(status.st_dev, status.st_ino);
     return static_cast<std::size_t>(status.st_size);
 }
 
@@ -61,6 +80,15 @@ Pages pagesOf(std::span<const std::byte> bytes)
 }
 
 } // namespace
+
+bool hasBeenRead(const std::filesystem::path& path)
+{
+    struct stat status = {};
+    if (::stat(path.c_str(), &status) != 0)
+        return false;
+    const std::lock_guard lock(readFiles().mutex);
+    return readFiles().ids.contains({status.st_dev, status.st_ino});
+}
 
 MappedFile::MappedFile(const std::filesystem::path& path)
 {

@@ -23,6 +23,10 @@ private:
     std::size_t size_ = 0;
 };
 
+/// Whether this program has opened the file that `path` leads to by MappedFile or readFile(): an
+/// input of its work, which an output must not replace.
+bool hasBeenRead(const std::filesystem::path& path);
+
 /// Whether bytes of a mapped file can be read without waiting for a disk, according to the system.
 bool isInMemory(std::span<const std::byte> bytes) noexcept;
 

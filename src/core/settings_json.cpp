@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/foreign_bytes.h"
+#include "core/json_text.h"
 
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -16,7 +17,7 @@ namespace {
 double readNumber(const nlohmann::json& value, const std::string& place, double low, double high)
 {
     if (!value.is_number())
-        fail(ErrorKind::input, "{}: expected a number, found {}", place, value.dump());
+        fail(ErrorKind::input, "{}: expected a number, found {}", place, jsonText(value));
     const double number = value.get<double>();
     // Written so that NaN fails, too.
     if (!(number >= low && number <= high))
@@ -31,7 +32,7 @@ void readVector(const nlohmann::json& value, const std::string& place, double lo
     constexpr glm::length_t size = Vec::length();
     if (!value.is_array() || value.size() != size)
         fail(ErrorKind::input, "{}: expected an array of {} numbers, found {}", place, size,
-             value.dump());
+             jsonText(value));
     for (glm::length_t i = 0; i < size; ++i)
         result[i] = static_cast<typename Vec::value_type>(
             readNumber(value[std::size_t(i)], place, low, high));
@@ -130,7 +131,7 @@ void SettingsReader::read(const char* key, bool& value)
     if (const nlohmann::json* found = find(key)) {
         if (!found->is_boolean())
             fail(ErrorKind::input, "{}: expected true or false, found {}", placeOf(key),
-                 found->dump());
+                 jsonText(*found));
         value = found->get<bool>();
     }
 }
@@ -139,7 +140,7 @@ void SettingsReader::read(const char* key, std::string& value)
 {
     if (const nlohmann::json* found = find(key)) {
         if (!found->is_string())
-            fail(ErrorKind::input, "{}: expected a text, found {}", placeOf(key), found->dump());
+            fail(ErrorKind::input, "{}: expected a text, found {}", placeOf(key), jsonText(*found));
         value = found->get<std::string>();
     }
 }

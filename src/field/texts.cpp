@@ -1,6 +1,7 @@
 #include "field/texts.h"
 
 #include "core/error.h"
+#include "core/json_text.h"
 #include "core/settings_json.h"
 
 #include <glm/geometric.hpp>
@@ -49,7 +50,7 @@ std::string speciesText(const std::vector<Species>& species)
         if (!one.organs.empty())
             list.back()["organs"] = organsJson(one.organs);
     }
-    return list.dump();
+    return jsonText(list);
 }
 
 std::vector<Species> parseSpecies(std::string_view text, const std::string& place)
@@ -84,7 +85,7 @@ std::vector<Species> parseSpecies(std::string_view text, const std::string& plac
 
 std::string coverText(double thinned)
 {
-    return thinned == 1.0 ? std::string() : json{{"thinned", thinned}}.dump();
+    return thinned == 1.0 ? std::string() : jsonText(json{{"thinned", thinned}});
 }
 
 double parseCover(std::string_view text, const std::string& place)
@@ -125,7 +126,7 @@ std::string defaultsText(const Defaults& defaults, const std::string& copyright)
         {"cameras", cameras},
         {"copyright", copyright},
     };
-    return object.dump();
+    return jsonText(object);
 }
 
 Defaults parseDefaults(std::string_view text, const std::string& place, std::string& copyright)

@@ -1,6 +1,7 @@
 #include "interchange/gltf_document.h"
 
 #include "core/expect.h"
+#include "core/json_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -93,7 +94,7 @@ std::string GltfDocument::text() const
 {
     ordered_json whole = *json_;
     whole["buffers"] = ordered_json::array({{{"byteLength", binaryBytes_}}});
-    std::string text = whole.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+    std::string text = jsonText(whole);
     text.resize(aligned(text.size()), ' ');
     return text;
 }

@@ -2,6 +2,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/json_text.h"
 #include "terrain/gltf/container.h"
 
 #include <nlohmann/json.hpp>
@@ -35,7 +36,7 @@ public:
     {
         model_.asset.version = "2.0";
         model_.asset.generator = "Sward";
-        model_.asset.copyright = mesh_.copyright;
+        model_.asset.copyright = toUtf8(mesh_.copyright);
         model_.buffers.emplace_back();
         addMaterials();
         hasUvs_ = std::any_of(mesh_.uvs.begin(), mesh_.uvs.end(),
@@ -50,7 +51,7 @@ public:
         for (auto group = groups.begin(); group != groups.end();) {
             const std::uint32_t node = group->first.first;
             tinygltf::Mesh mesh;
-            mesh.name = mesh_.nodes[node];
+            mesh.name = toUtf8(mesh_.nodes[node]);
             for (; group != groups.end() && group->first.first == node; ++group)
                 mesh.primitives.push_back(primitiveOf(group->second, group->first.second));
             scene.nodes.push_back(addNode(std::move(mesh)));
@@ -179,7 +180,7 @@ private:
             addImage(image);
         for (const GroundMaterial& ground : mesh_.materials) {
             tinygltf::Material material;
-            material.name = ground.name;
+            material.name = toUtf8(ground.name);
             material.doubleSided = ground.doubleSided;
             if (ground.alphaCutoff > 0.0f) {
                 material.alphaMode = "MASK";
@@ -210,7 +211,7 @@ private:
                                    static_cast<int>(4 * ground.width)) == 0)
             fail(ErrorKind::runtime, "image \"{}\" cannot be encoded as PNG", ground.name);
         tinygltf::Image image;
-        image.name = ground.name;
+        image.name = toUtf8(ground.name);
         image.mimeType = "image/png";
         image.bufferView = addView(png.data(), png.size(), 0);
         tinygltf::Texture texture;
@@ -252,7 +253,7 @@ std::string withWraps(std::string file, const GroundMesh& mesh)
         document["materials"][i]["pbrMetallicRoughness"]["baseColorTexture"]["index"] =
             document["textures"].size() - 1;
     }
-    const std::vector<unsigned char> joined = joinGlb(document.dump(), parts.binary);
+    const std::vector<unsigned char> joined = joinGlb(jsonText(document), parts.binary);
     return {joined.begin(), joined.end()};
 }
 

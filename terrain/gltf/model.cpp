@@ -1,6 +1,7 @@
 #include "terrain/gltf/model.h"
 
 #include "core/error.h"
+#include "core/json_text.h"
 #include "core/settings_json.h"
 #include "terrain/gltf/check.h"
 #include "terrain/gltf/container.h"
@@ -52,7 +53,8 @@ void refuseVersion1(const nlohmann::json& document, const std::string& place)
     if (const auto asset = document.find("asset");
         asset != document.end() && asset->is_object() && asset->contains("version")) {
         const nlohmann::json& version = (*asset)["version"];
-        const std::string text = version.is_string() ? version.get<std::string>() : version.dump();
+        const std::string text =
+            version.is_string() ? version.get<std::string>() : jsonText(version);
         isVersion1 = isVersion1 || text.starts_with("1");
     }
     if (isVersion1)
@@ -207,7 +209,7 @@ GltfModel readGltfModel(const std::filesystem::path& path, Diagnostics& diagnost
     model.wraps = takeWraps(document);
     emptyBuffers(document);
     const std::vector<std::size_t> lent = lendViews(document);
-    model.structure = parseStructure(document.dump(), place);
+    model.structure = parseStructure(jsonText(document), place);
     requireSame(document, "bufferViews", model.structure.bufferViews.size(), place);
     requireSame(document, "accessors", model.structure.accessors.size(), place);
     requireSame(document, "textures", model.structure.textures.size(), place);

@@ -43,7 +43,8 @@ class CliTest(unittest.TestCase):
         """Runs the program and demands its exit code; returns the finished process."""
         done = subprocess.run([str(PROGRAM), *map(str, arguments)], cwd=folder or self.folder,
                               env={**os.environ, **(environment or {})}, preexec_fn=before,
-                              stdin=subprocess.DEVNULL, capture_output=True, text=True)
+                              stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                              errors="surrogateescape")
         self.assertEqual(done.returncode, code,
                          f"sward {' '.join(map(str, arguments))}\n{done.stdout}{done.stderr}")
         return done

@@ -1,5 +1,7 @@
 #include "apps/sward/effective_settings.h"
 
+#include "core/json_text.h"
+
 #include <nlohmann/json.hpp>
 
 namespace sward::apps {
@@ -36,7 +38,7 @@ std::string effectiveSettings(const BakeRequest& request)
     all["budget"] = request.settings.budget;
     all["max_blades"] = request.settings.maxBlades;
     all["threads"] = request.threads;
-    return all.dump(2);
+    return jsonText(all, 2);
 }
 
 } // namespace sward::apps

@@ -3,6 +3,7 @@
 #include "apps/sward/bake_summary.h"
 #include "apps/sward/histogram_text.h"
 #include "apps/sward/provenance_text.h"
+#include "core/json_text.h"
 #include "field/inspect.h"
 
 #include <fmt/format.h>
@@ -144,7 +145,7 @@ std::string infoJson(const std::string& file, const field::FieldView& field,
     all["provenance"] = provenance.is_discarded() ? ordered_json(*field.provenance) : provenance;
     if (distributions != nullptr)
         all["histogram"] = histogramJson(*distributions);
-    return all.dump(2);
+    return jsonText(all, 2);
 }
 
 } // namespace sward::apps

@@ -1,6 +1,7 @@
 #include "apps/sward/provenance_text.h"
 
 #include "bake/filter/soft_range.h"
+#include "core/json_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -45,7 +46,7 @@ bool isUnlimited(double number)
 std::string numberText(const json& value)
 {
     if (!value.is_number_float())
-        return value.dump();
+        return jsonText(value);
     const double number = value.get<double>();
     return isUnlimited(number) ? "unlimited" : fmt::format("{:.6g}", number);
 }

@@ -1,6 +1,7 @@
 #include "apps/sward/transform_file.h"
 
 #include "core/error.h"
+#include "core/json_text.h"
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
 
@@ -27,11 +28,11 @@ constexpr double looseness = 1e-5;
 std::vector<double> numbersOf(const json& array, std::size_t size, const std::string& place)
 {
     if (!array.is_array() || array.size() != size)
-        fail(ErrorKind::input, "{}: expected {} numbers, found {}", place, size, array.dump());
+        fail(ErrorKind::input, "{}: expected {} numbers, found {}", place, size, jsonText(array));
     std::vector<double> numbers;
     for (const json& entry : array) {
         if (!entry.is_number())
-            fail(ErrorKind::input, "{}: expected a number, found {}", place, entry.dump());
+            fail(ErrorKind::input, "{}: expected a number, found {}", place, jsonText(entry));
         numbers.push_back(entry.get<double>());
         // The negation also catches NaN.
         if (!(std::abs(numbers.back()) <= largestNumber))

@@ -3,6 +3,7 @@
 #include "apps/sward_view/camera_file.h"
 #include "core/error.h"
 #include "core/expect.h"
+#include "core/json_text.h"
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
 
@@ -120,7 +121,7 @@ std::string cameraPathText(const CameraPath& path, double step)
     }
     std::string text = "[\n";
     for (std::size_t i = 0; i < json.size(); ++i)
-        text += json[i].dump() + (i + 1 < json.size() ? ",\n" : "\n");
+        text += jsonText(json[i]) + (i + 1 < json.size() ? ",\n" : "\n");
     return text + "]\n";
 }
 

@@ -1,5 +1,7 @@
 #include "bake/meadow.h"
+#include "bake/meadow_json.h"
 #include "core/error.h"
+#include "core/json_text.h"
 #include "core/settings_json.h"
 
 #include <fmt/ranges.h>
@@ -25,8 +27,11 @@ std::vector<std::string> stepsOf(const std::string& path)
 }
 
 // A value as JSON, or else as text: outward, 0:30~5.
-json valueOf(const std::string& text)
+json valueOf(const std::string& assignment, const std::string& text)
 {
+    // A meadow's names go into the field file, which is JSON.
+    if (!isUtf8(text))
+        fail(ErrorKind::usage, "--set {}: the value is not UTF-8", assignment);
     json value = json::parse(text, nullptr, false);
     return value.is_discarded() ? json(text) : value;
 }
@@ -64,13 +69,13 @@ void assign(json& object, const std::string& key, const json& value, const std::
 
 Meadow withAssignments(const Meadow& meadow, const std::vector<std::string>& assignments)
 {
-    json object = json::parse(toJson(meadow));
+    json object = meadowToJson(meadow);
     for (const std::string& assignment : assignments) {
         const std::size_t equals = assignment.find('=');
         if (equals == std::string::npos)
             fail(ErrorKind::usage, "--set {}: expected key=value", assignment);
         std::vector<std::string> steps = stepsOf(assignment.substr(0, equals));
-        const json value = valueOf(assignment.substr(equals + 1));
+        const json value = valueOf(assignment, assignment.substr(equals + 1));
         if (steps.size() > 1 && steps.front() == "meadow")
             steps.erase(steps.begin());
         if (steps.size() == 1) {
@@ -84,12 +89,12 @@ Meadow withAssignments(const Meadow& meadow, const std::vector<std::string>& ass
         }
         // Report errors of the reader as usage errors: the text comes from the command line.
         try {
-            parseMeadow(object.dump(), "--set " + assignment);
+            meadowFromJson(object, "--set " + assignment);
         } catch (const Error& error) {
             fail(ErrorKind::usage, "{}", error.what());
         }
     }
-    return parseMeadow(object.dump(), "--set");
+    return meadowFromJson(object, "--set");
 }
 
 } // namespace sward::bake

@@ -1,6 +1,7 @@
 #include "bake/tiles/tile_files.h"
 
 #include "core/error.h"
+#include "core/json_text.h"
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
 #include "terrain/ground_file.h"
@@ -55,7 +56,7 @@ glm::dvec3 vectorOf(const json& array)
 json groundJson(const Report& report)
 {
     const auto& colors = report.colors;
-    return {{"path", report.input.path},
+    return {{"path", bytesToJson(report.input.path)},
             {"triangles", report.input.triangles},
             {"area", report.input.area},
             {"low", vectorJson(report.input.low)},
@@ -68,10 +69,10 @@ json groundJson(const Report& report)
             {"warnings", report.warnings}};
 }
 
-Report groundReport(const json& ground)
+Report groundReport(const json& ground, const std::string& place)
 {
     Report report;
-    ground.at("path").get_to(report.input.path);
+    report.input.path = bytesFromJson(ground.at("path"), place + ": ground.path");
     ground.at("triangles").get_to(report.input.triangles);
     ground.at("area").get_to(report.input.area);
     report.input.low = vectorOf(ground.at("low"));
@@ -135,11 +136,14 @@ void checkTree(const CellTree& cell, const fs::path& path)
 
 void writePlan(const fs::path& path, const TilePlan& plan, bool overwrite)
 {
+    json arguments = json::array();
+    for (const std::string& argument : plan.arguments)
+        arguments.push_back(bytesToJson(argument));
     const json object = {{"format", planFormat},
                          {"id", plan.id},
                          {"tiles", plan.tiles},
-                         {"arguments", plan.arguments},
-                         {"folder", plan.folder},
+                         {"arguments", arguments},
+                         {"folder", bytesToJson(plan.folder)},
                          {"ground", groundJson(plan.report)},
                          {"resolved",
                           {{"scale", plan.plan.plan.scale},
@@ -156,7 +160,7 @@ void writePlan(const fs::path& path, const TilePlan& plan, bool overwrite)
                            {"root_last_key", plan.plan.roots.amount.lastKey},
                            {"root_spacing", plan.plan.roots.spacing},
                            {"root_filtered", plan.plan.roots.filtered}}}};
-    writeTextFile(path, object.dump(2) + "\n", overwrite);
+    writeTextFile(path, jsonText(object, 2) + "\n", overwrite);
 }
 
 TilePlan readPlan(const fs::path& path)
@@ -168,13 +172,14 @@ TilePlan readPlan(const fs::path& path)
     try {
         if (object.at("format") != planFormat)
             fail(ErrorKind::unsupported, "{}: is \"{}\", not \"{}\"", name,
-                 object.at("format").dump(), planFormat);
+                 jsonText(object.at("format")), planFormat);
         TilePlan plan;
         plan.id = object.at("id").get<std::string>();
         plan.tiles = object.at("tiles").get<std::uint32_t>();
-        plan.arguments = object.at("arguments").get<std::vector<std::string>>();
-        plan.folder = object.at("folder").get<std::string>();
-        plan.report = groundReport(object.at("ground"));
+        for (const json& argument : object.at("arguments"))
+            plan.arguments.push_back(bytesFromJson(argument, name + ": arguments"));
+        plan.folder = bytesFromJson(object.at("folder"), name + ": folder");
+        plan.report = groundReport(object.at("ground"), name);
         const json& resolved = object.at("resolved");
         const auto number = [&](const char* key) { return resolved.at(key).get<double>(); };
         plan.plan.plan.scale = number("scale");

@@ -1,5 +1,6 @@
 #include "render/settings/settings_text.h"
 
+#include "core/json_text.h"
 #include "render/cull_tests.h"
 #include "render/look_settings.h"
 #include "render/settings/environment_settings.h"
@@ -138,7 +139,7 @@ std::string settingsText(const FrameSettings& settings)
         json["look"]["exposure"] = number(*settings.exposure);
     if (settings.fogDensity >= 0.0f)
         json["look"]["fog"] = number(settings.fogDensity);
-    return json.dump(2) + "\n";
+    return jsonText(json, 2) + "\n";
 }
 
 } // namespace sward::render

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -95,6 +96,58 @@ TEST_F(Files, InMissingFoldersAreRefused)
 {
     EXPECT_THROW(AtomicFile(folder / "no" / "a", false), Error);
     EXPECT_THROW(refuseOverwrite(folder, true), Error);
+}
+
+TEST_F(Files, AreWrittenThroughLinks)
+{
+    fs::create_directories(folder / "far");
+    fs::create_symlink("far/b", folder / "a"); // leads nowhere yet
+    EXPECT_THROW(writeTextFile(folder / "a", "new", false), Error);
+    for (const char* text : {"first", "second"}) {
+        writeTextFile(folder / "a", text, true);
+        EXPECT_TRUE(fs::is_symlink(folder / "a"));
+        EXPECT_EQ(contents(folder / "far" / "b"), text);
+    }
+    fs::create_symlink("loop", folder / "loop");
+    EXPECT_THROW(writeTextFile(folder / "loop", "new", true), Error);
+    EXPECT_EQ(entries(), 3U);
+}
+
+TEST_F(Files, ReplaceNothingThatIsNoRegularFile)
+{
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    fs::create_symlink("/dev/null", folder / "link");
+    for (const fs::path& path : {folder / "pipe", folder / "link", fs::path("/dev/null"), folder}) {
+        for (const bool overwrite : {false, true}) {
+            try {
+                requireWritable(path, overwrite);
+                ADD_FAILURE() << path;
+            } catch (const Error& error) {
+                EXPECT_EQ(error.kind(), ErrorKind::io) << path;
+                EXPECT_NE(std::string(error.what()).find("is a "), std::string::npos) << path;
+            }
+        }
+    }
+    EXPECT_EQ(entries(), 2U);
+}
+
+TEST_F(Files, MayHaveTheLongestNameOfAFolder)
+{
+    writeTextFile(folder / std::string(255, 'a'), "long", false);
+    EXPECT_EQ(contents(folder / std::string(255, 'a')), "long");
+    EXPECT_THROW(requireWritable(folder / std::string(256, 'a'), false), Error);
+    EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(Files, ThatWereReadAreKnownByAnyName)
+{
+    writeTextFile(folder / "a", "grass", false);
+    fs::create_symlink("a", folder / "b");
+    EXPECT_FALSE(hasBeenRead(folder / "a"));
+    EXPECT_EQ(readFile(folder / "b").size(), 5U);
+    EXPECT_TRUE(hasBeenRead(folder / "a"));
+    EXPECT_TRUE(hasBeenRead(folder / "." / "b"));
+    EXPECT_FALSE(hasBeenRead(folder / "missing"));
 }
 
 TEST_F(Files, AreInMemoryOnceTheyHaveBeenRead)

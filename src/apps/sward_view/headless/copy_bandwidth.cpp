@@ -3,6 +3,7 @@
 #include "apps/common/interrupt.h"
 #include "core/embedded.h"
 #include "core/error.h"
+#include "core/json_text.h"
 #include "gpu/barrier.h"
 #include "gpu/buffer.h"
 #include "gpu/compute_pipeline.h"
@@ -135,7 +136,7 @@ std::string copyText(const CopyBandwidth& copies)
                                       {"command_ms", timesOf(copies.byCommand)},
                                       {"shader_ms", timesOf(copies.byShader)},
                                       {"gb_per_s", copies.gigabytesPerSecond()}};
-    return json.dump() + "\n";
+    return jsonText(json) + "\n";
 }
 
 } // namespace sward::view

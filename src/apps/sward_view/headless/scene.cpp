@@ -2,6 +2,7 @@
 
 #include "apps/sward_view/frame_options.h"
 #include "core/error.h"
+#include "core/json_text.h"
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
 
@@ -45,7 +46,7 @@ std::optional<SceneText> readText(SettingsReader& reader, const char* key, const
     const nlohmann::json& value = reader.child(key);
     const std::string place = reader.placeOf(key);
     if (value.is_object() || (mayBeArray && value.is_array()))
-        return SceneText{value.dump(), place, true};
+        return SceneText{jsonText(value), place, true};
     if (!value.is_string())
         fail(ErrorKind::input, "{}: expected a text or an object, found {}", place,
              value.type_name());
@@ -64,7 +65,7 @@ std::vector<std::string> readOptions(SettingsReader& reader, const char* key)
     for (const nlohmann::json& option : array) {
         if (!option.is_string())
             fail(ErrorKind::input, "{}: expected texts, found {}", reader.placeOf(key),
-                 option.dump());
+                 jsonText(option));
         options.push_back(option.get<std::string>());
     }
     return options;

@@ -1,5 +1,7 @@
 #include "apps/sward_view/headless/stats_json.h"
 
+#include "core/json_text.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -70,7 +72,7 @@ std::string statsText(const RunStats& stats)
     if (stats.warmUp)
         json["warmup"] = {{"frames", stats.warmUp->frames}, {"seconds", stats.warmUp->seconds}};
     json["validation_messages"] = stats.validationMessages;
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return jsonText(json, 2) + "\n";
 }
 
 } // namespace sward::view

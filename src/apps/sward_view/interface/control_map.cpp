@@ -1,5 +1,7 @@
 #include "apps/sward_view/interface/control_map.h"
 
+#include "core/json_text.h"
+
 #include <nlohmann/json.hpp>
 
 #include <fstream>
@@ -22,7 +24,7 @@ void ControlMap::finishFrame(double seconds)
                           {"kind", place.kind}};
         // Rename, so that a reader never sees a partial file; no sync to the disk.
         const std::filesystem::path part = path_.string() + ".part";
-        std::ofstream(part) << json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
+        std::ofstream(part) << jsonText(json, 1);
         std::error_code ignored;
         std::filesystem::rename(part, path_, ignored);
     }

@@ -1,5 +1,6 @@
 #include "apps/sward_view/interface/units.h"
 #include "apps/sward_view/panels/panels.h"
+#include "core/json_text.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -16,7 +17,7 @@ constexpr float addWidth = 40.0f;    ///< [pixels]
 std::string indented(const std::string& provenance)
 {
     const auto json = nlohmann::json::parse(provenance, nullptr, false);
-    return json.is_discarded() ? provenance : json.dump(2);
+    return json.is_discarded() ? provenance : jsonText(json, 2);
 }
 
 // Lists several fields to choose from or remove.

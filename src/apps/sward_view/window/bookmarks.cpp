@@ -3,6 +3,7 @@
 #include "apps/sward_view/camera_file.h"
 #include "apps/sward_view/window/state_file.h"
 #include "core/error.h"
+#include "core/json_text.h"
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
 
@@ -84,7 +85,7 @@ void Bookmarks::keep() const
                                                    {"up", {c.up.x, c.up.y, c.up.z}},
                                                    {"fov_y_deg", c.fovY}};
     // A file name may be invalid UTF-8.
-    keepState(file_, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    keepState(file_, jsonText(json, 1) + "\n");
 }
 
 } // namespace sward::view

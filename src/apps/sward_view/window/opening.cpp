@@ -2,6 +2,7 @@
 
 #include "apps/sward_view/interface/units.h"
 #include "core/error.h"
+#include "core/json_text.h"
 #include "core/log.h"
 
 #include <fmt/core.h>
@@ -101,7 +102,7 @@ std::string reportText(const std::filesystem::path& report)
         text += fmt::format("\n{} left out: {}", countText(count), reason);
     if (json.contains("warnings") && json["warnings"].is_array())
         for (const auto& warning : json["warnings"])
-            text += "\n" + (warning.is_string() ? warning.get<std::string>() : warning.dump());
+            text += "\n" + (warning.is_string() ? warning.get<std::string>() : jsonText(warning));
     return text;
 }
 

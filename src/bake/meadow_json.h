@@ -1,0 +1,18 @@
+#pragma once
+
+#include "bake/meadow.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+
+namespace sward::bake {
+
+/// The meadow as a JSON value. Names of images keep their bytes, also where these are not UTF-8.
+/// Include from .cpp files only.
+nlohmann::json meadowToJson(const Meadow& meadow);
+
+/// The inverse. Throws Error{input} naming `place`.
+Meadow meadowFromJson(const nlohmann::json& object, const std::string& place);
+
+} // namespace sward::bake

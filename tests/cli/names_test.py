@@ -1,0 +1,81 @@
+"""A file name is bytes. One that is not UTF-8 is found, and ends no command."""
+
+import json
+import os
+import unittest
+
+from support import CliTest, USAGE
+
+ODD = os.fsdecode(b"caf\xe9")  # Latin-1, as from an old archive
+
+
+class Names(CliTest):
+    def setUp(self):
+        super().setUp()
+        self.home = self.folder / ODD
+        self.home.mkdir()
+        self.sward("terrain", "hills", "-o", self.home / f"{ODD}.glb")
+
+    def odd(self, *arguments, **how):
+        """Runs in the folder; returns stdout as JSON."""
+        return json.loads(self.sward(*arguments, folder=self.home, **how).stdout)
+
+    def test_in_every_json_that_is_written(self):
+        mesh = self.home / f"{ODD}.glb"
+        self.sward("bake", mesh, "-o", self.home / f"{ODD}.sward", "--count", "50", "--occluder", mesh,
+                   "--exclude", mesh, "--report", self.home / f"{ODD}.json")
+        report = json.loads((self.home / f"{ODD}.json").read_bytes())
+        self.assertIn("caf\ufffd.glb", report["input"]["path"])
+        self.assertIn("caf\ufffd.sward", report["output"]["path"])
+        effective = self.odd("bake", mesh, "-o", "x", "--print-config", "--hole-mask", mesh)
+        self.assertIn("caf\ufffd.glb", effective["ground"]["input"][0])
+        self.odd("info", f"{ODD}.sward", "--json")
+        self.sward("validate", self.home / f"{ODD}.sward")
+        for extension in (".csv", ".ply", ".usda", ".glb"):
+            self.sward("export", self.home / f"{ODD}.sward", "-o", self.home / f"{ODD}{extension}",
+                       "--force")
+
+    def test_inside_of_a_mesh(self):
+        (self.folder / "m.mtl").write_bytes(b"newmtl g\xe9\nKd 0 1 0\n")
+        (self.folder / "m.obj").write_bytes(b"mtllib m.mtl\no n\xe9\nv 0 0 0\nv 1 0 0\nv 0 0 1\n"
+                                            b"usemtl g\xe9\nf 1 3 2\n")
+        self.bake("m.obj", "--count", "20", "--material", os.fsdecode(b"g\xe9"), "--report", "r.json",
+                  to="f.sward")
+        self.info(self.folder / "f.sward")
+        self.sward("export", "f.sward", "-o", "f.glb", "--with-ground")
+        self.sward("terrain", "m.obj", "-o", "t.glb")
+        self.bake("t.glb", "--count", "20", "--material", "g\ufffd", to="t.sward")
+
+    def test_in_a_plan_are_found_again(self):
+        plan = self.home / f"{ODD}.json"
+        options = ("--exclude", f"{ODD}.glb:0.5", "--count", "200", "--seed", "3")
+        self.sward("bake", f"{ODD}.glb", "-o", "whole.sward", *options, folder=self.home)
+        self.sward("plan", f"{ODD}.glb", "-o", plan, "--tiles", "2", *options, folder=self.home)
+        written = json.loads(plan.read_text(encoding="utf-8"))
+        self.assertIn({"percent": "caf%E9.glb"}, written["arguments"])
+        for index in range(2):
+            self.sward("tile", plan, "--index", index, "-o", self.home / "tiles")
+        self.sward("merge", plan, self.home / "tiles", "-o", self.home / "joined.sward", "--report",
+                   self.home / "r.json")
+        self.sward("compare", self.home / "whole.sward", self.home / "joined.sward")
+        self.assertIn("caf\ufffd.glb", self.read_json(f"{ODD}/r.json")["input"]["path"])
+
+    def test_of_masks_beside_a_meadow_survive_assignments(self):
+        # A mask that is missing is named by its own bytes: it was looked for under them.
+        meadow = {"species": [{"name": "a", "share": 1, "mask": "texture:m.png:R"}]}
+        (self.home / "m.json").write_text(json.dumps(meadow))
+        for assignment in ((), ("--set", "clump_size_m=1")):
+            done = self.sward("bake", "plane", "-o", "f.sward", "--meadow", self.home / "m.json",
+                              *assignment, code=2, before=None)
+            self.assertIn(str(self.home / "m.png"), done.stderr)
+
+    def test_that_json_cannot_hold_are_refused_in_words(self):
+        (self.folder / "m.json").write_bytes(b'{"species": [{"name": "caf\xe9"}]}')
+        self.refused("bake", "plane", "-o", "f.sward", "--meadow", "m.json", code=3,
+                     names=["m.json", "UTF-8"])
+        self.refused("bake", "plane", "-o", "f.sward", f"--set=species.0.name={ODD}", code=USAGE,
+                     names=["--set", "UTF-8"])
+
+
+if __name__ == "__main__":
+    unittest.main()
