@@ -21,6 +21,8 @@ static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<Progress*>::
               "a signal handler may only touch lock-free atomics");
 
 std::atomic<bool> isBound = false;
+constexpr int ending[] = {SIGINT, SIGTERM, SIGXCPU}; // besides SIGHUP
+
 constexpr suseconds_t patience = 800'000; // [µs]
 
 // Work has not stopped by itself.
@@ -50,14 +52,21 @@ extern "C" void onSignal(int number)
 
 InterruptFlag::InterruptFlag()
 {
-    std::signal(SIGINT, onSignal);
-    std::signal(SIGTERM, onSignal);
+    for (const int number : ending)
+        std::signal(number, onSignal);
+    // nohup lets a program outlive its terminal.
+    if (std::signal(SIGHUP, onSignal) == SIG_IGN)
+        std::signal(SIGHUP, SIG_IGN);
+    // A write beyond the limit then fails, and its temporary file goes.
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 InterruptFlag::~InterruptFlag()
 {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    for (const int number : ending)
+        std::signal(number, SIG_DFL);
+    if (std::signal(SIGHUP, SIG_DFL) == SIG_IGN)
+        std::signal(SIGHUP, SIG_IGN);
 }
 
 void boundInterrupts() noexcept

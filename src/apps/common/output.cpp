@@ -1,13 +1,50 @@
 #include "apps/common/output.h"
 
+#include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/log.h"
+#include "core/mapped_file.h"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 namespace sward::apps {
+namespace {
+
+// What Sward reads or writes; a file under such a name is taken for one.
+constexpr std::array<std::string_view, 26> formats{
+    ".sward", ".json", ".png", ".csv", ".glb",  ".gltf", ".ply", ".usda", ".usd",
+    ".usdc",  ".obj",  ".mtl", ".bin", ".stl",  ".off",  ".r16", ".raw",  ".r32",
+    ".hgt",   ".asc",  ".exr", ".jpg", ".jpeg", ".tga",  ".bmp", ".fbx"};
+constexpr std::array<std::string_view, 4> exported{".glb", ".ply", ".usda", ".csv"};
+
+std::string extensionOf(const std::filesystem::path& path)
+{
+    std::string text = path.extension().string();
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z')
+            c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
+void requireExtension(const std::string& path, std::string_view extension)
+{
+    const std::string found = extensionOf(path);
+    if (found == extension || std::ranges::find(formats, found) == formats.end())
+        return;
+    if (extension == ".sward" && std::ranges::find(exported, found) != exported.end())
+        fail(ErrorKind::usage,
+             "{}: a field is written, whose name ends in .sward; 'sward export' makes a {} of it",
+             path, found);
+    fail(ErrorKind::usage, "{}: what is written ends in {}; {} is the name of another format", path,
+         extension, found);
+}
+
+} // namespace
 
 void writeResult(std::string_view text)
 {
@@ -17,6 +54,14 @@ void writeResult(std::string_view text)
         std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
     if (!written)
         fail(ErrorKind::io, "standard output: cannot write: {}", std::strerror(errno));
+}
+
+void requireOutput(const std::string& path, std::string_view extension, bool overwrite)
+{
+    requireExtension(path, extension);
+    if (hasBeenRead(path))
+        fail(ErrorKind::usage, "{}: is read and would be overwritten", path);
+    requireWritable(path, overwrite);
 }
 
 } // namespace sward::apps

@@ -30,9 +30,9 @@ void checkOutputs(const BakeRequest& request)
     std::vector<std::string> sources = request.inputs;
     sources.insert(sources.end(), request.occluders.begin(), request.occluders.end());
     if (!request.dryRun)
-        checkOutput(request.output, sources, request.overwrite);
+        checkOutput(request.output, ".sward", sources, request.overwrite);
     if (!request.report.empty())
-        checkOutput(request.report, sources, request.overwrite);
+        checkOutput(request.report, ".json", sources, request.overwrite);
     if (!request.dryRun && !request.report.empty() && isSameFile(request.report, request.output))
         fail(ErrorKind::usage, "{}: is named both as the field and as the report", request.output);
 }
@@ -85,6 +85,7 @@ public:
         if (request.choosesSlope)
             request.settings.slope = bake::defaultSlope(ground, request.settings.groundUp);
         loadExcluded(request, diagnostics);
+        checkOutputs(request); // against all files that the ground names
         const double loading = watch.lap();
         // Compute the topology line only when verbose, because it takes time.
         if (options_.log.verbose)

@@ -4,8 +4,8 @@
 #include "apps/common/progress_bar.h"
 #include "apps/common/version.h"
 #include "apps/sward/bake_summary.h"
+#include "apps/sward/output_files.h"
 #include "apps/sward/subcommand.h"
-#include "core/atomic_file.h"
 #include "core/error.h"
 #include "field/read.h"
 #include "interchange/csv.h"
@@ -71,10 +71,7 @@ public:
         const Format format = formatOf(output_);
         if (settings_.withGround && !format.hasGround)
             fail(ErrorKind::usage, "{}: --with-ground needs a .glb output", output_);
-        std::error_code ignored;
-        if (std::filesystem::equivalent(file_, output_, ignored))
-            fail(ErrorKind::usage, "{}: is read and would be overwritten", output_);
-        refuseOverwrite(output_, settings_.overwrite);
+        checkOutput(output_, format.extension, {file_}, settings_.overwrite);
 
         const field::MappedField field = field::readField(file_);
         interchange::ExportSettings settings = settings_;

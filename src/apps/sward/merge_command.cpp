@@ -88,12 +88,7 @@ public:
     int run() const override
     {
         log_.apply();
-        checkOutput(output_, {plan_}, force_);
-        if (!report_.empty()) {
-            checkOutput(report_, {plan_}, force_);
-            if (isSameFile(report_, output_))
-                fail(ErrorKind::usage, "{}: is named both as the field and as the report", output_);
-        }
+        checkOutputs();
         Stopwatch total;
         Stopwatch watch;
         const bake::TilePlan plan = bake::readPlan(plan_);
@@ -133,6 +128,7 @@ public:
                  damaged.size(), damaged.empty() ? "none" : arrayText(damaged), arrayText(again));
         }
 
+        checkOutputs(); // against the tiles
         bake::Report report = plan.report;
         report.threads = bake::threadCount(0);
         report.timing.load = watch.lap();
@@ -154,6 +150,16 @@ public:
     }
 
 private:
+    void checkOutputs() const
+    {
+        checkOutput(output_, ".sward", {plan_}, force_);
+        if (report_.empty())
+            return;
+        checkOutput(report_, ".json", {plan_}, force_);
+        if (isSameFile(report_, output_))
+            fail(ErrorKind::usage, "{}: is named both as the field and as the report", output_);
+    }
+
     // Settings of the plan; file names are relative to its folder.
     bake::BakeSettings settingsOf(const bake::TilePlan& plan) const
     {

@@ -1,24 +1,19 @@
 #include "apps/sward/output_files.h"
 
-#include "core/atomic_file.h"
+#include "apps/common/output.h"
 #include "core/error.h"
-
-#include <unistd.h>
 
 namespace sward::apps {
 
 namespace fs = std::filesystem;
 
-void checkOutput(const std::string& output, const std::vector<std::string>& sources, bool overwrite)
+void checkOutput(const std::string& output, std::string_view extension,
+                 const std::vector<std::string>& sources, bool overwrite)
 {
     for (const std::string& source : sources)
         if (fs::exists(source) && isSameFile(source, output))
             fail(ErrorKind::usage, "{}: is read and would be overwritten", output);
-    refuseOverwrite(output, overwrite);
-    const fs::path parent = fs::path(output).parent_path();
-    const fs::path folder = parent.empty() ? fs::path(".") : parent;
-    if (::access(folder.c_str(), W_OK) != 0)
-        fail(ErrorKind::io, "{}: the folder {} cannot be written to", output, folder.string());
+    requireOutput(output, extension, overwrite);
 }
 
 bool isSameFile(const fs::path& a, const fs::path& b)

@@ -2,14 +2,15 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sward::apps {
 
-/// Checks an output before any work. Throws Error{usage} if it is one of `sources`, Error{io} if it
-/// exists and `overwrite` is false or its folder is not writable.
-void checkOutput(const std::string& output, const std::vector<std::string>& sources,
-                 bool overwrite);
+/// requireOutput(); throws Error{usage} also if the output is one of `sources`, which are read
+/// later.
+void checkOutput(const std::string& output, std::string_view extension,
+                 const std::vector<std::string>& sources, bool overwrite);
 
 /// Whether both names refer to the same file, existing or not.
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);

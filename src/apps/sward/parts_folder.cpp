@@ -29,15 +29,21 @@ void move(const fs::path& from, const fs::path& to)
 
 } // namespace
 
+void PartsFolder::requirePlace(const fs::path& place)
+{
+    std::error_code trouble;
+    if (fs::exists(place, trouble) && !fs::exists(bake::barePath(place), trouble) &&
+        (!fs::is_directory(place) || !fs::is_empty(place)))
+        fail(ErrorKind::io, "{}: exists and is not the folder of a plan", place.string());
+}
+
 PartsFolder::PartsFolder(fs::path place)
     : place_(std::move(place))
     , filling_(beside(place_, "new"))
     , before_(beside(place_, "old"))
 {
+    requirePlace(place_);
     std::error_code trouble;
-    if (fs::exists(place_, trouble) && !fs::exists(bake::barePath(place_), trouble) &&
-        (!fs::is_directory(place_) || !fs::is_empty(place_)))
-        fail(ErrorKind::io, "{}: exists and is not the folder of a plan", place_.string());
     fs::create_directories(filling_, trouble);
     if (trouble)
         fail(ErrorKind::io, "{}: cannot be made: {}", filling_.string(), trouble.message());

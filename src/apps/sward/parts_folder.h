@@ -8,7 +8,11 @@ namespace sward::apps {
 /// beside its place and then renamed. Without keep(), the destructor restores the former state.
 class PartsFolder {
 public:
-    /// Throws Error{io}, also if the existing folder is neither a plan's folder nor empty.
+    /// Throws Error{io} if `place` exists and is neither a plan's folder nor empty. To be called
+    /// before long work.
+    static void requirePlace(const std::filesystem::path& place);
+
+    /// Throws Error{io} as requirePlace() does, or if the folder cannot be made.
     explicit PartsFolder(std::filesystem::path place);
     PartsFolder(const PartsFolder&) = delete;
     PartsFolder& operator=(const PartsFolder&) = delete;

@@ -6,6 +6,7 @@
 #include "apps/sward/bake_summary.h"
 #include "apps/sward/excluded_input.h"
 #include "apps/sward/ground_input.h"
+#include "apps/sward/output_files.h"
 #include "apps/sward/parts_folder.h"
 #include "apps/sward/subcommand.h"
 #include "bake/field_header.h"
@@ -14,7 +15,6 @@
 #include "bake/threads.h"
 #include "bake/tiles/tile_files.h"
 #include "bake/whole_plan.h"
-#include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/log.h"
 #include "core/random.h"
@@ -67,10 +67,11 @@ public:
         options_.log.apply();
         BakeRequest request = options_.request();
         const fs::path output = fs::absolute(request.output);
-        refuseOverwrite(output, request.overwrite);
+        checkOutputs(request, output);
         Diagnostics diagnostics;
         terrain::GroundMesh ground = loadGround(request, diagnostics);
         loadExcluded(request, diagnostics);
+        checkOutputs(request, output); // against all files that the ground names
         if (request.choosesSlope)
             request.settings.slope = bake::defaultSlope(ground, request.settings.groundUp);
 
@@ -101,6 +102,14 @@ public:
     }
 
 private:
+    static void checkOutputs(const BakeRequest& request, const fs::path& output)
+    {
+        std::vector<std::string> sources = request.inputs;
+        sources.insert(sources.end(), request.occluders.begin(), request.occluders.end());
+        checkOutput(output.string(), ".json", sources, request.overwrite);
+        PartsFolder::requirePlace(bake::partsFolder(output));
+    }
+
     // Write parts and the empty field first, the plan last: an existing plan is complete.
     static std::size_t write(terrain::GroundMesh& ground, const BakeRequest& request,
                              bake::TilePlan& plan, const fs::path& output, Diagnostics& diagnostics,

@@ -1,7 +1,7 @@
 #include "apps/common/output.h"
 #include "apps/sward/bake_summary.h"
+#include "apps/sward/output_files.h"
 #include "apps/sward/subcommand.h"
-#include "core/atomic_file.h"
 #include "core/diagnostics.h"
 #include "core/log.h"
 #include "terrain/gltf/export.h"
@@ -35,9 +35,10 @@ public:
 
     int run() const override
     {
-        refuseOverwrite(output_, overwrite_);
+        checkOutput(output_, ".glb", {input_}, overwrite_);
         Diagnostics diagnostics;
         const terrain::GroundMesh mesh = terrain::load(input_, {}, diagnostics);
+        checkOutput(output_, ".glb", {}, overwrite_); // against all files that the ground names
         terrain::exportGltf(mesh, output_, overwrite_);
         for (const std::string& warning : diagnostics.warnings())
             log::warn("{}", warning);

@@ -8,6 +8,7 @@
 #include "apps/sward/working_folder.h"
 #include "bake/threads.h"
 #include "bake/tiles/tile_files.h"
+#include "core/atomic_file.h"
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>
@@ -70,6 +71,7 @@ public:
         fs::create_directories(output.parent_path(), trouble);
         if (trouble)
             fail(ErrorKind::io, "{}: cannot be made: {}", folder_, trouble.message());
+        requireWritable(output, true);
         BakeRequest request = requestOf(plan.arguments, plan_);
         Diagnostics diagnostics;
         loadExcluded(request, diagnostics);

@@ -1,3 +1,4 @@
+#include "apps/common/output.h"
 #include "apps/common/parse_text.h"
 #include "apps/common/progress_bar.h"
 #include "apps/sward_view/commands.h"
@@ -43,16 +44,29 @@ struct RenderOptions {
 // Checks all outputs before the work.
 void checkOutputs(const RenderOptions& options, const FrameNames& names)
 {
+    const std::vector<std::string>& fields = options.frame.fields;
+    const auto require = [&](const std::string& path, const char* extension) {
+        if (path.empty())
+            return;
+        for (const std::string& field : fields)
+            if (std::error_code ignored; std::filesystem::equivalent(field, path, ignored))
+                fail(ErrorKind::usage, "{}: is read and would be overwritten", path);
+        apps::requireOutput(path, extension, options.force);
+    };
+    require(names.of(options.lastFrame).string(), ".png");
+    require(options.stats, ".json");
+    require(options.dump, ".csv");
+
+    // All pictures lie in one folder.
     std::vector<std::filesystem::path> paths;
     const std::uint64_t first = names.numbered() ? options.firstFrame : options.lastFrame;
     for (std::uint64_t frame = first; frame <= options.lastFrame; ++frame)
         paths.push_back(names.of(frame));
+    for (const std::filesystem::path& path : paths)
+        refuseOverwrite(path, options.force);
     for (const std::string& path : {options.stats, options.dump})
         if (!path.empty())
             paths.emplace_back(path);
-
-    for (const std::filesystem::path& path : paths)
-        refuseOverwrite(path, options.force);
     std::sort(paths.begin(), paths.end());
     const auto twin = std::adjacent_find(paths.begin(), paths.end());
     if (twin != paths.end())
@@ -94,6 +108,7 @@ int render(const RenderOptions& options)
              options.frame.fields.size());
 
     Headless headless(options.frame, !options.dump.empty());
+    checkOutputs(options, names); // against the files of settings, cameras and masks
     if (headless.isStreamed() && (options.reference || !options.dump.empty()))
         fail(ErrorKind::usage,
              "{}: needs all blades in device memory; --gpu-memory is too small for them",
