@@ -173,7 +173,7 @@ class ExportCommand(ExportTest):
             self.assertEqual((self.folder / name).read_text(), "precious")
 
     def test_the_field_itself_is_never_overwritten(self):
-        self.bake("plane", "--count", "50", to="field.ply")
+        (self.folder / self.bake("plane", "--count", "50")).rename(self.folder / "field.ply")
         before = (self.folder / "field.ply").read_bytes()
         self.refused("export", "field.ply", "-o", "./field.ply", "--force", code=USAGE, names=["field.ply"])
         self.assertEqual((self.folder / "field.ply").read_bytes(), before)
