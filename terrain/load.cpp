@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/foreign_bytes.h"
+#include "core/lower_case.h"
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
 #include "terrain/bare_names.h"
@@ -120,11 +121,7 @@ GroundMesh loadBuiltIn(const std::string& name, const ImportSettings& settings,
 
 std::string fileKind(const std::filesystem::path& path)
 {
-    std::string extension = path.extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z')
-            c = static_cast<char>(c - 'A' + 'a');
-    return extension;
+    return lowerCase(path.extension().string());
 }
 
 GroundMesh load(const std::string& input, const ImportSettings& settings, Diagnostics& diagnostics)

@@ -1,5 +1,6 @@
 #include "terrain/repeated_ground.h"
 
+#include "core/lower_case.h"
 #include "core/random.h"
 
 #include <algorithm>
@@ -13,14 +14,6 @@ namespace sward::terrain {
 namespace {
 
 constexpr std::uint32_t noIndex = 0xffffffffU;
-
-std::string inSmallLetters(std::string text)
-{
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z')
-            c = static_cast<char>(c - 'A' + 'a');
-    return text;
-}
 
 bool isDigit(char c)
 {
@@ -36,7 +29,7 @@ struct DetailName {
 // Splits "Tree_LOD2" or "tree_lod2.001" into "tree" and 2; none without a level.
 std::optional<DetailName> levelIn(const std::string& name)
 {
-    std::string text = inSmallLetters(name);
+    std::string text = lowerCase(name);
     // Blender adds a number to repeated names.
     std::string repeat;
     if (text.size() > 4 && text[text.size() - 4] == '.' &&
@@ -63,10 +56,10 @@ DetailName detailOf(const std::string& path)
     while (begin <= path.size()) {
         const std::size_t end = std::min(path.find('/', begin), path.size());
         if (const auto found = levelIn(path.substr(begin, end - begin)))
-            return {inSmallLetters(path.substr(0, begin)) + found->thing, found->level};
+            return {lowerCase(path.substr(0, begin)) + found->thing, found->level};
         begin = end + 1;
     }
-    return {inSmallLetters(path), -1};
+    return {lowerCase(path), -1};
 }
 
 bool isCollider(const std::string& path)

@@ -1,5 +1,6 @@
 #include "core/error.h"
 #include "core/foreign_bytes.h"
+#include "core/lower_case.h"
 #include "terrain/heightmap/height_samples.h"
 
 #include <charconv>
@@ -49,15 +50,6 @@ std::optional<double> ascNumber(std::string_view word)
     return value;
 }
 
-std::string smallLetters(std::string_view word)
-{
-    std::string small(word);
-    for (char& c : small)
-        if (c >= 'A' && c <= 'Z')
-            c = static_cast<char>(c - 'A' + 'a');
-    return small;
-}
-
 struct AscHeader {
     double columns = 0.0;
     double rows = 0.0;
@@ -71,7 +63,7 @@ AscHeader readAscHeader(AscWords& words, const std::string& place)
     AscHeader header;
     while (true) {
         const std::size_t begin = words.offset();
-        const std::string key = smallLetters(words.next());
+        const std::string key = lowerCase(std::string(words.next()));
         if (key.empty() || ascNumber(key)) {
             words.goTo(begin);
             return header;

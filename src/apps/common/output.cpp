@@ -3,6 +3,7 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/log.h"
+#include "core/lower_case.h"
 #include "core/mapped_file.h"
 
 #include <algorithm>
@@ -24,11 +25,7 @@ constexpr std::array<std::string_view, 4> exported{".glb", ".ply", ".usda", ".cs
 
 std::string extensionOf(const std::filesystem::path& path)
 {
-    std::string text = path.extension().string();
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z')
-            c = static_cast<char>(c - 'A' + 'a');
-    return text;
+    return lowerCase(path.extension().string());
 }
 
 void requireExtension(const std::string& path, std::string_view extension)

@@ -3,6 +3,7 @@
 #include "apps/sward_view/child_process.h"
 #include "core/error.h"
 #include "core/log.h"
+#include "core/lower_case.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -58,10 +59,7 @@ bool wantsBaking(const std::string& input)
                                                           ".hgt", ".asc",  ".exr", ".json"};
     constexpr std::array<std::string_view, 6> builtIns{"plane", "sphere", "hills",
                                                        "dunes", "torus",  "arch"};
-    std::string extension = fs::path(input).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
+    const std::string extension = lowerCase(fs::path(input).extension().string());
     if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end())
         return true;
     return !fs::exists(input) &&
