@@ -23,12 +23,8 @@ enum class ErrorKind {
 /// file, the item, the value and the bound, so that a user can correct it.
 class Error : public std::runtime_error {
 public:
-    /// Use fail().
-    Error(ErrorKind kind, const std::string& message)
-        : std::runtime_error(message)
-        , kind_(kind)
-    {
-    }
+    /// Use fail(). Control characters of the message become \xNN (plainText()): none cuts what().
+    Error(ErrorKind kind, const std::string& message);
 
     ErrorKind kind() const { return kind_; }                 ///< what is wrong
     int exitCode() const { return static_cast<int>(kind_); } ///< of a program that this error ends

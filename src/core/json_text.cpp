@@ -17,16 +17,37 @@ int hexDigit(char c)
     return upper >= 'A' && upper <= 'F' ? upper - 'A' + 10 : -1;
 }
 
+// The same JSON with \u00NN for DEL and C1 characters, which the library writes as they are. They
+// occur in strings only.
+std::string withoutControls(std::string json)
+{
+    if (json.find_first_of("\x7f\xc2") == std::string::npos)
+        return json;
+    std::string plain;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const auto next = static_cast<unsigned char>(i + 1 < json.size() ? json[i + 1] : 0);
+        if (json[i] == '\x7f')
+            plain += "\\u007f";
+        else if (json[i] == '\xc2' && next < 0xa0)
+            plain += fmt::format("\\u{:04x}", static_cast<unsigned char>(json[++i]));
+        else
+            plain += json[i];
+    }
+    return plain;
+}
+
 } // namespace
 
 std::string jsonText(const nlohmann::json& value, int indent)
 {
-    return value.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
+    return withoutControls(
+        value.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 std::string jsonText(const nlohmann::ordered_json& value, int indent)
 {
-    return value.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    return withoutControls(
+        value.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 std::string toUtf8(std::string_view bytes)

@@ -9,7 +9,8 @@ namespace sward {
 
 /// JSON as text, on one line, or with `indent` spaces for each level. File names are bytes and need
 /// not be UTF-8: each byte that is not is written as U+FFFD, as JSON has no other form for it.
-/// All JSON is written by this. Include from .cpp files only.
+/// No control
+/// character is written as it is. All JSON is written by this. Include from .cpp files only.
 std::string jsonText(const nlohmann::json& value, int indent = -1);
 std::string jsonText(const nlohmann::ordered_json& value, int indent = -1);
 

@@ -1,5 +1,7 @@
 #include "core/log.h"
 
+#include "core/plain_text.h"
+
 #include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
@@ -72,18 +74,6 @@ bool isContinuation(char c)
     return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;
 }
 
-// Length of the UTF-8 control character at `i`: C0 but line feed and tab, DEL, C1. 0: none.
-std::size_t controlAt(const std::string& text, std::size_t i)
-{
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if ((byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7f)
-        return 1;
-    const bool isC1 = byte == 0xc2 && i + 1 < text.size() &&
-                      static_cast<unsigned char>(text[i + 1]) >= 0x80 &&
-                      static_cast<unsigned char>(text[i + 1]) < 0xa0;
-    return isC1 ? 2 : 0;
-}
-
 // Appends text[begin, end), without its middle if it is long. Never cuts a UTF-8 character.
 void appendWord(const std::string& text, std::size_t begin, std::size_t end, std::string& to)
 {
@@ -104,15 +94,7 @@ void appendWord(const std::string& text, std::size_t begin, std::size_t end, std
 
 std::string printable(const std::string& text)
 {
-    std::string plain;
-    plain.reserve(text.size());
-    for (std::size_t i = 0; i < text.size();)
-        if (const std::size_t length = controlAt(text, i); length > 0) {
-            plain += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[i + length - 1]));
-            i += length;
-        } else {
-            plain += text[i++];
-        }
+    const std::string plain = plainText(text);
     std::string result;
     for (std::size_t begin = 0; begin < plain.size();) {
         const std::size_t end = std::min(plain.find_first_of(" \n", begin), plain.size());

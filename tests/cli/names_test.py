@@ -76,6 +76,31 @@ class Names(CliTest):
         self.refused("bake", "plane", "-o", "f.sward", f"--set=species.0.name={ODD}", code=USAGE,
                      names=["--set", "UTF-8"])
 
+    def test_with_control_characters_neither_cut_a_message_nor_reach_the_terminal(self):
+        odd = b"a\x1b]0;x\x07\0\x7f\xc2\x9bz"
+        shown = "a\\x1b]0;x\\x07\\x00\\x7f\\x9bz"
+        for name, content in {
+                "a.ply": b"ply\nformat ascii 1.0\nelement " + odd + b" x\nend_header\n",
+                "b.ply": b"ply\nformat " + odd + b" 1.0\nend_header\n",
+                "a.obj": b"v 0 " + odd + b" 0\n",
+                "a.off": b"OFF\n3 " + odd + b" 0\n",
+                "a.stl": b"solid a\nfacet normal 0 0 " + odd + b"\n",
+                "a.asc": b"ncols " + odd + b"\nnrows 2\n",
+                "a.json": b'{"' + odd.replace(b"\0", b"") + b'": 1}'}.items():
+            with self.subTest(name=name):
+                (self.folder / name).write_bytes(content)
+                said = self.refused("bake", name, "-o", "f.sward", code=3, names=[name]).stderr
+                self.assertTrue(all(c.isprintable() or c == "\n" for c in said), ascii(said))
+                if name in ("b.ply", "a.off", "a.asc"):  # these quote what they found
+                    self.assertIn(shown, said)
+        species = {"name": "\x1b[2Jgrün\x7f\x9b\0", "share": 1}
+        self.write_json("m.json", {"species": [species]})
+        self.bake("plane", "--count", "9", "--meadow", "m.json")
+        for option in ((), ("--json",)):
+            told = self.sward("info", "field.sward", *option).stdout
+            self.assertTrue(all(c.isprintable() or c == "\n" for c in told), ascii(told))
+        self.assertEqual(json.loads(told)["species"][0]["name"], species["name"])
+
 
 if __name__ == "__main__":
     unittest.main()

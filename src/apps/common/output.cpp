@@ -5,6 +5,7 @@
 #include "core/log.h"
 #include "core/lower_case.h"
 #include "core/mapped_file.h"
+#include "core/plain_text.h"
 
 #include <algorithm>
 #include <array>
@@ -47,8 +48,9 @@ void writeResult(std::string_view text)
 {
     // Clear the status line: both streams may be the same terminal.
     log::setStatusLine("");
-    const bool written =
-        std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+    const std::string plain = plainText(text);
+    const bool written = std::fwrite(plain.data(), 1, plain.size(), stdout) == plain.size() &&
+                         std::fflush(stdout) == 0;
     if (!written)
         fail(ErrorKind::io, "standard output: cannot write: {}", std::strerror(errno));
 }

@@ -5,7 +5,8 @@
 
 namespace sward::apps {
 
-/// Writes a result to stdout. Throws Error{io} if writing fails (a full disk).
+/// Writes a result to stdout, control characters of names as \xNN. Throws Error{io} if writing
+/// fails (a full disk).
 void writeResult(std::string_view text);
 
 /// Checks an output before any work; again after the inputs are loaded, it also knows the files

@@ -1,6 +1,8 @@
 #include "core/error.h"
 #include "core/foreign_bytes.h"
+#include "core/json_text.h"
 #include "core/log.h"
+#include "core/plain_text.h"
 #include "core/settings_json.h"
 
 #include <gtest/gtest.h>
@@ -30,6 +32,38 @@ TEST(ForeignBytes, AnyTextIsPrintable)
     EXPECT_EQ(log::printable("\xc2\x9b"
                              "2J"),
               "\\x9b2J");
+}
+
+TEST(ForeignBytes, NoByteCutsTheMessageOfAnErrorNorSteersATerminal)
+{
+    for (int byte = 0; byte < 256; ++byte) {
+        const std::string said = std::string("file ") + static_cast<char>(byte) + " end";
+        try {
+            fail(ErrorKind::input, "{}", said);
+        } catch (const Error& error) {
+            const std::string what = error.what();
+            EXPECT_EQ(what.substr(what.size() - 4), " end") << byte;
+            EXPECT_EQ(what.find_first_of(std::string("\0\a\x1b\x7f\r", 5)), std::string::npos)
+                << byte;
+        }
+    }
+    EXPECT_EQ(std::string(Error(ErrorKind::input, std::string("a\0b", 3)).what()), "a\\x00b");
+}
+
+TEST(ForeignBytes, JsonHasNoControlCharactersAndKeepsItsMeaning)
+{
+    for (unsigned character = 0; character < 0x800; ++character) {
+        std::string text = "a";
+        if (character < 0x80)
+            text += static_cast<char>(character);
+        else {
+            text += static_cast<char>(0xc0U | (character >> 6U));
+            text += static_cast<char>(0x80U | (character & 0x3fU));
+        }
+        const std::string written = jsonText(nlohmann::json(text + "b"));
+        EXPECT_EQ(written, plainText(written)) << character;
+        EXPECT_EQ(nlohmann::json::parse(written).get<std::string>(), text + "b") << character;
+    }
 }
 
 TEST(ForeignBytes, LongWordsLoseTheirMiddleAndNoCharacterIsCut)
