@@ -4,7 +4,8 @@
     needs("open3d", "parallel")
 
 and is left out, with the reason, on a machine that lacks one of them. Where CI is true in the environment such a
-test fails instead, unless the distribution has no such package: CI installs what there is.
+test fails instead, unless the distribution has no such package: CI installs what there is. scripts/test
+--complete sets CI. What a GoogleTest skips is told with it, and fails there too.
 
   tests/support/needs.py              what this machine lacks: a line "Left out: …" for each need that leaves tests out
   tests/support/needs.py LastTest.log the tests that a run of ctest has left out, by reason
@@ -74,6 +75,11 @@ def reason_without(name):
     return f"install {' '.join(need.packages)} (scripts/install-dependencies --test)"
 
 
+def demanded():
+    """Whether nothing may be left out."""
+    return os.environ.get("CI", "").lower() not in ("", "0", "false")
+
+
 def needs(*names):
     """Leaves the test out, or fails it, if the machine lacks something."""
     for name in names:
@@ -84,33 +90,39 @@ def needs(*names):
 def leave_out(name, reason):
     """The same for what shows only when it is used: a server that cannot be reached, a daemon that does not start."""
     text = f"needs {NEEDS[name].what}: {reason}"
-    demanded = os.environ.get("CI", "").lower() not in ("", "0", "false")
-    if demanded and not absent_packages().intersection(NEEDS[name].packages):
+    if demanded() and not absent_packages().intersection(NEEDS[name].packages):
         raise AssertionError(f"{text}\nCI is set: there no test is left out")
     print(f"\nleft out: {text.splitlines()[0]}", file=sys.stderr)
     raise unittest.SkipTest(text)
 
 
 def left_out_in(log):
-    """Names of tests by reason, from ctest's LastTest.log."""
-    found, test = {}, ""
+    """Names of tests by reason, from ctest's LastTest.log: those of needs(), and those of GTEST_SKIP()."""
+    found, test, skips = ({}, {}), "", False
     for line in log.splitlines():
         if begin := re.match(r"\d+/\d+ Test: (.+)", line):
             test = begin[1]
         elif reason := re.match(r"left out: (.+)", line):
-            found.setdefault(reason[1], []).append(test)
+            found[0].setdefault(reason[1], []).append(test)
+        elif skips:
+            found[1].setdefault(line.strip() or "no reason given", []).append(test)
+        skips = re.search(r"\.cpp:\d+: Skipped$", line) is not None
     return found
 
 
 def main(arguments):
-    if arguments:
-        for reason, tests in left_out_in(Path(arguments[0]).read_text(encoding="utf-8", errors="replace")).items():
-            print(f"Left out: {', '.join(dict.fromkeys(tests))}: {reason}")
-    else:
+    """Returns the exit code."""
+    if not arguments:
         for name, need in NEEDS.items():
             if reason := reason_without(name):
                 print(f"Left out: tests that need {need.what}: {reason}")
+        return 0
+    found = left_out_in(Path(arguments[0]).read_text(encoding="utf-8", errors="replace"))
+    for reasons in found:
+        for reason, tests in reasons.items():
+            print(f"Left out: {', '.join(dict.fromkeys(tests))}: {reason}")
+    return int(bool(found[1]) and demanded())
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    sys.exit(main(sys.argv[1:]))

@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -96,6 +97,76 @@ class Registered(unittest.TestCase):
                 self.assertIn(f'SKIP_REGULAR_EXPRESSION "{written}"', properties, name)
                 checked += 1
         self.assertGreater(checked, 50)
+
+    def test_every_way_of_leaving_out_is_told(self):
+        # unittest's own skips print no reason that the end of a run could tell.
+        own = re.compile(r"skipTest\(|unittest\.skip|SkipTest|SKIP_RETURN_CODE|DISABLED_|\bDISABLED\b")
+        for path in [*(ROOT / "tests").rglob("*.py"), *(ROOT / "tests").rglob("*.cpp"),
+                     *(ROOT / "tests").rglob("CMakeLists.txt")]:
+            if path.parent != ROOT / "tests/support":
+                self.assertIsNone(own.search(path.read_text(encoding="utf-8")), path)
+
+    def test_what_a_googletest_skips_is_told_and_demanded(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".log") as log:
+            log.write("1/1 Test: Some.Law\nCommand: x\nOutput:\n/a/some_test.cpp:7: Skipped\nit rains\n\n[  SKIPPED ] Some.Law\n")
+            log.flush()
+            for demanded in ("", "true"):
+                done = subprocess.run([ROOT / "tests/support/needs.py", log.name], capture_output=True, text=True,
+                                      env={**os.environ, "CI": demanded})
+                self.assertEqual((done.stdout, done.returncode), ("Left out: Some.Law: it rains\n", int(bool(demanded))))
+
+
+class Script(unittest.TestCase):
+    """scripts/test itself in a tree whose build and ctest are stand-ins, on a PATH without a tool."""
+
+    def run_script(self, *arguments, installs=True, script="scripts/test", **environment):
+        with tempfile.TemporaryDirectory(prefix="sward-needs-") as name:
+            folder = Path(name)
+            for part in ("scripts", "tests", ".ci"):
+                (folder / part).mkdir()
+            shutil.copy(ROOT / "scripts/test", folder / "scripts")
+            shutil.copy(ROOT / ".ci/run", folder / ".ci")
+            (folder / "tests/support").symlink_to(ROOT / "tests/support")
+            stand_ins = {
+                "scripts/install-dependencies": f"exit {int(not installs)}", "scripts/build": "exit 0",
+                "bin/node": "exit 0",
+                # Runs one test as ctest does: a file in LastTest.log, a word on what it was.
+                "bin/ctest": f"""case " $* " in *" -N "*) echo "Total Tests: 3"; exit 0 ;; esac
+                                 mkdir -p build/release/Testing/Temporary
+                                 echo "1/1 Test: guest" > build/release/Testing/Temporary/LastTest.log
+                                 /usr/bin/python3 -B {folder}/guest.py 2>> build/release/Testing/Temporary/LastTest.log"""}
+            for file, text in stand_ins.items():
+                (folder / file).parent.mkdir(exist_ok=True)
+                (folder / file).write_text(f"#!/bin/bash\n{text}\n", encoding="utf-8")
+                (folder / file).chmod(0o755)
+            (folder / "guest.py").write_text(
+                f"import sys, unittest\nsys.path.insert(0, {str(ROOT / 'tests/support')!r})\nimport needs\n"
+                "class Guest(unittest.TestCase):\n    def test(self): needs.needs('parallel')\nunittest.main()\n", encoding="utf-8")
+            # Only these tools are found: GNU parallel is not among them.
+            for tool in ("bash", "env", "dirname", "readlink", "sed", "nproc", "mkdir", "echo"):
+                (folder / "bin" / tool).symlink_to(shutil.which(tool))
+            clean = {key: value for key, value in os.environ.items() if key != "CI"}
+            return subprocess.run([folder / script, *arguments], capture_output=True, text=True,
+                                  env={**clean, "PATH": str(folder / "bin"), **environment})
+
+    def test_it_says_before_and_after_what_is_left_out_and_why(self):
+        done = self.run_script()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        lines = done.stdout.splitlines()
+        self.assertIn("Left out: 3 tests with the label long (scripts/test --long runs them)", lines)
+        self.assertIn("Left out: tests that need GNU parallel: install parallel (scripts/install-dependencies --test)", lines)
+        self.assertEqual(lines[-1], "Left out: guest: needs GNU parallel: install parallel (scripts/install-dependencies --test)")
+
+    def test_complete_and_ci_demand_it(self):
+        for how in ({"script": ".ci/run"}, {"CI": "true"}):
+            self.assertNotEqual(self.run_script(**how).returncode, 0, how)
+        self.assertNotEqual(self.run_script("--complete").returncode, 0)
+
+    def test_packages_that_cannot_be_installed_are_told_or_demanded(self):
+        done = self.run_script(installs=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("Left out: what the missing packages bring; they could not be installed", done.stdout)
+        self.assertEqual(self.run_script("--complete", installs=False).returncode, 1)
 
 
 class Lists(unittest.TestCase):
