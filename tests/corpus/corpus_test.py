@@ -1,0 +1,68 @@
+"""Two readers that share no line agree on every file: Sward, and NumPy (numpy_ground.py). The 500 files come from
+seeds and hold what formats allow: corpus_files.py."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import corpus_files
+import numpy_ground
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("SWARD_GROUND_FIGURES", ROOT / "build/release/bin/ground_figures")
+COUNT = 500
+FIRST = int(os.environ.get("SWARD_CORPUS_FIRST", 0))  # seed of the first file
+
+# Relative, of areas: Sward keeps positions in single precision, within 2 km of the file's origin.
+AREA_ERROR = 2e-4
+COLOR_ERROR = 1e-3
+# Of the mean tint of 600 blades: half of a step of 5 bits, and four times the error of a mean of numbers in [0, 1].
+TINT_ERROR = 1 / 62 + 4 * 0.5 / 600 ** 0.5
+
+
+class Corpus(unittest.TestCase):
+    def test_both_readers_agree_on_triangles_area_and_tint(self):
+        with tempfile.TemporaryDirectory(prefix="sward-corpus-") as name:
+            folder = Path(name)
+            files = [corpus_files.write(folder, number) for number in range(FIRST, FIRST + COUNT)]
+            lines = ["\t".join([str(folder / file)] + [f"{k}={','.join(map(str, v)) if isinstance(v, tuple) else v}"
+                                                       for k, v in options.items()]) for file, options in files]
+            done = subprocess.run([PROGRAM], input="\n".join(lines) + "\n", capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stderr[-2000:])
+            told = [json.loads(line) for line in done.stdout.splitlines()]
+            self.assertEqual(len(told), COUNT)
+            wrong = []
+            for (file, options), sward in zip(files, told):
+                own = numpy_ground.figures(folder / file, **options)
+                if reason := self.difference(own, sward):
+                    wrong.append(f"{file} {options}: {reason}")
+            if wrong and os.environ.get("SWARD_KEEP_CORPUS"):
+                subprocess.run(["cp", "-r", name, os.environ["SWARD_KEEP_CORPUS"]])
+            self.assertFalse(wrong, f"{len(wrong)} of {COUNT}; SWARD_KEEP_CORPUS=FOLDER keeps the files\n" + "\n".join(wrong[:40]))
+            # A corpus that is bare of colours or kinds shows nothing.
+            self.assertGreater(len({Path(file).suffix for file, _ in files}), 11)
+            self.assertGreater(len({tuple(np.round(t["color"], 2)) for t in told}), COUNT // 3)
+
+    def difference(self, own, sward):
+        if "error" in sward:
+            return sward["error"]
+        if own["triangles"] != sward["triangles"]:
+            return f"{own['triangles']} triangles, not {sward['triangles']}"
+        if abs(own["area"] - sward["area"]) > AREA_ERROR * own["area"]:
+            return f"{own['area']} m2, not {sward['area']}"
+        if np.abs(own["color"] - sward["color"]).max() > COLOR_ERROR:
+            return f"colour {own['color']}, not {sward['color']}"
+        if np.abs(own["tint"] - sward["tint"]).max() > TINT_ERROR:
+            return f"tint {own['tint']}, not {sward['tint']}"
+        return None
+
+
+if __name__ == "__main__":
+    unittest.main()
