@@ -108,6 +108,8 @@ GroundMesh loadBuiltIn(const std::string& name, const ImportSettings& settings,
     if (recipe.empty()) {
         if (isOnNetwork(name))
             fail(ErrorKind::io, "{}: is on the network; nothing is fetched: save it first", name);
+        if (std::error_code ignored; std::filesystem::exists(name, ignored))
+            fail(ErrorKind::io, "{}: not a regular file, and no built-in terrain", name);
         const std::vector<std::string> known = builtInNames();
         const std::string near = nearestWord(name, known);
         fail(ErrorKind::io, "{}: no such file, and no built-in terrain ({}){}", name,

@@ -43,10 +43,10 @@ ReadFiles& readFiles()
     return files;
 }
 
-// Opens a regular file and returns its size.
+// Opens a regular file and returns its size. Opening a pipe would wait for somebody who writes.
 std::size_t openRegular(const std::filesystem::path& path, Descriptor& file)
 {
-    file.fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    file.fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (file.fd < 0)
         fail(ErrorKind::io, "{}: cannot open: {}", path.string(), std::strerror(errno));
     struct stat status = {};

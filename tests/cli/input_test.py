@@ -2,6 +2,7 @@
 
 import json
 import math
+import os
 import struct
 import unittest
 
@@ -223,6 +224,24 @@ class Input(CliTest):
             with self.subTest(mesh=mesh.name):
                 self.bake(mesh, "--count", "1000", "--force")
                 self.sward("validate", "field.sward")
+
+    def test_a_pipe_is_refused_and_not_waited_for(self):
+        self.bake("plane", "--count", "9", to="f.sward")
+        self.sward("plan", "plane", "--count", "9", "--tiles", "1", "-o", "p.json")
+        for kind in ("sward", "glb", "obj", "png", "json"):
+            os.mkfifo(self.folder / f"pipe.{kind}")
+        bake = ("bake", "-o", "o.sward")
+        for command, kind in ((("info",), "sward"), (("validate",), "sward"), (("compare", "f.sward"), "sward"),
+                              (("export", "-o", "o.csv"), "sward"), (bake, "glb"), (bake, "obj"), (bake, "png"), (bake, "json"),
+                              ((*bake, "plane", "--meadow"), "json"), ((*bake, "plane", "--mask"), "png"),
+                              ((*bake, "plane", "--occluder"), "glb"), ((*bake, "plane", "--exclude"), "obj"),
+                              (("terrain", "-o", "o.glb"), "json"), (("compare", "f.sward", "f.sward", "--transform"), "json"),
+                              (("tile", "--index", "0", "-o", "o"), "json"), (("merge", "-o", "o.sward"), "json")):
+            name = f"pipe.{kind}"
+            with self.subTest(command=command, kind=kind):
+                more = ["d"] if command[0] == "merge" else []
+                word = f"texture:{name}" if command[-1] == "--mask" else name
+                self.refused(*command, word, *more, code=IO, names=[name, "not a regular file"])
 
 
 if __name__ == "__main__":

@@ -70,6 +70,44 @@ class OutputPlace(CliTest):
                     with self.subTest(command=command, other=other):
                         self.refused(*command, f"x{other}", code=USAGE, names=[f"x{other}", extension])
 
+    def test_of_a_tile_is_refused_before_the_tile_is_baked(self):
+        # Without its parts the plan can bake nothing: an error of the place shows that it was looked at first.
+        self.sward("plan", "plane", "--count", "10", "--tiles", "2", "-o", "p.json")
+        self.sward("tile", "p.json", "--index", "0", "-o", "sound")
+        name = next((self.folder / "sound").iterdir()).name
+        (self.folder / "p.parts").rename(self.folder / "away")
+        os.mkfifo(self.folder / "fifo")
+        (self.folder / "file").write_text("precious")
+        for kind, target in (("pipe", "../fifo"), ("device", "/dev/null"), ("folder", "../away")):
+            (self.folder / kind).mkdir()
+            (self.folder / kind / name).symlink_to(target)
+            for force in ((), ("--force",)):
+                with self.subTest(kind=kind, force=force):
+                    self.refused("tile", "p.json", "--index", "0", "-o", kind, *force, code=IO,
+                                 names=[name, f"is a {kind}"])
+            self.assertTrue((self.folder / kind / name).is_symlink())
+        for place in ("file", "/proc/none"):
+            self.refused("tile", "p.json", "--index", "0", "-o", place, code=IO, names=[place])
+        self.assertEqual((self.folder / "file").read_text(), "precious")
+
+    def test_of_a_tile_follows_links_and_replaces_only_what_is_damaged(self):
+        self.sward("plan", "plane", "--count", "10", "--tiles", "2", "-o", "p.json")
+        self.sward("tile", "p.json", "--index", "0", "-o", "sound")
+        tile = next((self.folder / "sound").iterdir())
+        whole = tile.read_bytes()
+        (self.folder / "links").mkdir()
+        link = self.folder / "links" / tile.name
+        link.symlink_to("../far")
+        for content in (None, b"", whole[:-1], bytes(len(whole))):
+            if content is not None:
+                (self.folder / "far").write_bytes(content)
+            self.sward("tile", "p.json", "--index", "0", "-o", "links")
+            self.assertTrue(link.is_symlink())
+            self.assertEqual((self.folder / "far").read_bytes(), whole)
+        before = (self.folder / "far").stat()
+        self.assertIn("is there already", self.sward("tile", "p.json", "--index", "0", "-o", "links").stdout)
+        self.assertEqual((self.folder / "far").stat().st_mtime_ns, before.st_mtime_ns)
+
     def test_that_is_standard_output(self):
         (self.folder / "out.sward").symlink_to("/dev/stdout")
         with open(self.folder / "log", "wb") as log:
