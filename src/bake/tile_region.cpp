@@ -14,7 +14,7 @@
 namespace sward::bake {
 namespace {
 
-constexpr std::size_t maxCells = 50'000'000;
+constexpr std::size_t maxCells = 10'000'000; // 10 000 km² of level ground, 25 s
 
 // Index of a cell along a Z-order curve that begins at the lowest cell. If it began at zero, ground
 // that crosses height 0 would be split into two layers.
@@ -122,7 +122,10 @@ std::vector<std::vector<CellNumber>> dealTiles(const terrain::GroundMesh& ground
         const Range range = cellsOf(ground, t, 0.01);
         const double touched = sizeOf(range);
         if (touched + double(cells.size()) > double(maxCells))
-            fail(ErrorKind::input, "the ground touches more than {} cells of 32 m", maxCells);
+            fail(ErrorKind::input,
+                 "the boxes of triangles 0 to {} hold {:.4g} cells of 32 m, more than the {} that "
+                 "a plan deals; --scale, or a ground of smaller triangles, makes fewer",
+                 t, touched + double(cells.size()), maxCells);
         const double area = ground.area(t) / touched;
         forEachCell(range, [&](const CellNumber& cell) {
             const auto [entry, isNew] = cells.try_emplace(packCell(cell), Cell{cell, 0.0});

@@ -43,7 +43,7 @@ private:
 
 /// Distributes the cells that bearing triangles touch over `count` tiles of about equal area. Cells
 /// of one tile are near one another. Tiles beyond the number of cells are empty. Throws
-/// Error{input} if triangles touch more than 50 million cells.
+/// Error{input} if the boxes of triangles hold more than 10 million cells.
 std::vector<std::vector<CellNumber>> dealTiles(const terrain::GroundMesh& ground,
                                                std::size_t count);
 

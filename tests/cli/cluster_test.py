@@ -237,6 +237,12 @@ class Tiles(ClusterTest):
         self.assertNotEqual(before["plan.json"], digest(self.folder / "plan.json"))
         self.assertEqual(set(before), {name for name in self.files() if (self.folder / name).is_file()})
 
+    def test_a_plan_of_more_cells_than_it_deals_in_a_minute_is_refused_at_once(self):
+        # A bake of the same ground has a count, and is done in seconds; the plan would visit each cell of the box.
+        (self.folder / "steep.obj").write_text("v 0 0 0\nv 40000 20000 0\nv 0 9000 40000\nf 1 3 2\n", encoding="ascii")
+        self.refused("plan", "steep.obj", "--tiles", "2", "--count", "100", "-o", "p.json", code=INPUT,
+                     names=["cells of 32 m", "10000000"])
+
     def test_a_plan_replaces_no_folder_but_that_of_a_plan(self):
         (self.folder / "plan.parts").mkdir()
         mine = self.folder / "plan.parts/letters.txt"

@@ -1,7 +1,7 @@
 // Sward's figures of many ground files in one process, for corpus_test.py. Each line of stdin is a
 // file and its options, apart by tabs: size=W,H extent=X,Z height=MIN,MAX endian=E no_data=V. Each
-// line of stdout is JSON: triangles with an area, area, color (mean by area of what blades take their tint from,
-// linear), blades, tint (their mean), or error.
+// line of stdout is JSON: triangles with an area, area, color (mean by area of what blades take
+// their tint from, linear), blades, tint (their mean), or error.
 
 #include "bake/bake.h"
 #include "bake/drawn_colors.h"
@@ -91,10 +91,10 @@ nlohmann::json figuresOf(const std::string& line)
     bake::BakeSettings settings;
     settings.count = blades;
     settings.exposureRays = 0;
-    settings.meadow = bake::parseMeadow(R"({"species": [{"name": "grass", "share": 1}]})", "meadow");
+    settings.meadow =
+        bake::parseMeadow(R"({"species": [{"name": "grass", "share": 1}]})", "meadow");
     Progress progress;
-    const bake::BakeResult baked =
-        bake::bakeField(ground, settings, 1, diagnostics, progress);
+    const bake::BakeResult baked = bake::bakeField(ground, settings, 1, diagnostics, progress);
     glm::dvec3 tint(0.0);
     for (const shared::PackedBlade& blade : baked.field.blades)
         tint += glm::dvec3(double(blade.look & 31U) / 31.0, double((blade.look >> 5U) & 63U) / 63.0,
