@@ -4,13 +4,13 @@
 
 namespace sward::bake {
 
-float NearbyRoots::distance(const glm::vec3& place, float radius) const
+float NearbyRoots::distance(const glm::vec3& place, float radius, float& blocker) const
 {
     // Cells are twice as wide as the sight: the own cell and those beyond the nearer faces suffice.
     const Cell own = {cellOf(place.x), cellOf(place.y), cellOf(place.z)};
     const float least = radius * radius;
     float squared = sight * sight * least;
-    if (!look(own, place, least, squared))
+    if (!look(own, place, least, squared, blocker))
         return 0.0f;
     const auto gapOf = [&](float x, std::uint32_t cell, std::uint32_t& beyond) {
         const float inside = x - static_cast<float>(cell) * width_;
@@ -30,22 +30,25 @@ float NearbyRoots::distance(const glm::vec3& place, float radius) const
         const bool z = (i & 4) != 0;
         if ((x ? gapX : 0.0f) + (y ? gapY : 0.0f) + (z ? gapZ : 0.0f) < squared &&
             !look({x ? beyond.x : own.x, y ? beyond.y : own.y, z ? beyond.z : own.z}, place, least,
-                  squared))
+                  squared, blocker))
             return 0.0f;
     }
     return std::sqrt(squared);
 }
 
 // Lowers `squared` to the squared distance of the roots in a cell; false if it falls below `least`.
-bool NearbyRoots::look(const Cell& cell, const glm::vec3& place, float least, float& squared) const
+bool NearbyRoots::look(const Cell& cell, const glm::vec3& place, float least, float& squared,
+                       float& blocker) const
 {
     for (std::uint32_t i = heads_[headOf(cell)]; i != none; i = entries_[i].next) {
         const glm::vec3 offset = entries_[i].place - place;
         const float other = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
         if (other >= entries_[i].squared)
             continue;
-        if (other < least)
+        if (other < least) {
+            blocker = other;
             return false;
+        }
         squared = std::min(squared, other);
     }
     return true;

@@ -40,8 +40,10 @@ public:
     }
 
     /// Distance from `place` to the nearest chosen root, at most 1.25 `radius`, or 0 if it is less
-    /// than `radius`. `radius` must not be above that of clear().
-    float distance(const glm::vec3& place, float radius) const;
+    /// than `radius`. Then `blocker` is the squared distance [m²] of one root that is nearer, and
+    /// the place stays blocked for every smaller radius whose square is above it. `radius` must not
+    /// be above that of clear().
+    float distance(const glm::vec3& place, float radius, float& blocker) const;
 
 private:
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -67,7 +69,8 @@ private:
         return (mixed ^ mixed >> 15) & (heads_.size() - 1);
     }
 
-    bool look(const Cell& cell, const glm::vec3& place, float least, float& squared) const;
+    bool look(const Cell& cell, const glm::vec3& place, float least, float& squared,
+              float& blocker) const;
 
     float width_ = 1.0f;
     float perCell_ = 1.0f;

@@ -84,12 +84,19 @@ private:
     std::size_t sorted_ = 0;
 };
 
+// A candidate tried without success, and the squared distance [m²] of a root that blocks it. It stays
+// blocked until the radius is smaller than that.
+struct Passed {
+    std::uint32_t candidate;
+    float blocker;
+};
+
 // Working memory of one thread.
 struct Chooser {
     Candidates candidates;
     NearbyRoots nearby;
-    std::vector<ChosenRoot> chosen;    // around the region and in it
-    std::vector<std::uint32_t> passed; // candidates tried without success, in order
+    std::vector<ChosenRoot> chosen; // around the region and in it
+    std::vector<Passed> passed;     // in order
 
     // Chooses roots among the candidates, whose positions are still absolute. Calls
     // choose(candidate, distance) for each chosen one; returns whether the others are finished.
@@ -132,9 +139,9 @@ struct Chooser {
                 for (const ChosenRoot& other : chosen)
                     nearby.add(other);
             }
-            const auto take = [&](std::uint32_t i) {
+            const auto take = [&](std::uint32_t i, float& blocker) {
                 const Candidate& candidate = all[i];
-                const float distance = nearby.distance(candidate.place, least);
+                const float distance = nearby.distance(candidate.place, least, blocker);
                 if (distance <= 0.0f)
                     return false;
                 chosen.push_back({candidate.place, distance});
@@ -149,15 +156,18 @@ struct Chooser {
                 return tried < triesPerChoice * (early + chosen.size() - around) + moreTries;
             };
             std::size_t left = 0;
-            for (; tried < passed.size() && mayTry(); ++tried)
-                if (!take(passed[tried]))
-                    passed[left++] = passed[tried];
+            for (; tried < passed.size() && mayTry(); ++tried) {
+                Passed& again = passed[tried];
+                if (again.blocker < least * least || !take(again.candidate, again.blocker))
+                    passed[left++] = again;
+            }
             passed.erase(passed.begin() + static_cast<std::ptrdiff_t>(left),
                          passed.begin() + static_cast<std::ptrdiff_t>(tried));
             for (; next < all.size() && mayTry(); ++tried, ++next) {
                 candidates.at(next);
-                if (const auto i = static_cast<std::uint32_t>(next); !take(i))
-                    passed.push_back(i);
+                Passed tried{static_cast<std::uint32_t>(next), 0.0f};
+                if (!take(tried.candidate, tried.blocker))
+                    passed.push_back(tried);
             }
             if (passed.empty() && next == all.size())
                 break;
