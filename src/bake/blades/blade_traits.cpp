@@ -1,7 +1,7 @@
 #include "bake/blades/blade_traits.h"
 
+#include "bake/blades/dice.h"
 #include "bake/blades/ground_color.h"
-#include "bake/blades/slow_waves.h"
 #include "bake/drawn_colors.h"
 #include "bake/sample/triangle_points.h"
 #include "bake/up_vector.h"
@@ -17,102 +17,6 @@
 
 namespace sward::bake {
 namespace {
-
-// Random numbers of one blade and of its clump.
-class Dice {
-public:
-    Dice(std::uint64_t seed, field::BladeKey key, const Clumps::Clump* clump)
-        : seed_(seed)
-        , own_(keyBits(key))
-        , clump_(clump != nullptr ? clump->key : hashBits(seed, own_))
-    {
-    }
-
-    double own(Dimension dimension) const
-    {
-        return uniform(seed_, own_, static_cast<std::uint32_t>(dimension));
-    }
-
-    double clump(Dimension dimension) const
-    {
-        return uniform(clump_, 0, static_cast<std::uint32_t>(dimension));
-    }
-
-    // Blends the blade's own number with its clump's.
-    double blended(Dimension dimension, double share) const
-    {
-        return own(dimension) + share * (clump(dimension) - own(dimension));
-    }
-
-    std::uint32_t clumpNumber() const
-    {
-        return std::min(static_cast<std::uint32_t>(hashBits(clump_, 1) & 255U),
-                        shared::driedClump - 1U);
-    }
-    std::uint32_t hash() const
-    {
-        return static_cast<std::uint32_t>(hashBits(seed_ + 1, own_) & 15U);
-    }
-
-private:
-    std::uint64_t seed_;
-    std::uint64_t own_;
-    std::uint64_t clump_;
-};
-
-// Chooses a species by the shares at the root. Blades of one clump are mostly of one species.
-// Compound plants stand alone: they would fill the clump that they get.
-std::uint32_t chooseSpecies(const Meadow& meadow, const SpeciesShares& shares, const Dice& dice)
-{
-    const std::uint32_t own = shares.at(dice.own(Dimension::species));
-    if (dice.own(Dimension::clump) >= meadow.species[0].clumping ||
-        !meadow.species[own].organs.empty())
-        return own;
-    SpeciesShares blades = shares;
-    for (std::size_t slot = 0; slot < meadow.species.size(); ++slot)
-        if (!meadow.species[slot].organs.empty()) {
-            blades.total -= blades.share[slot];
-            blades.share[slot] = 0.0;
-        }
-    return blades.at(dice.clump(Dimension::species));
-}
-
-// Lengths of the waves of height and of drifts [m] at blade scale 1. Clumps are smaller than these.
-constexpr double shorterHeightWave = 3.0;
-constexpr double longerHeightWave = 20.0;
-constexpr double shorterDrift = 2.5;
-constexpr double longerDrift = 7.0;
-
-std::uint64_t waveSeed(std::uint64_t seed, std::uint64_t number)
-{
-    constexpr std::uint64_t waveSalt = 0x77617665ULL;
-    return hashBits(seed ^ waveSalt, number);
-}
-
-// Gives each species more room where its own waves are high, at the cost of the others, and keeps
-// the total. The change is linear in waves whose mean is 0, so that shares hold on the average.
-SpeciesShares drifted(const SpeciesShares& even, const Meadow& meadow, glm::dvec3 place,
-                      std::uint64_t seed)
-{
-    PerSpecies wave{};
-    double mean = 0.0;
-    for (std::size_t slot = 0; slot < meadow.species.size(); ++slot) {
-        if (even.share[slot] > 0.0)
-            wave[slot] = slowWaves(place, shorterDrift, longerDrift, waveSeed(seed, slot + 1));
-        mean += even.share[slot] * wave[slot];
-    }
-    mean /= even.total;
-    // What would fall below 0 is cut off, and the others give it back: 3 % of a share at most.
-    SpeciesShares result = even;
-    double sum = 0.0;
-    for (std::size_t slot = 0; slot < meadow.species.size(); ++slot) {
-        result.share[slot] *= std::max(1.0 + meadow.drifts * (wave[slot] - mean), 0.0);
-        sum += result.share[slot];
-    }
-    for (double& share : result.share)
-        share *= even.total / sum;
-    return result;
-}
 
 double within(glm::dvec2 range, double share)
 {
@@ -237,9 +141,8 @@ BladeGrower::BladeGrower(const terrain::GroundMesh& ground, const BakeSettings& 
     , paths_(ground, settings, filter, features, whole.scale)
     , clumps_(ground, clumpSpacing(settings.meadow.clumpSize * whole.scale, whole.area),
               settings.seed)
+    , chooser_(ground, settings, whole.scale, filter, clumps_)
     , tufts_(settings.meadow.species.size())
-    , hasPlants_(std::any_of(settings.meadow.species.begin(), settings.meadow.species.end(),
-                             [](const SpeciesTraits& one) { return !one.organs.empty(); }))
 {
     for (std::size_t slot = 0; query != nullptr && slot < tufts_.size(); ++slot)
         if (const double spacing = settings.meadow.species[slot].tuftSpacing * scale_;
@@ -289,39 +192,26 @@ double BladeGrower::roomOver(const RootSample& root, glm::dvec3 up, double heigh
     return std::max(used * query_->clearance(place, up, wanted, root.triangle), minShare * height);
 }
 
-BladeGrower::Choice BladeGrower::choose(const RootSample& root) const
+void BladeGrower::choose(std::span<const RootSample> roots, std::span<BladeChoice> choices) const
 {
-    Choice choice{.clump = clumps_.nearest(root.position),
-                  .stand = filter_.standAt(root),
-                  .inBlades = (ground_.origin + glm::dvec3(root.position)) / scale_,
-                  .slot = 0};
-    const Meadow& meadow = settings_.meadow;
-    const bool drifts =
-        meadow.drifts > 0.0 && meadow.species.size() > 1 && choice.stand.shares.total > 0.0;
-    const SpeciesShares shares =
-        drifts ? drifted(choice.stand.shares, meadow, choice.inBlades, settings_.seed)
-               : choice.stand.shares;
-    choice.slot =
-        chooseSpecies(meadow, shares, Dice(settings_.seed, keyOf(ground_, root), choice.clump));
-    return choice;
+    chooser_.choose(roots, choices);
 }
 
-std::uint32_t BladeGrower::bladesOf(const RootSample& root) const
+std::uint32_t BladeGrower::bladesOf(const BladeChoice& choice) const
 {
-    if (!hasPlants_)
-        return 1;
-    return 1 + field::ribbonsOf(settings_.meadow.species[choose(root).slot].organs);
+    return 1 + field::ribbonsOf(settings_.meadow.species[choice.slot].organs);
 }
 
 shared::Blade BladeGrower::grow(const RootSample& root, const Surroundings& around) const
 {
-    return growBlade(root, around, choose(root));
+    BladeChoice choice;
+    choose({&root, 1}, {&choice, 1});
+    return growBlade(root, around, choice);
 }
 
 void BladeGrower::grow(const RootSample& root, const Surroundings& around,
-                       std::span<GrownBlade> blades) const
+                       const BladeChoice& choice, std::span<GrownBlade> blades) const
 {
-    const Choice choice = choose(root);
     const shared::Blade stalk = growBlade(root, around, choice);
     blades[0] = {stalk};
     std::uint32_t number = 1;
@@ -333,14 +223,13 @@ void BladeGrower::grow(const RootSample& root, const Surroundings& around,
 }
 
 shared::Blade BladeGrower::growBlade(const RootSample& root, const Surroundings& around,
-                                     const Choice& choice) const
+                                     const BladeChoice& choice) const
 {
     // A tuft counts as the clump.
     const field::BladeKey key = keyOf(ground_, root);
     const Clumps::Clump* clump = choice.clump;
-    const Stand& stand = choice.stand;
+    const Stand stand = filter_.standAt(root);
     const Meadow& meadow = settings_.meadow;
-    const glm::dvec3& inBlades = choice.inBlades;
     const std::uint32_t slot = choice.slot;
     const SpeciesTraits& species = meadow.species[slot];
     RootSample place = root;
@@ -385,12 +274,8 @@ shared::Blade BladeGrower::growBlade(const RootSample& root, const Surroundings&
 
     // Blades are lower where filter weights are low.
     const double sparse = meadow.sparseHeight;
-    const double wave =
-        meadow.heightWaves > 0.0
-            ? slowWaves(inBlades, shorterHeightWave, longerHeightWave, waveSeed(settings_.seed, 0))
-            : 0.0;
     double height =
-        scale_ * (1.0 + meadow.heightWaves * wave) *
+        scale_ * (1.0 + meadow.heightWaves * double(choice.heightWave)) *
         (sparse + (1.0 - sparse) * stand.vigour[slot]) *
         within(species.height, dice.blended(Dimension::height, 0.7 * species.clumping)) *
         (1.0 + (edges.occluderHeight - 1.0) * foot) * (1.0 - (1.0 - edges.pathHeight) * trodden);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bake/blades/blade_choice.h"
 #include "bake/blades/clumps.h"
 #include "bake/blades/path_edges.h"
 #include "bake/filter/exposure.h"
@@ -39,27 +40,22 @@ public:
                 const RootFilter& filter, const terrain::SurfaceQuery* query,
                 const terrain::SurfaceFeatures* features = nullptr);
 
+    /// Clump and species of roots, for the functions below. See BladeChooser.
+    void choose(std::span<const RootSample> roots, std::span<BladeChoice> choices) const;
+
     /// Number of blades at a root: 1, or more for a compound plant.
-    std::uint32_t bladesOf(const RootSample& root) const;
+    std::uint32_t bladesOf(const BladeChoice& choice) const;
 
     /// The blade of a root, or the stalk of its plant.
     shared::Blade grow(const RootSample& root, const Surroundings& around) const;
 
     /// The same with its ribbons; bladesOf() many.
-    void grow(const RootSample& root, const Surroundings& around,
+    void grow(const RootSample& root, const Surroundings& around, const BladeChoice& choice,
               std::span<GrownBlade> blades) const;
 
 private:
-    /// What grows at a root, by its position and clump.
-    struct Choice {
-        const Clumps::Clump* clump;
-        Stand stand;
-        glm::dvec3 inBlades; ///< place in the world in units of the blade scale
-        std::uint32_t slot;  ///< of the species
-    };
-    Choice choose(const RootSample& root) const;
     shared::Blade growBlade(const RootSample& root, const Surroundings& around,
-                            const Choice& choice) const;
+                            const BladeChoice& choice) const;
     RootSample gather(const RootSample& root, const SpeciesTraits& species,
                       const Clumps::Clump& tuft) const;
     double roomOver(const RootSample& root, glm::dvec3 up, double height) const;
@@ -75,8 +71,8 @@ private:
     bool fitsOverhangs_; ///< from the settings; a part of the ground may need no rays
     PathEdges paths_;
     Clumps clumps_;
+    BladeChooser chooser_;
     std::vector<std::optional<Clumps>> tufts_; ///< per species
-    bool hasPlants_;                           ///< some species has organs
 };
 
 /// Whether some species grows in tufts; this requires a SurfaceQuery.

@@ -1,6 +1,7 @@
 #include "bake/blades/clumps.h"
 
 #include "bake/up_vector.h"
+#include "core/bounds.h"
 #include "core/exact_math.h"
 #include "core/floor.h"
 #include "core/random.h"
@@ -10,6 +11,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
@@ -168,6 +170,74 @@ const Clumps::Clump* Clumps::nearest(glm::vec3 place) const
         }
     }
     return best;
+}
+
+void Clumps::nearest(std::span<const RootSample> roots, std::span<const Clump*> found) const
+{
+    constexpr std::size_t few = 32;
+    for (std::size_t i = 0; i < roots.size(); i += few) {
+        const std::size_t end = std::min(i + few, roots.size());
+        nearestOfFew(roots.subspan(i, end - i), found.subspan(i, end - i));
+    }
+}
+
+void Clumps::nearestOfFew(std::span<const RootSample> roots, std::span<const Clump*> found) const
+{
+    Aabb box;
+    for (const RootSample& root : roots)
+        box.add(root.position);
+    const glm::vec3 centre = 0.5f * (box.low + box.high);
+    const glm::dvec3 half = 0.5 * glm::dvec3(box.size());
+    const double radius = std::sqrt(glm::dot(half, half));
+    const Clump* const middle = nearest(centre);
+    // Roots that lie far apart share no clumps.
+    if (middle == nullptr || radius > 0.5 * reach_) {
+        for (std::size_t i = 0; i < roots.size(); ++i)
+            found[i] = nearest(roots[i].position);
+        return;
+    }
+
+    // A root's nearest clump is no farther from it than the centre's, and so within this distance
+    // of the centre. The rest covers rounding.
+    const glm::dvec3 toMiddle = glm::dvec3(middle->centre) - glm::dvec3(centre);
+    const double far =
+        (2.0 * radius + std::sqrt(glm::dot(toMiddle, toMiddle))) * 1.001 + 1e-3 * reach_;
+    constexpr std::size_t room = 64;
+    std::array<const Clump*, room> near;
+    std::size_t count = 0;
+    const glm::dvec3 at(centre);
+    const glm::ivec3 low = cellAt(at - far, reach_);
+    const glm::ivec3 high = cellAt(at + far, reach_);
+    for (int z = low.z; z <= high.z; ++z)
+        for (int y = low.y; y <= high.y; ++y)
+            for (int x = low.x; x <= high.x; ++x) {
+                const std::size_t bucket = bucketOf({x, y, z});
+                for (std::uint32_t c = first_[bucket]; c < first_[bucket + 1]; ++c) {
+                    const glm::dvec3 offset = glm::dvec3(clumps_[c].centre) - at;
+                    if (glm::dot(offset, offset) <= far * far) {
+                        if (count < room)
+                            near[count] = &clumps_[c];
+                        ++count;
+                    }
+                }
+            }
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+        if (count > room) {
+            found[i] = nearest(roots[i].position);
+            continue;
+        }
+        found[i] = nullptr;
+        float bestSquared = static_cast<float>(reach_ * reach_);
+        for (std::size_t c = 0; c < count; ++c) {
+            const glm::vec3 offset = near[c]->centre - roots[i].position;
+            const float squared = glm::dot(offset, offset);
+            if (squared < bestSquared || (squared == bestSquared && found[i] != nullptr &&
+                                          near[c]->key < found[i]->key)) {
+                bestSquared = squared;
+                found[i] = near[c];
+            }
+        }
+    }
 }
 
 } // namespace sward::bake

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "bake/root_sample.h"
 #include "core/uninitialized.h"
 #include "terrain/ground_mesh.h"
 
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace sward::bake {
@@ -31,6 +33,10 @@ public:
     /// The clump nearest to a position, or null if none is within reach().
     const Clump* nearest(glm::vec3 place) const;
 
+    /// The same for several roots, as many as `found` has room for. Fast if they lie near each
+    /// other.
+    void nearest(std::span<const RootSample> roots, std::span<const Clump*> found) const;
+
     /// Typical distance of clumps [m].
     double spacing() const { return spacing_; }
 
@@ -43,6 +49,7 @@ private:
     void scatter(const terrain::GroundMesh& ground, double spacing, std::uint64_t key);
     void sortIntoBuckets();
     std::size_t bucketOf(glm::ivec3 cell) const;
+    void nearestOfFew(std::span<const RootSample> roots, std::span<const Clump*> found) const;
 
     double spacing_ = 0.0;
     double reach_ = 0.0;

@@ -1,54 +1,139 @@
 #include "bake/blades/slow_waves.h"
 
 #include "core/random.h"
+#include "core/wide_registers.h"
 #include "shaders/shared/noise.h"
-
-#include <glm/common.hpp>
-
-#include <algorithm>
 
 namespace sward::bake {
 namespace {
 
-// One wave in [-1, 1]. As shared::valueNoise(), but in double precision, for ground far from the
-// origin.
-double waveAt(glm::dvec3 place, double length, std::uint64_t key)
+constexpr std::size_t count = PlaceBlock::size;
+
+// The lattice cells of a block's places along one axis, and the smooth weights of their farther
+// corners.
+struct Axis {
+    alignas(32) std::array<std::uint32_t, count> cell;
+    alignas(32) std::array<float, count> weight;
+};
+
+// The largest whole number that is not above `x`. std::floor() is a call without SSE 4.1; this sum
+// rounds to a whole number below 2⁵². Larger numbers are whole.
+[[gnu::always_inline]] inline double floorAt(double x)
 {
-    // Numbers of cells must fit into 64 bits, whatever the blade scale.
-    const glm::dvec3 p = glm::clamp(place / length, -1e18, 1e18);
-    const glm::dvec3 cell = glm::floor(p);
-    const glm::dvec3 f = p - cell;
-    const glm::dvec3 s = f * f * (3.0 - 2.0 * f);
-    // Numbers of cells are taken modulo 2³², from an origin that depends on the seed.
-    const auto number = [&](double coordinate, std::uint64_t axis) {
-        return static_cast<std::int32_t>(static_cast<std::uint32_t>(
-            static_cast<std::uint64_t>(static_cast<std::int64_t>(coordinate)) +
-            hashBits(key, axis)));
-    };
-    const std::int32_t x = number(cell.x, 0);
-    const std::int32_t y = number(cell.y, 1);
-    const std::int32_t z = number(cell.z, 2);
-    double sum = 0.0;
-    for (std::uint32_t corner = 0; corner < 8; ++corner) {
-        const bool right = (corner & 1U) != 0;
-        const bool upper = (corner & 2U) != 0;
-        const bool front = (corner & 4U) != 0;
-        const std::uint32_t point =
-            shared::latticePoint(x, y, z) + (right ? shared::latticeX : 0U) +
-            (upper ? shared::latticeY : 0U) + (front ? shared::latticeZ : 0U);
-        sum += (right ? s.x : 1.0 - s.x) * (upper ? s.y : 1.0 - s.y) * (front ? s.z : 1.0 - s.z) *
-               double(shared::latticeHeight(point));
+    constexpr double rounding = 0x1.8p52;
+    const double near = (x + rounding) - rounding;
+    return near > x ? near - 1.0 : near;
+}
+
+[[gnu::always_inline]] inline void divide(const std::array<double, count>& places, double length,
+                                          std::uint32_t origin, Axis& axis)
+{
+    // A place farther than this from the origin gets the wave of the border.
+    constexpr double farthest = 0x1p51;
+    // Cells are numbered modulo 2³².
+    constexpr double numbers = 0x1p32;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double scaled = places[i] / length;
+        const double above = scaled < -farthest ? -farthest : scaled;
+        const double place = above > farthest ? farthest : above;
+        const double cell = floorAt(place);
+        const double number = cell - numbers * floorAt(cell * (1.0 / numbers));
+        axis.cell[i] =
+            (static_cast<std::uint32_t>(static_cast<std::int32_t>(number - 0.5 * numbers)) ^
+             0x80000000U) +
+            origin;
+        const auto f = static_cast<float>(place - cell);
+        axis.weight[i] = f * f * (3.0f - 2.0f * f);
     }
-    return 2.0 * sum * double(shared::latticeUnit) - 1.0;
+}
+
+// Height of a lattice point in [-1, 1).
+[[gnu::always_inline]] inline float heightAt(std::uint32_t point)
+{
+    // As shared::latticeHeight(), around its middle: a conversion of signed numbers is cheaper.
+    point ^= point >> 11U;
+    point *= 0x31848babU;
+    return static_cast<float>(static_cast<std::int32_t>(point ^ 0x80000000U)) * 0x1p-31f;
+}
+
+[[gnu::always_inline]] inline float between(float a, float b, float share)
+{
+    return a + share * (b - a);
+}
+
+// Adds one wave. As shared::valueNoise(), but cells are numbered in double precision, for ground
+// far from the origin.
+[[gnu::always_inline]] inline void addWave(const PlaceBlock& places, double length, float high,
+                                           std::uint64_t key, BlockOfFloats& waves)
+{
+    Axis x;
+    Axis y;
+    Axis z;
+    const auto origin = [&](std::uint64_t axis) {
+        return static_cast<std::uint32_t>(hashBits(key, axis));
+    };
+    divide(places.x, length, origin(0), x);
+    divide(places.y, length, origin(1), y);
+    divide(places.z, length, origin(2), z);
+    using shared::latticeX;
+    using shared::latticeY;
+    using shared::latticeZ;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t point =
+            x.cell[i] * latticeX + y.cell[i] * latticeY + z.cell[i] * latticeZ;
+        const auto alongX = [&](std::uint32_t from) {
+            return between(heightAt(from), heightAt(from + latticeX), x.weight[i]);
+        };
+        const auto alongY = [&](std::uint32_t from) {
+            return between(alongX(from), alongX(from + latticeY), y.weight[i]);
+        };
+        waves[i] += high * between(alongY(point), alongY(point + latticeZ), z.weight[i]);
+    }
+}
+
+[[gnu::always_inline]] inline void sumOfWaves(const PlaceBlock& places, double shorter,
+                                              double longer, std::uint64_t seed,
+                                              BlockOfFloats& waves)
+{
+    waves.fill(0.0f);
+    addWave(places, shorter, 0.75f, hashBits(seed, 0), waves);
+    addWave(places, longer, 0.5f, hashBits(seed, 1), waves);
+    for (float& wave : waves)
+        wave = wave < -1.0f ? -1.0f : wave > 1.0f ? 1.0f : wave;
+}
+
+SWARD_WIDE void wideWaves(const PlaceBlock& places, double shorter, double longer,
+                          std::uint64_t seed, BlockOfFloats& waves)
+{
+    sumOfWaves(places, shorter, longer, seed, waves);
 }
 
 } // namespace
 
+void slowWaves(const PlaceBlock& places, double shorter, double longer, std::uint64_t seed,
+               BlockOfFloats& waves, bool wide)
+{
+    if (wide)
+        wideWaves(places, shorter, longer, seed, waves);
+    else
+        sumOfWaves(places, shorter, longer, seed, waves);
+}
+
+void slowWaves(const PlaceBlock& places, double shorter, double longer, std::uint64_t seed,
+               BlockOfFloats& waves)
+{
+    slowWaves(places, shorter, longer, seed, waves, hasWideRegisters());
+}
+
 double slowWaves(glm::dvec3 place, double shorter, double longer, std::uint64_t seed)
 {
-    return std::clamp(0.75 * waveAt(place, shorter, hashBits(seed, 0)) +
-                          0.5 * waveAt(place, longer, hashBits(seed, 1)),
-                      -1.0, 1.0);
+    PlaceBlock places;
+    places.x.fill(place.x);
+    places.y.fill(place.y);
+    places.z.fill(place.z);
+    BlockOfFloats waves;
+    slowWaves(places, shorter, longer, seed, waves);
+    return double(waves[0]);
 }
 
 } // namespace sward::bake

@@ -12,6 +12,7 @@
 
 #include <glm/geometric.hpp>
 #include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
@@ -49,6 +50,19 @@ std::uint64_t countUndersides(const terrain::GroundMesh& ground, const Roots& ro
             return count;
         },
         std::plus<>());
+}
+
+UninitializedVector<BladeChoice> chooseBlades(const BladeGrower& grower, const Roots& roots,
+                                              Progress& progress)
+{
+    UninitializedVector<BladeChoice> choices(roots.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, roots.size(), 4096),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                          progress.throwIfCancelled();
+                          grower.choose(std::span(roots).subspan(range.begin(), range.size()),
+                                        std::span(choices).subspan(range.begin(), range.size()));
+                      });
+    return choices;
 }
 
 } // namespace
@@ -124,13 +138,13 @@ TileResult bakeTile(const GroundView& part, const BakeSettings& settings, const 
     const BladeGrower grower(ground, settings,
                              {plan.plan.scale, plan.plan.area, plan.plan.widening}, filter, rays,
                              &part.features);
-    result.timing.traits = watch.lap();
-    result.timing.traits = watch.lap();
+    const UninitializedVector<BladeChoice> choices = chooseBlades(grower, roots, progress);
     result.cells =
         growCells(ground, roots, order, ranks,
-                  {[&](std::size_t i) { return grower.bladesOf(roots[i]); },
+                  {[&](std::size_t i) { return grower.bladesOf(choices[i]); },
                    [&](std::size_t i, std::span<GrownBlade> blades) {
-                       grower.grow(roots[i], around.empty() ? Surroundings() : around[i], blades);
+                       grower.grow(roots[i], around.empty() ? Surroundings() : around[i],
+                                   choices[i], blades);
                    }},
                   progress);
     result.timing.traits += watch.lap();
