@@ -12,8 +12,8 @@ constexpr std::size_t count = PlaceBlock::size;
 // The lattice cells of a block's places along one axis, and the smooth weights of their farther
 // corners.
 struct Axis {
-    alignas(32) std::array<std::uint32_t, count> cell;
-    alignas(32) std::array<float, count> weight;
+    alignas(32) std::uint32_t cell[count];
+    alignas(32) float weight[count];
 };
 
 // The largest whole number that is not above `x`. std::floor() is a call without SSE 4.1; this sum
@@ -25,7 +25,7 @@ struct Axis {
     return near > x ? near - 1.0 : near;
 }
 
-[[gnu::always_inline]] inline void divide(const std::array<double, count>& places, double length,
+[[gnu::always_inline]] inline void divide(const double* places, double length,
                                           std::uint32_t origin, Axis& axis)
 {
     // A place farther than this from the origin gets the wave of the border.
@@ -61,6 +61,15 @@ struct Axis {
     return a + share * (b - a);
 }
 
+// Height between four lattice points of a plane across z.
+[[gnu::always_inline]] inline float heightOfEdges(std::uint32_t point, float x, float y)
+{
+    const std::uint32_t upper = point + shared::latticeY;
+    const float low = between(heightAt(point), heightAt(point + shared::latticeX), x);
+    const float high = between(heightAt(upper), heightAt(upper + shared::latticeX), x);
+    return between(low, high, y);
+}
+
 // Adds one wave. As shared::valueNoise(), but cells are numbered in double precision, for ground
 // far from the origin.
 [[gnu::always_inline]] inline void addWave(const PlaceBlock& places, double length, float high,
@@ -72,22 +81,17 @@ struct Axis {
     const auto origin = [&](std::uint64_t axis) {
         return static_cast<std::uint32_t>(hashBits(key, axis));
     };
-    divide(places.x, length, origin(0), x);
-    divide(places.y, length, origin(1), y);
-    divide(places.z, length, origin(2), z);
-    using shared::latticeX;
-    using shared::latticeY;
+    divide(places.x.data(), length, origin(0), x);
+    divide(places.y.data(), length, origin(1), y);
+    divide(places.z.data(), length, origin(2), z);
     using shared::latticeZ;
+    float* const sums = waves.data();
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t point =
-            x.cell[i] * latticeX + y.cell[i] * latticeY + z.cell[i] * latticeZ;
-        const auto alongX = [&](std::uint32_t from) {
-            return between(heightAt(from), heightAt(from + latticeX), x.weight[i]);
-        };
-        const auto alongY = [&](std::uint32_t from) {
-            return between(alongX(from), alongX(from + latticeY), y.weight[i]);
-        };
-        waves[i] += high * between(alongY(point), alongY(point + latticeZ), z.weight[i]);
+            x.cell[i] * shared::latticeX + y.cell[i] * shared::latticeY + z.cell[i] * latticeZ;
+        const float near = heightOfEdges(point, x.weight[i], y.weight[i]);
+        const float far = heightOfEdges(point + latticeZ, x.weight[i], y.weight[i]);
+        sums[i] += high * between(near, far, z.weight[i]);
     }
 }
 
