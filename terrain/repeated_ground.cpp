@@ -3,8 +3,11 @@
 #include "core/lower_case.h"
 #include "core/random.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <map>
 #include <optional>
@@ -181,6 +184,47 @@ std::uint64_t hashOf(const std::array<glm::vec3, 3>& corners)
     return hash;
 }
 
+// The same for all orders of the corners.
+std::uint64_t unorderedHash(const GroundMesh& mesh, std::size_t triangle)
+{
+    const glm::uvec3 t = mesh.triangles[triangle];
+    std::uint64_t sum = 0;
+    for (glm::length_t corner = 0; corner < 3; ++corner) {
+        const glm::vec3 place = mesh.positions[t[corner]] + 0.0f;
+        const auto bits = [&](glm::length_t axis) {
+            return std::uint64_t(std::bit_cast<std::uint32_t>(place[axis]));
+        };
+        sum += mixBits((bits(0) << 32 | bits(1)) ^ bits(2) * 0x9e3779b97f4a7c15ULL);
+    }
+    return sum;
+}
+
+// Triangles that may coincide with another: all that do, and some others. Much cheaper than a table
+// of all triangles, of which mostly none coincide.
+std::vector<std::uint32_t> suspectsOf(const GroundMesh& mesh)
+{
+    const std::size_t triangles = mesh.triangles.size();
+    // Sixteen bits for each triangle leave one in about sixteen under suspicion.
+    const std::size_t bits = std::bit_ceil(16 * triangles + 64);
+    std::vector<std::uint64_t> once(bits / 64);
+    std::vector<std::uint64_t> twice(bits / 64);
+    std::vector<std::uint32_t> places(triangles);
+    tbb::parallel_for(std::size_t(0), triangles, [&](std::size_t t) {
+        if (mesh.bears[t] == 0)
+            return;
+        const std::uint64_t place = unorderedHash(mesh, t) & (bits - 1) & noIndex;
+        places[t] = static_cast<std::uint32_t>(place);
+        const std::uint64_t bit = std::uint64_t(1) << (place & 63);
+        if ((std::atomic_ref(once[place / 64]).fetch_or(bit, std::memory_order_relaxed) & bit) != 0)
+            std::atomic_ref(twice[place / 64]).fetch_or(bit, std::memory_order_relaxed);
+    });
+    std::vector<std::uint32_t> suspects;
+    for (std::size_t t = 0; t < triangles; ++t)
+        if (mesh.bears[t] != 0 && (twice[places[t] / 64] >> (places[t] & 63) & 1) != 0)
+            suspects.push_back(static_cast<std::uint32_t>(t));
+    return suspects;
+}
+
 } // namespace
 
 void removeTriangles(GroundMesh& mesh, const std::vector<bool>& removed)
@@ -260,22 +304,23 @@ void removeColliders(GroundMesh& mesh, const ImportSettings& settings, const std
 
 void removeCoincident(GroundMesh& mesh, Diagnostics& diagnostics)
 {
+    const std::vector<std::uint32_t> suspects = suspectsOf(mesh);
     // A table of first triangles with open addressing, at most half full.
-    const std::size_t slots = std::bit_ceil(2 * mesh.triangles.size() + 1);
+    const std::size_t slots = std::bit_ceil(2 * suspects.size() + 1);
     std::vector<std::uint32_t> table(slots, noIndex);
     std::vector<bool> removed(mesh.triangles.size(), false);
     std::size_t count = 0;
     double area = 0.0;
     std::string names;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const std::uint32_t t : suspects) {
         const std::array<glm::vec3, 3> corners = cornersOf(mesh, t);
-        if (mesh.bears[t] == 0 || corners[0] == corners[1] || corners[1] == corners[2])
+        if (corners[0] == corners[1] || corners[1] == corners[2])
             continue;
         std::size_t slot = hashOf(corners) & (slots - 1);
         while (table[slot] != noIndex && cornersOf(mesh, table[slot]) != corners)
             slot = (slot + 1) & (slots - 1);
         if (table[slot] == noIndex) {
-            table[slot] = static_cast<std::uint32_t>(t);
+            table[slot] = t;
             continue;
         }
         removed[t] = true;
