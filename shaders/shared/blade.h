@@ -53,7 +53,8 @@ SHARED_FN uint quantise(float x, float low, float step, uint largest)
     return uint(clamp(floor((x - low) / step + 0.5f), 0.0f, float(largest)));
 }
 
-SHARED_FN PackedBlade packBlade(Blade blade, Patch cell)
+/// Packs a blade whose up-vector is encoded already: `up` is encodeOctahedral(blade.up).
+SHARED_FN PackedBlade packBladeWith(Blade blade, Patch cell, uint up)
 {
     const uint x = quantise(blade.root.x, cell.rootLow.x, cell.rootStep, 65535u);
     const uint y = quantise(blade.root.y, cell.rootLow.y, cell.rootStep, 65535u);
@@ -69,12 +70,17 @@ SHARED_FN PackedBlade packBlade(Blade blade, Patch cell)
 
     PackedBlade bits;
     bits.rootXY = x | (y << 16u);
-    bits.rootZUp = z | (encodeOctahedral(blade.up) << 16u);
+    bits.rootZUp = z | (up << 16u);
     bits.shape =
         facing | (height << 8u) | (width << 16u) | (stiffness << 22u) | ((blade.hash & 15u) << 28u);
     bits.look = red | (green << 5u) | (blue << 11u) | (exposure << 16u) |
                 ((blade.species & 7u) << 21u) | ((blade.clump & 255u) << 24u);
     return bits;
+}
+
+SHARED_FN PackedBlade packBlade(Blade blade, Patch cell)
+{
+    return packBladeWith(blade, cell, encodeOctahedral(blade.up));
 }
 
 SHARED_FN Blade unpackBlade(PackedBlade bits, Patch cell)

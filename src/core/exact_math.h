@@ -18,7 +18,7 @@ inline constexpr double exactTwoPi = 6.28318530717958648;
 /// Sine and cosine of `radians`, |radians| ≤ 1e6; absolute error below 1e-10.
 SinCos exactSinCos(double radians);
 
-/// Angle of (x, y) from the x axis in (−π, π] [rad]; 0 for (0, 0); absolute error below 1e-10.
+/// Angle of (x, y) from the x axis in (−π, π] [rad]; 0 for (0, 0); absolute error below 1e-14.
 double exactAtan2(double y, double x);
 
 /// Angle in [0, π] whose cosine is `c`, clamped to [−1, 1] [rad]; absolute error below 1e-10.

@@ -60,8 +60,10 @@ glm::dvec3 chooseFront(const terrain::GroundMesh& ground, glm::dvec3 up, glm::dv
 // Turns a lean direction by a share [0, 1] towards `aim`, which need not lie in the plane.
 glm::dvec3 turnedTowards(glm::dvec3 front, glm::dvec3 up, glm::dvec3 aim, double share)
 {
+    if (share <= 0.0)
+        return front;
     const std::optional<glm::dvec3> flat = flattened(aim, up);
-    if (!flat || share <= 0.0)
+    if (!flat)
         return front;
     return flattened(front + share * (*flat - front), up).value_or(front);
 }
@@ -77,10 +79,10 @@ double shareOutside(const Clumps& tufts, const Clumps::Clump& tuft, glm::vec3 pl
     return root * root * root * root;
 }
 
-// Turn of `axis` about `up` from the tangent frame that the decoder will use, in [0, 2π).
-float facingOf(glm::vec3 up, glm::dvec3 axis)
+// Turn of `axis` about the up-vector from the tangent frame that the decoder will use, in [0, 2π).
+float facingOf(std::uint32_t packedUp, glm::dvec3 axis)
 {
-    const glm::vec3 decoded = shared::decodeOctahedral(shared::encodeOctahedral(up));
+    const glm::vec3 decoded = shared::decodeOctahedral(packedUp);
     const double angle = exactAtan2(glm::dot(axis, glm::dvec3(shared::bitangentOf(decoded))),
                                     glm::dot(axis, glm::dvec3(shared::tangentOf(decoded))));
     return static_cast<float>(angle < 0.0 ? angle + exactTwoPi : angle);
@@ -99,12 +101,13 @@ glm::dvec2 barycentrics(glm::dvec3 p0, glm::dvec3 p1, glm::dvec3 p2, glm::dvec3 
 }
 
 // Ribbon `within` of an organ, number `number` on the plant.
-GrownBlade ribbonOn(const shared::Blade& stalk, const field::Organ& organ, std::uint32_t within,
+GrownBlade ribbonOn(const GrownBlade& grown, const field::Organ& organ, std::uint32_t within,
                     std::uint32_t number, double widening)
 {
+    const shared::Blade& stalk = grown.blade;
     const float share = organ.count > 1 ? float(within) / float(organ.count - 1) : 0.0f;
     const float length = stalk.height * glm::mix(organ.length.x, organ.length.y, share);
-    GrownBlade ribbon{stalk, length * (1.0f + 0.3f * organ.variation)};
+    GrownBlade ribbon{stalk, grown.packedUp, length * (1.0f + 0.3f * organ.variation)};
     ribbon.blade.width = length * organ.width * static_cast<float>(widening);
     ribbon.blade.clump = number;
     return ribbon;
@@ -206,14 +209,14 @@ shared::Blade BladeGrower::grow(const RootSample& root, const Surroundings& arou
 {
     BladeChoice choice;
     choose({&root, 1}, {&choice, 1});
-    return growBlade(root, around, choice);
+    return growBlade(root, around, choice).blade;
 }
 
 void BladeGrower::grow(const RootSample& root, const Surroundings& around,
                        const BladeChoice& choice, std::span<GrownBlade> blades) const
 {
-    const shared::Blade stalk = growBlade(root, around, choice);
-    blades[0] = {stalk};
+    const GrownBlade stalk = growBlade(root, around, choice);
+    blades[0] = stalk;
     std::uint32_t number = 1;
     for (const field::Organ& organ : settings_.meadow.species[choice.slot].organs)
         for (std::uint32_t i = 0; i < organ.count; ++i, ++number)
@@ -222,7 +225,7 @@ void BladeGrower::grow(const RootSample& root, const Surroundings& around,
         blades[0].blade.clump = 0;
 }
 
-shared::Blade BladeGrower::growBlade(const RootSample& root, const Surroundings& around,
+GrownBlade BladeGrower::growBlade(const RootSample& root, const Surroundings& around,
                                      const BladeChoice& choice) const
 {
     // A tuft counts as the clump.
@@ -285,10 +288,12 @@ shared::Blade BladeGrower::growBlade(const RootSample& root, const Surroundings&
     }
     const bool isDried = isLitter || dice.own(Dimension::dryness) < edges.occluderDryness * foot;
 
-    shared::Blade blade;
+    GrownBlade grown;
+    shared::Blade& blade = grown.blade;
     blade.root = place.position;
     blade.up = glm::vec3(up);
-    blade.facing = facingOf(blade.up, glm::cross(front, up));
+    grown.packedUp = shared::encodeOctahedral(blade.up);
+    blade.facing = facingOf(grown.packedUp, glm::cross(front, up));
     blade.height = static_cast<float>(roomOver(place, up, height));
     blade.width =
         static_cast<float>(widthScale_ * within(species.width, dice.own(Dimension::width)));
@@ -298,7 +303,7 @@ shared::Blade BladeGrower::growBlade(const RootSample& root, const Surroundings&
     blade.tint = groundColor(ground_, place, baseColors_, colorsAreMask_);
     blade.clump = isDried ? shared::driedClump : dice.clumpNumber();
     blade.hash = dice.hash();
-    return blade;
+    return grown;
 }
 
 bool growsTufts(const Meadow& meadow)

@@ -54,8 +54,8 @@ public:
               std::span<GrownBlade> blades) const;
 
 private:
-    shared::Blade growBlade(const RootSample& root, const Surroundings& around,
-                            const BladeChoice& choice) const;
+    GrownBlade growBlade(const RootSample& root, const Surroundings& around,
+                         const BladeChoice& choice) const;
     RootSample gather(const RootSample& root, const SpeciesTraits& species,
                       const Clumps::Clump& tuft) const;
     double roomOver(const RootSample& root, glm::dvec3 up, double height) const;

@@ -13,7 +13,8 @@ namespace sward::bake {
 /// A blade, and how far it reaches beyond that.
 struct GrownBlade {
     shared::Blade blade;
-    float ribbon = 0.0f; ///< [m] length of a ribbon on a stalk; 0 for all other blades
+    std::uint32_t packedUp = 0; ///< encodeOctahedral(blade.up)
+    float ribbon = 0.0f;        ///< [m] length of a ribbon on a stalk; 0 for all other blades
 };
 
 /// Bounds of all blades in a patch's subtree, gathered from the leaves upwards: a box with the

@@ -149,6 +149,7 @@ TEST(PatchTree, TakesManyBladesInOnePlace)
                                 blade = {};
                                 blade.root = roots[i].position;
                                 blade.up = roots[i].normal;
+                                blades[0].packedUp = shared::encodeOctahedral(blade.up);
                                 blade.height = 0.5f;
                                 blade.width = 0.01f;
                             }};

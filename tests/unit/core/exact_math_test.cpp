@@ -26,7 +26,7 @@ TEST(ExactMath, ArcTangentStaysWithinTheStatedErrorInEveryDirection)
         for (const double radius : {1e-8, 1.0, 1e8}) {
             const double y = radius * std::sin(angle);
             const double x = radius * std::cos(angle);
-            ASSERT_NEAR(exactAtan2(y, x), std::atan2(y, x), 1e-10) << angle;
+            ASSERT_NEAR(exactAtan2(y, x), std::atan2(y, x), 1e-15) << angle;
         }
     }
     EXPECT_EQ(exactAtan2(0.0, 0.0), 0.0);
