@@ -65,6 +65,31 @@ TEST(Clumps, NearestIsNearest)
     EXPECT_LT(lonely, 10);
 }
 
+TEST(Clumps, NearestOfSeveralRootsIsThatOfEach)
+{
+    const terrain::GroundMesh mesh = ground(12.0, 50);
+    for (const double spacing : {0.05, 0.7, 20.0}) {
+        const Clumps clumps(mesh, spacing, 3);
+        for (const double width : {0.0, 0.01, 0.2, 3.0, 40.0})
+            for (std::uint64_t set = 0; set < 20; ++set) {
+                // A group of roots of this width, here and there beyond the ground.
+                const auto count = static_cast<std::size_t>(1 + set * 5);
+                const glm::vec3 middle = placeOn(mesh, set);
+                std::vector<RootSample> roots(count);
+                for (std::size_t i = 0; i < count; ++i)
+                    roots[i].position =
+                        middle + glm::vec3(float(width * (uniform(set, i, 5) - 0.5)),
+                                           float(0.1 * width * uniform(set, i, 6)),
+                                           float(width * (uniform(set, i, 7) - 0.5)));
+                std::vector<const Clumps::Clump*> found(count);
+                clumps.nearest(roots, found);
+                for (std::size_t i = 0; i < count; ++i)
+                    ASSERT_EQ(found[i], clumps.nearest(roots[i].position))
+                        << spacing << " " << width << " " << i;
+            }
+    }
+}
+
 TEST(Clumps, OfAPartAreThoseOfTheWhole)
 {
     const terrain::GroundMesh whole = ground(30.0, 60);

@@ -1,6 +1,9 @@
 #include "bake/blades/blade_traits.h"
 #include "bake/blades/slow_waves.h"
 #include "bake/sward_cover.h"
+#include "core/random.h"
+#include "core/wide_registers.h"
+#include "shaders/shared/noise.h"
 #include "support/meshes.h"
 #include "terrain/heightmap/heightfield.h"
 #include "unit/bake/bake_settings.h"
@@ -49,6 +52,67 @@ TEST(SlowWaves, AreBoundedWhereverTheGroundLies)
         const double wave = slowWaves(glm::dvec3(far, 0.3, -far), 2.5, 7.0, 1);
         EXPECT_GE(wave, -1.0) << far;
         EXPECT_LE(wave, 1.0) << far;
+    }
+}
+
+TEST(SlowWaves, HaveTheSameBitsWithWideRegistersAndInABlock)
+{
+    PlaceBlock places;
+    BlockOfFloats narrow;
+    BlockOfFloats wide;
+    for (std::uint64_t block = 0; block < 300; ++block) {
+        // Near the origin, far away, on cell borders, and beyond the farthest numbered cell.
+        const double reach = std::array{5.0, 3e7, 1e16}[block % 3];
+        for (std::size_t i = 0; i < PlaceBlock::size; ++i) {
+            const auto at = [&](std::uint32_t axis) {
+                const double x = reach * (2.0 * uniform(block, i, axis) - 1.0);
+                return i % 8 == 0 ? 2.5 * std::floor(x) : x;
+            };
+            places.set(i, {at(0), at(1), at(2)});
+        }
+        slowWaves(places, 2.5, 7.0, block, narrow, false);
+        if (hasWideRegisters()) {
+            slowWaves(places, 2.5, 7.0, block, wide, true);
+            ASSERT_EQ(narrow, wide) << block;
+        }
+        for (std::size_t i = 0; i < PlaceBlock::size; ++i)
+            ASSERT_EQ(double(narrow[i]),
+                      slowWaves({places.x[i], places.y[i], places.z[i]}, 2.5, 7.0, block));
+    }
+}
+
+TEST(SlowWaves, AreTheSumOfTwoValueNoises)
+{
+    // The lattice in double precision, place by place.
+    const auto noise = [](glm::dvec3 place, double length, std::uint64_t key) {
+        const glm::dvec3 p = place / length;
+        const glm::dvec3 cell = glm::floor(p);
+        const glm::dvec3 f = p - cell;
+        const glm::dvec3 s = f * f * (3.0 - 2.0 * f);
+        double sum = 0.0;
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            std::uint32_t point = 0;
+            double weight = 1.0;
+            const std::array steps{shared::latticeX, shared::latticeY, shared::latticeZ};
+            for (glm::length_t axis = 0; axis < 3; ++axis) {
+                const std::uint32_t beyond = corner >> axis & 1U;
+                const auto number = static_cast<std::int64_t>(cell[axis]);
+                point += (static_cast<std::uint32_t>(number) +
+                          static_cast<std::uint32_t>(hashBits(key, std::uint64_t(axis))) + beyond) *
+                         steps[static_cast<std::size_t>(axis)];
+                weight *= beyond != 0 ? s[axis] : 1.0 - s[axis];
+            }
+            sum += weight * double(shared::latticeHeight(point));
+        }
+        return 2.0 * sum * double(shared::latticeUnit) - 1.0;
+    };
+    for (std::uint64_t i = 0; i < 20'000; ++i) {
+        const double reach = i % 2 == 0 ? 30.0 : 1e6;
+        const glm::dvec3 place(reach * (uniform(i, 0, 0) - 0.5), reach * (uniform(i, 0, 1) - 0.5),
+                               reach * (uniform(i, 0, 2) - 0.5));
+        const double sum = 0.75 * noise(place, 2.5, hashBits(i, 0)) +
+                           0.5 * noise(place, 7.0, hashBits(i, 1));
+        ASSERT_NEAR(slowWaves(place, 2.5, 7.0, i), std::clamp(sum, -1.0, 1.0), 2e-6) << i;
     }
 }
 
