@@ -62,6 +62,18 @@ class Display:
         self.server.wait()
         shutil.rmtree(self.folder, ignore_errors=True)
 
+    def set_resources(self, text):
+        """What `xrdb -load` does: sets the resources of the server that programs read when they start."""
+        x11 = ctypes.CDLL("libX11.so.6")
+        x11.XOpenDisplay.restype = ctypes.c_void_p
+        x11.XDefaultRootWindow.restype = ctypes.c_ulong
+        connection = ctypes.c_void_p(x11.XOpenDisplay(self.name.encode()))
+        root = ctypes.c_ulong(x11.XDefaultRootWindow(connection))
+        resource_manager, string, replace = ctypes.c_ulong(23), ctypes.c_ulong(31), 0  # of X11/Xatom.h
+        x11.XChangeProperty(connection, root, resource_manager, string, 8, replace, text.encode(),
+                            len(text))
+        x11.XCloseDisplay(connection)
+
     def xdotool(self, *arguments):
         done = subprocess.run(["xdotool", *map(str, arguments)], capture_output=True, text=True,
                               env={**os.environ, "DISPLAY": self.name})

@@ -77,7 +77,7 @@ std::uint64_t idOf(const PickedBlade& picked, const ShownField& shown)
 
 } // namespace
 
-Sight sightThrough(const render::Camera& camera, glm::vec2 pixel, glm::uvec2 size)
+Sight sightThrough(const render::Camera& camera, glm::vec2 pixel, glm::vec2 size)
 {
     const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye);
     glm::dvec3 right = glm::cross(ahead, glm::dvec3(camera.up));

@@ -20,7 +20,7 @@ struct Sight {
 };
 
 /// The line of sight through `pixel` of a picture of `size` pixels.
-Sight sightThrough(const render::Camera& camera, glm::vec2 pixel, glm::uvec2 size);
+Sight sightThrough(const render::Camera& camera, glm::vec2 pixel, glm::vec2 size);
 
 /// A picked blade.
 struct PickedBlade {

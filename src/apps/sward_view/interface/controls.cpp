@@ -15,7 +15,7 @@ namespace {
 
 constexpr float labelShare = 0.40f;    ///< of a panel's width
 constexpr float tooltipWidth = 300.0f; ///< [pixels]
-constexpr float dialSize = 64.0f;      ///< [pixels] of a compass
+constexpr float dialPixels = 64.0f;    ///< of a compass
 
 std::string hidden(const char* name)
 {
@@ -29,17 +29,22 @@ std::string rangeText(const char* about, double low, double high, const char* un
 
 } // namespace
 
+void Controls::space(float pixels)
+{
+    ImGui::Dummy({0.0f, style_.scaled(pixels)});
+}
+
 void Controls::heading(const char* text)
 {
     ImGui::PushFont(style_.heading());
     ImGui::TextUnformatted(text);
     ImGui::PopFont();
-    ImGui::Dummy({0.0f, 2.0f});
+    space(2.0f);
 }
 
 void Controls::section(const char* text)
 {
-    ImGui::Dummy({0.0f, 4.0f});
+    space(4.0f);
     ImGui::PushStyleColor(ImGuiCol_Text, style_.color(palette::accent));
     ImGui::TextUnformatted(text);
     ImGui::PopStyleColor();
@@ -76,7 +81,7 @@ void Controls::finish(const char* name, const std::string& shows, const std::str
     if (about.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         return;
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(tooltipWidth);
+    ImGui::PushTextWrapPos(style_.scaled(tooltipWidth));
     ImGui::TextUnformatted(about.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
@@ -213,6 +218,7 @@ bool Controls::direction(const char* name, glm::vec3& value, const char* about)
 bool Controls::compass(const char* name, glm::vec3& value, float ahead, const char* about)
 {
     label(name);
+    const float dialSize = style_.scaled(dialPixels);
     const float flat = std::hypot(value.x, value.z);
     float heading = flat > 1e-6f ? std::atan2(value.z, value.x) : ahead;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -243,7 +249,7 @@ bool Controls::compass(const char* name, glm::vec3& value, float ahead, const ch
         return ImVec2(middle.x + at.x, middle.y + at.y);
     };
     const ImU32 color = style_.packed(isLit ? palette::warm : palette::accent, 1.0f);
-    list.AddLine(point(-0.75f, 0.0f), point(0.4f, 0.0f), color, 2.5f);
+    list.AddLine(point(-0.75f, 0.0f), point(0.4f, 0.0f), color, style_.scaled(2.5f));
     list.AddTriangleFilled(point(0.85f, 0.0f), point(0.3f, 0.28f), point(0.3f, -0.28f), color);
     const float degrees = std::remainder(glm::degrees(heading), 360.0f);
     finish(name, fmt::format("{:.0f}", degrees),

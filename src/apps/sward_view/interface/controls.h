@@ -33,6 +33,7 @@ public:
     /// Sets the panel of the following controls: the first half of each control's name in the map.
     void beginPanel(std::string name) { panel_ = std::move(name); }
 
+    void space(float pixels); ///< empty height
     void heading(const char* text);
     void section(const char* text);
     void note(const std::string& text); ///< dim, wrapped text

@@ -114,46 +114,72 @@ Interface::Context::~Context()
     ImGui::DestroyContext();
 }
 
-Interface::Backends::~Backends()
+Interface::WindowBackend::WindowBackend(GLFWwindow* window)
 {
-    ImGui_ImplVulkan_Shutdown();
+    ImGui_ImplGlfw_InitForVulkan(window, true);
+}
+
+Interface::WindowBackend::~WindowBackend()
+{
     ImGui_ImplGlfw_Shutdown();
 }
 
-Interface::Interface(const gpu::Instance& instance, const gpu::Device& device,
-                     const gpu::Swapchain& swapchain, GLFWwindow* window)
-    : device_(device.context())
-    , swapchain_(swapchain)
-    , style_(std::make_unique<Style>(isLinear(swapchain.format())))
-    , renderPass_(device_.device, createRenderPass(device_, swapchain.format()))
-    , descriptors_(device_.device, createDescriptors(device_))
+Interface::DeviceBackend::DeviceBackend(const Interface& interface)
 {
-    ImGui_ImplGlfw_InitForVulkan(window, true);
+    const gpu::DeviceContext& device = interface.device_;
     ImGui_ImplVulkan_InitInfo info{};
-    info.Instance = instance.get();
-    info.PhysicalDevice = device_.physical;
-    info.Device = device_.device;
-    info.QueueFamily = device_.queueFamily;
-    info.Queue = device_.queue;
-    info.DescriptorPool = descriptors_.get();
+    info.Instance = interface.instance_;
+    info.PhysicalDevice = device.physical;
+    info.Device = device.device;
+    info.QueueFamily = device.queueFamily;
+    info.Queue = device.queue;
+    info.DescriptorPool = interface.descriptors_.get();
     info.MinImageCount = bufferedFrames;
     info.ImageCount = bufferedFrames;
     info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
     info.CheckVkResultFn = checkResult;
 #if IMGUI_VERSION_NUM >= 19040
-    info.RenderPass = renderPass_.get();
+    info.RenderPass = interface.renderPass_.get();
     ImGui_ImplVulkan_Init(&info);
 #else
-    ImGui_ImplVulkan_Init(&info, renderPass_.get());
+    ImGui_ImplVulkan_Init(&info, interface.renderPass_.get());
 #endif
-    backends_ = std::make_unique<Backends>();
 #if IMGUI_VERSION_NUM >= 19000
     ImGui_ImplVulkan_CreateFontsTexture();
 #else
     gpu::submitAndWait(
-        device_, [](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
+        device, [](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
     ImGui_ImplVulkan_DestroyFontUploadObjects();
 #endif
+}
+
+Interface::DeviceBackend::~DeviceBackend()
+{
+    ImGui_ImplVulkan_Shutdown();
+}
+
+Interface::Interface(const gpu::Instance& instance, const gpu::Device& device,
+                     const gpu::Swapchain& swapchain, GLFWwindow* window)
+    : instance_(instance.get())
+    , device_(device.context())
+    , swapchain_(swapchain)
+    , style_(std::make_unique<Style>(isLinear(swapchain.format())))
+    , renderPass_(device_.device, createRenderPass(device_, swapchain.format()))
+    , descriptors_(device_.device, createDescriptors(device_))
+    , windowBackend_(window)
+{
+    resize({});
+}
+
+void Interface::resize(const Style::Scale& scale)
+{
+    if (deviceBackend_ && scale == style_->scale())
+        return;
+    // The fonts are part of the backend, and frames in flight use them.
+    gpu::check(vkDeviceWaitIdle(device_.device), "vkDeviceWaitIdle");
+    deviceBackend_.reset();
+    style_->resize(scale);
+    deviceBackend_ = std::make_unique<DeviceBackend>(*this);
 }
 
 Interface::~Interface() = default;

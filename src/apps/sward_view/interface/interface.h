@@ -27,6 +27,9 @@ public:
     Interface& operator=(const Interface&) = delete;
     ~Interface();
 
+    /// Scales text and controls; outside of begin() and end(). Waits for the device if it differs.
+    void resize(const Style::Scale& scale);
+
     void begin();
     void end();
 
@@ -54,23 +57,32 @@ private:
         Context& operator=(const Context&) = delete;
         ~Context();
     };
-    /// ImGui's window and device backends.
-    struct Backends {
-        Backends() = default;
-        Backends(const Backends&) = delete;
-        Backends& operator=(const Backends&) = delete;
-        ~Backends();
+    /// ImGui's backend of the window.
+    struct WindowBackend {
+        explicit WindowBackend(GLFWwindow* window);
+        WindowBackend(const WindowBackend&) = delete;
+        WindowBackend& operator=(const WindowBackend&) = delete;
+        ~WindowBackend();
+    };
+    /// ImGui's backend of the device, with the picture of the fonts.
+    struct DeviceBackend {
+        explicit DeviceBackend(const Interface& interface);
+        DeviceBackend(const DeviceBackend&) = delete;
+        DeviceBackend& operator=(const DeviceBackend&) = delete;
+        ~DeviceBackend();
     };
 
     VkFramebuffer framebufferFor(const gpu::Swapchain::Target& target);
 
+    VkInstance instance_;
     const gpu::DeviceContext& device_;
     const gpu::Swapchain& swapchain_;
     Context context_;
     std::unique_ptr<Style> style_;
     RenderPass renderPass_;
     DescriptorPool descriptors_;
-    std::unique_ptr<Backends> backends_;
+    WindowBackend windowBackend_;
+    std::unique_ptr<DeviceBackend> deviceBackend_;
     std::vector<Framebuffer> framebuffers_; ///< by the image's index
     std::uint64_t generation_ = 0;          ///< generation of their images
     std::size_t recorded_ = 0;              ///< hash of the last output that was recorded

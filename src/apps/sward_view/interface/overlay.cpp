@@ -77,7 +77,7 @@ void Overlay::line(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, fl
         const glm::dvec2 at = onScreen(clip);
         return ImVec2(static_cast<float>(at.x), static_cast<float>(at.y));
     };
-    ImGui::GetBackgroundDrawList()->AddLine(point(a), point(b), color, width);
+    ImGui::GetBackgroundDrawList()->AddLine(point(a), point(b), color, style_.scaled(width));
 }
 
 void Overlay::circle(const glm::dvec3& centre, const glm::dvec3& right, const glm::dvec3& up,

@@ -14,7 +14,7 @@ namespace sward::view {
 /// Lines over the picture and below the panels, for objects in the world other than grass.
 class Overlay {
 public:
-    /// Overlay for a picture of `size` pixels taken by `camera`.
+    /// Overlay for a window of `size`, in its coordinates, taken by `camera`.
     Overlay(const Style& style, const render::Camera& camera, glm::uvec2 size,
             const ShownField& field);
 

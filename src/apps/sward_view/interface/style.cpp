@@ -43,10 +43,19 @@ ImFont* addFont(std::string_view name, float size)
 Style::Style(bool linear)
     : linear_(linear)
 {
-    // The first font is ImGui's default.
-    addFont("Roboto-Regular.ttf", textSize);
-    heading_ = addFont("Roboto-Medium.ttf", headingSize);
+}
+
+void Style::resize(const Scale& scale)
+{
+    scale_ = scale;
+    ImGuiIO& io = ImGui::GetIO();
+    io.Fonts->Clear();
+    // The first font is ImGui's default. Each has as many pixels as the screen shows of it.
+    addFont("Roboto-Regular.ttf", textSize * scale.interface);
+    heading_ = addFont("Roboto-Medium.ttf", headingSize * scale.interface);
+    io.FontGlobalScale = 1.0f / scale.density;
     ImGuiStyle& style = ImGui::GetStyle();
+    style = ImGuiStyle();
     style.WindowPadding = {16.0f, 14.0f};
     style.FramePadding = {8.0f, 4.0f};
     style.ItemSpacing = {8.0f, 7.0f};
@@ -64,6 +73,7 @@ Style::Style(bool linear)
     style.ScrollbarRounding = 5.0f;
     style.TabRounding = 5.0f;
     style.DisabledAlpha = 0.45f;
+    style.ScaleAllSizes(scaled(1.0f));
     colors();
 }
 

@@ -22,9 +22,24 @@ constexpr std::uint32_t cool = 0x6fb3d8;
 /// Colours, spacings and fonts of the interface.
 class Style {
 public:
-    /// `linear`: whether the target converts linear colours to sRGB. Requires an ImGui context;
-    /// loads the fonts into it.
+    /// `linear`: whether the target converts linear colours to sRGB. Requires an ImGui context.
     explicit Style(bool linear);
+
+    /// Sizes of a text, in pixels of the screen, and of the window's coordinates.
+    struct Scale {
+        float interface = 1.0f; ///< pixels per pixel of an interface with 15-pixel text
+        float density = 1.0f;   ///< pixels per unit of the window's coordinates
+
+        bool operator==(const Scale&) const = default;
+    };
+
+    /// Sets spacings, and replaces the fonts in the ImGui context.
+    void resize(const Scale& scale);
+
+    /// `pixels` of an unscaled interface in the window's coordinates.
+    float scaled(float pixels) const { return pixels * scale_.interface / scale_.density; }
+
+    const Scale& scale() const { return scale_; }
 
     ImVec4 color(std::uint32_t rgb, float alpha = 1.0f) const;
     ImU32 packed(std::uint32_t rgb, float alpha = 1.0f) const;
@@ -35,6 +50,7 @@ private:
     void colors() const;
 
     bool linear_;
+    Scale scale_;
     ImFont* heading_ = nullptr;
 };
 

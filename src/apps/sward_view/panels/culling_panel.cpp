@@ -39,10 +39,11 @@ void drawCount(Controls& controls, const char* name, std::uint32_t cullResult, s
     const glm::vec3 color = shared::cullResultColor(cullResult);
     const ImVec2 place = ImGui::GetCursorScreenPos();
     const float middle = place.y + 0.5f * ImGui::GetFrameHeight();
+    const Style& style = controls.style();
     ImGui::GetWindowDrawList()->AddCircleFilled(
-        {place.x + 5.0f, middle}, 4.5f,
+        {place.x + style.scaled(5.0f), middle}, style.scaled(4.5f),
         ImGui::ColorConvertFloat4ToU32({color.x, color.y, color.z, 1.0f}), 16);
-    ImGui::Dummy({14.0f, ImGui::GetFrameHeight()});
+    ImGui::Dummy({style.scaled(14.0f), ImGui::GetFrameHeight()});
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     const std::string text = countText(count);

@@ -32,7 +32,7 @@ void drawMembers(Controls& controls, ViewerState& state)
         const std::string row =
             fmt::format("{}   {} blades, {}", field.name, countText(field.summary.blades),
                         bytesText(field.mapped.fileBytes()));
-        const float width = ImGui::GetContentRegionAvail().x - removeWidth;
+        const float width = ImGui::GetContentRegionAvail().x - controls.style().scaled(removeWidth);
         if (ImGui::Selectable(row.c_str(), i == state.chosen, 0, {width, 0.0f}))
             state.requests.choose = i;
         controls.tell(
@@ -88,7 +88,7 @@ void drawProvenance(Controls& controls, const ViewerState& state)
     const field::FieldView view = state.field->members.at(state.chosen)->mapped.view();
     controls.section("Provenance");
     controls.note("How it was grown: tool, input and settings");
-    ImGui::BeginChild("provenance", {0.0f, 180.0f}, true);
+    ImGui::BeginChild("provenance", {0.0f, controls.style().scaled(180.0f)}, true);
     ImGui::PushTextWrapPos(0.0f);
     ImGui::TextUnformatted(indented(*view.provenance).c_str());
     ImGui::PopTextWrapPos();
@@ -135,8 +135,8 @@ void drawOthers(Controls& controls, ViewerState& state)
     for (const std::string& input : state.recent->inputs()) {
         const std::string name = std::filesystem::path(input).filename().string();
         ImGui::PushID(input.c_str());
-        if (ImGui::Selectable(name.c_str(), false, 0,
-                              {ImGui::GetContentRegionAvail().x - addWidth, 0.0f}))
+        const float width = ImGui::GetContentRegionAvail().x - controls.style().scaled(addWidth);
+        if (ImGui::Selectable(name.c_str(), false, 0, {width, 0.0f}))
             state.requests.open = {input};
         controls.tell(name.c_str(), input, input.c_str());
         ImGui::SameLine();

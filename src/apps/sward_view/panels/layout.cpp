@@ -14,10 +14,15 @@
 namespace sward::view {
 namespace {
 
-constexpr float railWidth = 96.0f;    ///< [pixels]
-constexpr float panelWidth = 340.0f;  ///< [pixels]
-constexpr float statusHeight = 28.0f; ///< [pixels]
-constexpr float messageTop = 16.0f;   ///< [pixels]
+// Pixels of an unscaled interface.
+constexpr float railPixels = 96.0f;
+constexpr float railRowPixels = 26.0f;
+constexpr float panelPixels = 340.0f;
+constexpr float statusPixels = 28.0f;
+constexpr float statusPadding = 12.0f;
+constexpr float margin = 16.0f; ///< between messages and the window's border
+constexpr float keysPixels = 210.0f;
+constexpr float bladeNamePixels = 90.0f;
 
 constexpr ImGuiWindowFlags fixedWindow =
     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
@@ -29,7 +34,7 @@ struct KeyLine {
     const char* meaning;
 };
 
-constexpr std::array<KeyLine, 19> keyLines{
+constexpr std::array<KeyLine, 20> keyLines{
     {{"Drop, Shift+drop", "open a file; show it beside the rest"},
      {"Left drag", "turn around the middle"},
      {"Middle drag, Shift+left", "move sideways"},
@@ -47,8 +52,14 @@ constexpr std::array<KeyLine, 19> keyLines{
      {"R", "record a camera path"},
      {"P", "write a picture"},
      {"Tab", "hide and show the panels"},
+     {"Ctrl + plus, minus, 0", "larger, smaller, usual text and controls"},
      {"H", "this sheet"},
      {"Escape", "close this sheet, then the window"}}};
+
+ImVec2 scaledPair(const Style& style, float x, float y)
+{
+    return {style.scaled(x), style.scaled(y)};
+}
 
 void beginFixed(const char* name, const ImVec2& place, const ImVec2& size,
                 ImGuiWindowFlags more = 0)
@@ -59,10 +70,10 @@ void beginFixed(const char* name, const ImVec2& place, const ImVec2& size,
 }
 
 // Begins a window centred at a position, as large as its content.
-void beginCentred(const char* name, const ImVec2& place, const ImVec2& pivot)
+void beginCentred(const char* name, const Style& style, const ImVec2& place, const ImVec2& pivot)
 {
     ImGui::SetNextWindowPos(place, ImGuiCond_Always, pivot);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, style.scaled(8.0f));
     ImGui::Begin(name, nullptr,
                  (fixedWindow & ~ImGuiWindowFlags_NoBringToFrontOnFocus) |
                      ImGuiWindowFlags_AlwaysAutoResize);
@@ -103,16 +114,17 @@ void Layout::draw(Controls& controls, ViewerState& state)
 
 void Layout::drawRail(Controls& controls)
 {
+    const Style& style = controls.style();
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8.0f, 14.0f});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, scaledPair(style, 8.0f, 14.0f));
     ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.15f, 0.5f});
-    beginFixed("rail", {0.0f, 0.0f}, {railWidth, size.y - statusHeight});
+    beginFixed("rail", {0.0f, 0.0f},
+               {style.scaled(railPixels), size.y - style.scaled(statusPixels)});
     controls.beginPanel("Rail");
     for (std::size_t i = 0; i < panels.size(); ++i) {
         const bool isOpen = open == i;
-        ImGui::PushStyleColor(ImGuiCol_Text,
-                              controls.style().color(isOpen ? palette::text : palette::dim));
-        if (ImGui::Selectable(panels[i].name, isOpen, 0, {0.0f, 26.0f}))
+        ImGui::PushStyleColor(ImGuiCol_Text, style.color(isOpen ? palette::text : palette::dim));
+        if (ImGui::Selectable(panels[i].name, isOpen, 0, {0.0f, style.scaled(railRowPixels)}))
             open = isOpen ? std::nullopt : std::optional(i);
         ImGui::PopStyleColor();
         controls.tell(panels[i].name, isOpen ? "open" : "", panels[i].about);
@@ -123,10 +135,12 @@ void Layout::drawRail(Controls& controls)
 
 void Layout::drawPanel(Controls& controls, ViewerState& state)
 {
+    const Style& style = controls.style();
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const Panel& panel = panels[*open];
-    const float width = std::min(panelWidth, size.x - railWidth);
-    beginFixed(panel.name, {railWidth, 0.0f}, {width, size.y - statusHeight});
+    const float left = style.scaled(railPixels);
+    const float width = std::min(style.scaled(panelPixels), size.x - left);
+    beginFixed(panel.name, {left, 0.0f}, {width, size.y - style.scaled(statusPixels)});
     controls.beginPanel(panel.name);
     controls.heading(panel.name);
     panel.draw(controls, state);
@@ -135,10 +149,12 @@ void Layout::drawPanel(Controls& controls, ViewerState& state)
 
 void Layout::drawStatus(Controls& controls, ViewerState& state)
 {
+    const Style& style = controls.style();
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12.0f, 5.0f});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, scaledPair(style, statusPadding, 5.0f));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
-    beginFixed("status", {0.0f, size.y - statusHeight}, {size.x, statusHeight},
+    const float height = style.scaled(statusPixels);
+    beginFixed("status", {0.0f, size.y - height}, {size.x, height},
                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     controls.beginPanel("Status");
     const bool isResting = state.passesAtRest.has_value();
@@ -169,7 +185,7 @@ void Layout::drawStatus(Controls& controls, ViewerState& state)
         : percent < 100 ? fmt::format("drawn at {} % of the resolution   H: keys", percent)
                         : "H: keys";
     const float width = ImGui::CalcTextSize(right.c_str()).x;
-    ImGui::SameLine(size.x - width - 12.0f);
+    ImGui::SameLine(size.x - width - style.scaled(statusPadding));
     controls.note(right);
     controls.tell("Resolution", std::to_string(percent),
                   "Share of the window's width and height that is drawn; panel Profile");
@@ -180,16 +196,17 @@ void Layout::drawStatus(Controls& controls, ViewerState& state)
 
 void Layout::drawMessages(Controls& controls, ViewerState& state)
 {
+    const Style& style = controls.style();
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float left = shown ? railWidth + (open ? panelWidth : 0.0f) : 0.0f;
-    const ImVec2 place{left + 0.5f * std::max(size.x - left, 0.0f), messageTop};
+    const float left = shown ? style.scaled(railPixels + (open ? panelPixels : 0.0f)) : 0.0f;
+    const ImVec2 place{left + 0.5f * std::max(size.x - left, 0.0f), style.scaled(margin)};
     controls.beginPanel("Message");
     if (!state.error.empty()) {
-        beginCentred("error", place, {0.5f, 0.0f});
-        ImGui::PushStyleColor(ImGuiCol_Text, controls.style().color(palette::alarm));
+        beginCentred("error", style, place, {0.5f, 0.0f});
+        ImGui::PushStyleColor(ImGuiCol_Text, style.color(palette::alarm));
         ImGui::TextUnformatted("That did not work");
         ImGui::PopStyleColor();
-        ImGui::PushTextWrapPos(std::max(size.x - left - 80.0f, 160.0f));
+        ImGui::PushTextWrapPos(std::max(size.x - left - style.scaled(80.0f), style.scaled(160.0f)));
         ImGui::TextUnformatted(state.error.c_str());
         ImGui::PopTextWrapPos();
         controls.tell("Error", state.error, nullptr);
@@ -199,11 +216,11 @@ void Layout::drawMessages(Controls& controls, ViewerState& state)
         return;
     }
     if (!state.shaderError.empty()) {
-        beginCentred("shaders", place, {0.5f, 0.0f});
-        ImGui::PushStyleColor(ImGuiCol_Text, controls.style().color(palette::alarm));
+        beginCentred("shaders", style, place, {0.5f, 0.0f});
+        ImGui::PushStyleColor(ImGuiCol_Text, style.color(palette::alarm));
         ImGui::TextUnformatted("The shaders do not compile; the last good ones draw");
         ImGui::PopStyleColor();
-        ImGui::PushTextWrapPos(std::max(size.x - left - 80.0f, 160.0f));
+        ImGui::PushTextWrapPos(std::max(size.x - left - style.scaled(80.0f), style.scaled(160.0f)));
         ImGui::TextUnformatted(state.shaderError.c_str());
         ImGui::PopTextWrapPos();
         controls.tell("Shaders", state.shaderError, nullptr);
@@ -218,7 +235,7 @@ void Layout::drawMessages(Controls& controls, ViewerState& state)
                            100.0 * state.baking->progress().share);
     if (text.empty())
         return;
-    beginCentred("notice", place, {0.5f, 0.0f});
+    beginCentred("notice", style, place, {0.5f, 0.0f});
     ImGui::TextUnformatted(text.c_str());
     controls.tell("Notice", text, nullptr);
     if (state.baking != nullptr) {
@@ -233,16 +250,18 @@ void Layout::drawPicked(Controls& controls, ViewerState& state)
 {
     if (!state.picked || state.field == nullptr)
         return;
+    const Style& style = controls.style();
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    beginCentred("blade", {size.x - 16.0f, 16.0f}, {1.0f, 0.0f});
+    beginCentred("blade", style, {size.x - style.scaled(margin), style.scaled(margin)},
+                 {1.0f, 0.0f});
     controls.beginPanel("Blade");
     controls.heading("Blade");
     for (const auto& [name, text, about] :
          pickedLines(*state.picked, *state.field, state.settings, state.time.now)) {
-        ImGui::PushStyleColor(ImGuiCol_Text, controls.style().color(palette::dim));
+        ImGui::PushStyleColor(ImGuiCol_Text, style.color(palette::dim));
         ImGui::TextUnformatted(name.c_str());
         ImGui::PopStyleColor();
-        ImGui::SameLine(90.0f);
+        ImGui::SameLine(style.scaled(bladeNamePixels));
         ImGui::TextUnformatted(text.c_str());
         controls.tell(name.c_str(), text, about.c_str());
     }
@@ -253,8 +272,10 @@ void Layout::drawPicked(Controls& controls, ViewerState& state)
 
 void Layout::drawWelcome(Controls& controls, ViewerState& state)
 {
+    const Style& style = controls.style();
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    beginCentred("welcome", {0.5f * (size.x + railWidth), 0.5f * size.y}, {0.5f, 0.5f});
+    beginCentred("welcome", style, {0.5f * (size.x + style.scaled(railPixels)), 0.5f * size.y},
+                 {0.5f, 0.5f});
     controls.beginPanel("Welcome");
     controls.heading("Sward");
     ImGui::TextUnformatted("Drop a field, a mesh or a recipe on this window.");
@@ -278,14 +299,15 @@ void Layout::drawWelcome(Controls& controls, ViewerState& state)
 
 void Layout::drawKeySheet(Controls& controls)
 {
+    const Style& style = controls.style();
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    beginCentred("keys", {0.5f * size.x, 0.5f * size.y}, {0.5f, 0.5f});
+    beginCentred("keys", style, {0.5f * size.x, 0.5f * size.y}, {0.5f, 0.5f});
     controls.beginPanel("Keys");
     controls.heading("Keys");
     for (const KeyLine& line : keyLines) {
         ImGui::TextUnformatted(line.keys);
-        ImGui::SameLine(210.0f);
-        ImGui::PushStyleColor(ImGuiCol_Text, controls.style().color(palette::dim));
+        ImGui::SameLine(style.scaled(keysPixels));
+        ImGui::PushStyleColor(ImGuiCol_Text, style.color(palette::dim));
         ImGui::TextUnformatted(line.meaning);
         ImGui::PopStyleColor();
         controls.tell(line.keys, line.meaning, nullptr);

@@ -65,7 +65,7 @@ void drawMeadowPanel(Controls& controls, ViewerState& state)
                   "Change the meadow: KEY=VALUE as for --set, separated by blanks");
     controls.wholeNumber("Seed", meadow.seed, 0, 9999, "Another number, another meadow");
 
-    ImGui::Dummy({0.0f, 4.0f});
+    controls.space(4.0f);
     if (state.baking != nullptr) {
         drawProgress(controls, state);
     } else {

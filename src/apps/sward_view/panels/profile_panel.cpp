@@ -28,7 +28,7 @@ void drawPass(Controls& controls, const gpu::Timestamps& times, const std::strin
                   "Median, and what 99 of 100 frames stay below, over the last 240");
     ImGui::PlotLines(("##" + name).c_str(), values.data(), static_cast<int>(values.size()), 0,
                      nullptr, 0.0f, static_cast<float>(std::max(statistics.p99 * 1.2, 1e-3)),
-                     {ImGui::GetContentRegionAvail().x, plotHeight});
+                     {ImGui::GetContentRegionAvail().x, controls.style().scaled(plotHeight)});
 }
 
 } // namespace

@@ -85,7 +85,7 @@ void drawWindPanel(Controls& controls, ViewerState& state)
     if (removed)
         winds.erase(winds.begin() + static_cast<std::ptrdiff_t>(*removed));
 
-    ImGui::Dummy({0.0f, 4.0f});
+    controls.space(4.0f);
     ImGui::BeginDisabled(winds.size() >= shared::maxWindSources);
     if (controls.button("Add a source", "Up to 8 blow at once", true))
         winds.push_back(render::windSource(shared::windGusts));

@@ -12,17 +12,20 @@ namespace sward::view {
 /// Keys of the window (docs/viewer.md has the list).
 enum class Key {
     escape,
-    frame,    ///< F: shows the whole field
-    home,     ///< Home: back to where the camera started
-    pause,    ///< Space
-    step,     ///< full stop: one step of time while it is paused
-    help,     ///< H: the sheet of keys
-    panels,   ///< Tab: hides and shows everything but the grass
-    walk,     ///< G: walk on the ground, or fly again
-    freeze,   ///< C: freezes the culling camera
-    picture,  ///< P: writes a picture
-    record,   ///< R: records a camera path
-    bookmark, ///< 1 to 9
+    frame,     ///< F: shows the whole field
+    home,      ///< Home: back to where the camera started
+    pause,     ///< Space
+    step,      ///< full stop: one step of time while it is paused
+    help,      ///< H: the sheet of keys
+    panels,    ///< Tab: hides and shows everything but the grass
+    walk,      ///< G: walk on the ground, or fly again
+    freeze,    ///< C: freezes the culling camera
+    picture,   ///< P: writes a picture
+    record,    ///< R: records a camera path
+    larger,    ///< Ctrl and plus: larger texts and controls
+    smaller,   ///< Ctrl and minus
+    usualSize, ///< Ctrl and 0
+    bookmark,  ///< 1 to 9
 };
 
 struct KeyPress {
@@ -31,8 +34,8 @@ struct KeyPress {
     bool control = false;
 };
 
-/// User input since the last poll. Positions and distances are in window pixels from the upper left
-/// corner.
+/// User input since the last poll. Positions and distances are in the window's coordinates, from
+/// the upper left corner.
 struct Input {
     glm::vec2 cursor{0.0f};
     glm::vec2 rotate{0.0f}; ///< drag with the left button

@@ -170,15 +170,16 @@ void Viewer::look()
     const Clock::time_point now = Clock::now();
     frameSeconds_ = secondsBetween(lastTick_, now);
     lastTick_ = now;
+    interface_.resize(uiScale());
     interface_.begin();
     Input input = window_.takeInput();
     rest_.mustShow = rest_.mustShow || input.exposed;
     steer(std::move(input));
     keepTime();
     tell();
-    if (loadedField_ && window_.drawableSize() != glm::uvec2(0)) {
+    if (loadedField_ && window_.size() != glm::uvec2(0)) {
         const Overlay overlay(interface_.style(), loadedField_->navigation().camera(),
-                              window_.drawableSize(), loadedField_->field());
+                              window_.size(), loadedField_->field());
         overlay.draw(viewerState_);
         overlay.tell(viewerState_, controlMap_);
     }

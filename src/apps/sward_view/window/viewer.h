@@ -61,7 +61,8 @@ private:
     void pick(glm::vec2 pixel);
     void freeze();
     void record();
-    Sight sightAt(glm::vec2 pixel) const;
+    Sight sightAt(glm::vec2 place) const;
+    Style::Scale uiScale() const;
 
     // viewer_requests.cpp: requests that take longer than a frame
     void fulfil();
@@ -112,9 +113,9 @@ private:
     std::optional<Clock::time_point> firstShown_;
     double frameBefore_ = 0.0;  ///< [s] field time of the previous frame
     double frameSeconds_ = 0.0; ///< real time since the previous frame
-    bool isFirstInput_ = true;  ///< its errors end the program
-    bool dragsCollider_ = false;
-    std::uint64_t frames_ = 0, framesAtTitle_ = 0; ///< moving pictures of this field
+    int uiZoom_ = 0;            ///< steps of text and controls by the user's keys
+    bool isFirstInput_ = true, dragsCollider_ = false; ///< errors of the first end the program
+    std::uint64_t frames_ = 0, framesAtTitle_ = 0;     ///< moving pictures of this field
 };
 
 } // namespace sward::view

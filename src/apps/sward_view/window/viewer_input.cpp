@@ -5,9 +5,16 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace sward::view {
+namespace {
+
+constexpr float uiZoomStep = 1.1f; ///< of text and controls, by a press of a key
+
+} // namespace
 
 void Viewer::steer(Input input)
 {
@@ -37,8 +44,7 @@ void Viewer::steer(Input input)
         // Moving the camera ends the path.
         if (mouse && moves)
             recorder_.stopPlaying();
-        navigation.steer(input, static_cast<float>(window_.drawableSize().y), frameSeconds_, mouse,
-                         keys);
+        navigation.steer(input, static_cast<float>(window_.size().y), frameSeconds_, mouse, keys);
     }
     if (recorder_.isPlaying())
         navigation.show(recorder_.next());
@@ -84,6 +90,15 @@ void Viewer::press(const KeyPress& key)
     case Key::picture:
         viewerState_.requests.picture = true;
         break;
+    case Key::larger:
+        uiZoom_ += uiScale().interface < static_cast<float>(largestUiScale) ? 1 : 0;
+        break;
+    case Key::smaller:
+        uiZoom_ -= uiScale().interface > static_cast<float>(smallestUiScale) ? 1 : 0;
+        break;
+    case Key::usualSize:
+        uiZoom_ = 0;
+        break;
     case Key::bookmark:
         if (!loadedField_)
             break;
@@ -99,9 +114,23 @@ void Viewer::press(const KeyPress& key)
     }
 }
 
-Sight Viewer::sightAt(glm::vec2 pixel) const
+Style::Scale Viewer::uiScale() const
 {
-    return sightThrough(loadedField_->navigation().camera(), pixel, window_.drawableSize());
+    const float asked = options_.uiScale.value_or(window_.contentScale());
+    const float zoomed = asked * std::pow(uiZoomStep, static_cast<float>(uiZoom_));
+    const float points = static_cast<float>(std::max(window_.size().x, 1u));
+    const float pixels = static_cast<float>(std::max(window_.drawableSize().x, 1u));
+    return {
+        std::clamp(zoomed, static_cast<float>(smallestUiScale), static_cast<float>(largestUiScale)),
+        pixels / points};
+}
+
+Sight Viewer::sightAt(glm::vec2 place) const
+{
+    // Tolerances count in pixels of an unscaled interface.
+    const float unit = interface_.style().scaled(1.0f);
+    return sightThrough(loadedField_->navigation().camera(), place / unit,
+                        glm::vec2(window_.size()) / unit);
 }
 
 bool Viewer::handleColliders(const Input& input, bool mouse)

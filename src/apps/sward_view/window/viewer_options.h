@@ -7,6 +7,10 @@
 
 namespace sward::view {
 
+/// Bounds of the size of text and controls.
+constexpr double smallestUiScale = 0.5;
+constexpr double largestUiScale = 4.0;
+
 /// Options of the window, in addition to the common ones.
 struct ViewerOptions {
     const FrameOptions* frame = nullptr;
@@ -16,6 +20,8 @@ struct ViewerOptions {
     std::string meadow;       ///< meadow name or file for meshes; empty: the first
     float resolution = 0.0f;  ///< drawn share of width and height; 0: by time
     std::optional<bool> refinesAtRest; ///< unset: on a CPU device with a resolution by time
+    std::optional<float> uiScale;      ///< of texts and controls; unset: as the desktop asks for
+    bool fitsScreen = true;            ///< whether the window's size follows the content scale
     double seconds = 0.0;              ///< [s] closes after the first field; 0: never
 };
 

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 namespace sward::view {
@@ -50,6 +52,38 @@ constexpr std::array<KeyMeaning, 11> keyMeanings{{{GLFW_KEY_ESCAPE, Key::escape}
                                                   {GLFW_KEY_P, Key::picture},
                                                   {GLFW_KEY_R, Key::record}}};
 
+// Keys that change the size of the interface, by what is printed on them.
+std::optional<Key> zoomOf(int key, int code)
+{
+    const char* name = glfwGetKeyName(key, code);
+    const std::string_view sign = name == nullptr ? "" : name;
+    if (sign == "+" || sign == "=")
+        return Key::larger;
+    if (sign == "-")
+        return Key::smaller;
+    if (sign == "0")
+        return Key::usualSize;
+    return std::nullopt;
+}
+
+// Makes a window smaller that is larger than the main screen without its bars.
+void shrinkToScreen(GLFWwindow* window)
+{
+    GLFWmonitor* screen = glfwGetPrimaryMonitor();
+    if (screen == nullptr)
+        return;
+    int left = 0;
+    int top = 0;
+    int most = 0;
+    int highest = 0;
+    glfwGetMonitorWorkarea(screen, &left, &top, &most, &highest);
+    int width = 0;
+    int height = 0;
+    glfwGetWindowSize(window, &width, &height);
+    if (most > 0 && highest > 0 && (width > most || height > highest))
+        glfwSetWindowSize(window, std::min(width, most), std::min(height, highest));
+}
+
 } // namespace
 
 struct Window::Parts {
@@ -79,6 +113,7 @@ struct Window::Parts {
     std::unique_ptr<GLFWwindow, DestroyWindow> window;
     Input input;
     glm::dvec2 cursor{0.0};
+    float contentScale = 1.0f;
 
     // Parts of a callback's window.
     static Parts& of(GLFWwindow* window)
@@ -95,6 +130,10 @@ struct Window::Parts {
     static void onScroll(GLFWwindow* window, double x, double y);
     static void onKey(GLFWwindow* window, int key, int code, int action, int modifiers);
     static void onDrop(GLFWwindow* window, int count, const char** paths);
+    static void onContentScale(GLFWwindow* window, float x, float y)
+    {
+        of(window).contentScale = std::max(x, y);
+    }
     static void onRefresh(GLFWwindow* window) { of(window).input.exposed = true; }
 };
 
@@ -132,11 +171,17 @@ void Window::Parts::onScroll(GLFWwindow* window, double, double y)
     of(window).input.wheel += static_cast<float>(y);
 }
 
-void Window::Parts::onKey(GLFWwindow* window, int key, int, int action, int modifiers)
+void Window::Parts::onKey(GLFWwindow* window, int key, int code, int action, int modifiers)
 {
     if (action != GLFW_PRESS)
         return;
     KeyPress press{Key::bookmark, 0, (modifiers & GLFW_MOD_CONTROL) != 0};
+    if (press.control)
+        if (const std::optional<Key> zoom = zoomOf(key, code)) {
+            press.key = *zoom;
+            of(window).input.keys.push_back(press);
+            return;
+        }
     if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) {
         press.number = key - GLFW_KEY_0;
     } else {
@@ -157,7 +202,7 @@ void Window::Parts::onDrop(GLFWwindow* window, int count, const char** paths)
     parts.input.dropsMore = parts.shift();
 }
 
-Window::Window(glm::uvec2 size, const std::string& title)
+Window::Window(glm::uvec2 size, bool fitsScreen, const std::string& title)
     : parts_(std::make_unique<Parts>())
 {
     if (glfwVulkanSupported() != GLFW_TRUE)
@@ -166,6 +211,7 @@ Window::Window(glm::uvec2 size, const std::string& title)
              "mesa-vulkan-drivers, or comes with the GPU's own driver");
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, fitsScreen ? GLFW_TRUE : GLFW_FALSE);
     parts_->window.reset(glfwCreateWindow(static_cast<int>(size.x), static_cast<int>(size.y),
                                           title.c_str(), nullptr, nullptr));
     GLFWwindow* window = parts_->window.get();
@@ -179,6 +225,13 @@ Window::Window(glm::uvec2 size, const std::string& title)
     glfwSetKeyCallback(window, Parts::onKey);
     glfwSetDropCallback(window, Parts::onDrop);
     glfwSetWindowRefreshCallback(window, Parts::onRefresh);
+    glfwSetWindowContentScaleCallback(window, Parts::onContentScale);
+    float x = 1.0f;
+    float y = 1.0f;
+    glfwGetWindowContentScale(window, &x, &y);
+    Parts::onContentScale(window, x, y);
+    if (fitsScreen)
+        shrinkToScreen(window);
 }
 
 Window::~Window() = default;
@@ -230,6 +283,21 @@ glm::uvec2 Window::drawableSize() const
     int height = 0;
     glfwGetFramebufferSize(parts_->window.get(), &width, &height);
     return {width, height};
+}
+
+glm::uvec2 Window::size() const
+{
+    if (drawableSize() == glm::uvec2(0))
+        return glm::uvec2(0);
+    int width = 0;
+    int height = 0;
+    glfwGetWindowSize(parts_->window.get(), &width, &height);
+    return {width, height};
+}
+
+float Window::contentScale() const
+{
+    return parts_->contentScale;
 }
 
 glm::uvec2 Window::screenSize() const

@@ -18,8 +18,9 @@ namespace sward::view {
 /// A window for Vulkan. One at a time; call everything from the thread of main().
 class Window {
 public:
-    /// Hidden until show(). Throws Error{runtime} if there is no display.
-    Window(glm::uvec2 size, const std::string& title);
+    /// Hidden until show(). `fitsScreen`: multiplies `size` by the content scale, within the
+    /// screen. Throws Error{runtime} if there is no display.
+    Window(glm::uvec2 size, bool fitsScreen, const std::string& title);
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
     ~Window();
@@ -37,6 +38,12 @@ public:
 
     /// Size of the drawable area [pixels]; 0 while invisible.
     glm::uvec2 drawableSize() const;
+
+    /// Size in the window's coordinates, which are the mouse's; 0 while invisible.
+    glm::uvec2 size() const;
+
+    /// Factor of texts and controls [pixels per pixel] that the desktop asks for.
+    float contentScale() const;
 
     /// Upper bound of the screen's width and height [pixels].
     glm::uvec2 screenSize() const;

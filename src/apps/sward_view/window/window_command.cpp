@@ -52,7 +52,7 @@ int showWindow(WindowOptions& options)
              fmt::join(meadowNames, ", "));
     const std::string name =
         frame.fields.empty() ? "" : std::filesystem::path(frame.fields[0]).filename().string();
-    Window window(frame.size, name.empty() ? "Sward" : "Sward: " + name);
+    Window window(frame.size, options.viewer.fitsScreen, name.empty() ? "Sward" : "Sward: " + name);
     Viewer viewer(window, options.viewer);
     viewer.run();
     if (frame.validation)
@@ -120,6 +120,18 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
         ->type_name("refine|move")
         ->group(group)
         ->default_str("move, but refine on a CPU device with --resolution auto");
+    app.add_option_function<std::string>(
+           "--ui-scale",
+           [options](const std::string& text) {
+               if (text != "auto")
+                   options->viewer.uiScale = static_cast<float>(
+                       apps::parseNumber("--ui-scale", text, smallestUiScale, largestUiScale));
+           },
+           "Size of text and controls, 0.5 to 4, where 1 has text of 15 pixels; auto: the content "
+           "scale of the desktop")
+        ->type_name("auto|F")
+        ->group(group)
+        ->default_str("auto");
     group = "Tests";
     app.add_option("--controls", options->viewer.controlsFile,
                    "Write place and value of each control into this file, a few times a second")
@@ -143,6 +155,7 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
         ->group(group);
     app.footer(windowFooter);
     app.final_callback([options, &app, &chosen] {
+        options->viewer.fitsScreen = app.get_option("--size")->count() == 0;
         if (app.get_subcommands().empty())
             chosen = [options] { return showWindow(*options); };
         else

@@ -1,0 +1,141 @@
+"""The size of text and controls: the desktop's, an option's, and the user's, on a real X server."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from display import Display  # noqa: E402
+from viewer import Viewer  # noqa: E402
+
+SWARD = os.environ["SWARD_PROGRAM"]
+VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
+SIZE = "1200x780"
+BACKGROUND = (0x1a, 0x19, 0x15)  # of panels: blue, green, red
+
+
+class ScaleTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="sward-view-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        cls.field = cls.folder / "hills.sward"
+        subprocess.run([SWARD, "bake", "hills", "--count", "1500", "--blade-scale", "8", "-o",
+                        cls.field, "-q"], check=True)
+
+    def setUp(self):
+        self.display = Display()
+        self.addCleanup(self.display.close)
+
+    def open(self, *arguments, dots_per_inch=None, size=SIZE):
+        if dots_per_inch:
+            self.display.set_resources(f"Xft.dpi:\t{dots_per_inch}\n")
+        size = ["--size", size] if size else []
+        viewer = Viewer(VIEWER, self.display, self.folder,
+                        [self.field, "--panel", "physics", *size, *arguments])
+        self.addCleanup(viewer.close)
+        viewer.wait_for_field()
+        viewer.away()
+        return viewer
+
+    def assert_ends_well(self, viewer):
+        code, said = viewer.end()
+        self.assertEqual(code, 0, said)
+        self.assertIn("0 validation messages", said)
+
+    def sizes(self, viewer):
+        """Measured on the screen: the height of the letters of a label, the width of rail and panel,
+        the height of the status bar; and the height of a slider, which it tells."""
+        viewer.wait_frames(3)
+        control = viewer.controls()["Physics/Strength"]
+        left, top, width, height = viewer.window.geometry()
+        rows = self.display.picture(left, top, width, height)
+        middle = int(control["y"] + control["height"] / 2)
+        # The label stands to the left of its slider; its letters are lighter than the panel.
+        rail = int(viewer.controls()["Rail/Field"]["x"] + viewer.controls()["Rail/Field"]["width"])
+        lines = [y for y in range(int(control["y"]), int(control["y"] + control["height"]))
+                 if any(max(pixel) > 80 for pixel in rows[y][rail + 12:int(control["x"]) - 4])]
+        # The panel ends where its own colour does, between two controls.
+        gap = rows[int(control["y"] + control["height"]) + 2]
+        # Panels let a little of the picture through.
+        is_panel = lambda pixel: all(abs(a - b) < 6 for a, b in zip(pixel, BACKGROUND))
+        panel = next(x for x in range(rail + 4, width) if not is_panel(gap[x]))
+        # Nothing is written at the right end of the status bar.
+        status = next(y for y in range(height) if not is_panel(rows[height - 1 - y][width - 4]))
+        self.assertLess(middle, height)
+        return {"letters": max(lines) - min(lines) + 1, "panel": panel, "status": status,
+                "slider": control["height"]}
+
+    def assert_factor(self, sizes, other, factor):
+        for name, size in sizes.items():
+            # Letters and edges end at whole pixels.
+            self.assertAlmostEqual(other[name], factor * size, delta=max(2, 0.06 * factor * size), msg=name)
+
+    def hits(self, viewer):
+        """A slider of this size is hit at nine tenths of its width and near its lower edge."""
+        control = viewer.controls()["Physics/Strength"]
+        viewer.click_at(round(control["x"] + 0.9 * control["width"]),
+                        round(control["y"] + 0.9 * control["height"]))
+        self.assertAlmostEqual(float(viewer.shows("Physics/Strength")), 36, delta=2)
+
+    def test_it_follows_the_content_scale_and_the_option_overrides_it(self):
+        viewer = self.open()
+        usual = self.sizes(viewer)
+        self.assert_ends_well(viewer)
+
+        viewer = self.open(dots_per_inch=192)
+        self.assert_factor(usual, self.sizes(viewer), 2)
+        self.hits(viewer)
+        self.assert_ends_well(viewer)
+
+        viewer = self.open("--ui-scale", "1", dots_per_inch=192)
+        self.assert_factor(usual, self.sizes(viewer), 1)
+        self.assert_ends_well(viewer)
+
+        viewer = self.open("--ui-scale", "1.5", dots_per_inch=96)
+        self.assert_factor(usual, self.sizes(viewer), 1.5)
+        self.hits(viewer)
+        self.assert_ends_well(viewer)
+
+    def test_keys_change_it_while_it_runs(self):
+        viewer = self.open()
+        usual = self.sizes(viewer)
+        for _ in range(4):
+            viewer.key("ctrl+plus")
+        viewer.wait(lambda: viewer.controls()["Physics/Strength"]["height"] > 1.3 * usual["slider"],
+                    "it is larger")
+        viewer.away()
+        self.assert_factor(usual, self.sizes(viewer), 1.1 ** 4)
+        self.hits(viewer)
+        viewer.key("ctrl+minus")
+        viewer.away()
+        self.assert_factor(usual, self.sizes(viewer), 1.1 ** 3)
+        viewer.key("ctrl+0")
+        viewer.away()
+        self.assert_factor(usual, self.sizes(viewer), 1)
+        self.assert_ends_well(viewer)
+
+    def test_a_window_without_a_size_grows_within_the_screen(self):
+        viewer = self.open(dots_per_inch=144, size=None)
+        self.assertEqual(viewer.window.geometry()[2:], (Display.WIDTH, Display.HEIGHT))
+        self.assert_ends_well(viewer)
+        viewer = self.open(dots_per_inch=96, size=None)
+        self.assertEqual(viewer.window.geometry()[2:], (1280, 720))
+        self.assert_ends_well(viewer)
+
+    def test_a_size_out_of_range_is_refused(self):
+        for value in ("0.4", "4.1", "nan", "large"):
+            with self.subTest(value=value):
+                done = subprocess.run([VIEWER, self.field, "--ui-scale", value], capture_output=True,
+                                      text=True, env={**os.environ, "DISPLAY": self.display.name})
+                self.assertEqual(done.returncode, 1, done.stderr)
+                self.assertIn("--ui-scale", done.stderr)
+                self.assertIn(value, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
