@@ -178,6 +178,7 @@ class PanelsTest(unittest.TestCase):
         return {"PATH": f"{programs}:{os.environ['PATH']}"}
 
     def take_video(self, viewer):
+        (self.folder / "sward.mp4").unlink(missing_ok=True)
         viewer.press("Film", panel="Capture")
         viewer.set("Pictures", "Capture", 0.02)
         viewer.wait_for_value("Capture/Pictures", lambda shown: int(shown) < 5, "few pictures")

@@ -1,10 +1,14 @@
 #include "apps/sward_view/shown_field.h"
 
+#include "core/atomic_file.h"
+#include "core/error.h"
 #include "core/mapped_file.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 #include <utility>
 
 namespace sward::view {
@@ -12,6 +16,7 @@ namespace {
 
 /// Larger files are mapped instead of copied [bytes], to limit the memory.
 constexpr std::uintmax_t largestCopy = std::uintmax_t(1) << 30;
+constexpr std::size_t copyStep = std::size_t(1) << 20; ///< [bytes]
 
 // Copies a file, so that overwriting it while it is shown does no harm. Empty for a large file.
 std::vector<std::byte> bytesOf(const std::filesystem::path& file)
@@ -55,12 +60,36 @@ OpenedFields readAmong(std::vector<FieldSource> sources, OpenedFields others, st
 
 OpenedField::OpenedField(FieldSource from)
     : source(std::move(from))
+    , file(source.file, std::ios::binary)
     , bytes(bytesOf(source.file))
     , mapped(bytes.empty() ? field::readField(source.file)
                            : field::readField(bytes, source.file.string()))
     , summary(field::summarise(mapped.view()))
     , name(std::filesystem::path(source.input).filename().string())
 {
+}
+
+void OpenedField::save(const std::filesystem::path& path, bool overwrite)
+{
+    AtomicFile out(path, overwrite);
+    if (!bytes.empty()) {
+        out.write(bytes);
+    } else {
+        std::vector<char> part(copyStep);
+        file.clear();
+        file.seekg(0);
+        std::uint64_t copied = 0;
+        while (file.read(part.data(), static_cast<std::streamsize>(part.size())),
+               file.gcount() > 0) {
+            out.write(std::string_view(part.data(), static_cast<std::size_t>(file.gcount())));
+            copied += static_cast<std::uint64_t>(file.gcount());
+        }
+        if (copied != mapped.fileBytes())
+            fail(ErrorKind::io, "{}: can no longer be read; nothing is saved",
+                 source.file.string());
+    }
+    out.commit();
+    savedAs = path;
 }
 
 ShownField::ShownField(OpenedFields fields)
@@ -79,6 +108,14 @@ bool ShownField::has(const std::string& input) const
 {
     return std::any_of(members.begin(), members.end(),
                        [&input](const auto& member) { return member->source.input == input; });
+}
+
+OpenedFields ShownField::unsaved() const
+{
+    OpenedFields fields;
+    std::copy_if(members.begin(), members.end(), std::back_inserter(fields),
+                 [](const auto& member) { return member->isUnsaved(); });
+    return fields;
 }
 
 FieldLoader::FieldLoader(std::vector<FieldSource> sources, OpenedFields others, std::size_t place)

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -34,8 +35,16 @@ struct OpenedField {
     /// Throws as readField() does.
     explicit OpenedField(FieldSource source);
 
+    /// Writes the field file. Throws Error{io} as AtomicFile does.
+    void save(const std::filesystem::path& path, bool overwrite);
+
+    /// Whether its only file is the temporary one of a bake by this window.
+    bool isUnsaved() const { return source.requests && savedAs.empty(); }
+
     FieldSource source;
-    std::vector<std::byte> bytes; ///< content of the file, unless it is large
+    std::filesystem::path savedAs; ///< empty: not saved
+    std::ifstream file;            ///< keeps a temporary file that was removed readable
+    std::vector<std::byte> bytes;  ///< content of the file, unless it is large
     field::MappedField mapped;
     field::Summary summary;
     std::string name; ///< the last part of its input
@@ -49,6 +58,9 @@ struct ShownField {
 
     /// Whether one of them was opened from `input`.
     bool has(const std::string& input) const;
+
+    /// Members that would be lost.
+    OpenedFields unsaved() const;
 
     OpenedFields members;
     FieldGroup group;

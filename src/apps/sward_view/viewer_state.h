@@ -3,6 +3,7 @@
 #include "apps/sward_view/baking.h"
 #include "apps/sward_view/meadow_requests.h"
 #include "apps/sward_view/picking.h"
+#include "apps/sward_view/question.h"
 #include "apps/sward_view/shown_field.h"
 #include "apps/sward_view/window/collider_dragger.h"
 #include "apps/sward_view/window/recent_files.h"
@@ -11,6 +12,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,6 +43,8 @@ struct Requests {
     std::optional<std::string> loadSettings;
     std::optional<std::string> saveSettings;
     std::optional<std::string> saveCamera;
+    std::optional<std::string> saveField; ///< path of the chosen field
+    std::function<void()> answer;         ///< to the question
     std::optional<std::string> replayPath;
     bool resetSettings = false;
     bool bake = false;
@@ -71,6 +75,7 @@ struct ViewerState {
     std::string sequenceFiles = "frame_%04d.png";
     std::string pathFile = "camera_path.json";
     std::string videoFile = "sward.mp4";
+    std::string fieldFile;             ///< of the chosen field, if it was baked in this window
     std::string another;               ///< typed name of a field or ground
     bool dropAdds = false;             ///< dropped files are added to the shown fields
     bool makesVideo = false;           ///< record a sequence as a video
@@ -79,6 +84,7 @@ struct ViewerState {
     bool showWindArrows = false;
     bool showColliders = false;
     Requests requests;
+    std::optional<Question> question;
 
     // Set by the viewer.
     const ShownField* field = nullptr; ///< none yet: null

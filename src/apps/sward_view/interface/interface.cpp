@@ -8,6 +8,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/backends/imgui_impl_vulkan.h>
+#include <imgui_internal.h> // closes popups from outside
 
 #include <functional>
 #include <string_view>
@@ -199,6 +200,15 @@ void Interface::end()
 bool Interface::hasChanged() const
 {
     return hashOf(*ImGui::GetDrawData()) != recorded_;
+}
+
+bool Interface::closePopup()
+{
+    const int open = ImGui::GetCurrentContext()->OpenPopupStack.Size;
+    if (open == 0)
+        return false;
+    ImGui::ClosePopupToLevel(open - 1, true);
+    return true;
 }
 
 bool Interface::takesMouse() const

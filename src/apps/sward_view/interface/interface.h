@@ -36,6 +36,9 @@ public:
     /// After end(): whether its output differs from the last that was recorded.
     bool hasChanged() const;
 
+    /// Between begin() and end(): closes the topmost drop-down or popup; whether there was one.
+    bool closePopup();
+
     /// Between begin() and end(): whether a control uses the mouse, or the keys.
     bool takesMouse() const;
     bool takesKeys() const;

@@ -32,7 +32,9 @@ void drawCameraPanel(Controls& controls, ViewerState& state)
     if (controls.button(state.replaying ? "Stop" : "Replay",
                         "Plays the file, a sixtieth of a second a frame", true))
         state.requests.replayPath = state.pathFile;
-    if (controls.button("Save this camera", "Writes the camera as it is now into the file", true))
+    if (controls.button("Save this camera",
+                        "Writes the camera as it is now into the file; asks if the file exists",
+                        true))
         state.requests.saveCamera = state.pathFile;
 }
 

@@ -9,7 +9,9 @@ void drawCapturePanel(Controls& controls, ViewerState& state)
     controls.section("Picture");
     controls.text("Picture file", state.pictureFile, "sward.png",
                   "A PNG of what is shown, without panels, with every pixel of the window");
-    if (controls.button("Take picture", "Writes it; an older file of that name goes (P)", true))
+    if (controls.button("Take picture",
+                        "Writes the next frame; if the file exists, under the next free name (P)",
+                        true))
         state.requests.picture = true;
 
     controls.section("Sequence");
@@ -40,7 +42,9 @@ void drawCapturePanel(Controls& controls, ViewerState& state)
     controls.section("Settings");
     controls.text("Settings file", state.settingsFile, "settings.json",
                   "JSON that render, bench and this window take with --settings");
-    if (controls.button("Save settings", "Writes wind, physics, colliders, culling and look"))
+    if (controls.button(
+            "Save settings",
+            "Writes wind, physics, colliders, culling and look; asks if the file exists"))
         state.requests.saveSettings = state.settingsFile;
     ImGui::SameLine();
     if (controls.button("Load settings", "Lays the file over what is set"))

@@ -95,6 +95,23 @@ void drawProvenance(Controls& controls, const ViewerState& state)
     ImGui::EndChild();
 }
 
+// A field that was baked in this window has no file of its own.
+void drawSaving(Controls& controls, ViewerState& state)
+{
+    const OpenedField& field = *state.field->members.at(state.chosen);
+    if (!field.source.requests)
+        return;
+    controls.fact("Saved", field.savedAs.empty() ? "no" : field.savedAs.string(),
+                  "Field file of the last bake; grass that was baked in this window is lost when "
+                  "the window closes, unless it is saved");
+    controls.text("Field file", state.fieldFile, "meadow.sward",
+                  "Name of the new file, from the folder that the viewer was started in");
+    ImGui::BeginDisabled(state.fieldFile.empty());
+    if (controls.button("Save field as...", "Writes the field that is shown (Ctrl+S)", true))
+        state.requests.saveField = state.fieldFile;
+    ImGui::EndDisabled();
+}
+
 void drawShown(Controls& controls, ViewerState& state)
 {
     if (state.field->members.size() > 1)
@@ -107,6 +124,7 @@ void drawShown(Controls& controls, ViewerState& state)
                   "Memory that fields, ground and pictures take");
     if (state.field->members.size() > 1)
         controls.section(state.field->members.at(state.chosen)->name.c_str());
+    drawSaving(controls, state);
     drawField(controls, state);
 }
 

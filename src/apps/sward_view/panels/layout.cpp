@@ -34,7 +34,7 @@ struct KeyLine {
     const char* meaning;
 };
 
-constexpr std::array<KeyLine, 20> keyLines{
+constexpr std::array<KeyLine, 21> keyLines{
     {{"Drop, Shift+drop", "open a file; show it beside the rest"},
      {"Left drag", "turn around the middle"},
      {"Middle drag, Shift+left", "move sideways"},
@@ -53,8 +53,9 @@ constexpr std::array<KeyLine, 20> keyLines{
      {"P", "write a picture"},
      {"Tab", "hide and show the panels"},
      {"Ctrl + plus, minus, 0", "larger, smaller, usual text and controls"},
+     {"Ctrl+S", "save the field that was baked in this window"},
      {"H", "this sheet"},
-     {"Escape", "close this sheet, then the window"}}};
+     {"Escape", "close what is topmost; then the window"}}};
 
 ImVec2 scaledPair(const Style& style, float x, float y)
 {
@@ -110,6 +111,7 @@ void Layout::draw(Controls& controls, ViewerState& state)
     drawMessages(controls, state);
     if (keySheet)
         drawKeySheet(controls);
+    drawQuestion(controls, state);
 }
 
 void Layout::drawRail(Controls& controls)

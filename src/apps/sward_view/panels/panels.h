@@ -20,6 +20,9 @@ void drawCameraPanel(Controls& controls, ViewerState& state);
 void drawProfilePanel(Controls& controls, ViewerState& state);
 void drawCapturePanel(Controls& controls, ViewerState& state);
 
+/// The question that waits for an answer, if there is one, above everything.
+void drawQuestion(Controls& controls, ViewerState& state);
+
 struct Panel {
     const char* name;
     const char* about;

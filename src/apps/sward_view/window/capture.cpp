@@ -53,7 +53,7 @@ std::string Capture::write(const gpu::DeviceContext& context, const gpu::Image& 
     std::string said;
     if (picture_) {
         const std::filesystem::path path = *std::exchange(picture_, std::nullopt);
-        writePng(picture, path, true);
+        writePng(picture, path, false);
         said = fmt::format("{}: {}x{} pixels", path.string(), picture.size.x, picture.size.y);
     }
     if (!sequence_)

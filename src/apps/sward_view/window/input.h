@@ -25,6 +25,7 @@ enum class Key {
     larger,    ///< Ctrl and plus: larger texts and controls
     smaller,   ///< Ctrl and minus
     usualSize, ///< Ctrl and 0
+    save,      ///< Ctrl+S: saves the field that was baked in this window
     bookmark,  ///< 1 to 9
 };
 

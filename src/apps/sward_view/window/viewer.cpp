@@ -100,11 +100,6 @@ Viewer::Viewer(Window& window, const ViewerOptions& options)
     , controls_(interface_.style(), controlMap_)
     , resolution_(device_.isCpu() ? wantedOnCpu : wantedOnGpu,
                   device_.isCpu() ? beginOnCpu : InternalResolution::highest)
-    , begun_(Clock::now())
-    , lastTick_(begun_)
-    , lastTitle_(begun_)
-    , lastLook_(begun_)
-    , lastNotice_(begun_)
 {
     viewerState_.times = &timestamps_;
     viewerState_.recent = &recent_;
@@ -141,7 +136,7 @@ void Viewer::run()
         open(options_.frame->fields);
     window_.show();
     bool drawn = true;
-    while (!window_.isClosed()) {
+    while (!isDone()) {
         apps::throwIfInterrupted("viewing");
         // Poll an invisible window at intervals, not continuously.
         if (drawn)
@@ -152,24 +147,22 @@ void Viewer::run()
         look();
         fulfil();
         drawn = draw();
-        if (firstShown_ && secondsBetween(*firstShown_, Clock::now()) >= options_.seconds)
+        if (times_.firstShown &&
+            secondsBetween(*times_.firstShown, Clock::now()) >= options_.seconds) {
+            isClosing_ = true;
             window_.close();
+        }
     }
+    capture_.stopSequence(); // a film keeps its pictures so far
     device_.waitIdle();
-}
-
-float Viewer::aspect() const
-{
-    const glm::uvec2 size = glm::max(window_.drawableSize(), glm::uvec2(1));
-    return static_cast<float>(size.x) / static_cast<float>(size.y);
 }
 
 void Viewer::look()
 {
     // Process the input, then draw one frame of the interface.
     const Clock::time_point now = Clock::now();
-    frameSeconds_ = secondsBetween(lastTick_, now);
-    lastTick_ = now;
+    times_.frameSeconds = secondsBetween(times_.lastTick, now);
+    times_.lastTick = now;
     interface_.resize(uiScale());
     interface_.begin();
     Input input = window_.takeInput();
@@ -185,7 +178,7 @@ void Viewer::look()
     }
     layout_.draw(controls_, viewerState_);
     interface_.end();
-    controlMap_.finishFrame(secondsBetween(begun_, now));
+    controlMap_.finishFrame(secondsBetween(times_.begun, now));
 }
 
 void Viewer::keepTime()
@@ -193,8 +186,9 @@ void Viewer::keepTime()
     // Use real time. After a slow frame, let field time pass more slowly instead of adding physics
     // steps, which would make the next frame slower still.
     FieldTime& time = viewerState_.time;
-    const double passed = std::min(frameSeconds_, device_.isCpu() ? longestOnCpu : longestOnGpu);
-    frameBefore_ = time.now;
+    const double passed =
+        std::min(times_.frameSeconds, device_.isCpu() ? longestOnCpu : longestOnGpu);
+    times_.frameBefore = time.now;
     if (capture_.isSequence())
         time.now += capture_.step();
     else if (recorder_.isPlaying())
@@ -209,7 +203,7 @@ void Viewer::keepTime()
         return;
     const auto up = [this](const glm::dvec3& place) { return upAt(viewerState_.settings, place); };
     viewerState_.hand.advance(viewerState_.settings.colliders, loadedField_->field().ground, up,
-                              frameBefore_, time.now);
+                              times_.frameBefore, time.now);
 }
 
 bool Viewer::draw()
@@ -258,7 +252,7 @@ bool Viewer::drawMoving()
     if (!loadedField_)
         return true;
 
-    ++frames_;
+    ++times_.frames;
     ++rest_.moving;
     if (rest_.pickAt)
         pick(*std::exchange(rest_.pickAt, std::nullopt));
@@ -293,11 +287,11 @@ void Viewer::present(const gpu::FrameRing::Frame& frame, const gpu::Swapchain::T
 void Viewer::tell()
 {
     const Clock::time_point now = Clock::now();
-    if (secondsBetween(lastNotice_, now) > noticeTime)
+    if (secondsBetween(times_.lastNotice, now) > noticeTime)
         viewerState_.notice.clear();
     const bool isResting = rest_.state.isResting();
     if (!isResting)
-        viewerState_.frameSeconds += smoothing * (frameSeconds_ - viewerState_.frameSeconds);
+        viewerState_.frameSeconds += smoothing * (times_.frameSeconds - viewerState_.frameSeconds);
     viewerState_.passesAtRest = isResting ? std::optional(rest_.state.passesDone()) : std::nullopt;
     viewerState_.drawnAtRest = rest_.picture.drawnBlades();
     viewerState_.field = loadedField_ ? &loadedField_->field() : nullptr;
@@ -314,10 +308,11 @@ void Viewer::tell()
     viewerState_.walking = navigation.isWalking();
     viewerState_.flySpeed = navigation.speed();
 
-    const double seconds = secondsBetween(lastTitle_, now);
-    if (seconds < titleInterval || frames_ <= framesInFlight)
+    const double seconds = secondsBetween(times_.lastTitle, now);
+    if (seconds < titleInterval || times_.frames <= framesInFlight)
         return;
-    const auto frames = static_cast<double>(std::max<std::uint64_t>(frames_ - framesAtTitle_, 1));
+    const auto frames =
+        static_cast<double>(std::max<std::uint64_t>(times_.frames - times_.framesAtTitle, 1));
     const std::string pace =
         isResting
             ? fmt::format("{} of {} pictures at rest", rest_.state.passesDone(), AtRest::passes)
@@ -325,8 +320,8 @@ void Viewer::tell()
     window_.setTitle(fmt::format("Sward: {}, {} of {} blades drawn, {}", loadedField_->field().name,
                                  isResting ? viewerState_.drawnAtRest : viewerState_.counts.drawn,
                                  viewerState_.counts.total, pace));
-    lastTitle_ = now;
-    framesAtTitle_ = frames_;
+    times_.lastTitle = now;
+    times_.framesAtTitle = times_.frames;
 }
 
 } // namespace sward::view

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "apps/sward_view/interface/controls.h"
 #include "apps/sward_view/interface/interface.h"
 #include "apps/sward_view/internal_resolution.h"
 #include "apps/sward_view/panels/layout.h"
@@ -8,6 +7,7 @@
 #include "apps/sward_view/viewer_state.h"
 #include "apps/sward_view/window/bookmarks.h"
 #include "apps/sward_view/window/capture.h"
+#include "apps/sward_view/window/frame_times.h"
 #include "apps/sward_view/window/loaded_field.h"
 #include "apps/sward_view/window/opening.h"
 #include "apps/sward_view/window/path_recorder.h"
@@ -17,7 +17,8 @@
 #include "apps/sward_view/window/window.h"
 #include "gpu/frame_ring.h"
 
-#include <chrono>
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,8 +26,7 @@
 
 namespace sward::view {
 
-/// Shows fields in a window: moves the camera, advances time, draws with two frames in flight, and
-/// fulfils the requests of its panels.
+/// Shows fields in a window: camera, time, two frames in flight, the requests of its panels.
 class Viewer {
 public:
     /// `window` and objects referenced by `options` must outlive this.
@@ -39,7 +39,7 @@ public:
     const gpu::Instance& instance() const { return instance_; }
 
 private:
-    using Clock = std::chrono::steady_clock;
+    using Clock = FrameTimes::Clock;
     // viewer.cpp: the frame loop
     void look();
     bool draw();
@@ -47,30 +47,33 @@ private:
     void present(const gpu::FrameRing::Frame& frame, const gpu::Swapchain::Target& target);
     void keepTime();
     void tell();
-    float aspect() const;
-
+    // viewer_work.cpp: the user's work
+    bool isDone();
+    bool closeTopmost();
+    void askToSave(OpenedFields fields, const std::string& verb, std::function<void()> act);
+    void saveField(OpenedField& field, const std::filesystem::path& path, bool replaces);
+    void writeUnlessTaken(const std::filesystem::path& path,
+                          std::function<void(const std::filesystem::path&, bool)> write);
+    void writeText(const std::filesystem::path& path, std::string text);
+    void startSequence();
     // viewer_rest.cpp: drawing while nothing changes
     bool hasChanged();
     AtRest::Draws drawsNext();
     bool drawRefined(AtRest::Draws draws);
-
     // viewer_input.cpp: user input
     void steer(Input input);
     void press(const KeyPress& key);
     bool handleColliders(const Input& input, bool mouse);
     void pick(glm::vec2 pixel);
-    void freeze();
     void record();
     Sight sightAt(glm::vec2 place) const;
     Style::Scale uiScale() const;
-
     // viewer_requests.cpp: requests that take longer than a frame
     void fulfil();
     void fulfilFiles(const Requests& requests);
     void complain(const std::string& message);
     void notice(const std::string& message);
     void write(const gpu::Image& image);
-
     // viewer_fields.cpp: which fields are shown
     void fulfilFields(const Requests& requests);
     void open(std::vector<std::string> inputs);
@@ -80,7 +83,6 @@ private:
     void choose(std::size_t member);
     void watch();
     void reloadShaders();
-
     Window& window_;
     const ViewerOptions& options_;
     gpu::Instance instance_;
@@ -108,14 +110,10 @@ private:
     Capture capture_;
     InternalResolution resolution_;
     std::optional<WatchedFile> watchedSettings_;
-
-    Clock::time_point begun_, lastTick_, lastTitle_, lastLook_, lastNotice_;
-    std::optional<Clock::time_point> firstShown_;
-    double frameBefore_ = 0.0;  ///< [s] field time of the previous frame
-    double frameSeconds_ = 0.0; ///< real time since the previous frame
-    int uiZoom_ = 0;            ///< steps of text and controls by the user's keys
+    FrameTimes times_;
+    int uiZoom_ = 0; ///< steps of text and controls by the user's keys
     bool isFirstInput_ = true, dragsCollider_ = false; ///< errors of the first end the program
-    std::uint64_t frames_ = 0, framesAtTitle_ = 0;     ///< moving pictures of this field
+    bool isClosing_ = false;                           ///< work that is not saved may be lost
 };
 
 } // namespace sward::view

@@ -1,5 +1,6 @@
 // Which fields are shown: opened, baked, added, taken away, watched.
 #include "apps/sward_view/camera_file.h"
+#include "apps/sward_view/window/free_name.h"
 #include "apps/sward_view/window/viewer.h"
 #include "core/error.h"
 #include "core/log.h"
@@ -17,7 +18,8 @@ constexpr double watchInterval = 0.25; ///< [s] between polls of watched files
 void Viewer::fulfilFields(const Requests& requests)
 {
     if (!requests.open.empty())
-        open(requests.open);
+        askToSave(loadedField_ ? loadedField_->field().unsaved() : OpenedFields(), "open",
+                  [this, inputs = requests.open] { open(inputs); });
     waiting_.insert(waiting_.end(), requests.add.begin(), requests.add.end());
     if (requests.cancelBake)
         opening_.cancel();
@@ -38,8 +40,13 @@ void Viewer::fulfilFields(const Requests& requests)
     if (opening_.isBusy())
         return;
     if (requests.remove && others.size() > 1) {
-        others.erase(others.begin() + static_cast<std::ptrdiff_t>(*requests.remove));
-        opening_.open({{}, std::move(others), 0}, {});
+        const auto gone = others.begin() + static_cast<std::ptrdiff_t>(*requests.remove);
+        OpenedFields lost;
+        if ((*gone)->isUnsaved())
+            lost.push_back(*gone);
+        others.erase(gone);
+        askToSave(std::move(lost), "remove",
+                  [this, others] { opening_.open({{}, others, 0}, {}); });
     } else if (!waiting_.empty()) {
         viewerState_.error.clear();
         const std::size_t place = others.size();
@@ -98,7 +105,7 @@ void Viewer::show(Opening::Opened opened)
                                 members[opened.place]->source.input;
     const bool isBaked = opened.count == 1 && !members[opened.place]->source.report.empty();
     render::FrameSettings settings = isSame ? viewerState_.settings : frame.settingsFor(view);
-    CameraPath path = chooseCamera(frame.camera, view, aspect(), settings.sunDirection);
+    CameraPath path = chooseCamera(frame.camera, view, window_.aspect(), settings.sunDirection);
     const render::Camera home = path.at(0.0);
     auto next = std::make_unique<LoadedField>(
         device_, std::move(opened.field),
@@ -108,7 +115,7 @@ void Viewer::show(Opening::Opened opened)
                                         .recordCullResults = true,
                                         .deviceBytes = frame.gpuMemory,
                                         .largestTarget = window_.screenSize()},
-        goodShaders_, home, viewerState_.settings, aspect());
+        goodShaders_, home, viewerState_.settings, window_.aspect());
     device_.waitIdle();
 
     for (const auto& [number, camera] : bookmarks_.of(first))
@@ -140,10 +147,10 @@ void Viewer::show(Opening::Opened opened)
     if (frame.watch && !watchedSettings_)
         watchedSettings_.emplace(frame.settingsFile);
     timestamps_.clearHistory();
-    frames_ = framesAtTitle_ = rest_.moving = 0;
-    lastTitle_ = Clock::now();
-    if (!firstShown_)
-        firstShown_ = lastTitle_;
+    times_.frames = times_.framesAtTitle = rest_.moving = 0;
+    times_.lastTitle = Clock::now();
+    if (!times_.firstShown)
+        times_.firstShown = times_.lastTitle;
     isFirstInput_ = false;
     for (std::size_t i = opened.count; i-- > 0;)
         recent_.add(members[opened.place + i]->source.input);
@@ -155,6 +162,7 @@ void Viewer::choose(std::size_t member)
     const OpenedField& field = *loadedField_->field().members.at(member);
     viewerState_.chosen = member;
     viewerState_.bakeReport = field.source.report;
+    viewerState_.fieldFile = fieldNameFor(field.source.input);
     // Take the requests of a field baked elsewhere from its provenance, without its ground.
     viewerState_.meadow = field.source.requests ? *field.source.requests
                                                 : requestsOf(*field.mapped.view().provenance);
@@ -165,9 +173,9 @@ void Viewer::watch()
     if (!loadedField_)
         return;
     const Clock::time_point now = Clock::now();
-    if (std::chrono::duration<double>(now - lastLook_).count() < watchInterval)
+    if (std::chrono::duration<double>(now - times_.lastLook).count() < watchInterval)
         return;
-    lastLook_ = now;
+    times_.lastLook = now;
     if (shaders_)
         reloadShaders();
     // At rest the state does not change, and the results of culling are those of tiles.
@@ -215,7 +223,7 @@ void Viewer::reloadShaders()
     viewerState_.difference.reset();
     viewerState_.showsFormer = false;
     viewerState_.picked.reset();
-    frames_ = framesAtTitle_ = rest_.moving = 0;
+    times_.frames = times_.framesAtTitle = rest_.moving = 0;
     timestamps_.clearHistory();
     notice("The shaders have been compiled again");
 }

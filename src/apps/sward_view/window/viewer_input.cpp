@@ -44,19 +44,20 @@ void Viewer::steer(Input input)
         // Moving the camera ends the path.
         if (mouse && moves)
             recorder_.stopPlaying();
-        navigation.steer(input, static_cast<float>(window_.size().y), frameSeconds_, mouse, keys);
+        navigation.steer(input, static_cast<float>(window_.size().y), times_.frameSeconds, mouse,
+                         keys);
     }
     if (recorder_.isPlaying())
         navigation.show(recorder_.next());
     if (recorder_.isRecording())
-        recorder_.note(navigation.camera(), frameSeconds_);
+        recorder_.note(navigation.camera(), times_.frameSeconds);
 }
 
 void Viewer::press(const KeyPress& key)
 {
     switch (key.key) {
     case Key::escape:
-        if (!std::exchange(layout_.keySheet, false))
+        if (!closeTopmost())
             window_.close();
         break;
     case Key::help:
@@ -98,6 +99,10 @@ void Viewer::press(const KeyPress& key)
         break;
     case Key::usualSize:
         uiZoom_ = 0;
+        break;
+    case Key::save:
+        if (loadedField_ && loadedField_->field().members.at(viewerState_.chosen)->source.requests)
+            viewerState_.requests.saveField = viewerState_.fieldFile;
         break;
     case Key::bookmark:
         if (!loadedField_)
@@ -158,15 +163,6 @@ void Viewer::pick(glm::vec2 pixel)
     const bool onlyDrawn = viewerState_.settings.debug != render::DebugMode::reason;
     viewerState_.picked =
         pickBlade(loadedField_->renderer(), loadedField_->field(), sightAt(pixel), onlyDrawn);
-}
-
-void Viewer::freeze()
-{
-    auto& frozen = viewerState_.settings.cullingCamera;
-    if (frozen)
-        frozen.reset();
-    else
-        frozen = loadedField_->navigation().camera();
 }
 
 } // namespace sward::view

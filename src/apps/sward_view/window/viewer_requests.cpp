@@ -1,5 +1,6 @@
 // Fulfils requests of the panels and other work that takes longer than a frame.
 #include "apps/sward_view/camera_file.h"
+#include "apps/sward_view/window/free_name.h"
 #include "apps/sward_view/window/viewer.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
@@ -25,7 +26,7 @@ void Viewer::notice(const std::string& message)
     if (message.empty())
         return;
     viewerState_.notice = message;
-    lastNotice_ = Clock::now();
+    times_.lastNotice = Clock::now();
 }
 
 void Viewer::write(const gpu::Image& image)
@@ -41,6 +42,8 @@ void Viewer::fulfil()
 {
     const Requests requests = std::exchange(viewerState_.requests, Requests());
     try {
+        if (requests.answer)
+            requests.answer();
         fulfilFields(requests);
         watch();
         if (loadedField_)
@@ -62,13 +65,13 @@ void Viewer::fulfil()
         std::swap(loadedField_, former_);
         viewerState_.showsFormer = !viewerState_.showsFormer;
         viewerState_.picked.reset();
-        frames_ = framesAtTitle_ = rest_.moving = 0;
+        times_.frames = times_.framesAtTitle = rest_.moving = 0;
         return;
     }
     if (requests.frameField)
         navigation.show(render::presetCamera(render::CameraPreset::fit, loadedField_->field().view,
                                              {.groundUp = groundUpOf(loadedField_->field().view),
-                                              .aspect = aspect(),
+                                              .aspect = window_.aspect(),
                                               .sunDirection = viewerState_.settings.sunDirection,
                                               .surface = &loadedField_->field().ground}));
     if (requests.goHome)
@@ -77,21 +80,28 @@ void Viewer::fulfil()
         notice("There is no ground below the camera to walk on");
     else if (requests.walk && viewerState_.walking)
         navigation.walk(false);
+    auto& frozen = viewerState_.settings.cullingCamera;
     if (requests.freeze)
-        freeze();
+        frozen = frozen ? std::nullopt : std::optional(navigation.camera());
     if (requests.resetSettings) {
         viewerState_.settings = render::FrameSettings::of(loadedField_->field().view);
         viewerState_.hand.forget();
     }
     if (requests.picture)
-        capture_.takePicture(viewerState_.pictureFile);
+        capture_.takePicture(freeName(viewerState_.pictureFile));
 }
 
 void Viewer::fulfilFiles(const Requests& requests)
 {
     if (requests.saveSettings) {
-        writeTextFile(*requests.saveSettings, render::settingsText(viewerState_.settings), true);
-        notice(*requests.saveSettings + ": written");
+        writeText(*requests.saveSettings, render::settingsText(viewerState_.settings));
+    }
+    if (requests.saveField) {
+        const auto field = loadedField_->field().members.at(viewerState_.chosen);
+        writeUnlessTaken(*requests.saveField,
+                         [this, field](const std::filesystem::path& path, bool replaces) {
+                             saveField(*field, path, replaces);
+                         });
     }
     if (requests.loadSettings) {
         // Read into a copy, so that an invalid file changes nothing.
@@ -105,8 +115,7 @@ void Viewer::fulfilFiles(const Requests& requests)
     const glm::vec3 up = groundUpOf(loadedField_->field().view);
     if (requests.saveCamera) {
         CameraPath path(loadedField_->navigation().camera());
-        writeTextFile(*requests.saveCamera, cameraPathText(path, PathRecorder::recordStep), true);
-        notice(*requests.saveCamera + ": written");
+        writeText(*requests.saveCamera, cameraPathText(path, PathRecorder::recordStep));
     }
     if (requests.replayPath) {
         if (recorder_.isPlaying())
@@ -117,14 +126,10 @@ void Viewer::fulfilFiles(const Requests& requests)
     if (requests.record)
         record();
     if (requests.sequence) {
-        const auto pictures = static_cast<std::uint64_t>(viewerState_.sequenceLength);
-        const auto step = static_cast<double>(viewerState_.sequenceStep);
         if (capture_.isSequence())
             notice(capture_.stopSequence());
-        else if (viewerState_.makesVideo)
-            capture_.takeVideo(viewerState_.videoFile, pictures, step);
         else
-            capture_.takeSequence(viewerState_.sequenceFiles, pictures, step);
+            startSequence();
     }
 }
 
@@ -137,8 +142,9 @@ void Viewer::record()
         return;
     }
     const std::string text = recorder_.stopRecording();
-    writeTextFile(viewerState_.pathFile, text, true);
-    notice(viewerState_.pathFile + ": written");
+    const std::filesystem::path path = freeName(viewerState_.pathFile);
+    writeTextFile(path, text, false);
+    notice(path.string() + ": written");
 }
 
 } // namespace sward::view

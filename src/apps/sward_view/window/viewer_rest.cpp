@@ -11,7 +11,7 @@ namespace sward::view {
 bool Viewer::hasChanged()
 {
     // A streamed field holds the blades of one view, not of tiles in turn.
-    if (!viewerState_.refinesAtRest || !loadedField_ || frames_ < ring_.slots() ||
+    if (!viewerState_.refinesAtRest || !loadedField_ || times_.frames < ring_.slots() ||
         swapchain_.extent().width == 0 || loadedField_->renderer().isStreamed() ||
         viewerState_.settings.cullingCamera ||
         viewerState_.settings.debug == render::DebugMode::reason || capture_.isSequence() ||
@@ -33,7 +33,7 @@ AtRest::Draws Viewer::drawsNext()
     const bool isWritten =
         rest_.state.passesDone() > 0 && capture_.wantsFrame() && !capture_.isSequence();
     const bool changes = hasChanged() || (capture_.wantsFrame() && !isWritten);
-    const std::chrono::duration<double> now = Clock::now() - begun_;
+    const std::chrono::duration<double> now = Clock::now() - times_.begun;
     const AtRest::Draws draws = rest_.state.next(now.count(), changes);
     if (draws == AtRest::Draws::moving)
         rest_.hasBegun = false;

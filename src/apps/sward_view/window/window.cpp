@@ -52,8 +52,8 @@ constexpr std::array<KeyMeaning, 11> keyMeanings{{{GLFW_KEY_ESCAPE, Key::escape}
                                                   {GLFW_KEY_P, Key::picture},
                                                   {GLFW_KEY_R, Key::record}}};
 
-// Keys that change the size of the interface, by what is printed on them.
-std::optional<Key> zoomOf(int key, int code)
+// Keys that mean something with Ctrl, by what is printed on them.
+std::optional<Key> controlKeyOf(int key, int code)
 {
     const char* name = glfwGetKeyName(key, code);
     const std::string_view sign = name == nullptr ? "" : name;
@@ -63,6 +63,8 @@ std::optional<Key> zoomOf(int key, int code)
         return Key::smaller;
     if (sign == "0")
         return Key::usualSize;
+    if (sign == "s")
+        return Key::save;
     return std::nullopt;
 }
 
@@ -177,8 +179,8 @@ void Window::Parts::onKey(GLFWwindow* window, int key, int code, int action, int
         return;
     KeyPress press{Key::bookmark, 0, (modifiers & GLFW_MOD_CONTROL) != 0};
     if (press.control)
-        if (const std::optional<Key> zoom = zoomOf(key, code)) {
-            press.key = *zoom;
+        if (const std::optional<Key> found = controlKeyOf(key, code)) {
+            press.key = *found;
             of(window).input.keys.push_back(press);
             return;
         }
@@ -267,6 +269,17 @@ bool Window::isClosed() const
 void Window::close()
 {
     glfwSetWindowShouldClose(parts_->window.get(), GLFW_TRUE);
+}
+
+void Window::keepOpen()
+{
+    glfwSetWindowShouldClose(parts_->window.get(), GLFW_FALSE);
+}
+
+float Window::aspect() const
+{
+    const glm::uvec2 size = glm::max(drawableSize(), glm::uvec2(1));
+    return static_cast<float>(size.x) / static_cast<float>(size.y);
 }
 
 GLFWwindow* Window::handle() const

@@ -35,6 +35,10 @@ public:
     /// Whether the user has closed the window by its button, or close() was called.
     bool isClosed() const;
     void close();
+    void keepOpen(); ///< takes the user's wish to close it back
+
+    /// Width to height of the drawable area.
+    float aspect() const;
 
     /// Size of the drawable area [pixels]; 0 while invisible.
     glm::uvec2 drawableSize() const;

@@ -22,7 +22,8 @@ namespace {
 constexpr const char* windowFooter =
     "In the window: left drag turns, middle or Shift + left drag moves, the wheel\n"
     "comes nearer, right drag with W A S D Q E flies. F frames the field, Home\n"
-    "returns, Space pauses the time, H shows all keys, Escape closes. A field, a mesh\n"
+    "returns, Space pauses the time, H shows all keys, Escape closes what is topmost. A field, a "
+    "mesh\n"
     "or a recipe that is dropped on the window is opened.\n"
     "Example:\n"
     "  sward-view meadow.sward\n"
