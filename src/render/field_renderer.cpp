@@ -9,6 +9,8 @@
 #include "gpu/upload.h"
 #include "render/blade_dump.h"
 #include "render/cull/cull_view.h"
+#include "render/cull/pass_scope.h"
+#include "render/cull/pass_scope.h"
 #include "render/exposure.h"
 #include "render/preview/field_renderer_parts.h"
 #include "render/tessellation/geometry_choice.h"
@@ -289,7 +291,10 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
         parts.stream(wanted, settings, target.size, slot);
     const shared::Frame frame = parts.writeFrame(wanted, settings, time, slot);
     const FramePlace cullView = parts.fillCullView(frame, settings, whole, slot);
-    parts.sunShadow.record(commands, parts.ground, parts.slots[slot].frame.place().address);
+    {
+        const DispatchScope scope(parts.context, commands, timestamps, "sun shadow");
+        parts.sunShadow.record(commands, parts.ground, parts.slots[slot].frame.place().address);
+    }
 
     const bool looksForHidden = (settings.cullMask & shared::cullOcclusion) != 0;
     const bool findsReasons = settings.debug == DebugMode::reason;

@@ -229,6 +229,26 @@ class PanelsTest(unittest.TestCase):
         self.assertEqual(blade[header.index("patch")], told["Blade/Patch"]["shows"])
         self.assert_ends_well(viewer)
 
+    def test_the_rows_of_the_profile_add_up_and_the_frame_rate_is_told(self):
+        # A collider that moves has its shadow drawn anew in each frame.
+        viewer = self.open(self.field, "--panel", "profile", "--collider", "sphere:0,1,0,0.5")
+        viewer.press("Forget times", panel="Profile")
+        names = ("sun shadow", "ground", "pyramid", "cull", "update", "blades", "resolve", "not attributed")
+        viewer.wait(lambda: all(f"Profile/{name}" in viewer.controls() for name in (*names, "total")),
+                    "all passes are measured")
+        viewer.wait_frames(12)
+        told = viewer.controls()
+        times = {name: float(told[f"Profile/{name}"]["shows"].split(" ms")[0])
+                 for name in (*names, "total", "scaling", "interface")}
+        self.assertAlmostEqual(sum(times[name] for name in names), times["total"],
+                               delta=0.05 * times["total"])
+        # Each dispatch lies within its row: what is left are copies and barriers.
+        self.assertLess(times["not attributed"], 0.1 * times["total"], times)
+        rate, milliseconds = (float(number) for number in re.search(
+            r"([\d.]+) frames/s +([\d.]+) ms", told["Status/Numbers"]["shows"]).groups())
+        self.assertAlmostEqual(rate * milliseconds, 1000, delta=0.05 * 1000 + 0.06 * milliseconds)
+        self.assert_ends_well(viewer)
+
     def test_a_path_is_recorded_and_render_takes_it(self):
         viewer = self.open(self.field, "--panel", "camera")
         viewer.key("r")

@@ -51,7 +51,8 @@ TEST_F(SavingTest, ABakedFieldIsSavedAfterItsTemporaryFileIsGone)
     EXPECT_TRUE(field.isUnsaved());
     // A large field is mapped, and has no copy in memory.
     for (const bool isLarge : {false, true}) {
-        const std::vector<std::byte> copy = isLarge ? std::move(field.bytes) : std::vector<std::byte>();
+        const std::vector<std::byte> copy =
+            isLarge ? std::move(field.bytes) : std::vector<std::byte>();
         if (isLarge)
             field.bytes.clear();
         const fs::path path = folder_ / (isLarge ? "large.sward" : "small.sward");

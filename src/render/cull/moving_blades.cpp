@@ -63,7 +63,7 @@ void MovingBlades::beginAgain(VkCommandBuffer commands) const
 void MovingBlades::findVisiblePatches(VkCommandBuffer commands, VkDeviceAddress cullView,
                                       gpu::Timestamps* timestamps) const
 {
-    const PassScope scope(*context_, commands, timestamps, "cull");
+    const DispatchScope scope(*context_, commands, timestamps, "cull");
     walk_.record(commands, buffers_.baked(), buffers_.list(), cullView);
     gpu::computeToCompute(commands);
 }
@@ -72,7 +72,7 @@ void MovingBlades::moveAndList(VkCommandBuffer commands, const FramePlace& cullV
                                std::uint32_t round, UpdateCullPass::Shown shown,
                                gpu::Timestamps* timestamps) const
 {
-    const PassScope scope(*context_, commands, timestamps, "update");
+    const DispatchScope scope(*context_, commands, timestamps, "update");
     update_.record(commands, buffers_.baked(), buffers_.list(), variant_,
                    UpdateCullPass::Scope::visible,
                    {.frame = cullView, .round = round, .shown = shown});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gpu/barrier.h"
 #include "gpu/debug.h"
 #include "gpu/timestamps.h"
 
@@ -33,6 +34,20 @@ private:
     VkCommandBuffer commands_;
     gpu::Timestamps* timestamps_;
     std::uint32_t scope_;
+};
+
+/// A PassScope outside of a rendering. On a CPU device a barrier follows its first timestamp:
+/// lavapipe dispatches at once, but writes timestamps only when it waits for what was recorded
+/// before; without the barrier a dispatch would be over before its scope begins.
+class DispatchScope : PassScope {
+public:
+    DispatchScope(const gpu::DeviceContext& context, VkCommandBuffer commands,
+                  gpu::Timestamps* timestamps, const char* name)
+        : PassScope(context, commands, timestamps, name)
+    {
+        if (timestamps != nullptr && context.isCpu())
+            gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
+    }
 };
 
 } // namespace sward::render

@@ -30,7 +30,7 @@ gpu::ColorAttachment FieldRenderer::Parts::colorAttachment(const Target& target)
 void FieldRenderer::Parts::drawOpaque(VkCommandBuffer commands, const Target& target,
                                       std::uint32_t slot, gpu::Timestamps* timestamps)
 {
-    const PassScope scope(context, commands, timestamps, "ground");
+    const DispatchScope scope(context, commands, timestamps, "ground");
     const VkDeviceAddress frame = slots[slot].frame.place().address;
     gpu::transition(commands, attachments->depth(), gpu::ImageUse::undefined,
                     gpu::ImageUse::depthTarget);
@@ -49,7 +49,7 @@ void FieldRenderer::Parts::drawOpaque(VkCommandBuffer commands, const Target& ta
 void FieldRenderer::Parts::rasterOpaque(VkCommandBuffer commands, std::uint32_t slot,
                                         gpu::Timestamps* timestamps)
 {
-    const PassScope scope(context, commands, timestamps, "ground");
+    const DispatchScope scope(context, commands, timestamps, "ground");
     gpu::anythingToTransfer(commands);
     raster->recordBegin(commands);
     resolve->recordBegin(commands);
@@ -65,7 +65,7 @@ void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, std::uint32
     gpu::transition(commands, attachments->depth(), gpu::ImageUse::depthTarget,
                     gpu::ImageUse::sampled);
     {
-        const PassScope scope(context, commands, timestamps, "pyramid");
+        const DispatchScope scope(context, commands, timestamps, "pyramid");
         // The frame before may still read the pyramid.
         gpu::memoryBarrier(commands, gpu::computeAccess, gpu::computeAccess);
         pyramid.record(commands, slots[slot].frame.place().address);
@@ -78,7 +78,7 @@ void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, const Raste
                                            gpu::Timestamps* timestamps)
 {
     {
-        const PassScope scope(context, commands, timestamps, "pyramid");
+        const DispatchScope scope(context, commands, timestamps, "pyramid");
         raster->recordDepths(commands, input, RasterPass::Levels::all);
     }
     gpu::computeToCompute(commands);
@@ -119,7 +119,7 @@ void FieldRenderer::Parts::makePicture(VkCommandBuffer commands, const Target& t
     resolve->describe(push);
     gpu::computeToCompute(commands);
     {
-        const PassScope scope(context, commands, timestamps, "ground");
+        const DispatchScope scope(context, commands, timestamps, "ground");
         resolve->recordTiles(commands, push);
         opaqueRaster->recordLight(commands, input.frame, raster->visibility(), resolve->sorted());
     }
@@ -129,7 +129,7 @@ void FieldRenderer::Parts::makePicture(VkCommandBuffer commands, const Target& t
     gpu::computeToCompute(commands);
     resolve->aim(slot, target.stored);
     {
-        const PassScope scope(context, commands, timestamps, "resolve");
+        const DispatchScope scope(context, commands, timestamps, "resolve");
         resolve->record(commands, push, input.frame, slot);
         if (!isStored)
             resolve->copyTo(commands, target.image);

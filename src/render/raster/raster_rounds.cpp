@@ -17,11 +17,11 @@ void RasterRounds::record(VkCommandBuffer commands, const RasterPass::Input& inp
         if (round == 0)
             recordPyramid(commands, input, timestamps);
         gpu::computeToCompute(commands);
-        const PassScope scope(context, commands, timestamps, "blades");
+        const DispatchScope scope(context, commands, timestamps, "blades");
         raster.recordBlades(commands, input, round, Phase::late);
     }
     gpu::computeToCompute(commands);
-    const PassScope scope(context, commands, timestamps, "blades");
+    const DispatchScope scope(context, commands, timestamps, "blades");
     raster.recordLarge(commands, input, input.findsHidden ? Phase::late : Phase::early);
 }
 
@@ -35,7 +35,7 @@ void RasterRounds::recordFirst(VkCommandBuffer commands, const RasterPass::Input
     blades.moveAndList(commands, input.cullView, round,
                        input.findsHidden ? raster.shown() : Shown(), timestamps);
     gpu::computeToCompute(commands);
-    const PassScope scope(context, commands, timestamps, "blades");
+    const DispatchScope scope(context, commands, timestamps, "blades");
     raster.recordBlades(commands, input, round, RasterPass::Phase::early);
 }
 
@@ -44,11 +44,11 @@ void RasterRounds::recordPyramid(VkCommandBuffer commands, const RasterPass::Inp
 {
     gpu::computeToCompute(commands);
     {
-        const PassScope scope(context, commands, timestamps, "blades");
+        const DispatchScope scope(context, commands, timestamps, "blades");
         raster.recordLarge(commands, input, RasterPass::Phase::early);
     }
     gpu::memoryBarrier(commands, gpu::dispatchAccess, gpu::dispatchAccess);
-    const PassScope scope(context, commands, timestamps, "pyramid");
+    const DispatchScope scope(context, commands, timestamps, "pyramid");
     raster.recordDepths(commands, input, RasterPass::Levels::finest);
 }
 

@@ -166,7 +166,9 @@ void Layout::drawStatus(Controls& controls, ViewerState& state)
         left += fmt::format("   {} of {} blades drawn   {}", countText(drawn),
                             countText(state.counts.total),
                             isResting ? "time stands still"
-                                      : fmt::format("{:.1f} ms", 1000.0 * state.frameSeconds));
+                                      : fmt::format("{:.1f} frames/s   {:.1f} ms",
+                                                    1.0 / std::max(state.frameSeconds, 1e-6),
+                                                    1000.0 * state.frameSeconds));
     if (state.time.paused)
         left += "   paused";
     if (state.walking)

@@ -5,30 +5,68 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 #include <vector>
 
 namespace sward::view {
 namespace {
 
-constexpr std::size_t plotted = 240; ///< frames
-constexpr float plotHeight = 34.0f;  ///< [pixels]
+constexpr std::size_t plotted = 240;       ///< frames
+constexpr float plotHeight = 34.0f;        ///< [pixels]
+constexpr const char* totalName = "total"; ///< of the picture: all passes but those of the window
+constexpr std::array<const char*, 2> windowPasses{"scaling", "interface"};
 
-void drawPass(Controls& controls, const gpu::Timestamps& times, const std::string& name)
+// The last durations of a pass [ms].
+std::vector<double> lastOf(const gpu::Timestamps& times, const std::string& name)
 {
-    const std::vector<double> history = times.history(name);
-    if (history.empty())
-        return;
+    std::vector<double> history = times.history(name);
     const std::size_t shown = std::min(history.size(), plotted);
-    const std::vector<double> last(history.end() - static_cast<std::ptrdiff_t>(shown),
-                                   history.end());
-    const gpu::Statistics statistics = gpu::statisticsOf(last);
-    std::vector<float> values(last.begin(), last.end());
-    controls.fact(name.c_str(),
-                  fmt::format("{:.2f} ms   p99 {:.2f}", statistics.median, statistics.p99),
-                  "Median, and what 99 of 100 frames stay below, over the last 240");
+    history.erase(history.begin(), history.end() - static_cast<std::ptrdiff_t>(shown));
+    return history;
+}
+
+// Means add up, medians would not. A pass that some frames do without counts as 0 there.
+double meanOf(const std::vector<double>& values, std::size_t frames)
+{
+    return std::accumulate(values.begin(), values.end(), 0.0) /
+           static_cast<double>(std::max<std::size_t>(frames, 1));
+}
+
+// Returns the mean.
+double drawPass(Controls& controls, const gpu::Timestamps& times, const std::string& name,
+                std::size_t frames)
+{
+    const std::vector<double> last = lastOf(times, name);
+    if (last.empty())
+        return 0.0;
+    const double mean = meanOf(last, frames);
+    const double p99 = gpu::statisticsOf(last).p99;
+    const std::vector<float> values(last.begin(), last.end());
+    controls.fact(name.c_str(), fmt::format("{:.2f} ms   p99 {:.2f}", mean, p99),
+                  "Mean of the last 240 frames, and what 99 of 100 frames stay below");
     ImGui::PlotLines(("##" + name).c_str(), values.data(), static_cast<int>(values.size()), 0,
-                     nullptr, 0.0f, static_cast<float>(std::max(statistics.p99 * 1.2, 1e-3)),
+                     nullptr, 0.0f, static_cast<float>(std::max(p99 * 1.2, 1e-3)),
                      {ImGui::GetContentRegionAvail().x, controls.style().scaled(plotHeight)});
+    return mean;
+}
+
+void drawPasses(Controls& controls, const gpu::Timestamps& times)
+{
+    const std::size_t frames = lastOf(times, totalName).size();
+    controls.section("Passes");
+    double sum = 0.0;
+    for (const std::string& name : times.names())
+        if (name != totalName &&
+            std::find(windowPasses.begin(), windowPasses.end(), name) == windowPasses.end())
+            sum += drawPass(controls, times, name, frames);
+    const double total = meanOf(lastOf(times, totalName), frames);
+    controls.fact("not attributed", fmt::format("{:.2f} ms", std::max(total - sum, 0.0)),
+                  "Device time of the picture between its passes: copies, clears and barriers");
+    drawPass(controls, times, totalName, frames);
+    controls.section("After the picture");
+    for (const char* name : windowPasses)
+        drawPass(controls, times, name, frames);
 }
 
 } // namespace
@@ -55,13 +93,12 @@ void drawProfilePanel(Controls& controls, ViewerState& state)
                     "While nothing changes, stops the time and draws one fine picture with all "
                     "pixels and blades; off: draws on");
 
-    controls.section("Passes");
     if (state.times == nullptr || state.times->names().empty()) {
+        controls.section("Passes");
         controls.note("This device measures no times.");
         return;
     }
-    for (const std::string& name : state.times->names())
-        drawPass(controls, *state.times, name);
+    drawPasses(controls, *state.times);
     if (controls.button("Forget times", "Begins to measure anew", true))
         state.requests.forgetTimes = true;
 }

@@ -35,11 +35,13 @@ Question replaceQuestion(const std::filesystem::path& path,
                          std::function<void(const std::filesystem::path&, bool)> write)
 {
     const std::filesystem::path other = freeName(path);
-    return {fmt::format("{} exists already.", path.string()),
-            {{"Replace", "Writes the new file; the old one is lost", [path, write] { write(path, true); }},
-             {"Save as " + other.filename().string(), "Keeps both files: the new one gets this name",
-              [other, write = std::move(write)] { write(other, false); }},
-             {"Cancel", "Writes nothing (Escape)", {}}}};
+    return {
+        fmt::format("{} exists already.", path.string()),
+        {{"Replace", "Writes the new file; the old one is lost",
+          [path, write] { write(path, true); }},
+         {"Save as " + other.filename().string(), "Keeps both files: the new one gets this name",
+          [other, write = std::move(write)] { write(other, false); }},
+         {"Cancel", "Writes nothing (Escape)", {}}}};
 }
 
 } // namespace sward::view

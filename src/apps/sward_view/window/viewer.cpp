@@ -244,6 +244,7 @@ bool Viewer::drawMoving()
                 loadedField_->navigation().camera(), settings, viewerState_.time.now, frame.slot,
                 &timestamps_);
         }
+        const gpu::TimedScope scope(timestamps_, device_.context(), frame.commands, "scaling");
         picture_.spread(frame.commands, *target, swapchain_.extent());
     } else {
         paintBackground(frame.commands, *target);
@@ -269,7 +270,10 @@ bool Viewer::drawMoving()
 
 void Viewer::present(const gpu::FrameRing::Frame& frame, const gpu::Swapchain::Target& target)
 {
-    interface_.record(frame.commands, target);
+    {
+        const gpu::TimedScope scope(timestamps_, device_.context(), frame.commands, "interface");
+        interface_.record(frame.commands, target);
+    }
     gpu::transition(frame.commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT,
                     gpu::ImageUse::colorTarget, gpu::ImageUse::present);
 

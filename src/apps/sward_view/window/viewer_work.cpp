@@ -66,7 +66,8 @@ void Viewer::askToSave(OpenedFields fields, const std::string& verb, std::functi
     viewerState_.question =
         Question{std::move(text),
                  {{"Save and " + verb, std::move(about), save},
-                  {fmt::format("{}{} without saving", static_cast<char>(verb[0] - 'a' + 'A'), verb.substr(1)),
+                  {fmt::format("{}{} without saving", static_cast<char>(verb[0] - 'a' + 'A'),
+                               verb.substr(1)),
                    "What is not saved is lost", std::move(act)},
                   {"Cancel", "Changes nothing (Escape)", {}}}};
 }
@@ -79,7 +80,8 @@ void Viewer::saveField(OpenedField& field, const fs::path& path, bool replaces)
     recent_.add(path.string());
 }
 
-void Viewer::writeUnlessTaken(const fs::path& path, std::function<void(const fs::path&, bool)> write)
+void Viewer::writeUnlessTaken(const fs::path& path,
+                              std::function<void(const fs::path&, bool)> write)
 {
     if (freeName(path) == path)
         write(path, false);
@@ -114,10 +116,10 @@ void Viewer::startSequence()
         taken += freeName(numbered.of(i)) != numbered.of(i) ? 1u : 0u;
     if (taken == 0)
         return start();
-    viewerState_.question = Question{
-        fmt::format("{}: {} of these {} pictures exist already.", names, taken, pictures),
-        {{"Replace", "Writes the new pictures; the old ones are lost", start},
-         {"Cancel", "Writes nothing (Escape)", {}}}};
+    viewerState_.question =
+        Question{fmt::format("{}: {} of these {} pictures exist already.", names, taken, pictures),
+                 {{"Replace", "Writes the new pictures; the old ones are lost", start},
+                  {"Cancel", "Writes nothing (Escape)", {}}}};
 }
 
 bool Viewer::closeTopmost()
