@@ -10,7 +10,6 @@
 #include "render/blade_dump.h"
 #include "render/cull/cull_view.h"
 #include "render/cull/pass_scope.h"
-#include "render/cull/pass_scope.h"
 #include "render/exposure.h"
 #include "render/preview/field_renderer_parts.h"
 #include "render/tessellation/geometry_choice.h"

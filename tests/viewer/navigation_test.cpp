@@ -67,6 +67,25 @@ TEST_F(NavigationTest, FliesAheadOnlyWhileTheRightButtonIsHeld)
     EXPECT_EQ(navigation.camera().eye.x, 0.0);
 }
 
+TEST_F(NavigationTest, AnOrbitStaysAboveGroundThatFacesUp)
+{
+    // The square ends at 5 m: beside it there is nothing to stay above.
+    for (const double away : {4.0, 40.0}) {
+        Navigation navigation = from({0.0, 0.5 * away, away});
+        double lowest = away;
+        for (int i = 0; i < 40; ++i) {
+            Input input;
+            input.rotate = {7.0f, -23.0f};
+            navigation.steer(input, height, dt, true, true);
+            lowest = std::min(lowest, navigation.camera().eye.y);
+        }
+        if (away < 5.0)
+            EXPECT_GT(lowest, 0.0);
+        else
+            EXPECT_LT(lowest, 0.0);
+    }
+}
+
 TEST_F(NavigationTest, KeepsItsPlaceWhileItLooksAround)
 {
     Navigation navigation = from({0.0, 2.0, 8.0});

@@ -58,6 +58,7 @@ struct Requests {
     bool picture = false;
     bool sequence = false; ///< or no longer
     bool forgetTimes = false;
+    std::optional<bool> addCapsule; ///< adds a collider: a capsule, or a ball
 };
 
 /// Everything that the panels show and change. The next frame uses the changes.

@@ -4,10 +4,12 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
+#include <imgui_internal.h> // whether a slider is typed into
 #include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 
 namespace sward::view {
@@ -15,6 +17,8 @@ namespace {
 
 constexpr float labelShare = 0.40f;    ///< of a panel's width
 constexpr float tooltipWidth = 300.0f; ///< [pixels]
+constexpr float tooltipGap = 8.0f;     ///< [pixels]
+constexpr float valueWidth = 76.0f;    ///< [pixels] of a number beside its slider
 constexpr float dialPixels = 64.0f;    ///< of a compass
 
 std::string hidden(const char* name)
@@ -80,12 +84,31 @@ void Controls::finish(const char* name, const std::string& shows, const std::str
              {low.x, low.y, high.x - low.x, high.y - low.y, shows, about, kind});
     if (about.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         return;
+    placeTooltip(low, high);
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(style_.scaled(tooltipWidth));
     ImGui::TextUnformatted(about.c_str());
     ImGui::PopTextWrapPos();
+    const ImVec2 corner = ImGui::GetWindowPos();
+    const ImVec2 size = ImGui::GetWindowSize();
     ImGui::EndTooltip();
-    map_.add("Tooltip/" + panel_ + "/" + name, {low.x, low.y, 0.0f, 0.0f, about, {}, {}});
+    map_.add("Tooltip/" + panel_ + "/" + name, {corner.x, corner.y, size.x, size.y, about, {}, {}});
+}
+
+// Beside the window of the control, so that it covers none.
+void Controls::placeTooltip(const ImVec2& low, const ImVec2& high) const
+{
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float left = ImGui::GetWindowPos().x;
+    const float right = left + ImGui::GetWindowWidth();
+    const float gap = style_.scaled(tooltipGap);
+    const float room = style_.scaled(tooltipWidth) + 3.0f * gap;
+    const bool isLow = low.y > 0.6f * display.y;
+    const float y = isLow ? high.y : low.y;
+    if (display.x - right >= room)
+        ImGui::SetNextWindowPos({right + gap, y}, ImGuiCond_Always, {0.0f, isLow ? 1.0f : 0.0f});
+    else if (left >= room)
+        ImGui::SetNextWindowPos({left - gap, y}, ImGuiCond_Always, {1.0f, isLow ? 1.0f : 0.0f});
 }
 
 void Controls::tell(const char* name, const std::string& shows, const char* about)
@@ -102,15 +125,31 @@ void Controls::fact(const char* name, const std::string& shows, const char* abou
     finish(name, shows, about == nullptr ? "" : about, "");
 }
 
+// A slider whose number stands beside it, where its grab does not cover it; but what is typed.
+void Controls::beginSlider(const char* name)
+{
+    ImGui::SetNextItemWidth(-style_.scaled(valueWidth));
+    const bool types = ImGui::TempInputIsActive(ImGui::GetID(hidden(name).c_str()));
+    ImGui::PushStyleColor(ImGuiCol_Text, style_.color(palette::text, types ? 1.0f : 0.0f));
+}
+
+void Controls::showValue(const char* text)
+{
+    ImGui::SameLine();
+    ImGui::TextUnformatted(text);
+}
+
 bool Controls::number(const char* name, float& value, const Extent& extent, const char* about)
 {
     label(name);
     const std::string format = *extent.unit == 0 || std::strchr(extent.format, '%') == nullptr
                                    ? extent.format
                                    : fmt::format("{} {}", extent.format, extent.unit);
+    beginSlider(name);
     const bool turned =
         ImGui::SliderFloat(hidden(name).c_str(), &value, extent.low, extent.high, format.c_str(),
                            extent.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+    ImGui::PopStyleColor();
     // Clamp: Ctrl+click accepts any typed value.
     if (turned)
         value = std::clamp(value, extent.low, extent.high);
@@ -119,6 +158,9 @@ bool Controls::number(const char* name, float& value, const Extent& extent, cons
                      extent.unit) +
                "; Ctrl+click to type",
            "number");
+    char text[64];
+    std::snprintf(text, sizeof text, format.c_str(), static_cast<double>(value));
+    showValue(text);
     return turned;
 }
 
@@ -134,11 +176,14 @@ bool Controls::number(const char* name, double& value, const Extent& extent, con
 bool Controls::wholeNumber(const char* name, int& value, int low, int high, const char* about)
 {
     label(name);
+    beginSlider(name);
     const bool turned = ImGui::SliderInt(hidden(name).c_str(), &value, low, high);
+    ImGui::PopStyleColor();
     if (turned)
         value = std::clamp(value, low, high);
     finish(name, std::to_string(value), rangeText(about, low, high, "") + "; Ctrl+click to type",
            "number");
+    showValue(std::to_string(value).c_str());
     return turned;
 }
 
@@ -166,23 +211,32 @@ bool Controls::choice(const char* name, int& value, std::span<const char* const>
 
 bool Controls::color(const char* name, glm::vec3& value, const char* about)
 {
+    // A swatch cannot show more than white: it has the hue, and a number the intensity.
+    float intensity = std::max({value.x, value.y, value.z});
+    glm::vec3 hue = intensity > 0.0f ? value / intensity : glm::vec3(1.0f);
     label(name);
-    const bool turned = ImGui::ColorEdit3(hidden(name).c_str(), &value.x,
-                                          ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR |
-                                              ImGuiColorEditFlags_NoInputs);
+    bool turned = ImGui::ColorEdit3(hidden(name).c_str(), &hue.x,
+                                    ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
     finish(name, fmt::format("{:.3f} {:.3f} {:.3f}", value.x, value.y, value.z),
-           std::string(about) + "\nlinear radiance, 0 to 100 a channel", "color");
+           std::string(about) + "\nhue, linear; the intensity below multiplies it", "color");
+    const std::string row = std::string(name) + " intensity";
+    turned |= number(row.c_str(), intensity, {0.0f, 100.0f, "", "x %.2f", true},
+                     "Largest channel of the linear radiance");
     if (turned)
-        value = glm::clamp(value, glm::vec3(0.0f), glm::vec3(100.0f));
+        value = glm::clamp(hue, glm::vec3(0.0f), glm::vec3(1.0f)) * intensity;
     return turned;
 }
 
 bool Controls::text(const char* name, std::string& value, const char* hint, const char* about)
 {
     label(name);
-    const bool turned = ImGui::InputTextWithHint(hidden(name).c_str(), hint, &value);
+    const bool wasEntered = ImGui::InputTextWithHint(hidden(name).c_str(), hint, &value,
+                                                     ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered = wasEntered || (entered_ && ImGui::IsItemActive());
+    if (entered)
+        ImGui::ClearActiveID();
     finish(name, value, about, "text");
-    return turned;
+    return entered;
 }
 
 bool Controls::place(const char* name, glm::dvec3& value, const char* about)

@@ -46,6 +46,11 @@ public:
     bool choice(const char* name, int& value, std::span<const char* const> words,
                 const char* about);
     bool color(const char* name, glm::vec3& value, const char* about);
+    /// Whether Enter was pressed since the last frame: ImGui 1.86 misses keys that are released
+    /// within a frame.
+    void setEntered(bool entered) { entered_ = entered; }
+
+    /// Returns whether Enter was pressed in it.
     bool text(const char* name, std::string& value, const char* hint, const char* about);
 
     /// Three numbers [m].
@@ -68,12 +73,16 @@ public:
 
 private:
     void label(const char* name);
+    void beginSlider(const char* name);
+    void showValue(const char* text);
+    void placeTooltip(const ImVec2& low, const ImVec2& high) const;
     void finish(const char* name, const std::string& shows, const std::string& about,
                 const char* kind);
 
     const Style& style_;
     ControlMap& map_;
     std::string panel_;
+    bool entered_ = false;
 };
 
 } // namespace sward::view

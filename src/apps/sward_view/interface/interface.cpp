@@ -8,7 +8,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/backends/imgui_impl_vulkan.h>
-#include <imgui_internal.h> // closes popups from outside
+#include <imgui_internal.h> // closes popups and ends typing from outside
 
 #include <functional>
 #include <string_view>
@@ -209,6 +209,11 @@ bool Interface::closePopup()
         return false;
     ImGui::ClosePopupToLevel(open - 1, true);
     return true;
+}
+
+void Interface::endTyping()
+{
+    ImGui::ClearActiveID();
 }
 
 bool Interface::takesMouse() const

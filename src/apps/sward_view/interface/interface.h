@@ -39,6 +39,9 @@ public:
     /// Between begin() and end(): closes the topmost drop-down or popup; whether there was one.
     bool closePopup();
 
+    /// Between begin() and end(): ends typing, with what has been typed.
+    void endTyping();
+
     /// Between begin() and end(): whether a control uses the mouse, or the keys.
     bool takesMouse() const;
     bool takesKeys() const;

@@ -9,31 +9,6 @@
 namespace sward::view {
 namespace {
 
-constexpr double radiusShare = 0.025; ///< of the field's size: clearly visible
-
-// A sphere on the ground at the centre of the field.
-render::Collider newCollider(const ViewerState& state, bool isCapsule)
-{
-    render::Collider collider;
-    const Aabb& bounds = state.field->summary.bounds;
-    glm::dvec3 size(2.0);
-    glm::dvec3 middle(0.0);
-    if (!bounds.isEmpty()) {
-        size = glm::dvec3(bounds.size());
-        middle = 0.5 * glm::dvec3(bounds.low + bounds.high) + state.field->view.origin;
-    }
-    collider.radius = glm::clamp(radiusShare * glm::length(size), 0.05, 5.0);
-    const glm::dvec3 above = middle + glm::dvec3(0.0, size.y, 0.0);
-    const auto ground = state.field->ground.hit(above, glm::dvec3(0.0, -1.0, 0.0));
-    collider.from = (ground ? ground->place : middle) + glm::dvec3(0.0, 0.9 * collider.radius, 0.0);
-    collider.to = collider.from;
-    if (isCapsule) {
-        collider.from.x -= 2.0 * collider.radius;
-        collider.to.x += 2.0 * collider.radius;
-    }
-    return collider;
-}
-
 void drawCollider(Controls& controls, ViewerState& state, render::Collider& collider)
 {
     bool isCapsule = collider.from != collider.to;
@@ -68,13 +43,13 @@ void drawCollidersPanel(Controls& controls, ViewerState& state)
     controls.fact("Colliders", fmt::format("{} of {}", colliders.size(), shared::maxColliders),
                   "Up to 256 press blades down at once");
     ImGui::BeginDisabled(state.field == nullptr || colliders.size() >= shared::maxColliders);
-    const bool ball = controls.button("Add ball", "A ball in the middle of the field");
+    const bool ball = controls.button("Add ball", "A ball on the ground where the camera looks");
     ImGui::SameLine();
-    const bool capsule = controls.button("Add capsule", "A capsule in the middle of the field");
+    const bool capsule =
+        controls.button("Add capsule", "A capsule on the ground where the camera looks");
     ImGui::EndDisabled();
     if (ball || capsule) {
-        colliders.push_back(newCollider(state, capsule));
-        state.hand.chosen = colliders.size() - 1;
+        state.requests.addCapsule = capsule;
     }
     controls.toggle("Outlines", state.showColliders, "Draws their outlines over the picture");
     controls.note("Drag one with the left button: it follows the ground below the mouse. Let go "

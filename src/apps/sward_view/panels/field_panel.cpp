@@ -132,9 +132,11 @@ void drawShown(Controls& controls, ViewerState& state)
 void drawOthers(Controls& controls, ViewerState& state)
 {
     controls.section("Another");
-    controls.text("Name", state.another, "meadow.sward, a mesh, or hills",
-                  "A field, or a ground on which grass is grown first; names of files count from "
-                  "the folder that the viewer was started in");
+    if (controls.text("Name", state.another, "meadow.sward, a mesh, or hills",
+                      "A field, or a ground on which grass is grown first; names of files count "
+                      "from the folder that the viewer was started in. Enter opens it") &&
+        !state.another.empty())
+        state.requests.open = {state.another};
     ImGui::BeginDisabled(state.another.empty());
     if (controls.button("Open", "Shows it instead of what is shown"))
         state.requests.open = {state.another};

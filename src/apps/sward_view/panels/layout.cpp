@@ -97,6 +97,11 @@ bool Layout::openPanel(const std::string& name)
     return true;
 }
 
+float Layout::coveredWidth(const Style& style, float width) const
+{
+    return shown ? std::min(style.scaled(railPixels + (open ? panelPixels : 0.0f)), width) : 0.0f;
+}
+
 void Layout::draw(Controls& controls, ViewerState& state)
 {
     if (shown) {
@@ -118,8 +123,8 @@ void Layout::drawRail(Controls& controls)
 {
     const Style& style = controls.style();
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, scaledPair(style, 8.0f, 14.0f));
-    ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.15f, 0.5f});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, scaledPair(style, 12.0f, 14.0f));
+    ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0f, 0.5f});
     beginFixed("rail", {0.0f, 0.0f},
                {style.scaled(railPixels), size.y - style.scaled(statusPixels)});
     controls.beginPanel("Rail");
@@ -202,7 +207,7 @@ void Layout::drawMessages(Controls& controls, ViewerState& state)
 {
     const Style& style = controls.style();
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float left = shown ? style.scaled(railPixels + (open ? panelPixels : 0.0f)) : 0.0f;
+    const float left = coveredWidth(style, size.x);
     const ImVec2 place{left + 0.5f * std::max(size.x - left, 0.0f), style.scaled(margin)};
     controls.beginPanel("Message");
     if (!state.error.empty()) {

@@ -20,6 +20,9 @@ public:
     /// Opens the panel of that name, case-insensitive; returns whether it exists.
     bool openPanel(const std::string& name);
 
+    /// Width that rail and panel cover of a window of this width, in its coordinates.
+    float coveredWidth(const Style& style, float width) const;
+
     void draw(Controls& controls, ViewerState& state);
 
 private:

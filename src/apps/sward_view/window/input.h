@@ -53,6 +53,7 @@ struct Input {
     std::vector<KeyPress> keys;
     std::vector<std::string> dropped; ///< files dropped on the window …
     bool dropsMore = false;           ///< … with shift held
+    bool entered = false;             ///< Enter was pressed
     bool exposed = false;             ///< the window's content was lost
 };
 

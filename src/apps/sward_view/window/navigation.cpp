@@ -18,6 +18,7 @@ constexpr double wheelFactor = 1.25;    ///< speed factor per wheel step
 constexpr double tallest = 1.7;         ///< [m] largest eye height
 constexpr double eyeShare = 0.08;       ///< eye height in field sizes, for small fields
 constexpr double viewPoleMargin = 0.03; ///< [rad] smallest angle to straight up and down
+constexpr double marginShare = 0.1;     ///< [eye heights] between orbits and the ground
 constexpr double stepUp = 3.0;          ///< [eye heights] highest step
 
 glm::dvec3 turnedView(const glm::dvec3& v, double angle, const glm::dvec3& axis)
@@ -69,6 +70,11 @@ void Navigation::steer(const Input& input, float height, double seconds, bool mo
             orbit_.dolly(input.wheel);
     }
 
+    const bool orbits = input.rotate != glm::vec2(0.0f) || input.pan != glm::vec2(0.0f) ||
+                        (input.wheel != 0.0f && !looks);
+    if (mouse && !walks_ && orbits)
+        stayAboveGround();
+
     // Letters move a flying camera only while the right button is held. They always move a walking
     // one.
     if (keys && (looks || walks_) && input.walk != glm::vec3(0.0f)) {
@@ -110,6 +116,22 @@ void Navigation::look(glm::vec2 pixels, float height)
     turnedCamera.target = turnedCamera.eye + view;
     turnedCamera.up = glm::vec3(up);
     orbit_.show(turnedCamera);
+}
+
+void Navigation::stayAboveGround()
+{
+    if (place_.ground == nullptr)
+        return;
+    const glm::dvec3 up = upHere();
+    const double margin = marginShare * eyeHeight_;
+    // Ground above that faces up: the eye is below it. Arches and overhangs face down there.
+    const auto above = place_.ground->hit(camera().eye - up * margin, up);
+    if (!above || glm::dot(above->normal, up) <= 0.0)
+        return;
+    render::Camera lifted = camera();
+    lifted.eye = above->place + up * margin;
+    if (glm::length(lifted.target - lifted.eye) > margin)
+        orbit_.show(lifted);
 }
 
 void Navigation::standOnGround()

@@ -47,6 +47,7 @@ private:
     void fly(const glm::vec3& ways, double metres);
     void look(glm::vec2 pixels, float height);
     void standOnGround();
+    void stayAboveGround();
     glm::dvec3 upHere() const { return place_.upAt(camera().eye); }
 
     Place place_;

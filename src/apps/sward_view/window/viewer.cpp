@@ -167,6 +167,7 @@ void Viewer::look()
     interface_.begin();
     Input input = window_.takeInput();
     rest_.mustShow = rest_.mustShow || input.exposed;
+    controls_.setEntered(input.entered);
     steer(std::move(input));
     keepTime();
     tell();

@@ -27,6 +27,9 @@ void Viewer::steer(Input input)
     if (keys)
         for (const KeyPress& key : input.keys)
             press(key);
+    else if (std::any_of(input.keys.begin(), input.keys.end(),
+                         [](const KeyPress& key) { return key.key == Key::escape; }))
+        interface_.endTyping();
     if (!loadedField_)
         return;
 
@@ -130,6 +133,12 @@ Style::Scale Viewer::uiScale() const
         pixels / points};
 }
 
+glm::vec2 Viewer::middleOfPicture() const
+{
+    const glm::vec2 size(window_.size());
+    return {0.5f * (layout_.coveredWidth(interface_.style(), size.x) + size.x), 0.5f * size.y};
+}
+
 Sight Viewer::sightAt(glm::vec2 place) const
 {
     // Tolerances count in pixels of an unscaled interface.
@@ -163,6 +172,8 @@ void Viewer::pick(glm::vec2 pixel)
     const bool onlyDrawn = viewerState_.settings.debug != render::DebugMode::reason;
     viewerState_.picked =
         pickBlade(loadedField_->renderer(), loadedField_->field(), sightAt(pixel), onlyDrawn);
+    if (!viewerState_.picked)
+        notice("No blade here");
 }
 
 } // namespace sward::view

@@ -1,6 +1,7 @@
 // Fulfils requests of the panels and other work that takes longer than a frame.
 #include "apps/sward_view/camera_file.h"
 #include "apps/sward_view/window/free_name.h"
+#include "apps/sward_view/window/new_collider.h"
 #include "apps/sward_view/window/viewer.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
@@ -10,6 +11,7 @@
 #include "render/settings_file.h"
 
 #include <fmt/core.h>
+#include <glm/geometric.hpp>
 
 #include <utility>
 
@@ -83,6 +85,18 @@ void Viewer::fulfil()
     auto& frozen = viewerState_.settings.cullingCamera;
     if (requests.freeze)
         frozen = frozen ? std::nullopt : std::optional(navigation.camera());
+    if (requests.addCapsule) {
+        auto& colliders = viewerState_.settings.colliders;
+        const Aabb& bounds = loadedField_->field().summary.bounds;
+        const NewCollider where{
+            .ground = loadedField_->field().ground,
+            .upAt = [this](const glm::dvec3& at) { return upAt(viewerState_.settings, at); },
+            .fieldSize = bounds.isEmpty() ? 10.0 : glm::length(glm::dvec3(bounds.size())),
+            .time = viewerState_.time.now};
+        colliders.push_back(
+            newCollider(where, sightAt(middleOfPicture()), *requests.addCapsule, colliders));
+        viewerState_.hand.chosen = colliders.size() - 1;
+    }
     if (requests.resetSettings) {
         viewerState_.settings = render::FrameSettings::of(loadedField_->field().view);
         viewerState_.hand.forget();

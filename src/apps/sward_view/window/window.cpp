@@ -177,6 +177,8 @@ void Window::Parts::onKey(GLFWwindow* window, int key, int code, int action, int
 {
     if (action != GLFW_PRESS)
         return;
+    if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER)
+        of(window).input.entered = true;
     KeyPress press{Key::bookmark, 0, (modifiers & GLFW_MOD_CONTROL) != 0};
     if (press.control)
         if (const std::optional<Key> found = controlKeyOf(key, code)) {
