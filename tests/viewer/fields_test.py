@@ -66,7 +66,7 @@ class FieldsTest(unittest.TestCase):
     def test_each_of_several_is_listed_and_may_go_and_come(self):
         viewer = self.open(self.hills, self.plane)
         self.wait_for_total(viewer, 2300)
-        self.assertEqual(viewer.shows("Field/Together"), "2 300")
+        self.assertEqual(viewer.shows("Field/Total"), "2 300")
         for number, (path, blades) in enumerate(((self.hills, "1 500"), (self.plane, "800")), 1):
             viewer.click(f"Field/Show {number}", 0.2)
             viewer.wait_for_value("Field/File", lambda shown, path=path: shown == str(path),

@@ -85,7 +85,7 @@ class OpeningTest(unittest.TestCase):
         self.assertTrue(viewer.shows("Meadow/Ground").endswith("plane.glb"))
         before = viewer.shows("Status/Numbers").split(" blades")[0].split(" of ")[1]
         viewer.set("Slope to", "Meadow", 0.02)
-        viewer.set("Seed", "Meadow", 0.5)
+        viewer.set("Random seed", "Meadow", 0.5)
         viewer.press("Bake again", panel="Meadow")
         viewer.wait_for_value("Meadow/Blades", lambda shown: shown.startswith(before),
                               "it tells the numbers before and after")
@@ -114,7 +114,7 @@ class OpeningTest(unittest.TestCase):
         baker = viewer.wait(lambda: self.child_of(viewer), "the baker runs")
         os.kill(baker, signal.SIGSTOP)
         self.assertEqual(viewer.shows("Status/Numbers"), "no field")
-        self.assertIn("Growing grass", viewer.shows("Message/Notice"))
+        self.assertIn("Baking", viewer.shows("Message/Notice"))
         viewer.open_panel("Physics")
         viewer.set("Recovery", "Physics", 0.9)
         self.assertGreater(float(viewer.shows("Physics/Recovery")), 20)
@@ -188,7 +188,7 @@ class OpeningTest(unittest.TestCase):
         other.rename(self.field)
         viewer.wait_for_value("Message/Error", lambda shown: "hills.sward" in shown, "it complains")
         self.field.unlink()
-        viewer.wait_for_value("Message/Error", lambda shown: "is gone" in shown, "it is told")
+        viewer.wait_for_value("Message/Error", lambda shown: "was removed" in shown, "it is told")
         self.assertEqual(viewer.shows("Field/Blades"), "700")
         self.assert_ends_well(viewer)
 
@@ -202,9 +202,9 @@ class OpeningTest(unittest.TestCase):
             if viewer.shows("Blade/Id"):
                 break
         self.assertIn("Blade/Id", viewer.controls(), "a blade is met")
-        viewer.click("Blade/Forget it")
+        viewer.click("Blade/Deselect")
         self.field.unlink()
-        viewer.wait_for_value("Message/Error", lambda shown: "hills.sward: the file is gone" in shown,
+        viewer.wait_for_value("Message/Error", lambda shown: "hills.sward: the file was removed" in shown,
                               "it is told")
         self.assertEqual(viewer.shows("Field/Blades"), "1 500")
         self.assert_ends_well(viewer)

@@ -122,8 +122,8 @@ class PanelsTest(unittest.TestCase):
 
     def test_wind_is_turned_and_settings_are_saved_and_loaded(self):
         viewer = self.open(self.field, "--panel", "wind")
-        viewer.set("All together", "Wind", 0.9)
-        stormy = float(viewer.shows("Wind/All together"))
+        viewer.set("Total strength", "Wind", 0.9)
+        stormy = float(viewer.shows("Wind/Total strength"))
         self.assertGreater(stormy, 20)
         viewer.press("Save settings", panel="Capture")
         saved = self.folder / "settings.json"
@@ -131,11 +131,11 @@ class PanelsTest(unittest.TestCase):
         strength = sum(wind["strength"] for wind in json.loads(saved.read_text())["wind"])
         self.assertAlmostEqual(strength, stormy, delta=0.01 * stormy)
 
-        viewer.set("All together", "Wind", 0.1)
-        self.assertLess(float(viewer.shows("Wind/All together")), 10)
+        viewer.set("Total strength", "Wind", 0.1)
+        self.assertLess(float(viewer.shows("Wind/Total strength")), 10)
         viewer.press("Load settings", panel="Capture")
         viewer.open_panel("Wind")
-        viewer.wait_for_value("Wind/All together",
+        viewer.wait_for_value("Wind/Total strength",
                               lambda shown: abs(float(shown) - stormy) < 0.01 * stormy,
                               "the wind is as it was saved")
         self.assert_ends_well(viewer)
@@ -160,8 +160,8 @@ class PanelsTest(unittest.TestCase):
 
     def test_a_picture_is_taken_without_panels(self):
         viewer = self.open(self.field, "--panel", "capture", environment={"PATH": ""})
-        viewer.press("Film", panel="Capture")
-        self.assertEqual(viewer.shows("Capture/Film"), "off", "there is no ffmpeg")
+        viewer.press("Video", panel="Capture")
+        self.assertEqual(viewer.shows("Capture/Video"), "off", "there is no ffmpeg")
         viewer.key("p")
         picture = self.folder / "sward.png"
         viewer.wait(picture.exists, "the picture is written")
@@ -179,7 +179,7 @@ class PanelsTest(unittest.TestCase):
 
     def take_video(self, viewer):
         (self.folder / "sward.mp4").unlink(missing_ok=True)
-        viewer.press("Film", panel="Capture")
+        viewer.press("Video", panel="Capture")
         viewer.set("Pictures", "Capture", 0.02)
         viewer.wait_for_value("Capture/Pictures", lambda shown: int(shown) < 5, "few pictures")
         self.pictures = int(viewer.shows("Capture/Pictures"))
@@ -232,7 +232,7 @@ class PanelsTest(unittest.TestCase):
     def test_the_rows_of_the_profile_add_up_and_the_frame_rate_is_told(self):
         # A collider that moves has its shadow drawn anew in each frame.
         viewer = self.open(self.field, "--panel", "profile", "--collider", "sphere:0,1,0,0.5")
-        viewer.press("Forget times", panel="Profile")
+        viewer.press("Reset times", panel="Profile")
         names = ("sun shadow", "ground", "pyramid", "cull", "update", "blades", "resolve", "not attributed")
         viewer.wait(lambda: all(f"Profile/{name}" in viewer.controls() for name in (*names, "total")),
                     "all passes are measured")
@@ -292,7 +292,7 @@ class PanelsTest(unittest.TestCase):
 
     def test_every_control_of_every_panel_tells_what_it_is_with_unit_and_range(self):
         viewer = self.open(self.field)
-        for panel, button in (("Colliders", "Add capsule"), ("Wind", "Add a source")):
+        for panel, button in (("Colliders", "Add capsule"), ("Wind", "Add source")):
             viewer.press(button, panel=panel)
         kinds = {}
         for panel in PANELS:
@@ -320,7 +320,7 @@ class PanelsTest(unittest.TestCase):
         self.assertGreater(sum(len(names) for kind, names in kinds.items() if kind), 60)
         # Numbers without a unit are shares, counts, or described by words.
         for name in ("Wind/1/Strength", "Physics/Recovery", "Look/Azimuth", "Culling/Draw distance",
-                     "Colliders/Radius", "Capture/Apart", "Meadow/Slope to"):
+                     "Colliders/Radius", "Capture/Interval", "Meadow/Slope to"):
             viewer.open_panel(name.split("/")[0])
             control = viewer.wait(lambda name=name: viewer.controls().get(name), name)
             self.assertRegex(control["about"], r"to [\d.e+-]+ (1/s|m|s|°);", name)

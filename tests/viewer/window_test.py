@@ -146,7 +146,7 @@ class WindowTest(unittest.TestCase):
         mesh = self.folder / "plane.glb"
         subprocess.run([SWARD, "terrain", "plane", "-o", mesh], check=True)
         viewer = self.start(mesh, "--exit-after", "0.5")
-        self.assert_ends(viewer, says="growing grass on it first")
+        self.assert_ends(viewer, says="baking it first")
 
     def test_a_mesh_that_cannot_be_baked_ends_with_the_baker_s_code(self):
         broken = self.folder / "broken.glb"

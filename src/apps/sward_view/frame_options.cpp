@@ -98,7 +98,7 @@ void FrameOptions::addShared(CLI::App& app)
             drawDistance =
                 static_cast<float>(apps::parseNumber("--draw-distance", text, 1e-3, 1e9));
         },
-        "M", "Distance in metres beyond which no blade is drawn, 0.001 to 1e9")
+        "M", "Distance in metres beyond which no blade is drawn, 0.001 to 1 billion")
         ->default_str("the field's");
     option(
         "--thatch",
@@ -113,7 +113,7 @@ void FrameOptions::addShared(CLI::App& app)
         [this](const std::string& text) {
             windStrength = static_cast<float>(apps::parseNumber("--wind-strength", text, 0, 1000));
         },
-        "X", "Speed of all winds together in blade heights per second, 0 to 1000; 0: calm")
+        "X", "Total strength of all winds in blade heights per second, 0 to 1000; 0: calm")
         ->default_str("the field's");
     app.add_option("--settings", settingsFile,
                    "Settings file: wind, gravity, colliders and more (keys: docs/settings.md)")
@@ -164,7 +164,7 @@ void FrameOptions::addMeasured(CLI::App& app)
         [this](const std::string& text) {
             fixedStep = apps::parseNumber("--fixed-dt", text, 0, 1e6);
         },
-        "S", "Time between frames in seconds, 0 to 1e6; fractions are allowed")
+        "S", "Time between frames in seconds, 0 to 1 million; fractions are allowed")
         ->default_str("1/60");
     option(
         "--geometry", [this](const std::string& text) { geometry = parseGeometry(text); },

@@ -149,7 +149,7 @@ void addRenderCommand(CLI::App& app, apps::Command& chosen)
                 std::tie(options->firstFrame, options->lastFrame) =
                     apps::parseWholeRange("--frames", text, largestFrame);
             },
-            "Frames to draw, 0 to 10000000; those before A are simulated only")
+            "Frames to draw, 0 to 10 million; those before A are simulated only")
         ->type_name("A:B")
         ->default_str("0:0");
     command->add_flag("--reference", options->reference,

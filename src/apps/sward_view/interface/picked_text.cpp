@@ -17,12 +17,12 @@ namespace {
 // Ordered as shared::cullResultDrawn ….
 constexpr std::array<const char*, shared::cullResultCount> cullResultTexts{
     "drawn",
-    "left out with its patch",
-    "left out: seen edge-on",
-    "left out: beside the picture",
-    "left out: too far away",
-    "left out: behind the ground",
-    "left out: too thin for a pixel"};
+    "culled with its patch",
+    "culled: seen edge-on",
+    "culled: outside of the view",
+    "culled: too far away",
+    "culled: behind the ground",
+    "left out: thinner than a pixel"};
 
 std::string vectorText(const glm::dvec3& v, int digits)
 {
@@ -73,17 +73,19 @@ std::vector<PickedLine> pickedLines(const PickedBlade& picked, const ShownField&
                                     ? field.species[blade.species].name
                                     : std::to_string(blade.species);
     std::vector<PickedLine> lines{
-        {"Id", std::to_string(picked.now.id), "The same as in 'sward export OUT.csv'"},
+        {"Id", std::to_string(picked.now.id),
+         "Identifier of the blade, as in sward export OUT.csv"},
         {"Cull result", cullResultTexts.at(picked.now.cullResult),
-         "What became of it in the last frame"},
-        {"Species", species, "Of the field's table"},
-        {"Patch", std::to_string(picked.source.patch), "Node of its field's tree that owns it"},
-        {"Root", vectorText(picked.now.root, 3), "World [m]"},
-        {"Up", vectorText(glm::dvec3(blade.up), 3), "Direction it grows to"},
+         "Result of culling in the last frame"},
+        {"Species", species, "Species of the blade"},
+        {"Patch", std::to_string(picked.source.patch),
+         "Patch that owns the blade, in its field's tree"},
+        {"Root", vectorText(picked.now.root, 3), "World position of the root [m]"},
+        {"Up", vectorText(glm::dvec3(blade.up), 3), "Up-vector of the blade"},
         {"Height", fmt::format("{:.3f} m", blade.height), "Length of the blade"},
         {"Width", fmt::format("{:.4f} m", blade.width), "Full width at the root"},
-        {"Stiffness", fmt::format("{:.2f}", blade.stiffness), "1 does not bend"},
-        {"Bent by", fmt::format("{:.0f}°", bend), "Angle of the tip from the up-vector"},
+        {"Stiffness", fmt::format("{:.2f}", blade.stiffness), "Stiffness; 1: does not bend"},
+        {"Bend", fmt::format("{:.0f}°", bend), "Angle of the tip from the up-vector"},
         {"Gravity", fmt::format("{:.2f} 1/s", glm::length(gravity)),
          "Pull of gravity, in heights per second"},
         {"Wind", fmt::format("{:.2f} 1/s", glm::length(wind)),
@@ -92,11 +94,11 @@ std::vector<PickedLine> pickedLines(const PickedBlade& picked, const ShownField&
          fmt::format("{:.2f} 1/s", settings.environment.recovery *
                                        (1.0f - 0.25f * (1.0f - blade.stiffness)) *
                                        std::max(1.0f - picked.now.eta, 0.1f)),
-         "Rate at which it rises"},
+         "Rate of recovery"},
         {"Pressed", fmt::format("{:.2f}", picked.now.eta), "Strength of the last collision"}};
     if (shown.members.size() > 1)
         lines.insert(lines.begin(), {"Field", shown.members[picked.source.member]->name,
-                                     "Which of those that are shown"});
+                                     "Field that the blade belongs to"});
     return lines;
 }
 

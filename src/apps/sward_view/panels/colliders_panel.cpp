@@ -12,22 +12,22 @@ namespace {
 void drawCollider(Controls& controls, ViewerState& state, render::Collider& collider)
 {
     bool isCapsule = collider.from != collider.to;
-    if (controls.toggle("Capsule", isCapsule, "A capsule has two ends, a ball one")) {
+    if (controls.toggle("Capsule", isCapsule, "A capsule has two ends, a ball one centre")) {
         if (isCapsule)
             collider.to = collider.from + glm::dvec3(3.0 * collider.radius, 0.0, 0.0);
         else
             collider.to = collider.from;
     }
-    controls.number("Radius", collider.radius, {0.01f, 20.0f, "m", "%.2f", true}, "Of the ball");
+    controls.number("Radius", collider.radius, {0.01f, 20.0f, "m", "%.2f", true},
+                    "Radius of the ball or of the capsule's ends");
     const glm::dvec3 from = collider.from;
-    if (controls.place(isCapsule ? "From" : "Centre", collider.from,
-                       "Where it lies when it does not move") &&
+    if (controls.place(isCapsule ? "From" : "Centre", collider.from, "Position at rest") &&
         !isCapsule)
         collider.to += collider.from - from;
     if (isCapsule)
-        controls.place("To", collider.to, "Its other end");
+        controls.place("To", collider.to, "Position of the other end");
     if (!collider.path.empty() &&
-        controls.button("Stand still", "Forgets how it moves, and leaves it where it is", true)) {
+        controls.button("Stop", "Ends its motion where it is now", true)) {
         const glm::dvec3 way = render::moveAt(collider, state.time.now);
         collider.from += way;
         collider.to += way;
@@ -41,7 +41,7 @@ void drawCollidersPanel(Controls& controls, ViewerState& state)
 {
     std::vector<render::Collider>& colliders = state.settings.colliders;
     controls.fact("Colliders", fmt::format("{} of {}", colliders.size(), shared::maxColliders),
-                  "Up to 256 press blades down at once");
+                  "Number of colliders, at most 256; they press blades down");
     ImGui::BeginDisabled(state.field == nullptr || colliders.size() >= shared::maxColliders);
     const bool ball = controls.button("Add ball", "A ball on the ground where the camera looks");
     ImGui::SameLine();
@@ -51,9 +51,11 @@ void drawCollidersPanel(Controls& controls, ViewerState& state)
     if (ball || capsule) {
         state.requests.addCapsule = capsule;
     }
-    controls.toggle("Outlines", state.showColliders, "Draws their outlines over the picture");
-    controls.note("Drag one with the left button: it follows the ground below the mouse. Let go "
-                  "while it moves, and it rolls on.");
+    controls.toggle("Outlines", state.showColliders,
+                    "Draws the outlines of colliders over the picture");
+    controls.note(
+        "Drag a collider with the left mouse button: it follows the ground. Released while "
+        "it moves, it rolls on.");
 
     std::optional<std::size_t> removed;
     for (std::size_t i = 0; i < colliders.size(); ++i) {
@@ -64,13 +66,13 @@ void drawCollidersPanel(Controls& controls, ViewerState& state)
         const glm::dvec3 place = middleOf(colliders[i], state.time.now);
         controls.tell(fmt::format("Collider {}", i + 1).c_str(),
                       fmt::format("{:.3f} {:.3f} {:.3f}", place.x, place.y, place.z),
-                      "Choose it to turn what belongs to it");
+                      "Selects this collider");
     }
     if (state.hand.chosen >= colliders.size())
         return;
-    controls.section("Chosen");
+    controls.section("Selected");
     drawCollider(controls, state, colliders[state.hand.chosen]);
-    if (controls.button("Remove", "Takes the chosen collider away", true))
+    if (controls.button("Remove", "Removes the selected collider", true))
         removed = state.hand.chosen;
     if (removed) {
         colliders.erase(colliders.begin() + static_cast<std::ptrdiff_t>(*removed));

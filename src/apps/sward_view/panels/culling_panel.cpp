@@ -22,15 +22,15 @@ struct Row {
     std::uint64_t render::FrameStats::* count;
 };
 constexpr std::array<Row, 5> rows{
-    {{"Patch", "Whole patches beyond the picture or the draw distance, before their blades",
+    {{"Patch", "Culls whole patches outside of the view or beyond the draw distance",
       shared::cullResultPatch, &render::FrameStats::culledPatch},
-     {"Orientation", "Blades seen edge-on, which have no width to show",
-      shared::cullResultOrientation, &render::FrameStats::culledOrientation},
-     {"Frustum", "Blades beside the picture", shared::cullResultFrustum,
+     {"Orientation", "Culls blades seen edge-on", shared::cullResultOrientation,
+      &render::FrameStats::culledOrientation},
+     {"Frustum", "Culls blades outside of the view frustum", shared::cullResultFrustum,
       &render::FrameStats::culledFrustum},
-     {"Distance", "Blades beyond the draw distance", shared::cullResultDistance,
+     {"Distance", "Culls blades beyond the draw distance", shared::cullResultDistance,
       &render::FrameStats::culledDistance},
-     {"Occlusion", "Blades behind the ground", shared::cullResultOcclusion,
+     {"Occlusion", "Culls blades hidden by the ground", shared::cullResultOcclusion,
       &render::FrameStats::culledOcclusion}}};
 
 // A dot in the colour of the "reason" debug mode, and a count.
@@ -49,7 +49,7 @@ void drawCount(Controls& controls, const char* name, std::uint32_t cullResult, s
     const std::string text = countText(count);
     ImGui::TextUnformatted(text.c_str());
     controls.tell(fmt::format("{} count", name).c_str(), std::to_string(count),
-                  "Blades of the last frame");
+                  "Number of blades with this result in the last frame");
 }
 
 void drawTests(Controls& controls, ViewerState& state)
@@ -63,7 +63,7 @@ void drawTests(Controls& controls, ViewerState& state)
         drawCount(controls, rows[i].name, rows[i].cullResult, state.counts.*rows[i].count);
     }
     controls.toggle("Detail", state.settings.levelOfDetail,
-                    "Leaves out blades too thin for a pixel, and widens the others for them");
+                    "Level of detail: leaves out blades thinner than a pixel and widens others");
     ImGui::SameLine();
     drawCount(controls, "Detail", shared::cullResultLod, state.counts.lod);
     ImGui::AlignTextToFramePadding();
@@ -86,29 +86,29 @@ void drawCullingPanel(Controls& controls, ViewerState& state)
     const bool all = settings.environment.drawDistance >= farthest;
     if (controls.number("Draw distance", settings.environment.drawDistance,
                         {0.5f, farthest, "m", all ? "all" : "%.1f", true},
-                        "Blades farther away are not drawn; at the end all are") &&
+                        "Blades farther away are not drawn; at the right end all are") &&
         settings.environment.drawDistance >= farthest)
         settings.environment.drawDistance = field::Defaults().drawDistance;
-    controls.number("Thin below", settings.lodThreshold, {0.01f, 8.0f, "px", "%.2f", true},
-                    "Width of a blade below which some are left out and the others widened");
+    controls.number("Detail threshold", settings.lodThreshold, {0.01f, 8.0f, "px", "%.2f", true},
+                    "Width on the screen below which blades are left out and others widened");
 
-    controls.number("LeafAreaLimit", settings.maxLeafArea, {0.0f, 256.0f, "", "%.0f", true},
-                    "Of far dense grass so much leaf area is drawn in the way of a ray; 0: all");
+    controls.number("Leaf area limit", settings.maxLeafArea, {0.0f, 256.0f, "", "%.0f", true},
+                    "Most leaf area that a ray through far dense grass meets; 0: no limit");
 
     controls.section("Colours");
     int mode = static_cast<int>(settings.debug);
     if (controls.choice("Colour by", mode, debugWords,
-                        "Reason shows every blade in the colour of its test"))
+                        "Debug colours; reason shows each blade in the colour of its culling test"))
         settings.debug = static_cast<render::DebugMode>(mode);
 
     controls.section("Culling camera");
     bool frozen = settings.cullingCamera.has_value();
     if (controls.toggle("Frozen", frozen,
-                        "Blades are culled from where the camera is now, while you move on; its "
-                        "frustum is drawn (C)"))
+                        "Keeps the camera of culling here while the view moves on, and draws its "
+                        "frustum (C)"))
         state.requests.freeze = true;
     controls.note(frozen ? "Blades are culled from the frozen camera. Move away and look back."
-                         : "Freeze it, move away, and see what it left out.");
+                         : "Freeze it and move away to see which blades it culls.");
 }
 
 } // namespace sward::view

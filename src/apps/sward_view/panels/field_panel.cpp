@@ -37,17 +37,18 @@ void drawMembers(Controls& controls, ViewerState& state)
             state.requests.choose = i;
         controls.tell(
             ("Show " + number).c_str(), row,
-            (field.source.input + "\nTells of it below; the panel Meadow then bakes it again")
+            (field.source.input +
+             "\nSelects this field: its properties are below, and the panel Meadow bakes it")
                 .c_str());
         ImGui::SameLine();
         ImGui::BeginDisabled(isBusy);
         if (ImGui::SmallButton("Remove"))
             state.requests.remove = i;
-        controls.tell(("Remove " + number).c_str(), "", "Shows the others without it");
+        controls.tell(("Remove " + number).c_str(), "", "Removes this field from the picture");
         ImGui::EndDisabled();
         ImGui::PopID();
     }
-    controls.fact("Together", countText(shown.summary.blades), "Blades of all that are shown");
+    controls.fact("Total", countText(shown.summary.blades), "Blades of all fields that are shown");
 }
 
 void drawField(Controls& controls, ViewerState& state)
@@ -55,31 +56,31 @@ void drawField(Controls& controls, ViewerState& state)
     const OpenedField& field = *state.field->members.at(state.chosen);
     const field::FieldView view = field.mapped.view();
     const field::Summary& summary = field.summary;
-    controls.fact("File", field.source.input, "What was opened");
-    controls.fact("Blades", countText(summary.blades), "All blades of the field");
+    controls.fact("File", field.source.input, "File or ground that was opened");
+    controls.fact("Blades", countText(summary.blades), "Number of blades in the field");
     controls.fact("Patches",
                   fmt::format("{} on {} levels", countText(summary.patches), summary.levels),
-                  "Nodes of the tree of patches");
+                  "Nodes of the patch tree");
     controls.fact("On disk", bytesText(field.mapped.fileBytes()), "Size of the field file");
     if (!summary.bounds.isEmpty()) {
         const glm::vec3 size = summary.bounds.size();
         controls.fact("Extent", fmt::format("{:.1f} x {:.1f} x {:.1f} m", size.x, size.y, size.z),
-                      "Box of everything that can be seen");
+                      "Size of the bounding box");
     }
     controls.fact(
         "Origin",
         fmt::format("{:.0f} {:.0f} {:.0f} m", view.origin.x, view.origin.y, view.origin.z),
-        "World place that the field counts from");
+        "World position that coordinates of the field are relative to");
     controls.fact("Height",
                   fmt::format("{:.2f} m ({:.2f} to {:.2f})", summary.heightMean, summary.heightLow,
                               summary.heightHigh),
-                  "Mean height of the blades, and the extremes");
+                  "Mean, smallest and largest height of the blades");
 
     controls.section("Species");
     for (std::size_t i = 0; i < view.species.size(); ++i)
         controls.fact(view.species[i].name.c_str(),
                       i < summary.perSpecies.size() ? countText(summary.perSpecies[i]) : "0",
-                      "Blades of this species");
+                      "Number of blades of this species");
 }
 
 // Draws the provenance last, because it is long.
@@ -119,9 +120,9 @@ void drawShown(Controls& controls, ViewerState& state)
     controls.fact("Resident", countText(state.counts.resident), "Blades in the device's memory");
     if (state.counts.streamedOut > 0)
         controls.fact("Streamed out", countText(state.counts.streamedOut),
-                      "Blades that wait in the file until they are seen and there is room");
+                      "Blades that are not in the device's memory at present");
     controls.fact("On the device", bytesText(state.deviceBytes),
-                  "Memory that fields, ground and pictures take");
+                  "Device memory of fields, ground and pictures");
     if (state.field->members.size() > 1)
         controls.section(state.field->members.at(state.chosen)->name.c_str());
     drawSaving(controls, state);
@@ -131,25 +132,25 @@ void drawShown(Controls& controls, ViewerState& state)
 // Opens a typed or recent name: replaces the shown fields or adds to them.
 void drawOthers(Controls& controls, ViewerState& state)
 {
-    controls.section("Another");
+    controls.section("Open");
     if (controls.text("Name", state.another, "meadow.sward, a mesh, or hills",
                       "A field, or a ground on which grass is grown first; names of files count "
                       "from the folder that the viewer was started in. Enter opens it") &&
         !state.another.empty())
         state.requests.open = {state.another};
     ImGui::BeginDisabled(state.another.empty());
-    if (controls.button("Open", "Shows it instead of what is shown"))
+    if (controls.button("Open", "Replaces the fields that are shown"))
         state.requests.open = {state.another};
     ImGui::SameLine();
-    if (controls.button("Add field", "Shows it beside what is shown, in one picture"))
+    if (controls.button("Add field", "Shows it together with the present fields"))
         state.requests.add = {state.another};
     ImGui::EndDisabled();
     controls.toggle("Drop adds", state.dropAdds,
-                    "What is dropped on the window is shown beside the rest, as with Shift held");
+                    "Adds dropped files to the fields that are shown, as with Shift held");
 
     controls.section("Open recent");
     if (state.recent == nullptr || state.recent->inputs().empty()) {
-        controls.note("Nothing was opened before.");
+        controls.note("No recent files.");
         return;
     }
     for (const std::string& input : state.recent->inputs()) {
@@ -162,7 +163,7 @@ void drawOthers(Controls& controls, ViewerState& state)
         ImGui::SameLine();
         if (ImGui::SmallButton("Add"))
             state.requests.add = {input};
-        controls.tell(("Add " + name).c_str(), "", "Shows it beside what is shown");
+        controls.tell(("Add " + name).c_str(), "", "Shows it together with the present fields");
         ImGui::PopID();
     }
 }
@@ -174,7 +175,7 @@ void drawFieldPanel(Controls& controls, ViewerState& state)
     if (state.field != nullptr)
         drawShown(controls, state);
     else
-        controls.note("Nothing is shown yet. Drop a field, a mesh or a recipe on the window.");
+        controls.note("No field. Drop a field, a mesh or a recipe on the window.");
     drawOthers(controls, state);
     if (state.field != nullptr)
         drawProvenance(controls, state);

@@ -35,27 +35,27 @@ struct KeyLine {
 };
 
 constexpr std::array<KeyLine, 21> keyLines{
-    {{"Drop, Shift+drop", "open a file; show it beside the rest"},
-     {"Left drag", "turn around the middle"},
-     {"Middle drag, Shift+left", "move sideways"},
-     {"Wheel", "come nearer; the speed while flying"},
-     {"Right drag + W A S D Q E", "look around and fly; Shift hurries"},
+    {{"Drop, Shift+drop", "open a file; add it to the fields shown"},
+     {"Left drag", "orbit"},
+     {"Middle drag, Shift+left", "pan"},
+     {"Wheel", "zoom; while flying: speed"},
+     {"Right drag + W A S D Q E", "look around and fly; Shift: faster"},
      {"F", "show the whole field"},
-     {"Home", "back to where the camera started"},
-     {"1 to 9", "recall a place; Ctrl sets it"},
+     {"Home", "return to the first camera"},
+     {"1 to 9", "recall a bookmark; Ctrl sets it"},
      {"G", "walk on the ground, W A S D to go"},
      {"Left click", "pick a blade"},
-     {"Left drag on a collider", "drag it over the ground; let go to throw it"},
-     {"Space", "stop the time, and let it go on"},
-     {".", "a single step of time"},
+     {"Left drag on a collider", "move it over the ground; release to throw"},
+     {"Space", "pause and resume time"},
+     {".", "single time step"},
      {"C", "freeze the culling camera"},
      {"R", "record a camera path"},
-     {"P", "write a picture"},
+     {"P", "take a picture"},
      {"Tab", "hide and show the panels"},
-     {"Ctrl + plus, minus, 0", "larger, smaller, usual text and controls"},
+     {"Ctrl + plus, minus, 0", "larger, smaller, normal text and controls"},
      {"Ctrl+S", "save the field that was baked in this window"},
-     {"H", "this sheet"},
-     {"Escape", "close what is topmost; then the window"}}};
+     {"H", "show and hide these keys"},
+     {"Escape", "close the topmost item; finally the window"}}};
 
 ImVec2 scaledPair(const Style& style, float x, float y)
 {
@@ -170,14 +170,14 @@ void Layout::drawStatus(Controls& controls, ViewerState& state)
     if (state.field != nullptr)
         left += fmt::format("   {} of {} blades drawn   {}", countText(drawn),
                             countText(state.counts.total),
-                            isResting ? "time stands still"
+                            isResting ? "time stopped"
                                       : fmt::format("{:.1f} frames/s   {:.1f} ms",
                                                     1.0 / std::max(state.frameSeconds, 1e-6),
                                                     1000.0 * state.frameSeconds));
     if (state.time.paused)
         left += "   paused";
     if (state.walking)
-        left += "   on foot";
+        left += "   walking";
     if (state.recording)
         left += "   recording";
     if (state.settings.cullingCamera)
@@ -197,7 +197,7 @@ void Layout::drawStatus(Controls& controls, ViewerState& state)
     ImGui::SameLine(size.x - width - style.scaled(statusPadding));
     controls.note(right);
     controls.tell("Resolution", std::to_string(percent),
-                  "Share of the window's width and height that is drawn; panel Profile");
+                  "Resolution of drawing relative to the window, %; see panel Profile");
     controls.tell("Refined", pictures, nullptr);
     ImGui::End();
     ImGui::PopStyleVar(2);
@@ -213,13 +213,13 @@ void Layout::drawMessages(Controls& controls, ViewerState& state)
     if (!state.error.empty()) {
         beginCentred("error", style, place, {0.5f, 0.0f});
         ImGui::PushStyleColor(ImGuiCol_Text, style.color(palette::alarm));
-        ImGui::TextUnformatted("That did not work");
+        ImGui::TextUnformatted("Error");
         ImGui::PopStyleColor();
         ImGui::PushTextWrapPos(std::max(size.x - left - style.scaled(80.0f), style.scaled(160.0f)));
         ImGui::TextUnformatted(state.error.c_str());
         ImGui::PopTextWrapPos();
         controls.tell("Error", state.error, nullptr);
-        if (controls.button("Close", "Takes this message away"))
+        if (controls.button("Close", "Closes this message"))
             state.error.clear();
         ImGui::End();
         return;
@@ -227,7 +227,7 @@ void Layout::drawMessages(Controls& controls, ViewerState& state)
     if (!state.shaderError.empty()) {
         beginCentred("shaders", style, place, {0.5f, 0.0f});
         ImGui::PushStyleColor(ImGuiCol_Text, style.color(palette::alarm));
-        ImGui::TextUnformatted("The shaders do not compile; the last good ones draw");
+        ImGui::TextUnformatted("Shaders do not compile; the last valid ones are in use");
         ImGui::PopStyleColor();
         ImGui::PushTextWrapPos(std::max(size.x - left - style.scaled(80.0f), style.scaled(160.0f)));
         ImGui::TextUnformatted(state.shaderError.c_str());
@@ -240,7 +240,7 @@ void Layout::drawMessages(Controls& controls, ViewerState& state)
     if (!state.loading.empty())
         text = fmt::format("Reading {} ...", state.loading);
     else if (state.baking != nullptr)
-        text = fmt::format("Growing grass: {} {:.0f} %", state.baking->progress().state,
+        text = fmt::format("Baking: {} {:.0f} %", state.baking->progress().state,
                            100.0 * state.baking->progress().share);
     if (text.empty())
         return;
@@ -249,7 +249,7 @@ void Layout::drawMessages(Controls& controls, ViewerState& state)
     controls.tell("Notice", text, nullptr);
     if (state.baking != nullptr) {
         ImGui::SameLine();
-        if (controls.button("Cancel bake", "Ends the bake; the field that is shown stays"))
+        if (controls.button("Cancel bake", "Cancels the bake; the field that is shown stays"))
             state.requests.cancelBake = true;
     }
     ImGui::End();
@@ -274,7 +274,7 @@ void Layout::drawPicked(Controls& controls, ViewerState& state)
         ImGui::TextUnformatted(text.c_str());
         controls.tell(name.c_str(), text, about.c_str());
     }
-    if (controls.button("Forget it", "Closes this"))
+    if (controls.button("Deselect", "Deselects this blade"))
         state.picked.reset();
     ImGui::End();
 }
@@ -294,11 +294,11 @@ void Layout::drawWelcome(Controls& controls, ViewerState& state)
         for (const std::string& input : state.recent->inputs()) {
             if (ImGui::Selectable(input.c_str()))
                 state.requests.open = {input};
-            controls.tell(input.c_str(), input, "Opens it again");
+            controls.tell(input.c_str(), input, "Opens this file again");
         }
     controls.section("Or a built-in ground");
     for (const char* name : {"hills", "sphere", "dunes", "arch"}) {
-        if (controls.button(name, "Grows grass on it, and shows it"))
+        if (controls.button(name, "Bakes grass on this ground and shows it"))
             state.requests.open = {name};
         ImGui::SameLine();
     }
@@ -321,7 +321,7 @@ void Layout::drawKeySheet(Controls& controls)
         ImGui::PopStyleColor();
         controls.tell(line.keys, line.meaning, nullptr);
     }
-    if (controls.button("Close", "H or Escape"))
+    if (controls.button("Close", "Closes this list (H or Escape)"))
         keySheet = false;
     ImGui::End();
 }

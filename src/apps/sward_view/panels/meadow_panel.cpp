@@ -8,19 +8,19 @@
 namespace sward::view {
 namespace {
 
-constexpr std::array amounts{"the baker's", "density", "spacing", "count"};
+constexpr std::array amounts{"automatic", "density", "spacing", "count"};
 
 void drawAmount(Controls& controls, MeadowRequests& meadow)
 {
-    controls.choice("Amount", meadow.amount, amounts, "What decides how many blades grow");
+    controls.choice("Amount", meadow.amount, amounts, "What the number of blades depends on");
     if (meadow.amount == 1)
         controls.number("Density", meadow.density, {1.0f, 100'000.0f, "/m²", "%.0f", true},
                         "Blades per square metre");
     if (meadow.amount == 2)
         controls.number("Spacing", meadow.spacing, {0.001f, 10.0f, "m", "%.3f", true},
-                        "Roots keep so far from one another");
+                        "Smallest distance between two roots");
     if (meadow.amount == 3)
-        controls.wholeNumber("Count", meadow.count, 1, 5'000'000, "Blades kept, exactly");
+        controls.wholeNumber("Count", meadow.count, 1, 5'000'000, "Exact number of blades");
 }
 
 void drawProgress(Controls& controls, ViewerState& state)
@@ -31,8 +31,8 @@ void drawProgress(Controls& controls, ViewerState& state)
     ImGui::ProgressBar(static_cast<float>(progress.share), {-1.0f, 0.0f},
                        fmt::format("{}  {:.0f} %", stageName, 100.0 * progress.share).c_str());
     ImGui::PopStyleColor();
-    controls.tell("Progress", stageName, "What sward is doing, and how much of it is done");
-    if (controls.button("Cancel", "Ends the bake; the field that is shown stays", true))
+    controls.tell("Progress", stageName, "Stage of the bake");
+    if (controls.button("Cancel", "Cancels the bake; the field that is shown stays", true))
         state.requests.cancelBake = true;
 }
 
@@ -45,25 +45,25 @@ void drawMeadowPanel(Controls& controls, ViewerState& state)
                   "What grass grows on: .glb .gltf .obj .ply .stl .off, a heightmap, a recipe "
                   ".json, or plane sphere hills dunes torus arch");
     ImGui::BeginDisabled(!meadow.meadowFile.empty());
-    controls.choice("Meadow", meadow.meadow, meadowNames, "What is sown: species and their shares");
+    controls.choice("Meadow", meadow.meadow, meadowNames, "Species and their shares");
     ImGui::EndDisabled();
     controls.text(
-        "Meadow file", meadow.meadowFile, "none: the one above",
+        "Meadow file", meadow.meadowFile, "none: the meadow above",
         "A meadow of your own (.json, as for sward bake --meadow), sown instead of the one "
         "above; with --watch the field is baked again when it changes");
     drawAmount(controls, meadow);
     controls.number("Slope from", meadow.slopeLow, {0.0f, 180.0f, "°", "%.0f"},
-                    "Nothing grows on gentler slopes");
+                    "Smallest slope on which grass grows");
     controls.number("Slope to", meadow.slopeHigh, {0.0f, 180.0f, "°", "%.0f"},
-                    "Nothing grows on steeper slopes; undersides are above 90°");
+                    "Largest slope on which grass grows; undersides are above 90°");
     controls.number("Slope fades", meadow.slopeSoft, {0.0f, 90.0f, "°", "%.0f"},
-                    "Beyond both ends grass thins out over this many degrees");
+                    "Width over which grass thins out beyond both limits");
     controls.text("Masks", meadow.masks, "vertex-color:R",
                   "Multiply the density: vertex-color:C, texture:FILE:C or material-texture:C, "
                   "with C one of R G B A and perhaps :invert; separated by blanks");
     controls.text("Traits", meadow.traits, "clump_size_m=1",
                   "Change the meadow: KEY=VALUE as for --set, separated by blanks");
-    controls.wholeNumber("Seed", meadow.seed, 0, 9999, "Another number, another meadow");
+    controls.wholeNumber("Random seed", meadow.seed, 0, 9999, "Start value of the random numbers");
 
     controls.space(4.0f);
     if (state.baking != nullptr) {
@@ -71,13 +71,13 @@ void drawMeadowPanel(Controls& controls, ViewerState& state)
     } else {
         ImGui::BeginDisabled(meadow.ground.empty());
         if (controls.button("Bake again",
-                            "Runs sward with these settings; what is shown stays until it is done",
+                            "Bakes with these settings; the present field stays until it is done",
                             true))
             state.requests.bake = true;
         ImGui::EndDisabled();
         if (meadow.ground.empty())
-            controls.note("A field file does not hold the mesh it was grown on. Name it above, or "
-                          "drop it on the window.");
+            controls.note("A field file does not contain its ground. Enter its name above, or "
+                          "drop the mesh on the window.");
     }
 
     if (state.difference) {
@@ -86,11 +86,11 @@ void drawMeadowPanel(Controls& controls, ViewerState& state)
         controls.fact("Blades",
                       fmt::format("{} to {}", countText(difference.bladesBefore),
                                   countText(difference.bladesAfter)),
-                      "Blades of the field before the last bake, and of the one after it");
+                      "Number of blades before and after the last bake");
         controls.fact(
             "Mean height",
             fmt::format("{:.2f} to {:.2f} m", difference.heightBefore, difference.heightAfter),
-            "Of all blades");
+            "Mean height of all blades before and after");
         bool former = state.showsFormer;
         if (controls.toggle("Show before", former, "Shows the field before the last bake"))
             state.requests.compare = true;
@@ -100,7 +100,7 @@ void drawMeadowPanel(Controls& controls, ViewerState& state)
         ImGui::PushTextWrapPos(0.0f);
         ImGui::TextUnformatted(state.bakeReport.c_str());
         ImGui::PopTextWrapPos();
-        controls.tell("Report", state.bakeReport, "Roots kept, and rejected by reason");
+        controls.tell("Report", state.bakeReport, "Roots kept, and roots rejected by reason");
     }
 }
 

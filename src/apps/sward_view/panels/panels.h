@@ -31,15 +31,15 @@ struct Panel {
 
 /// In the order of the rail.
 inline constexpr std::array<Panel, 10> panels{
-    {{"Field", "What is shown, opened lately, and where it comes from", drawFieldPanel},
-     {"Meadow", "Grow the grass again, in another way", drawMeadowPanel},
-     {"Physics", "Gravity, stiffness, and how the time passes", drawPhysicsPanel},
-     {"Wind", "What blows, how strongly and where to", drawWindPanel},
-     {"Culling", "Which blades are left out, why, and how many", drawCullingPanel},
+    {{"Field", "Fields shown, recent files, and provenance", drawFieldPanel},
+     {"Meadow", "Settings of the bake", drawMeadowPanel},
+     {"Physics", "Gravity, stiffness and time", drawPhysicsPanel},
+     {"Wind", "Wind sources: kind, strength and direction", drawWindPanel},
+     {"Culling", "Culling tests and their counts", drawCullingPanel},
      {"Colliders", "Balls and capsules that press blades down", drawCollidersPanel},
      {"Look", "Sun, sky, air and exposure", drawLookPanel},
      {"Camera", "Walking, flying, and camera paths", drawCameraPanel},
-     {"Profile", "Where the time and the memory go", drawProfilePanel},
+     {"Profile", "Times of passes, memory and resolution", drawProfilePanel},
      {"Capture", "Pictures, sequences and settings files", drawCapturePanel}}};
 
 } // namespace sward::view

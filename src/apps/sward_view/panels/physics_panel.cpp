@@ -9,33 +9,35 @@ void drawPhysicsPanel(Controls& controls, ViewerState& state)
     field::Defaults& environment = state.settings.environment;
     controls.section("Gravity");
     controls.number("Strength", environment.gravityStrength, {0.0f, 40.0f, "1/s", "%.1f"},
-                    "How hard blades are pulled down, in their heights per second");
+                    "Strength of gravity, in blade heights per second");
     controls.direction("Direction", environment.gravityDirection,
-                       "Where things fall to: angle around the vertical");
+                       "Direction of gravity: angle around the vertical axis");
     controls.number("Attractor share", environment.attractorBlend, {0.0f, 1.0f},
-                    "0: falls along the direction; 1: falls to the attractor, as on a planet");
+                    "0: gravity along the direction; 1: towards the attractor, as on a planet");
     ImGui::BeginDisabled(environment.attractorBlend <= 0.0f);
-    controls.place("Attractor", environment.attractor, "A planet's centre");
+    controls.place("Attractor", environment.attractor,
+                   "Position that attracts, for example a planet's centre");
     ImGui::EndDisabled();
     controls.number("Lean", state.settings.forward, {0.0f, 1.0f},
-                    "Share of the pull that leans a blade forward; the paper's is 0.25");
+                    "Share of gravity that bends a blade forward; 0.25 in the paper");
 
     controls.section("Blades");
     controls.number("Recovery", environment.recovery, {0.1f, 60.0f, "1/s", "%.1f", true},
-                    "Stiffness of the meadow: how quickly a stiff blade rises again");
+                    "Rate at which a stiff blade recovers its pose");
 
     controls.section("Time");
     FieldTime& time = state.time;
-    controls.toggle("Paused", time.paused, "Stops wind and blades (Space)");
+    controls.toggle("Paused", time.paused, "Pauses wind and blades (Space)");
     controls.number("Speed", time.scale, {0.0f, 4.0f, "", "%.2f x"},
-                    "Field seconds per second of yours");
+                    "Simulated seconds per second");
     controls.number("Step", time.step, {0.001f, 0.5f, "s", "%.3f", true},
                     "Length of a single step");
-    if (controls.button("Single step", "One step of time while it is paused (full stop)", true)) {
+    if (controls.button("Single step", "Advances the time by one step and pauses (full stop)",
+                        true)) {
         time.paused = true;
         time.stepOnce = true;
     }
-    controls.fact("Now", fmt::format("{:.2f} s", time.now), "Time of the field");
+    controls.fact("Now", fmt::format("{:.2f} s", time.now), "Simulated time");
 }
 
 } // namespace sward::view

@@ -44,7 +44,7 @@ double drawPass(Controls& controls, const gpu::Timestamps& times, const std::str
     const double p99 = gpu::statisticsOf(last).p99;
     const std::vector<float> values(last.begin(), last.end());
     controls.fact(name.c_str(), fmt::format("{:.2f} ms   p99 {:.2f}", mean, p99),
-                  "Mean of the last 240 frames, and what 99 of 100 frames stay below");
+                  "Mean and 99th percentile of the last 240 frames");
     ImGui::PlotLines(("##" + name).c_str(), values.data(), static_cast<int>(values.size()), 0,
                      nullptr, 0.0f, static_cast<float>(std::max(p99 * 1.2, 1e-3)),
                      {ImGui::GetContentRegionAvail().x, controls.style().scaled(plotHeight)});
@@ -73,25 +73,26 @@ void drawPasses(Controls& controls, const gpu::Timestamps& times)
 
 void drawProfilePanel(Controls& controls, ViewerState& state)
 {
-    controls.fact("Device", state.device, "That draws");
+    controls.fact("Device", state.device, "Device that draws");
     controls.fact("Frame", fmt::format("{:.1f} ms", 1000.0 * state.frameSeconds),
-                  "From picture to picture, smoothed");
-    controls.fact("Blades", countText(state.counts.total), "Of the field");
-    controls.fact("Simulated", countText(state.counts.simulated), "Moved in the last frame");
-    controls.fact("Drawn", countText(state.counts.drawn), "In the last frame");
-    controls.fact("Memory", bytesText(state.deviceBytes), "Of the device, for field and pictures");
+                  "Time per frame, smoothed");
+    controls.fact("Blades", countText(state.counts.total), "Number of blades in the fields");
+    controls.fact("Simulated", countText(state.counts.simulated),
+                  "Blades simulated in the last frame");
+    controls.fact("Drawn", countText(state.counts.drawn), "Blades drawn in the last frame");
+    controls.fact("Memory", bytesText(state.deviceBytes), "Device memory of fields and pictures");
 
     controls.section("Resolution");
     controls.toggle("Automatic", state.automaticScale,
-                    "Draws fewer pixels than the window has when frames take too long");
+                    "Lowers the resolution while frames take too long");
     ImGui::BeginDisabled(state.automaticScale);
     controls.number("Scale", state.scale, {static_cast<float>(InternalResolution::lowest), 1.0f},
-                    "Drawn share of width and height");
+                    "Resolution relative to the window");
     ImGui::EndDisabled();
 
     controls.toggle("Refine at rest", state.refinesAtRest,
-                    "While nothing changes, stops the time and draws one fine picture with all "
-                    "pixels and blades; off: draws on");
+                    "While nothing changes, stops time and refines one picture with all pixels and "
+                    "blades; off: keeps drawing");
 
     if (state.times == nullptr || state.times->names().empty()) {
         controls.section("Passes");
@@ -99,7 +100,7 @@ void drawProfilePanel(Controls& controls, ViewerState& state)
         return;
     }
     drawPasses(controls, *state.times);
-    if (controls.button("Forget times", "Begins to measure anew", true))
+    if (controls.button("Reset times", "Discards all measurements", true))
         state.requests.forgetTimes = true;
 }
 

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::array kindWords{"noise", "turning", "wave", "radial", "swirl", "gusts"};
 constexpr std::array<const char*, shared::windKinds> kindAbout{
-    "Noise that the wind carries along",
-    "A sine of the time that may turn",
+    "Noise that travels with the wind",
+    "Sine wave over time whose direction may rotate",
     "The paper's directional wave",
     "Rings away from a centre, as below a helicopter",
     "Rings around a centre",
@@ -33,25 +33,26 @@ void drawSource(Controls& controls, render::WindSource& wind, float ahead)
                     "Largest pull on a blade across it, in its heights per second");
     const bool isRound = s.kind == shared::windRadial || s.kind == shared::windSwirl;
     if (isRound) {
-        controls.place("Centre", wind.centre, "Where the rings begin");
+        controls.place("Centre", wind.centre, "Centre of the rings");
     } else {
-        controls.compass("Heading", s.direction, ahead, "Where it blows to");
-        controls.direction("Direction", s.direction, "Where it blows to: 0 is +x, 90 is +z");
+        controls.compass("Heading", s.direction, ahead, "Direction that it blows to");
+        controls.direction("Direction", s.direction,
+                           "Direction that it blows to: 0 is +x, 90 is +z");
     }
     if (s.kind == shared::windTurning) {
-        controls.number("Rate", s.rate, {0.0f, 10.0f, "rad/s"}, "Of the sine");
+        controls.number("Rate", s.rate, {0.0f, 10.0f, "rad/s"},
+                        "Angular frequency of the sine wave");
         controls.number("Turn", s.turn, {-5.0f, 5.0f, "rad/s"},
-                        "Of the direction about the blades' up-vector");
+                        "Rotation of the direction around the blades' up-vectors");
     } else {
         controls.number("Speed", s.speed, {-40.0f, 40.0f, "m/s", "%.1f"},
-                        "At which the pattern travels");
+                        "Speed at which the pattern travels");
     }
     controls.number("Size", s.size, {0.05f, 1000.0f, "m", "%.2f", true},
                     "Grain of noise, crest to crest, front to front, or how far rings are felt");
     controls.number("Alignment", s.alignment, {0.0f, 1.0f},
                     "0: pulls at every blade alike; 1: not at a blade that lies along it");
-    controls.number("Lift", s.lift, {0.0f, 1.0f},
-                    "Share that is kept of what blows away from the ground");
+    controls.number("Lift", s.lift, {0.0f, 1.0f}, "Share of the upward component that is kept");
 }
 
 } // namespace
@@ -61,11 +62,12 @@ void drawWindPanel(Controls& controls, ViewerState& state)
     std::vector<render::WindSource>& winds = state.settings.winds;
     float sum = render::windStrength(winds);
     ImGui::BeginDisabled(sum <= 0.0f);
-    if (controls.number("All together", sum, {0.01f, 60.0f, "1/s", "%.2f"},
-                        "Sum of the strengths; turning it turns all sources"))
+    if (controls.number("Total strength", sum, {0.01f, 60.0f, "1/s", "%.2f"},
+                        "Sum of the strengths; changes all sources in proportion"))
         render::scaleWind(winds, sum);
     ImGui::EndDisabled();
-    controls.toggle("Arrows", state.showWindArrows, "Shows each source's direction in the picture");
+    controls.toggle("Arrows", state.showWindArrows,
+                    "Draws the direction of each source over the picture");
     bool paints = state.settings.debug == render::DebugMode::wind;
     if (controls.toggle("Paint speed", paints,
                         "Colours ground and blades from calm (blue) to the strongest (white)"))
@@ -77,7 +79,7 @@ void drawWindPanel(Controls& controls, ViewerState& state)
         controls.section(fmt::format("Source {}", i + 1).c_str());
         controls.beginPanel(fmt::format("Wind/{}", i + 1));
         drawSource(controls, winds[i], state.heading);
-        if (controls.button("Remove", "Takes this source away"))
+        if (controls.button("Remove", "Removes this source"))
             removed = i;
         ImGui::PopID();
     }
@@ -87,7 +89,7 @@ void drawWindPanel(Controls& controls, ViewerState& state)
 
     controls.space(4.0f);
     ImGui::BeginDisabled(winds.size() >= shared::maxWindSources);
-    if (controls.button("Add a source", "Up to 8 blow at once", true))
+    if (controls.button("Add source", "Adds a wind source, at most 8", true))
         winds.push_back(render::windSource(shared::windGusts));
     ImGui::EndDisabled();
 }

@@ -30,7 +30,7 @@ std::string Capture::stopSequence()
     if (!ended.video)
         return {};
     ended.video->finish();
-    return fmt::format("{}: a film of {} pictures", ended.videoPath.string(), ended.next);
+    return fmt::format("{}: video of {} pictures", ended.videoPath.string(), ended.next);
 }
 
 void Capture::add(const Picture& picture)
@@ -63,7 +63,7 @@ std::string Capture::write(const gpu::DeviceContext& context, const gpu::Image& 
         add(picture);
         if (sequence_->next == sequence_->pictures) {
             const std::string last =
-                sequence_->names ? fmt::format("{}: the last of {} pictures",
+                sequence_->names ? fmt::format("{}: last of {} pictures",
                                                sequence_->names->of(sequence_->next - 1).string(),
                                                sequence_->pictures)
                                  : std::string();

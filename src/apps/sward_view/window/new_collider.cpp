@@ -47,8 +47,9 @@ render::Collider newCollider(const NewCollider& where, const Sight& sight, bool 
     const glm::dvec3 ahead = glm::cross(up, right);
 
     render::Collider collider;
-    const double radius = std::clamp(std::min(radiusShare * where.fieldSize, largestShare * distance),
-                                     smallestRadius, largestRadius);
+    const double radius =
+        std::clamp(std::min(radiusShare * where.fieldSize, largestShare * distance), smallestRadius,
+                   largestRadius);
     collider.radius = radius;
     const glm::dvec3 half = isCapsule ? 2.0 * radius * right : glm::dvec3(0.0);
     const double reach = radius + glm::length(half);
@@ -61,7 +62,8 @@ render::Collider newCollider(const NewCollider& where, const Sight& sight, bool 
 
     // Rings of places around the first, until one is free: nearer ones first.
     glm::dvec3 middle = laid(first).value_or(first);
-    for (int i = 0; i < ringsTried * placesInRing && !isFree(middle, reach, others, where.time); ++i) {
+    for (int i = 0; i < ringsTried * placesInRing && !isFree(middle, reach, others, where.time);
+         ++i) {
         const double angle = 2.0 * std::numbers::pi * i / placesInRing;
         const double away = 2.0 * apart * reach * (1 + i / placesInRing);
         const auto next = laid(first + away * (std::cos(angle) * right + std::sin(angle) * ahead));

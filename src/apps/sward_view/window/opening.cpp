@@ -32,7 +32,7 @@ void Opening::goOn()
         sources_.push_back({input, input, {}, WatchedFile(input), {}, {}});
         if (!wantsBaking(input))
             continue;
-        log::info("{}: is a mesh; growing grass on it first", input);
+        log::info("{}: is a ground without grass; baking it first", input);
         requests_.ground = input;
         try {
             bakings_.push_back(std::make_unique<Baking>(bakeArguments(requests_)));
@@ -68,7 +68,7 @@ std::optional<Opening::Opened> Opening::poll()
             const ErrorKind kind = ended.errorKind();
             const std::string complaint = ended.complaint();
             bakings_.clear();
-            fail(kind, "{}: no grass has grown on it: {}", sources_.back().input, complaint);
+            fail(kind, "Bake failed: {}: {}", sources_.back().input, complaint);
         }
         sources_.back().report = reportText(ended.report());
         goOn();
@@ -99,7 +99,7 @@ std::string reportText(const std::filesystem::path& report)
                 reasons.emplace_back(count.get<std::uint64_t>(), reason);
     std::sort(reasons.rbegin(), reasons.rend());
     for (const auto& [count, reason] : reasons)
-        text += fmt::format("\n{} left out: {}", countText(count), reason);
+        text += fmt::format("\n{} rejected: {}", countText(count), reason);
     if (json.contains("warnings") && json["warnings"].is_array())
         for (const auto& warning : json["warnings"])
             text += "\n" + (warning.is_string() ? warning.get<std::string>() : jsonText(warning));

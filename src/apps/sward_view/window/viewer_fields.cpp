@@ -79,7 +79,7 @@ void Viewer::takeOpened()
         if (isFirstInput_)
             throw;
         if (error.kind() == ErrorKind::interrupted)
-            notice("The bake was cancelled");
+            notice("Bake cancelled");
         else
             complain(error.what());
     }
@@ -191,7 +191,7 @@ void Viewer::watch()
         const bool isOther = source.watched.hasChanged();
         const bool isSownAnew = source.watchedMeadow.hasChanged();
         if (source.watched.hasGone())
-            complain(source.input + ": the file is gone; the field stays on the screen");
+            complain(source.input + ": the file was removed; the field is still shown");
         if (!options_.frame->watch || !(isOther || isSownAnew))
             continue;
         log::info("{}: changed; opening it again",
@@ -225,7 +225,7 @@ void Viewer::reloadShaders()
     viewerState_.picked.reset();
     times_.frames = times_.framesAtTitle = rest_.moving = 0;
     timestamps_.clearHistory();
-    notice("The shaders have been compiled again");
+    notice("Shaders compiled again");
 }
 
 } // namespace sward::view

@@ -114,9 +114,9 @@ void Viewer::press(const KeyPress& key)
             loadedField_->navigation().setBookmark(key.number);
             bookmarks_.set(loadedField_->field().members[0]->source.input, key.number,
                            loadedField_->navigation().camera());
-            notice(fmt::format("Bookmark {} is set", key.number));
+            notice(fmt::format("Bookmark {} set", key.number));
         } else if (!loadedField_->navigation().showBookmark(key.number)) {
-            notice(fmt::format("There is no bookmark {}; Ctrl+{} sets it", key.number, key.number));
+            notice(fmt::format("No bookmark {}; Ctrl+{} sets it", key.number, key.number));
         }
         break;
     }

@@ -79,7 +79,7 @@ void Viewer::fulfil()
     if (requests.goHome)
         navigation.goHome();
     if (requests.walk && !navigation.isWalking() && !navigation.walk(true))
-        notice("There is no ground below the camera to walk on");
+        notice("No ground below the camera to walk on");
     else if (requests.walk && viewerState_.walking)
         navigation.walk(false);
     auto& frozen = viewerState_.settings.cullingCamera;

@@ -20,11 +20,10 @@ namespace sward::view {
 namespace {
 
 constexpr const char* windowFooter =
-    "In the window: left drag turns, middle or Shift + left drag moves, the wheel\n"
-    "comes nearer, right drag with W A S D Q E flies. F frames the field, Home\n"
-    "returns, Space pauses the time, H shows all keys, Escape closes what is topmost. A field, a "
-    "mesh\n"
-    "or a recipe that is dropped on the window is opened.\n"
+    "In the window: left drag orbits, middle or Shift + left drag pans, the wheel\n"
+    "zooms, right drag with W A S D Q E flies. F shows the whole field, Home returns\n"
+    "to the first camera, Space pauses, H lists all keys, Escape closes the topmost\n"
+    "item. A field, a mesh or a recipe that is dropped on the window is opened.\n"
     "Example:\n"
     "  sward-view meadow.sward\n"
     "  sward-view landscape.glb --meadow steppe --watch\n"
@@ -78,7 +77,7 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
     const auto options = std::make_shared<WindowOptions>();
     app.require_subcommand(0, 1);
     app.add_option("FILE", options->frame.fields,
-                   "Field files, shown together; or meshes, on which 'sward' grows grass first")
+                   "Field files, shown together; or grounds, which sward bakes first")
         ->type_name("");
     options->viewer.seconds = std::numeric_limits<double>::infinity();
     options->frame.addShared(app);
@@ -88,7 +87,7 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
         ->group(group);
     app.add_option(
            "--meadow", options->viewer.meadow,
-           "Species that are sown on a mesh: meadow, grass, hay, lawn, daisies, alpine, marsh, "
+           "Meadow for grounds that are baked: meadow, grass, hay, lawn, daisies, alpine, marsh, "
            "prairie, steppe, dunes, or a .json file")
         ->type_name("NAME|FILE")
         ->group(group)
@@ -117,7 +116,7 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
                    fail(ErrorKind::usage, "--at-rest: '{}' is not refine or move", text);
                options->viewer.refinesAtRest = text == "refine";
            },
-           "While nothing changes: refine stops the time and draws one fine picture; move draws on")
+           "While nothing changes: refine stops time and refines one picture; move keeps drawing")
         ->type_name("refine|move")
         ->group(group)
         ->default_str("move, but refine on a CPU device with --resolution auto");
@@ -151,7 +150,7 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
            [options](const std::string& text) {
                options->viewer.seconds = apps::parseNumber("--exit-after", text, 0, 1e9);
            },
-           "Close the window after this time in seconds, 0 to 1e9")
+           "Close the window after this time in seconds, 0 to 1 billion")
         ->type_name("S")
         ->group(group);
     app.footer(windowFooter);
