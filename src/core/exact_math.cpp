@@ -11,17 +11,27 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-// atan on [0, 1]: atan(x) = atan(c) + atan((x − c) / (1 + xc)), with c the nearest sixteenth. On the
-// remainder, at most 1/32, five terms of the Taylor series leave less than 1e-17.
+// atan on [0, 1]: atan(x) = atan(c) + atan((x − c) / (1 + xc)), with c the nearest sixteenth. On
+// the remainder, at most 1/32, five terms of the Taylor series leave less than 1e-17.
 double atanUnit(double x)
 {
-    constexpr double sixteenths[] = {
-        0x0.0p+0, 0x1.ff55bb72cfdeap-5, 0x1.fd5ba9aac2f6ep-4,
-        0x1.7b97b4bce5b02p-3, 0x1.f5b75f92c80ddp-3, 0x1.362773707ebccp-2,
-        0x1.6f61941e4def1p-2, 0x1.a64eec3cc23fdp-2, 0x1.dac670561bb4fp-2,
-        0x1.0657e94db30d0p-1, 0x1.1e00babdefeb4p-1, 0x1.345f01cce37bbp-1,
-        0x1.4978fa3269ee1p-1, 0x1.5d58987169b18p-1, 0x1.700a7c5784634p-1,
-        0x1.819d0b7158a4dp-1, 0x1.921fb54442d18p-1};
+    constexpr double sixteenths[] = {0x0.0p+0,
+                                     0x1.ff55bb72cfdeap-5,
+                                     0x1.fd5ba9aac2f6ep-4,
+                                     0x1.7b97b4bce5b02p-3,
+                                     0x1.f5b75f92c80ddp-3,
+                                     0x1.362773707ebccp-2,
+                                     0x1.6f61941e4def1p-2,
+                                     0x1.a64eec3cc23fdp-2,
+                                     0x1.dac670561bb4fp-2,
+                                     0x1.0657e94db30d0p-1,
+                                     0x1.1e00babdefeb4p-1,
+                                     0x1.345f01cce37bbp-1,
+                                     0x1.4978fa3269ee1p-1,
+                                     0x1.5d58987169b18p-1,
+                                     0x1.700a7c5784634p-1,
+                                     0x1.819d0b7158a4dp-1,
+                                     0x1.921fb54442d18p-1};
     const auto nearest = static_cast<std::size_t>(x * 16.0 + 0.5);
     const double c = static_cast<double>(nearest) * (1.0 / 16.0);
     const double rest = (x - c) / (1.0 + x * c);

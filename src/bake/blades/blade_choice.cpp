@@ -128,8 +128,8 @@ void BladeChooser::chooseBlock(std::span<const RootSample> roots,
             continue;
         if (drifts && shares[i].total > 0.0)
             shares[i] = drifted(shares[i], meadow, waves, i);
-        choices[i].slot = chooseSpecies(
-            meadow, shares[i], Dice(settings_.seed, keyOf(ground_, roots[i]), clumps[i]));
+        choices[i].slot = chooseSpecies(meadow, shares[i],
+                                        Dice(settings_.seed, keyOf(ground_, roots[i]), clumps[i]));
     }
 }
 

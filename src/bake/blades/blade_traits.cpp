@@ -226,7 +226,7 @@ void BladeGrower::grow(const RootSample& root, const Surroundings& around,
 }
 
 GrownBlade BladeGrower::growBlade(const RootSample& root, const Surroundings& around,
-                                     const BladeChoice& choice) const
+                                  const BladeChoice& choice) const
 {
     // A tuft counts as the clump.
     const field::BladeKey key = keyOf(ground_, root);

@@ -231,8 +231,8 @@ void Clumps::nearestOfFew(std::span<const RootSample> roots, std::span<const Clu
         for (std::size_t c = 0; c < count; ++c) {
             const glm::vec3 offset = near[c]->centre - roots[i].position;
             const float squared = glm::dot(offset, offset);
-            if (squared < bestSquared || (squared == bestSquared && found[i] != nullptr &&
-                                          near[c]->key < found[i]->key)) {
+            if (squared < bestSquared ||
+                (squared == bestSquared && found[i] != nullptr && near[c]->key < found[i]->key)) {
                 bestSquared = squared;
                 found[i] = near[c];
             }

@@ -25,8 +25,8 @@ struct Axis {
     return near > x ? near - 1.0 : near;
 }
 
-[[gnu::always_inline]] inline void divide(const double* places, double length,
-                                          std::uint32_t origin, Axis& axis)
+[[gnu::always_inline]] inline void divide(const double* places, double length, std::uint32_t origin,
+                                          Axis& axis)
 {
     // A place farther than this from the origin gets the wave of the border.
     constexpr double farthest = 0x1p51;

@@ -239,7 +239,8 @@ CellTree growCell(const terrain::GroundMesh& ground, const Roots& roots, std::sp
         describeOwn(patch, held);
         subtrees[i].addOwn(held);
         for (std::size_t b = 0; b < held.size(); ++b)
-            tree.blades[patch.firstBlade + b] = shared::packBladeWith(held[b].blade, patch, held[b].packedUp);
+            tree.blades[patch.firstBlade + b] =
+                shared::packBladeWith(held[b].blade, patch, held[b].packedUp);
         progress.advance(chosen.size());
     });
 

@@ -84,8 +84,8 @@ private:
     std::size_t sorted_ = 0;
 };
 
-// A candidate tried without success, and the squared distance [m²] of a root that blocks it. It stays
-// blocked until the radius is smaller than that.
+// A candidate tried without success, and the squared distance [m²] of a root that blocks it. It
+// stays blocked until the radius is smaller than that.
 struct Passed {
     std::uint32_t candidate;
     float blocker;

@@ -139,14 +139,13 @@ TileResult bakeTile(const GroundView& part, const BakeSettings& settings, const 
                              {plan.plan.scale, plan.plan.area, plan.plan.widening}, filter, rays,
                              &part.features);
     const UninitializedVector<BladeChoice> choices = chooseBlades(grower, roots, progress);
-    result.cells =
-        growCells(ground, roots, order, ranks,
-                  {[&](std::size_t i) { return grower.bladesOf(choices[i]); },
-                   [&](std::size_t i, std::span<GrownBlade> blades) {
-                       grower.grow(roots[i], around.empty() ? Surroundings() : around[i],
-                                   choices[i], blades);
-                   }},
-                  progress);
+    result.cells = growCells(ground, roots, order, ranks,
+                             {[&](std::size_t i) { return grower.bladesOf(choices[i]); },
+                              [&](std::size_t i, std::span<GrownBlade> blades) {
+                                  grower.grow(roots[i], around.empty() ? Surroundings() : around[i],
+                                              choices[i], blades);
+                              }},
+                             progress);
     result.timing.traits += watch.lap();
     return result;
 }

@@ -110,8 +110,8 @@ TEST(SlowWaves, AreTheSumOfTwoValueNoises)
         const double reach = i % 2 == 0 ? 30.0 : 1e6;
         const glm::dvec3 place(reach * (uniform(i, 0, 0) - 0.5), reach * (uniform(i, 0, 1) - 0.5),
                                reach * (uniform(i, 0, 2) - 0.5));
-        const double sum = 0.75 * noise(place, 2.5, hashBits(i, 0)) +
-                           0.5 * noise(place, 7.0, hashBits(i, 1));
+        const double sum =
+            0.75 * noise(place, 2.5, hashBits(i, 0)) + 0.5 * noise(place, 7.0, hashBits(i, 1));
         ASSERT_NEAR(slowWaves(place, 2.5, 7.0, i), std::clamp(sum, -1.0, 1.0), 2e-6) << i;
     }
 }
