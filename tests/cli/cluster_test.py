@@ -179,6 +179,24 @@ class Tiles(ClusterTest):
                 self.refused(*command, code=code, names=["bad.json"])
         self.refused("tile", "none.json", "--index", "0", "-o", "t", code=IO, names=["none.json"])
 
+    def test_no_number_of_a_plan_ends_a_tile_in_any_other_way(self):
+        self.sward("plan", "plane", "--count", "60", "--tiles", "2", "-o", "p.json")
+        sound = self.read_json("p.json")
+        for key in sound["resolved"]:
+            if isinstance(sound["resolved"][key], bool):
+                continue
+            for value in (0, -1, 1e-300, 1e300, -1e300, 1e-30):
+                with self.subTest(key=key, value=value):
+                    self.write_json("bad.json", {**sound, "resolved": {**sound["resolved"], key: value}})
+                    (self.folder / "p.parts").rename(self.folder / "bad.parts")
+                    done = subprocess.run([str(PROGRAM), "tile", "bad.json", "--index", "0", "-o", "t", "--force"], cwd=self.folder,
+                                          capture_output=True, text=True, timeout=60)
+                    (self.folder / "bad.parts").rename(self.folder / "p.parts")
+                    self.assertIn(done.returncode, (DONE, INPUT), done.stderr)
+                    if key in ("scale", "widening", "thinned") or value < 0:
+                        self.assertEqual(done.returncode, INPUT)
+                        self.assertIn(key, done.stderr)
+
     def test_a_tile_needs_no_more_memory_in_a_larger_world(self):
         # Tiles of 128 m in worlds of 0.13 and 0.52 million triangles; half of those are 20 MB.
         peaks = {}

@@ -19,7 +19,7 @@ namespace sward::fuzz {
 namespace {
 
 // The first byte chooses the kind of file; the file's magic is then set correctly.
-constexpr std::array<const char*, 3> kinds = {"SWPART03", "SWTILE01", "SWIMAG01"};
+constexpr std::array<const char*, 3> kinds = {bake::partKind, bake::tileKind, bake::imageKind};
 constexpr std::size_t kindBytes = 8;
 
 std::vector<std::uint8_t> mended(Bytes bytes, std::size_t kind)

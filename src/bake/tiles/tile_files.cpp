@@ -1,5 +1,6 @@
 #include "bake/tiles/tile_files.h"
 
+#include "bake/blades/clumps.h"
 #include "core/error.h"
 #include "core/json_text.h"
 #include "core/mapped_file.h"
@@ -15,14 +16,12 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-// Eight letters each; the last two are the version.
-constexpr const char* partKind = "SWPART04";
-constexpr const char* imageKind = "SWIMAG02";
-constexpr const char* tileKind = "SWTILE02";
 constexpr const char* planFormat = "sward plan 2";
 
 constexpr std::size_t planLimit = std::size_t(16) << 20;
 constexpr std::uint32_t maxTiles = 1'000'000;
+constexpr double smallestBladeScale = 1e-6; // of BakeSettings::bladeScale
+constexpr double largestBladeScale = 1e5;
 
 // Omits times, so that a tile has the same bytes on every machine.
 struct TileNumbers {
@@ -181,18 +180,32 @@ TilePlan readPlan(const fs::path& path)
         plan.folder = bytesFromJson(object.at("folder"), name + ": folder");
         plan.report = groundReport(object.at("ground"), name);
         const json& resolved = object.at("resolved");
-        const auto number = [&](const char* key) { return resolved.at(key).get<double>(); };
-        plan.plan.plan.scale = number("scale");
+        const auto number = [&](const char* key, double low = 0.0, double high = 1e300) {
+            const auto value = resolved.at(key).get<double>();
+            if (!(value >= low && value <= high))
+                fail(ErrorKind::input, "{}: resolved: {} is {}, outside [{}, {}]", name, key, value,
+                     low, high);
+            return value;
+        };
+        plan.plan.plan.scale = number("scale", smallestBladeScale, largestBladeScale);
         plan.plan.plan.density = number("density");
         plan.plan.plan.expected = number("expected");
         plan.plan.plan.spacing = number("spacing");
-        plan.plan.plan.widening = number("widening");
-        plan.plan.plan.thinned = number("thinned");
+        plan.plan.plan.widening = number("widening", 1.0, 2.0);
+        plan.plan.plan.thinned = number("thinned", 1.0, field::maxThinned);
         plan.plan.plan.closedDensity = number("closed_density");
-        plan.plan.plan.clumpSpacing = number("clump_spacing");
         plan.plan.plan.area = number("area");
+        // Closer ones are never planned: there would be too many.
+        const double closest =
+            clumpSpacing(smallestBladeScale, std::max(plan.plan.plan.area, plan.report.input.area));
+        plan.plan.plan.clumpSpacing = number("clump_spacing");
+        if (plan.plan.plan.clumpSpacing > 0.0)
+            number("clump_spacing", 0.99 * std::min(closest, 1e9));
         plan.plan.roots.amount.density = number("root_density");
         plan.plan.roots.amount.priority = number("root_priority");
+        if (!resolved.at("root_last_key").is_number_unsigned())
+            fail(ErrorKind::input, "{}: resolved: root_last_key is {}, no whole number from 0",
+                 name, jsonText(resolved.at("root_last_key")));
         plan.plan.roots.amount.lastKey = resolved.at("root_last_key").get<std::uint64_t>();
         plan.plan.roots.spacing = number("root_spacing");
         plan.plan.roots.filtered = resolved.at("root_filtered").get<bool>();
