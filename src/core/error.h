@@ -23,7 +23,7 @@ enum class ErrorKind {
 /// file, the item, the value and the bound, so that a user can correct it.
 class Error : public std::runtime_error {
 public:
-    /// Use fail(). Control characters of the message become \xNN (plainText()): none cuts what().
+    /// Use fail(). Control characters of the message become \\xNN (plainText()): none cuts what().
     Error(ErrorKind kind, const std::string& message);
 
     ErrorKind kind() const { return kind_; }                 ///< what is wrong
