@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include <cmath>
+
 using namespace sward;
 using namespace sward::c;
 
@@ -40,7 +42,6 @@ sward_status sward_context_create(const sward_context_info* info, sward_context*
         checked(info->device, "device");
         checked(info->queue, "queue");
         checked(info->features, "features");
-        require(info->get_instance_proc_addr != nullptr, "get_instance_proc_addr is null");
         gpu::HostDevice host;
         host.instance = info->instance;
         host.physical = info->physical;
@@ -81,8 +82,6 @@ sward_status sward_resident_create_within(const sward_context* context, const sw
         checked(field, "field");
         checked(budget, "budget");
         checked(resident, "resident");
-        require(budget->instances >= 1 && budget->views >= 1, "instances or views is 0");
-        require(budget->frames_in_flight >= 1, "frames_in_flight is 0");
         *resident = new sward_resident{std::make_shared<render::ResidentField>(
             context->context, field->mapped.view(),
             render::FieldBudget{.bytes = budget->bytes,
@@ -107,8 +106,7 @@ void sward_resident_destroy(sward_resident* resident)
 void sward_resident_record_upload(sward_resident* resident, VkCommandBuffer commands,
                                   VkDeviceSize max_bytes)
 {
-    if (resident != nullptr)
-        resident->field->recordUpload(commands, max_bytes);
+    guarded([&] { checked(resident, "resident")->field->recordUpload(commands, max_bytes); });
 }
 
 bool sward_resident_is_uploaded(const sward_resident* resident)
@@ -118,8 +116,7 @@ bool sward_resident_is_uploaded(const sward_resident* resident)
 
 void sward_resident_release_staging(sward_resident* resident)
 {
-    if (resident != nullptr && resident->field->isUploaded())
-        resident->field->releaseStaging();
+    guarded([&] { checked(resident, "resident")->field->releaseStaging(); });
 }
 
 sward_status sward_settings_create(const sward_field* field, sward_settings** settings)
@@ -154,7 +151,7 @@ sward_status sward_settings_set_sun(sward_settings* settings, const float direct
         checked(direction, "direction");
         const glm::vec3 sun = glm::make_vec3(direction);
         const float length = glm::length(sun);
-        require(std::isfinite(length) && length > 0.0f, "direction: it has no length");
+        requireUsage(std::isfinite(length) && length > 0.0f, "direction: it has no length");
         settings->settings.sunDirection = sun / length;
     });
 }

@@ -35,7 +35,7 @@ typedef struct sward_context_info {
     uint32_t queue_family; /* of the queue */
     const sward_features* features;
     bool has_debug_utils;                             /* VK_EXT_debug_utils is enabled */
-    PFN_vkGetInstanceProcAddr get_instance_proc_addr; /* of the host's loader; never null */
+    PFN_vkGetInstanceProcAddr get_instance_proc_addr; /* of the host's loader; null: the system's */
     const VkAllocationCallbacks* allocation;          /* or null; outlives the context */
     VkPipelineCache pipeline_cache;                   /* or VK_NULL_HANDLE */
 } sward_context_info;

@@ -1,6 +1,6 @@
 #include "c/guard.h"
 #include "c/handles.h"
-#include "shaders/shared/collision.h"
+#include "render/host_checks.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -15,24 +15,21 @@ namespace {
 render::Placement placementOf(const sward_placement* given)
 {
     checked(given, "placement");
-    require(isFinite(given->position, 3) && isFinite(given->rotation, 4) &&
-                std::isfinite(given->scale),
-            "placement: a number is not finite");
-    require(given->scale > 0.0, "placement: scale is not above 0");
     const glm::dquat rotation(given->rotation[3], given->rotation[0], given->rotation[1],
                               given->rotation[2]);
-    require(std::abs(glm::length(rotation) - 1.0) < 1e-3, "placement: rotation is not unit");
-    return {.position = glm::make_vec3(given->position),
-            .rotation = glm::normalize(rotation),
-            .scale = given->scale};
+    const render::Placement placement{
+        .position = glm::make_vec3(given->position), .rotation = rotation, .scale = given->scale};
+    render::requireValid(placement);
+    return {placement.position, glm::normalize(rotation), placement.scale};
 }
 
 /// `matrices` receives those of the cascades; the result refers to them.
 render::HostShadow shadowOf(const sward_shadow& given, std::vector<glm::dmat4>& matrices)
 {
-    require(given.cascade_count <= shared::maxCascades, "shadow: cascade_count is above 4");
-    require(given.cascade_count == 0 || given.world_to_shadow != nullptr,
-            "shadow: world_to_shadow is null");
+    requireUsage(given.cascade_count <= shared::maxCascades, "shadow map: {} cascades, not 1 to {}",
+                 given.cascade_count, shared::maxCascades);
+    requireUsage(given.cascade_count == 0 || given.world_to_shadow != nullptr,
+                 "shadow: world_to_shadow is null");
     for (std::uint32_t i = 0; i < given.cascade_count; ++i)
         matrices.push_back(glm::make_mat4(given.world_to_shadow + 16 * i));
     return {.view = given.view,
@@ -68,10 +65,6 @@ render::HostLamp lampOf(const sward_lamp& given)
 
 render::HostView viewOf(const sward_view& given)
 {
-    require(isFinite(given.world_to_clip, 16), "view: world_to_clip is not finite");
-    require(given.width > 0 && given.height > 0, "view: its size is 0");
-    const auto isCount = [](std::uint32_t n) { return n == 1 || n == 2 || n == 4 || n == 8; };
-    require(isCount(given.samples), "view: samples is not 1, 2, 4 or 8");
     render::HostView view;
     view.worldToClip = glm::make_mat4(given.world_to_clip);
     view.size = {given.width, given.height};
@@ -90,17 +83,11 @@ render::HostView viewOf(const sward_view& given)
     default:
         fail(ErrorKind::usage, "view: geometry {} is not known", int(given.geometry));
     }
-    if (given.clip_before != nullptr) {
-        require(isFinite(given.clip_before, 16), "view: clip_before is not finite");
+    if (given.clip_before != nullptr)
         view.clipBefore = glm::make_mat4(given.clip_before);
-    }
-    if (given.depth != VK_NULL_HANDLE) {
-        require(isCount(given.depth_samples), "view: depth_samples is not 1, 2, 4 or 8");
-        require(given.depth_slack >= 0.0f && given.depth_slack < 1.0f,
-                "view: depth_slack is outside [0, 1)");
+    if (given.depth != VK_NULL_HANDLE)
         view.depth = render::HostDepth{given.depth, given.depth_layout, given.depth_samples,
                                        given.depth_slack};
-    }
     if (given.stored != nullptr)
         view.stored = storedOf(*given.stored);
     return view;
@@ -108,12 +95,8 @@ render::HostView viewOf(const sward_view& given)
 
 render::HostCollider colliderOf(const sward_collider& given)
 {
-    require(isFinite(given.from, 3) && isFinite(given.to, 3) && std::isfinite(given.radius),
-            "collider: a number is not finite");
-    require(given.radius > 0.0, "collider: radius is not above 0");
-    const glm::vec3 velocity = glm::make_vec3(given.velocity);
-    require(std::isfinite(glm::dot(velocity, velocity)), "collider: velocity is not finite");
-    return {glm::make_vec3(given.from), glm::make_vec3(given.to), given.radius, velocity};
+    return {glm::make_vec3(given.from), glm::make_vec3(given.to), given.radius,
+            glm::make_vec3(given.velocity)};
 }
 
 } // namespace
@@ -129,8 +112,6 @@ sward_status sward_target_create(const sward_context* context, const sward_targe
         if (info->color_count > 0)
             wanted.colorFormats.assign(checked(info->color_formats, "color_formats"),
                                        info->color_formats + info->color_count);
-        require(!info->writes_motion || info->color_count >= 2,
-                "writes_motion: there is no second colour");
         wanted.writesMotion = info->writes_motion;
         wanted.depthFormat = info->depth_format;
         wanted.stencilFormat = info->stencil_format;
@@ -155,15 +136,10 @@ sward_status sward_grass_create(const sward_context* context, const sward_grass_
         checked(context, "context");
         checked(info, "info");
         checked(grass, "grass");
-        require(info->frames_in_flight >= 1 && info->frames_in_flight <= 16,
-                "frames_in_flight is outside [1, 16]");
-        require(info->max_views >= 1 && info->max_views <= 64, "max_views is outside [1, 64]");
-        *grass = new sward_grass{*info,
-                                 {context->context,
+        *grass = new sward_grass{{context->context,
                                   {.framesInFlight = info->frames_in_flight,
                                    .maxViews = info->max_views,
-                                   .keepsMotion = info->keeps_motion}},
-                                 {}};
+                                   .keepsMotion = info->keeps_motion}}};
     });
 }
 
@@ -180,9 +156,7 @@ sward_status sward_grass_add(sward_grass* grass, const sward_resident* resident,
         checked(resident, "resident");
         checked(instance, "instance");
         const render::Placement place = placementOf(placement);
-        const auto id = static_cast<sward_instance>(grass->grass.add({resident->field, place}));
-        grass->instances.insert(id);
-        *instance = id;
+        *instance = static_cast<sward_instance>(grass->grass.add({resident->field, place}));
     });
 }
 
@@ -190,18 +164,13 @@ sward_status sward_grass_move(sward_grass* grass, sward_instance instance,
                               const sward_placement* placement)
 {
     return guarded([&] {
-        require(checked(grass, "grass")->instances.contains(instance), "there is no such instance");
-        grass->grass.move(render::InstanceId(instance), placementOf(placement));
+        checked(grass, "grass")->grass.move(render::InstanceId(instance), placementOf(placement));
     });
 }
 
 sward_status sward_grass_remove(sward_grass* grass, sward_instance instance)
 {
-    return guarded([&] {
-        require(checked(grass, "grass")->instances.contains(instance), "there is no such instance");
-        grass->grass.remove(render::InstanceId(instance));
-        grass->instances.erase(instance);
-    });
+    return guarded([&] { checked(grass, "grass")->grass.remove(render::InstanceId(instance)); });
 }
 
 sward_status sward_grass_begin(sward_grass* grass, uint32_t slot, const sward_frame* frame)
@@ -210,14 +179,15 @@ sward_status sward_grass_begin(sward_grass* grass, uint32_t slot, const sward_fr
         checked(grass, "grass");
         checked(frame, "frame");
         checked(frame->settings, "settings");
-        require(slot < grass->info.frames_in_flight, "slot is not below frames_in_flight");
-        require(frame->view_count <= grass->info.max_views, "view_count is above max_views");
-        require(frame->view_count == 0 || frame->views != nullptr, "views is null");
-        require(frame->collider_count <= shared::maxColliders, "collider_count is above 256");
-        require(frame->collider_count == 0 || frame->colliders != nullptr, "colliders is null");
-        require(std::isfinite(frame->time), "time is not finite");
-        require(frame->lamp_count == 0 || frame->lamps != nullptr, "lamps is null");
-        require(frame->lamp_count <= shared::maxLamps, "lamp_count is above 16");
+        requireUsage(frame->view_count == 0 || frame->views != nullptr, "views is null");
+        requireUsage(frame->collider_count == 0 || frame->colliders != nullptr,
+                     "colliders is null");
+        requireUsage(frame->lamp_count == 0 || frame->lamps != nullptr, "lamps is null");
+        // Before what they count is read.
+        render::requireCounts({.views = frame->view_count,
+                               .colliders = frame->collider_count,
+                               .lamps = frame->lamp_count},
+                              grass->grass.settings());
         std::vector<render::HostView> views;
         std::vector<std::vector<glm::dmat4>> cascades(frame->view_count);
         for (std::uint32_t i = 0; i < frame->view_count; ++i) {
@@ -238,66 +208,59 @@ sward_status sward_grass_begin(sward_grass* grass, uint32_t slot, const sward_fr
         std::vector<render::HostCollider> colliders;
         for (std::uint32_t i = 0; i < frame->collider_count; ++i)
             colliders.push_back(colliderOf(frame->colliders[i]));
-        grass->views = 0;
-        grass->hasBegun = grass->hasUpdated = false;
         grass->grass.begin(slot, {.time = frame->time,
                                   .views = views,
                                   .settings = frame->settings->settings,
                                   .colliders = colliders,
                                   .light = light});
-        grass->views = frame->view_count;
-        grass->hasBegun = true;
     });
 }
 
 void sward_grass_record_update(sward_grass* grass, VkCommandBuffer commands)
 {
-    if (grass == nullptr || !grass->hasBegun || grass->hasUpdated)
-        return;
-    grass->grass.recordUpdate(commands);
-    grass->hasUpdated = true;
+    guarded([&] { checked(grass, "grass")->grass.recordUpdate(commands); });
 }
 
 void sward_grass_record_cull(sward_grass* grass, VkCommandBuffer commands, uint32_t view)
 {
-    if (grass != nullptr && view < grass->views && grass->hasUpdated)
-        grass->grass.recordCull(commands, view);
+    guarded([&] { checked(grass, "grass")->grass.recordCull(commands, view); });
 }
 
 void sward_grass_record_raster(sward_grass* grass, VkCommandBuffer commands, uint32_t view)
 {
-    if (grass != nullptr && view < grass->views && grass->hasUpdated)
-        grass->grass.recordRaster(commands, view);
+    guarded([&] { checked(grass, "grass")->grass.recordRaster(commands, view); });
 }
 
 void sward_grass_record_draw(const sward_grass* grass, VkCommandBuffer commands, uint32_t view,
                              const sward_target* target)
 {
-    if (grass == nullptr || target == nullptr || view >= grass->views || !grass->hasUpdated)
-        return;
-    if (target->target.settings().writesMotion && !grass->info.keeps_motion)
-        return;
-    grass->grass.recordDraw(commands, view, target->target);
+    guarded([&] {
+        checked(target, "target");
+        checked(grass, "grass")->grass.recordDraw(commands, view, target->target);
+    });
 }
 
 void sward_grass_record_depth(const sward_grass* grass, VkCommandBuffer commands, uint32_t view,
                               const sward_target* target)
 {
-    if (grass != nullptr && target != nullptr && view < grass->views && grass->hasUpdated &&
-        target->target.settings().colorFormats.empty())
-        grass->grass.recordDepth(commands, view, target->target);
+    guarded([&] {
+        checked(target, "target");
+        checked(grass, "grass")->grass.recordDepth(commands, view, target->target);
+    });
 }
 
 const char* sward_grass_why_tessellated(const sward_grass* grass, uint32_t view)
 {
-    return grass == nullptr || view >= grass->views ? "there is no such view"
-                                                    : grass->grass.whyTessellated(view);
+    const char* reason = "there is no such view";
+    guarded([&] { reason = checked(grass, "grass")->grass.whyTessellated(view); });
+    return reason;
 }
 
 const char* sward_grass_why_not_stored(const sward_grass* grass, uint32_t view)
 {
-    return grass == nullptr || view >= grass->views ? "there is no such view"
-                                                    : grass->grass.whyNotStored(view);
+    const char* reason = "there is no such view";
+    guarded([&] { reason = checked(grass, "grass")->grass.whyNotStored(view); });
+    return reason;
 }
 
 sward_status sward_grass_get_stats(const sward_grass* grass, uint32_t view, uint32_t slot,
@@ -306,8 +269,6 @@ sward_status sward_grass_get_stats(const sward_grass* grass, uint32_t view, uint
     return guarded([&] {
         checked(grass, "grass");
         checked(stats, "stats");
-        require(view < grass->info.max_views, "view is not below max_views");
-        require(slot < grass->info.frames_in_flight, "slot is not below frames_in_flight");
         const render::FrameStats found = grass->grass.stats(view, slot);
         *stats = {found.resident, found.simulated, found.drawn, found.lod,
                   found.culledPatch + found.culledOrientation + found.culledFrustum +

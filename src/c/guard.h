@@ -3,8 +3,6 @@
 #include "c/field.h"
 #include "core/error.h"
 
-#include <cmath>
-#include <cstddef>
 #include <exception>
 #include <new>
 
@@ -31,21 +29,6 @@ sward_status guarded(const Work& work) noexcept
     } catch (...) {
         return failed(SWARD_ERROR_INTERNAL, "an unknown exception");
     }
-}
-
-/// Throws Error{usage} unless a parameter is as it must be.
-inline void require(bool holds, const char* what)
-{
-    if (!holds)
-        fail(ErrorKind::usage, "{}", what);
-}
-
-inline bool isFinite(const double* values, std::size_t count)
-{
-    for (std::size_t i = 0; i < count; ++i)
-        if (!std::isfinite(values[i]))
-            return false;
-    return true;
 }
 
 template <class Handle>

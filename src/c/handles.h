@@ -6,7 +6,6 @@
 #include "render/grass.h"
 
 #include <memory>
-#include <set>
 
 struct sward_field {
     sward::field::MappedField mapped;
@@ -34,10 +33,5 @@ struct sward_target {
 };
 
 struct sward_grass {
-    sward_grass_info info;
     sward::render::Grass grass;
-    std::set<sward_instance> instances;
-    std::uint32_t views = 0; ///< of the frame last begun
-    bool hasBegun = false;   ///< a frame
-    bool hasUpdated = false; ///< its blades have been moved
 };

@@ -40,4 +40,12 @@ template <typename... Args>
     throw Error(kind, fmt::format(format, std::forward<Args>(args)...));
 }
 
+/// Throws Error{usage} with a formatted message unless what a caller gives is as it must be.
+template <typename... Args>
+void requireUsage(bool holds, fmt::format_string<Args...> format, Args&&... args)
+{
+    if (!holds) [[unlikely]]
+        fail(ErrorKind::usage, format, std::forward<Args>(args)...);
+}
+
 } // namespace sward

@@ -1,7 +1,6 @@
 #include "field/join.h"
 
 #include "core/error.h"
-#include "core/expect.h"
 
 #include <glm/common.hpp>
 
@@ -289,7 +288,7 @@ void copyTexts(std::span<const Member> members, Field& field)
 
 JoinedFields join(std::span<const Member> members)
 {
-    expect(!members.empty(), "there is nothing to join");
+    requireUsage(!members.empty(), "there is no field to join");
     checkCounts(members);
     JoinedFields joined;
     Field& field = joined.field;

@@ -1,7 +1,6 @@
 #include "field/read.h"
 
 #include "core/error.h"
-#include "core/expect.h"
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
 #include "field/compression.h"
@@ -290,8 +289,9 @@ MappedField readField(const std::filesystem::path& path)
 
 MappedField readField(std::span<const std::byte> bytes, const std::string& name)
 {
-    expect(reinterpret_cast<std::uintptr_t>(bytes.data()) % alignof(shared::Patch) == 0,
-           "the bytes of a field are aligned");
+    requireUsage(reinterpret_cast<std::uintptr_t>(bytes.data()) % alignof(shared::Patch) == 0,
+                 "{}: the bytes of a field start at a multiple of {}", name,
+                 alignof(shared::Patch));
     auto contents = std::make_unique<MappedField::Contents>();
     contents->bytes = bytes;
     contents->read(name);

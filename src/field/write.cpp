@@ -2,7 +2,6 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
-#include "core/expect.h"
 #include "field/compression.h"
 #include "field/format.h"
 #include "field/images.h"
@@ -260,7 +259,8 @@ std::uint64_t fieldBytes(const Field& field)
 
 std::uint64_t writeField(const Field& field, const std::filesystem::path& path, bool overwrite)
 {
-    expect(field.keys.size() == field.blades.size(), "one key per blade");
+    requireUsage(field.keys.size() == field.blades.size(), "{}: {} keys for {} blades",
+                 path.string(), field.keys.size(), field.blades.size());
     verify(viewOf(field), path.string());
     AtomicFile file(path, overwrite);
 

@@ -1,10 +1,18 @@
 #include "gpu/context.h"
 
+#include "core/error.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace sward::gpu {
+
+void requireDevice(const DeviceContext& context)
+{
+    requireUsage(context.device != VK_NULL_HANDLE,
+                 "the context describes no device; gpu::describeDevice() returns one that does");
+}
 
 std::string driverText(const VkPhysicalDeviceDriverProperties& driver)
 {

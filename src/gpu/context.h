@@ -69,9 +69,12 @@ struct DeviceContext {
 
 /// Describes a device that a host program created with the features of requiredFeatureNames().
 /// `enabled` lists the enabled optional features. `hasDebugUtils`: whether the debug functions may
-/// be loaded.
+/// be loaded. Calls linked Vulkan functions. Throws as the other one does (host_device.h).
 DeviceContext describeDevice(VkPhysicalDevice physical, VkDevice device, std::uint32_t queueFamily,
                              VkQueue queue, const OptionalFeatures& enabled, bool hasDebugUtils);
+
+/// Throws Error{usage} if a context has no device: describeDevice() returns one that has.
+void requireDevice(const DeviceContext& context);
 
 /// Name and version of a driver as one text.
 std::string driverText(const VkPhysicalDeviceDriverProperties& driver);

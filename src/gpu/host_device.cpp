@@ -1,7 +1,7 @@
 #include "gpu/host_device.h"
 
 #include "core/error.h"
-#include "core/expect.h"
+#include "core/shared_library.h"
 #include "gpu/queue_families.h"
 
 #include <fmt/format.h>
@@ -10,6 +10,18 @@
 
 namespace sward::gpu {
 namespace {
+
+constexpr const char* systemLoader = "libvulkan.so.1";
+
+/// That of the system's loader, in which the host's device lives as well.
+PFN_vkGetInstanceProcAddr systemInstanceProcAddr()
+{
+    void* const function = functionOf(systemLoader, "vkGetInstanceProcAddr");
+    if (function == nullptr)
+        fail(ErrorKind::unsupported, "HostDevice::getInstanceProcAddr is null, and {} gives none",
+             systemLoader);
+    return reinterpret_cast<PFN_vkGetInstanceProcAddr>(function);
+}
 
 template <typename Function>
 Function load(const HostDevice& host, const char* name)
@@ -26,31 +38,47 @@ Function debugFunction(const HostDevice& host, const char* name)
     return reinterpret_cast<Function>(host.getDeviceProcAddr(host.device, name));
 }
 
-std::uint32_t timestampBits(const HostDevice& host, const InstanceFunctions& instance)
+VkQueueFamilyProperties familyOf(const HostDevice& host, const InstanceFunctions& instance)
 {
     const auto families = queueFamiliesOf(host.physical, instance.queueFamilies);
-    return host.queueFamily < families.size() ? families[host.queueFamily].timestampValidBits : 0;
+    requireUsage(host.queueFamily < families.size(),
+                 "HostDevice::queueFamily is {}, and the device has {} families", host.queueFamily,
+                 families.size());
+    constexpr VkQueueFlags needed = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+    const VkQueueFamilyProperties& family = families[host.queueFamily];
+    requireUsage((family.queueFlags & needed) == needed,
+                 "HostDevice::queueFamily is {}, which does not both draw and compute",
+                 host.queueFamily);
+    return family;
 }
 
 } // namespace
 
 DeviceContext describeDevice(const HostDevice& host)
 {
-    expect(host.getInstanceProcAddr != nullptr, "the host names its loader");
+    requireUsage(host.instance != VK_NULL_HANDLE, "HostDevice::instance is null");
+    requireUsage(host.device != VK_NULL_HANDLE, "HostDevice::device is null");
     HostDevice known = host;
+    if (known.getInstanceProcAddr == nullptr)
+        known.getInstanceProcAddr = systemInstanceProcAddr();
     if (known.getDeviceProcAddr == nullptr)
-        known.getDeviceProcAddr = load<PFN_vkGetDeviceProcAddr>(host, "vkGetDeviceProcAddr");
+        known.getDeviceProcAddr = load<PFN_vkGetDeviceProcAddr>(known, "vkGetDeviceProcAddr");
     const InstanceFunctions instance{
-        load<PFN_vkGetPhysicalDeviceProperties2>(host, "vkGetPhysicalDeviceProperties2"),
-        load<PFN_vkGetPhysicalDeviceMemoryProperties>(host, "vkGetPhysicalDeviceMemoryProperties"),
+        load<PFN_vkGetPhysicalDeviceProperties2>(known, "vkGetPhysicalDeviceProperties2"),
+        load<PFN_vkGetPhysicalDeviceMemoryProperties>(known, "vkGetPhysicalDeviceMemoryProperties"),
         load<PFN_vkGetPhysicalDeviceQueueFamilyProperties>(
-            host, "vkGetPhysicalDeviceQueueFamilyProperties")};
-    return describeDevice(known, instance, loadFunctions(host.device, known.getDeviceProcAddr));
+            known, "vkGetPhysicalDeviceQueueFamilyProperties")};
+    return describeDevice(known, instance, loadFunctions(known.device, known.getDeviceProcAddr));
 }
 
 DeviceContext describeDevice(const HostDevice& host, const InstanceFunctions& instance,
                              const DeviceFunctions& device)
 {
+    requireUsage(host.physical != VK_NULL_HANDLE, "HostDevice::physical is null");
+    requireUsage(host.device != VK_NULL_HANDLE, "HostDevice::device is null");
+    requireUsage(host.queue != VK_NULL_HANDLE, "HostDevice::queue is null");
+    requireUsage((host.memory.allocate == nullptr) == (host.memory.release == nullptr),
+                 "HostDevice::memory has one function; it needs both or none");
     DeviceContext context;
     context.physical = host.physical;
     context.device = host.device;
@@ -84,7 +112,7 @@ DeviceContext describeDevice(const HostDevice& host, const InstanceFunctions& in
     context.limits = properties.properties.limits;
     context.maxBufferBytes = properties13.maxBufferSize;
     context.subgroupSize = subgroup.subgroupSize;
-    context.timestampValidBits = timestampBits(host, instance);
+    context.timestampValidBits = familyOf(host, instance).timestampValidBits;
 
     if (host.hasDebugUtils) {
         context.debug.setObjectName =

@@ -21,7 +21,7 @@ struct HostDevice {
     OptionalFeatures features{};                ///< enabled ones, see enableFeatures()
     bool hasDebugUtils = false;                 ///< whether VK_EXT_debug_utils is enabled
 
-    /// The host's loader. If set, Sward calls no linked Vulkan functions.
+    /// The host's loader. Null: that of libvulkan.so.1, which is opened if it is not linked.
     PFN_vkGetInstanceProcAddr getInstanceProcAddr = nullptr;
     PFN_vkGetDeviceProcAddr getDeviceProcAddr = nullptr; ///< null: queried through the former
 
@@ -30,7 +30,9 @@ struct HostDevice {
     HostMemory memory{};                               ///< for all memory, if set
 };
 
-/// Describes the device. Throws Error{unsupported} if the loader lacks a function.
+/// Describes the device, by functions of the loader alone. Throws Error{usage} that names a handle
+/// that is null or a queue family that the device lacks or that does not draw and compute;
+/// Error{unsupported} if there is no loader or if it lacks a function.
 DeviceContext describeDevice(const HostDevice& host);
 
 /// The instance functions that the description needs.

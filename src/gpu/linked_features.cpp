@@ -8,6 +8,7 @@ namespace sward::gpu {
 
 OptionalFeatures enableFeatures(VkPhysicalDevice physical, FeatureChain& wanted)
 {
+    requireUsage(physical != VK_NULL_HANDLE, "the physical device is null");
     FeatureChain supported;
     vkGetPhysicalDeviceFeatures2(physical, &supported.core);
     const std::vector<std::string> missing = missingFeatures(supported);

@@ -1,7 +1,6 @@
 #include "gpu/memory.h"
 
 #include "core/error.h"
-#include "core/expect.h"
 #include "gpu/check.h"
 #include "gpu/debug.h"
 
@@ -86,7 +85,8 @@ Memory allocate(const DeviceContext& context, const VkMemoryRequirements& requir
              static_cast<double>(heap) / bytesPerMiB);
     Memory memory(context, piece);
     check(result, "vkAllocateMemory");
-    expect(!request.isMapped || piece.mapped != nullptr, "memory is mapped where it is to be");
+    requireUsage(piece.memory != VK_NULL_HANDLE && (!request.isMapped || piece.mapped != nullptr),
+                 "HostMemory::allocate gave no memory for '{}', or did not map it", name);
     return memory;
 }
 

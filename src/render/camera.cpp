@@ -1,6 +1,6 @@
 #include "render/camera.h"
 
-#include "core/expect.h"
+#include "core/error.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -87,8 +87,9 @@ void setRows(ViewMatrices& view, const glm::dvec4& x, const glm::dvec4& y, const
 ViewMatrices viewMatrices(const Camera& camera, glm::dvec3 origin, glm::uvec2 size,
                           const Aabb& content, glm::vec2 jitter)
 {
-    expect(size.x > 0 && size.y > 0, "a picture has at least one pixel");
-    expect(camera.fovY > 0.0f && camera.fovY <= 170.0f, "the field of view is in (0, 170] degrees");
+    requireUsage(size.x > 0 && size.y > 0, "a picture of {} x {} pixels", size.x, size.y);
+    requireUsage(camera.fovY > 0.0f && camera.fovY <= 170.0f,
+                 "the camera's field of view is {} degrees, outside (0, 170]", camera.fovY);
 
     const glm::dvec3 eye = camera.eye - origin;
     const Axes axes = axesOf(camera);
@@ -116,7 +117,7 @@ ViewMatrices viewMatrices(const Camera& camera, glm::dvec3 origin, glm::uvec2 si
 
 ViewMatrices partOf(const ViewMatrices& view, glm::uvec2 whole, glm::ivec2 first, glm::uvec2 size)
 {
-    expect(size.x > 0 && size.y > 0, "a part has at least one pixel");
+    requireUsage(size.x > 0 && size.y > 0, "a part of {} x {} pixels", size.x, size.y);
     // A pixel p of the whole is p − first of the part: p = ½ (x / w + 1) · whole.
     const glm::dmat4 rows = glm::transpose(glm::dmat4(view.viewProjection));
     const glm::dvec2 scale = glm::dvec2(whole) / glm::dvec2(size);

@@ -2,7 +2,6 @@
 
 #include "core/embedded.h"
 #include "core/error.h"
-#include "core/expect.h"
 #include "gpu/barrier.h"
 #include "gpu/check.h"
 #include "gpu/device.h"
@@ -104,7 +103,7 @@ std::optional<T> madeIf(bool isWanted, const Arguments&... arguments)
 
 FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field::FieldView& field,
                             const Settings& wanted)
-    : context(deviceContext)
+    : context(checked(deviceContext, field, wanted))
     , settings(wanted)
     , geometry(chooseGeometry(context, wanted))
     , shaders(wanted.shaders.empty() ? embedded::shaders() : wanted.shaders)
@@ -129,7 +128,6 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
              wanted.testsSmallBlades.value_or(!context.isCpu()))
     , shape{field.origin, field.bounds(), blades.buffers().bladeSize(), chosenExposure(field)}
 {
-    expect(wanted.framesInFlight >= 1, "at least one frame is in flight");
     if (raster)
         expectNumbers(context, field.blades.size(), ground.triangleCount());
     if (plan.records.pages > 0)
@@ -170,7 +168,7 @@ MemoryPlan FieldRenderer::Parts::planWithin(const field::FieldView& field)
 
 void FieldRenderer::Parts::fit(glm::uvec2 size)
 {
-    expect(size.x > 0 && size.y > 0, "a picture has at least one pixel");
+    requireUsage(size.x > 0 && size.y > 0, "a target of {} x {} pixels", size.x, size.y);
     if (size == pictureSize)
         return;
     if (pictureSize != glm::uvec2(0))
@@ -250,8 +248,8 @@ FramePlace FieldRenderer::Parts::fillCullView(const shared::Frame& frame,
                                               const FrameSettings& wanted, glm::uvec2 size,
                                               std::uint32_t slot)
 {
-    expect(wanted.debug != DebugMode::reason || settings.recordCullResults,
-           "debug mode reason needs settings.recordCullResults");
+    requireUsage(wanted.debug != DebugMode::reason || settings.recordCullResults,
+                 "DebugMode::reason needs FieldRendererSettings::recordCullResults");
     if (wanted.debug == DebugMode::reason)
         slots[slot].listing.fill(listingAll(frame));
     shared::Frame cullView = frame;
@@ -274,11 +272,13 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
                            gpu::Timestamps* timestamps, glm::vec2 jitter)
 {
     Parts& parts = *parts_;
-    expect(slot < parts.slots.size(), "the slot is one of the frames in flight");
+    parts.requireFrame(commands, settings, slot);
+    requireUsage(target.image != VK_NULL_HANDLE && target.view != VK_NULL_HANDLE,
+                 "FieldRenderer::Target: its image or its view is null");
     const gpu::LabelScope label(parts.context, commands, "field");
 
     const bool isPart = target.whole != glm::uvec2(0);
-    expect(!isPart || !parts.streaming, "a streamed field's picture is drawn as a whole");
+    requireUsage(!isPart || !parts.streaming, "a streamed field's picture is drawn as a whole");
     const glm::uvec2 whole = isPart ? target.whole : target.size;
     ViewMatrices view =
         viewMatrices(camera, parts.shape.origin, whole, parts.shape.content, jitter);
@@ -348,7 +348,7 @@ void FieldRenderer::recordUpdateOnly(VkCommandBuffer commands, const FrameSettin
                                      double time, std::uint32_t slot)
 {
     Parts& parts = *parts_;
-    expect(slot < parts.slots.size(), "the slot is one of the frames in flight");
+    parts.requireFrame(commands, settings, slot);
     const gpu::LabelScope label(parts.context, commands, "field/update only");
     parts.writeFrame(frameOf(parts.shape, ViewMatrices{}, settings, time, parts.settings.samples),
                      settings, time, slot);
@@ -360,6 +360,7 @@ bool FieldRenderer::recordStreaming(VkCommandBuffer commands, glm::uvec2 size, c
                                     const FrameSettings& settings, double time, std::uint32_t slot)
 {
     Parts& parts = *parts_;
+    parts.requireFrame(commands, settings, slot);
     if (!parts.streaming)
         return true;
     const gpu::LabelScope label(parts.context, commands, "field/streaming");
@@ -381,7 +382,7 @@ std::optional<VkSemaphoreSubmitInfo> FieldRenderer::copied() const
 
 FrameStats FieldRenderer::stats(std::uint32_t slot) const
 {
-    expect(slot < parts_->slots.size(), "the slot is one of the frames in flight");
+    requireUsage(slot < parts_->slots.size(), "slot {} of {}", slot, parts_->slots.size());
     const std::uint64_t blades = parts_->blades.buffers().bladeCount();
     return parts_->slots[slot].counts(
         blades, parts_->streaming ? parts_->streaming->residentBlades(slot) : blades);
@@ -390,8 +391,9 @@ FrameStats FieldRenderer::stats(std::uint32_t slot) const
 std::vector<FieldRenderer::BladeRecord>
 FieldRenderer::dumpBlades(const field::FieldView& field) const
 {
-    expect(field.blades.size() == parts_->blades.buffers().bladeCount(),
-           "the field is the one uploaded");
+    requireUsage(field.blades.size() == parts_->blades.buffers().bladeCount(),
+                 "a field of {} blades; that of the renderer has {}", field.blades.size(),
+                 parts_->blades.buffers().bladeCount());
     if (parts_->streaming)
         fail(ErrorKind::unsupported,
              "not all of the field's {} blades are in device memory; "
@@ -403,7 +405,7 @@ FieldRenderer::dumpBlades(const field::FieldView& field) const
 std::vector<FieldRenderer::BladeRecord> FieldRenderer::dumpPatch(const field::FieldView& field,
                                                                  std::uint32_t patch) const
 {
-    expect(patch < field.patches.size(), "the patch is one of the field's");
+    requireUsage(patch < field.patches.size(), "patch {} of {}", patch, field.patches.size());
     const shared::Patch& cell = field.patches[patch];
     std::vector<BladePart> parts{{cell.firstBlade, cell.bladeCount}};
     if (parts_->streaming)

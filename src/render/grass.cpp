@@ -2,22 +2,11 @@
 
 #include "core/embedded.h"
 #include "core/error.h"
-#include "core/expect.h"
-#include "gpu/barrier.h"
-#include "gpu/debug.h"
-#include "gpu/shader_library.h"
-#include "render/cull/pyramid_pass.h"
-#include "render/cull/update_cull_pass.h"
-#include "render/cull/walk_pass.h"
-#include "render/field/placed_field.h"
-#include "render/host_shadow_maps.h"
-#include "render/host_streaming.h"
-#include "render/raster/host_raster.h"
+#include "render/grass_parts.h"
+#include "render/host_checks.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
-#include <map>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -28,92 +17,39 @@ std::span<const EmbeddedFile> shaders();
 namespace sward::render {
 namespace {
 
-constexpr UpdateCullPass::Variant culling{0, false, UpdateCullPass::Role::cull};
+const gpu::DeviceContext& contextForGrass(const gpu::DeviceContext& context,
+                                          const Grass::Settings& settings)
+{
+    gpu::requireDevice(context);
+    requireValid(settings);
+    return context;
+}
+
+void requireSlot(const Grass::Settings& settings, std::uint32_t slot)
+{
+    requireUsage(slot < settings.framesInFlight, "slot {}, and framesInFlight is {}", slot,
+                 settings.framesInFlight);
+}
 
 } // namespace
 
-struct Grass::Parts {
-    Parts(const gpu::DeviceContext& deviceContext, const Settings& wanted)
-        : context(deviceContext)
-        , settings(wanted)
-        , walk(context, shaders)
-        , update(context)
-        , shadowMaps(context, wanted.framesInFlight, wanted.maxViews)
-        , raster(context, shadowMaps, {wanted.framesInFlight, wanted.maxViews, wanted.keepsMotion})
-        , frameOfSlot(wanted.framesInFlight, 0)
-        , depths(wanted.framesInFlight * wanted.maxViews)
-    {
-        update.prepare(shaders, culling);
-    }
-
-    /// A removed instance that commands in flight may still use.
-    struct Removed {
-        std::unique_ptr<PlacedField> field;
-        std::uint32_t lastFrame = 0;
-    };
-
-    const gpu::DeviceContext& context;
-    Settings settings;
-    gpu::ShaderLibrary shaders{embedded::shaders()};
-    WalkPass walk;
-    UpdateCullPass update;
-    HostShadowMaps shadowMaps;
-    HostRaster raster;
-    HostStreaming streaming;
-    std::shared_ptr<const void> owner = std::make_shared<char>(); ///< see ResidentField::Parts
-    std::map<std::uint64_t, std::unique_ptr<PlacedField>> placed;
-    std::vector<Removed> removed;
-    std::uint64_t lastId = 0;
-
-    // The frame being recorded.
-    std::vector<std::uint32_t> frameOfSlot; ///< number of the frame last begun per slot
-    std::uint32_t frame = 0;                ///< its number, starting at 1
-    std::uint32_t slot = 0;
-    std::uint32_t viewCount = 0;
-    double time = 0.0;
-    UpdateCullPass::Variant moving;
-    std::vector<const PlacedField*> instances; ///< with blades; null: removed since begin()
-
-    /// How a view is drawn.
-    struct ViewDrawing {
-        const char* obstacle = nullptr;      ///< why it is not rasterised; null: none
-        const char* storeObstacle = nullptr; ///< why it is not stored; null: none
-        std::uint32_t samples = 1;
-        bool isRastered = false; ///< in this frame, and stored if there is no obstacle
-    };
-    std::vector<ViewDrawing> drawings;
-
-    /// Depth pyramid of a view in a slot.
-    struct ViewDepth {
-        DepthCells cells;
-        const PyramidPass* pyramid = nullptr; ///< null: no occlusion test
-    };
-    std::vector<ViewDepth> depths;                                          ///< [slot][view]
-    std::map<std::tuple<std::uint32_t, bool, float>, PyramidPass> pyramids; ///< by their settings
-
-    ViewDepth& depthOf(std::uint32_t view) { return depths[slot * settings.maxViews + view]; }
-    shared::DepthPyramid lookAtDepth(const HostView& view, ViewDepth& depth);
-
-    void take(const ResidentField::Parts& field) const;
-
-    /// Calls `use` for each instance that is in the frame.
-    template <typename Use>
-    void forEach(const Use& use) const
-    {
-        for (const auto& [id, field] : placed)
-            if (field->isInFrame(frame))
-                use(*field);
-    }
-
-    void walkAll(const gpu::Recording& commands, std::uint32_t firstView, std::uint32_t endView,
-                 bool isUpdate) const;
-};
+Grass::Parts::Parts(const gpu::DeviceContext& deviceContext, const Settings& wanted)
+    : context(contextForGrass(deviceContext, wanted))
+    , settings(wanted)
+    , shaders(embedded::shaders())
+    , walk(context, shaders)
+    , update(context)
+    , shadowMaps(context, wanted.framesInFlight, wanted.maxViews)
+    , raster(context, shadowMaps, {wanted.framesInFlight, wanted.maxViews, wanted.keepsMotion})
+    , frameOfSlot(wanted.framesInFlight, 0)
+    , depths(wanted.framesInFlight * wanted.maxViews)
+{
+    update.prepare(shaders, culling);
+}
 
 Grass::Grass(const gpu::DeviceContext& context, const Settings& settings)
     : parts_(std::make_unique<Parts>(context, settings))
 {
-    expect(settings.framesInFlight >= 1, "at least one frame is in flight");
-    expect(settings.maxViews >= 1, "a frame has at least one view");
 }
 
 Grass::~Grass() = default;
@@ -121,8 +57,8 @@ Grass::~Grass() = default;
 InstanceId Grass::add(const FieldInstance& instance)
 {
     Parts& parts = *parts_;
-    expect(instance.field != nullptr, "an instance is one of a field");
-    expect(instance.placement.scale > 0.0, "an instance has a size");
+    requireUsage(instance.field != nullptr, "FieldInstance::field is null");
+    requireValid(instance.placement);
     parts.take(instance.field->parts());
     const std::uint64_t id = ++parts.lastId;
     parts.placed.emplace(id,
@@ -132,18 +68,16 @@ InstanceId Grass::add(const FieldInstance& instance)
 
 void Grass::move(InstanceId id, const Placement& placement)
 {
-    const auto found = parts_->placed.find(static_cast<std::uint64_t>(id));
-    expect(found != parts_->placed.end(), "there is such an instance");
-    expect(placement.scale > 0.0, "an instance has a size");
-    found->second->place(placement);
+    PlacedField& instance = parts_->instance(id);
+    requireValid(placement);
+    instance.place(placement);
 }
 
 void Grass::remove(InstanceId id)
 {
+    const PlacedField* const gone = &parts_->instance(id);
     const auto found = parts_->placed.find(static_cast<std::uint64_t>(id));
-    expect(found != parts_->placed.end(), "there is such an instance");
-    std::ranges::replace(parts_->instances, static_cast<const PlacedField*>(found->second.get()),
-                         static_cast<const PlacedField*>(nullptr));
+    std::ranges::replace(parts_->instances, gone, static_cast<const PlacedField*>(nullptr));
     parts_->removed.push_back({std::move(found->second), parts_->frame});
     parts_->placed.erase(found);
 }
@@ -151,15 +85,8 @@ void Grass::remove(InstanceId id)
 void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
 {
     Parts& parts = *parts_;
-    expect(slot < parts.settings.framesInFlight, "the slot is one of the frames in flight");
-    expect(frame.views.size() <= parts.settings.maxViews, "a frame has at most maxViews");
-    requireValid(frame.light);
-    for (const HostView& view : frame.views) {
-        if (view.shadow)
-            requireValid(*view.shadow);
-        if (view.stored)
-            requireValid(*view.stored, view.size);
-    }
+    requireSlot(parts.settings, slot);
+    requireValid(frame, parts.settings);
 
     // The slot's former frame and all earlier ones have completed.
     std::erase_if(parts.removed, [&](const Parts::Removed& removed) {
@@ -167,7 +94,9 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
     });
     parts.frameOfSlot[slot] = ++parts.frame;
     parts.slot = slot;
-    parts.viewCount = static_cast<std::uint32_t>(frame.views.size());
+    // Without views until all has been made: nothing is recorded of a frame that has failed.
+    parts.viewCount = 0;
+    parts.isUpdated = false;
     parts.time = frame.time;
 
     std::vector<shared::DepthPyramid> pyramids;
@@ -195,14 +124,41 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
         parts.drawings.push_back(
             {.obstacle = parts.raster.obstacle(view, parts.instances),
              .storeObstacle = parts.raster.storeObstacle(view, parts.instances, frame.settings),
-             .samples = view.samples});
+             .samples = view.samples,
+             .hasReversedZ = view.hasReversedZ});
     parts.shadowMaps.begin(slot, frame.light, frame.views);
     parts.raster.begin(parts.shaders, slot, frame.views, parts.instances, frame.settings);
+    parts.viewCount = static_cast<std::uint32_t>(frame.views.size());
+    parts.hasBegun = true;
 }
 
-/// A streamed field holds what the views of one Grass see, in slots of its own.
+/// A frame has begun, and there is a buffer to record into.
+void Grass::Parts::requireRecording(VkCommandBuffer commands) const
+{
+    requireUsage(commands != VK_NULL_HANDLE, "the command buffer is null");
+    requireUsage(hasBegun, "no frame has begun: Grass::begin() comes first");
+}
+
+const Grass::Parts::ViewDrawing& Grass::Parts::drawing(std::uint32_t view) const
+{
+    requireUsage(view < viewCount, "view {} of a frame with {} views", view, viewCount);
+    return drawings[view];
+}
+
+PlacedField& Grass::Parts::instance(InstanceId id) const
+{
+    const auto found = placed.find(static_cast<std::uint64_t>(id));
+    requireUsage(found != placed.end(), "there is no instance {}, or no more",
+                 static_cast<std::uint64_t>(id));
+    return *found->second;
+}
+
+/// The field is on the same device. A streamed field holds what the views of one Grass see, in
+/// slots of its own.
 void Grass::Parts::take(const ResidentField::Parts& field) const
 {
+    requireUsage(field.context.device == context.device,
+                 "the field is on another device than the grass");
     if (field.streaming == nullptr)
         return;
     if (field.budget.framesInFlight < settings.framesInFlight)
@@ -227,175 +183,11 @@ shared::DepthPyramid Grass::Parts::lookAtDepth(const HostView& view, ViewDepth& 
     return depth.cells.layout;
 }
 
-void Grass::Parts::walkAll(const gpu::Recording& commands, std::uint32_t firstView,
-                           std::uint32_t endView, bool isUpdate) const
-{
-    std::uint32_t steps = 0;
-    forEach(
-        [&](const PlacedField& field) { steps = std::max(steps, field.blades().tree().steps()); });
-    for (std::uint32_t step = 0; step < steps; ++step) {
-        forEach([&](const PlacedField& field) {
-            if (step >= field.blades().tree().steps())
-                return;
-            for (std::uint32_t view = firstView; view < endView; ++view)
-                walk.recordStep(
-                    commands, field.blades(), field.list(view),
-                    (isUpdate ? field.updateFrame(slot, view) : field.cullView(slot, view)).address,
-                    step);
-        });
-        gpu::computeToCompute(commands);
-    }
-}
-
-void Grass::recordUpdate(VkCommandBuffer buffer) noexcept
-{
-    Parts& parts = *parts_;
-    const gpu::Recording commands(parts.context, buffer);
-    const gpu::LabelScope label(parts.context, commands, "grass/update");
-
-    // Wait for the frame before, and clear its lists and counts.
-    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::transferAccess);
-    for (const auto& [id, field] : parts.placed) {
-        if (!field->isInFrame(parts.frame))
-            continue;
-        commands.vk->CmdFillBuffer(commands, field->moved().get(), 0, VK_WHOLE_SIZE, 0);
-        for (std::uint32_t view = 0; view < parts.viewCount; ++view)
-            field->list(view).clear(commands);
-        // Treats every blade as settled: none is still moving from the straight pose of the bake.
-        if (field->beginsToMove())
-            field->states().rest(commands,
-                                 static_cast<float>(parts.time - double(shared::settlingTime)));
-    }
-    gpu::transferToCompute(commands);
-    parts.streaming.record(commands, parts.slot, static_cast<float>(parts.time), parts.instances);
-    parts.shadowMaps.record(commands);
-
-    // Each view moves only blades that no earlier view has moved.
-    parts.walkAll(commands, 0, parts.viewCount, true);
-    for (std::uint32_t view = 0; view < parts.viewCount; ++view) {
-        if (view > 0)
-            gpu::computeToCompute(commands);
-        parts.forEach([&](const PlacedField& field) {
-            parts.update.record(commands, field.blades(), field.list(view), parts.moving,
-                                UpdateCullPass::Scope::visible,
-                                {.frame = field.updateFrame(parts.slot, view),
-                                 .views = field.updateFrame(parts.slot, 0).address,
-                                 .viewCount = parts.viewCount,
-                                 .before = field.states().before()});
-        });
-    }
-    gpu::computeToTransfer(commands);
-    parts.forEach([&](const PlacedField& field) { field.recordMoved(commands, parts.slot); });
-    gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostAccess);
-}
-
-void Grass::recordCull(VkCommandBuffer buffer, std::uint32_t view) noexcept
-{
-    const Parts& parts = *parts_;
-    expect(view < parts.viewCount, "the view is one of the frame's");
-    const gpu::Recording commands(parts.context, buffer);
-    const gpu::LabelScope label(parts.context, commands, "grass/cull");
-    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::fillAccess);
-    parts.forEach([&](const PlacedField& field) { field.list(view).clear(commands); });
-    const Parts::ViewDepth& depth = parts_->depthOf(view);
-    if (depth.pyramid != nullptr) {
-        // All fields share the view's pyramid: fill it once.
-        bool isFilled = false;
-        parts.forEach([&](const PlacedField& field) {
-            if (!std::exchange(isFilled, true))
-                depth.pyramid->record(commands, depth.cells,
-                                      field.cullView(parts.slot, view).address);
-        });
-    }
-    gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
-    parts.walkAll(commands, view, view + 1, false);
-    parts.forEach([&](const PlacedField& field) {
-        parts.update.record(commands, field.blades(), field.list(view), culling,
-                            UpdateCullPass::Scope::visible,
-                            {.frame = field.cullView(parts.slot, view)});
-    });
-    gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
-    parts.forEach(
-        [&](const PlacedField& field) { field.recordCounts(commands, parts.slot, view); });
-    gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostAccess);
-}
-
-void Grass::recordRaster(VkCommandBuffer buffer, std::uint32_t view) noexcept
-{
-    Parts& parts = *parts_;
-    if (whyTessellated(view) != nullptr)
-        return;
-    const gpu::Recording commands(parts.context, buffer);
-    const gpu::LabelScope label(parts.context, commands, "grass/raster");
-    const Parts::ViewDepth& depth = parts.depthOf(view);
-    parts.raster.record(commands, parts.slot, view, parts.instances,
-                        depth.pyramid != nullptr ? &depth.cells.picture : nullptr);
-    parts.drawings[view].isRastered = true;
-}
-
-const char* Grass::whyTessellated(std::uint32_t view) const noexcept
-{
-    expect(view < parts_->viewCount, "the view is one of the frame's");
-    return parts_->drawings[view].obstacle;
-}
-
-const char* Grass::whyNotStored(std::uint32_t view) const noexcept
-{
-    expect(view < parts_->viewCount, "the view is one of the frame's");
-    return parts_->drawings[view].storeObstacle;
-}
-
-void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view,
-                       const BladeTarget& target) const noexcept
-{
-    const Parts& parts = *parts_;
-    expect(view < parts.viewCount, "the view is one of the frame's");
-    const gpu::Recording commands(parts.context, buffer);
-    const gpu::LabelScope label(parts.context, commands, "grass/draw");
-    expect(!target.settings().writesMotion || parts.settings.keepsMotion,
-           "a target with motion needs Grass::Settings::keepsMotion");
-    const gpu::GraphicsPipeline* const visibility = target.visibilityPipeline();
-    const Parts::ViewDrawing& drawing = parts.drawings[view];
-    // What is stored is not drawn a second time; only its depth may be.
-    if (drawing.isRastered && drawing.storeObstacle == nullptr &&
-        !target.settings().colorFormats.empty())
-        return;
-    if (drawing.isRastered && visibility != nullptr &&
-        target.settings().samples == drawing.samples) {
-        parts.raster.recordDraw(commands, parts.slot, view, *visibility);
-        return;
-    }
-    const gpu::ImageSet* const shadowMap =
-        target.settings().colorFormats.empty() ? nullptr : parts.shadowMaps.of(parts.slot, view);
-    const gpu::GraphicsPipeline& pipeline =
-        shadowMap != nullptr ? target.hostLightPipeline() : target.pipeline();
-    pipeline.bind(commands);
-    if (shadowMap != nullptr)
-        shadowMap->bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.layout());
-    parts.forEach([&](const PlacedField& field) {
-        if (field.blades().bladeCount() == 0)
-            return;
-        const VkDeviceAddress drawn = field.drawnFrame(parts.slot, view).address;
-        if (target.settings().writesMotion)
-            pipeline.push(commands, shared::MotionPush{drawn, field.motion(parts.slot, view)});
-        else
-            pipeline.push(commands, shared::ViewPush{drawn});
-        commands.vk->CmdDrawIndirect(commands, field.list(view).draw().get(), 0, 1,
-                                     sizeof(shared::DrawArguments));
-    });
-}
-
-void Grass::recordDepth(VkCommandBuffer commands, std::uint32_t view,
-                        const BladeTarget& target) const noexcept
-{
-    expect(target.settings().colorFormats.empty(), "a shadow's map has no colours");
-    recordDraw(commands, view, target);
-}
-
 FrameStats Grass::stats(std::uint32_t view, std::uint32_t slot) const
 {
-    expect(slot < parts_->settings.framesInFlight, "the slot is one of the frames in flight");
-    expect(view < parts_->settings.maxViews, "the view is one of a frame's");
+    requireSlot(parts_->settings, slot);
+    requireUsage(view < parts_->settings.maxViews, "view {}, and Grass::Settings::maxViews is {}",
+                 view, parts_->settings.maxViews);
     FrameStats sum;
     for (const auto& [id, field] : parts_->placed)
         field->addCounts(slot, view, sum);
@@ -405,6 +197,11 @@ FrameStats Grass::stats(std::uint32_t view, std::uint32_t slot) const
 StreamingStats Grass::streamingStats() const
 {
     return parts_->streaming.stats(parts_->instances);
+}
+
+const Grass::Settings& Grass::settings() const
+{
+    return parts_->settings;
 }
 
 VkDeviceSize Grass::deviceBytes() const

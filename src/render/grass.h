@@ -25,6 +25,8 @@ enum class InstanceId : std::uint64_t {};
 
 /// All the grass of a host's world. It moves once per frame and is drawn in any view. Uses one
 /// thread at a time and one queue family, submits nothing and never waits. docs/engine.md
+/// Every call throws Error{usage} for a wrong number, handle, instance, slot or view, for a field
+/// or target of another device, and for a call out of order; then it has done nothing.
 class Grass {
 public:
     /// Settings that are constant over all frames.
@@ -47,17 +49,17 @@ public:
     void remove(InstanceId id); ///< frees its memory when its last frame's slot is reused
 
     /// Begins a frame in `slot`, whose former commands have completed: writes the frame's constants
-    /// and creates objects on first use. Records nothing. Throws as add() does, and Error{usage}
-    /// for light out of its ranges (host_light.h); then the frame before is still the last.
+    /// and creates objects on first use. Records nothing. Throws as add() does; after Error{usage}
+    /// the frame before is still the last, after Error{runtime} there is none to record.
     void begin(std::uint32_t slot, const GrassFrame& frame);
 
     /// Moves each blade that any of the frame's views may see, once, after the copies of blades
     /// that are streamed. Call once after begin(), outside of a rendering; so with recordCull().
-    void recordUpdate(VkCommandBuffer commands) noexcept;
+    void recordUpdate(VkCommandBuffer commands);
 
     /// Lists the visible blades of one view. Call after recordUpdate(), and after the view's depth,
     /// if any, has been made visible to compute shaders.
-    void recordCull(VkCommandBuffer commands, std::uint32_t view) noexcept;
+    void recordCull(VkCommandBuffer commands, std::uint32_t view);
 
     /// Rasterises the listed blades by compute shaders, much faster than the tessellator. Call
     /// after recordCull() of the view, outside of a rendering, once the view's depth, if any, is
@@ -65,26 +67,24 @@ public:
     ///
     /// Also stores the blades into the view's StoredPicture unless whyNotStored() has a reason.
     /// Waits for all commands before it; all commands after it see the grass.
-    void recordRaster(VkCommandBuffer commands, std::uint32_t view) noexcept;
+    void recordRaster(VkCommandBuffer commands, std::uint32_t view);
 
     /// Why recordDraw() tessellates the blades of one view; null if it draws the result of
     /// recordRaster().
-    const char* whyTessellated(std::uint32_t view) const noexcept;
+    const char* whyTessellated(std::uint32_t view) const;
 
     /// Why recordRaster() does not store the blades of one view, so that recordDraw() is needed;
     /// null if it stores them.
-    const char* whyNotStored(std::uint32_t view) const noexcept;
+    const char* whyNotStored(std::uint32_t view) const;
 
     /// Draws the blades inside the host's rendering, with scissor and viewport set: the view's
     /// size, depths from 0 to 1. Draws the result of recordRaster() if target and view have equal
     /// samples, else tessellates. Callable repeatedly after recordCull(). Draws nothing if
     /// recordRaster() has stored the view, unless the target is one of depth alone.
-    void recordDraw(VkCommandBuffer commands, std::uint32_t view,
-                    const BladeTarget& target) const noexcept;
+    void recordDraw(VkCommandBuffer commands, std::uint32_t view, const BladeTarget& target) const;
 
     /// Draws only depth, into a target without colours: for shadow maps.
-    void recordDepth(VkCommandBuffer commands, std::uint32_t view,
-                     const BladeTarget& target) const noexcept;
+    void recordDepth(VkCommandBuffer commands, std::uint32_t view, const BladeTarget& target) const;
 
     /// Blade statistics of a view, over all instances, for the frame last begun in `slot`; after
     /// its commands have completed. `simulated` counts for all views.
@@ -93,6 +93,7 @@ public:
     /// Of the fields of the frame last begun that are streamed, after recordUpdate().
     StreamingStats streamingStats() const;
 
+    const Settings& settings() const; ///< as given to the constructor
     VkDeviceSize deviceBytes() const; ///< excludes the fields themselves
 
 private:

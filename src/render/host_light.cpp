@@ -135,9 +135,6 @@ void requireValid(const HostLight& light)
         for (const glm::vec3& coefficient : light.ambient->radiance)
             if (!isFinite(glm::dvec3(coefficient)))
                 fail(ErrorKind::usage, "ambient light: a coefficient is not finite");
-    if (light.lamps.size() > shared::maxLamps)
-        fail(ErrorKind::usage, "{} lamps; a frame has at most {}", light.lamps.size(),
-             shared::maxLamps);
     for (std::size_t i = 0; i < light.lamps.size(); ++i)
         requireValidLamp(light.lamps[i], i);
 }

@@ -77,7 +77,7 @@ struct HostLight {
     std::span<const HostLamp> lamps{};    ///< at most shared::maxLamps
 };
 
-/// Throw Error{usage} that names what is out of range.
+/// Throw Error{usage} that names what is out of range. requireCounts() has counted the lamps.
 void requireValid(const HostLight& light);
 void requireValid(const HostShadow& shadow);
 

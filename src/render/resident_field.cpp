@@ -1,7 +1,7 @@
 #include "render/resident_field.h"
 
 #include "core/embedded.h"
-#include "core/expect.h"
+#include "core/error.h"
 #include "gpu/shader_library.h"
 #include "render/resident_parts.h"
 #include "render/streaming/page_budget.h"
@@ -15,6 +15,17 @@ std::span<const EmbeddedFile> shaders();
 namespace sward::render {
 
 namespace {
+
+const gpu::DeviceContext& contextForField(const gpu::DeviceContext& context,
+                                          const field::FieldView& field, const FieldBudget& budget)
+{
+    gpu::requireDevice(context);
+    requireUsage(field.defaults != nullptr, "the field view has no defaults");
+    requireUsage(budget.framesInFlight >= 1, "FieldBudget::framesInFlight is 0");
+    requireUsage(budget.instances >= 1, "FieldBudget::instances is 0");
+    requireUsage(budget.views >= 1, "FieldBudget::views is 0");
+    return context;
+}
 
 /// Bytes of a field with room for `places` blades, and of the instances of its budget.
 std::uint64_t bytesWith(const field::FieldView& field, const FieldBudget& budget,
@@ -53,7 +64,7 @@ std::uint32_t pagesOf(const field::FieldView& field, const FieldBudget& budget,
 
 ResidentField::Parts::Parts(const gpu::DeviceContext& deviceContext, const field::FieldView& field,
                             const FieldBudget& wanted)
-    : context(deviceContext)
+    : context(contextForField(deviceContext, field, wanted))
     , upload(context)
     , cover(context, upload, field)
     , budget(wanted)
@@ -61,7 +72,6 @@ ResidentField::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , shape{field.origin, field.bounds(), blades.bladeSize()}
     , defaults(*field.defaults)
 {
-    expect(wanted.framesInFlight >= 1, "at least one frame is in flight");
     if (blades.isPaged())
         streaming = std::make_unique<Streaming>(
             context, gpu::ShaderLibrary(embedded::shaders()), field, blades,
@@ -76,8 +86,9 @@ ResidentField::ResidentField(const gpu::DeviceContext& context, const field::Fie
 
 ResidentField::~ResidentField() = default;
 
-void ResidentField::recordUpload(VkCommandBuffer commands, VkDeviceSize maxBytes) noexcept
+void ResidentField::recordUpload(VkCommandBuffer commands, VkDeviceSize maxBytes)
 {
+    requireUsage(commands != VK_NULL_HANDLE, "the command buffer is null");
     parts_->upload.record({parts_->context, commands}, maxBytes);
 }
 
@@ -88,6 +99,8 @@ bool ResidentField::isUploaded() const
 
 void ResidentField::releaseStaging()
 {
+    requireUsage(isUploaded(),
+                 "ResidentField::releaseStaging() needs the whole recordUpload() before it");
     parts_->upload.release();
 }
 

@@ -32,7 +32,7 @@ class ResidentField {
 public:
     /// Allocates, and copies the field into mapped memory; `field` may be destroyed unless
     /// isStreamed(). Submits nothing. `context` must outlive it. Throws Error{runtime} if memory or
-    /// budget is too small.
+    /// budget is too small, Error{usage} if a number of the budget is 0.
     ResidentField(const gpu::DeviceContext& context, const field::FieldView& field,
                   const FieldBudget& budget = {});
     ResidentField(const ResidentField&) = delete;
@@ -41,11 +41,12 @@ public:
 
     /// Records the copy of at most `maxBytes` more, outside of a rendering; nothing if all is
     /// recorded. Its instances are drawn from the first frame begun after the last piece. That
-    /// frame must be submitted after these commands.
-    void recordUpload(VkCommandBuffer commands, VkDeviceSize maxBytes = VK_WHOLE_SIZE) noexcept;
+    /// frame must be submitted after these commands. Throws Error{usage} if `commands` is null.
+    void recordUpload(VkCommandBuffer commands, VkDeviceSize maxBytes = VK_WHOLE_SIZE);
     bool isUploaded() const; ///< the whole upload is recorded
 
-    /// Frees the mapped memory, after the commands of the whole upload have completed.
+    /// Frees the mapped memory, after the commands of the whole upload have completed. Throws
+    /// Error{usage} if not all of it has been recorded.
     void releaseStaging();
 
     /// Whether not all blades fit into the budget. What `field` views must then outlive this, and

@@ -1,5 +1,6 @@
 #include "render/wind.h"
 
+#include "core/error.h"
 #include "core/expect.h"
 
 #include <glm/common.hpp>
@@ -45,7 +46,7 @@ shared::WindLattice latticeOf(glm::dvec3 origin, const WindFrame& frame)
 
 WindSource windSource(std::uint32_t kind)
 {
-    expect(kind < shared::windKinds, "a wind's kind is one of windNoise … windGusts");
+    requireUsage(kind < shared::windKinds, "wind kind {}; there are {}", kind, shared::windKinds);
     WindSource wind;
     shared::WindSource& s = wind.source;
     s.kind = kind;

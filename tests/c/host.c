@@ -418,6 +418,60 @@ static void stream_field(const sward_context* context, const sward_field* field,
     sward_resident_destroy(resident);
 }
 
+/* Calls that a host must not make: none aborts, and each leaves a message that names the fault. */
+static void misuse(const sward_context* context, sward_grass* grass, const sward_target* target,
+                   const sward_frame* frame)
+{
+    VkCommandBuffer commands = begin_commands();
+    sward_grass_record_update(grass, commands);
+    REQUIRE(strstr(sward_last_error(), "begin()") != NULL);
+    REQUIRE(sward_grass_begin(grass, 0, frame) == SWARD_OK);
+    sward_grass_record_cull(grass, commands, 0);
+    REQUIRE(strstr(sward_last_error(), "recordUpdate()") != NULL);
+    sward_grass_record_update(grass, NULL);
+    REQUIRE(strstr(sward_last_error(), "command buffer is null") != NULL);
+    sward_grass_record_update(grass, commands);
+    sward_grass_record_draw(grass, commands, 0, target);
+    REQUIRE(strstr(sward_last_error(), "recordCull()") != NULL);
+    sward_grass_record_cull(grass, commands, 1);
+    REQUIRE(strstr(sward_last_error(), "view 1 of a frame with 1 views") != NULL);
+    sward_grass_record_draw(grass, commands, 0, NULL);
+    REQUIRE(strstr(sward_last_error(), "target is null") != NULL);
+    sward_grass_record_raster(NULL, commands, 0);
+    REQUIRE(strstr(sward_last_error(), "grass is null") != NULL);
+    submit_and_wait(commands);
+
+    /* Two views with room for one. */
+    const sward_view two[2] = {frame->views[0], frame->views[0]};
+    sward_frame wrong = *frame;
+    wrong.views = two;
+    wrong.view_count = 2;
+    REQUIRE(sward_grass_begin(grass, 0, &wrong) == SWARD_ERROR_USAGE);
+    REQUIRE(strstr(sward_last_error(), "2 views") != NULL);
+    REQUIRE(strstr(sward_last_error(), "maxViews is 1") != NULL);
+    wrong = *frame;
+    wrong.collider_count = UINT32_MAX;
+    wrong.colliders = (const sward_collider*)two;
+    REQUIRE(sward_grass_begin(grass, 0, &wrong) == SWARD_ERROR_USAGE);
+    sward_view view = two[0];
+    wrong = *frame;
+    wrong.views = &view;
+    view.samples = 3;
+    REQUIRE(sward_grass_begin(grass, 0, &wrong) == SWARD_ERROR_USAGE);
+    REQUIRE(strstr(sward_last_error(), "3 samples") != NULL);
+    view = two[0];
+    view.world_to_clip[5] = (double)NAN;
+    REQUIRE(sward_grass_begin(grass, 0, &wrong) == SWARD_ERROR_USAGE);
+
+    const sward_grass_info info = {.frames_in_flight = 17, .max_views = 1};
+    sward_grass* none = NULL;
+    REQUIRE(sward_grass_create(context, &info, &none) == SWARD_ERROR_USAGE && none == NULL);
+    REQUIRE(strstr(sward_last_error(), "17") != NULL);
+    const sward_target_info nothing = {.samples = 1};
+    sward_target* no_target = NULL;
+    REQUIRE(sward_target_create(context, &nothing, &no_target) == SWARD_ERROR_USAGE);
+}
+
 static void draw_field(const sward_field* field)
 {
     sward_features* features = make_device();
@@ -430,11 +484,21 @@ static void draw_field(const sward_field* field)
                                              .get_instance_proc_addr = vkGetInstanceProcAddr};
     sward_context* context = NULL;
     REQUIRE(sward_context_create(NULL, &context) == SWARD_ERROR_USAGE);
+    sward_context_info systems_loader = context_info;
+    systems_loader.get_instance_proc_addr = NULL;
+    systems_loader.queue_family = 77;
+    REQUIRE(sward_context_create(&systems_loader, &context) == SWARD_ERROR_USAGE);
+    REQUIRE(strstr(sward_last_error(), "queueFamily is 77") != NULL);
+    systems_loader.queue_family = family;
+    REQUIRE(sward_context_create(&systems_loader, &context) == SWARD_OK);
+    sward_context_destroy(context);
     REQUIRE(sward_context_create(&context_info, &context) == SWARD_OK);
 
     sward_resident* resident = NULL;
     REQUIRE(sward_resident_create(context, field, &resident) == SWARD_OK);
     REQUIRE(!sward_resident_is_uploaded(resident));
+    sward_resident_release_staging(resident);
+    REQUIRE(strstr(sward_last_error(), "recordUpload()") != NULL);
     VkCommandBuffer commands = begin_commands();
     sward_resident_record_upload(resident, commands, VK_WHOLE_SIZE);
     submit_and_wait(commands);
@@ -474,6 +538,7 @@ static void draw_field(const sward_field* field)
     sward_view view = view_from_above(&info);
     sward_frame frame = {.time = 1.0, .views = &view, .view_count = 1, .settings = settings};
     REQUIRE(sward_grass_begin(grass, 1, &frame) == SWARD_ERROR_USAGE);
+    misuse(context, grass, target, &frame);
     for (int geometry = SWARD_GEOMETRY_RASTER; geometry <= SWARD_GEOMETRY_TESSELLATION;
          ++geometry) {
         view.geometry = (sward_geometry)geometry;

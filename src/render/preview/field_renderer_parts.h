@@ -31,6 +31,12 @@ struct FieldRenderer::Parts {
     Parts(const gpu::DeviceContext& deviceContext, const field::FieldView& field,
           const Settings& wanted);
 
+    /// Throw Error{usage} that names what is wrong.
+    static const gpu::DeviceContext& checked(const gpu::DeviceContext& given,
+                                             const field::FieldView& field, const Settings& wanted);
+    void requireFrame(VkCommandBuffer commands, const FrameSettings& wanted,
+                      std::uint32_t slot) const;
+
     const gpu::DeviceContext& context;
     Settings settings;
     Geometry geometry; ///< never automatic

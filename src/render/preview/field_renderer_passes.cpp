@@ -1,10 +1,35 @@
-#include "core/expect.h"
+#include "core/error.h"
 #include "gpu/barrier.h"
 #include "gpu/image_use.h"
 #include "render/cull/pass_scope.h"
+#include "render/host_checks.h"
 #include "render/preview/field_renderer_parts.h"
 
 namespace sward::render {
+
+const gpu::DeviceContext& FieldRenderer::Parts::checked(const gpu::DeviceContext& given,
+                                                        const field::FieldView& field,
+                                                        const Settings& wanted)
+{
+    gpu::requireDevice(given);
+    requireUsage(field.ground != nullptr && field.defaults != nullptr,
+                 "the field view has no ground or no defaults");
+    requireUsage(wanted.framesInFlight >= 1, "FieldRendererSettings::framesInFlight is 0");
+    requireUsage(wanted.samples == 1 || wanted.samples == 4,
+                 "FieldRendererSettings::samples is {}, not 1 or 4", wanted.samples);
+    return given;
+}
+
+void FieldRenderer::Parts::requireFrame(VkCommandBuffer commands, const FrameSettings& wanted,
+                                        std::uint32_t slot) const
+{
+    requireUsage(commands != VK_NULL_HANDLE, "the command buffer is null");
+    requireUsage(slot < slots.size(), "slot {}, and framesInFlight is {}", slot, slots.size());
+    requireUsage(wanted.colliders.size() <= shared::maxColliders,
+                 "{} colliders; a frame has at most {}", wanted.colliders.size(),
+                 shared::maxColliders);
+    requireValid(wanted);
+}
 
 bool FieldRenderer::Parts::groupsDrawLarge() const
 {

@@ -1,7 +1,7 @@
 #include "render/tessellation/blade_target.h"
 
 #include "core/embedded.h"
-#include "core/expect.h"
+#include "core/error.h"
 #include "gpu/shader_library.h"
 #include "render/host_shadow_maps.h"
 #include "render/tessellation/blade_pass.h"
@@ -34,8 +34,41 @@ void setTarget(gpu::GraphicsPipelineSettings& settings, const HostTarget& target
                                    : target.keepsRadiance      ? toHostFilm
                                                                : toHost;
     settings.constants = {{.id = 9, .value = handedTo}};
-    if (target.writesMotion)
-        expect(target.colorFormats.size() >= 2, "motion has an attachment");
+}
+
+bool hasDepthAspect(VkFormat format)
+{
+    return (format >= VK_FORMAT_D16_UNORM && format <= VK_FORMAT_D32_SFLOAT) ||
+           (format >= VK_FORMAT_D16_UNORM_S8_UINT && format <= VK_FORMAT_D32_SFLOAT_S8_UINT);
+}
+
+const HostTarget& checkedTarget(const gpu::DeviceContext& context, const HostTarget& target)
+{
+    gpu::requireDevice(context);
+    const std::size_t colors = target.colorFormats.size();
+    requireUsage(colors <= context.limits.maxColorAttachments,
+                 "HostTarget::colorFormats: {}, and the device draws into {} at once", colors,
+                 context.limits.maxColorAttachments);
+    requireUsage(colors == 0 || target.colorFormats[0] != VK_FORMAT_UNDEFINED,
+                 "HostTarget::colorFormats: the first is undefined");
+    for (const VkFormat format : target.colorFormats)
+        requireUsage(!hasDepthAspect(format), "HostTarget::colorFormats: format {} is a depth",
+                     static_cast<int>(format));
+    requireUsage(!target.writesMotion || colors >= 2,
+                 "HostTarget::writesMotion needs a second colour, and there are {}", colors);
+    requireUsage(colors > 0 || target.depthFormat != VK_FORMAT_UNDEFINED,
+                 "HostTarget: there is neither a colour nor a depth to draw into");
+    requireUsage(target.depthFormat == VK_FORMAT_UNDEFINED || hasDepthAspect(target.depthFormat),
+                 "HostTarget::depthFormat: format {} has no depth",
+                 static_cast<int>(target.depthFormat));
+    const std::uint32_t samples = target.samples;
+    requireUsage(samples == 1 || samples == 2 || samples == 4 || samples == 8,
+                 "HostTarget::samples is {}, not 1, 2, 4 or 8", samples);
+    if ((colors > 0 && (context.limits.framebufferColorSampleCounts & samples) == 0) ||
+        (context.limits.framebufferDepthSampleCounts & samples) == 0)
+        fail(ErrorKind::unsupported, "HostTarget::samples is {}, which the device does not draw",
+             samples);
+    return target;
 }
 
 bool mayShowVisibility(const gpu::DeviceContext& context, const HostTarget& target)
@@ -84,7 +117,8 @@ gpu::GraphicsPipelineSettings pipelineFor(const HostTarget& target)
 } // namespace
 
 BladeTarget::BladeTarget(const gpu::DeviceContext& context, const HostTarget& target)
-    : settings_(target)
+    : device_(context.device)
+    , settings_(checkedTarget(context, target))
     , pipeline_(context, gpu::ShaderLibrary(embedded::shaders()), pipelineFor(target))
 {
     if (!target.colorFormats.empty()) {

@@ -34,7 +34,8 @@ struct HostTarget {
 /// The pipelines that draw blades into such targets.
 class BladeTarget {
 public:
-    /// Throws Error{runtime} or Error{unsupported} if the device cannot create it. Must outlive the
+    /// Throws Error{usage} that names a wrong member of `target`; Error{runtime} or
+    /// Error{unsupported} if the device cannot create it. Must outlive the
     /// commands that draw with it.
     BladeTarget(const gpu::DeviceContext& context, const HostTarget& target);
 
@@ -51,9 +52,11 @@ public:
         return visibility_ ? &*visibility_ : nullptr;
     }
 
+    VkDevice device() const { return device_; }              ///< of the context
     const HostTarget& settings() const { return settings_; } ///< as given to the constructor
 
 private:
+    VkDevice device_;
     HostTarget settings_;
     gpu::GraphicsPipeline pipeline_;
     gpu::GraphicsPipeline hostLight_;

@@ -1,0 +1,192 @@
+#include "core/error.h"
+#include "gpu/barrier.h"
+#include "gpu/debug.h"
+#include "render/grass_parts.h"
+#include "shaders/shared/passes.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sward::render {
+
+void Grass::Parts::walkAll(const gpu::Recording& commands, std::uint32_t firstView,
+                           std::uint32_t endView, bool isUpdate) const
+{
+    std::uint32_t steps = 0;
+    forEach(
+        [&](const PlacedField& field) { steps = std::max(steps, field.blades().tree().steps()); });
+    for (std::uint32_t step = 0; step < steps; ++step) {
+        forEach([&](const PlacedField& field) {
+            if (step >= field.blades().tree().steps())
+                return;
+            for (std::uint32_t view = firstView; view < endView; ++view)
+                walk.recordStep(
+                    commands, field.blades(), field.list(view),
+                    (isUpdate ? field.updateFrame(slot, view) : field.cullView(slot, view)).address,
+                    step);
+        });
+        gpu::computeToCompute(commands);
+    }
+}
+
+void Grass::recordUpdate(VkCommandBuffer buffer)
+{
+    Parts& parts = *parts_;
+    parts.requireRecording(buffer);
+    requireUsage(!std::exchange(parts.isUpdated, true),
+                 "Grass::recordUpdate() is called a second time in a frame");
+    const gpu::Recording commands(parts.context, buffer);
+    const gpu::LabelScope label(parts.context, commands, "grass/update");
+
+    // Wait for the frame before, and clear its lists and counts.
+    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::transferAccess);
+    for (const auto& [id, field] : parts.placed) {
+        if (!field->isInFrame(parts.frame))
+            continue;
+        commands.vk->CmdFillBuffer(commands, field->moved().get(), 0, VK_WHOLE_SIZE, 0);
+        for (std::uint32_t view = 0; view < parts.viewCount; ++view)
+            field->list(view).clear(commands);
+        // Treats every blade as settled: none is still moving from the straight pose of the bake.
+        if (field->beginsToMove())
+            field->states().rest(commands,
+                                 static_cast<float>(parts.time - double(shared::settlingTime)));
+    }
+    gpu::transferToCompute(commands);
+    parts.streaming.record(commands, parts.slot, static_cast<float>(parts.time), parts.instances);
+    parts.shadowMaps.record(commands);
+
+    // Each view moves only blades that no earlier view has moved.
+    parts.walkAll(commands, 0, parts.viewCount, true);
+    for (std::uint32_t view = 0; view < parts.viewCount; ++view) {
+        if (view > 0)
+            gpu::computeToCompute(commands);
+        parts.forEach([&](const PlacedField& field) {
+            parts.update.record(commands, field.blades(), field.list(view), parts.moving,
+                                UpdateCullPass::Scope::visible,
+                                {.frame = field.updateFrame(parts.slot, view),
+                                 .views = field.updateFrame(parts.slot, 0).address,
+                                 .viewCount = parts.viewCount,
+                                 .before = field.states().before()});
+        });
+    }
+    gpu::computeToTransfer(commands);
+    parts.forEach([&](const PlacedField& field) { field.recordMoved(commands, parts.slot); });
+    gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostAccess);
+}
+
+void Grass::recordCull(VkCommandBuffer buffer, std::uint32_t view)
+{
+    Parts& parts = *parts_;
+    parts.requireRecording(buffer);
+    parts.drawing(view);
+    requireUsage(parts.isUpdated, "Grass::recordCull() needs recordUpdate() before it");
+    parts.drawings[view].isCulled = true;
+    const gpu::Recording commands(parts.context, buffer);
+    const gpu::LabelScope label(parts.context, commands, "grass/cull");
+    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::fillAccess);
+    parts.forEach([&](const PlacedField& field) { field.list(view).clear(commands); });
+    const Parts::ViewDepth& depth = parts.depthOf(view);
+    if (depth.pyramid != nullptr) {
+        // All fields share the view's pyramid: fill it once.
+        bool isFilled = false;
+        parts.forEach([&](const PlacedField& field) {
+            if (!std::exchange(isFilled, true))
+                depth.pyramid->record(commands, depth.cells,
+                                      field.cullView(parts.slot, view).address);
+        });
+    }
+    gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
+    parts.walkAll(commands, view, view + 1, false);
+    parts.forEach([&](const PlacedField& field) {
+        parts.update.record(commands, field.blades(), field.list(view), Parts::culling,
+                            UpdateCullPass::Scope::visible,
+                            {.frame = field.cullView(parts.slot, view)});
+    });
+    gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
+    parts.forEach(
+        [&](const PlacedField& field) { field.recordCounts(commands, parts.slot, view); });
+    gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostAccess);
+}
+
+void Grass::recordRaster(VkCommandBuffer buffer, std::uint32_t view)
+{
+    Parts& parts = *parts_;
+    parts.requireRecording(buffer);
+    requireUsage(parts.drawing(view).isCulled,
+                 "Grass::recordRaster() of view {} needs its recordCull() before it", view);
+    if (whyTessellated(view) != nullptr)
+        return;
+    const gpu::Recording commands(parts.context, buffer);
+    const gpu::LabelScope label(parts.context, commands, "grass/raster");
+    const Parts::ViewDepth& depth = parts.depthOf(view);
+    parts.raster.record(commands, parts.slot, view, parts.instances,
+                        depth.pyramid != nullptr ? &depth.cells.picture : nullptr);
+    parts.drawings[view].isRastered = true;
+}
+
+const char* Grass::whyTessellated(std::uint32_t view) const
+{
+    return parts_->drawing(view).obstacle;
+}
+
+const char* Grass::whyNotStored(std::uint32_t view) const
+{
+    return parts_->drawing(view).storeObstacle;
+}
+
+void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view, const BladeTarget& target) const
+{
+    const Parts& parts = *parts_;
+    parts.requireRecording(buffer);
+    const Parts::ViewDrawing& drawing = parts.drawing(view);
+    requireUsage(drawing.isCulled,
+                 "Grass::recordDraw() of view {} needs its recordCull() before it", view);
+    requireUsage(target.device() == parts.context.device,
+                 "the target is of another device than the grass");
+    requireUsage(target.settings().hasReversedZ == drawing.hasReversedZ,
+                 "HostTarget::hasReversedZ is {}, and HostView::hasReversedZ of view {} is {}",
+                 target.settings().hasReversedZ, view, drawing.hasReversedZ);
+    requireUsage(!target.settings().writesMotion || parts.settings.keepsMotion,
+                 "a target that writes motion needs Grass::Settings::keepsMotion");
+    const gpu::Recording commands(parts.context, buffer);
+    const gpu::LabelScope label(parts.context, commands, "grass/draw");
+    const gpu::GraphicsPipeline* const visibility = target.visibilityPipeline();
+    // What is stored is not drawn a second time; only its depth may be.
+    if (drawing.isRastered && drawing.storeObstacle == nullptr &&
+        !target.settings().colorFormats.empty())
+        return;
+    if (drawing.isRastered && visibility != nullptr &&
+        target.settings().samples == drawing.samples) {
+        parts.raster.recordDraw(commands, parts.slot, view, *visibility);
+        return;
+    }
+    const gpu::ImageSet* const shadowMap =
+        target.settings().colorFormats.empty() ? nullptr : parts.shadowMaps.of(parts.slot, view);
+    const gpu::GraphicsPipeline& pipeline =
+        shadowMap != nullptr ? target.hostLightPipeline() : target.pipeline();
+    pipeline.bind(commands);
+    if (shadowMap != nullptr)
+        shadowMap->bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.layout());
+    parts.forEach([&](const PlacedField& field) {
+        if (field.blades().bladeCount() == 0)
+            return;
+        const VkDeviceAddress drawn = field.drawnFrame(parts.slot, view).address;
+        if (target.settings().writesMotion)
+            pipeline.push(commands, shared::MotionPush{drawn, field.motion(parts.slot, view)});
+        else
+            pipeline.push(commands, shared::ViewPush{drawn});
+        commands.vk->CmdDrawIndirect(commands, field.list(view).draw().get(), 0, 1,
+                                     sizeof(shared::DrawArguments));
+    });
+}
+
+void Grass::recordDepth(VkCommandBuffer commands, std::uint32_t view,
+                        const BladeTarget& target) const
+{
+    requireUsage(target.settings().colorFormats.empty(),
+                 "Grass::recordDepth() draws into a target without colours; this one has {}",
+                 target.settings().colorFormats.size());
+    recordDraw(commands, view, target);
+}
+
+} // namespace sward::render
