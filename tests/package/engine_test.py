@@ -1,0 +1,91 @@
+"""docs/engine.md as a stranger uses it: its host is built against the installed package and draws,
+and its lists of members are those of the installed headers."""
+
+import re
+import unittest
+
+from package_test import ExampleTest, PREFIX, ROOT, needs
+
+PAGE = PREFIX / "share/doc/sward/docs/engine.md"
+
+# Structs of a host, and the headers that have them.
+STRUCTS = {
+    "gpu::HostDevice": "gpu/host_device.h", "render::FieldBudget": "render/resident_field.h",
+    "render::Grass::Settings": "render/grass.h", "render::FieldInstance": "render/grass.h",
+    "render::Placement": "render/placement.h", "render::HostTarget": "render/tessellation/blade_target.h",
+    "render::GrassFrame": "render/grass_frame.h", "render::HostView": "render/host_view.h",
+    "render::HostDepth": "render/host_view.h", "render::HostShadow": "render/host_light.h",
+    "render::StoredPicture": "render/stored_picture.h", "render::HostCollider": "render/grass_frame.h",
+    "render::HostLight": "render/host_light.h", "render::HostLamp": "render/host_light.h",
+    "render::HostCone": "render/host_light.h", "render::FrameStats": "render/frame_stats.h",
+    "render::StreamingStats": "render/frame_stats.h",
+}
+
+
+def members_of(struct):
+    """Data members of a struct, by the installed header."""
+    text = (PREFIX / "include/sward" / STRUCTS[struct]).read_text(encoding="utf-8")
+    body = re.search(rf"\n( *)struct {struct.split('::')[-1]} {{\n(.*?)\n\1}};", text, re.S)[2]
+    body = re.sub(r"//.*", "", body)
+    members = []
+    for statement in body.split(";"):
+        found = re.search(r"([A-Za-z]\w*)\s*(?:=.*|\{.*\})?$", statement.strip(), re.S)
+        if found and "(" not in re.sub(r"[={].*", "", statement, flags=re.S):
+            members.append(found[1])
+    return members
+
+
+class EnginePage(unittest.TestCase):
+    def test_the_lists_of_the_engine_page_name_every_member(self):
+        text = PAGE.read_text(encoding="utf-8")
+        section = text[text.index("\n## Structs\n"):text.index("\n## From C and other languages")]
+        parts = re.split(r"\n(?=`\w+::)", section)
+        for struct in STRUCTS:
+            members = members_of(struct)
+            self.assertGreater(len(members), 1, struct)
+            part = " ".join(one for one in parts if f"`{struct}`" in one.split("|")[0])
+            named = set(re.findall(r"`(?:\w+::)*(\w+)`", part))
+            self.assertEqual([name for name in members if name not in named], [], struct)
+
+    def test_headers_that_the_engine_page_names_are_installed(self):
+        text = PAGE.read_text(encoding="utf-8")
+        headers = set(re.findall(r"<(sward/[\w/]+\.h)>", text))
+        self.assertGreater(len(headers), 12)
+        self.assertEqual([name for name in sorted(headers) if not (PREFIX / "include" / name).is_file()], [])
+
+
+class QuickStart(ExampleTest):
+    """The host that stands on the page: Vulkan alone."""
+
+    max_lines = 230
+
+    def test_the_host_on_the_engine_page_draws_without_a_validation_message(self):
+        needs("pillow")
+        text = PAGE.read_text(encoding="utf-8")
+        section = text[text.index("\n## A complete host\n"):text.index("\n## What the device must have")]
+        blocks = dict(re.findall(r"(?ms)^```(\w+)\n(.*?)^```", section))
+        source = ROOT / "examples/quick_start"
+        self.assertEqual(blocks["cmake"], (source / "CMakeLists.txt").read_text(encoding="utf-8"))
+        self.assertEqual(blocks["cpp"], (source / "main.cpp").read_text(encoding="utf-8"))
+        self.assertNotIn("sward/gpu/image", blocks["cpp"], "it does without Sward's helpers")
+
+        self.build_example("quick_start")
+        field = self.bake("--count", 30000, "--blade-scale", 2.5)
+        said = self.run_example(field, "SYNCHRONIZATION_VALIDATION")
+        self.assertRegex(said, r"^llvmpipe.* drew \d+ blades\n$")
+        picture = self.picture()
+        self.assertEqual(picture.size, (640, 360))
+        self.assertGreater(self.green_share(picture, (200, 150, 440, 300)), 0.5)
+        red, _, blue = picture.getpixel((320, 20))
+        self.assertGreater(blue, red, "no ground and no sky but the host's own")
+
+        # The layer has listened, and what is wrong is named.
+        bald = self.bake("--count", 0, "--force")
+        self.assertIn("BestPractices", self.run_example(bald, "BEST_PRACTICES"))
+        self.assertLess(self.green_share(self.picture(), (200, 150, 440, 300)), 0.02)
+        done = self.run_here(self.program, "none.sward", "frame.png", succeeds=False)
+        self.assertRegex(done, r"quick_start: none\.sward: ")
+
+
+if __name__ == "__main__":
+    unittest.main()
