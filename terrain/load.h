@@ -33,6 +33,7 @@ struct ImportSettings {
     std::vector<std::string> bearingNodes{}; ///< globs; if any, only these nodes bear grass
     std::vector<std::string> bearingMaterials{}; ///< globs; if any, only these materials bear grass
     std::vector<std::string> occluderNodes{};    ///< globs; these block rays and bear nothing
+    bool mayMatchNothing = false; ///< globs that match nothing are no error: another file's may
     bool bareNames = true; ///< rock, water, roads … of a mesh file bear nothing: bare_names.h
     HeightmapSettings heightmap{}; ///< for heightmaps only
     MaskInputs masks{};            ///< what masks read, beyond what every ground has

@@ -62,7 +62,37 @@ std::vector<std::string> namesOf(const std::string& path)
     return names;
 }
 
-// For each of `things`, whether one of `globs` matches it. Parts of a path match too.
+// "3 nodes: meadow, road, roof", not all of many.
+std::string listOf(const std::vector<std::string>& things, const char* kind)
+{
+    constexpr std::size_t maxShown = 12;
+    const std::size_t shown = std::min(things.size(), maxShown);
+    return fmt::format(
+        "{} {}{}{}{}{}", things.size(), kind, things.size() == 1 ? "" : "s", shown > 0 ? ": " : "",
+        fmt::join(things.begin(), things.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+        things.size() > shown ? ", …" : "");
+}
+
+std::vector<std::string> materialsOf(const GroundMesh& mesh)
+{
+    std::vector<std::string> names;
+    for (const GroundMaterial& material : mesh.materials)
+        names.push_back(material.name);
+    return names;
+}
+
+bool matchesSome(const std::vector<std::string>& globs, const std::string& thing, bool isPath)
+{
+    const std::vector<std::string> names =
+        isPath ? namesOf(thing) : std::vector<std::string>{thing};
+    return std::ranges::any_of(globs, [&](const std::string& glob) {
+        return std::ranges::any_of(
+            names, [&](const std::string& name) { return globMatches(glob, name); });
+    });
+}
+
+// For each of `things`, whether one of `globs` matches it. Parts of a path match too. Warns of
+// globs without a match.
 std::vector<bool> matchAll(const std::vector<std::string>& globs,
                            const std::vector<std::string>& things, bool arePaths, const char* kind,
                            const std::string& place, Diagnostics& diagnostics)
@@ -80,14 +110,9 @@ std::vector<bool> matchAll(const std::vector<std::string>& globs,
             }
     }
     for (std::size_t g = 0; g < globs.size(); ++g)
-        if (!used[g]) {
-            const std::size_t shown = std::min<std::size_t>(things.size(), 12);
-            const std::vector<std::string> known(
-                things.begin(), things.begin() + static_cast<std::ptrdiff_t>(shown));
-            diagnostics.warn("{}: \"{}\" matches none of its {} {}s: {}{}", place, globs[g],
-                             things.size(), kind, fmt::join(known, ", "),
-                             things.size() > shown ? ", …" : "");
-        }
+        if (!used[g])
+            diagnostics.warn("{}: \"{}\" matches none of its {}", place, globs[g],
+                             listOf(things, kind));
     return matched;
 }
 
@@ -111,9 +136,10 @@ void assignRoles(GroundMesh& mesh, const ImportSettings& settings, const std::st
         std::fill(mesh.bears.begin(), mesh.bears.end(), std::uint8_t(1));
         return;
     }
-    std::vector<std::string> materials;
-    for (const GroundMaterial& material : mesh.materials)
-        materials.push_back(material.name);
+    if (const std::string reason = unmatchedGlobs(mesh, settings);
+        !reason.empty() && !settings.mayMatchNothing)
+        fail(ErrorKind::input, "{}: {}", place, reason);
+    const std::vector<std::string> materials = materialsOf(mesh);
     const auto bearing =
         matchAll(settings.bearingNodes, mesh.nodes, true, "node", place, diagnostics);
     const auto occluder =
@@ -126,6 +152,25 @@ void assignRoles(GroundMesh& mesh, const ImportSettings& settings, const std::st
         const bool byMaterial = settings.bearingMaterials.empty() || growing[mesh.materialOf[i]];
         mesh.bears[i] = byNode && byMaterial && !occluder[mesh.nodeOf[i]] ? 1 : 0;
     }
+}
+
+std::string unmatchedGlobs(const GroundMesh& mesh, const ImportSettings& settings)
+{
+    const auto missed = [](const char* option, const std::vector<std::string>& globs,
+                           const std::vector<std::string>& things, const char* kind,
+                           bool arePaths) {
+        const bool isFound =
+            globs.empty() || std::ranges::any_of(things, [&](const std::string& thing) {
+                return matchesSome(globs, thing, arePaths);
+            });
+        return isFound ? std::string()
+                       : fmt::format("{} {} matches none of its {}", option, fmt::join(globs, ", "),
+                                     listOf(things, kind));
+    };
+    const std::string nodes = missed("--node", settings.bearingNodes, mesh.nodes, "node", true);
+    return nodes.empty() ? missed("--material", settings.bearingMaterials, materialsOf(mesh),
+                                  "material", false)
+                         : nodes;
 }
 
 } // namespace sward::terrain

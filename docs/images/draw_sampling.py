@@ -29,7 +29,7 @@ def bake(sward, folder, name, count, sampling):
     ground = Path(folder) / "plane.json"
     ground.write_text(json.dumps({"kind": "plane", "size": [SIDE, SIDE]}))
     field = Path(folder) / f"{name}.sward"
-    subprocess.run([sward, "bake", ground, "-o", field, "-q", "--exposure", "0", "--seed", "1",
+    subprocess.run([sward, "bake", ground, "-o", field, "-q", "--sky-rays", "0", "--seed", "1",
                     "--count", str(count), "--sampling", sampling], check=True)
     return field
 

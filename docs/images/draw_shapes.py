@@ -33,7 +33,7 @@ def panel(sward, viewer, folder, shape, fold):
     ground.write_text(json.dumps({"kind": "plane", "size": [0.8, 0.5]}))
     field = folder / "field.sward"
     subprocess.run([sward, "bake", ground, "--meadow", meadow, "--count", "9", "--sampling", "poisson", "--seed", "3",
-                    "--exposure", "0", "--blade-scale", "1", "-o", field, "--force", "-q"], check=True)
+                    "--sky-rays", "0", "--blade-scale", "1", "-o", field, "--force", "-q"], check=True)
     camera, settings, picture = folder / "camera.json", folder / "settings.json", folder / "p.png"
     camera.write_text(json.dumps(CAMERA))
     settings.write_text(json.dumps(SETTINGS))

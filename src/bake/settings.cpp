@@ -109,11 +109,11 @@ void validate(const BakeSettings& settings)
     if (settings.bladeScale)
         requireRange("--blade-scale", *settings.bladeScale, 1e-6, 1e5);
     requireRange("--clearance", settings.clearance, 0.0, 1e9);
-    requireRange("--exposure", settings.exposureRays, 0, 1024);
+    requireRange("--sky-rays", settings.exposureRays, 0, 1024);
     requireRange("--ray-length", settings.rayLength, 0.0, 1e9);
     requireRange("--min-island", settings.minIsland, 0.0, 1e300);
     if (!settings.sky.holds(0.0, 1.0) && settings.exposureRays == 0)
-        fail(ErrorKind::usage, "--sky needs rays, but --exposure is 0");
+        fail(ErrorKind::usage, "--sky needs rays, but --sky-rays is 0");
     if (settings.meadow.species.empty())
         fail(ErrorKind::usage, "the meadow has no species");
 }

@@ -16,7 +16,7 @@ from needs import leave_out, needs
 
 EXAMPLES = ROOT / "examples/cluster"
 # Enough to be at work for a while in each tile.
-LONG = ("--density", "5", "--seed", "7", "--exposure", "8")
+LONG = ("--density", "5", "--seed", "7", "--sky-rays", "8")
 
 # Stands for `sward` in the scripts. While the file "hold-I" lies beside it, tile I has its stderr on a
 # pipe that is full: it stops at its first word of progress, in the middle of its work, for ever.

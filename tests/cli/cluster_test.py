@@ -16,7 +16,7 @@ from support import CliTest, DONE, INPUT, INTERRUPTED, IO, PROGRAM, USAGE, diges
 HILLS = {"kind": "hills", "extent": [192, 160], "cells": [96, 80], "seed": 3, "height": 6, "width": 40,
          "octaves": 3}
 TILES = 6
-OPTIONS = ("--density", "1", "--seed", "7", "--clearance", "0.3", "--exposure", "2")
+OPTIONS = ("--density", "1", "--seed", "7", "--clearance", "0.3", "--sky-rays", "2")
 
 
 class ClusterTest(CliTest):
@@ -218,7 +218,7 @@ class Tiles(ClusterTest):
         return usage.ru_maxrss * 1024
 
     def test_an_interrupted_tile_leaves_no_half(self):
-        self.plan("--density", "3000", "--exposure", "64", tiles=2)
+        self.plan("--density", "3000", "--sky-rays", "64", tiles=2)
         for number in (signal.SIGINT, signal.SIGTERM):
             with self.subTest(signal=number.name):
                 running = subprocess.Popen(

@@ -35,6 +35,28 @@ class CommandLine(CliTest):
                      names=["--densty", "--density"])
         self.refused("bkae", code=USAGE, names=["bkae", "bake"])
 
+    def test_ground_where_a_field_is_read_is_named_with_the_command_that_bakes_it(self):
+        self.bake("plane", "--count", "5", to="f.sward")
+        self.sward("terrain", "plane", "-o", "x.glb")
+        for command in (("info", "x.glb"), ("validate", "x.glb"), ("export", "x.glb", "-o", "x.csv"),
+                        ("compare", "f.sward", "x.glb"), ("compare", "x.glb", "f.sward")):
+            with self.subTest(command=command):
+                self.refused(*command, code=INPUT, names=["'sward bake x.glb -o x.sward'"])
+
+    def test_the_former_name_of_an_option_means_the_same_with_a_warning(self):
+        one = self.bake("hills", "--count", "500", "--sky-rays", "3", to="one.sward")
+        done = self.sward("bake", "hills", "--count", "500", "--exposure", "3", "-o", "two.sward")
+        self.assertIn("--exposure is now called --sky-rays", done.stderr)
+        self.assertEqual(one.read_bytes(), (self.folder / "two.sward").read_bytes())
+        self.assertNotIn("--exposure", self.sward("bake", "--help").stdout)
+        self.refused("bake", "hills", "-o", "f.sward", "--exposure", "3", "--sky-rays", "3", code=USAGE,
+                     names=["--exposure", "--sky-rays"])
+        self.refused("bake", "hills", "-o", "f.sward", "--exposure", "1025", code=USAGE, names=["--sky-rays", "1024"])
+        # A plan keeps the new name, so that its tiles do not warn again.
+        self.sward("plan", "plane", "--count", "50", "--exposure", "3", "--tiles", "1", "-o", "p.json")
+        self.assertIn("--sky-rays=3", (self.folder / "p.json").read_text())
+        self.assertEqual(self.sward("tile", "p.json", "--index", "0", "-o", "tiles").stderr.count("warning"), 0)
+
     def test_values_that_make_no_sense_are_wrong_usage(self):
         cases = [("--slope", "10"), ("--slope", "60:20"), ("--density", "-1"), ("--density", "many"),
                  ("--count", "-5"), ("--align", "sideways"), ("--ground-up", "w"), ("--units", "miles"),

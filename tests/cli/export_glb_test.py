@@ -37,7 +37,7 @@ class GlbExport(ExportTest):
         return glb
 
     def test_glb_instances_are_the_blades(self):
-        glb = self.check(self.bake("hills", "--count", "150000", "--exposure", "0"))
+        glb = self.check(self.bake("hills", "--count", "150000", "--sky-rays", "0"))
         counts = {}
         for node, attributes in glb.instanced_nodes():
             group = tuple(node["translation"])
@@ -61,7 +61,7 @@ class GlbExport(ExportTest):
 
     def test_three_js_shows_the_blades_where_they_are(self):
         # A matrix of three.js is of single precision before it is moved to the world, in doubles.
-        for field in (self.bake("hills", "--count", "60000", "--exposure", "0", "--meadow", "grass"),
+        for field in (self.bake("hills", "--count", "60000", "--sky-rays", "0", "--meadow", "grass"),
                       self.far_field("--meadow", "grass")):
             with self.subTest(field=field.name):
                 rows = node_readers.three_instances(self.export(field, "blades.glb"))

@@ -90,7 +90,7 @@ class UsdaExport(ExportTest):
         return layer
 
     def test_usda_instances_are_the_blades(self):
-        layer = self.check(self.bake("hills", "--count", "50000", "--exposure", "0"))
+        layer = self.check(self.bake("hills", "--count", "50000", "--sky-rays", "0"))
         kinds = [prim.kind for prim in layer.prims.values()]
         self.assertGreater(kinds.count("PointInstancer"), 1)
 
@@ -101,7 +101,7 @@ class UsdaExport(ExportTest):
         self.check(self.bake("sphere", "--count", "5000"))
 
     def test_tinyusdz_understands_it_as_it_is_meant(self):
-        path = self.export(self.bake("hills", "--count", "60000", "--exposure", "0"), "field.usda")
+        path = self.export(self.bake("hills", "--count", "60000", "--sky-rays", "0"), "field.usda")
         text, meshes = node_readers.usd_text(path)
         self.assertEqual(meshes, 5, "the species of the default meadow")
         # Its own way of saying "in this layer".
@@ -198,7 +198,7 @@ class ExportCommand(ExportTest):
         return 1024 * usage.ru_maxrss
 
     def test_blades_are_streamed(self):
-        field = self.bake("hills", "--count", "500000", "--exposure", "0")
+        field = self.bake("hills", "--count", "500000", "--sky-rays", "0")
         # Reading and verifying the field is what every command needs.
         reading = self.peak("validate", field)
         for name in ("f.csv", "f.glb", "f.ply", "f.usda"):

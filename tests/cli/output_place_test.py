@@ -70,6 +70,17 @@ class OutputPlace(CliTest):
                     with self.subTest(command=command, other=other):
                         self.refused(*command, f"x{other}", code=USAGE, names=[f"x{other}", extension])
 
+    def test_that_ends_in_what_no_program_knows(self):
+        for command, extension in self.commands():
+            if command[0] == "export":
+                continue
+            for name in ("x.txt", "lawn.v2", "x.swrad"):
+                with self.subTest(command=command, name=name):
+                    self.refused(*command, name, code=USAGE, names=[name, extension])
+        # A name without an ending is taken as it is.
+        self.bake("plane", "--count", "10", to="field")
+        self.assertTrue((self.folder / "field").is_file())
+
     def test_of_a_tile_is_refused_before_the_tile_is_baked(self):
         # Without its parts the plan can bake nothing: an error of the place shows that it was looked at first.
         self.sward("plan", "plane", "--count", "10", "--tiles", "2", "-o", "p.json")

@@ -177,10 +177,29 @@ class Places(CliTest):
             with self.subTest(options=options):
                 self.assertTrue(all((b.root[0] < 0) == west for b in self.grown("two.glb", *options)))
 
-    def test_a_glob_that_matches_nothing_is_warned_of(self):
-        self.write("ground.glb", glb_bytes(square(4.0)))
-        done = self.sward("bake", "ground.glb", "-o", "f.sward", "--count", "10", "--node", "tree*")
-        self.assertRegex(done.stderr, r"warning: .*tree\*")
+    def test_names_that_match_nothing_are_refused_with_those_that_there_are(self):
+        self.write("two.glb", scene([("meadow_west", square(4.0)), ("rock_east", lifted(square(4.0), x=10))]))
+        for option in ("--node", "--material"):
+            for command in (("bake", "two.glb", "-o", "f.sward"), ("bake", "two.glb", "--dry-run"),
+                            ("plan", "two.glb", "--tiles", "1", "-o", "p.json")):
+                with self.subTest(option=option, command=command):
+                    self.refused(*command, option, "gras*", "Meadow*", code=INPUT,
+                                 names=["two.glb", option, "gras*, Meadow*", "meadow_west", "rock_east"])
+        # Ground without names of its own.
+        self.refused("bake", "plane", "-o", "f.sward", "--node", "gras*", code=INPUT, names=["plane", "gras*"])
+
+    def test_one_name_of_several_that_matches_nothing_is_warned_of(self):
+        self.write("two.glb", scene([("meadow_west", square(4.0)), ("rock_east", lifted(square(4.0), x=10))]))
+        self.write("far.glb", scene([("shore", lifted(square(4.0), x=30))]))
+        bake = ("bake", "-o", "f.sward", "--count", "10", "--force", "--node")
+        done = self.sward(*bake, "meadow*", "tree*", "--", "two.glb")
+        self.assertRegex(done.stderr, r"warning: .*tree\*.*rock_east")
+        # Of several files some may have no such node.
+        done = self.sward(*bake, "meadow*", "--", "two.glb", "far.glb")
+        self.assertRegex(done.stderr, r"warning: far.glb: .*meadow\*.*shore")
+        self.refused(*bake, "tree*", "--", "two.glb", "far.glb", code=INPUT, names=["tree*", "rock_east"])
+        done = self.sward("bake", "two.glb", "-o", "f.sward", "--count", "10", "--force", "--occlude-node", "wall")
+        self.assertRegex(done.stderr, r'warning: .*"wall".*rock_east')
 
     def test_units_and_scale_lead_to_metres(self):
         self.write("ground.glb", glb_bytes(square(1000.0)))
@@ -219,7 +238,7 @@ class Places(CliTest):
         wall = Mesh([(0, 0, -5), (0, 0, 5), (0, 6, 5), (0, 6, -5)], [(0, 1, 2), (0, 2, 3)])
         self.write("ground.glb", glb_bytes(square(10.0)))
         self.write("wall.glb", glb_bytes(wall))
-        blades = self.grown("ground.glb", "--occluder", "wall.glb", "--exposure", "32")
+        blades = self.grown("ground.glb", "--occluder", "wall.glb", "--sky-rays", "32")
         near = [float(b.row["exposure"]) for b in blades if abs(b.root[0]) < 0.5]
         far = [float(b.row["exposure"]) for b in blades if abs(b.root[0]) > 4.0]
         self.assertLess(sum(near) / len(near), sum(far) / len(far) - 0.05)
@@ -355,7 +374,7 @@ class Places(CliTest):
     def test_the_sky_is_asked_for_by_its_share(self):
         self.write("ground.glb", glb_bytes(square(10.0)))
         self.write("roof.glb", glb_bytes(lifted(square(6.0), y=0.4)))
-        options = ("--occluder", "roof.glb", "--exposure", "16")
+        options = ("--occluder", "roof.glb", "--sky-rays", "16")
         for blade in self.grown("ground.glb", *options, "--sky", "0.5:"):
             self.assertFalse(max(abs(blade.root[0]), abs(blade.root[2])) < 2.4, blade.root)
         shade = self.kept("ground.glb", *options, "--sky", ":0.5")

@@ -21,7 +21,7 @@ BLADES = 600
 
 SCENE = {"about": "A small meadow.", "ground": {"kind": "plane", "size": [20, 20]},
          "meadow": {"species": [{"name": "blade", "height_m": [0.6, 1.2], "width_m": [0.08, 0.08]}]},
-         "bake": ["--count", str(BLADES), "--exposure", "0", "--blade-scale", "1"],
+         "bake": ["--count", str(BLADES), "--sky-rays", "0", "--blade-scale", "1"],
          "camera": {"eye": [0, 3, 10], "target": [0, 0, 0]}, "draw": ["--draw-distance", "41", "--samples", "1"],
          "moving": [{"time": 0, "eye": [0, 3, 10], "target": [0, 0, 0]}, {"time": 1, "eye": [8, 3, 6], "target": [0, 0, 0]}]}
 

@@ -167,6 +167,28 @@ class PagesTest(unittest.TestCase):
                                   capture_output=True)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
 
+    def test_the_manual_page_has_defaults_groups_and_the_usual_sections(self):
+        for name, program in PROGRAMS.items():
+            page = said(program, "--man").replace("\\-", "-")
+            sections = re.findall(r"^\.SH (.*)$", page, re.M)
+            self.assertEqual(sections, ["NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "COMMANDS", "EXIT STATUS",
+                                        "ENVIRONMENT", "SEE ALSO"])
+            other, = PROGRAMS.keys() - {name}
+            self.assertIn(f".BR {other} (1)", page)
+            for variable in re.findall(r"environment:\s+(\w+)", said(program, "--help")):
+                self.assertIn(f".TP\n.B {variable}\n", page[page.index(".SH ENVIRONMENT"):])
+            for code in (0, 1, 2, 3, 4, 5, 7, 130):
+                self.assertIn(f".TP\n.B {code}\n", page)
+            for command in COMMANDS[name]:
+                text = page[page.index(f".SS {name} {command}\n"):]
+                found = pages({name: program})[name, command]
+                for option in found.options:
+                    if option.default:
+                        self.assertIn(f"default: {option.default}", text.replace("\\e", "\\"), option.usage)
+                titles = [title for title in found.groups if title not in ("Arguments", "Options")]
+                places = [text.index(f"\n.B {title}:\n") for title in titles]
+                self.assertEqual(places, sorted(places), f"{name} {command}: {titles}")
+
     def test_bash_completes_commands_options_and_words(self):
         self.assertEqual(complete(SWARD, "sward", "ba"), ["bake"])
         self.assertEqual(complete(SWARD, "sward", "bake", "--dens"), ["--density"])

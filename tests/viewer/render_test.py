@@ -210,6 +210,15 @@ class RenderTest(unittest.TestCase):
             with self.subTest(arguments=arguments):
                 self.refused(*arguments, code=code, says=says)
 
+    def test_ground_is_refused_with_the_command_that_bakes_it(self):
+        subprocess.run([SWARD, "terrain", "plane", "-o", self.folder / "x.glb"], check=True, capture_output=True)
+        for command in (("render", "-o", "x.png"), ("bench",)):
+            for ground, field in (("x.glb", "x.sward"), ("hills", "hills.sward")):
+                with self.subTest(command=command, ground=ground):
+                    done = self.viewer(*command, ground, code=3)
+                    self.assertIn(f"'sward bake {ground} -o {field}'", done.stderr)
+        self.assertFalse((self.folder / "x.png").exists())
+
     def test_a_wrong_field_is_refused_with_its_code(self):
         whole = self.field.read_bytes()
         (self.folder / "cut.sward").write_bytes(whole[:len(whole) // 2])

@@ -7,18 +7,23 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 #include <regex>
 #include <vector>
 
 namespace sward::apps {
 namespace {
 
-constexpr const char* exitCodes =
+constexpr const char* exitStatus =
     ".SH EXIT STATUS\n"
-    "0 done, 1 wrong usage, 2 cannot read or write, 3 invalid input, 4 failure while running,\n"
-    "5 unsupported, 7 difference found, 130 interrupted.\n"
-    ".SH ENVIRONMENT\n"
-    ".TP\n.B NO_COLOR\nIf set, nothing is coloured, on a terminal neither.\n";
+    ".TP\n.B 0\nDone.\n"
+    ".TP\n.B 1\nWrong usage: an option, a setting, or a name.\n"
+    ".TP\n.B 2\nA file cannot be read or written, or would be overwritten.\n"
+    ".TP\n.B 3\nA file was read, but its content is not valid.\n"
+    ".TP\n.B 4\nFailure while running: the device was lost, or there is no display or memory.\n"
+    ".TP\n.B 5\nNot supported: a format, a version, or no Vulkan device.\n"
+    ".TP\n.B 7\nA comparison found a difference.\n"
+    ".TP\n.B 130\nInterrupted.\n";
 
 // Escapes text for roff: backslashes and leading dots are special.
 std::string roff(const std::string& text)
@@ -35,6 +40,17 @@ std::string roff(const std::string& text)
             result += c;
     }
     return result;
+}
+
+// The programs' pages, and where the documentation lies once it is installed.
+std::string seeAlso(const std::string& program)
+{
+    const std::string other = program == "sward" ? "sward-view" : "sward";
+    return fmt::format(
+        ".SH SEE ALSO\n.BR {} (1)\n.PP\n"
+        "The folder share/doc/sward of the installation (package sward\\-doc): tutorial,\n"
+        "troubleshooting, cookbook, meadow files, settings files, exports, engine.\n",
+        roff(other));
 }
 
 std::vector<const CLI::App*> commandsOf(const CLI::App& app)
@@ -77,11 +93,23 @@ std::string optionText(const CLI::Option& option)
     return ".TP\n" + names + "\n" + roff(describe(option)) + "\n";
 }
 
+// Arguments first, then the options by their groups, as in --help.
 std::string optionsText(const CLI::App& app)
 {
+    const std::vector<const CLI::Option*> options = optionsOf(app);
     std::string text;
-    for (const CLI::Option* option : optionsOf(app))
-        text += optionText(*option);
+    for (const CLI::Option* option : options)
+        if (option->get_positional())
+            text += optionText(*option);
+    const std::string general = app.get_help_ptr()->get_group();
+    for (const std::string& group : app.get_groups()) {
+        std::string entries;
+        for (const CLI::Option* option : options)
+            if (!option->get_positional() && option->get_group() == group)
+                entries += optionText(*option);
+        const bool hasTitle = group != general && !entries.empty();
+        text += hasTitle ? fmt::format(".PP\n.B {}:\n{}", roff(group), entries) : entries;
+    }
     return text;
 }
 
@@ -107,6 +135,24 @@ std::vector<std::string> wordsOf(const CLI::Option& option)
          ++it)
         words.push_back(it->str());
     return words;
+}
+
+// Variables that set options, and one for all output.
+std::string environmentText(const CLI::App& app)
+{
+    std::map<std::string, std::string> found;
+    std::vector<const CLI::App*> apps = commandsOf(app);
+    apps.push_back(&app);
+    for (const CLI::App* command : apps)
+        for (const CLI::Option* option : optionsOf(*command))
+            if (!option->get_envname().empty())
+                found[option->get_envname()] = option->get_name();
+    std::string text = ".SH ENVIRONMENT\n"
+                       ".TP\n.B NO_COLOR\nIf set, output has no colours, not even on a terminal.\n";
+    for (const auto& [variable, option] : found)
+        text += fmt::format(".TP\n.B {}\nThe value of {} where that is not given.\n",
+                            roff(variable), roff(option));
+    return text;
 }
 
 std::string joined(const std::vector<std::string>& words, const char* between)
@@ -162,7 +208,7 @@ std::string manualPage(const CLI::App& app, const std::string& program)
                             roff(command->get_description()));
         text += optionsText(*command) + footerText(*command);
     }
-    return text + exitCodes;
+    return text + exitStatus + environmentText(app) + seeAlso(program);
 }
 
 std::string bashCompletion(const CLI::App& app, const std::string& program)

@@ -153,7 +153,8 @@ std::string describe(const CLI::Option& option)
         facts.push_back("default: " + option.get_default_str());
     std::vector<std::string> others;
     for (const CLI::Option* other : option.get_excludes())
-        others.push_back(other->get_name());
+        if (!other->get_group().empty()) // former names are hidden
+            others.push_back(other->get_name());
     std::sort(others.begin(), others.end());
     if (!others.empty())
         facts.push_back("not with " + CLI::detail::join(others, ", "));

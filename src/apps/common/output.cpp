@@ -32,8 +32,10 @@ std::string extensionOf(const std::filesystem::path& path)
 void requireExtension(const std::string& path, std::string_view extension)
 {
     const std::string found = extensionOf(path);
-    if (found == extension || std::ranges::find(formats, found) == formats.end())
+    if (found == extension || found.empty())
         return;
+    if (std::ranges::find(formats, found) == formats.end())
+        fail(ErrorKind::usage, "{}: what is written ends in {}, not in {}", path, extension, found);
     if (extension == ".sward" && std::ranges::find(exported, found) != exported.end())
         fail(ErrorKind::usage,
              "{}: a field is written, whose name ends in .sward; 'sward export' makes a {} of it",

@@ -10,8 +10,9 @@ namespace sward::apps {
 void writeResult(std::string_view text);
 
 /// Checks an output before any work; again after the inputs are loaded, it also knows the files
-/// that these name. Throws Error{usage} if its name has the extension of another format than
-/// `extension` (".sward"), or if it has been read; Error{io} as requireWritable() does.
+/// that these name. Throws Error{usage} if its name has another extension than `extension`
+/// (".sward"), or if it has been read; Error{io} as requireWritable() does. A name without any
+/// extension is taken as it is.
 void requireOutput(const std::string& path, std::string_view extension, bool overwrite);
 
 } // namespace sward::apps

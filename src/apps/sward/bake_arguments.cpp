@@ -25,8 +25,10 @@ std::vector<std::string> bakeArguments(const CLI::App& app)
     for (const CLI::Option* option : app.get_options()) {
         if (option->count() == 0)
             continue;
-        const std::string name =
+        std::string name =
             option->get_lnames().empty() ? option->get_name() : "--" + option->get_lnames()[0];
+        if (name == formerSkyRays)
+            name = "--sky-rays";
         if (std::find(aboutTheRun.begin(), aboutTheRun.end(), name) != aboutTheRun.end())
             continue;
         const std::vector<std::string>& values = option->results();

@@ -2,6 +2,7 @@
 
 #include "apps/common/parse_text.h"
 #include "core/error.h"
+#include "core/log.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -230,9 +231,14 @@ void BakeOptions::addPlaces(CLI::App& app)
     option("--clearance", settings.clearance, "M",
            "Free height above a root in metres, 0 to 1e9; 0: not tested")
         ->capture_default_str();
-    option("--exposure", settings.exposureRays, "N",
+    option("--sky-rays", settings.exposureRays, "N",
            "Rays from each root to the sky, 0 to 1024; 0: every root sees all of it")
         ->capture_default_str();
+    // Its former name; in no group, so that --help does not list it.
+    option(formerSkyRays, settings.exposureRays, "N", "")
+        ->group("")
+        ->excludes("--sky-rays")
+        ->each([](const std::string&) { log::warn("--exposure is now called --sky-rays"); });
     option("--ray-length", settings.rayLength, "M", "Length of these rays in metres, 0 to 1e9")
         ->capture_default_str();
     option("--sky", sky_, "MIN:MAX[~SOFT]", "Share of these rays that meet nothing, 0 to 1")

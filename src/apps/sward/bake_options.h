@@ -15,6 +15,9 @@ class App;
 
 namespace sward::apps {
 
+/// What --sky-rays was called.
+constexpr const char* formerSkyRays = "--exposure";
+
 /// A parsed `sward bake` command.
 struct BakeRequest {
     std::vector<std::string> inputs;    ///< files or built-in names; joined to one ground

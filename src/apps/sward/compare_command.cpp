@@ -1,3 +1,4 @@
+#include "apps/common/field_input.h"
 #include "apps/common/output.h"
 #include "apps/sward/subcommand.h"
 #include "apps/sward/transform_file.h"
@@ -74,6 +75,8 @@ public:
     {
         const glm::dmat4 transform =
             transform_.empty() ? glm::dmat4(1.0) : readTransform(transform_);
+        requireField(first_);
+        requireField(second_);
         const field::MappedField first = field::readField(first_);
         const field::MappedField second = field::readField(second_);
 

@@ -1,3 +1,4 @@
+#include "apps/common/field_input.h"
 #include "apps/common/interrupt.h"
 #include "apps/common/log_switches.h"
 #include "apps/common/output.h"
@@ -73,6 +74,7 @@ public:
             fail(ErrorKind::usage, "{}: --with-ground needs a .glb output", output_);
         checkOutput(output_, format.extension, {file_}, settings_.overwrite);
 
+        requireField(file_);
         const field::MappedField field = field::readField(file_);
         interchange::ExportSettings settings = settings_;
         settings.source = file_;

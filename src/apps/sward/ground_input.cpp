@@ -1,9 +1,11 @@
 #include "apps/sward/ground_input.h"
 
 #include "apps/common/interrupt.h"
+#include "core/error.h"
 #include "core/log.h"
 #include "terrain/file_kind.h"
 #include "terrain/heightmap/heightmap.h"
+#include "terrain/placement.h"
 #include "terrain/plausibility.h"
 #include "terrain/repeated_ground.h"
 
@@ -31,7 +33,9 @@ terrain::GroundMesh loadOne(const std::string& input, const terrain::ImportSetti
 terrain::GroundMesh loadBearing(const std::string& input, const BakeRequest& request,
                                 Diagnostics& diagnostics)
 {
-    terrain::GroundMesh ground = loadOne(input, request.import, diagnostics);
+    terrain::ImportSettings settings = request.import;
+    settings.mayMatchNothing = request.inputs.size() > 1;
+    terrain::GroundMesh ground = loadOne(input, settings, diagnostics);
     const std::string kind = terrain::fileKind(input);
     const bool isGltf = kind == ".glb" || kind == ".gltf";
     if (isGltf || kind == ".obj" || kind == ".ply" || kind == ".stl" || kind == ".off")
@@ -77,6 +81,14 @@ void warnOfOverlap(const std::vector<Placed>& maps, Diagnostics& diagnostics)
         }
 }
 
+// Names that match in none of several inputs would leave all ground bare.
+void requireMatches(const std::vector<std::string>& unmatched,
+                    const std::vector<std::string>& inputs)
+{
+    if (std::ranges::all_of(unmatched, [](const std::string& reason) { return !reason.empty(); }))
+        fail(ErrorKind::input, "{}: {}", inputs.front(), unmatched.front());
+}
+
 Placed placeOf(const std::string& input, const terrain::GroundMesh& ground)
 {
     const Aabb box = ground.bounds();
@@ -89,16 +101,19 @@ terrain::GroundMesh loadGround(const BakeRequest& request, Diagnostics& diagnost
 {
     warnWithoutHeightmap(request, diagnostics);
     terrain::GroundMesh ground = loadBearing(request.inputs.front(), request, diagnostics);
+    std::vector<std::string> unmatched{terrain::unmatchedGlobs(ground, request.import)};
     std::vector<Placed> maps;
     if (terrain::isHeightmap(request.inputs.front()))
         maps.push_back(placeOf(request.inputs.front(), ground));
     for (std::size_t i = 1; i < request.inputs.size(); ++i) {
         const std::string& input = request.inputs[i];
         const terrain::GroundMesh next = loadBearing(input, request, diagnostics);
+        unmatched.push_back(terrain::unmatchedGlobs(next, request.import));
         if (terrain::isHeightmap(input))
             maps.push_back(placeOf(input, next));
         terrain::append(ground, next);
     }
+    requireMatches(unmatched, request.inputs);
     warnOfOverlap(maps, diagnostics);
     if (request.inputs.size() > 1)
         terrain::removeCoincident(ground, diagnostics);

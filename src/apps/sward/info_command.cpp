@@ -1,3 +1,4 @@
+#include "apps/common/field_input.h"
 #include "apps/common/output.h"
 #include "apps/sward/info_text.h"
 #include "apps/sward/subcommand.h"
@@ -24,6 +25,7 @@ public:
 
     int run() const override
     {
+        requireField(file_);
         const field::MappedField field = field::readField(file_);
         std::optional<field::Distributions> all;
         if (histogram_)

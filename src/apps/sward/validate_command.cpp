@@ -1,3 +1,4 @@
+#include "apps/common/field_input.h"
 #include "apps/common/output.h"
 #include "apps/sward/subcommand.h"
 #include "field/read.h"
@@ -20,6 +21,7 @@ public:
     int run() const override
     {
         // Reading validates: it throws at the first error.
+        requireField(file_);
         const field::MappedField field = field::readField(file_);
         writeResult(fmt::format("{}: valid, {} blades in {} patches\n", file_,
                                 field::rootedBlades(field.view()), field.view().patches.size()));

@@ -1,9 +1,9 @@
 #include "apps/sward_view/baking.h"
 
+#include "apps/common/field_input.h"
 #include "apps/sward_view/child_process.h"
 #include "core/error.h"
 #include "core/log.h"
-#include "core/lower_case.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -54,16 +54,7 @@ std::string plain(std::string_view line)
 
 bool wantsBaking(const std::string& input)
 {
-    constexpr std::array<std::string_view, 14> extensions{".glb", ".gltf", ".obj", ".ply", ".stl",
-                                                          ".off", ".png",  ".r16", ".raw", ".r32",
-                                                          ".hgt", ".asc",  ".exr", ".json"};
-    constexpr std::array<std::string_view, 6> builtIns{"plane", "sphere", "hills",
-                                                       "dunes", "torus",  "arch"};
-    const std::string extension = lowerCase(fs::path(input).extension().string());
-    if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end())
-        return true;
-    return !fs::exists(input) &&
-           std::find(builtIns.begin(), builtIns.end(), input) != builtIns.end();
+    return apps::namesGround(input);
 }
 
 std::optional<BakeProgress> parseProgress(std::string_view line)

@@ -135,9 +135,29 @@ TEST(Load, LetsOnlyTheNamedNodesBear)
 
 TEST(Load, WarnsOfAGlobThatMatchesNothing)
 {
-    Diagnostics diagnostics;
-    loadContent("a.glb", threeNodes(), {.bearingNodes = {"lawm"}}, &diagnostics);
-    EXPECT_THAT(diagnostics.warnings(), ElementsAre(HasSubstr("lawm")));
+    for (const ImportSettings& settings :
+         {ImportSettings{.bearingNodes = {"lawm", "lawn"}},
+          ImportSettings{.occluderNodes = {"lawm"}, .bareNames = false},
+          ImportSettings{.bearingNodes = {"lawm"}, .mayMatchNothing = true}}) {
+        Diagnostics diagnostics;
+        loadContent("a.glb", threeNodes(), settings, &diagnostics);
+        EXPECT_THAT(diagnostics.warnings(), ElementsAre(HasSubstr("lawm")));
+    }
+}
+
+TEST(Load, RefusesNamesOfWhichNoneMatches)
+{
+    for (const ImportSettings& settings : {ImportSettings{.bearingNodes = {"lawm", "tree"}},
+                                           ImportSettings{.bearingMaterials = {"lawm", "tree"}}}) {
+        try {
+            loadContent("a.glb", threeNodes(), settings);
+            ADD_FAILURE() << "nothing bears grass";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::input);
+            EXPECT_THAT(error.what(), testing::AllOf(HasSubstr("a.glb"), HasSubstr("lawm, tree"),
+                                                     HasSubstr("matches none of its")));
+        }
+    }
 }
 
 TEST(ContentHash, TellsGroundsApart)

@@ -1,5 +1,6 @@
 #include "apps/sward_view/headless/headless.h"
 
+#include "apps/common/field_input.h"
 #include "apps/common/interrupt.h"
 #include "apps/sward_view/camera_file.h"
 #include "apps/sward_view/graphics.h"
@@ -50,8 +51,10 @@ std::vector<double> sumOf(std::vector<double> first, const std::vector<double>& 
 std::vector<field::MappedField> readAll(const std::vector<std::string>& names)
 {
     std::vector<field::MappedField> files;
-    for (const std::string& name : names)
+    for (const std::string& name : names) {
+        apps::requireField(name);
         files.push_back(field::readField(name));
+    }
     return files;
 }
 

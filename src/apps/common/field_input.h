@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+namespace sward::apps {
+
+/// Whether a name is one of ground, by its extension or as a built-in: what `sward bake` takes.
+bool namesGround(const std::string& input);
+
+/// Throws Error{input} with the command that bakes `input`, if it names ground instead of a field.
+void requireField(const std::string& input);
+
+} // namespace sward::apps
