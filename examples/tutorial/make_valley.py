@@ -5,6 +5,7 @@
 
 valley.png   heightmap, 16 bits, 257 x 257 samples: black is the lowest place, white the highest
 road.png     mask over it, 8 bits, 512 x 512 pixels: white is road, black is not
+verge.png    another: white up to four metres beside the road
 """
 
 import math
@@ -59,8 +60,9 @@ def grid(side, value):
 def main():
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
     write_png(folder / "valley.png", 257, grid(257, lambda x, z: (height(x, z) - LOW) / (HIGH - LOW)), 16)
-    # Two metres wide at full strength; the verge fades over 60 cm.
+    # The edge of the road is 60 cm wide, so that grass thins out there.
     write_png(folder / "road.png", 512, grid(512, lambda x, z: (1.9 - from_road(x, z)) / 0.6), 8)
+    write_png(folder / "verge.png", 512, grid(512, lambda x, z: (6.0 - from_road(x, z)) / 2.0), 8)
 
 
 if __name__ == "__main__":

@@ -148,6 +148,23 @@ class HelpTest(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
 
+class OptionsInDocs(unittest.TestCase):
+    def test_pages_name_only_options_that_there_are(self):
+        # Of cmake, blender and pkg-config; and what no --help lists.
+        known = {"--build", "--install", "--prefix", "--factory-startup", "--python", "--libs", "--man", "--completion",
+                 "--option"}
+        for page in pages(PROGRAMS).values():
+            known |= {name for option in page.options for name in option.names}
+        for script in (ROOT / "scripts").iterdir():
+            if script.is_file():
+                known |= set(re.findall(r"--[a-z][a-z0-9-]+", script.read_text(encoding="utf-8")))
+        documents = [ROOT / "README.md", *(ROOT / "docs").glob("*.md"), *(ROOT / "docs/algorithms").glob("*.md")]
+        self.assertGreater(len(documents), 20)
+        for document in documents:
+            named = set(re.findall(r"(?<![\w-])--[a-z][a-z0-9-]+", document.read_text(encoding="utf-8")))
+            self.assertEqual(sorted(named - known), [], document.relative_to(ROOT))
+
+
 class PagesTest(unittest.TestCase):
     def test_the_manual_page_has_every_option_of_every_command(self):
         for name, program in PROGRAMS.items():
