@@ -123,8 +123,8 @@ std::vector<std::vector<CellNumber>> dealTiles(const terrain::GroundMesh& ground
         const double touched = sizeOf(range);
         if (touched + double(cells.size()) > double(maxCells))
             fail(ErrorKind::input,
-                 "the boxes of triangles 0 to {} hold {:.4g} cells of 32 m, more than the {} that "
-                 "a plan deals; --scale, or a ground of smaller triangles, makes fewer",
+                 "the boxes of triangles 0 to {} hold {:.4g} cells of 32 m, more than the {} of a "
+                 "plan; --scale, or a ground of smaller triangles, makes fewer",
                  t, touched + double(cells.size()), maxCells);
         const double area = ground.area(t) / touched;
         forEachCell(range, [&](const CellNumber& cell) {

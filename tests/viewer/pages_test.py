@@ -114,8 +114,8 @@ class HelpTest(unittest.TestCase):
         tried = 0
         for (name, command), page in self.pages.items():
             for option in page.options:
-                text = re.sub(r"(\d) (million|billion)\b",
-                              lambda found: found[1] + {"million": "e6", "billion": "e9"}[found[2]], option.text)
+                text = re.sub(r"(\d+) (million|billion)\b",
+                              lambda found: found[1] + {"million": "0" * 6, "billion": "0" * 9}[found[2]], option.text)
                 found = re.search(rf"{number} to {number}(?![\d.]*[x\w])", text)
                 if option.value not in ("N", "M", "F", "S", "X", "auto|F") or not found:
                     continue

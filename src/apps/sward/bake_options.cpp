@@ -89,7 +89,7 @@ void BakeOptions::addGround(CLI::App& app)
     option("--units", import.units, "m|cm|mm|ft", "Length of one unit of the file")
         ->capture_default_str();
     option("--scale", import.scale, "F",
-           "Factor on all lengths of the file, besides --units; above 0, up to 1e9")
+           "Factor on all lengths of the file, in addition to --units; above 0, up to 1e9")
         ->capture_default_str();
     option("--ground-up", groundUp_, "UP",
            "Direction against gravity, from which slope and altitude are measured: x, y, z, -x, "
@@ -157,19 +157,18 @@ void BakeOptions::addGround(CLI::App& app)
 
 void BakeOptions::addAmount(CLI::App& app)
 {
-    const char* group = "How much";
+    const char* group = "Amount";
     CLI::Option* density =
         app.add_option("--density", density_, "Blades per square metre, 0 to 1e15")
             ->default_str("what closes the meadow's sward, within --budget")
             ->type_name("N")
             ->group(group)
             ->each([this](const std::string&) { hasDensity_ = true; });
-    CLI::Option* count =
-        app.add_option("--count", count_, "Exact number of blades, 0 to 4000000000")
-            ->type_name("N")
-            ->group(group)
-            ->excludes(density)
-            ->each([this](const std::string&) { hasCount_ = true; });
+    CLI::Option* count = app.add_option("--count", count_, "Exact number of blades, 0 to 4 billion")
+                             ->type_name("N")
+                             ->group(group)
+                             ->excludes(density)
+                             ->each([this](const std::string&) { hasCount_ = true; });
     app.add_option("--spacing", spacing_,
                    "Least distance of roots in metres, 1e-9 to 1e9; implies --sampling poisson")
         ->type_name("M")
@@ -184,15 +183,16 @@ void BakeOptions::addAmount(CLI::App& app)
         ->each([this](const std::string&) { hasSampling_ = true; })
         ->group(group)
         ->capture_default_str();
-    app.add_option("--budget", direct_.settings.budget,
-                   "Blades, 1 to 4000000000, ribbons of plants among them, that a bake without "
-                   "--density, --spacing and --count grows at most; fewer blades are wider, and "
-                   "the ground takes the sward's colour")
+    app.add_option(
+           "--budget", direct_.settings.budget,
+           "Largest number of blades, 1 to 4 billion, ribbons of plants included, of a bake "
+           "without --density, --spacing and --count; fewer blades are wider, and the "
+           "ground takes the sward's colour")
         ->type_name("N")
         ->group(group)
         ->capture_default_str();
     app.add_option("--max-blades", direct_.settings.maxBlades,
-                   "Limit on the number of blades, 0 to 4000000000; a larger bake is refused "
+                   "Limit on the number of blades, 0 to 4 billion; a larger bake is refused "
                    "before it begins")
         ->type_name("N")
         ->group(group)
@@ -209,7 +209,7 @@ void BakeOptions::addPlaces(CLI::App& app)
 {
     bake::BakeSettings& settings = direct_.settings;
     const auto option = [&](const char* name, auto& value, const char* type, const char* text) {
-        return app.add_option(name, value, text)->type_name(type)->group("Where");
+        return app.add_option(name, value, text)->type_name(type)->group("Placement");
     };
     option("--slope", slope_, "MIN:MAX[~SOFT]", "Slope in degrees from --ground-up, 0 to 180")
         ->default_str("0:45~15 on a heightfield, else 0:180");
@@ -239,9 +239,11 @@ void BakeOptions::addPlaces(CLI::App& app)
         ->group("")
         ->excludes("--sky-rays")
         ->each([](const std::string&) { log::warn("--exposure is now called --sky-rays"); });
-    option("--ray-length", settings.rayLength, "M", "Length of these rays in metres, 0 to 1e9")
+    option("--ray-length", settings.rayLength, "M",
+           "Length of the rays to the sky in metres, 0 to 1e9")
         ->capture_default_str();
-    option("--sky", sky_, "MIN:MAX[~SOFT]", "Share of these rays that meet nothing, 0 to 1")
+    option("--sky", sky_, "MIN:MAX[~SOFT]",
+           "Share of the rays to the sky that meet nothing, 0 to 1")
         ->default_str("0:1");
     option(
         "--mask", masks_, "MASK",

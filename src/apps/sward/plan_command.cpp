@@ -55,7 +55,7 @@ public:
             ->type_name("PLAN.json")
             ->required();
         app()
-            .add_option("--tiles", tiles_, "Number of tiles of about equal area, 1 to 1000000")
+            .add_option("--tiles", tiles_, "Number of tiles of about equal area, 1 to 1 million")
             ->type_name("N")
             ->check(CLI::Range(1U, maxTiles).description(""))
             ->required()

@@ -210,7 +210,7 @@ std::string Baking::complaint() const
     for (auto line = lines_.rbegin(); line != lines_.rend(); ++line)
         if (line->starts_with("error: "))
             return line->substr(7);
-    return lines_.empty() ? "the baker gave no reason" : lines_.back();
+    return lines_.empty() ? "the bake gave no reason" : lines_.back();
 }
 
 } // namespace sward::view

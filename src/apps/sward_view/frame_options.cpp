@@ -196,7 +196,7 @@ void FrameOptions::addMeasured(CLI::App& app)
                 fail(ErrorKind::usage, "--lod: '{}' is not on or off", text);
             levelOfDetail = text == "on";
         },
-        "on|off", "Level of detail: of blades thinner than a pixel some are drawn, wider")
+        "on|off", "Level of detail: of blades thinner than a pixel fewer are drawn, each wider")
         ->default_str("on");
     option(
         "--debug", [this](const std::string& text) { debug = parseDebug(text); }, "WORD",

@@ -152,14 +152,14 @@ void addBenchCommand(CLI::App& app, apps::Command& chosen)
         ->type_name("");
     options->frame.addShared(*command);
     options->frame.addMeasured(*command);
-    command->add_option("--frames", options->frames, "Measured frames, 1 to 1000000")
+    command->add_option("--frames", options->frames, "Measured frames, 1 to 1 million")
         ->type_name("N")
         ->check(CLI::Range(std::uint32_t(1), maxFrames).description(""))
         ->capture_default_str();
     command
         ->add_option(
             "--warmup", options->warmup,
-            "Frames before the measured ones, 0 to 1000000; above 0, the first is repeated "
+            "Frames before the measured ones, 0 to 1 million; above 0, the first is repeated "
             "until 0.5 s have passed")
         ->type_name("N")
         ->check(CLI::Range(std::uint32_t(0), maxFrames).description(""))

@@ -29,8 +29,8 @@ int showDevices()
 
 void addDevicesCommand(CLI::App& app, apps::Command& chosen)
 {
-    CLI::App* command = app.add_subcommand(
-        "devices", "List the Vulkan devices, and what those lack that cannot be used");
+    CLI::App* command =
+        app.add_subcommand("devices", "List the Vulkan devices, and why some cannot be used");
     const auto log = std::make_shared<apps::LogSwitches>();
     log->add(*command);
     command->footer("Example:\n  sward-view devices");

@@ -82,8 +82,7 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
     options->viewer.seconds = std::numeric_limits<double>::infinity();
     options->frame.addShared(app);
     const char* group = "Window";
-    app.add_flag("--watch", options->frame.watch,
-                 "Open files and settings again whenever they change")
+    app.add_flag("--watch", options->frame.watch, "Reload files and settings when they change")
         ->group(group);
     app.add_option(
            "--meadow", options->viewer.meadow,
