@@ -13,13 +13,10 @@ namespace sward::bake {
 namespace {
 
 // Side of the lattice's cubes in units of the distance between regions.
-constexpr double sideInAparts = 20.0;
+constexpr double sideInAparts = 16.0;
 
 // Lattice offset [sides]. Avoids the world's origin, because much ground is flat there.
 constexpr double latticeOffset = 0.377;
-
-// Largest distance of a triangle's point from its centroid, in units of its longest edge.
-constexpr double fromCentroid = 2.0 / 3.0;
 
 double extentOf(const terrain::GroundMesh& ground)
 {

@@ -11,6 +11,9 @@
 
 namespace sward::bake {
 
+/// Largest distance of a triangle's point from its centroid, in units of its longest edge.
+inline constexpr double fromCentroid = 2.0 / 3.0;
+
 /// One of the 4^level equal parts of a triangle, as barycentrics: corners (b, c), (b + size, c) and
 /// (b, c + size). `size` is negative for inverted parts.
 struct Fragment {

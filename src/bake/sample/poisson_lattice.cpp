@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/floor.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sward::bake {
@@ -26,6 +27,7 @@ constexpr std::array<std::uint64_t, 8> orderOfPlanes = {7, 4, 5, 1, 6, 2, 3, 0};
 
 PoissonLattice::PoissonLattice(double side, double offset, double apart, double extent)
     : side_(side)
+    , perSide_(1.0 / side)
     , offset_(offset)
     , apart_(apart)
     , near_{0.0, 0.5 * apart, 1.5 * apart, 2.5 * apart}
@@ -50,13 +52,31 @@ int PoissonLattice::kindOf(Key key)
     return kinds[key >> 60];
 }
 
+DAabb PoissonLattice::boxOf(Key key) const
+{
+    const auto order = static_cast<std::size_t>(key >> 60);
+    const auto planes = static_cast<int>(
+        std::find(orderOfPlanes.begin(), orderOfPlanes.end(), order) - orderOfPlanes.begin());
+    DAabb box;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto cell =
+            static_cast<std::int64_t>(key >> (20 * (2 - axis)) & 0xfffffU) - halfRange;
+        const double low = offset_ + side_ * double(cell);
+        const bool hugs = (planes >> axis & 1) != 0;
+        const double near = near_[bitsOf(planes)] + slack * side_;
+        box.low[axis] = hugs ? low - near : low - slack * side_;
+        box.high[axis] = hugs ? low + near : low + (1.0 + slack) * side_;
+    }
+    return box;
+}
+
 PoissonLattice::Key PoissonLattice::regionOf(const glm::dvec3& place) const
 {
     std::array<std::int64_t, 3> cell;
     std::array<std::int64_t, 3> plane;
     std::array<double, 3> distance;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double scaled = (place[int(axis)] - offset_) / side_;
+        const double scaled = (place[int(axis)] - offset_) * perSide_;
         cell[axis] = floorOf(scaled);
         plane[axis] = floorOf(scaled + 0.5);
         distance[axis] = std::fabs(scaled - double(plane[axis])) * side_;

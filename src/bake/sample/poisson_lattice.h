@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/bounds.h"
+
 #include <glm/vec3.hpp>
 
 #include <array>
@@ -29,6 +31,9 @@ public:
     /// The region of a position.
     Key regionOf(const glm::dvec3& place) const;
 
+    /// A box that contains the region.
+    DAabb boxOf(Key key) const;
+
     /// Appends the regions of all positions in a box, and possibly a few more.
     void addRegionsOf(const glm::dvec3& low, const glm::dvec3& high, std::vector<Key>& keys) const;
 
@@ -42,7 +47,7 @@ public:
 private:
     Key keyOf(int planes, const std::array<std::int64_t, 3>& cell) const;
 
-    double side_, offset_, apart_;
+    double side_, perSide_, offset_, apart_;
     double near_[4]; ///< by number of planes: distance that belongs to their crossing
 };
 

@@ -1,6 +1,8 @@
 #include "bake/sample/poisson_region.h"
 
 #include "bake/sample/disk_grid.h"
+#include "bake/sample/disk_map.h"
+#include "bake/sample/poisson_parts.h"
 #include "bake/sample/triangle_points.h"
 #include "core/random.h"
 
@@ -9,17 +11,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
+#include <optional>
 
 namespace sward::bake {
 namespace {
 
-// Keys of the random numbers of darts and of part orders.
-constexpr std::uint64_t dartSalt = 0x64617274ULL;
-constexpr std::uint64_t orderSalt = 0x6f72646572ULL;
-
 constexpr std::uint64_t golden = 0x9e3779b97f4a7c15U;
+
+// Darts whose places are computed before the first of them lands.
+constexpr std::size_t dartsInFlight = 128;
 
 // Width of the grid cells for a region's disks, in spacings.
 constexpr double cellWidth = 2.0;
@@ -45,283 +45,234 @@ public:
             const PoissonLattice& lattice, double spacing, bool filtered,
             const PoissonTuning& tuning, const TileRegion* counted)
         : ground_(ground)
-        , seed_(seed)
         , filter_(filter)
-        , lattice_(lattice)
         , spacing_(spacing)
         , widest_(filtered ? tuning.widest * spacing : spacing)
         , tuning_(tuning)
         , counted_(counted)
+        , parts_(ground, seed, lattice, spacing, tuning, counted)
     {
     }
 
     RegionResult fill(std::span<const RegionPiece> pieces, const CubeIndex<Disk>& before)
     {
-        RegionResult result;
-        pass_ = 0;
-        gatherParts(pieces);
-        if (parts_.empty())
-            return result;
-        gatherDisks(before);
-        for (pass_ = 0; pass_ < PoissonTuning::passes; ++pass_)
-            if (const int rounds = tuning_.rounds[std::size_t(pass_)]; rounds > 0) {
-                if (pass_ > 0)
-                    quarter();
-                for (int round = 0; round < rounds; ++round)
-                    throwRound(round, result);
-            }
-        return result;
+        result_ = {};
+        parts_.gather(pieces);
+        if (!parts_.empty()) {
+            gatherDisks(before);
+            throwAll();
+        }
+        return std::move(result_);
     }
 
     const SearchLimit* limit = nullptr; // of time, if there is one
 
 private:
-    // A triangle side with parts in the region.
-    struct TriangleSide {
-        glm::dvec3 corner, first, second;
-        std::uint32_t triangle;
-        std::uint32_t source;
-        int level;
-        bool back;
-        std::uint64_t key;   // of random numbers
-        std::uint64_t tries; // per part and round, times 2³²
-        std::array<std::uint32_t, PoissonTuning::passes> firstNumber; // of candidates per pass
-        double slack;                                                 // rounding of positions [m]
+    struct Dart {
+        glm::vec3 local;     // place, in a smooth region
+        std::uint32_t index; // among the darts of its part
+        std::uint64_t bits;  // random
+        const DartPart* part;
     };
 
-    // One of the 4^(level + pass) parts of its triangle.
-    struct Part {
-        std::uint32_t side;
-        std::uint16_t column;
-        std::uint16_t row;
-        bool turned;
-        bool open;
-    };
-
-    void gatherParts(std::span<const RegionPiece> pieces);
     void gatherDisks(const CubeIndex<Disk>& before);
-    void quarter();
-    void throwRound(int round, RegionResult& result);
-    void throwAt(Part& part, int round, RegionResult& result);
-    void throwDart(Part& part, const Fragment& fragment, std::uint32_t candidate,
-                   RegionResult& result);
+    void findMeanNormal();
+    bool agrees(const glm::dvec3& normal) const { return glm::dot(normal, axis_) > smoothCosine; }
+    void insertInGrid(const Disk& disk);
+    void throwAll();
+    void throwRound(int round);
+    void land();
+    void throwDart(const Dart& dart);
+    glm::vec2 placeOf(const Dart& dart) const;
+    bool countsOnBorder(const Dart& dart) const;
+    bool counts(const Dart& dart) const
+    {
+        return dart.part->counts == DartPart::Counts::some
+                   ? countsOnBorder(dart)
+                   : dart.part->counts == DartPart::Counts::all;
+    }
+    bool isCovered(const DartPart& part, int level) const;
     bool covers(const Disk& disk, const TriangleSide& side, const Fragment& fragment) const;
-    Fragment fragmentOf(const Part& part) const
-    {
-        return fragmentAt(sides_[part.side].level + pass_, part.column, part.row, part.turned);
-    }
-    glm::dvec3 placeOf(const TriangleSide& side, double b, double c) const
-    {
-        return side.corner + b * side.first + c * side.second;
-    }
+
     const terrain::GroundMesh& ground_;
-    std::uint64_t seed_;
     const RootFilter& filter_;
-    const PoissonLattice& lattice_;
     double spacing_;
     double widest_;
     const PoissonTuning& tuning_;
     const TileRegion* counted_;
 
-    std::vector<TriangleSide> sides_;
-    std::vector<Part> parts_;
-    std::vector<Part> next_;
+    RegionParts parts_;
+    DAabb box_;            // of all disks that can block a dart
+    glm::dvec3 axis_{0.0}; // mean normal
+    bool smooth_ = false;  // all normals agree with it
+    bool mapped_ = false;  // disks are in the map, else in the grid
+    DiskMap map_;
     DiskGrid grid_;
-    bool smooth_ = false;
-    int pass_ = 0;
+    std::vector<Disk> earlier_;
+    std::vector<Dart> flight_;
+    std::vector<std::uint32_t> landing_;
+    RegionResult result_;
 };
 
-void RegionFiller::Sampler::gatherParts(std::span<const RegionPiece> pieces)
+// The mean normal of all sides, and whether they agree with it.
+void RegionFiller::Sampler::findMeanNormal()
 {
-    sides_.clear();
-    parts_.clear();
-    for (const RegionPiece& piece : pieces) {
-        if (sides_.empty() || sides_.back().triangle != piece.triangle ||
-            sides_.back().back != piece.back) {
-            const glm::uvec3 corners = ground_.triangles[piece.triangle];
-            TriangleSide side;
-            side.corner = glm::dvec3(ground_.positions[corners.x]);
-            side.first = glm::dvec3(ground_.positions[corners.y]) - side.corner;
-            side.second = glm::dvec3(ground_.positions[corners.z]) - side.corner;
-            side.triangle = piece.triangle;
-            side.source = ground_.source(piece.triangle);
-            side.back = piece.back;
-            side.key = hashBits(seed_ ^ orderSalt,
-                                std::uint64_t(side.source) << 1 | std::uint64_t(piece.back));
-            side.level = fragmentLevel(ground_, piece.triangle, tuning_.fragmentEdge * spacing_);
-            const double area = ground_.area(piece.triangle) / double(1ULL << (2 * side.level));
-            const double tries = area / (tuning_.areaPerDart * spacing_ * spacing_);
-            side.tries = static_cast<std::uint64_t>(tries * 0x1.0p32);
-            // Candidates are numbered pass by pass.
-            std::uint64_t number = 0;
-            for (int pass = 0; pass < PoissonTuning::passes; ++pass) {
-                side.firstNumber[std::size_t(pass)] = static_cast<std::uint32_t>(number);
-                number +=
-                    static_cast<std::uint64_t>(tuning_.rounds[std::size_t(pass)] * tries + 1.0)
-                    << 2 * (side.level + pass);
-            }
-            side.slack =
-                relativeSlack * (largest(side.corner) + largest(side.first) + largest(side.second));
-            sides_.push_back(side);
-        }
-        const TriangleSide& side = sides_.back();
-        const auto index = static_cast<std::uint32_t>(sides_.size() - 1);
-        const auto place = [&](std::uint32_t column, std::uint32_t row, bool turned) {
-            if (!piece.whole) {
-                const Fragment fragment = fragmentAt(side.level, column, row, turned);
-                const double third = double(fragment.size) / 3.0;
-                const glm::dvec3 middle =
-                    placeOf(side, double(fragment.b) + third, double(fragment.c) + third);
-                if (lattice_.regionOf(middle) != piece.region)
-                    return;
-            }
-            parts_.push_back({index, static_cast<std::uint16_t>(column),
-                              static_cast<std::uint16_t>(row), turned, true});
-        };
-        forEachPart(piece, side.level, place);
+    glm::dvec3 sum(0.0);
+    for (const TriangleSide& side : parts_.sides())
+        sum += side.back ? -side.face : side.face;
+    const double length = std::sqrt(glm::dot(sum, sum));
+    smooth_ = length > 0.0;
+    axis_ = smooth_ ? sum / length : sum;
+    for (const TriangleSide& side : parts_.sides()) {
+        if (!smooth_)
+            break;
+        const double sign = side.back ? -1.0 : 1.0;
+        const glm::uvec3 corners = ground_.triangles[side.triangle];
+        smooth_ = agrees(sign * side.face) &&
+                  agrees(sign * glm::dvec3(ground_.normals[corners.x])) &&
+                  agrees(sign * glm::dvec3(ground_.normals[corners.y])) &&
+                  agrees(sign * glm::dvec3(ground_.normals[corners.z]));
     }
 }
 
 void RegionFiller::Sampler::gatherDisks(const CubeIndex<Disk>& before)
 {
-    // Bounding box of all positions that darts can hit.
-    glm::dvec3 low(std::numeric_limits<double>::max());
-    glm::dvec3 high(std::numeric_limits<double>::lowest());
-    for (const Part& part : parts_) {
-        const TriangleSide& side = sides_[part.side];
-        const Fragment fragment = fragmentOf(part);
-        const auto b = double(fragment.b);
-        const auto c = double(fragment.c);
-        const auto size = double(fragment.size);
-        for (const glm::dvec3& corner :
-             {placeOf(side, b, c), placeOf(side, b + size, c), placeOf(side, b, c + size)}) {
-            low = glm::min(low, corner);
-            high = glm::max(high, corner);
-        }
-    }
-    // Extend the grid around it by the widest disk.
-    const double margin = widest_ + largest(glm::max(glm::abs(low), glm::abs(high))) * 1e-6;
-    low -= margin;
-    high += margin;
-    grid_.clear(low, high, cellWidth * spacing_);
+    box_ = parts_.bounds();
+    const DAabb inner = box_;
+    const double margin =
+        widest_ + largest(glm::max(glm::abs(box_.low), glm::abs(box_.high))) * 1e-6;
+    box_.low -= margin;
+    box_.high += margin;
+    findMeanNormal();
 
-    // Test whether the region is smooth.
-    glm::dvec3 sum(0.0);
-    for (const TriangleSide& side : sides_) {
-        const glm::dvec3 face = ground_.faceNormal(side.triangle);
-        sum += side.back ? -face : face;
-    }
-    const double length = std::sqrt(glm::dot(sum, sum));
-    smooth_ = length > 0.0;
-    const glm::dvec3 axis = smooth_ ? sum / length : sum;
-    const auto agrees = [&](const glm::dvec3& normal) {
-        return glm::dot(normal, axis) > smoothCosine;
-    };
-    for (std::size_t i = 0; i < sides_.size() && smooth_; ++i) {
-        const TriangleSide& side = sides_[i];
-        const double sign = side.back ? -1.0 : 1.0;
-        const glm::uvec3 corners = ground_.triangles[side.triangle];
-        smooth_ = agrees(sign * ground_.faceNormal(side.triangle)) &&
-                  agrees(sign * glm::dvec3(ground_.normals[corners.x])) &&
-                  agrees(sign * glm::dvec3(ground_.normals[corners.y])) &&
-                  agrees(sign * glm::dvec3(ground_.normals[corners.z]));
-    }
-
-    before.forEachIn(low, high, [&](const Disk& disk) {
+    earlier_.clear();
+    before.forEachIn(box_.low, box_.high, [&](const Disk& disk) {
         const glm::dvec3 place(disk.position);
         for (glm::length_t i = 0; i < 3; ++i)
-            if (place[i] <= low[i] || place[i] >= high[i])
+            if (place[i] <= box_.low[i] || place[i] >= box_.high[i])
                 return;
         smooth_ = smooth_ && agrees(glm::dvec3(disk.normal));
-        grid_.insert(disk);
+        earlier_.push_back(disk);
     });
+    mapped_ = smooth_ && tuning_.maps;
+    if (mapped_) {
+        map_.clear(parts_.placeIn(axis_, inner, widest_));
+    } else {
+        grid_.clear(box_.low, box_.high, cellWidth * spacing_);
+        parts_.place();
+    }
+    for (const Disk& disk : earlier_)
+        if (!mapped_ || !map_.insert(disk))
+            insertInGrid(disk);
 }
 
-// Replaces open parts by their quarters; `pass_` is the pass of the quarters.
-void RegionFiller::Sampler::quarter()
+void RegionFiller::Sampler::insertInGrid(const Disk& disk)
 {
-    next_.clear();
-    for (const Part& part : parts_) {
-        if (!part.open)
+    if (mapped_) {
+        // Sheets lie on each other: go on with the grid. It blocks the same darts.
+        mapped_ = false;
+        grid_.clear(box_.low, box_.high, cellWidth * spacing_);
+        map_.forEach([&](const Disk& other) { grid_.insert(other); });
+    }
+    grid_.insert(disk);
+}
+
+void RegionFiller::Sampler::throwAll()
+{
+    for (int pass = 0; pass < PoissonTuning::passes; ++pass) {
+        const int rounds = tuning_.rounds[std::size_t(pass)];
+        if (rounds == 0)
             continue;
-        const std::uint32_t column = 2U * part.column;
-        const std::uint32_t row = 2U * part.row;
-        const auto add = [&](std::uint32_t i, std::uint32_t j, bool turned) {
-            next_.push_back({part.side, static_cast<std::uint16_t>(column + i),
-                             static_cast<std::uint16_t>(row + j), turned, true});
-        };
-        const std::uint32_t far = part.turned ? 1 : 0;
-        add(far, far, part.turned);
-        add(far, far, !part.turned);
-        add(1 - far, far, part.turned);
-        add(far, 1 - far, part.turned);
-    }
-    parts_.swap(next_);
-}
-
-// Visits the parts in strides of the golden ratio, an order independent of the mesh's order.
-void RegionFiller::Sampler::throwRound(int round, RegionResult& result)
-{
-    const std::size_t count = parts_.size();
-    if (count == 0)
-        return;
-    std::size_t stride =
-        std::max<std::size_t>(1, static_cast<std::size_t>(0.6180339887498949 * double(count)));
-    while (std::gcd(stride, count) != 1)
-        ++stride;
-    for (std::size_t i = 0, at = 0; i < count; ++i) {
-        if (limit != nullptr && i % 1024 == 0)
-            limit->require();
-        if (parts_[at].open)
-            throwAt(parts_[at], round, result);
-        at += stride;
-        if (at >= count)
-            at -= count;
+        if (pass > parts_.pass())
+            parts_.quarter(pass - parts_.pass(),
+                           [&](const DartPart& part, int level) { return isCovered(part, level); });
+        for (int round = 0; round < rounds; ++round)
+            throwRound(round);
     }
 }
 
-void RegionFiller::Sampler::throwAt(Part& part, int round, RegionResult& result)
+void RegionFiller::Sampler::throwRound(int round)
 {
-    const TriangleSide& side = sides_[part.side];
-    // Number of tries proportional to the part's area, rounded by the part's random number.
-    const std::uint32_t number = partNumber(side.level + pass_, part.column, part.row, part.turned);
-    const std::uint64_t share = mixBits(side.key + number * golden +
-                                        (pass_ == 0   ? 0U
-                                         : pass_ == 1 ? 1U
-                                                      : 2U)) >>
-                                32;
-    const auto rounds = static_cast<std::uint64_t>(round);
-    const auto first = static_cast<std::uint32_t>((rounds * side.tries + share) >> 32);
-    const auto last = static_cast<std::uint32_t>(((rounds + 1) * side.tries + share) >> 32);
-    for (std::uint32_t i = first; i < last && part.open; ++i)
-        throwDart(part, fragmentOf(part),
-                  side.firstNumber[std::size_t(pass_)] + (i << 2 * (side.level + pass_)) + number,
-                  result);
+    flight_.clear();
+    for (const DartPart& part : parts_.parts()) {
+        // Number of darts proportional to the part's area, rounded by the part's random number.
+        const auto rounds = static_cast<std::uint64_t>(round);
+        const auto first = static_cast<std::uint32_t>((rounds * part.tries + part.share) >> 24);
+        const auto end = static_cast<std::uint32_t>(((rounds + 1) * part.tries + part.share) >> 24);
+        for (std::uint32_t i = first; i < end; ++i) {
+            const std::uint64_t bits = mixBits(part.key + i * golden);
+            flight_.push_back({part.local(DartShares(bits)), i, bits, &part});
+        }
+        if (flight_.size() >= dartsInFlight)
+            land();
+    }
+    land();
 }
 
-void RegionFiller::Sampler::throwDart(Part& part, const Fragment& fragment, std::uint32_t candidate,
-                                      RegionResult& result)
+// Lets the darts in flight hit the ground, in their order. First a look at the map rejects most of
+// them, without a branch: a dart that is blocked now is blocked later.
+void RegionFiller::Sampler::land()
 {
-    const TriangleSide& side = sides_[part.side];
-    if (side.back)
-        candidate |= backSide;
-    const std::uint64_t bits =
-        hashBits(seed_ ^ dartSalt, std::uint64_t(side.source) << 32 | candidate);
-    double u = double(bits >> 32) * 0x1.0p-32;
-    double v = double(bits & 0xffffffffU) * 0x1.0p-32;
-    if (u + v > 1.0) {
-        u = 1.0 - u;
-        v = 1.0 - v;
+    if (limit != nullptr)
+        limit->require();
+    std::uint64_t thrown = 0;
+    std::uint64_t blocked = 0;
+    std::size_t left = 0;
+    landing_.resize(flight_.size());
+    const DiskMap::Look look(map_);
+    std::uint32_t* const landing = landing_.data();
+    for (std::size_t i = 0; i < flight_.size(); ++i) {
+        const Dart& dart = flight_[i];
+        const auto isCounted = std::uint64_t(counts(dart));
+        const auto isBlocked = mapped_ ? std::uint64_t(look.surelyBlocks(dart.local)) : 0;
+        thrown += isCounted;
+        blocked += isCounted & isBlocked;
+        landing[left] = static_cast<std::uint32_t>(i);
+        left += 1 - isBlocked;
     }
-    const auto size = double(fragment.size);
-    const auto b = static_cast<float>(double(fragment.b) + size * u);
-    const auto c = static_cast<float>(double(fragment.c) + size * v);
+    for (std::size_t i = 0; i < left; ++i)
+        throwDart(flight_[landing[i]]);
+    result_.thrown += thrown;
+    result_.rejected[static_cast<std::size_t>(Reject::spacing)] += blocked;
+    flight_.clear();
+}
 
-    const glm::vec3 position(placeOf(side, double(b), double(c)));
-    const auto counts = std::uint64_t(counted_ == nullptr || counted_->holds(position));
-    result.thrown += counts;
+// Barycentrics of a dart.
+glm::vec2 RegionFiller::Sampler::placeOf(const Dart& dart) const
+{
+    const Fragment fragment = parts_.fragmentOf(*dart.part);
+    const DartShares shares(dart.bits);
+    const double unit = double(fragment.size) * 0x1.0p-24;
+    return {static_cast<float>(double(fragment.b) + unit * double(shares.u)),
+            static_cast<float>(double(fragment.c) + unit * double(shares.v))};
+}
+
+bool RegionFiller::Sampler::countsOnBorder(const Dart& dart) const
+{
+    const glm::vec2 place = placeOf(dart);
+    return counted_->holds(
+        glm::vec3(parts_.sideOf(*dart.part).placeOf(double(place.x), double(place.y))));
+}
+
+void RegionFiller::Sampler::throwDart(const Dart& dart)
+{
+    const DartPart& part = *dart.part;
+    const bool isCounted = counts(dart);
     const auto reject = [&](Reject reason) {
-        result.rejected[static_cast<std::size_t>(reason)] += counts;
+        result_.rejected[static_cast<std::size_t>(reason)] += std::uint64_t(isCounted);
+    };
+    if (mapped_ && DiskMap::Look(map_).surelyBlocks(dart.local)) {
+        reject(Reject::spacing);
+        return;
+    }
+    const TriangleSide& side = parts_.sideOf(part);
+    const glm::vec2 place = placeOf(dart);
+    const float b = place.x;
+    const float c = place.y;
+    const glm::vec3 position(side.placeOf(double(b), double(c)));
+    const auto rootHere = [&] {
+        return TrianglePoints(ground_, side.triangle, side.face)
+            .at(b, c, parts_.candidate(part, dart.index));
     };
 
     // Lower density: throw fewer darts and widen the disks in proportion.
@@ -330,11 +281,12 @@ void RegionFiller::Sampler::throwDart(Part& part, const Fragment& fragment, std:
     bool bears = true;
     Reject whyThinned = Reject::mask;
     const bool needsAnything = filter_.needsAnything();
-    if (needsAnything || !smooth_)
-        root = TrianglePoints(ground_, side.triangle).at(b, c, candidate);
+    const bool needsRoot = needsAnything || !smooth_;
+    if (needsRoot)
+        root = rootHere();
     if (needsAnything) {
         const double least = 1.0 / (tuning_.widest * tuning_.widest);
-        const std::uint64_t more = mixBits(bits ^ golden);
+        const std::uint64_t more = mixBits(dart.bits ^ golden);
         const double draw = double(more >> 32) * 0x1.0p-32;
         const double chance = draw < least ? 0.0 : draw;
         Reject reason = Reject::mask;
@@ -351,11 +303,11 @@ void RegionFiller::Sampler::throwDart(Part& part, const Fragment& fragment, std:
         radius = static_cast<float>(spacing_ / std::sqrt(wanted));
     }
 
-    if (const Disk* disk = grid_.blocker(position, radius, smooth_ ? nullptr : &root.normal,
-                                         tuning_.sheetCosine)) {
+    const bool blocked = mapped_ ? map_.blocks(position, dart.local, radius)
+                                 : grid_.blocker(position, radius, smooth_ ? nullptr : &root.normal,
+                                                 tuning_.sheetCosine) != nullptr;
+    if (blocked) {
         reject(Reject::spacing);
-        if (covers(*disk, side, fragment))
-            part.open = false;
         return;
     }
     if (needsAnything) {
@@ -363,24 +315,40 @@ void RegionFiller::Sampler::throwDart(Part& part, const Fragment& fragment, std:
             reject(*obstacle);
             return;
         }
-    } else if (smooth_) {
-        root = TrianglePoints(ground_, side.triangle).at(b, c, candidate);
     }
-    grid_.insert({position, radius, root.normal});
+    if (!needsRoot)
+        root = rootHere();
+    const Disk disk{position, radius, root.normal};
+    if (!mapped_ || !map_.insert(disk, dart.local))
+        insertInGrid(disk);
     if (!bears)
         reject(whyThinned);
-    result.roots.push_back(root);
-    result.radii.push_back(radius);
-    result.bears.push_back(bears ? 1 : 0);
-    if (covers(grid_.last(), side, fragment))
-        part.open = false;
+    result_.roots.push_back(root);
+    result_.radii.push_back(radius);
+    result_.bears.push_back(bears ? 1 : 0);
 }
 
-// Whether this one disk covers the whole part, so that no root can stand on it.
+// Whether one disk covers the whole part, so that no root can stand on it. May miss some.
+bool RegionFiller::Sampler::isCovered(const DartPart& part, int level) const
+{
+    if (mapped_)
+        return map_.surelyCovers(part.corner, part.corner + part.first, part.corner + part.second);
+    const TriangleSide& side = parts_.sideOf(part);
+    const Fragment fragment = fragmentAt(level, part.column, part.row, part.turned);
+    const double third = double(fragment.size) / 3.0;
+    const glm::vec3 middle(side.placeOf(double(fragment.b) + third, double(fragment.c) + third));
+    const glm::vec3 normal(side.back ? -side.face : side.face);
+    const Disk* disk = grid_.blocker(middle, static_cast<float>(spacing_),
+                                     smooth_ ? nullptr : &normal, tuning_.sheetCosine);
+    return disk != nullptr && covers(*disk, side, fragment);
+}
+
 bool RegionFiller::Sampler::covers(const Disk& disk, const TriangleSide& side,
                                    const Fragment& fragment) const
 {
-    const double reach = spacing_ - side.slack; // no disk is smaller
+    const double slack = relativeSlack * (largest(side.corner) + largest(side.first) +
+                                          largest(side.second)); // rounding of positions
+    const double reach = spacing_ - slack;                       // no disk is smaller
     if (reach <= 0.0)
         return false;
     const auto b = double(fragment.b);
@@ -391,8 +359,8 @@ bool RegionFiller::Sampler::covers(const Disk& disk, const TriangleSide& side,
         const glm::dvec3 offset = corner - middle;
         return glm::dot(offset, offset) <= reach * reach;
     };
-    if (!near(placeOf(side, b, c)) || !near(placeOf(side, b + size, c)) ||
-        !near(placeOf(side, b, c + size)))
+    if (!near(side.placeOf(b, c)) || !near(side.placeOf(b + size, c)) ||
+        !near(side.placeOf(b, c + size)))
         return false;
     if (smooth_)
         return true;
@@ -401,7 +369,7 @@ bool RegionFiller::Sampler::covers(const Disk& disk, const TriangleSide& side,
     const glm::uvec3 corners = ground_.triangles[side.triangle];
     const glm::dvec3 normal = sign * glm::dvec3(disk.normal);
     const double least = tuning_.sheetCosine + 1e-6;
-    return glm::dot(ground_.faceNormal(side.triangle), normal) > least &&
+    return glm::dot(side.face, normal) > least &&
            glm::dot(glm::dvec3(ground_.normals[corners.x]), normal) > least &&
            glm::dot(glm::dvec3(ground_.normals[corners.y]), normal) > least &&
            glm::dot(glm::dvec3(ground_.normals[corners.z]), normal) > least;

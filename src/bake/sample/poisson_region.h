@@ -6,6 +6,7 @@
 #include "bake/sample/cube_index.h"
 #include "bake/sample/disk.h"
 #include "bake/sample/poisson_fragments.h"
+#include "bake/sample/poisson_tuning.h"
 #include "bake/sample/search_limit.h"
 #include "bake/tile_region.h"
 
@@ -16,38 +17,6 @@
 #include <vector>
 
 namespace sward::bake {
-
-/// Parameters of dart throwing. Lengths are in spacings.
-struct PoissonTuning {
-    static constexpr int passes = 3;
-
-    /// Longest edge of the triangle parts at which darts are thrown.
-    double fragmentEdge = 3.0;
-    /// Rounds in each pass. Each pass after the first targets the quarters of those parts that no
-    /// single disk covers.
-    std::array<int, passes> rounds = {1, 1, 0};
-    /// Area per dart in a round of the first pass [spacing²]; a quarter of it in each later pass.
-    double areaPerDart = 0.8;
-    /// Largest disk, used at low density; below that density, roots are thinned.
-    double widest = 4.0;
-    /// Two roots whose normals have a lower cosine are on different sheets and do not exclude each
-    /// other.
-    double sheetCosine = 0.3;
-    /// Roots per m² of flat ground at a spacing of 1 m, within 1 %.
-    double yield = 0.576;
-
-    /// The default: relative radius ρ ≥ 0.70; at most 1 % of the ground is farther than the spacing
-    /// from every root.
-    static PoissonTuning fast() { return {}; }
-    /// Three times the darts, where needed: ρ ≥ 0.74, at most 0.3 %.
-    static PoissonTuning dense()
-    {
-        return {.fragmentEdge = 2.4, .rounds = {1, 1, 1}, .yield = 0.635};
-    }
-};
-
-/// The tuning for the spread of the settings.
-PoissonTuning tuningOf(const BakeSettings& settings);
 
 /// Result of filling a region.
 struct RegionResult {

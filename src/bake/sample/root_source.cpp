@@ -3,16 +3,19 @@
 #include "bake/sample/poisson_disk.h"
 #include "core/error.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace sward::bake {
 namespace {
 
-// A Poisson count is approached from above: first attempt at this factor, later ones closer.
-constexpr double surplus = 1.012;
-constexpr double maxSurplus = 1.03;
+// A Poisson count is approached from above. What is left out costs evenness: half its share of ρ.
+constexpr double surplus = 1.005;
+constexpr double maxSurplus = 1.015;
 constexpr int maxTries = 8;
 
 using Priority = std::pair<double, std::uint64_t>;
@@ -22,6 +25,22 @@ Priority priorityOfRoot(const terrain::GroundMesh& ground, const BakeSettings& s
 {
     const field::BladeKey key = keyOf(ground, root);
     return {priorityOf(settings.seed, key), keyBits(key)};
+}
+
+// The amount that keeps the `count` roots of lowest priority.
+Amount lowest(const terrain::GroundMesh& ground, const BakeSettings& settings, const Roots& roots,
+              std::uint64_t count)
+{
+    std::vector<Priority> order(roots.size());
+    tbb::parallel_for(std::size_t(0), roots.size(), [&](std::size_t i) {
+        order[i] = priorityOfRoot(ground, settings, roots[i]);
+    });
+    const auto nth = order.begin() + static_cast<std::ptrdiff_t>(count) - 1;
+    std::nth_element(order.begin(), nth, order.end());
+    Amount amount;
+    amount.priority = nth->first;
+    amount.lastKey = nth->second;
+    return amount;
 }
 
 RootPlan planPoissonCount(const terrain::GroundMesh& ground, const BakeSettings& settings,
@@ -34,28 +53,21 @@ RootPlan planPoissonCount(const terrain::GroundMesh& ground, const BakeSettings&
     const double area = bearingArea(ground, settings.sides);
     if (count == 0 || area <= 0.0)
         return plan;
-    const double wanted = double(count) * surplus + 2.0 * std::sqrt(double(count));
+    const double wanted = double(count) * surplus + 0.5 * std::sqrt(double(count));
     plan.spacing = std::sqrt(tuning.yield * area / wanted);
     std::uint64_t most = 0;
     const SearchLimit limit(count);
     for (int i = 0; i < maxTries; ++i) {
-        const Sampling sampling =
+        Sampling sampling =
             PoissonDisk(ground, settings, filter, plan.spacing, plan.filtered, tuning)
                 .sample(progress, nullptr, &limit);
         const std::size_t found = sampling.roots.size();
         most = std::max<std::uint64_t>(most, found);
         const bool isClose = double(found) <= double(count) * maxSurplus + 100.0 || i >= 3;
         if (found >= count && (isClose || i + 1 == maxTries)) {
-            if (found == count)
-                return plan;
-            std::vector<Priority> order;
-            order.reserve(found);
-            for (const RootSample& root : sampling.roots)
-                order.push_back(priorityOfRoot(ground, settings, root));
-            const auto nth = order.begin() + static_cast<std::ptrdiff_t>(count) - 1;
-            std::nth_element(order.begin(), nth, order.end());
-            plan.amount.priority = nth->first;
-            plan.amount.lastKey = nth->second;
+            if (found > count)
+                plan.amount = lowest(ground, settings, sampling.roots, count);
+            plan.sampled = std::make_shared<WholeSample>(WholeSample{&ground, std::move(sampling)});
             return plan;
         }
         // The number of roots is proportional to 1 / spacing².
@@ -74,12 +86,12 @@ RootPlan planRoots(const terrain::GroundMesh& ground, const BakeSettings& settin
     if (settings.spread != Spread::uniform) {
         if (settings.count)
             return planPoissonCount(ground, settings, filter, filtered, *settings.count, progress);
-        return {{}, plan.spacing, filtered};
+        return {{}, plan.spacing, filtered, nullptr};
     }
     if (!settings.count)
-        return {{plan.density}, 0.0, filtered};
+        return {{plan.density}, 0.0, filtered, nullptr};
     return {SurfaceSampler(ground, settings, filter).amountFor(*settings.count, progress), 0.0,
-            filtered};
+            filtered, nullptr};
 }
 
 Sampling sampleRoots(const terrain::GroundMesh& ground, const BakeSettings& settings,
@@ -90,9 +102,15 @@ Sampling sampleRoots(const terrain::GroundMesh& ground, const BakeSettings& sett
         return SurfaceSampler(ground, settings, filter).sample(plan.amount, progress, counted);
     if (plan.spacing <= 0.0)
         return {};
-    Sampling sampling =
-        PoissonDisk(ground, settings, filter, plan.spacing, plan.filtered, tuningOf(settings))
-            .sample(progress, counted);
+    Sampling sampling;
+    if (counted == nullptr && plan.sampled && plan.sampled->ground == &ground) {
+        sampling = std::move(plan.sampled->sampling);
+        plan.sampled->ground = nullptr;
+    } else {
+        sampling =
+            PoissonDisk(ground, settings, filter, plan.spacing, plan.filtered, tuningOf(settings))
+                .sample(progress, counted);
+    }
     if (!plan.amount.takesAll()) {
         const Priority last{plan.amount.priority, plan.amount.lastKey};
         const auto left = std::remove_if(

@@ -8,7 +8,15 @@
 #include "core/progress.h"
 #include "terrain/ground_mesh.h"
 
+#include <memory>
+
 namespace sward::bake {
+
+/// Roots of a whole ground, sampled while planning.
+struct WholeSample {
+    const terrain::GroundMesh* ground; ///< whose roots they are
+    Sampling sampling;
+};
 
 /// How roots are sampled, computed once for a whole ground. Parts sampled with the same plan have
 /// the same roots.
@@ -16,11 +24,16 @@ struct RootPlan {
     Amount amount;         ///< Poisson disks use its priority, not its density
     double spacing = 0.0;  ///< [m]; 0: uniform
     bool filtered = false; ///< whether any filter tests anything
+
+    /// The roots that a Poisson count was planned from, for the first call of sampleRoots(); null
+    /// in a plan that was read.
+    std::shared_ptr<WholeSample> sampled;
 };
 
 /// Chooses the number of roots. A count of uniform roots takes candidates in order of priority. A
 /// count of Poisson disks uses a spacing that yields slightly too many and keeps those of lowest
-/// priority. Throws Error{input} with the largest number found if the ground keeps fewer roots.
+/// priority. The plan holds these roots. Throws Error{input} with the largest number found if the
+/// ground keeps fewer roots.
 RootPlan planRoots(const terrain::GroundMesh& ground, const BakeSettings& settings,
                    const RootFilter& filter, const Plan& plan, Progress& progress);
 

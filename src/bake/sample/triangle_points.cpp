@@ -49,7 +49,14 @@ std::uint32_t pascal(std::uint32_t x)
 } // namespace
 
 TrianglePoints::TrianglePoints(const terrain::GroundMesh& ground, std::size_t triangle)
+    : TrianglePoints(ground, triangle, ground.faceNormal(triangle))
+{
+}
+
+TrianglePoints::TrianglePoints(const terrain::GroundMesh& ground, std::size_t triangle,
+                               const glm::dvec3& face)
     : triangle_(static_cast<std::uint32_t>(triangle))
+    , face_(face)
 {
     const glm::uvec3 corners = ground.triangles[triangle];
     corner_ = glm::dvec3(ground.positions[corners.x]);
@@ -58,7 +65,6 @@ TrianglePoints::TrianglePoints(const terrain::GroundMesh& ground, std::size_t tr
     normal_[0] = glm::dvec3(ground.normals[corners.x]);
     normal_[1] = glm::dvec3(ground.normals[corners.y]);
     normal_[2] = glm::dvec3(ground.normals[corners.z]);
-    face_ = ground.faceNormal(triangle);
 }
 
 glm::dvec3 TrianglePoints::normalAt(double b, double c) const

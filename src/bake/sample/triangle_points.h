@@ -14,6 +14,9 @@ class TrianglePoints {
 public:
     TrianglePoints(const terrain::GroundMesh& ground, std::size_t triangle);
 
+    /// With its face normal, as ground.faceNormal() returns it.
+    TrianglePoints(const terrain::GroundMesh& ground, std::size_t triangle, const glm::dvec3& face);
+
     /// The root at barycentrics (b, c), on the back if the candidate number has `backSide`.
     RootSample at(float b, float c, std::uint32_t candidate) const;
 

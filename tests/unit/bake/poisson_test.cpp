@@ -1,11 +1,15 @@
+#include "bake/bake.h"
+#include "bake/sample/disk_map.h"
 #include "bake/sample/poisson_disk.h"
 #include "bake/sample/root_source.h"
 #include "core/error.h"
 #include "core/random.h"
+#include "shaders/shared/blade.h"
 #include "support/meshes.h"
 #include "unit/bake/bake_settings.h"
 #include "unit/bake/spread.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -219,6 +223,122 @@ TEST(PoissonDisk, RefusesATriangleThatIsTooLargeForTheSpacing)
     EXPECT_THROW(sampleOf(meshes::square(100.0), poisson(0.001)), Error);
 }
 
+TEST(PoissonDisk, HasTheSameRootsWithoutMaps)
+{
+    // Smooth regions, sheets on each other, folded regions; with and without filters.
+    terrain::GroundMesh stack = meshes::square(20.0);
+    append(stack, meshes::square(20.0, 0.02));
+    const terrain::GroundMesh grounds[] = {meshes::sphere(128, 8.0), meshes::hills(20.0, 40),
+                                           std::move(stack), meshes::cube(2.0)};
+    for (const terrain::GroundMesh& ground : grounds)
+        for (const Spread spread : {Spread::poisson, Spread::poissonDense})
+            for (const bool filtered : {false, true}) {
+                BakeSettings settings = poisson(0.1, spread);
+                if (filtered)
+                    settings.slope = {0.0, 60.0, 30.0};
+                const RootFilter filter(ground, settings, nullptr);
+                Progress progress;
+                PoissonTuning tuning = tuningOf(settings);
+                const auto sampled = [&] {
+                    return PoissonDisk(ground, settings, filter, 0.1, filter.needsAnything(),
+                                       tuning)
+                        .sample(progress);
+                };
+                const Roots mapped = sampled().roots;
+                tuning.maps = false;
+                const Roots plain = sampled().roots;
+                ASSERT_GT(mapped.size(), 100U);
+                ASSERT_EQ(mapped.size(), plain.size());
+                for (std::size_t i = 0; i < mapped.size(); ++i) {
+                    ASSERT_EQ(keyBits(keyOf(ground, mapped[i])), keyBits(keyOf(ground, plain[i])));
+                    ASSERT_EQ(mapped[i].position, plain[i].position);
+                }
+            }
+}
+
+TEST(DiskMap, IsSureOnlyOfWhatADiskBlocks)
+{
+    constexpr double spacing = 0.05;
+    RegionFrame frame;
+    frame.spacing = spacing;
+    frame.rounding = 1e-7;
+    frame.axes = glm::dmat3(DiskMap::cellsPerSpacing / spacing);
+    frame.origin = glm::dvec3(-2.0);
+    frame.cells = glm::ivec2(240);
+    DiskMap map;
+    map.clear(frame);
+    std::vector<glm::vec3> disks;
+    std::size_t sure = 0;
+    for (std::uint64_t i = 0; i < 60'000; ++i) {
+        // A slope of 1 : 2, up to a tenth of a spacing rough.
+        const double x = 3.0 * uniform(1, i, 0) - 1.5;
+        const double y = 3.0 * uniform(1, i, 1) - 1.5;
+        const glm::vec3 place(glm::dvec3(x, y, 0.5 * x + 0.1 * spacing * uniform(1, i, 2)));
+        const glm::vec3 local(frame.place(glm::dvec3(place)));
+        const bool blocked = std::any_of(disks.begin(), disks.end(), [&](const glm::vec3& disk) {
+            return glm::distance(disk, place) < static_cast<float>(spacing);
+        });
+        EXPECT_EQ(map.blocks(place, local, static_cast<float>(spacing)), blocked);
+        if (DiskMap::Look(map).surelyBlocks(local)) {
+            EXPECT_TRUE(blocked);
+            ++sure;
+        }
+        if (map.surelyCovers(local, local + glm::vec3(1, 0, 0), local + glm::vec3(0, 1, 0))) {
+            const glm::vec3 inside = local + glm::vec3(0.3f, 0.6f, 0.0f);
+            const glm::vec3 there(frame.origin +
+                                  glm::dvec3(inside) * spacing / double(DiskMap::cellsPerSpacing));
+            EXPECT_TRUE(map.blocks(there, inside, static_cast<float>(spacing)));
+        }
+        if (!blocked) {
+            ASSERT_TRUE(
+                map.insert({place, static_cast<float>(spacing), glm::vec3(0, 0, 1)}, local));
+            disks.push_back(place);
+        }
+    }
+    // Hardly a blocked dart needs a second look.
+    EXPECT_GE(double(sure), 0.9 * double(60'000 - disks.size()));
+}
+
+TEST(PoissonDisk, ACountIsEvenInItsFile)
+{
+    // As measured from the packed blades: neither packing nor counting may cost more.
+    const terrain::GroundMesh ground = meshes::sphere(256, 10.0);
+    for (const Spread spread : {Spread::poisson, Spread::poissonDense}) {
+        BakeSettings settings = poisson(1.0, spread);
+        settings.spacing.reset();
+        settings.count = 300'000;
+        Diagnostics diagnostics;
+        Progress progress;
+        const field::Field field = bakeField(ground, settings, 2, diagnostics, progress).field;
+        std::vector<glm::dvec3> places;
+        for (const shared::Patch& patch : field.patches)
+            for (std::uint32_t i = 0; i < patch.bladeCount; ++i)
+                places.emplace_back(
+                    shared::unpackBlade(field.blades[patch.firstBlade + i], patch).root);
+        EXPECT_EQ(places.size(), 300'000U);
+        EXPECT_GE(tests::relativeRadius(places, meshes::totalArea(ground)),
+                  spread == Spread::poisson ? 0.70 : 0.735);
+    }
+}
+
+TEST(PoissonDisk, APlanSamplesTheSameRootsAgain)
+{
+    const terrain::GroundMesh ground = meshes::sphere(96, 1.0);
+    BakeSettings settings = poisson(1.0);
+    settings.spacing.reset();
+    settings.count = 10'000;
+    const RootFilter filter(ground, settings, nullptr);
+    Progress progress;
+    const RootPlan plan = planRoots(ground, settings, filter, {}, progress);
+    ASSERT_NE(plan.sampled, nullptr);
+    const Sampling first = sampleRoots(ground, settings, filter, plan, progress);
+    const Sampling second = sampleRoots(ground, settings, filter, plan, progress);
+    ASSERT_EQ(first.roots.size(), second.roots.size());
+    EXPECT_EQ(first.proposed, second.proposed);
+    for (std::size_t i = 0; i < first.roots.size(); ++i)
+        ASSERT_EQ(keyBits(keyOf(ground, first.roots[i])), keyBits(keyOf(ground, second.roots[i])));
+}
+
 TEST(PoissonLattice, KeepsRegionsOfOneKindApart)
 {
     const double apart = 1.0;
@@ -243,6 +363,8 @@ TEST(PoissonLattice, KeepsRegionsOfOneKindApart)
         std::vector<PoissonLattice::Key> keys;
         lattice.addRegionsOf(place - 0.3, place + 0.1, keys);
         ASSERT_EQ(std::count(keys.begin(), keys.end(), key), 1);
+        const DAabb box = lattice.boxOf(key);
+        ASSERT_EQ(glm::clamp(place, box.low, box.high), place);
     }
     for (const std::vector<Place>& places : kinds) {
         ASSERT_GT(places.size(), 100U);

@@ -1,0 +1,115 @@
+#pragma once
+
+#include "bake/sample/dart_part.h"
+#include "bake/sample/poisson_fragments.h"
+#include "bake/sample/poisson_tuning.h"
+#include "bake/sample/region_frame.h"
+#include "bake/tile_region.h"
+#include "core/bounds.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace sward::bake {
+
+/// The parts of one region, in the order in which darts are thrown at them.
+class RegionParts {
+public:
+    /// All arguments must outlive it. `counted`: see RegionFiller.
+    RegionParts(const terrain::GroundMesh& ground, std::uint64_t seed,
+                const PoissonLattice& lattice, double spacing, const PoissonTuning& tuning,
+                const TileRegion* counted);
+
+    /// Gathers the sides and parts of these pieces; the parts are placed afterwards.
+    void gather(std::span<const RegionPiece> pieces);
+
+    bool empty() const { return places_.empty(); }
+
+    /// A box that contains all positions that darts can hit [m].
+    DAabb bounds() const;
+
+    /// Makes the parts of the first pass.
+    void place();
+
+    /// The same for a smooth region: also gives them local coordinates in the frame that it
+    /// returns, with room for disks `widest` [m] around the parts. `box`: bounds().
+    RegionFrame placeIn(const glm::dvec3& normal, const DAabb& box, double widest);
+
+    /// Replaces the parts by their quarters, `times` in succession, without those for which
+    /// closed(part, level) holds. `level`: at which its triangle is cut into such parts.
+    template <typename Closed>
+    void quarter(int times, Closed closed)
+    {
+        // Each part's quarters in a random rotation, one of each part after the other. So the order
+        // of any two is the same, whatever others are closed.
+        const std::uint32_t turns = std::uint32_t(1) << 2 * times;
+        turns_.resize(turns);
+        for (const DartPart& part : parts_) {
+            std::uint32_t number = part.share;
+            refine(part, sideOf(part).level + pass_, times, number, closed);
+        }
+        pass_ += times;
+        placeTurns();
+    }
+
+    std::span<const DartPart> parts() const { return parts_; }
+    std::span<const TriangleSide> sides() const { return sides_; }
+    const TriangleSide& sideOf(const DartPart& part) const { return sides_[part.side]; }
+    int pass() const { return pass_; }
+
+    Fragment fragmentOf(const DartPart& part) const
+    {
+        return fragmentAt(sideOf(part).level + pass_, part.column, part.row, part.turned);
+    }
+
+    /// Number of dart `index` of a part among the candidates of its triangle side.
+    std::uint32_t candidate(const DartPart& part, std::uint32_t index) const;
+
+private:
+    struct Place {
+        std::uint32_t side;
+        std::uint16_t column;
+        std::uint16_t row;
+        bool turned;
+    };
+
+    void addSide(const RegionPiece& piece);
+    void makeParts();
+    void placeTurns();
+    void addPart(const Place& place);
+    static std::array<DartPart, 4> quartersOf(const DartPart& part);
+
+    template <typename Closed>
+    void refine(const DartPart& part, int level, int times, std::uint32_t& number,
+                const Closed& closed)
+    {
+        for (const DartPart& quarter : quartersOf(part)) {
+            if (closed(quarter, level + 1))
+                number += std::uint32_t(1) << 2 * (times - 1);
+            else if (times > 1)
+                refine(quarter, level + 1, times - 1, number, closed);
+            else
+                turns_[number++ % turns_.size()].push_back(
+                    {quarter.side, quarter.column, quarter.row, quarter.turned});
+        }
+    }
+    DartPart::Counts countsOf(const TriangleSide& side, const Fragment& fragment) const;
+
+    const terrain::GroundMesh& ground_;
+    std::uint64_t seed_;
+    const PoissonLattice& lattice_;
+    double spacing_;
+    const PoissonTuning& tuning_;
+    const TileRegion* counted_;
+
+    std::vector<TriangleSide> sides_;
+    std::vector<Place> places_;
+    PoissonLattice::Key region_ = 0;
+    std::vector<DartPart> parts_;
+    std::vector<std::vector<Place>> turns_; ///< places of quarters, by their turn
+    int pass_ = 0;
+};
+
+} // namespace sward::bake
