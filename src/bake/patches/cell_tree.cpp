@@ -37,6 +37,11 @@ struct Ranked {
     }
 };
 
+// Leaves with fewer roots are checked for blades that the runtime would draw long before their
+// rank.
+constexpr std::size_t regularRanksFrom = 64;
+constexpr float rankTolerance = 0.05f;
+
 // A cell under construction.
 struct Node {
     std::size_t firstOwn = 0;
@@ -199,6 +204,31 @@ float shareBefore(const std::vector<std::uint64_t>& orders, std::uint64_t order)
     return static_cast<float>(double(before) / double(orders.size()));
 }
 
+// Sets the line on which the runtime places the ranks of a patch's blades. The true ranks of a
+// small leaf can lie far above the line between its first and its last: then blades would be drawn
+// long before their turn, next to others. The line is raised above the true ranks, but for the
+// tolerance.
+void setRanks(shared::Patch& patch, std::span<const Ranked> chosen,
+              const std::vector<std::uint64_t>& orders)
+{
+    patch.rankLow = shareBefore(orders, chosen.front().order);
+    patch.rankHigh = shareBefore(orders, chosen.back().order);
+    if (patch.childCount > 0 || chosen.size() >= regularRanksFrom)
+        return;
+    float raise = 0.0f;
+    std::size_t blade = 0;
+    for (const Ranked& root : chosen) {
+        const float along =
+            (static_cast<float>(blade) + 0.5f) / static_cast<float>(patch.bladeCount);
+        const float drawn = patch.rankLow + (patch.rankHigh - patch.rankLow) * along;
+        raise = std::max(raise, shareBefore(orders, root.order) - drawn);
+        blade += root.blades;
+    }
+    raise = std::max(raise - rankTolerance, 0.0f);
+    patch.rankLow = std::min(patch.rankLow + raise, patch.rankHigh);
+    patch.rankHigh = std::min(patch.rankHigh + raise, 1.0f);
+}
+
 CellTree growCell(const terrain::GroundMesh& ground, const Roots& roots, std::span<Ranked> ranked,
                   const LocalRanks& ranks, const RootGrowth& growth, Progress& progress)
 {
@@ -234,8 +264,7 @@ CellTree growCell(const terrain::GroundMesh& ground, const Roots& roots, std::sp
             for (std::uint32_t number = 0; number < root.blades; ++number)
                 *key++ = field::ribbonKey(own, number);
         }
-        patch.rankLow = shareBefore(*orders, chosen.front().order);
-        patch.rankHigh = shareBefore(*orders, chosen.back().order);
+        setRanks(patch, chosen, *orders);
         describeOwn(patch, held);
         subtrees[i].addOwn(held);
         for (std::size_t b = 0; b < held.size(); ++b)
