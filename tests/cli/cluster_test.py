@@ -197,6 +197,18 @@ class Tiles(ClusterTest):
                         self.assertEqual(done.returncode, INPUT)
                         self.assertIn(key, done.stderr)
 
+    def test_whole_numbers_of_a_plan_are_whole(self):
+        self.sward("plan", "plane", "--count", "60", "--tiles", "2", "-o", "p.json")
+        sound = self.read_json("p.json")
+        (self.folder / "p.parts").rename(self.folder / "bad.parts")
+        for part, key in ((None, "tiles"), ("ground", "triangles"), ("ground", "seed"), ("resolved", "root_last_key")):
+            for value in (1.5, -1, 1e51, -1e51, "3", None, 1 << 64):
+                with self.subTest(key=key, value=value):
+                    changed = {**sound, part: {**sound[part], key: value}} if part else {**sound, key: value}
+                    self.write_json("bad.json", changed)
+                    done = self.sward("tile", "bad.json", "--index", "0", "-o", "t", "--force", code=INPUT)
+                    self.assertIn(f"{key} is ", done.stderr)
+
     def test_a_tile_needs_no_more_memory_in_a_larger_world(self):
         # Tiles of 128 m in worlds of 0.13 and 0.52 million triangles; half of those are 20 MB.
         peaks = {}

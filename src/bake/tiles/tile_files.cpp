@@ -10,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <limits>
+
 namespace sward::bake {
 namespace {
 
@@ -52,6 +54,17 @@ glm::dvec3 vectorOf(const json& array)
     return {array.at(0).get<double>(), array.at(1).get<double>(), array.at(2).get<double>()};
 }
 
+// A number of JSON that is a whole one from 0 up to `high`; others have no value as an integer.
+std::uint64_t wholeNumberOf(const json& object, const char* key, const std::string& place,
+                            std::uint64_t high = std::numeric_limits<std::uint64_t>::max())
+{
+    const json& value = object.at(key);
+    if (!value.is_number_unsigned() || value.get<std::uint64_t>() > high)
+        fail(ErrorKind::input, "{}: {} is {}, no whole number in [0, {}]", place, key,
+             jsonText(value), high);
+    return value.get<std::uint64_t>();
+}
+
 json groundJson(const Report& report)
 {
     const auto& colors = report.colors;
@@ -72,14 +85,14 @@ Report groundReport(const json& ground, const std::string& place)
 {
     Report report;
     report.input.path = bytesFromJson(ground.at("path"), place + ": ground.path");
-    ground.at("triangles").get_to(report.input.triangles);
+    report.input.triangles = wholeNumberOf(ground, "triangles", place + ": ground");
     ground.at("area").get_to(report.input.area);
     report.input.low = vectorOf(ground.at("low"));
     report.input.high = vectorOf(ground.at("high"));
     ground.at("altitudes").at(0).get_to(report.input.altitudes.low);
     ground.at("altitudes").at(1).get_to(report.input.altitudes.high);
     ground.at("hash").get_to(report.input.hash);
-    ground.at("seed").get_to(report.seed);
+    report.seed = wholeNumberOf(ground, "seed", place + ": ground");
     if (const json& colors = ground.at("colors"); !colors.is_null())
         report.colors = GreenShares{colors.at(0).get<double>(), colors.at(1).get<double>()};
     ground.at("proposes_green").get_to(report.proposesGreen);
@@ -174,7 +187,7 @@ TilePlan readPlan(const fs::path& path)
                  jsonText(object.at("format")), planFormat);
         TilePlan plan;
         plan.id = object.at("id").get<std::string>();
-        plan.tiles = object.at("tiles").get<std::uint32_t>();
+        plan.tiles = static_cast<std::uint32_t>(wholeNumberOf(object, "tiles", name, maxTiles));
         for (const json& argument : object.at("arguments"))
             plan.arguments.push_back(bytesFromJson(argument, name + ": arguments"));
         plan.folder = bytesFromJson(object.at("folder"), name + ": folder");
@@ -203,14 +216,12 @@ TilePlan readPlan(const fs::path& path)
             number("clump_spacing", 0.99 * std::min(closest, 1e9));
         plan.plan.roots.amount.density = number("root_density");
         plan.plan.roots.amount.priority = number("root_priority");
-        if (!resolved.at("root_last_key").is_number_unsigned())
-            fail(ErrorKind::input, "{}: resolved: root_last_key is {}, no whole number from 0",
-                 name, jsonText(resolved.at("root_last_key")));
-        plan.plan.roots.amount.lastKey = resolved.at("root_last_key").get<std::uint64_t>();
+        plan.plan.roots.amount.lastKey =
+            wholeNumberOf(resolved, "root_last_key", name + ": resolved");
         plan.plan.roots.spacing = number("root_spacing");
         plan.plan.roots.filtered = resolved.at("root_filtered").get<bool>();
-        if (plan.tiles == 0 || plan.tiles > maxTiles)
-            fail(ErrorKind::input, "{}: {} tiles, outside [1, {}]", name, plan.tiles, maxTiles);
+        if (plan.tiles == 0)
+            fail(ErrorKind::input, "{}: 0 tiles, outside [1, {}]", name, maxTiles);
         return plan;
     } catch (const json::exception& error) {
         fail(ErrorKind::input, "{}: {}", name, error.what());
