@@ -86,8 +86,10 @@ BakeResult bakeField(const terrain::GroundMesh& ground, const BakeSettings& sett
             });
         GroundView whole{ground, features, rays ? &*rays : nullptr};
         watch.lap();
+        const double before = processorSeconds();
         const BakePlan plan = planWhole(whole, settings, diagnostics, progress);
         report.timing.sample = watch.lap();
+        report.timing.sampleBusy = processorSeconds() - before;
         Totals totals;
         if (plan.plan.expected > maxBladesInOne) {
             // Each tile builds its own ray tree; free the memory of this one.

@@ -60,6 +60,7 @@ std::string toJson(const Report& report)
                           {"rays", timing.rays},     {"sample", timing.sample},
                           {"traits", timing.traits}, {"patches", timing.patches},
                           {"write", timing.write},   {"total", timing.total}};
+    object["processor_s"] = {{"sample", timing.sampleBusy}, {"total", timing.totalBusy}};
     object["memory_bytes"] = {{"peak", report.peakMemory}};
     object["output"] = {{"path", report.output.path},
                         {"bytes", report.output.bytes},

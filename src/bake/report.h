@@ -87,6 +87,8 @@ struct Report {
         double patches = 0;       ///< patches and blade order
         double write = 0;         ///< of the file
         double total = 0;         ///< including everything between the stages
+        double sampleBusy = 0;    ///< processor time of `sample`, of all threads
+        double totalBusy = 0;     ///< processor time of the process until its end
     } timing;                     ///< [s]
     std::uint64_t peakMemory = 0; ///< [bytes]
     /// The output file.

@@ -68,6 +68,7 @@ void add(Report::Timing& sum, const Report::Timing& more)
 {
     sum.rays += more.rays;
     sum.sample += more.sample;
+    sum.sampleBusy += more.sampleBusy;
     sum.traits += more.traits;
     sum.patches += more.patches;
 }

@@ -1,8 +1,15 @@
 #pragma once
 
 #include <chrono>
+#include <ctime>
 
 namespace sward {
+
+/// Seconds of processor time, user and system, that all threads of the process have taken.
+inline double processorSeconds()
+{
+    return double(std::clock()) / double(CLOCKS_PER_SEC);
+}
 
 /// Measures durations.
 class Stopwatch {

@@ -23,6 +23,7 @@ CONTRACT = {
     "spacing": {"requested_m": NUMBER, "minimum_m": NUMBER, "rho": NUMBER},
     "density_per_m2": {"requested": NUMBER, "reached": NUMBER, "closed": NUMBER},
     "timing_s": {stage: NUMBER for stage in STAGES},
+    "processor_s": {"sample": NUMBER, "total": NUMBER},
     "memory_bytes": {"peak": int},
     "output": {"path": str, "bytes": int, "patches": int, "bytes_per_blade": NUMBER},
     "warnings": list,
@@ -91,6 +92,11 @@ class Report(CliTest):
         self.assertGreater(times["total"], 0.0)
         self.assertLessEqual(stages, 1.01 * times["total"] + 0.005)
         self.assertGreater(report["memory_bytes"]["peak"], 1 << 20)
+        # Processor time of a stage is a part of the whole's, and of all threads in its wall time.
+        busy = report["processor_s"]
+        self.assertGreater(busy["sample"], 0.0)
+        self.assertLess(busy["sample"], busy["total"])
+        self.assertLessEqual(busy["sample"], times["sample"] * report["threads"] + 0.02)
 
     def test_density_reached_is_what_stands_on_the_area(self):
         report = self.report("plane", "--density", "50", "--blade-scale", "1")

@@ -105,6 +105,7 @@ public:
         report.timing.load = loading;
         report.timing.topology += connecting;
         report.timing.total = total.lap();
+        report.timing.totalBusy = processorSeconds();
         report.peakMemory = peakMemory();
         report.warnings = diagnostics.warnings();
         if (!request.report.empty())

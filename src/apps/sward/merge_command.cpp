@@ -142,6 +142,7 @@ public:
         report.output = {output_, field::writeField(field, output_, force_), field.patches.size()};
         report.timing.write = watch.lap();
         report.timing.total = total.lap();
+        report.timing.totalBusy = processorSeconds();
         report.peakMemory = peakMemory();
         if (!report_.empty())
             writeTextFile(report_, bake::toJson(report), force_);

@@ -98,12 +98,14 @@ TileResult bakeTile(const GroundView& part, const BakeSettings& settings, const 
     }
     result.timing.rays = watch.lap();
 
+    const double before = processorSeconds();
     // Sample the roots of the tile, and those around it that affect their order.
     const RootFilter filter(ground, settings, rays, &part.features, plan.plan.scale);
     Sampling sampling = sampleRoots(ground, settings, filter, plan.roots, progress, tile);
     result.counts.proposed = sampling.proposed;
     result.counts.rejected = sampling.rejected;
     result.timing.sample = watch.lap();
+    result.timing.sampleBusy = processorSeconds() - before;
     Roots& roots = sampling.roots;
     if (tile != nullptr)
         keepIf(roots,
