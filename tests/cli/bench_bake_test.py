@@ -1,0 +1,60 @@
+"""scripts/bench-bake at small sizes: every row is measured, and what it says of roots is so."""
+
+import json
+import os
+import shutil
+import subprocess
+import unittest
+
+from support import PROGRAM, ROOT, CliTest
+
+SCRIPT = ROOT / "scripts/bench-bake"
+ROWS = ("uniform", "sky", "poisson", "sustained", "dense", "count", "glb", "clearance", "read")
+
+
+class BenchBake(CliTest):
+    def bench(self, *arguments, code=0):
+        done = subprocess.run([str(SCRIPT), "--out", str(self.folder / "out"), "--programs", str(PROGRAM.parent), "--rounds", "1",
+                               *map(str, arguments)], stdin=subprocess.DEVNULL, capture_output=True, text=True)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return done
+
+    def measured(self, *arguments):
+        done = self.bench(*arguments)
+        found = json.loads((self.folder / "out/measured.json").read_text(encoding="utf-8"))
+        self.assertEqual((self.folder / "out/README.md").read_text(encoding="utf-8"), done.stdout)
+        self.assertNotIn("measured.sward", os.listdir(self.folder / "out"))
+        return done.stdout, found["rows"]
+
+    def test_each_row_measures_what_it_names(self):
+        table, rows = self.measured("--scale", "0.005", "--without", "blender,open3d", "--rows", ",".join(ROWS))
+        self.assertEqual(list(dict.fromkeys(row["row"] for row in rows)), list(ROWS))
+        for row in rows:
+            self.assertGreater(row["figure"], 0.0, row)
+            self.assertIn(f"| {row['work']} | {row['figure']:.3g} {row['unit']} |", table)
+        of = {row["row"]: row for row in rows}
+        self.assertEqual(of["uniform"]["blades"], 10_000)
+        self.assertEqual(of["count"]["roots"], 5_000)
+        self.assertEqual(of["glb"]["blades"], 5_000)
+        for name, number in (("poisson", 5_000), ("sustained", 100_000), ("dense", 5_000)):
+            self.assertAlmostEqual(of[name]["roots"] / number, 1.0, delta=0.04)
+        for name in ("poisson", "sustained", "dense", "count"):
+            if of[name]["rho"] is not None:  # SciPy is installed
+                self.assertGreaterEqual(of[name]["rho"], 0.69, name)
+                self.assertLess(of[name]["rho"], 1.0, name)
+
+    @unittest.skipUnless(shutil.which("blender"), "Blender is not installed")
+    def test_blender_spreads_as_many_points_on_the_same_sphere(self):
+        _, rows = self.measured("--scale", "0.02", "--without", "open3d", "--rows", "poisson")
+        self.assertEqual(rows[0]["other"], "Blender")
+        self.assertAlmostEqual(rows[0]["other_points"] / rows[0]["roots"], 1.08, delta=0.12)
+        self.assertAlmostEqual(rows[0]["times"], rows[0]["other_us"] / rows[0]["figure"])
+
+    def test_a_wrong_argument_is_named(self):
+        for arguments, said in ((("--rows", "nothing"), "no row 'nothing'"), (("--scale", "0"), "--scale"),
+                                (("--without", "houdini"), "houdini"), (("--programs", self.folder), "no program")):
+            self.assertIn(said, self.bench(*arguments, code=1).stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
