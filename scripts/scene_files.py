@@ -42,7 +42,7 @@ def bake_in_tiles(sward, tiles, command, field):
     with tempfile.TemporaryDirectory(prefix="sward-tiles-", dir=os.environ.get("TMPDIR", field.parent)) as folder:
         plan = Path(folder) / "plan.json"
         run("plan", *command, "--tiles", str(tiles), "-o", plan)
-        with ThreadPoolExecutor(os.cpu_count()) as pool:
+        with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
             list(pool.map(lambda tile: run("tile", plan, "--index", str(tile), "-o", folder, "--threads", "1"), range(tiles)))
         run("merge", plan, folder, "-o", field, "--force")
 
