@@ -1,6 +1,6 @@
 // Assigns visible patches to work-groups of the update. The including stage has a push constant `push` of type
 // UpdatePush. `patchesOfGroup` is patchesTogether if a work-group takes neighbours together where there are many
-// patches, and 1 if it never does.
+// patches, and 1 if it never does. `takes` is one of takesAll ….
 #ifndef SWARD_OWN_PATCHES_GLSL
 #define SWARD_OWN_PATCHES_GLSL
 
@@ -17,6 +17,12 @@ uint firstOfIteration(uint turn)
 {
     const uint before = turn * patchesTogether * gl_NumWorkGroups.x;
     return before + (areMany() ? patchesTogether : 1u) * gl_WorkGroupID.x;
+}
+
+/// The place in the list of the patch that is taken as number `i`.
+uint placeOfPatch(uint i)
+{
+    return takes == takesNear ? push.near.at[i] : i;
 }
 
 /// The visible patch at a place of the list; if all patches are moved, the non-empty patch.

@@ -39,6 +39,7 @@ layout(constant_id = 4) const bool keepsBefore = false;
 layout(constant_id = 5) const bool keepsEtas = false;
 layout(constant_id = 6) const bool testsSmall = false; // see testedSmallPixels
 layout(constant_id = 8) const uint patchesOfGroup = patchesTogether; // or 1; see own_patches.glsl
+layout(constant_id = 9) const uint takes = takesAll;
 
 #include "shaders/cull/own_patches.glsl"
 #include "shaders/cull/visibility_history.glsl"
@@ -229,10 +230,32 @@ StoredBlade storedBlade(uint index)
                        BladeState(CULL_VIEW.states.at[place], keepsEtas ? CULL_VIEW.etas.at[place] : 0.0));
 }
 
-/// Takes a patch; `live` holds the number of blades that the view wants. Only one thread calls this and reads the time
-/// of the patch's last update.
-void takePatch(Eyepoint view, VisiblePatch live, uint slot)
+/// Whether any collider may touch a blade of a patch.
+bool isNearCollider(Patch cell, float elapsed)
 {
+    for (uint i = 0u; elapsed > 0.0f && i < CULL_VIEW.environment.colliderCount; ++i)
+        if (colliderNear(CULL_VIEW.environment.colliders.at[i], cell.boundsLow, cell.boundsHigh, elapsed))
+            return true;
+    return false;
+}
+
+/// Lists a patch for the dispatch with takesNear; `place` is its place among the patches.
+void leaveToNear(uint place)
+{
+    WalkLevelArray nearCount = push.nearCount;
+    UintArray near = push.near;
+    const uint listed = atomicAdd(nearCount.at[0].count, 1u);
+    near.at[listed] = place;
+    atomicMax(nearCount.at[0].groups[0], min(listed + 1u, maxGroups));
+    nearCount.at[0].groups[1] = 1u;
+    nearCount.at[0].groups[2] = 1u;
+}
+
+/// Takes the patch at a place of the list; `live` holds the number of blades that the view wants. Only one thread calls
+/// this and reads the time of the patch's last update.
+void takePatch(Eyepoint view, uint place, uint slot)
+{
+    const VisiblePatch live = liveAt(place);
     const Patch cell = CULL_VIEW.patches.at[live.patchIndex];
     const bool isAll = push.onlyUpdate != 0u;
     const uint count = !isAll ? live.count : isPresent(uvec2(CULL_VIEW.pages), cell) ? cell.bladeCount : 0u;
@@ -244,6 +267,12 @@ void takePatch(Eyepoint view, VisiblePatch live, uint slot)
     const uint moved =
         role == onlyMove && !isAll ? wantedByAll(cell, live.patchIndex, elapsed, count, moves) : count;
     elapsed = moves ? elapsed : 0.0f;
+    if (takes == takesFar && isNearCollider(cell, elapsed)) {
+        leaveToNear(place);
+        taken[slot].moved = 0u;
+        taken[slot].bladeCount = 0u;
+        return;
+    }
     const uint movedBefore = CULL_VIEW.patchCounts.at[live.patchIndex];
     if (moves) {
         CULL_VIEW.patchTimes.at[live.patchIndex] = CULL_VIEW.time;
@@ -394,11 +423,12 @@ void main()
         kept[1] = 0u;
     }
     const bool isAll = push.onlyUpdate != 0u;
-    const uint begin = isAll ? 0u : push.firstLive;
+    const uint begin = isAll || takes == takesNear ? 0u : push.firstLive;
     // Step between the patches of a work-group.
     const uint step_ = areMany() ? 1u : gl_NumWorkGroups.x;
-    const uint end = isAll ? push.nonEmptyPatchCount
-                           : min(push.levels.at[liveLevel].count, push.firstLive + push.maxLive);
+    const uint end = takes == takesNear ? push.nearCount.at[0].count
+                     : isAll            ? push.nonEmptyPatchCount
+                                        : min(push.levels.at[liveLevel].count, push.firstLive + push.maxLive);
     for (uint turn = 0u; begin + firstOfIteration(turn) < end; ++turn) {
         const uint first = begin + firstOfIteration(turn);
         uint patches = 1u;
@@ -407,7 +437,7 @@ void main()
         // All threads have finished with the previous patches.
         barrier();
         if (thread < patches)
-            takePatch(view, liveAt(first + step_ * thread), thread);
+            takePatch(view, placeOfPatch(first + step_ * thread), thread);
         for (uint i = thread; hasColliders && i < patches * colliderWords; i += gl_WorkGroupSize.x)
             colliderBits[i] = 0u;
         barrier();

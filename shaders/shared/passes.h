@@ -39,6 +39,8 @@ struct UpdatePush {
     FrameArray cullView; ///< frame with the culling camera
     VisiblePatchArray live;
     WalkLevelArray levels;     ///< the first holds the number of visible patches
+    WalkLevelArray nearCount;  ///< length of `near`, and work-groups for it
+    UintArray near;            ///< places in the list of patches that a collider may touch
     WalkLevelArray rounds;     ///< each round's list length, and work-groups to rasterise it
     UintArray nonEmptyPatches; ///< indices of the non-empty patches
     FrameArray views;          ///< views for which blades are moved, if there are several
@@ -53,7 +55,7 @@ struct UpdatePush {
     uint viewCount; ///< frames at `views`
     uint frame;     ///< running number; see forgetsSeen()
 };
-SHARED_LAYOUT(UpdatePush, 96)
+SHARED_LAYOUT(UpdatePush, 112)
 
 /// A blade keeps its visibility history until it forgets it, in every 32nd frame. If all blades
 /// forgot in every frame, parts that the wind shows only briefly would leave holes in the
@@ -86,6 +88,12 @@ SHARED_FN uint featuresOf(Eyepoint view, bool isPaged, bool hasCullResults, bool
 SHARED_CONST uint moveAndCull = 0u;
 SHARED_CONST uint onlyMove = 1u; ///< moves the blades that any view wants; lists nothing
 SHARED_CONST uint onlyCull = 2u; ///< blades that are already moved
+
+// Patches that a dispatch of the update takes. Code for colliders makes a CPU slow also where none
+// is near.
+SHARED_CONST uint takesAll = 0u;
+SHARED_CONST uint takesFar = 1u;  ///< patches that no collider may touch; lists the others
+SHARED_CONST uint takesNear = 2u; ///< these others
 
 struct WalkPush {
     FrameArray cullView;

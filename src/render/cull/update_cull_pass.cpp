@@ -1,6 +1,7 @@
 #include "render/cull/update_cull_pass.h"
 
 #include "core/expect.h"
+#include "gpu/barrier.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
@@ -25,6 +26,18 @@ std::uint32_t threadsOf(const gpu::DeviceContext& context, bool hasColliders)
                : lanesOfCpu;
 }
 
+UpdateCullPass::Variant withoutColliders(UpdateCullPass::Variant variant)
+{
+    variant.hasColliders = false;
+    return variant;
+}
+
+/// Place of the count of patches near colliders among the walk's levels.
+VkDeviceSize nearOffset(const VisibleBlades& found)
+{
+    return VkDeviceSize(found.nearLevel()) * sizeof(shared::WalkLevel);
+}
+
 } // namespace
 
 // One on a CPU: llvmpipe ends all loops of an invocation after 65 535 iterations, and a patch among
@@ -40,42 +53,60 @@ UpdateCullPass::UpdateCullPass(const gpu::DeviceContext& context)
 {
 }
 
-void UpdateCullPass::prepare(const gpu::ShaderLibrary& shaders, Variant variant)
+bool UpdateCullPass::splits(Variant variant) const
 {
-    if (pipelines_.contains(variant))
-        return;
-    pipelines_.emplace(
-        variant, gpu::ComputePipeline(
-                     *context_, shaders,
-                     {.name = "update and cull",
-                      .shader = "update_cull.comp",
-                      .pushConstantBytes = sizeof(shared::UpdatePush),
-                      .setLayouts = {frameLayout_.get()},
-                      .constants = {{.id = 0, .value = variant.windCounts},
-                                    {.id = 1, .value = variant.hasColliders},
-                                    {.id = 2, .value = threadsOf(*context_, variant.hasColliders)},
-                                    {.id = 3, .value = static_cast<std::uint32_t>(variant.role)},
-                                    {.id = 4, .value = variant.keepsBefore},
-                                    {.id = 5, .value = variant.keepsEtas},
-                                    {.id = 6, .value = variant.testsSmall},
-                                    {.id = 7, .value = variant.features},
-                                    {.id = 8, .value = patchesOfGroup(*context_)}}}));
+    return variant.hasColliders && context_->isCpu();
 }
 
-void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& blades,
-                            const VisibleBlades& found, Variant variant, Scope scope,
-                            const Input& input) const
+void UpdateCullPass::prepare(const gpu::ShaderLibrary& shaders, Variant variant)
 {
-    if (blades.nonEmptyPatchCount() == 0)
+    if (!splits(variant)) {
+        prepareOne(shaders, {variant, shared::takesAll});
         return;
-    const auto made = pipelines_.find(variant);
+    }
+    prepareOne(shaders, {withoutColliders(variant), shared::takesFar});
+    prepareOne(shaders, {variant, shared::takesNear});
+}
+
+void UpdateCullPass::prepareOne(const gpu::ShaderLibrary& shaders, Pipeline wanted)
+{
+    if (pipelines_.contains(wanted))
+        return;
+    const Variant& variant = wanted.variant;
+    pipelines_.emplace(
+        wanted, gpu::ComputePipeline(
+                    *context_, shaders,
+                    {.name = "update and cull",
+                     .shader = "update_cull.comp",
+                     .pushConstantBytes = sizeof(shared::UpdatePush),
+                     .setLayouts = {frameLayout_.get()},
+                     .constants = {{.id = 0, .value = variant.windCounts},
+                                   {.id = 1, .value = variant.hasColliders},
+                                   {.id = 2, .value = threadsOf(*context_, variant.hasColliders)},
+                                   {.id = 3, .value = static_cast<std::uint32_t>(variant.role)},
+                                   {.id = 4, .value = variant.keepsBefore},
+                                   {.id = 5, .value = variant.keepsEtas},
+                                   {.id = 6, .value = variant.testsSmall},
+                                   {.id = 7, .value = variant.features},
+                                   {.id = 8, .value = patchesOfGroup(*context_)},
+                                   {.id = 9, .value = wanted.takes}}}));
+}
+
+void UpdateCullPass::bind(const gpu::Recording& commands, Pipeline wanted,
+                          const BakedBlades& blades, const VisibleBlades& found, Scope scope,
+                          const Input& input) const
+{
+    const auto made = pipelines_.find(wanted);
     expect(made != pipelines_.end(), "the update has been prepared for the frame's wind");
     const gpu::ComputePipeline& pipeline = made->second;
     pipeline.bind(commands);
     input.frame.bind(commands, pipeline.layout(), 0);
+    const VkDeviceAddress levels = found.levels().address();
     pipeline.push(commands, shared::UpdatePush{.cullView = input.frame.address,
                                                .live = found.live(),
-                                               .levels = found.levels().address(),
+                                               .levels = levels,
+                                               .nearCount = levels + nearOffset(found),
+                                               .near = found.queue(),
                                                .rounds = found.rounds().address(),
                                                .nonEmptyPatches = blades.nonEmptyPatches(),
                                                .views = input.views,
@@ -89,6 +120,25 @@ void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& b
                                                .lateRound = found.roundCount() + input.round,
                                                .viewCount = input.viewCount,
                                                .frame = input.shown.frame});
+}
+
+void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& blades,
+                            const VisibleBlades& found, Variant variant, Scope scope,
+                            const Input& input) const
+{
+    if (blades.nonEmptyPatchCount() == 0)
+        return;
+    const bool isSplit = splits(variant);
+    if (isSplit) {
+        gpu::memoryBarrier(commands, gpu::dispatchAccess, gpu::transferAccess);
+        commands.vk->CmdFillBuffer(commands, found.levels().get(), nearOffset(found),
+                                   sizeof(shared::WalkLevel), 0);
+        gpu::transferToCompute(commands);
+    }
+    bind(commands,
+         isSplit ? Pipeline{withoutColliders(variant), shared::takesFar}
+                 : Pipeline{variant, shared::takesAll},
+         blades, found, scope, input);
     if (scope == Scope::all) {
         const std::uint32_t groups =
             shared::updateGroups(blades.nonEmptyPatchCount(), patchesOfGroup(*context_));
@@ -97,6 +147,11 @@ void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& b
         commands.vk->CmdDispatchIndirect(commands, found.levels().get(),
                                          shared::liveLevel * sizeof(shared::WalkLevel));
     }
+    if (!isSplit)
+        return;
+    gpu::computeToCompute(commands);
+    bind(commands, {variant, shared::takesNear}, blades, found, scope, input);
+    commands.vk->CmdDispatchIndirect(commands, found.levels().get(), nearOffset(found));
 }
 
 } // namespace sward::render

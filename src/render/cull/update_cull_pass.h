@@ -72,15 +72,27 @@ public:
         std::uint32_t maxGroups = shared::maxGroups; ///< limit of work-groups for Scope::all
     };
 
-    /// Needs a barrier from the clearing of counts, or from the walk, before; and one to the draw
+    /// With colliders on a CPU these are two dispatches: patches near none take the code without
+    /// colliders. Needs a barrier from the clearing of counts, or from the walk, before; and one to the draw
     /// after. `variant` must be prepared.
     void record(const gpu::Recording& commands, const BakedBlades& blades,
                 const VisibleBlades& found, Variant variant, Scope scope, const Input& input) const;
 
 private:
+    struct Pipeline {
+        Variant variant;
+        std::uint32_t takes = shared::takesAll;
+        auto operator<=>(const Pipeline&) const = default;
+    };
+
+    void prepareOne(const gpu::ShaderLibrary& shaders, Pipeline wanted);
+    void bind(const gpu::Recording& commands, Pipeline wanted, const BakedBlades& blades,
+              const VisibleBlades& found, Scope scope, const Input& input) const;
+    bool splits(Variant variant) const; ///< into patches far from and near to colliders
+
     const gpu::DeviceContext* context_;
     gpu::UniformSetLayout frameLayout_;
-    std::map<Variant, gpu::ComputePipeline> pipelines_;
+    std::map<Pipeline, gpu::ComputePipeline> pipelines_;
 };
 
 } // namespace sward::render

@@ -17,11 +17,14 @@ VisibleBlades::VisibleBlades(const gpu::DeviceContext& context, const BakedBlade
                                   blades.patchSizes().maxBladesOf(roundPatches_))))
 {
     const PatchTree& tree = blades.tree();
-    queue_ = allocate(context, "view/queue",
-                      (blades.patchCount() - tree.startCount()) * sizeof(std::uint32_t));
+    queue_ = allocate(
+        context, "view/queue",
+        std::max(blades.patchCount() - tree.startCount(), blades.nonEmptyPatchCount()) *
+            sizeof(std::uint32_t));
     live_ = allocate(context, "view/visible patches",
                      blades.nonEmptyPatchCount() * sizeof(shared::VisiblePatch));
-    levels_ = allocate(context, "view/levels", (tree.steps() + 1) * sizeof(shared::WalkLevel));
+    nearLevel_ = tree.steps() + 1;
+    levels_ = allocate(context, "view/levels", (nearLevel_ + 1) * sizeof(shared::WalkLevel));
     visible_ = allocate(context, "view/visible", listLength_ * sizeof(shared::VisibleBlade));
     rounds_ = allocate(context, "view/rounds", 2 * roundCount_ * sizeof(shared::WalkLevel));
     draw_ = allocate(context, "view/draw", sizeof(shared::DrawArguments));

@@ -37,6 +37,9 @@ public:
     VkDeviceAddress queue() const { return queue_.address(); } ///< of patches to be tested
     VkDeviceAddress live() const { return live_.address(); }   ///< shared::VisiblePatch
     const gpu::Buffer& levels() const { return levels_; }      ///< shared::WalkLevel
+    /// Index of the last level, for patches that colliders may touch. The walk's queue holds their
+    /// list, once the walk has ended.
+    std::uint32_t nearLevel() const { return nearLevel_; }
     const gpu::Buffer& draw() const { return draw_; }          ///< shared::DrawArguments
     const gpu::Buffer& visible() const { return visible_; }    ///< shared::VisibleBlade
     VkDeviceSize bytes() const { return bytes_; }
@@ -47,6 +50,7 @@ private:
     std::uint32_t roundPatches_ = 1;
     std::uint32_t roundCount_ = 1;
     std::uint32_t listLength_ = 0;
+    std::uint32_t nearLevel_ = 0;
     VkDeviceSize bytes_ = 0;
     gpu::Buffer queue_;
     gpu::Buffer live_;
