@@ -34,4 +34,13 @@ shared::Collider colliderAt(const Collider& collider, glm::dvec3 origin, double 
     return result;
 }
 
+std::vector<shared::Collider> collidersAt(std::span<const Collider> colliders, glm::dvec3 origin,
+                                          double time, double before)
+{
+    std::vector<shared::Collider> result;
+    for (const Collider& collider : colliders)
+        result.push_back(colliderAt(collider, origin, time, before));
+    return result;
+}
+
 } // namespace sward::render

@@ -4,6 +4,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <span>
 #include <vector>
 
 namespace sward::render {
@@ -29,5 +30,9 @@ glm::dvec3 moveAt(const Collider& collider, double time);
 /// `before`, or zero unless `before` < `time`.
 shared::Collider colliderAt(const Collider& collider, glm::dvec3 origin, double time,
                             double before);
+
+/// The same for all of a frame's colliders.
+std::vector<shared::Collider> collidersAt(std::span<const Collider> colliders, glm::dvec3 origin,
+                                          double time, double before);
 
 } // namespace sward::render

@@ -219,10 +219,12 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
     cover.describe(frame, wanted.thatch);
     if ((frame.view.cullMask & shared::cullOcclusion) != 0 || findsHidden(wanted))
         pyramid.describe(frame);
-    slots[slot].tables.write(shape, wanted, time, blades.hasMoved() ? lastTime : time, frame);
+    const std::vector<shared::Collider> colliders =
+        collidersAt(wanted.colliders, shape.origin, time, blades.hasMoved() ? lastTime : time);
+    slots[slot].tables.write(shape, wanted, colliders, frame);
     lastTime = time;
     frame.updateRate.frame = frameNumber++;
-    sunShadow.describe(frame);
+    sunShadow.describe(frame, colliders);
     slots[slot].frame.fill(frame);
 
     // Create pipelines that a frame needs for the first time.

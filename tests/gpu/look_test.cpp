@@ -154,6 +154,40 @@ TEST_F(LookTest, ColliderShadesTheGroundAndTakesItsShadowWithIt)
     EXPECT_TRUE(darkAt(second, {-2.0f, 0.0f, 3.0f}));
 }
 
+/// The shadow map is drawn anew only around what has changed.
+TEST_F(LookTest, ShadowsOfMovingCollidersAreThoseOfAFreshMap)
+{
+    Scene moving(bare(20.0f));
+    lookDown(moving.camera);
+    moving.settings.sunDirection = {1.0f, 1.0f, 0.0f};
+    std::vector<Collider>& balls = moving.settings.colliders;
+    for (const double x : {-1.0, 0.0, 0.7, 4.0})
+        balls.push_back({.from = {x, 1.0, 0.0}, .to = {x, 1.0, 0.0}, .radius = 0.5, .path = {}});
+    auto last = draw(moving);
+    const auto expectFresh = [&](const char* what) {
+        const auto pixels = draw(moving);
+        EXPECT_GT(test::differingPixels(pixels, last), 10u) << what;
+        last = pixels;
+        Scene fresh(bare(20.0f));
+        fresh.camera = moving.camera;
+        fresh.settings = moving.settings;
+        EXPECT_EQ(test::differingPixels(pixels, draw(fresh)), 0u) << what;
+    };
+    balls[1].from.z = balls[1].to.z = 0.4;
+    expectFresh("one moves beside others");
+    balls[3].to.z = 3.0;
+    expectFresh("one grows");
+    balls.erase(balls.begin());
+    expectFresh("one goes");
+    moving.settings.sunDirection = {-1.0f, 1.0f, 0.5f};
+    expectFresh("the sun moves");
+    balls[0].from.x = balls[0].to.x = 2.0;
+    moving.settings.sunDirection = {-1.0f, 1.0f, 0.6f};
+    expectFresh("both move");
+    balls.clear();
+    expectFresh("all go");
+}
+
 /// Mean linear luminance of the ground's and the grass's pixels in each of 8 bands of distance from
 /// the eye, which have as many rows of the picture each.
 std::array<double, 8> radialMeans(const std::vector<std::byte>& pixels, std::uint32_t horizon)

@@ -239,6 +239,41 @@ TEST_F(PhysicsTest, MovesEveryBladeAmongCollidersThatLieOnOneHeap)
     EXPECT_EQ(moved, field.blades.size());
 }
 
+/// On a CPU, where code for colliders costs several times as much.
+TEST_F(PhysicsTest, TakesTheCodeForCollidersOnlyWhereOneMayTouch)
+{
+    if (!context().isCpu())
+        GTEST_SKIP() << "a GPU takes all patches together";
+    const field::Field field =
+        test::makeField({.surface = test::Surface::cloud, .blades = 4096, .seed = seed});
+    const std::vector<shared::BladeState> before(field.blades.size());
+    test::UpdateBench bench(context(), field::viewOf(field));
+    FrameSettings settings = randomEnvironment(1, 1);
+    Collider& ball = settings.colliders.front();
+    ball.path.clear();
+    ball.radius = 0.5;
+    std::size_t touched = 0;
+    for (const glm::dvec3 place : {glm::dvec3(0.0, 500.0, 0.0), glm::dvec3(0.0), glm::dvec3(3.0)})
+        for (const float elapsed : {0.0f, 0.03f}) {
+            ball.from = ball.to = place;
+            const shared::Frame frame = frameOf({}, ViewMatrices{}, settings, 20.0, 1);
+            const CpuEnvironment cpu(settings, frame, elapsed);
+            std::uint32_t near = 0;
+            for (const shared::Patch& cell : field.patches)
+                near += cell.bladeCount > 0 && elapsed > 0.0f &&
+                                shared::colliderNear(cpu.colliders[0], cell.boundsLow,
+                                                     cell.boundsHigh, elapsed)
+                            ? 1u
+                            : 0u;
+            const auto result =
+                bench.run(frame, settings, before, elapsed, UpdateCullPass::Scope::all);
+            EXPECT_EQ(result.nearColliders, near) << place.y << ", " << elapsed << " s";
+            touched += near;
+        }
+    EXPECT_GT(touched, 0u);
+    EXPECT_LT(touched, field.patches.size());
+}
+
 TEST_F(PhysicsTest, LeavesAFieldAtAStandstillUntouched)
 {
     const field::Field field =

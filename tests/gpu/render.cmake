@@ -9,7 +9,7 @@ endif()
 sward_add_shaders(sward_render_test_shaders shaders/layout_echo.comp)
 sward_add_tests(sward_render_tests LABEL gpu
   SOURCES camera_test.cpp culling_test.cpp walk_test.cpp detail_test.cpp grass_test.cpp grass_view_test.cpp ground_test.cpp opaque_test.cpp stored_target_test.cpp host_picture.cpp large_blades_test.cpp layout_test.cpp visible_patch_bound_test.cpp look_test.cpp luminance_test.cpp occlusion_test.cpp patch_sizes_test.cpp physics_test.cpp picture.cpp picture_parts_test.cpp raster_for_cpu_test.cpp preset_test.cpp exposure_test.cpp
-          renderer_test.cpp residency_test.cpp shading_test.cpp streaming_test.cpp thicket.cpp update_bench.cpp
+          renderer_test.cpp residency_test.cpp shading_test.cpp shadow_contents_test.cpp streaming_test.cpp thicket.cpp update_bench.cpp
   USES sward::render sward_gpu_test_support sward_field_test_support
   ENVIRONMENT ${SWARD_GPU_ENVIRONMENT})
 get_target_property(render_test_spirv sward_render_test_shaders SWARD_SPIRV)

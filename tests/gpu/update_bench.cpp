@@ -47,7 +47,10 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
 {
     buffers_.describe(frame);
     const double time = static_cast<double>(frame.time);
-    tables_.write({}, settings, time, time - static_cast<double>(elapsed), frame);
+    tables_.write(
+        {}, settings,
+        render::collidersAt(settings.colliders, {}, time, time - static_cast<double>(elapsed)),
+        frame);
     const render::UpdateCullPass::Variant variant{
         .windCounts = frame.environment.wind.counts,
         .hasColliders = frame.environment.colliderCount > 0,
@@ -103,6 +106,8 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
         result.cullResults = gpu::readBufferAs<std::uint32_t>(context_, buffers_.cullResults());
     result.visible = gpu::readBufferAs<shared::VisibleBlade>(context_, buffers_.visible());
     result.draw = gpu::readBufferAs<shared::DrawArguments>(context_, buffers_.draw())[0];
+    result.nearColliders =
+        gpu::readBufferAs<shared::WalkLevel>(context_, buffers_.list().levels()).back().count;
     result.visible.resize(result.draw.cullResults[shared::cullResultDrawn]);
     return result;
 }

@@ -36,6 +36,7 @@ public:
         std::vector<std::uint32_t> cullResults;    ///< if recorded
         std::vector<shared::VisibleBlade> visible; ///< only listed blades
         shared::DrawArguments draw;
+        std::uint32_t nearColliders = 0; ///< patches taken by the code for colliders, on a CPU
     };
 
     /// One pass at `frame.time` over blades in `states` last moved `elapsed` [s] before, in the

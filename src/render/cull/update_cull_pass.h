@@ -73,8 +73,8 @@ public:
     };
 
     /// With colliders on a CPU these are two dispatches: patches near none take the code without
-    /// colliders. Needs a barrier from the clearing of counts, or from the walk, before; and one to the draw
-    /// after. `variant` must be prepared.
+    /// colliders. Needs a barrier from the clearing of counts, or from the walk, before; and one to
+    /// the draw after. `variant` must be prepared.
     void record(const gpu::Recording& commands, const BakedBlades& blades,
                 const VisibleBlades& found, Variant variant, Scope scope, const Input& input) const;
 

@@ -41,12 +41,9 @@ VkDeviceSize FrameTables::bytes()
     return tableBytes();
 }
 
-void FrameTables::write(const FieldShape& field, const FrameSettings& settings, double time,
-                        double before, shared::Frame& frame) const
+void FrameTables::write(const FieldShape& field, const FrameSettings& settings,
+                        std::span<const shared::Collider> colliders, shared::Frame& frame) const
 {
-    std::vector<shared::Collider> colliders;
-    for (const Collider& collider : settings.colliders)
-        colliders.push_back(colliderAt(collider, field.origin, time, before));
     writeTables({buffer_.mapped().data(), buffer_.address()}, field, settings, colliders, frame);
 }
 

@@ -29,11 +29,10 @@ class FrameTables {
 public:
     explicit FrameTables(const gpu::DeviceContext& context);
 
-    /// Writes the table for a frame at `time` [s] after one at `before`, and the frame's wind and
-    /// colliders into `frame`. At most shared::maxWindSources winds and shared::maxColliders
-    /// colliders.
-    void write(const FieldShape& field, const FrameSettings& settings, double time, double before,
-               shared::Frame& frame) const;
+    /// Writes the table of `colliders`, and the frame's wind and colliders into `frame`. At most
+    /// shared::maxWindSources winds and shared::maxColliders colliders.
+    void write(const FieldShape& field, const FrameSettings& settings,
+               std::span<const shared::Collider> colliders, shared::Frame& frame) const;
 
     static VkDeviceSize bytes();
 

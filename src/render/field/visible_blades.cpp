@@ -17,10 +17,10 @@ VisibleBlades::VisibleBlades(const gpu::DeviceContext& context, const BakedBlade
                                   blades.patchSizes().maxBladesOf(roundPatches_))))
 {
     const PatchTree& tree = blades.tree();
-    queue_ = allocate(
-        context, "view/queue",
-        std::max(blades.patchCount() - tree.startCount(), blades.nonEmptyPatchCount()) *
-            sizeof(std::uint32_t));
+    queue_ =
+        allocate(context, "view/queue",
+                 std::max(blades.patchCount() - tree.startCount(), blades.nonEmptyPatchCount()) *
+                     sizeof(std::uint32_t));
     live_ = allocate(context, "view/visible patches",
                      blades.nonEmptyPatchCount() * sizeof(shared::VisiblePatch));
     nearLevel_ = tree.steps() + 1;

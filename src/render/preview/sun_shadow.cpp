@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 namespace sward::render {
 namespace {
@@ -21,6 +22,34 @@ constexpr float rim = 2.0f;
 
 /// Bound of depth rounding, of a float and of the map.
 constexpr float depthRounding = 4e-6f;
+
+constexpr VkRect2D wholeMap{{0, 0}, {sunShadowSize, sunShadowSize}};
+
+/// Where a part of the map begins in the buffer.
+VkDeviceSize firstByteOf(const VkRect2D& part)
+{
+    return (VkDeviceSize(part.offset.y) * sunShadowSize + VkDeviceSize(part.offset.x)) *
+           sizeof(float);
+}
+
+/// Copies parts of a map to the same places of another.
+void copyParts(VkCommandBuffer commands, const gpu::Image& from, const gpu::Image& to,
+               std::span<const VkRect2D> parts)
+{
+    std::vector<VkImageCopy> copies;
+    for (const VkRect2D& part : parts) {
+        VkImageCopy copy{};
+        copy.srcSubresource = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 0, 1};
+        copy.dstSubresource = copy.srcSubresource;
+        copy.srcOffset = {part.offset.x, part.offset.y, 0};
+        copy.dstOffset = copy.srcOffset;
+        copy.extent = {part.extent.width, part.extent.height, 1};
+        copies.push_back(copy);
+    }
+    vkCmdCopyImage(commands, from.get(), gpu::layoutOf(gpu::ImageUse::transferSource), to.get(),
+                   gpu::layoutOf(gpu::ImageUse::transferTarget),
+                   static_cast<std::uint32_t>(copies.size()), copies.data());
+}
 
 } // namespace
 
@@ -61,11 +90,12 @@ SunShadowPass::SunShadowPass(const gpu::DeviceContext& context, const gpu::Shade
 {
     if (ground_.isEmpty())
         return;
-    map_ = gpu::Image(context, {.name = "sun shadow/map",
-                                .format = depthFormat,
-                                .extent = {sunShadowSize, sunShadowSize},
-                                .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
-                                         VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+    map_ = gpu::Image(context,
+                      {.name = "sun shadow/map",
+                       .format = depthFormat,
+                       .extent = {sunShadowSize, sunShadowSize},
+                       .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
+                                VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
     depths_ = gpu::Buffer(
         context, {.name = "sun shadow/depths",
                   .bytes = VkDeviceSize(sunShadowSize) * sunShadowSize * sizeof(float),
@@ -78,18 +108,27 @@ SunShadowPass::SunShadowPass(const gpu::DeviceContext& context, const gpu::Shade
     pipeline_ = gpu::GraphicsPipeline(context, shaders, settings);
 }
 
-void SunShadowPass::describe(shared::Frame& frame)
+void SunShadowPass::describe(shared::Frame& frame, std::span<const shared::Collider> colliders)
 {
-    sun_ = frame.sunDirection;
-    colliderCount_ = frame.environment.colliderCount;
     frame.shadow = sunShadowOf(ground_, frame.sunDirection, sunShadowSize);
     frame.shadow.depths.address = depths_.address();
+    if (ground_.isEmpty())
+        return;
+    // The frame before was described, but not recorded.
+    if (!changes_.isNone())
+        contents_ = {};
+    changes_ = contents_.follow(frame.shadow, frame.sunDirection, colliders);
 }
 
 void SunShadowPass::prepare(const gpu::ShaderLibrary& shaders)
 {
-    if (colliderCount_ == 0 || colliders_.get() != VK_NULL_HANDLE)
+    if (changes_.colliders.empty() || colliders_.get() != VK_NULL_HANDLE)
         return;
+    groundMap_ = gpu::Image(
+        *context_, {.name = "sun shadow/ground",
+                    .format = depthFormat,
+                    .extent = {sunShadowSize, sunShadowSize},
+                    .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
     gpu::GraphicsPipelineSettings settings;
     settings.name = "sun shadow/colliders";
     settings.vertexShader = "collider_sun.vert";
@@ -98,15 +137,9 @@ void SunShadowPass::prepare(const gpu::ShaderLibrary& shaders)
     colliders_ = gpu::GraphicsPipeline(*context_, shaders, settings);
 }
 
-void SunShadowPass::record(VkCommandBuffer commands, const GroundBuffers& ground,
-                           VkDeviceAddress frame)
+void SunShadowPass::drawGround(VkCommandBuffer commands, const GroundBuffers& ground,
+                               VkDeviceAddress frame)
 {
-    // Redraw with colliders, which may move every frame.
-    if (ground_.isEmpty() || (sun_ == drawn_ && colliderCount_ == 0 && !hasColliders_))
-        return;
-    drawn_ = sun_;
-    hasColliders_ = colliderCount_ > 0;
-
     gpu::transition(commands, map_, gpu::ImageUse::undefined, gpu::ImageUse::depthTarget);
     {
         const gpu::DepthAttachment depth{.view = map_.view(), .clear = 0.0f};
@@ -120,22 +153,65 @@ void SunShadowPass::record(VkCommandBuffer commands, const GroundBuffers& ground
                                                     .reserved = 0});
         for (const GroundBuffers::Part& part : ground.parts())
             vkCmdDrawIndexed(commands, part.indexCount, 1, part.firstIndex, 0, 0);
-        if (hasColliders_) {
+    }
+    gpu::transition(commands, map_, gpu::ImageUse::depthTarget, gpu::ImageUse::transferSource);
+    hasGroundMap_ = false;
+}
+
+void SunShadowPass::drawColliders(VkCommandBuffer commands, VkDeviceAddress frame)
+{
+    using gpu::ImageUse;
+    if (!hasGroundMap_) {
+        // The map shows no collider yet.
+        gpu::transition(commands, groundMap_, ImageUse::undefined, ImageUse::transferTarget);
+        copyParts(commands, map_, groundMap_, {&wholeMap, 1});
+        gpu::transition(commands, groundMap_, ImageUse::transferTarget, ImageUse::transferSource);
+        gpu::transition(commands, map_, ImageUse::transferSource, ImageUse::depthTarget);
+        hasGroundMap_ = true;
+    } else {
+        gpu::transition(commands, map_, ImageUse::transferSource, ImageUse::transferTarget);
+        copyParts(commands, groundMap_, map_, changes_.parts);
+        gpu::transition(commands, map_, ImageUse::transferTarget, ImageUse::depthTarget);
+    }
+    {
+        const gpu::DepthAttachment depth{.view = map_.view(), .clear = std::nullopt};
+        const gpu::RenderingScope rendering(commands, map_.extent(), {}, depth);
+        if (!changes_.colliders.empty()) {
             colliders_.bind(commands);
             colliders_.push(commands, shared::ViewPush{frame});
-            vkCmdDraw(commands, 3 * shared::colliderTriangles, colliderCount_, 0, 0);
         }
+        for (const std::uint32_t i : changes_.colliders)
+            vkCmdDraw(commands, 3 * shared::colliderTriangles, 1, 0, i);
     }
+    gpu::transition(commands, map_, ImageUse::depthTarget, ImageUse::transferSource);
+}
 
-    // Frames before may still read the map.
-    gpu::transition(commands, map_, gpu::ImageUse::depthTarget, gpu::ImageUse::transferSource);
+void SunShadowPass::record(VkCommandBuffer commands, const GroundBuffers& ground,
+                           VkDeviceAddress frame)
+{
+    if (changes_.isNone())
+        return;
+    if (changes_.ground)
+        drawGround(commands, ground, frame);
+    if (!changes_.parts.empty())
+        drawColliders(commands, frame);
+
+    // Frames before may still read the depths.
     gpu::anythingToTransfer(commands);
-    VkBufferImageCopy copy{};
-    copy.imageSubresource = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 0, 1};
-    copy.imageExtent = {sunShadowSize, sunShadowSize, 1};
+    std::vector<VkBufferImageCopy> copies;
+    for (const VkRect2D& part : changes_.ground ? std::vector{wholeMap} : changes_.parts) {
+        VkBufferImageCopy copy{};
+        copy.bufferOffset = firstByteOf(part);
+        copy.bufferRowLength = sunShadowSize;
+        copy.imageSubresource = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 0, 1};
+        copy.imageOffset = {part.offset.x, part.offset.y, 0};
+        copy.imageExtent = {part.extent.width, part.extent.height, 1};
+        copies.push_back(copy);
+    }
     vkCmdCopyImageToBuffer(commands, map_.get(), gpu::layoutOf(gpu::ImageUse::transferSource),
-                           depths_.get(), 1, &copy);
+                           depths_.get(), static_cast<std::uint32_t>(copies.size()), copies.data());
     gpu::memoryBarrier(commands, gpu::transferAccess, gpu::drawAccess);
+    changes_ = {};
 }
 
 } // namespace sward::render

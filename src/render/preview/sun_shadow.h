@@ -7,9 +7,12 @@
 #include "gpu/image.h"
 #include "gpu/shader_library.h"
 #include "render/preview/ground_buffers.h"
+#include "render/preview/shadow_contents.h"
 #include "shaders/shared/frame.h"
 
 #include <glm/vec3.hpp>
+
+#include <span>
 
 namespace sward::render {
 
@@ -20,34 +23,40 @@ constexpr std::uint32_t sunShadowSize = 2048;
 /// empty box. The table is unset.
 shared::SunShadow sunShadowOf(const Aabb& ground, glm::vec3 sunDirection, std::uint32_t size);
 
-/// The shadow map of the ground, redrawn when the sun has moved; in frames with colliders it
-/// includes them.
+/// The shadow map of ground and colliders. The ground is redrawn when the sun has moved; around
+/// colliders that have changed it is copied, and they are drawn into it.
 class SunShadowPass {
 public:
     /// `ground` is the box of shadow casters, relative to the field's origin.
     SunShadowPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
                   const Aabb& ground);
 
-    /// Call after the frame's sun and colliders are set.
-    void describe(shared::Frame& frame);
+    /// Call after the frame's sun is set. `colliders` are those of the frame's table.
+    void describe(shared::Frame& frame, std::span<const shared::Collider> colliders);
 
     /// Makes the pipelines for the frame described last, on first use.
     void prepare(const gpu::ShaderLibrary& shaders);
 
-    /// Draws the map for the frame described last, unless current; outside of a rendering.
+    /// Draws what has changed since the frame described last before; outside of a rendering.
     void record(VkCommandBuffer commands, const GroundBuffers& ground, VkDeviceAddress frame);
 
-    VkDeviceSize bytes() const { return map_.memoryBytes() + depths_.bytes(); }
+    VkDeviceSize bytes() const
+    {
+        return map_.memoryBytes() + groundMap_.memoryBytes() + depths_.bytes();
+    }
 
 private:
+    void drawGround(VkCommandBuffer commands, const GroundBuffers& ground, VkDeviceAddress frame);
+    void drawColliders(VkCommandBuffer commands, VkDeviceAddress frame);
+
     const gpu::DeviceContext* context_;
     Aabb ground_;
-    glm::vec3 sun_{0.0f};             ///< in the frame described last
-    glm::vec3 drawn_{0.0f};           ///< of the current map
-    std::uint32_t colliderCount_ = 0; ///< in the frame described last
-    bool hasColliders_ = false;       ///< whether the current map shows colliders
+    ShadowContents contents_;
+    ShadowChanges changes_; ///< not recorded yet
     gpu::Image map_;
-    gpu::Buffer depths_; ///< the same, accessed by address
+    gpu::Image groundMap_;      ///< without colliders; made for the first
+    bool hasGroundMap_ = false; ///< it is current
+    gpu::Buffer depths_;        ///< the same, accessed by address
     gpu::GraphicsPipeline pipeline_;
     gpu::GraphicsPipeline colliders_; ///< made for the first collider
 };
