@@ -108,8 +108,9 @@ TEST(ShadowContents, PartsHoldTheWholeShadowAndDoNotOverlap)
         return static_cast<float>(uniform(41, i, dimension));
     };
     for (std::uint64_t i = 0; i < 64; ++i) {
-        many.push_back(ball(100.0f * glm::vec3(dice(i, 0) - 0.5f, 0.1f * dice(i, 1), dice(i, 2) - 0.5f),
-                            0.1f + 4.0f * dice(i, 3)));
+        many.push_back(
+            ball(100.0f * glm::vec3(dice(i, 0) - 0.5f, 0.1f * dice(i, 1), dice(i, 2) - 0.5f),
+                 0.1f + 4.0f * dice(i, 3)));
         many.back().to += 5.0f * glm::vec3(dice(i, 4), dice(i, 5), dice(i, 6));
     }
     const ShadowChanges changes = contents.follow(view, sun, many);

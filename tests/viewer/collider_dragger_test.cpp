@@ -97,5 +97,57 @@ TEST_F(ColliderDraggerTest, LeavesTheBallWhereItIsLetGoAtRest)
     EXPECT_LT(glm::distance(middle(), place), 1e-3);
 }
 
+/// Throws the ball along x, at 1.8 m/s.
+TEST_F(ColliderDraggerTest, FallsWhereTheGroundEnds)
+{
+    double end = 0.0;
+    for (const shared::GroundVertex& vertex : field_.ground.vertices)
+        end = std::max(end, static_cast<double>(vertex.position.x));
+    balls_[0].from.x = balls_[0].to.x = end - 0.8;
+    ASSERT_TRUE(hand_.grab(balls_, towards(middle()), ground_, time_));
+    for (int i = 1; i <= 20; ++i) {
+        hand_.drag(towards({end - 0.8 + 0.03 * i, 0.0, 0.0}), ground_, upright);
+        step();
+    }
+    hand_.release();
+    double lastDrop = 0.0;
+    for (int i = 0; i < 90; ++i) {
+        const glm::dvec3 before = middle();
+        step();
+        const double drop = before.y - middle().y;
+        if (middle().x < end) {
+            EXPECT_NEAR(drop, 0.0, 1e-6) << "on the ground";
+        } else if (lastDrop > 0.0) {
+            EXPECT_NEAR(drop - lastDrop, 9.81 * dt * dt, 1e-6) << "it falls freely";
+        }
+        lastDrop = drop;
+    }
+    EXPECT_GT(middle().x, end);
+    EXPECT_LT(middle().y, -1.0);
+    // Not forever.
+    for (int i = 0; i < 60 * 25; ++i)
+        step();
+    const glm::dvec3 last = middle();
+    step();
+    EXPECT_EQ(middle(), last);
+}
+
+TEST_F(ColliderDraggerTest, StopsAtAnotherBall)
+{
+    balls_.push_back({{1.6, 0.45, 0.0}, {1.6, 0.45, 0.0}, 0.5, {}});
+    ASSERT_TRUE(hand_.grab(balls_, towards({0.0, 0.45, 0.0}), ground_, time_));
+    for (int i = 1; i <= 10; ++i) {
+        hand_.drag(towards({0.04 * i, 0.0, 0.0}), ground_, upright);
+        step();
+    }
+    hand_.release();
+    for (int i = 0; i < 300; ++i) {
+        step();
+        EXPECT_GE(middleOf(balls_[1], time_).x - middle().x, 1.0 - 1e-6);
+    }
+    EXPECT_GT(middle().x, 0.45) << "it came there";
+    EXPECT_EQ(middleOf(balls_[1], time_).x, 1.6);
+}
+
 } // namespace
 } // namespace sward::view

@@ -34,8 +34,7 @@ VkRect2D rectOf(glm::ivec2 first, glm::ivec2 end)
 
 bool overlap(const VkRect2D& a, const VkRect2D& b)
 {
-    return !isEmptyRect(a) && !isEmptyRect(b) &&
-           glm::all(glm::lessThan(firstOf(a), endOf(b))) &&
+    return !isEmptyRect(a) && !isEmptyRect(b) && glm::all(glm::lessThan(firstOf(a), endOf(b))) &&
            glm::all(glm::lessThan(firstOf(b), endOf(a)));
 }
 
@@ -74,9 +73,9 @@ VkRect2D shadowRect(const shared::SunShadow& view, const shared::Collider& colli
         const float b = glm::dot(row, to);
         // A pixel more, for the rounding.
         const float reach = collider.radius * glm::length(glm::vec3(row)) + 1.0f;
-        return glm::ivec2(glm::clamp(glm::vec2(std::floor(std::min(a, b) - reach),
-                                               std::ceil(std::max(a, b) + reach)),
-                                     0.0f, size));
+        return glm::ivec2(glm::clamp(
+            glm::vec2(std::floor(std::min(a, b) - reach), std::ceil(std::max(a, b) + reach)), 0.0f,
+            size));
     };
     const glm::ivec2 across = span(view.across);
     const glm::ivec2 down = span(view.down);

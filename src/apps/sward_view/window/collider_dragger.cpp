@@ -9,12 +9,16 @@
 namespace sward::view {
 namespace {
 
-constexpr double minReach = 12.0;  ///< [pixels] around a collider that is small on the screen
-constexpr double slowest = 0.05;   ///< [m/s] below this a sphere stops
-constexpr double friction = 0.7;   ///< [1/s] speed loss of a rolling sphere
-constexpr double smoothing = 0.08; ///< [s] smoothing of the drag speed
-constexpr double probe = 4.0;      ///< [radii] start of the ground search above a sphere
-constexpr double resting = 0.9;    ///< [radii] height of a sphere's centre above the ground
+constexpr double minReach = 12.0;    ///< [pixels] around a collider that is small on the screen
+constexpr double slowest = 0.05;     ///< [m/s] below this a sphere stops
+constexpr double friction = 0.7;     ///< [1/s] speed loss of a rolling sphere
+constexpr double smoothing = 0.08;   ///< [s] smoothing of the drag speed
+constexpr double probe = 4.0;        ///< [radii] start of the ground search above a sphere
+constexpr double resting = 0.9;      ///< [radii] height of a sphere's centre above the ground
+constexpr double gravity = 9.81;     ///< [m/s²]
+constexpr double steepest = 2.0;     ///< way down for each way along, beyond which a sphere falls
+constexpr double ledge = 0.5;        ///< [radii] way down that is never a fall
+constexpr double longestFall = 20.0; ///< [s]; then it is far below everything, and stops
 
 // Moves a collider by `way`; the shaders derive its velocity from two times.
 void move(render::Collider& collider, const glm::dvec3& way, double before, double now)
@@ -31,12 +35,35 @@ void move(render::Collider& collider, const glm::dvec3& way, double before, doub
     }
 }
 
-// Projects `place` to the ground below or above it.
-glm::dvec3 laidOn(const render::GroundSurface& ground, const glm::dvec3& place,
-                  const glm::dvec3& up, double radius)
+// The centre of a collider that lies on the ground below or above `place`, if there is any.
+std::optional<glm::dvec3> laidOn(const render::GroundSurface& ground, const glm::dvec3& place,
+                                 const glm::dvec3& up, double radius)
 {
     const auto hit = ground.hit(place + up * (probe * radius), -up);
-    return hit ? hit->place + up * (resting * radius) : place;
+    if (!hit)
+        return std::nullopt;
+    return hit->place + up * (resting * radius);
+}
+
+// Whether a collider at `place` is in another one, which it was not at `from`, or less deep.
+bool meetsOther(const std::vector<render::Collider>& colliders, std::size_t own, double time,
+                const glm::dvec3& from, const glm::dvec3& place)
+{
+    const auto distanceTo = [&](const render::Collider& other, const glm::dvec3& at) {
+        const glm::dvec3 move = render::moveAt(other, time);
+        const glm::dvec3 along = other.to - other.from;
+        const glm::dvec3 to = at - other.from - move;
+        const double size = glm::dot(along, along);
+        const double t = size > 0.0 ? std::clamp(glm::dot(to, along) / size, 0.0, 1.0) : 0.0;
+        return glm::length(to - t * along);
+    };
+    for (std::size_t i = 0; i < colliders.size(); ++i) {
+        const double apart = distanceTo(colliders[i], place);
+        if (i != own && apart < colliders[i].radius + colliders[own].radius &&
+            apart < distanceTo(colliders[i], from))
+            return true;
+    }
+    return false;
 }
 
 } // namespace
@@ -89,9 +116,45 @@ void ColliderDragger::drag(const Sight& sight, const render::GroundSurface& grou
 void ColliderDragger::release()
 {
     if (held_ && glm::length(velocity_) > slowest)
-        rolling_.push_back({*held_, velocity_});
+        rolling_.push_back({.index = *held_, .velocity = velocity_});
     held_.reset();
     wanted_.reset();
+}
+
+glm::dvec3 ColliderDragger::wayOf(Rolling& one, const std::vector<render::Collider>& colliders,
+                                  const render::GroundSurface& ground, const glm::dvec3& up,
+                                  double before, double seconds)
+{
+    const render::Collider& collider = colliders[one.index];
+    const glm::dvec3 place = middleOf(collider, before);
+    if (one.fallen > 0.0)
+        one.velocity -= gravity * seconds * up;
+    glm::dvec3 way = one.velocity * seconds;
+    if (meetsOther(colliders, one.index, before, place, place + way)) {
+        one.velocity = glm::dvec3(0.0);
+        return glm::dvec3(0.0);
+    }
+    const auto laid = laidOn(ground, place + way, up, collider.radius);
+    const double drop = laid ? glm::dot(place + way - *laid, up) : 0.0;
+    const double along = glm::length(way - glm::dot(way, up) * up);
+    const bool wasFalling = one.fallen > 0.0;
+    const bool isFalling =
+        !laid ||
+        (wasFalling ? drop > 0.0 : drop > std::max(steepest * along, ledge * collider.radius));
+    if (isFalling) {
+        one.fallen += seconds;
+        if (one.fallen > longestFall)
+            one.velocity = glm::dvec3(0.0);
+        return way;
+    }
+    one.fallen = 0.0;
+    if (wasFalling) // It lands, and rolls on.
+        one.velocity -= glm::dot(one.velocity, up) * up;
+    way = *laid - place;
+    const double speed = glm::length(way) / seconds;
+    const double kept = std::min(speed, glm::length(one.velocity)) * std::exp(-friction * seconds);
+    one.velocity = speed > 1e-9 ? way * (kept / (speed * seconds)) : glm::dvec3(0.0);
+    return way;
 }
 
 void ColliderDragger::advance(std::vector<render::Collider>& colliders,
@@ -113,16 +176,9 @@ void ColliderDragger::advance(std::vector<render::Collider>& colliders,
         if (one.index >= colliders.size())
             continue;
         render::Collider& collider = colliders[one.index];
-        const glm::dvec3 place = middleOf(collider, before);
-        const glm::dvec3 next =
-            laidOn(ground, place + one.velocity * seconds, upAt(place), collider.radius);
-        const glm::dvec3 way = next - place;
-        move(collider, way, before, now);
-        const double speed = glm::length(way) / seconds;
-        const double kept =
-            std::min(speed, glm::length(one.velocity)) * std::exp(-friction * seconds);
-        one.velocity = speed > 1e-9 ? way * (kept / (speed * seconds)) : glm::dvec3(0.0);
-        if (kept < slowest)
+        const glm::dvec3 up = upAt(middleOf(collider, before));
+        move(collider, wayOf(one, colliders, ground, up, before, seconds), before, now);
+        if (glm::length(one.velocity) < slowest)
             move(collider, glm::dvec3(0.0), now, now);
     }
     std::erase_if(rolling_, [](const Rolling& one) { return glm::length(one.velocity) < slowest; });

@@ -27,12 +27,12 @@ public:
     void drag(const Sight& sight, const render::GroundSurface& ground,
               const std::function<glm::dvec3(const glm::dvec3&)>& upAt);
 
-    /// Releases the collider; a fast one rolls on.
+    /// Releases the collider; a fast one rolls on, and falls where the ground ends.
     void release();
 
     bool holds() const { return held_.has_value(); }
 
-    /// Moves held and rolling colliders from time `before` to `now` [s].
+    /// Moves held, rolling and falling colliders from time `before` to `now` [s].
     void advance(std::vector<render::Collider>& colliders, const render::GroundSurface& ground,
                  const std::function<glm::dvec3(const glm::dvec3&)>& upAt, double before,
                  double now);
@@ -44,7 +44,13 @@ private:
     struct Rolling {
         std::size_t index;
         glm::dvec3 velocity; ///< [m/s]
+        double fallen = 0.0; ///< [s] since it left the ground
     };
+
+    /// Way of a rolling or falling collider in `seconds`; changes its velocity.
+    static glm::dvec3 wayOf(Rolling& one, const std::vector<render::Collider>& colliders,
+                            const render::GroundSurface& ground, const glm::dvec3& up,
+                            double before, double seconds);
 
     std::optional<std::size_t> held_;
     std::optional<glm::dvec3> wanted_; ///< target centre of the held collider, world [m]
