@@ -4,6 +4,7 @@
 #include "apps/sward_view/meadow_requests.h"
 #include "apps/sward_view/picking.h"
 #include "apps/sward_view/question.h"
+#include "apps/sward_view/requests.h"
 #include "apps/sward_view/shown_field.h"
 #include "apps/sward_view/window/collider_dragger.h"
 #include "apps/sward_view/window/recent_files.h"
@@ -12,7 +13,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,33 +32,6 @@ struct FieldTime {
 struct BakeDifference {
     std::uint64_t bladesBefore = 0, bladesAfter = 0;
     double heightBefore = 0.0, heightAfter = 0.0; ///< [m] mean
-};
-
-/// Requests of the panels; the viewer fulfils them between two frames.
-struct Requests {
-    std::vector<std::string> open;     ///< replaces the shown fields
-    std::vector<std::string> add;      ///< adds to the shown fields
-    std::optional<std::size_t> remove; ///< index of the field to remove
-    std::optional<std::size_t> choose; ///< field for the next bake
-    std::optional<std::string> loadSettings;
-    std::optional<std::string> saveSettings;
-    std::optional<std::string> saveCamera;
-    std::optional<std::string> saveField; ///< path of the chosen field
-    std::function<void()> answer;         ///< to the question
-    std::optional<std::string> replayPath;
-    bool resetSettings = false;
-    bool bake = false;
-    bool cancelBake = false;
-    bool compare = false; ///< toggles between the fields before and after the bake
-    bool frameField = false;
-    bool goHome = false;
-    bool walk = false;   ///< or no longer
-    bool freeze = false; ///< or no longer
-    bool record = false; ///< or no longer
-    bool picture = false;
-    bool sequence = false; ///< or no longer
-    bool forgetTimes = false;
-    std::optional<bool> addCapsule; ///< adds a collider: a capsule, or a ball
 };
 
 /// Everything that the panels show and change. The next frame uses the changes.

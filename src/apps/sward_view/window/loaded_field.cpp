@@ -32,7 +32,7 @@ Navigation::Place placeOf(const ShownField& field, const render::FrameSettings& 
 
 LoadedField::LoadedField(const gpu::Device& device, std::unique_ptr<ShownField> field,
                          const render::FieldRenderer::Settings& wanted,
-                         std::shared_ptr<const ShaderModules> shaders, const render::Camera& home,
+                         std::shared_ptr<const ShaderModules> shaders, const Framing& home,
                          const render::FrameSettings& settings, float aspect)
     : device_(device)
     , field_(std::move(field))

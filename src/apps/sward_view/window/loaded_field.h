@@ -19,7 +19,7 @@ public:
     /// follows their gravity. Throws as FieldRenderer does.
     LoadedField(const gpu::Device& device, std::unique_ptr<ShownField> field,
                 const render::FieldRenderer::Settings& wanted,
-                std::shared_ptr<const ShaderModules> shaders, const render::Camera& home,
+                std::shared_ptr<const ShaderModules> shaders, const Framing& home,
                 const render::FrameSettings& settings, float aspect);
 
     /// Creates a renderer with other shaders and blades at rest; null: the built-in ones. The

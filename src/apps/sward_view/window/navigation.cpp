@@ -43,7 +43,7 @@ glm::dvec3 rightOfView(const glm::dvec3& view, const glm::dvec3& up)
 
 } // namespace
 
-Navigation::Navigation(const render::Camera& home, Place place)
+Navigation::Navigation(const Framing& home, Place place)
     : place_(std::move(place))
     , orbit_(home, place_.axis)
     , speed_(flySpeedShare * place_.size)
@@ -131,7 +131,7 @@ void Navigation::stayAboveGround()
     render::Camera lifted = camera();
     lifted.eye = above->place + up * margin;
     if (glm::length(lifted.target - lifted.eye) > margin)
-        orbit_.show(lifted);
+        orbit_.show(Framing(lifted, orbit_.framing().pivot));
 }
 
 void Navigation::standOnGround()
@@ -181,10 +181,10 @@ bool Navigation::walk(bool wanted)
     return true;
 }
 
-void Navigation::show(const render::Camera& camera)
+void Navigation::show(const Framing& framing)
 {
     walks_ = false;
-    orbit_.show(camera);
+    orbit_.show(framing);
 }
 
 void Navigation::goHome()

@@ -8,6 +8,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <utility>
 
 namespace sward::view {
 
@@ -21,14 +22,19 @@ public:
         const render::GroundSurface* ground = nullptr;     ///< may be null
     };
 
-    Navigation(const render::Camera& home, Place place);
+    Navigation(const Framing& home, Place place);
+    Navigation(const render::Camera& home, Place place)
+        : Navigation(Framing(home), std::move(place))
+    {
+    }
 
     /// Applies the input of `seconds` in a picture `height` pixels high. `mouse`, `keys`: whether
     /// the camera may use them.
     void steer(const Input& input, float height, double seconds, bool mouse, bool keys);
 
-    /// Shows `camera`; ends walking.
-    void show(const render::Camera& camera);
+    /// Shows a camera; ends walking.
+    void show(const Framing& framing);
+    void show(const render::Camera& camera) { show(Framing(camera)); }
     void goHome();
 
     /// Starts or ends walking. Returns whether it walks; false without ground.
@@ -41,6 +47,7 @@ public:
     bool showBookmark(int number);
 
     const render::Camera& camera() const { return orbit_.camera(); }
+    const Framing& framing() const { return orbit_.framing(); }
     double speed() const { return speed_; } ///< flying speed [m/s]
 
 private:

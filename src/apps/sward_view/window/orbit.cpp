@@ -46,61 +46,65 @@ glm::dvec3 rightOf(const glm::dvec3& arm, const glm::dvec3& up)
 
 } // namespace
 
-Orbit::Orbit(const render::Camera& home, glm::vec3 axis)
+Orbit::Orbit(const Framing& home, glm::vec3 axis)
     : home_(home)
     , axis_(glm::normalize(glm::dvec3(axis)))
-    , camera_(home)
+    , now_(home)
 {
-}
-
-void Orbit::show(const render::Camera& camera)
-{
-    camera_ = camera;
 }
 
 void Orbit::rotate(glm::vec2 pixels, float height)
 {
     const double scale = pi / static_cast<double>(std::max(height, 1.0f));
     const double heading = -static_cast<double>(pixels.x) * scale;
-    glm::dvec3 arm = camera_.eye - camera_.target;
+    render::Camera& camera = now_.camera;
+    glm::dvec3 arm = camera.eye - camera.target;
+    glm::dvec3 aside = camera.target - now_.pivot;
 
     // Turn around the axis, then up or down, but never over the pole.
     arm = turned(arm, heading, axis_);
-    const glm::dvec3 right = rightOf(arm, turned(glm::dvec3(camera_.up), heading, axis_));
+    aside = turned(aside, heading, axis_);
+    const glm::dvec3 right = rightOf(arm, turned(glm::dvec3(camera.up), heading, axis_));
     const double polar = polarAngle(arm, axis_);
     const double wanted =
         std::clamp(polar - static_cast<double>(pixels.y) * scale, poleMargin, pi - poleMargin);
     arm = turned(arm, wanted - polar, right);
+    aside = turned(aside, wanted - polar, right);
 
     // Keep the exact distance over many drags.
-    const double distance = glm::length(camera_.eye - camera_.target);
-    camera_.eye = camera_.target + arm * (distance / glm::length(arm));
-    camera_.up = glm::vec3(axis_);
+    const double distance = glm::length(camera.eye - camera.target);
+    camera.target = now_.pivot + aside;
+    camera.eye = camera.target + arm * (distance / glm::length(arm));
+    camera.up = glm::vec3(axis_);
 }
 
 void Orbit::pan(glm::vec2 pixels, float height)
 {
-    const glm::dvec3 arm = camera_.eye - camera_.target;
-    const glm::dvec3 right = rightOf(arm, glm::dvec3(camera_.up));
+    render::Camera& camera = now_.camera;
+    const glm::dvec3 arm = camera.eye - camera.target;
+    const glm::dvec3 right = rightOf(arm, glm::dvec3(camera.up));
     const glm::dvec3 up = glm::normalize(glm::cross(arm, right));
 
     // Size of one pixel at the target's distance.
-    const double half = std::tan(glm::radians(static_cast<double>(camera_.fovY)) / 2.0);
+    const double half = std::tan(glm::radians(static_cast<double>(camera.fovY)) / 2.0);
     const double metres =
         2.0 * glm::length(arm) * half / static_cast<double>(std::max(height, 1.0f));
     const glm::dvec3 move =
         (up * static_cast<double>(pixels.y) - right * static_cast<double>(pixels.x)) * metres;
-    camera_.eye += move;
-    camera_.target += move;
+    camera.eye += move;
+    camera.target += move;
+    now_.pivot += move;
 }
 
 void Orbit::dolly(float steps)
 {
-    const glm::dvec3 arm = camera_.eye - camera_.target;
+    render::Camera& camera = now_.camera;
+    const glm::dvec3 arm = camera.eye - camera.target;
     const double distance = glm::length(arm);
     const double wanted = std::clamp(distance * std::pow(dollyFactor, static_cast<double>(steps)),
                                      nearestDistance, farthestDistance);
-    camera_.eye = camera_.target + arm * (wanted / distance);
+    camera.target = now_.pivot + (camera.target - now_.pivot) * (wanted / distance);
+    camera.eye = camera.target + arm * (wanted / distance);
 }
 
 } // namespace sward::view

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/sward_view/window/framing.h"
 #include "render/camera.h"
 
 #include <glm/vec2.hpp>
@@ -7,34 +8,41 @@
 
 namespace sward::view {
 
-/// A camera on a sphere around a target, steered by the mouse.
+/// A camera on a sphere around a pivot, usually its target, steered by the mouse. The pivot stays
+/// at its place in the picture.
 class Orbit {
 public:
     /// Starts at `home`; turns around `axis` (unit), which stays upwards in the picture.
-    Orbit(const render::Camera& home, glm::vec3 axis);
+    Orbit(const Framing& home, glm::vec3 axis);
+    Orbit(const render::Camera& home, glm::vec3 axis)
+        : Orbit(Framing(home), axis)
+    {
+    }
 
-    /// Turns about the target by a drag of `pixels` in a picture `height` pixels high; dragging
+    /// Turns about the pivot by a drag of `pixels` in a picture `height` pixels high; dragging
     /// over the whole height turns by half a circle.
     void rotate(glm::vec2 pixels, float height);
 
-    /// Moves target and eye so that points at the target's distance follow the drag.
+    /// Moves pivot, target and eye so that points at the target's distance follow the drag.
     void pan(glm::vec2 pixels, float height);
 
     /// Moves nearer by `steps` of the wheel, a tenth of the distance each; never reaches the
-    /// target.
+    /// pivot.
     void dolly(float steps);
 
     /// Sets another camera, without changing the target of reset().
-    void show(const render::Camera& camera);
+    void show(const Framing& framing) { now_ = framing; }
+    void show(const render::Camera& camera) { now_ = Framing(camera); }
 
     void reset() { show(home_); }
 
-    const render::Camera& camera() const { return camera_; }
+    const render::Camera& camera() const { return now_.camera; }
+    const Framing& framing() const { return now_; }
 
 private:
-    render::Camera home_;
+    Framing home_;
     glm::dvec3 axis_;
-    render::Camera camera_;
+    Framing now_;
 };
 
 } // namespace sward::view

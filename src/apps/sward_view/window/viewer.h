@@ -66,7 +66,7 @@ private:
     bool handleColliders(const Input& input, bool mouse);
     void pick(glm::vec2 pixel);
     void record();
-    glm::vec2 middleOfPicture() const; ///< beside an open panel
+    Pane paneBesidePanel() const;
     Sight sightAt(glm::vec2 place) const;
     Style::Scale uiScale() const;
     // viewer_requests.cpp: requests that take longer than a frame

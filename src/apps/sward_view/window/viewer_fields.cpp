@@ -105,8 +105,11 @@ void Viewer::show(Opening::Opened opened)
                                 members[opened.place]->source.input;
     const bool isBaked = opened.count == 1 && !members[opened.place]->source.report.empty();
     render::FrameSettings settings = isSame ? viewerState_.settings : frame.settingsFor(view);
-    CameraPath path = chooseCamera(frame.camera, view, window_.aspect(), settings.sunDirection);
-    const render::Camera home = path.at(0.0);
+    const Pane pane = paneBesidePanel();
+    const bool fits = frame.camera == "fit";
+    CameraPath path = chooseCamera(frame.camera, view, fits ? pane.freeAspect() : pane.aspect,
+                                   settings.sunDirection);
+    const Framing home = fits ? framedBeside(path.at(0.0), pane, view) : Framing(path.at(0.0));
     auto next = std::make_unique<LoadedField>(
         device_, std::move(opened.field),
         render::FieldRenderer::Settings{.colorFormat = swapchain_.format(),
@@ -123,7 +126,7 @@ void Viewer::show(Opening::Opened opened)
     viewerState_.difference.reset();
     former_.reset();
     if (isSame)
-        next->navigation().show(loadedField_->navigation().camera());
+        next->navigation().show(loadedField_->navigation().framing());
     if (isExchange && isBaked) {
         const field::Summary& before = loadedField_->field().members[opened.place]->summary;
         const field::Summary& after = members[opened.place]->summary;

@@ -133,10 +133,11 @@ Style::Scale Viewer::uiScale() const
         pixels / points};
 }
 
-glm::vec2 Viewer::middleOfPicture() const
+Pane Viewer::paneBesidePanel() const
 {
-    const glm::vec2 size(window_.size());
-    return {0.5f * (layout_.coveredWidth(interface_.style(), size.x) + size.x), 0.5f * size.y};
+    const float width = static_cast<float>(std::max(window_.size().x, 1u));
+    const float covered = layout_.open ? layout_.coveredWidth(interface_.style(), width) : 0.0f;
+    return {.aspect = window_.aspect(), .covered = std::min(covered / width, 0.6f)};
 }
 
 Sight Viewer::sightAt(glm::vec2 place) const

@@ -63,19 +63,24 @@ void Viewer::fulfil()
     Navigation& navigation = loadedField_->navigation();
     if (requests.compare && former_) {
         device_.waitIdle();
-        former_->navigation().show(navigation.camera());
+        former_->navigation().show(navigation.framing());
         std::swap(loadedField_, former_);
         viewerState_.showsFormer = !viewerState_.showsFormer;
         viewerState_.picked.reset();
         times_.frames = times_.framesAtTitle = rest_.moving = 0;
         return;
     }
-    if (requests.frameField)
-        navigation.show(render::presetCamera(render::CameraPreset::fit, loadedField_->field().view,
-                                             {.groundUp = groundUpOf(loadedField_->field().view),
-                                              .aspect = window_.aspect(),
-                                              .sunDirection = viewerState_.settings.sunDirection,
-                                              .surface = &loadedField_->field().ground}));
+    if (requests.frameField) {
+        const Pane pane = paneBesidePanel();
+        const field::FieldView& view = loadedField_->field().view;
+        navigation.show(
+            framedBeside(render::presetCamera(render::CameraPreset::fit, view,
+                                              {.groundUp = groundUpOf(view),
+                                               .aspect = pane.freeAspect(),
+                                               .sunDirection = viewerState_.settings.sunDirection,
+                                               .surface = &loadedField_->field().ground}),
+                         pane, view));
+    }
     if (requests.goHome)
         navigation.goHome();
     if (requests.walk && !navigation.isWalking() && !navigation.walk(true))
@@ -93,8 +98,9 @@ void Viewer::fulfil()
             .upAt = [this](const glm::dvec3& at) { return upAt(viewerState_.settings, at); },
             .fieldSize = bounds.isEmpty() ? 10.0 : glm::length(glm::dvec3(bounds.size())),
             .time = viewerState_.time.now};
-        colliders.push_back(
-            newCollider(where, sightAt(middleOfPicture()), *requests.addCapsule, colliders));
+        const glm::vec2 middle =
+            0.5f * glm::vec2(window_.size()) * glm::vec2(1.0f + paneBesidePanel().covered, 1.0f);
+        colliders.push_back(newCollider(where, sightAt(middle), *requests.addCapsule, colliders));
         viewerState_.hand.chosen = colliders.size() - 1;
     }
     if (requests.resetSettings) {
