@@ -32,14 +32,15 @@ protected:
 
 TEST_P(FramingTest, ShowsTheWholeFieldBesideThePanel)
 {
-    for (const Pane pane : {Pane{1.6f, 0.0f}, Pane{1.6f, 0.34f}, Pane{1.0f, 0.5f}, Pane{2.2f, 0.2f}}) {
+    for (const Pane pane :
+         {Pane{1.6f, 0.0f}, Pane{1.6f, 0.34f}, Pane{1.0f, 0.5f}, Pane{2.2f, 0.2f}}) {
         const Framing framing = framed(pane);
         const double width = 1000.0 * static_cast<double>(pane.aspect);
         const double covered = width * static_cast<double>(pane.covered);
         double left = width, right = 0.0;
         for (const shared::GroundVertex& vertex : field_.ground.vertices) {
-            const glm::dvec2 pixel = pixelOf(framing.camera, pane,
-                                             field_.origin + glm::dvec3(vertex.position));
+            const glm::dvec2 pixel =
+                pixelOf(framing.camera, pane, field_.origin + glm::dvec3(vertex.position));
             left = std::min(left, pixel.x);
             right = std::max(right, pixel.x);
             EXPECT_GT(pixel.y, 0.0);

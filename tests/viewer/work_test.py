@@ -132,6 +132,9 @@ class WorkTest(unittest.TestCase):
     def test_a_bake_is_saved_and_then_nothing_is_asked(self):
         viewer = self.open_mesh()
         viewer.press("Save field as...", panel="Field")
+        viewer.wait_for_value("Files/Name", lambda shown: shown == "plane.sward", "it proposes a name")
+        viewer.wait_frames(3)
+        viewer.key("Return")
         saved = self.folder / "plane.sward"
         viewer.wait(saved.exists, "the field is written")
         viewer.wait_for_value("Field/Saved", lambda shown: shown == "plane.sward", "it is told")

@@ -12,14 +12,20 @@ namespace sward::apps {
 
 namespace fs = std::filesystem;
 
+const std::vector<std::string>& groundExtensions()
+{
+    static const std::vector<std::string> extensions{".glb", ".gltf", ".obj", ".ply", ".stl",
+                                                     ".off", ".png",  ".r16", ".raw", ".r32",
+                                                     ".hgt", ".asc",  ".exr", ".json"};
+    return extensions;
+}
+
 bool namesGround(const std::string& input)
 {
-    constexpr std::array<std::string_view, 14> extensions{".glb", ".gltf", ".obj", ".ply", ".stl",
-                                                          ".off", ".png",  ".r16", ".raw", ".r32",
-                                                          ".hgt", ".asc",  ".exr", ".json"};
     constexpr std::array<std::string_view, 6> builtIns{"plane", "sphere", "hills",
                                                        "dunes", "torus",  "arch"};
     const std::string extension = lowerCase(fs::path(input).extension().string());
+    const std::vector<std::string>& extensions = groundExtensions();
     if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end())
         return true;
     return !fs::exists(input) &&

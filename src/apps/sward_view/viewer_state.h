@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/sward_view/baking.h"
+#include "apps/sward_view/file_browser.h"
 #include "apps/sward_view/meadow_requests.h"
 #include "apps/sward_view/picking.h"
 #include "apps/sward_view/question.h"
@@ -59,6 +60,7 @@ struct ViewerState {
     bool showColliders = false;
     Requests requests;
     std::optional<Question> question;
+    std::optional<FileDialog> files; ///< choice of a file, while it is open
 
     // Set by the viewer.
     const ShownField* field = nullptr; ///< none yet: null

@@ -19,6 +19,7 @@ constexpr float labelShare = 0.40f;    ///< of a panel's width
 constexpr float tooltipWidth = 300.0f; ///< [pixels]
 constexpr float tooltipGap = 8.0f;     ///< [pixels]
 constexpr float valueWidth = 76.0f;    ///< [pixels] of a number beside its slider
+constexpr float browseWidth = 34.0f;   ///< [pixels] of a button that browses, and its space
 constexpr float dialPixels = 64.0f;    ///< of a compass
 
 std::string hidden(const char* name)
@@ -230,6 +231,23 @@ bool Controls::color(const char* name, glm::vec3& value, const char* about)
 bool Controls::text(const char* name, std::string& value, const char* hint, const char* about)
 {
     label(name);
+    return typed(name, value, hint, about);
+}
+
+bool Controls::file(const char* name, std::string& value, const char* hint, const char* about,
+                    bool& browses)
+{
+    label(name);
+    ImGui::SetNextItemWidth(-style_.scaled(browseWidth));
+    const bool entered = typed(name, value, hint, about);
+    ImGui::SameLine();
+    browses = ImGui::Button((std::string("...##") + name).c_str());
+    finish((std::string(name) + " browse").c_str(), "", "Chooses the file from a list", "button");
+    return entered;
+}
+
+bool Controls::typed(const char* name, std::string& value, const char* hint, const char* about)
+{
     const bool wasEntered = ImGui::InputTextWithHint(hidden(name).c_str(), hint, &value,
                                                      ImGuiInputTextFlags_EnterReturnsTrue);
     const bool entered = wasEntered || (entered_ && ImGui::IsItemActive());
@@ -310,6 +328,21 @@ bool Controls::compass(const char* name, glm::vec3& value, float ahead, const ch
            std::string(about) + "\ndrag the arrow, -180 to 180 °; up is where the camera looks",
            "compass");
     return turned;
+}
+
+bool Controls::beginModal(const char* name, ImGuiWindowFlags flags)
+{
+    if (!ImGui::IsPopupOpen(name))
+        ImGui::OpenPopup(name);
+    ImGui::PushStyleColor(ImGuiCol_PopupBg, style_.color(palette::panel));
+    ImGui::PushStyleVar(ImGuiStyleVar_PopupBorderSize, 1.0f);
+    const bool isDrawn =
+        ImGui::BeginPopupModal(name, nullptr,
+                               flags | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                   ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+    return isDrawn;
 }
 
 bool Controls::button(const char* name, const char* about, bool wide)

@@ -50,8 +50,16 @@ public:
     /// within a frame.
     void setEntered(bool entered) { entered_ = entered; }
 
+    /// Rows of a list that keys have gone down since the last frame, or up if negative.
+    void setSteps(int steps) { steps_ = steps; }
+    int steps() const { return steps_; }
+
     /// Returns whether Enter was pressed in it.
     bool text(const char* name, std::string& value, const char* hint, const char* about);
+
+    /// The same for the name of a file, with a button that browses for it.
+    bool file(const char* name, std::string& value, const char* hint, const char* about,
+              bool& browses);
 
     /// Three numbers [m].
     bool place(const char* name, glm::dvec3& value, const char* about);
@@ -66,6 +74,10 @@ public:
     /// A button as wide as the panel or as its text.
     bool button(const char* name, const char* about, bool wide = false);
 
+    /// Begins a modal popup, opening it unless it is open, on which controls stand out; whether it
+    /// is drawn. ImGui::EndPopup() ends it.
+    bool beginModal(const char* name, ImGuiWindowFlags flags);
+
     /// Adds the last item to the map, if it was drawn by other means.
     void tell(const char* name, const std::string& shows, const char* about);
 
@@ -73,6 +85,7 @@ public:
 
 private:
     void label(const char* name);
+    bool typed(const char* name, std::string& value, const char* hint, const char* about);
     void beginSlider(const char* name);
     void showValue(const char* text);
     void placeTooltip(const ImVec2& low, const ImVec2& high) const;
@@ -83,6 +96,7 @@ private:
     ControlMap& map_;
     std::string panel_;
     bool entered_ = false;
+    int steps_ = 0;
 };
 
 } // namespace sward::view

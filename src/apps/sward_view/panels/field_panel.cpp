@@ -1,3 +1,4 @@
+#include "apps/common/field_input.h"
 #include "apps/sward_view/interface/units.h"
 #include "apps/sward_view/panels/panels.h"
 #include "core/json_text.h"
@@ -105,12 +106,16 @@ void drawSaving(Controls& controls, ViewerState& state)
     controls.fact("Saved", field.savedAs.empty() ? "no" : field.savedAs.string(),
                   "Field file of the last bake; grass that was baked in this window is lost when "
                   "the window closes, unless it is saved");
-    controls.text("Field file", state.fieldFile, "meadow.sward",
-                  "Name of the new file, from the folder that the viewer was started in");
-    ImGui::BeginDisabled(state.fieldFile.empty());
-    if (controls.button("Save field as...", "Writes the field that is shown (Ctrl+S)", true))
-        state.requests.saveField = state.fieldFile;
-    ImGui::EndDisabled();
+    if (controls.button("Save field as...",
+                        "Chooses a name for the field that is shown; Ctrl+S writes it at once",
+                        true))
+        state.files = FileDialog{
+            .browser = {std::filesystem::path(state.fieldFile).parent_path(), {".sward"}},
+            .title = "Save field as",
+            .verb = "Save",
+            .act = [&state](const std::string& path) { state.requests.saveField = path; },
+            .saves = true,
+            .typed = std::filesystem::path(state.fieldFile).filename().string()};
 }
 
 void drawShown(Controls& controls, ViewerState& state)
@@ -129,15 +134,33 @@ void drawShown(Controls& controls, ViewerState& state)
     drawField(controls, state);
 }
 
+// Lets the user choose a field or a ground from a list of files.
+void browseForField(ViewerState& state)
+{
+    std::vector<std::string> extensions = apps::groundExtensions();
+    extensions.push_back(".sward");
+    state.files = FileDialog{
+        .browser = {std::filesystem::path(state.another).parent_path(), std::move(extensions)},
+        .title = "Open a field or a ground",
+        .verb = "Open",
+        .act = [&state](const std::string& path) { state.requests.open = {path}; },
+        .otherVerb = state.field != nullptr ? "Add field" : "",
+        .otherAct = [&state](const std::string& path) { state.requests.add = {path}; }};
+}
+
 // Opens a typed or recent name: replaces the shown fields or adds to them.
 void drawOthers(Controls& controls, ViewerState& state)
 {
     controls.section("Open");
-    if (controls.text("Name", state.another, "meadow.sward, a mesh, or hills",
+    bool browses = false;
+    if (controls.file("Name", state.another, "meadow.sward, a mesh, or hills",
                       "A field, or a ground on which grass is grown first; names of files count "
-                      "from the folder that the viewer was started in. Enter opens it") &&
+                      "from the folder that the viewer was started in. Enter opens it",
+                      browses) &&
         !state.another.empty())
         state.requests.open = {state.another};
+    if (browses)
+        browseForField(state);
     ImGui::BeginDisabled(state.another.empty());
     if (controls.button("Open", "Replaces the fields that are shown"))
         state.requests.open = {state.another};

@@ -116,6 +116,7 @@ void Layout::draw(Controls& controls, ViewerState& state)
     drawMessages(controls, state);
     if (keySheet)
         drawKeySheet(controls);
+    drawFileDialog(controls, state);
     drawQuestion(controls, state);
 }
 

@@ -1,9 +1,11 @@
+#include "apps/common/field_input.h"
 #include "apps/sward_view/interface/units.h"
 #include "apps/sward_view/panels/panels.h"
 
 #include <fmt/core.h>
 
 #include <array>
+#include <filesystem>
 
 namespace sward::view {
 namespace {
@@ -41,16 +43,31 @@ void drawProgress(Controls& controls, ViewerState& state)
 void drawMeadowPanel(Controls& controls, ViewerState& state)
 {
     MeadowRequests& meadow = state.meadow;
-    controls.text("Ground", meadow.ground, "a mesh, a recipe, or hills",
+    bool browses = false;
+    controls.file("Ground", meadow.ground, "a mesh, a recipe, or hills",
                   "What grass grows on: .glb .gltf .obj .ply .stl .off, a heightmap, a recipe "
-                  ".json, or plane sphere hills dunes torus arch");
+                  ".json, or plane sphere hills dunes torus arch",
+                  browses);
+    if (browses)
+        state.files = FileDialog{
+            .browser = {std::filesystem::path(meadow.ground).parent_path(), apps::groundExtensions()},
+            .title = "Ground",
+            .verb = "Choose",
+            .act = [&meadow](const std::string& path) { meadow.ground = path; }};
     ImGui::BeginDisabled(!meadow.meadowFile.empty());
     controls.choice("Meadow", meadow.meadow, meadowNames, "Species and their shares");
     ImGui::EndDisabled();
-    controls.text(
+    controls.file(
         "Meadow file", meadow.meadowFile, "none: the meadow above",
         "A meadow of your own (.json, as for sward bake --meadow), sown instead of the one "
-        "above; with --watch the field is baked again when it changes");
+        "above; with --watch the field is baked again when it changes",
+        browses);
+    if (browses)
+        state.files = FileDialog{
+            .browser = {std::filesystem::path(meadow.meadowFile).parent_path(), {".json"}},
+            .title = "Meadow file",
+            .verb = "Choose",
+            .act = [&meadow](const std::string& path) { meadow.meadowFile = path; }};
     drawAmount(controls, meadow);
     controls.number("Slope from", meadow.slopeLow, {0.0f, 180.0f, "°", "%.0f"},
                     "Smallest slope on which grass grows");

@@ -20,6 +20,9 @@ void drawCameraPanel(Controls& controls, ViewerState& state);
 void drawProfilePanel(Controls& controls, ViewerState& state);
 void drawCapturePanel(Controls& controls, ViewerState& state);
 
+/// The choice of a file, if it is open, above all but questions.
+void drawFileDialog(Controls& controls, ViewerState& state);
+
 /// The question that waits for an answer, if there is one, above everything.
 void drawQuestion(Controls& controls, ViewerState& state);
 

@@ -14,13 +14,9 @@ void drawQuestion(Controls& controls, ViewerState& state)
 {
     if (!state.question)
         return;
-    if (!ImGui::IsPopupOpen(popup))
-        ImGui::OpenPopup(popup);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.5f * size.x, 0.4f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
-    if (!ImGui::BeginPopupModal(popup, nullptr,
-                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize |
-                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
+    if (!controls.beginModal(popup, ImGuiWindowFlags_AlwaysAutoResize))
         return;
     controls.beginPanel("Question");
     ImGui::PushTextWrapPos(controls.style().scaled(textPixels));

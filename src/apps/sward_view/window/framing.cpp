@@ -36,8 +36,8 @@ render::Camera movedAside(const render::Camera& fit, const Axes& axes, const Pan
                           double farther)
 {
     const double distance = glm::distance(fit.eye, fit.target) * farther;
-    const glm::dvec3 aside = axes.right * (static_cast<double>(pane.covered * pane.aspect) *
-                                           axes.half * distance);
+    const glm::dvec3 aside =
+        axes.right * (static_cast<double>(pane.covered * pane.aspect) * axes.half * distance);
     render::Camera camera = fit;
     camera.target = fit.target - aside;
     camera.eye = camera.target - axes.ahead * distance;

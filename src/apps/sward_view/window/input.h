@@ -54,6 +54,7 @@ struct Input {
     std::vector<std::string> dropped; ///< files dropped on the window …
     bool dropsMore = false;           ///< … with shift held
     bool entered = false;             ///< Enter was pressed
+    int steps = 0;                    ///< rows down, or up if negative, by arrow and page keys
     bool exposed = false;             ///< the window's content was lost
 };
 

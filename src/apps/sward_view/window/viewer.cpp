@@ -168,6 +168,7 @@ void Viewer::look()
     Input input = window_.takeInput();
     rest_.mustShow = rest_.mustShow || input.exposed;
     controls_.setEntered(input.entered);
+    controls_.setSteps(input.steps);
     steer(std::move(input));
     keepTime();
     tell();

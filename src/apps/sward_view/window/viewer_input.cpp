@@ -28,7 +28,8 @@ void Viewer::steer(Input input)
         for (const KeyPress& key : input.keys)
             press(key);
     else if (std::any_of(input.keys.begin(), input.keys.end(),
-                         [](const KeyPress& key) { return key.key == Key::escape; }))
+                         [](const KeyPress& key) { return key.key == Key::escape; }) &&
+             !(viewerState_.files && closeTopmost()))
         interface_.endTyping();
     if (!loadedField_)
         return;

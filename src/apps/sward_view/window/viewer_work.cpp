@@ -128,6 +128,10 @@ bool Viewer::closeTopmost()
         interface_.closePopup();
         return true;
     }
+    if (std::exchange(viewerState_.files, std::nullopt)) {
+        interface_.closePopup();
+        return true;
+    }
     if (interface_.closePopup() || std::exchange(layout_.keySheet, false))
         return true;
     if (!std::exchange(viewerState_.error, {}).empty())

@@ -52,6 +52,24 @@ constexpr std::array<KeyMeaning, 11> keyMeanings{{{GLFW_KEY_ESCAPE, Key::escape}
                                                   {GLFW_KEY_P, Key::picture},
                                                   {GLFW_KEY_R, Key::record}}};
 
+// Rows of a list that a key goes down.
+int rowsOf(int key)
+{
+    constexpr int page = 10;
+    switch (key) {
+    case GLFW_KEY_DOWN:
+        return 1;
+    case GLFW_KEY_UP:
+        return -1;
+    case GLFW_KEY_PAGE_DOWN:
+        return page;
+    case GLFW_KEY_PAGE_UP:
+        return -page;
+    default:
+        return 0;
+    }
+}
+
 // Keys that mean something with Ctrl, by what is printed on them.
 std::optional<Key> controlKeyOf(int key, int code)
 {
@@ -175,6 +193,9 @@ void Window::Parts::onScroll(GLFWwindow* window, double, double y)
 
 void Window::Parts::onKey(GLFWwindow* window, int key, int code, int action, int modifiers)
 {
+    if (action == GLFW_RELEASE)
+        return;
+    of(window).input.steps += rowsOf(key);
     if (action != GLFW_PRESS)
         return;
     if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER)
