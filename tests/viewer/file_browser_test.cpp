@@ -45,8 +45,7 @@ TEST_F(FileBrowserTest, ListsFoldersAndThenTheWantedFilesByName)
     FileBrowser browser(folder_, {".sward", ".glb"});
     EXPECT_EQ(namesOf(browser), (Names{"meadows/", "A.SWARD", "b.sward", "hill.glb"}));
     browser.showAll(true);
-    EXPECT_EQ(namesOf(browser),
-              (Names{"meadows/", "A.SWARD", "b.sward", "hill.glb", "notes.txt"}));
+    EXPECT_EQ(namesOf(browser), (Names{"meadows/", "A.SWARD", "b.sward", "hill.glb", "notes.txt"}));
     browser.filter("swa");
     EXPECT_EQ(namesOf(browser), (Names{"A.SWARD", "b.sward"}));
     browser.filter("zzz");

@@ -85,6 +85,26 @@ class PlaceTest(unittest.TestCase):
         viewer.wait(lambda: place()[1] < begin[1] - 1, "it falls")
         self.assert_ends_well(viewer)
 
+    def test_the_time_of_day_moves_and_colours_the_sun(self):
+        viewer = self.open("plane", "--panel", "look", "--camera", "eye")
+        shown = lambda name: [float(word) for word in viewer.shows(f"Look/{name}").split()]
+        rising = shown("Elevation")[0]
+        self.assertAlmostEqual(shown("Time of day")[0], 8.5, delta=1, msg="in the morning")
+        viewer.set("Time of day", "Look", 0.5)
+        viewer.wait(lambda: shown("Elevation")[0] > rising + 10, "it is noon")
+        noon, azimuth = shown("Sunlight"), shown("Azimuth")[0]
+        viewer.set("Time of day", "Look", 0.735)
+        viewer.wait(lambda: shown("Elevation")[0] < rising - 20, "it is evening")
+        evening = shown("Sunlight")
+        self.assertGreater(abs(shown("Azimuth")[0] - azimuth), 60)
+        self.assertGreater(evening[0] / evening[2], 1.3 * noon[0] / noon[2], "redder")
+        # The azimuth can still be turned, and the hour stays.
+        hour = shown("Time of day")[0]
+        viewer.set("Azimuth", "Look", 0.5)
+        viewer.wait(lambda: abs(shown("Azimuth")[0]) < 10, "it is turned")
+        self.assertAlmostEqual(shown("Time of day")[0], hour, delta=0.1)
+        self.assert_ends_well(viewer)
+
 
 if __name__ == "__main__":
     unittest.main()

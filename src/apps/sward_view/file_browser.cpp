@@ -88,7 +88,8 @@ void FileBrowser::step(int steps)
 {
     const auto last = static_cast<std::ptrdiff_t>(shown_.size()) - 1;
     const auto wanted = static_cast<std::ptrdiff_t>(selected_) + steps;
-    selected_ = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(wanted, 0, std::max<std::ptrdiff_t>(last, 0)));
+    selected_ = static_cast<std::size_t>(
+        std::clamp<std::ptrdiff_t>(wanted, 0, std::max<std::ptrdiff_t>(last, 0)));
 }
 
 fs::path FileBrowser::pathOf(const std::string& typed) const

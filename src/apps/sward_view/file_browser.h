@@ -74,9 +74,9 @@ struct FileDialog {
     Act act;
     std::string otherVerb = {}; ///< a second button; empty: none
     Act otherAct = {};
-    bool saves = false;     ///< the file need not exist
-    std::string typed = {}; ///< a name or path; when opening also the filter
-    bool isNew = true;      ///< the name wants the keys
+    bool saves = false;       ///< the file need not exist
+    std::string typed = {};   ///< a name or path; when opening also the filter
+    bool isNew = true;        ///< the name wants the keys
     std::string clicked = {}; ///< path of the entry that was clicked last
 
     /// The file that is meant by the typed text or else the selected entry. Goes into a folder, or

@@ -56,6 +56,7 @@ struct ViewerState {
     bool makesVideo = false;           ///< record a sequence as a video
     int sequenceLength = 120;          ///< frames
     float sequenceStep = 1.0f / 30.0f; ///< [s]
+    double hour = 9.0;                 ///< [h] time of day of the sun's place
     bool showWindArrows = false;
     bool showColliders = false;
     Requests requests;

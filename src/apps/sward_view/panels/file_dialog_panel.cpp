@@ -10,11 +10,11 @@ namespace sward::view {
 namespace {
 
 constexpr const char* filePopup = "files";
-constexpr float dialogPixels = 560.0f;   ///< width of an unscaled dialog, at most
-constexpr float dialogHeight = 420.0f;   ///< [pixels], at most
-constexpr float dialogShare = 0.9f;      ///< of the window, at most
-constexpr float bytesWidth = 90.0f;      ///< [pixels] of the column of sizes
-constexpr float belowList = 92.0f;      ///< [pixels] of what stands below the list
+constexpr float dialogPixels = 560.0f; ///< width of an unscaled dialog, at most
+constexpr float dialogHeight = 420.0f; ///< [pixels], at most
+constexpr float dialogShare = 0.9f;    ///< of the window, at most
+constexpr float bytesWidth = 90.0f;    ///< [pixels] of the column of sizes
+constexpr float belowList = 92.0f;     ///< [pixels] of what stands below the list
 
 // Returns the entry that was clicked twice.
 std::optional<std::size_t> drawEntries(Controls& controls, FileDialog& dialog, bool hasStepped)
@@ -34,8 +34,7 @@ std::optional<std::size_t> drawEntries(Controls& controls, FileDialog& dialog, b
         ImGui::PushStyleColor(ImGuiCol_Text,
                               style.color(entry.isFolder ? palette::accent : palette::text));
         const float width = ImGui::GetContentRegionAvail().x - style.scaled(bytesWidth);
-        if (ImGui::Selectable(row.c_str(), i == browser.selected(),
-                              0, {width, 0.0f})) {
+        if (ImGui::Selectable(row.c_str(), i == browser.selected(), 0, {width, 0.0f})) {
             // A second click opens it, however late: frames of a slow device miss double clicks.
             const std::string path = (browser.folder() / entry.name).string();
             if (path == std::exchange(dialog.clicked, path))
@@ -107,14 +106,14 @@ void drawFileDialog(Controls& controls, ViewerState& state)
     bool all = browser.showsAll();
     if (controls.toggle("All files", all, "Shows files of every kind"))
         browser.showAll(all);
-    isChosen |= controls.button(dialog.verb.c_str(), dialog.saves
-                                                         ? "Writes the file that is named above"
-                                                         : "Opens what is selected (Enter)");
+    isChosen |=
+        controls.button(dialog.verb.c_str(), dialog.saves ? "Writes the file that is named above"
+                                                          : "Opens what is selected (Enter)");
     ImGui::SameLine();
     bool isOther = false;
     if (!dialog.otherVerb.empty()) {
-        isOther = controls.button(dialog.otherVerb.c_str(),
-                                  "Shows it together with the present fields");
+        isOther =
+            controls.button(dialog.otherVerb.c_str(), "Shows it together with the present fields");
         ImGui::SameLine();
     }
     const bool isCancelled = controls.button("Cancel", "Opens and writes nothing (Escape)");
@@ -134,8 +133,9 @@ void drawFileDialog(Controls& controls, ViewerState& state)
     if (!isDone)
         return;
     if (chosen)
-        state.requests.answer = [act = isOther ? dialog.otherAct : dialog.act,
-                                 path = *chosen] { act(path); };
+        state.requests.answer = [act = isOther ? dialog.otherAct : dialog.act, path = *chosen] {
+            act(path);
+        };
     state.files.reset();
 }
 

@@ -1,15 +1,36 @@
 #include "apps/sward_view/panels/panels.h"
+#include "apps/sward_view/time_of_day.h"
 #include "render/look_settings.h"
 
+#include <cmath>
 #include <optional>
 
 namespace sward::view {
+namespace {
+
+constexpr double sameElevation = 0.5; ///< [degrees] beyond it, the sun was moved by other means
+
+void drawTimeOfDay(Controls& controls, ViewerState& state, double elevation)
+{
+    double& hour = state.hour;
+    if (std::abs(sunAt(hour).elevation - elevation) > sameElevation)
+        hour = hourOf(elevation, hour);
+    const double before = hour;
+    if (controls.number("Time of day", hour, {0.0f, 24.0f, "h", "%.1f"},
+                        "Moves the sun over the sky of a summer's day, and sets its colour and the "
+                        "light of sky and ground; the azimuth can still be turned"))
+        setTimeOfDay(state.settings, before, hour);
+}
+
+} // namespace
 
 void drawLookPanel(Controls& controls, ViewerState& state)
 {
     render::FrameSettings& settings = state.settings;
     controls.section("Sun");
     render::SunPlace sun = render::sunPlaceOf(settings.sunDirection);
+    drawTimeOfDay(controls, state, sun.elevation);
+    sun = render::sunPlaceOf(settings.sunDirection);
     const bool turned = controls.number("Azimuth", sun.azimuth, {-180.0f, 180.0f, "°", "%.0f"},
                                         "Azimuth of the sun, clockwise from north, which is -z");
     const bool risen = controls.number("Elevation", sun.elevation, {-10.0f, 89.9f, "°", "%.0f"},

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "render/look_settings.h"
+
+#include <glm/vec3.hpp>
+
+namespace sward::render {
+struct FrameSettings;
+} // namespace sward::render
+
+namespace sward::view {
+
+/// Place of the sun at an `hour` [h] of local solar time, 0 to 24, on a day in summer at 50° north.
+render::SunPlace sunAt(double hour);
+
+/// The hour nearest to `near` at which the sun is as high as `elevation` [degrees], or nearest to
+/// it.
+double hourOf(double elevation, double near);
+
+/// Share of the sky's light at noon that is left at this `elevation` of the sun [degrees], (0, 1];
+/// 1 from the default elevation upwards.
+double skyShareAt(double elevation);
+
+/// Moves the sun from one hour to another: its elevation, and its azimuth by as much as it turns
+/// meanwhile. Sets the light of sun, sky and ground by the elevation.
+void setTimeOfDay(render::FrameSettings& settings, double before, double hour);
+
+} // namespace sward::view
