@@ -48,8 +48,9 @@ TEST(TimeOfDay, KeepsWhatTheUserHasTurnedTheSunBy)
     settings.sunDirection = render::sunTowards(30.0, sunAt(9.0).elevation);
     setTimeOfDay(settings, 9.0, 14.0);
     const render::SunPlace sun = render::sunPlaceOf(settings.sunDirection);
-    EXPECT_NEAR(std::remainder(sun.azimuth - 30.0 - sunAt(14.0).azimuth + sunAt(9.0).azimuth, 360.0),
-                0.0, 1e-3);
+    EXPECT_NEAR(
+        std::remainder(sun.azimuth - 30.0 - sunAt(14.0).azimuth + sunAt(9.0).azimuth, 360.0), 0.0,
+        1e-3);
     EXPECT_NEAR(sun.elevation, sunAt(14.0).elevation, 1e-3);
     setTimeOfDay(settings, 14.0, 9.0);
     EXPECT_NEAR(render::sunPlaceOf(settings.sunDirection).azimuth, 30.0, 1e-3);

@@ -1,5 +1,7 @@
 #include "apps/sward_view/meadow_requests.h"
 
+#include "apps/sward_view/meadow_species.h"
+
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -80,8 +82,8 @@ MeadowRequests requestsOf(const std::string& provenance)
         }
     const auto meadow = settings->find("meadow");
     if (meadow != settings->end() && meadow->is_object())
-        for (std::size_t i = 0; i < std::size(meadowNames); ++i)
-            if (meadow->value("name", nlohmann::json()) == meadowNames[i])
+        for (std::size_t i = 0; i < std::size(meadowPresets); ++i)
+            if (meadow->value("name", nlohmann::json()) == meadowPresets[i].name)
                 requests.meadow = static_cast<int>(i);
     return requests;
 }
@@ -94,7 +96,7 @@ std::vector<std::string> bakeArguments(const MeadowRequests& requests)
         arguments.push_back(std::move(value));
     };
     add("--meadow",
-        requests.meadowFile.empty() ? meadowNames[requests.meadow] : requests.meadowFile);
+        requests.meadowFile.empty() ? meadowPresets[requests.meadow].name : requests.meadowFile);
     if (requests.amount == 1)
         add("--density", fmt::format("{:g}", requests.density));
     if (requests.amount == 2)

@@ -8,7 +8,7 @@ namespace sward::view {
 /// The bake requested by the Meadow panel; other settings are the baker's defaults.
 struct MeadowRequests {
     std::string ground;     ///< a mesh, a recipe, or a built-in's name
-    int meadow = 0;         ///< index into meadowNames
+    int meadow = 0;         ///< index into meadowPresets
     std::string meadowFile; ///< a user's meadow file instead; empty: none
     int amount = 0;         ///< 0: the baker's density, 1: density, 2: spacing, 3: count
     float density = 300.0f; ///< [1/m²]
@@ -21,9 +21,6 @@ struct MeadowRequests {
     std::string masks;  ///< texts of --mask, separated by blanks
     std::string traits; ///< KEY=VALUE of --set, separated by blanks
 };
-inline constexpr const char* meadowNames[] = {"meadow", "grass", "hay",     "lawn",   "daisies",
-                                              "alpine", "marsh", "prairie", "steppe", "dunes"};
-
 /// Converts the requests to arguments of `sward bake`.
 std::vector<std::string> bakeArguments(const MeadowRequests& requests);
 

@@ -17,8 +17,9 @@ struct Requests {
     std::optional<std::string> loadSettings;
     std::optional<std::string> saveSettings;
     std::optional<std::string> saveCamera;
-    std::optional<std::string> saveField; ///< path of the chosen field
-    std::function<void()> answer;         ///< to the question
+    std::optional<std::string> saveField;  ///< path of the chosen field
+    std::optional<std::string> saveMeadow; ///< path of the edited meadow
+    std::function<void()> answer;          ///< to the question
     std::optional<std::string> replayPath;
     bool resetSettings = false;
     bool bake = false;

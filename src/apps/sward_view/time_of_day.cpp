@@ -11,8 +11,8 @@
 namespace sward::view {
 namespace {
 
-constexpr double latitude = 50.0;    ///< [degrees]
-constexpr double declination = 18.0; ///< [degrees] of the sun, in May and July
+constexpr double latitude = 50.0;     ///< [degrees]
+constexpr double declination = 18.0;  ///< [degrees] of the sun, in May and July
 constexpr double stepOfSearch = 0.01; ///< [h]
 constexpr double darkest = 0.04;      ///< share of the sky's light at night …
 constexpr double atHorizon = 0.3;     ///< … and at sunrise: more than in nature, as eyes adapt
@@ -28,8 +28,8 @@ render::SunPlace sunAt(double hour)
     const double tilt = glm::radians(declination);
     const double rise =
         std::sin(north) * std::sin(tilt) + std::cos(north) * std::cos(tilt) * std::cos(turn);
-    const double azimuth = std::atan2(
-        std::sin(turn), std::cos(turn) * std::sin(north) - std::tan(tilt) * std::cos(north));
+    const double azimuth = std::atan2(std::sin(turn), std::cos(turn) * std::sin(north) -
+                                                          std::tan(tilt) * std::cos(north));
     return {std::remainder(glm::degrees(azimuth) + 180.0, 360.0),
             glm::degrees(std::asin(std::clamp(rise, -1.0, 1.0)))};
 }
@@ -66,8 +66,7 @@ void setTimeOfDay(render::FrameSettings& settings, double before, double hour)
     const render::SunPlace now = sunAt(hour);
     settings.sunDirection =
         render::sunTowards(sun.azimuth + now.azimuth - sunAt(before).azimuth, now.elevation);
-    settings.sunColor =
-        now.elevation > 0.0 ? render::sunColorAt(now.elevation) : glm::vec3(0.0f);
+    settings.sunColor = now.elevation > 0.0 ? render::sunColorAt(now.elevation) : glm::vec3(0.0f);
     const render::FrameSettings usual;
     const double share = skyShareAt(now.elevation);
     // Near the horizon less blue is left.

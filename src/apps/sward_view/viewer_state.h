@@ -3,6 +3,7 @@
 #include "apps/sward_view/baking.h"
 #include "apps/sward_view/file_browser.h"
 #include "apps/sward_view/meadow_requests.h"
+#include "apps/sward_view/meadow_species.h"
 #include "apps/sward_view/picking.h"
 #include "apps/sward_view/question.h"
 #include "apps/sward_view/requests.h"
@@ -41,6 +42,7 @@ struct ViewerState {
     render::FrameSettings settings;
     FieldTime time;
     MeadowRequests meadow;
+    std::optional<MeadowEditor> editor; ///< of the meadow's species, if they are edited
     ColliderDragger hand;
     bool automaticScale = true;
     float scale = 1.0f;         ///< of the window's pixels that are drawn

@@ -13,8 +13,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // The passes of a frame, in output order.
-constexpr const char* passes[] = {"update",  "cull",  "pyramid", "blades",
-                                  "resolve", "grass", "ground",  "total"};
+constexpr const char* timedPasses[] = {"update",  "cull",  "pyramid", "blades",
+                                       "resolve", "grass", "ground",  "total"};
 
 // Round to nanoseconds, the precision of the timestamps.
 double rounded(double milliseconds)
@@ -50,7 +50,7 @@ Json bladeCounts(const render::FrameStats& blades)
 std::string statsText(const RunStats& stats)
 {
     Json gpu = Json::object();
-    for (const char* pass : passes) {
+    for (const char* pass : timedPasses) {
         const auto found = stats.gpuTimes.find(pass);
         gpu[pass] = summary(found == stats.gpuTimes.end() ? gpu::Statistics() : found->second);
     }

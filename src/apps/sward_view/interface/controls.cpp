@@ -1,5 +1,7 @@
 #include "apps/sward_view/interface/controls.h"
 
+#include "core/srgb.h"
+
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -8,6 +10,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -226,6 +229,34 @@ bool Controls::color(const char* name, glm::vec3& value, const char* about)
     if (turned)
         value = glm::clamp(hue, glm::vec3(0.0f), glm::vec3(1.0f)) * intensity;
     return turned;
+}
+
+bool Controls::reflectance(const char* name, glm::vec3& value, const char* about)
+{
+    glm::vec3 encoded;
+    for (glm::length_t i = 0; i < 3; ++i)
+        encoded[i] = encodedOf(std::clamp(value[i], 0.0f, 1.0f));
+    label(name);
+    const bool turned = ImGui::ColorEdit3(hidden(name).c_str(), &encoded.x,
+                                          ImGuiColorEditFlags_Uint8 | ImGuiColorEditFlags_NoLabel);
+    for (glm::length_t i = 0; turned && i < 3; ++i)
+        value[i] = linearOf(std::clamp(encoded[i], 0.0f, 1.0f));
+    finish(name, fmt::format("{:.3f} {:.3f} {:.3f}", value.x, value.y, value.z),
+           std::string(about) + "\n0 to 255, sRGB; click the swatch to pick", "color");
+    return turned;
+}
+
+bool Controls::beginChoice(const char* name, const char* shows, float pixels, const char* about)
+{
+    label(name);
+    ImGui::SetNextWindowSizeConstraints({style_.scaled(pixels), 0.0f}, {FLT_MAX, FLT_MAX});
+    const bool isOpen =
+        ImGui::BeginCombo(hidden(name).c_str(), shows, ImGuiComboFlags_HeightLargest);
+    if (!isOpen) {
+        finish(name, shows, about, "choice");
+        return false;
+    }
+    return true;
 }
 
 bool Controls::text(const char* name, std::string& value, const char* hint, const char* about)

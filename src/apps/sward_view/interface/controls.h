@@ -46,6 +46,11 @@ public:
     bool choice(const char* name, int& value, std::span<const char* const> words,
                 const char* about);
     bool color(const char* name, glm::vec3& value, const char* about);
+    /// A linear reflectance, at most white.
+    bool reflectance(const char* name, glm::vec3& value, const char* about);
+    /// Begins a drop-down of this width at least whose rows the caller draws, if it is open;
+    /// ImGui::EndCombo() ends it.
+    bool beginChoice(const char* name, const char* shows, float pixels, const char* about);
     /// Whether Enter was pressed since the last frame: ImGui 1.86 misses keys that are released
     /// within a frame.
     void setEntered(bool entered) { entered_ = entered; }

@@ -55,7 +55,7 @@ void drawMeadowPanel(Controls& controls, ViewerState& state)
             .verb = "Choose",
             .act = [&meadow](const std::string& path) { meadow.ground = path; }};
     ImGui::BeginDisabled(!meadow.meadowFile.empty());
-    controls.choice("Meadow", meadow.meadow, meadowNames, "Species and their shares");
+    drawMeadowChoice(controls, state);
     ImGui::EndDisabled();
     controls.file(
         "Meadow file", meadow.meadowFile, "none: the meadow above",
@@ -68,6 +68,7 @@ void drawMeadowPanel(Controls& controls, ViewerState& state)
             .title = "Meadow file",
             .verb = "Choose",
             .act = [&meadow](const std::string& path) { meadow.meadowFile = path; }};
+    drawSpeciesEditor(controls, state);
     drawAmount(controls, meadow);
     controls.number("Slope from", meadow.slopeLow, {0.0f, 180.0f, "°", "%.0f"},
                     "Smallest slope on which grass grows");

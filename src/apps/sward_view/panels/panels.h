@@ -20,6 +20,10 @@ void drawCameraPanel(Controls& controls, ViewerState& state);
 void drawProfilePanel(Controls& controls, ViewerState& state);
 void drawCapturePanel(Controls& controls, ViewerState& state);
 
+// Parts of the panel Meadow: the choice of a meadow, and the editor of its species.
+void drawMeadowChoice(Controls& controls, ViewerState& state);
+void drawSpeciesEditor(Controls& controls, ViewerState& state);
+
 /// The choice of a file, if it is open, above all but questions.
 void drawFileDialog(Controls& controls, ViewerState& state);
 

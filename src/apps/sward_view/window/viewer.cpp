@@ -107,10 +107,10 @@ Viewer::Viewer(Window& window, const ViewerOptions& options)
     viewerState_.hasFfmpeg = !VideoEncoder::program().empty();
     if (!options.frame->settingsFile.empty())
         viewerState_.settingsFile = options.frame->settingsFile;
-    const auto* const known =
-        std::find(std::begin(meadowNames), std::end(meadowNames), options.meadow);
-    if (known != std::end(meadowNames))
-        viewerState_.meadow.meadow = static_cast<int>(known - std::begin(meadowNames));
+    const auto* const known = std::ranges::find_if(
+        meadowPresets, [&](const MeadowPreset& preset) { return options.meadow == preset.name; });
+    if (known != std::end(meadowPresets))
+        viewerState_.meadow.meadow = static_cast<int>(known - std::begin(meadowPresets));
     else
         viewerState_.meadow.meadowFile = options.meadow;
     viewerState_.scale = static_cast<float>(resolution_.scale());

@@ -23,6 +23,16 @@ void Viewer::fulfilFields(const Requests& requests)
     waiting_.insert(waiting_.end(), requests.add.begin(), requests.add.end());
     if (requests.cancelBake)
         opening_.cancel();
+    if (requests.saveMeadow && viewerState_.editor)
+        writeUnlessTaken(*requests.saveMeadow,
+                         [this](const std::filesystem::path& path, bool replaces) {
+                             viewerState_.editor->save(path, replaces, viewerState_.meadow);
+                             notice(path.string() + ": written");
+                         });
+    if (requests.bake && viewerState_.editor && viewerState_.editor->isChanged()) {
+        MeadowEditor& editor = *viewerState_.editor;
+        editor.save(editor.file(), editor.ownsFile(), viewerState_.meadow);
+    }
     if (!loadedField_) {
         if (requests.bake)
             open({viewerState_.meadow.ground});

@@ -47,9 +47,10 @@ int showWindow(WindowOptions& options)
             fail(ErrorKind::io, "{}: no such file", input);
     const std::string& meadow = options.viewer.meadow;
     if (!meadow.empty() && !std::filesystem::exists(meadow) &&
-        std::find(std::begin(meadowNames), std::end(meadowNames), meadow) == std::end(meadowNames))
+        std::ranges::none_of(meadowPresets,
+                             [&](const MeadowPreset& preset) { return meadow == preset.name; }))
         fail(ErrorKind::usage, "--meadow: '{}' is not one of {}, nor a file", meadow,
-             fmt::join(meadowNames, ", "));
+             presetNames());
     const std::string name =
         frame.fields.empty() ? "" : std::filesystem::path(frame.fields[0]).filename().string();
     Window window(frame.size, options.viewer.fitsScreen, name.empty() ? "Sward" : "Sward: " + name);

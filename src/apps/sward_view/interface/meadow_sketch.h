@@ -1,0 +1,18 @@
+#pragma once
+
+#include "apps/sward_view/interface/style.h"
+#include "apps/sward_view/meadow_species.h"
+
+#include <span>
+
+namespace sward::view {
+
+/// Draws a small picture of a meadow: blades of its species in their colours, as many as their
+/// shares and as high as their heights say, and its flowers.
+void drawMeadowSketch(ImDrawList& list, const Style& style, const ImVec2& low, const ImVec2& high,
+                      std::span<const MeadowSpecies> species);
+
+/// A linear reflectance as a colour of the interface.
+ImU32 packedReflectance(const Style& style, const glm::vec3& linear);
+
+} // namespace sward::view

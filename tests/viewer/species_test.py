@@ -1,0 +1,99 @@
+"""Meadows are chosen by their pictures, and their species changed, in the window. On a real X server."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from display import Display  # noqa: E402
+from viewer import Viewer  # noqa: E402
+
+SWARD = os.environ["SWARD_PROGRAM"]
+VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
+MEADOWS = Path(__file__).resolve().parents[2] / "assets" / "meadows"
+
+
+class SpeciesTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="sward-view-")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.display = Display()
+        self.addCleanup(self.display.close)
+
+    def open(self):
+        mesh = self.folder / "plane.glb"
+        subprocess.run([SWARD, "terrain", "plane", "-o", mesh], check=True)
+        subprocess.run([SWARD, "bake", mesh, "--meadow", "grass", "--count", "800", "-o",
+                        self.folder / "plane.sward", "-q"], check=True)
+        viewer = Viewer(VIEWER, self.display, self.folder,
+                        ["plane.sward", "--panel", "meadow", "--size", "900x820"])
+        self.addCleanup(viewer.close)
+        viewer.wait_for_field()
+        return viewer
+
+    def densities(self, viewer):
+        viewer.click("Meadow/Meadow")
+        viewer.wait(lambda: viewer.shows("Meadow/dunes"), "the list is open")
+        names = [path.stem for path in MEADOWS.glob("*.json")]
+        told = {name: viewer.shows(f"Meadow/{name}") for name in names}
+        return {name: int(text.split("/")[0].replace(" ", "").replace("\u202f", ""))
+                for name, text in told.items()}
+
+    def test_the_list_of_meadows_tells_the_density_of_each(self):
+        viewer = self.open()
+        told = self.densities(viewer)
+        for name, density in told.items():
+            report = self.folder / f"{name}.json"
+            subprocess.run([SWARD, "bake", "plane", "--meadow", name, "--dry-run", "--report", report,
+                            "-o", self.folder / "x.sward", "-q"], check=True, capture_output=True)
+            self.assertEqual(density, json.loads(report.read_text())["density_per_m2"]["closed"], name)
+        viewer.wait_frames(3)
+        viewer.click("Meadow/lawn")
+        viewer.wait_for_value("Meadow/Its density", lambda shown: "9" in shown[:1], "lawn is chosen")
+        self.assertEqual(viewer.end()[0], 0)
+
+    def test_a_changed_species_is_written_and_sown(self):
+        viewer = self.open()
+        viewer.press("Edit species", panel="Meadow")
+        viewer.wait(lambda: viewer.shows("Meadow/Species 2"), "species are listed")
+        viewer.wait_frames(3)
+        viewer.click("Meadow/Species 2")
+        name = viewer.shows("Meadow/Species 2")
+        tip = viewer.shows("Meadow/Tip colour")
+        # The first of the three numbers of the colour, typed.
+        x, y = viewer.centre("Meadow/Tip colour", 0.06)
+        self.display.xdotool("keydown", "ctrl")
+        viewer.click_at(x, y)
+        self.display.xdotool("keyup", "ctrl")
+        self.display.xdotool("type", "--window", viewer.window.number, "--delay", "150", "255")
+        viewer.key("Return")
+        viewer.wait_for_value("Meadow/Tip colour", lambda shown: shown.startswith("1.000"), "it is red")
+        viewer.set("Share", "Meadow", 0.95)
+        viewer.click("Meadow/Ground")
+        self.display.xdotool("type", "--window", viewer.window.number, "--delay", "120", "plane.glb")
+        viewer.wait_for_value("Meadow/Ground", lambda shown: shown == "plane.glb", "it is typed")
+        viewer.press("Bake again", panel="Meadow")
+        viewer.wait(lambda: viewer.shows("Meadow/Report"), "it is baked")
+        files = [path for path in self.folder.glob("*.json") if "species" in path.read_text()]
+        self.assertEqual(len(files), 1, "one meadow file")
+        written = json.loads(files[0].read_text())
+        changed = [one for one in written["species"] if one["name"] == name][0]
+        self.assertEqual(changed["tip_color"][0], 1.0)
+        self.assertNotEqual(tip.split()[0], "1.000")
+        self.assertEqual(viewer.shows("Meadow/Meadow file"), files[0].name)
+        viewer.open_panel("Field")
+        viewer.press("Save field as...", panel="Field")
+        viewer.wait_for_value("Files/Name", lambda shown: shown, "it proposes a name")
+        viewer.wait_frames(3)
+        viewer.key("Return")
+        viewer.wait(lambda: viewer.shows("Question/Text") or "no" != viewer.shows("Field/Saved"), "saved")
+        self.assertEqual(viewer.end()[0], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
