@@ -12,7 +12,7 @@ const char* nameOf(Reject reason)
 {
     static constexpr std::array<const char*, rejectCount> names{
         "spacing",   "mask",  "cutout",    "material", "slope",    "altitude", "border",
-        "curvature", "water", "clearance", "exposure", "occluder", "excluded"};
+        "curvature", "water", "clearance", "exposure", "occluder", "excluded", "paint"};
     return names[static_cast<std::size_t>(reason)];
 }
 

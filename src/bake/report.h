@@ -27,9 +27,10 @@ enum class Reject {
     clearance,
     exposure,
     occluder,
-    excluded
+    excluded,
+    paint
 };
-inline constexpr std::size_t rejectCount = 13;
+inline constexpr std::size_t rejectCount = 14;
 
 /// Key of a reason in the report.
 const char* nameOf(Reject reason);

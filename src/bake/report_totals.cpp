@@ -104,9 +104,14 @@ void Totals::fill(Report& report, double factor) const
 void finishReport(Report& report, const Totals& totals, const BakeSettings& settings,
                   const BakePlan& plan, Diagnostics& diagnostics)
 {
-    if (settings.count && totals.counts.kept < *settings.count && totals.counts.kept > 0)
+    if (settings.count && settings.strokes.empty() && totals.counts.kept < *settings.count &&
+        totals.counts.kept > 0)
         fail(ErrorKind::input, "--count {}: the ground keeps only {} of its candidates",
              *settings.count, totals.counts.kept);
+    if (!settings.strokes.empty() && totals.counts.kept > settings.maxBlades)
+        fail(ErrorKind::input,
+             "--paint {}: {} blades grow with these strokes, more than --max-blades {}",
+             settings.strokes.file, totals.counts.kept, settings.maxBlades);
     report.bladeScale = plan.plan.scale;
     report.masks = maskUses(settings);
     report.densityRequested = settings.count ? 0.0 : plan.plan.density;

@@ -40,7 +40,8 @@ enum class Dimension : std::uint32_t {
     clump,
     sky,
     dryness,
-    litter
+    litter,
+    paint
 };
 
 constexpr std::uint64_t keyBits(field::BladeKey key)

@@ -1,6 +1,7 @@
 #include "bake/settings.h"
 
 #include "bake/meadow_json.h"
+#include "bake/paint/stroke_file.h"
 #include "core/error.h"
 #include "core/json_text.h"
 #include "terrain/load.h"
@@ -160,6 +161,9 @@ std::string toJson(const BakeSettings& settings)
         {"excluded", excluded},
         {"meadow", meadowToJson(named)},
     };
+    if (!settings.strokes.empty())
+        object["paint"] = {{"strokes", settings.strokes.list.size()},
+                           {"hash", fmt::format("{:016x}", digestOf(settings.strokes))}};
     return jsonText(object, 2);
 }
 

@@ -4,6 +4,7 @@
 #include "bake/filter/mask.h"
 #include "bake/filter/soft_range.h"
 #include "bake/meadow.h"
+#include "bake/paint/stroke.h"
 
 #include <glm/vec3.hpp>
 
@@ -68,6 +69,7 @@ struct BakeSettings {
     double rayLength = 8.0;             ///< [m] length of those rays, at blade scale 1
     std::vector<Mask> masks;            ///< multiplied
     std::vector<ExcludedArea> excluded; ///< areas without grass, with their meshes
+    Strokes strokes;                    ///< painted on the ground, after resolveSpecies()
     Meadow meadow;                      ///< the species
 };
 

@@ -29,7 +29,8 @@ const char* optionOf(Reject reason)
                                                                   "--clearance",
                                                                   "--sky",
                                                                   "--occluder",
-                                                                  "--exclude"};
+                                                                  "--exclude",
+                                                                  "--paint"};
     return options[static_cast<std::size_t>(reason)];
 }
 
@@ -144,6 +145,47 @@ void warnAboutRoots(const RootCounts& counts, const Report::Input& ground,
                          100.0 * double(counts.kept) / double(asked), reasonsOf(counts));
     warnAboutUndersides(counts, diagnostics);
     warnAboutIdle(counts, ground, settings, diagnostics);
+}
+
+void warnOfStrokes(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                   Diagnostics& diagnostics)
+{
+    const Strokes& strokes = settings.strokes;
+    const Aabb own = ground.bounds();
+    const glm::dvec3 low = ground.origin + glm::dvec3(own.low);
+    const glm::dvec3 high = ground.origin + glm::dvec3(own.high);
+    std::size_t far = 0;
+    std::size_t firstFar = 0;
+    for (std::size_t i = 0; i < strokes.list.size(); ++i) {
+        const Stroke& stroke = strokes.list[i];
+        const bool isNear = std::any_of(
+            stroke.points.begin(), stroke.points.end(),
+            [&](const std::array<std::int64_t, 3>& point) {
+                for (glm::length_t axis = 0; axis < 3; ++axis) {
+                    const double at = double(point[std::size_t(axis)]) / 1000.0;
+                    if (at < low[axis] - stroke.radius || at > high[axis] + stroke.radius)
+                        return false;
+                }
+                return true;
+            });
+        if (!isNear && far++ == 0)
+            firstFar = i;
+    }
+    if (far > 0)
+        diagnostics.warn("--paint {}: {} of {} strokes, the first of them strokes[{}], lie outside "
+                         "of the ground, which lies from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, "
+                         "{:.6g}, {:.6g})",
+                         strokes.file, far, strokes.list.size(), firstFar, low.x, low.y, low.z,
+                         high.x, high.y, high.z);
+    const bool raises =
+        std::any_of(strokes.list.begin(), strokes.list.end(), [](const Stroke& stroke) {
+            return stroke.kind == StrokeKind::add ||
+                   (stroke.kind == StrokeKind::set && stroke.value > 1.0);
+        });
+    if (raises && settings.spread != Spread::uniform)
+        diagnostics.warn("--paint {}: strokes thin Poisson disks, but cannot add any; --sampling "
+                         "uniform can",
+                         strokes.file);
 }
 
 } // namespace sward::bake

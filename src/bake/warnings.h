@@ -4,6 +4,7 @@
 #include "bake/report.h"
 #include "bake/settings.h"
 #include "core/diagnostics.h"
+#include "terrain/ground_mesh.h"
 
 namespace sward::bake {
 
@@ -12,5 +13,10 @@ namespace sward::bake {
 /// area (with a loaded mesh) that rejects nothing.
 void warnAboutRoots(const RootCounts& counts, const Report::Input& ground,
                     const BakeSettings& settings, const Plan& plan, Diagnostics& diagnostics);
+
+/// Warns of strokes that are far from the ground, and of strokes that cannot raise the density of
+/// Poisson disks.
+void warnOfStrokes(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                   Diagnostics& diagnostics);
 
 } // namespace sward::bake

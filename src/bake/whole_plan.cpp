@@ -49,8 +49,12 @@ BakePlan planWhole(const GroundView& whole, const BakeSettings& settings, Diagno
     const terrain::SurfaceQuery* rays = whole.rays;
     if (rays == nullptr && settings.count && filterNeedsRays(ground, settings))
         rays = &query.emplace(ground);
-    const RootFilter filter(ground, settings, rays, &whole.features, plan.plan.scale);
-    plan.roots = planRoots(ground, settings, filter, plan.plan, progress);
+    // Strokes change the density that is planned without them.
+    BakeSettings unpainted = settings;
+    unpainted.strokes = {};
+    const RootFilter filter(ground, unpainted, rays, &whole.features, plan.plan.scale);
+    plan.roots = planRoots(ground, unpainted, filter, plan.plan, progress);
+    warnOfStrokes(ground, settings, diagnostics);
     return plan;
 }
 

@@ -89,7 +89,7 @@ ONLY_IN = {
 # Folders inside a library. Each may include those before it, and what lies in the library's own folder.
 INSIDE = {
     "render": "field streaming cull settings resolve raster tessellation preview",
-    "bake": "filter sample patches blades tiles",
+    "bake": "paint filter sample patches blades tiles",
     "terrain": "topology image heightmap gltf mesh_files procedural query",
     "sward_view": "interface panels window headless",
 }

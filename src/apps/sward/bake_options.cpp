@@ -1,6 +1,7 @@
 #include "apps/sward/bake_options.h"
 
 #include "apps/common/parse_text.h"
+#include "bake/paint/stroke_file.h"
 #include "core/error.h"
 #include "core/log.h"
 
@@ -44,6 +45,17 @@ bool readsBareNames(const std::string& text, const std::vector<bake::Mask>& mask
         return mask.source != bake::Mask::Source::groundGreen;
     });
     return text == "known" || (text == "auto" && !isPainted);
+}
+
+// Reads strokes that use the species of a meadow.
+bake::Strokes paintOf(const std::string& file, const bake::Meadow& meadow)
+{
+    bake::Strokes strokes = bake::loadStrokes(file);
+    std::vector<std::string> names;
+    for (const bake::SpeciesTraits& species : meadow.species)
+        names.push_back(species.name);
+    bake::resolveSpecies(strokes, names);
+    return strokes;
 }
 
 // Joins "FILE:margin" and "M", which the shell separates, to one area.
@@ -256,6 +268,9 @@ void BakeOptions::addPlaces(CLI::App& app)
     option("--exclude", excluded_, "FILE[:margin M]",
            "No grass above, below or within M metres of these meshes; M is 0 to 1e9, 0 if left "
            "out");
+    option("--paint", paint_, "FILE.json",
+           "Strokes painted on the ground, in their order: more or less grass, species, heights, "
+           "dry grass, trodden paths");
 }
 
 void BakeOptions::addBlades(CLI::App& app)
@@ -345,6 +360,8 @@ BakeRequest BakeOptions::request() const
     for (const std::string& area : joinMargins(excluded_))
         settings.excluded.push_back(bake::parseExcludedArea(area));
     settings.meadow = bake::withAssignments(bake::loadMeadow(meadow_), assignments_);
+    if (!paint_.empty())
+        settings.strokes = paintOf(paint_, settings.meadow);
     bake::validate(settings);
     request.import.masks = bake::maskInputs(settings);
     if (!printConfig)

@@ -75,6 +75,7 @@ private:
     std::string sky_;
     std::vector<std::string> masks_;
     std::vector<std::string> excluded_;
+    std::string paint_;
     std::string meadow_ = "meadow";
     std::vector<std::string> assignments_;
     std::string align_ = "normal";

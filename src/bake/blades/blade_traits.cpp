@@ -177,7 +177,7 @@ RootSample BladeGrower::gather(const RootSample& root, const SpeciesTraits& spec
     constexpr double likeliest = 0.3;
     Reject ignored = Reject::mask;
     if (glm::dot(glm::dvec3(moved.normal), glm::dvec3(root.normal)) < likeliest ||
-        filter_.weigh(moved, 0.0, ignored) <= 0.0 || filter_.obstacle(moved))
+        filter_.paintedDensity(moved, 0.0, ignored) <= 0.0 || filter_.obstacle(moved))
         return root;
     return moved;
 }
@@ -271,14 +271,17 @@ GrownBlade BladeGrower::growBlade(const RootSample& root, const Surroundings& ar
     const EdgeTraits& edges = meadow.edges;
     const auto foot = static_cast<double>(around.foot);
     const PathEdges::Edge path = paths_.at(root, stand.weight);
-    const double trodden = path.nearness * (1.0 - foot);
+    const double trodden = path.nearness * (1.0 - foot) * (1.0 - stand.raised);
     front = turnedTowards(front, up, path.away, edges.pathLean * trodden);
     stiffness *= 1.0 - 0.6 * edges.pathLean * trodden;
+    const double painted = std::sqrt(glm::dot(stand.paint.lean, stand.paint.lean));
+    front = turnedTowards(front, up, stand.paint.lean, std::min(painted, 1.0));
+    stiffness *= 1.0 - 0.6 * std::min(painted, 1.0);
 
     // Blades are lower where filter weights are low.
     const double sparse = meadow.sparseHeight;
     double height =
-        scale_ * (1.0 + meadow.heightWaves * double(choice.heightWave)) *
+        stand.paint.height * scale_ * (1.0 + meadow.heightWaves * double(choice.heightWave)) *
         (sparse + (1.0 - sparse) * stand.vigour[slot]) *
         within(species.height, dice.blended(Dimension::height, 0.7 * species.clumping)) *
         (1.0 + (edges.occluderHeight - 1.0) * foot) * (1.0 - (1.0 - edges.pathHeight) * trodden);
@@ -286,7 +289,9 @@ GrownBlade BladeGrower::growBlade(const RootSample& root, const Surroundings& ar
         height *= within(litterHeight, dice.own(Dimension::hash));
         stiffness = within(litterStiffness, dice.own(Dimension::stiffness));
     }
-    const bool isDried = isLitter || dice.own(Dimension::dryness) < edges.occluderDryness * foot;
+    const double dried = edges.occluderDryness * foot;
+    const bool isDried =
+        isLitter || dice.own(Dimension::dryness) < dried + stand.paint.dryness * (1.0 - dried);
 
     GrownBlade grown;
     shared::Blade& blade = grown.blade;

@@ -53,6 +53,8 @@ RootFilter::RootFilter(const terrain::GroundMesh& ground, const BakeSettings& se
         occluders_.emplace(ground, *query);
     if (query != nullptr && needsSky(settings))
         sky_.emplace(ground, settings, settings.rayLength * scale, *query);
+    if (!settings.strokes.empty())
+        painting_.emplace(settings.strokes, ground.origin, ground.bounds());
 
     const Habitat& everywhere = everybody_.habitat();
     needsSite_ = everywhere.needsSlope() || everywhere.needsAltitude() ||
@@ -135,12 +137,55 @@ double RootFilter::weigh(const RootSample& root, double chance, Reject& reason) 
     return weight;
 }
 
+double RootFilter::paintedDensity(const RootSample& root, double chance, Reject& reason) const
+{
+    if (!painting_ || !painting_->reaches(root.position))
+        return weigh(root, chance, reason);
+    Reject own = Reject::mask;
+    const double weight = weigh(root, 0.0, own);
+    // No paint fills the holes of a material.
+    const double density = weight <= 0.0 && own == Reject::cutout
+                               ? 0.0
+                               : painting_->at(root.position, root.normal, weight).density;
+    if (density > chance)
+        return density;
+    reason = Reject::paint;
+    if (weight <= chance)
+        weigh(root, chance, reason);
+    return density;
+}
+
+// Adds what strokes say. Where they raise the density, blades grow as if the ground said so.
+void RootFilter::paintStand(const RootSample& root, Stand& stand) const
+{
+    const Painted paint = painting_->at(root.position, root.normal, stand.weight);
+    stand.paint = paint.look;
+    if (paint.density > stand.weight)
+        stand.raised = stand.weight < 1.0
+                           ? std::min(1.0, (paint.density - stand.weight) / (1.0 - stand.weight))
+                           : 0.0;
+    SpeciesShares& shares = stand.shares;
+    if (shares.total <= 0.0)
+        shares = mix_.evenShares();
+    for (std::size_t slot = 0; slot < stand.vigour.size(); ++slot) {
+        const double painted = paint.species[slot];
+        shares.share[slot] = paint.keepsSpecies * shares.share[slot] + shares.total * painted;
+        double& vigour = stand.vigour[slot];
+        vigour += std::max(stand.raised, painted) * (1.0 - vigour);
+    }
+}
+
 Stand RootFilter::standAt(const RootSample& root) const
 {
-    Stand stand{mix_.evenShares(), {}, 1.0};
+    Stand stand;
+    stand.shares = mix_.evenShares();
     stand.vigour.fill(1.0);
-    if (!weighs_)
+    const bool isPainted = painting_ && painting_->reaches(root.position);
+    if (!weighs_) {
+        if (isPainted)
+            paintStand(root, stand);
         return stand;
+    }
     const Site site = needsSite_ ? siteOf(root) : Site();
     Reject ignored = Reject::mask;
     if (mix_.needsPlace()) {
@@ -152,6 +197,8 @@ Stand RootFilter::standAt(const RootSample& root) const
         vigour *= stand.weight;
     if (mix_.needsPlace())
         stand.weight *= stand.shares.total;
+    if (isPainted)
+        paintStand(root, stand);
     return stand;
 }
 
@@ -227,8 +274,13 @@ double reachOf(const terrain::GroundMesh& ground, const BakeSettings& settings, 
         reach = std::max(reach, OccluderTest::reach);
     reach = std::max(reach, 1.5 * clumpSpacing);
     reach = std::max(reach, settings.meadow.edges.pathReach * scale);
+    double painted = 1.0;
+    for (const Stroke& stroke : settings.strokes.list)
+        if (stroke.kind == StrokeKind::height)
+            painted = std::max(painted, stroke.value);
     for (const SpeciesTraits& species : settings.meadow.species) {
-        reach = std::max(reach, species.height.y * scale * (1.0 + settings.meadow.heightWaves) *
+        reach = std::max(reach, painted * species.height.y * scale *
+                                    (1.0 + settings.meadow.heightWaves) *
                                     std::max(1.0, settings.meadow.edges.occluderHeight));
         reach = std::max(reach, 3.0 * species.tuftSpacing * scale);
     }

@@ -8,6 +8,7 @@
 #include "bake/filter/habitat.h"
 #include "bake/filter/occluder_test.h"
 #include "bake/filter/species_mix.h"
+#include "bake/paint/painting.h"
 #include "bake/report.h"
 #include "bake/root_sample.h"
 #include "bake/settings.h"
@@ -25,6 +26,8 @@ struct Stand {
     SpeciesShares shares; ///< of each species, by the rules of SpeciesMix
     PerSpecies vigour{};  ///< weight [0, 1] of common filters times the species' habitat
     double weight = 1.0;  ///< share [0, 1] of the density, as from RootFilter::weigh()
+    double raised = 0.0;  ///< share [0, 1] of what that lacks which strokes give back
+    PaintedLook paint;    ///< by strokes
 };
 
 /// All masks and filters, evaluated for one root at a time. Thread-safe. The result depends only on
@@ -46,6 +49,14 @@ public:
     /// caused it. A root with a uniform random `chance` is kept if the result is above `chance`.
     double weigh(const RootSample& root, double chance, Reject& reason) const;
 
+    /// The strokes near the ground; null without any. No function but the next and standAt() knows
+    /// of them.
+    const Painting* painting() const { return painting_ ? &*painting_ : nullptr; }
+
+    /// Density at a root relative to the bake's, strokes included; may be above 1. As weigh() if
+    /// no stroke reaches the root. If the result is `chance` or less, sets `reason`.
+    double paintedDensity(const RootSample& root, double chance, Reject& reason) const;
+
     /// Runs the tests that cast rays. Returns the reason for a rejection, or none.
     std::optional<Reject> obstacle(const RootSample& root) const;
 
@@ -57,6 +68,7 @@ private:
     double weighEverybody(const RootSample& root, const Site& site, double chance,
                           Reject& reason) const;
     glm::dvec3 groundUpAt(const RootSample& root) const;
+    void paintStand(const RootSample& root, Stand& stand) const;
 
     const terrain::GroundMesh& ground_;
     const BakeSettings& settings_;
@@ -71,6 +83,7 @@ private:
     std::vector<Exclusion> excluded_;
     std::optional<OccluderTest> occluders_;
     std::optional<Exposure> sky_;
+    std::optional<Painting> painting_;
     bool weighs_ = false;
     bool needsSite_ = false;
     bool needsObstacles_ = false;

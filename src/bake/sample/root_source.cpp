@@ -2,7 +2,10 @@
 
 #include "bake/sample/poisson_disk.h"
 #include "core/error.h"
+#include "core/expect.h"
+#include "core/random.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -41,6 +44,37 @@ Amount lowest(const terrain::GroundMesh& ground, const BakeSettings& settings, c
     amount.priority = nth->first;
     amount.lastKey = nth->second;
     return amount;
+}
+
+// Removes Poisson disks where strokes lower the density. They still keep others away, so that no
+// root moves.
+void thinByPaint(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                 const RootFilter& filter, const TileRegion* counted, Sampling& sampling)
+{
+    std::vector<std::uint8_t> stays(sampling.roots.size(), 1);
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, stays.size(), 4096),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                const RootSample& root = sampling.roots[i];
+                if (!filter.painting()->reaches(root.position))
+                    continue;
+                Reject ignored = Reject::paint;
+                const double chance = uniform(settings.seed, keyBits(keyOf(ground, root)),
+                                              static_cast<std::uint32_t>(Dimension::paint)) *
+                                      filter.weigh(root, 0.0, ignored);
+                stays[i] = std::uint8_t(filter.paintedDensity(root, chance, ignored) > chance);
+            }
+        });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < stays.size(); ++i) {
+        const RootSample& root = sampling.roots[i];
+        if (stays[i] != 0)
+            sampling.roots[kept++] = root;
+        else if (counted == nullptr || counted->holds(root))
+            ++sampling.rejected[static_cast<std::size_t>(Reject::paint)];
+    }
+    sampling.roots.resize(kept);
 }
 
 RootPlan planPoissonCount(const terrain::GroundMesh& ground, const BakeSettings& settings,
@@ -82,6 +116,7 @@ RootPlan planPoissonCount(const terrain::GroundMesh& ground, const BakeSettings&
 RootPlan planRoots(const terrain::GroundMesh& ground, const BakeSettings& settings,
                    const RootFilter& filter, const Plan& plan, Progress& progress)
 {
+    expect(filter.painting() == nullptr, "a plan of roots knows no strokes");
     const bool filtered = filter.needsAnything() || filterNeedsRays(ground, settings);
     if (settings.spread != Spread::uniform) {
         if (settings.count)
@@ -122,6 +157,8 @@ Sampling sampleRoots(const terrain::GroundMesh& ground, const BakeSettings& sett
             });
         sampling.roots.erase(left, sampling.roots.end());
     }
+    if (filter.painting() != nullptr)
+        thinByPaint(ground, settings, filter, counted, sampling);
     return sampling;
 }
 

@@ -33,12 +33,12 @@ struct RootPlan {
 /// Chooses the number of roots. A count of uniform roots takes candidates in order of priority. A
 /// count of Poisson disks uses a spacing that yields slightly too many and keeps those of lowest
 /// priority. The plan holds these roots. Throws Error{input} with the largest number found if the
-/// ground keeps fewer roots.
+/// ground keeps fewer roots. Strokes do not change the plan: the filter must have none.
 RootPlan planRoots(const terrain::GroundMesh& ground, const BakeSettings& settings,
                    const RootFilter& filter, const Plan& plan, Progress& progress);
 
 /// Samples the roots of a ground, or of a part. Counts only candidates in `counted` (null:
-/// everywhere) as proposed or rejected.
+/// everywhere) as proposed or rejected. Strokes thin Poisson disks and add none.
 Sampling sampleRoots(const terrain::GroundMesh& ground, const BakeSettings& settings,
                      const RootFilter& filter, const RootPlan& plan, Progress& progress,
                      const TileRegion* counted = nullptr);

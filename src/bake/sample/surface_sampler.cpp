@@ -35,11 +35,23 @@ constexpr double windowStart = 0.9;
 constexpr double smallShare = 0.01;
 
 // A candidate number has 31 bits per triangle side.
-constexpr double maxCandidates = 2147483647.0;
+constexpr std::uint32_t maxCandidate = 2147483647;
+constexpr auto maxCandidates = double(maxCandidate);
 
 double random(std::uint64_t seed, field::BladeKey key, Dimension dimension)
 {
     return uniform(seed, keyBits(key), static_cast<std::uint32_t>(dimension));
+}
+
+// The largest relative density that is painted on a triangle, or more.
+double highestOn(const Painting* painting, const terrain::GroundMesh& ground, std::size_t triangle)
+{
+    if (painting == nullptr || painting->highest() <= 1.0)
+        return 1.0;
+    Aabb box;
+    for (glm::length_t corner = 0; corner < 3; ++corner)
+        box.add(ground.positions[ground.triangles[triangle][corner]]);
+    return painting->mayRaise(box) ? painting->highest() : 1.0;
 }
 
 void add(std::array<std::uint64_t, rejectCount>& sum,
@@ -117,23 +129,26 @@ std::vector<std::uint64_t> SurfaceSampler::firstCandidates(double density) const
     tbb::parallel_for(std::size_t(0), triangles, [&](std::size_t t) {
         if (ground_.bears[t] == 0)
             return;
+        const double highest = density * highestOn(filter_.painting(), ground_, t);
         if (front)
-            first[t + 1] = candidates(t, density, false);
+            first[t + 1] = candidates(t, highest, false);
         if (back)
-            first[(front ? triangles : 0) + t + 1] = candidates(t, density, true);
+            first[(front ? triangles : 0) + t + 1] = candidates(t, highest, true);
     });
     for (std::size_t i = 1; i < first.size(); ++i)
         first[i] += first[i - 1];
     return first;
 }
 
-// Calls visit(root) for the candidates numbered [begin, end).
+// Calls visit(root, isMore) for the candidates numbered [begin, end); isMore: only strokes ask for
+// it.
 template <typename Visit>
 void SurfaceSampler::forEachCandidate(const Tries& tries, std::uint64_t begin, std::uint64_t end,
                                       Visit visit) const
 {
     const std::vector<std::uint64_t>& first = tries.first;
     const std::size_t triangles = ground_.triangles.size();
+    const bool paints = filter_.painting() != nullptr && filter_.painting()->highest() > 1.0;
     // Triangle (and side) of the first candidate.
     auto slot = static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), begin) -
                                          first.begin() - 1);
@@ -144,11 +159,13 @@ void SurfaceSampler::forEachCandidate(const Tries& tries, std::uint64_t begin, s
         const std::size_t triangle = slot % triangles;
         const TrianglePoints points(ground_, triangle);
         const TriangleSequence sequence(settings_.seed, ground_.source(triangle), back);
+        const std::uint32_t usual =
+            paints ? candidates(triangle, tries.amount.density, back) : maxCandidate;
         const std::uint64_t last = std::min(first[slot + 1], end);
         for (; begin < last; ++begin) {
             const auto index = static_cast<std::uint32_t>(begin - first[slot]);
             const glm::vec2 place = sequence.at(index);
-            visit(points.at(place.x, place.y, index | (back ? backSide : 0U)));
+            visit(points.at(place.x, place.y, index | (back ? backSide : 0U)), index >= usual);
         }
     }
 }
@@ -168,20 +185,49 @@ void SurfaceSampler::forEachBlock(const Tries& tries, Progress& progress, Visit 
                       });
 }
 
+bool SurfaceSampler::hasPriority(const RootSample& root, const Amount& amount) const
+{
+    const field::BladeKey key = keyOf(ground_, root);
+    return amount.takesAll() || std::pair(priorityOf(settings_.seed, key), keyBits(key)) <=
+                                    std::pair(amount.priority, amount.lastKey);
+}
+
 bool SurfaceSampler::takes(const RootSample& root, const Amount& amount, bool counts,
                            Block& block) const
 {
-    const field::BladeKey key = keyOf(ground_, root);
-    if (!amount.takesAll() && std::pair(priorityOf(settings_.seed, key), keyBits(key)) >
-                                  std::pair(amount.priority, amount.lastKey))
+    if (!hasPriority(root, amount))
         return false;
     block.proposed += std::uint64_t(counts);
-    const double chance = random(settings_.seed, key, Dimension::chance);
+    const double chance = random(settings_.seed, keyOf(ground_, root), Dimension::chance);
     Reject reason = Reject::mask;
-    if (filter_.weigh(root, chance, reason) <= chance) {
+    if (filter_.paintedDensity(root, chance, reason) <= chance) {
         block.rejected[static_cast<std::size_t>(reason)] += std::uint64_t(counts);
         return false;
     }
+    return isFree(root, counts, block);
+}
+
+// A candidate for which only strokes ask. It does not count as proposed where they do not.
+bool SurfaceSampler::takesMore(const RootSample& root, const Amount& amount, bool counts,
+                               Block& block) const
+{
+    if (!filter_.painting()->reaches(root.position) || !hasPriority(root, amount))
+        return false;
+    const bool back = (root.candidate & backSide) != 0;
+    const double number = double(root.candidate & ~backSide) + 1.0;
+    // The relative density at which ⌊λA + u⌋ includes it.
+    const double asks =
+        (number - roundingShare(settings_.seed, ground_.source(root.triangle), back)) /
+        (amount.density * ground_.area(root.triangle));
+    Reject ignored = Reject::paint;
+    if (filter_.paintedDensity(root, 0.0, ignored) < asks)
+        return false;
+    block.proposed += std::uint64_t(counts);
+    return isFree(root, counts, block);
+}
+
+bool SurfaceSampler::isFree(const RootSample& root, bool counts, Block& block) const
+{
     if (const std::optional<Reject> obstacle = filter_.obstacle(root)) {
         block.rejected[static_cast<std::size_t>(*obstacle)] += std::uint64_t(counts);
         return false;
@@ -197,10 +243,12 @@ Sampling SurfaceSampler::sample(const Amount& amount, Progress& progress,
     result.roots.resize(tries.count());
 
     // If every candidate is kept, its number is its index.
-    if (amount.takesAll() && !filter_.needsAnything() && counted == nullptr) {
+    if (amount.takesAll() && !filter_.needsAnything() && filter_.painting() == nullptr &&
+        counted == nullptr) {
         forEachBlock(tries, progress, [&](std::uint64_t, std::uint64_t begin, std::uint64_t end) {
             RootSample* place = result.roots.data() + begin;
-            forEachCandidate(tries, begin, end, [&](const RootSample& root) { *place++ = root; });
+            forEachCandidate(tries, begin, end,
+                             [&](const RootSample& root, bool) { *place++ = root; });
         });
         result.proposed = result.roots.size();
         return result;
@@ -211,8 +259,10 @@ Sampling SurfaceSampler::sample(const Amount& amount, Progress& progress,
     forEachBlock(tries, progress, [&](std::uint64_t index, std::uint64_t begin, std::uint64_t end) {
         Block& block = blocks[index];
         RootSample* const front = result.roots.data() + begin;
-        forEachCandidate(tries, begin, end, [&](const RootSample& root) {
-            if (takes(root, amount, counted == nullptr || counted->holds(root), block))
+        forEachCandidate(tries, begin, end, [&](const RootSample& root, bool isMore) {
+            const bool counts = counted == nullptr || counted->holds(root);
+            if (isMore ? takesMore(root, amount, counts, block)
+                       : takes(root, amount, counts, block))
                 front[block.kept++] = root;
         });
     });
@@ -264,7 +314,7 @@ Amount SurfaceSampler::amountFor(std::uint64_t count, Progress& progress) const
             std::vector<std::pair<double, std::uint64_t>> own;
             if (share < smallShare)
                 limit.require();
-            forEachCandidate(tries, first, end, [&](const RootSample& root) {
+            forEachCandidate(tries, first, end, [&](const RootSample& root, bool) {
                 if (!takes(root, tries.amount, true, block))
                     return;
                 const field::BladeKey key = keyOf(ground_, root);

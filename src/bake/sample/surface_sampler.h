@@ -35,6 +35,10 @@ struct Amount {
 /// u uniform per triangle and stratified over neighbours. Their expected number is λA, independent
 /// of other triangles. A candidate is a function of (seed, triangle, candidate), so a higher
 /// density adds candidates and moves none.
+///
+/// Where strokes raise the density above 1, triangles get more candidates. The first that a
+/// density of d times the bake's would add is kept if the density painted at its place is d or
+/// more.
 class SurfaceSampler {
 public:
     /// All arguments must outlive the sampler.
@@ -47,7 +51,8 @@ public:
                     const TileRegion* counted = nullptr) const;
 
     /// The amount that keeps exactly `count` roots: the passing candidates of lowest priority. If
-    /// the ground keeps fewer, all that can be found; the priority is then 1.
+    /// the ground keeps fewer, all that can be found; the priority is then 1. The filter must have
+    /// no strokes.
     Amount amountFor(std::uint64_t count, Progress& progress) const;
 
 private:
@@ -57,6 +62,9 @@ private:
     std::vector<std::uint64_t> firstCandidates(double density) const;
     std::uint32_t candidates(std::size_t triangle, double density, bool back) const;
     bool takes(const RootSample& root, const Amount& amount, bool counts, Block& block) const;
+    bool takesMore(const RootSample& root, const Amount& amount, bool counts, Block& block) const;
+    bool hasPriority(const RootSample& root, const Amount& amount) const;
+    bool isFree(const RootSample& root, bool counts, Block& block) const;
     template <typename Visit>
     void forEachBlock(const Tries& tries, Progress& progress, Visit visit) const;
     template <typename Visit>
