@@ -274,14 +274,15 @@ GrownBlade BladeGrower::growBlade(const RootSample& root, const Surroundings& ar
     const double trodden = path.nearness * (1.0 - foot) * (1.0 - stand.raised);
     front = turnedTowards(front, up, path.away, edges.pathLean * trodden);
     stiffness *= 1.0 - 0.6 * edges.pathLean * trodden;
-    const double painted = std::sqrt(glm::dot(stand.paint.lean, stand.paint.lean));
-    front = turnedTowards(front, up, stand.paint.lean, std::min(painted, 1.0));
-    stiffness *= 1.0 - 0.6 * std::min(painted, 1.0);
+    const PaintedLook paint = filter_.lookAt(root);
+    const double lean = std::min(std::sqrt(glm::dot(paint.lean, paint.lean)), 1.0);
+    front = turnedTowards(front, up, paint.lean, lean);
+    stiffness *= 1.0 - 0.6 * lean;
 
     // Blades are lower where filter weights are low.
     const double sparse = meadow.sparseHeight;
     double height =
-        stand.paint.height * scale_ * (1.0 + meadow.heightWaves * double(choice.heightWave)) *
+        paint.height * scale_ * (1.0 + meadow.heightWaves * double(choice.heightWave)) *
         (sparse + (1.0 - sparse) * stand.vigour[slot]) *
         within(species.height, dice.blended(Dimension::height, 0.7 * species.clumping)) *
         (1.0 + (edges.occluderHeight - 1.0) * foot) * (1.0 - (1.0 - edges.pathHeight) * trodden);
@@ -291,7 +292,7 @@ GrownBlade BladeGrower::growBlade(const RootSample& root, const Surroundings& ar
     }
     const double dried = edges.occluderDryness * foot;
     const bool isDried =
-        isLitter || dice.own(Dimension::dryness) < dried + stand.paint.dryness * (1.0 - dried);
+        isLitter || dice.own(Dimension::dryness) < dried + paint.dryness * (1.0 - dried);
 
     GrownBlade grown;
     shared::Blade& blade = grown.blade;

@@ -139,14 +139,14 @@ double RootFilter::weigh(const RootSample& root, double chance, Reject& reason) 
 
 double RootFilter::paintedDensity(const RootSample& root, double chance, Reject& reason) const
 {
-    if (!painting_ || !painting_->reaches(root.position))
+    if (!painting_ || !painting_->mayChangeDensity(root.position))
         return weigh(root, chance, reason);
     Reject own = Reject::mask;
     const double weight = weigh(root, 0.0, own);
     // No paint fills the holes of a material.
     const double density = weight <= 0.0 && own == Reject::cutout
                                ? 0.0
-                               : painting_->at(root.position, root.normal, weight).density;
+                               : painting_->densityAt(root.position, root.normal, weight);
     if (density > chance)
         return density;
     reason = Reject::paint;
@@ -158,18 +158,17 @@ double RootFilter::paintedDensity(const RootSample& root, double chance, Reject&
 // Adds what strokes say. Where they raise the density, blades grow as if the ground said so.
 void RootFilter::paintStand(const RootSample& root, Stand& stand) const
 {
-    const Painted paint = painting_->at(root.position, root.normal, stand.weight);
-    stand.paint = paint.look;
-    if (paint.density > stand.weight)
-        stand.raised = stand.weight < 1.0
-                           ? std::min(1.0, (paint.density - stand.weight) / (1.0 - stand.weight))
-                           : 0.0;
+    if (stand.weight < 1.0 && painting_->mayChangeDensity(root.position)) {
+        const double density = painting_->densityAt(root.position, root.normal, stand.weight);
+        stand.raised = std::clamp((density - stand.weight) / (1.0 - stand.weight), 0.0, 1.0);
+    }
     SpeciesShares& shares = stand.shares;
     if (shares.total <= 0.0)
         shares = mix_.evenShares();
+    const PaintedSpecies species = painting_->speciesAt(root.position, root.normal);
     for (std::size_t slot = 0; slot < stand.vigour.size(); ++slot) {
-        const double painted = paint.species[slot];
-        shares.share[slot] = paint.keepsSpecies * shares.share[slot] + shares.total * painted;
+        const double painted = species.share[slot];
+        shares.share[slot] = species.kept * shares.share[slot] + shares.total * painted;
         double& vigour = stand.vigour[slot];
         vigour += std::max(stand.raised, painted) * (1.0 - vigour);
     }
@@ -180,9 +179,8 @@ Stand RootFilter::standAt(const RootSample& root) const
     Stand stand;
     stand.shares = mix_.evenShares();
     stand.vigour.fill(1.0);
-    const bool isPainted = painting_ && painting_->reaches(root.position);
     if (!weighs_) {
-        if (isPainted)
+        if (painting_)
             paintStand(root, stand);
         return stand;
     }
@@ -197,7 +195,7 @@ Stand RootFilter::standAt(const RootSample& root) const
         vigour *= stand.weight;
     if (mix_.needsPlace())
         stand.weight *= stand.shares.total;
-    if (isPainted)
+    if (painting_)
         paintStand(root, stand);
     return stand;
 }

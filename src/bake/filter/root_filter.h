@@ -27,7 +27,6 @@ struct Stand {
     PerSpecies vigour{};  ///< weight [0, 1] of common filters times the species' habitat
     double weight = 1.0;  ///< share [0, 1] of the density, as from RootFilter::weigh()
     double raised = 0.0;  ///< share [0, 1] of what that lacks which strokes give back
-    PaintedLook paint;    ///< by strokes
 };
 
 /// All masks and filters, evaluated for one root at a time. Thread-safe. The result depends only on
@@ -49,13 +48,19 @@ public:
     /// caused it. A root with a uniform random `chance` is kept if the result is above `chance`.
     double weigh(const RootSample& root, double chance, Reject& reason) const;
 
-    /// The strokes near the ground; null without any. No function but the next and standAt() knows
-    /// of them.
+    /// The strokes near the ground; null without any. Only the next two functions and standAt()
+    /// know of them.
     const Painting* painting() const { return painting_ ? &*painting_ : nullptr; }
 
     /// Density at a root relative to the bake's, strokes included; may be above 1. As weigh() if
     /// no stroke reaches the root. If the result is `chance` or less, sets `reason`.
     double paintedDensity(const RootSample& root, double chance, Reject& reason) const;
+
+    /// How strokes change a blade.
+    PaintedLook lookAt(const RootSample& root) const
+    {
+        return painting_ ? painting_->lookAt(root.position, root.normal) : PaintedLook();
+    }
 
     /// Runs the tests that cast rays. Returns the reason for a rejection, or none.
     std::optional<Reject> obstacle(const RootSample& root) const;

@@ -60,9 +60,8 @@ bool BoxTree::meets(const DAabb& box, std::size_t level, std::size_t first, std:
     for (std::size_t i = first; i < last; ++i) {
         if (!boxesMeet(box, levels_[level][i]))
             continue;
-        if (level == 0 ||
-            meets(box, level - 1, i * childrenOfBox,
-                  std::min((i + 1) * childrenOfBox, levels_[level - 1].size())))
+        if (level == 0 || meets(box, level - 1, i * childrenOfBox,
+                                std::min((i + 1) * childrenOfBox, levels_[level - 1].size())))
             return true;
     }
     return false;

@@ -41,6 +41,29 @@ bool raises(const Stroke& stroke)
     return (stroke.kind == StrokeKind::add || stroke.kind == StrokeKind::set) && stroke.value > 1.0;
 }
 
+// What a stroke changes.
+enum class Change { density, species, look };
+
+bool changes(StrokeKind kind, Change change)
+{
+    switch (kind) {
+    case StrokeKind::add:
+    case StrokeKind::erase:
+    case StrokeKind::set:
+    case StrokeKind::smooth:
+        return change == Change::density;
+    case StrokeKind::species:
+        return change == Change::species;
+    case StrokeKind::height:
+    case StrokeKind::dryness:
+    case StrokeKind::trodden:
+        return change == Change::look;
+    case StrokeKind::clear:
+        break;
+    }
+    return true;
+}
+
 // Millimetres from the origin, exactly.
 glm::dvec3 relativeTo(const glm::dvec3& origin, const std::array<std::int64_t, 3>& point)
 {
@@ -59,14 +82,14 @@ glm::vec3 normalOf(const Stroke& stroke, std::size_t point)
     return glm::vec3(normalized(glm::dvec3(double(n[0]), double(n[1]), double(n[2]))));
 }
 
-std::vector<StrokeSegment> segmentsNear(const Strokes& strokes, const glm::dvec3& origin,
-                                        const Aabb& ground)
+std::vector<StrokeSegment> segmentsNear(const Strokes& strokes, Change change,
+                                        const glm::dvec3& origin, const Aabb& ground)
 {
     std::vector<StrokeSegment> segments;
     const DAabb wide{glm::dvec3(ground.low), glm::dvec3(ground.high)};
     for (std::uint32_t s = 0; s < strokes.list.size(); ++s) {
         const Stroke& stroke = strokes.list[s];
-        if (stroke.points.empty())
+        if (stroke.points.empty() || !changes(stroke.kind, change))
             continue;
         const std::size_t count = std::max<std::size_t>(stroke.points.size() - 1, 1);
         for (std::size_t i = 0; i < count; ++i) {
@@ -74,6 +97,8 @@ std::vector<StrokeSegment> segmentsNear(const Strokes& strokes, const glm::dvec3
             StrokeSegment segment;
             segment.from = relativeTo(origin, stroke.points[i]);
             segment.along = relativeTo(origin, stroke.points[next]) - segment.from;
+            const double squared = glm::dot(segment.along, segment.along);
+            segment.perSquaredLength = squared > 0.0 ? 1.0 / squared : 0.0;
             segment.fromNormal = normalOf(stroke, i);
             segment.toNormal = normalOf(stroke, next);
             segment.hasNormals = !stroke.normals.empty();
@@ -82,8 +107,8 @@ std::vector<StrokeSegment> segmentsNear(const Strokes& strokes, const glm::dvec3
             const DAabb box = segment.box();
             bool isNear = true;
             for (glm::length_t axis = 0; axis < 3; ++axis)
-                isNear = isNear && box.low[axis] <= wide.high[axis] &&
-                         wide.low[axis] <= box.high[axis];
+                isNear =
+                    isNear && box.low[axis] <= wide.high[axis] && wide.low[axis] <= box.high[axis];
             if (isNear)
                 segments.push_back(segment);
         }
@@ -113,8 +138,8 @@ std::vector<DAabb> raisingBoxes(const Strokes& strokes, const std::vector<Stroke
 // A unit vector across `normal`.
 glm::dvec3 across(const glm::dvec3& normal)
 {
-    const glm::dvec3 axis = std::fabs(normal.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0)
-                                                      : glm::dvec3(0.0, 0.0, 1.0);
+    const glm::dvec3 axis =
+        std::fabs(normal.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
     return normalized(glm::cross(normal, axis));
 }
 
@@ -139,10 +164,12 @@ double densityAfter(const Stroke& stroke, double share, double density, double b
 
 Painting::Painting(const Strokes& strokes, const glm::dvec3& origin, const Aabb& ground)
     : strokes_(strokes)
-    , grid_(segmentsNear(strokes, origin, ground))
-    , raising_(raisingBoxes(strokes, grid_.segments()))
+    , density_(segmentsNear(strokes, Change::density, origin, ground))
+    , species_(segmentsNear(strokes, Change::species, origin, ground))
+    , look_(segmentsNear(strokes, Change::look, origin, ground))
+    , raising_(raisingBoxes(strokes, density_.segments()))
 {
-    for (const StrokeSegment& segment : grid_.segments())
+    for (const StrokeSegment& segment : density_.segments())
         if (const Stroke& stroke = strokes.list[segment.stroke]; raises(stroke))
             highest_ = std::max(highest_, stroke.value);
 }
@@ -152,138 +179,154 @@ bool Painting::mayRaise(const Aabb& box) const
     return raising_.meets({glm::dvec3(box.low), glm::dvec3(box.high)});
 }
 
-// Share [0, 1] of a capsule's strength at a point; 0 for other surfaces than its own.
-double Painting::reachOf(const StrokeSegment& segment, const glm::dvec3& place,
-                         const glm::dvec3& normal) const
+// Share [0, 1] of the way to a stroke's value.
+double Painting::shareOf(const StrokeGrid& grid, const Hit& hit) const
 {
-    const double along = segment.shareAt(place);
-    const glm::dvec3 offset = place - segment.from - along * segment.along;
-    const double squared = glm::dot(offset, offset);
-    if (squared >= segment.radius * segment.radius)
-        return 0.0;
-    const Stroke& stroke = strokes_.list[segment.stroke];
-    if (segment.hasNormals) {
-        const glm::dvec3 own = normalized(
-            glm::mix(glm::dvec3(segment.fromNormal), glm::dvec3(segment.toNormal), along));
-        if (glm::dot(own, normal) <= boundCosine)
-            return 0.0;
-        if (stroke.depth > 0.0 && std::fabs(glm::dot(own, offset)) > stroke.depth)
-            return 0.0;
-    }
-    return falloff(std::sqrt(squared) / segment.radius, stroke.hardness);
+    const Stroke& stroke = strokes_.list[hit.stroke];
+    const double radius = grid.segments()[hit.segment].radius;
+    return stroke.strength * falloff(std::sqrt(hit.squared) / radius, stroke.hardness);
 }
 
-// The strokes that reach a point, in their order, each with its greatest share.
-void Painting::findHits(const glm::dvec3& place, const glm::dvec3& normal,
+// Whether a surface near a capsule is the one that it was painted on.
+bool Painting::belongs(const StrokeSegment& segment, double along, const glm::dvec3& offset,
+                       const glm::dvec3& normal) const
+{
+    if (!segment.hasNormals)
+        return true;
+    const glm::dvec3 own =
+        normalized(glm::mix(glm::dvec3(segment.fromNormal), glm::dvec3(segment.toNormal), along));
+    const double depth = strokes_.list[segment.stroke].depth;
+    return glm::dot(own, normal) > boundCosine &&
+           (depth <= 0.0 || std::fabs(glm::dot(own, offset)) <= depth);
+}
+
+// The strokes that reach a point, in their order.
+void Painting::findHits(const StrokeGrid& grid, const glm::dvec3& place, const glm::dvec3& normal,
                         std::vector<Hit>& hits) const
 {
     hits.clear();
-    grid_.visitNear(place, [&](std::uint32_t index) {
-        const StrokeSegment& segment = grid_.segments()[index];
-        const double share = reachOf(segment, place, normal);
-        if (share <= 0.0)
+    grid.visitNear(place, [&](std::uint32_t index) {
+        const StrokeSegment& segment = grid.segments()[index];
+        const double along = segment.shareAt(place);
+        const glm::dvec3 offset = place - segment.from - along * segment.along;
+        const double squared = glm::dot(offset, offset);
+        if (squared >= segment.radius * segment.radius)
             return;
         // Strokes of one width come in order; few strokes have segments of several.
-        auto at = hits.end();
-        while (at != hits.begin() && std::prev(at)->stroke > segment.stroke)
-            --at;
-        if (at == hits.begin() || std::prev(at)->stroke != segment.stroke) {
-            hits.insert(at, {segment.stroke, index, share});
-            return;
+        auto after = hits.end();
+        while (after != hits.begin() && std::prev(after)->stroke > segment.stroke)
+            --after;
+        const bool isKnown = after != hits.begin() && std::prev(after)->stroke == segment.stroke;
+        if (isKnown) {
+            const Hit& known = *std::prev(after);
+            if (squared > known.squared || (squared == known.squared && index > known.segment))
+                return;
         }
-        Hit& known = *std::prev(at);
-        if (share > known.share || (share == known.share && index < known.segment))
-            known = {segment.stroke, index, share};
+        if (!belongs(segment, along, offset, normal))
+            return;
+        const Hit hit{segment.stroke, index, squared};
+        if (isKnown)
+            *std::prev(after) = hit;
+        else
+            hits.insert(after, hit);
     });
-}
-
-double Painting::densityBefore(const glm::dvec3& place, const glm::dvec3& normal, double base,
-                               std::uint32_t before, std::vector<Hit>& hits) const
-{
-    findHits(place, normal, hits);
-    double density = base;
-    for (const Hit& hit : hits) {
-        if (hit.stroke >= before)
-            break;
-        const Stroke& stroke = strokes_.list[hit.stroke];
-        density = densityAfter(stroke, stroke.strength * hit.share, density, base);
-    }
-    return density;
 }
 
 // The mean density around a point before a stroke. Strokes that smooth do not count.
 double Painting::smoothed(const glm::dvec3& place, const glm::dvec3& normal, double base,
                           std::uint32_t before) const
 {
-    constexpr double diagonal = 0.70710678118654752;
-    constexpr double turns[8][2] = {{1.0, 0.0},  {diagonal, diagonal},   {0.0, 1.0},
-                                    {-diagonal, diagonal}, {-1.0, 0.0}, {-diagonal, -diagonal},
-                                    {0.0, -1.0}, {diagonal, -diagonal}};
+    // A spiral of the golden angle.
+    constexpr int places = 24;
+    constexpr double turnCos = -0.73736887807831963;
+    constexpr double turnSin = 0.67549029426152362;
     thread_local std::vector<Hit> hits;
     const glm::dvec3 first = across(normal);
     const glm::dvec3 second = glm::cross(normal, first);
     const double radius = strokes_.list[before].radius;
-    double sum = densityBefore(place, normal, base, before, hits);
-    for (int i = 0; i < 8; ++i) {
-        const double width = radius * (i % 2 == 0 ? 2.0 / 3.0 : 1.0 / 3.0);
-        const glm::dvec3 aside = width * (turns[i][0] * first + turns[i][1] * second);
-        sum += densityBefore(place + aside, normal, base, before, hits);
+    double sum = 0.0;
+    double cos = 1.0;
+    double sin = 0.0;
+    for (int i = 0; i < places; ++i) {
+        const double width = radius * std::sqrt((double(i) + 0.5) / double(places));
+        findHits(density_, place + width * (cos * first + sin * second), normal, hits);
+        double density = base;
+        for (const Hit& hit : hits)
+            if (hit.stroke < before)
+                density =
+                    densityAfter(strokes_.list[hit.stroke], shareOf(density_, hit), density, base);
+        sum += density;
+        const double next = cos * turnCos - sin * turnSin;
+        sin = sin * turnCos + cos * turnSin;
+        cos = next;
     }
-    return sum / 9.0;
+    return sum / double(places);
 }
 
-Painted Painting::at(const glm::vec3& point, const glm::vec3& up, double base) const
+double Painting::densityAt(const glm::vec3& point, const glm::vec3& up, double base) const
 {
     thread_local std::vector<Hit> hits;
     const glm::dvec3 place(point);
     const glm::dvec3 normal(up);
-    Painted painted;
-    painted.density = base;
-    findHits(place, normal, hits);
+    findHits(density_, place, normal, hits);
+    double density = base;
     for (const Hit& hit : hits) {
         const Stroke& stroke = strokes_.list[hit.stroke];
-        const double share = stroke.strength * hit.share;
-        const auto fade = [&](double kept) {
-            painted.keepsSpecies = kept;
-            for (double& species : painted.species)
-                species = towards(species, 0.0, share);
+        const double share = shareOf(density_, hit);
+        density = stroke.kind == StrokeKind::smooth
+                      ? towards(density, smoothed(place, normal, base, hit.stroke), share)
+                      : densityAfter(stroke, share, density, base);
+    }
+    return density;
+}
+
+PaintedSpecies Painting::speciesAt(const glm::vec3& place, const glm::vec3& normal) const
+{
+    thread_local std::vector<Hit> hits;
+    PaintedSpecies painted;
+    findHits(species_, glm::dvec3(place), glm::dvec3(normal), hits);
+    for (const Hit& hit : hits) {
+        const Stroke& stroke = strokes_.list[hit.stroke];
+        const double share = shareOf(species_, hit);
+        const bool isSpecies = stroke.kind == StrokeKind::species;
+        painted.kept = towards(painted.kept, isSpecies ? 0.0 : 1.0, share);
+        for (std::size_t slot = 0; slot < painted.share.size(); ++slot)
+            painted.share[slot] =
+                towards(painted.share[slot], isSpecies && slot == stroke.slot ? 1.0 : 0.0, share);
+    }
+    return painted;
+}
+
+PaintedLook Painting::lookAt(const glm::vec3& place, const glm::vec3& normal) const
+{
+    thread_local std::vector<Hit> hits;
+    PaintedLook look;
+    findHits(look_, glm::dvec3(place), glm::dvec3(normal), hits);
+    for (const Hit& hit : hits) {
+        const Stroke& stroke = strokes_.list[hit.stroke];
+        const double share = shareOf(look_, hit);
+        const auto leanTowards = [&](const glm::dvec3& lean) {
+            look.lean = share >= 1.0 ? lean : look.lean + share * (lean - look.lean);
         };
         switch (stroke.kind) {
-        case StrokeKind::smooth:
-            painted.density = towards(painted.density,
-                                      smoothed(place, normal, base, hit.stroke), share);
-            break;
-        case StrokeKind::species:
-            fade(towards(painted.keepsSpecies, 0.0, share));
-            painted.species[stroke.slot] += share;
-            break;
         case StrokeKind::height:
-            painted.look.height = towards(painted.look.height, stroke.value, share);
+            look.height = towards(look.height, stroke.value, share);
             break;
         case StrokeKind::dryness:
-            painted.look.dryness = towards(painted.look.dryness, stroke.value, share);
+            look.dryness = towards(look.dryness, stroke.value, share);
             break;
         case StrokeKind::trodden:
-            painted.look.height = towards(painted.look.height, stroke.value, share);
-            painted.look.lean +=
-                share * (stroke.lean * normalized(grid_.segments()[hit.segment].along) -
-                         painted.look.lean);
+            look.height = towards(look.height, stroke.value, share);
+            leanTowards(stroke.lean * normalized(look_.segments()[hit.segment].along));
             break;
-        case StrokeKind::clear:
-            fade(towards(painted.keepsSpecies, 1.0, share));
-            painted.density = towards(painted.density, base, share);
-            painted.look.height = towards(painted.look.height, 1.0, share);
-            painted.look.dryness = towards(painted.look.dryness, 0.0, share);
-            painted.look.lean -= share * painted.look.lean;
-            break;
-        case StrokeKind::add:
-        case StrokeKind::erase:
-        case StrokeKind::set:
-            painted.density = densityAfter(stroke, share, painted.density, base);
+        default: // clear
+            look.height = towards(look.height, 1.0, share);
+            look.dryness = towards(look.dryness, 0.0, share);
+            leanTowards(glm::dvec3(0.0));
             break;
         }
     }
-    return painted;
+    return look;
 }
 
 } // namespace sward::bake

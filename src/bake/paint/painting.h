@@ -21,27 +21,32 @@ struct PaintedLook {
     glm::dvec3 lean{0.0}; ///< direction in which blades lean, at most 1 long
 };
 
-/// What strokes say at a point of the ground.
-struct Painted {
-    double density = 1.0; ///< relative to the bake's density; may be above 1
-    PaintedLook look;
-    double keepsSpecies = 1.0; ///< [0, 1] share of the blades whose species the ground chooses
-    std::array<double, shared::maxSpecies> species{}; ///< share of each that is painted
+/// Species of painted blades.
+struct PaintedSpecies {
+    double kept = 1.0; ///< [0, 1] share of the blades whose species the ground chooses
+    std::array<double, shared::maxSpecies> share{}; ///< [0, 1] of each that is painted
 };
 
 /// Strokes prepared for millions of points. A point depends only on the strokes that reach it, in
-/// their order. Thread-safe.
+/// their order. Places are relative to the origin, normals are unit. Thread-safe.
 class Painting {
 public:
     /// The strokes near `ground`, which is a box relative to `origin`. `origin` must be a multiple
     /// of a millimetre. `strokes` must outlive it.
     Painting(const Strokes& strokes, const glm::dvec3& origin, const Aabb& ground);
 
-    /// False if no stroke reaches a position relative to the origin. May be true elsewhere.
-    bool reaches(const glm::vec3& place) const { return grid_.holds(glm::dvec3(place)); }
+    /// False if no stroke changes the density at a place. May be true elsewhere.
+    bool mayChangeDensity(const glm::vec3& place) const
+    {
+        return density_.holds(glm::dvec3(place));
+    }
 
-    /// At a point with this unit normal, whose density without strokes is `density` [0, 1].
-    Painted at(const glm::vec3& place, const glm::vec3& normal, double density) const;
+    /// Density relative to the bake's at a point that has `density` [0, 1] without strokes. May be
+    /// above 1.
+    double densityAt(const glm::vec3& place, const glm::vec3& normal, double density) const;
+
+    PaintedSpecies speciesAt(const glm::vec3& place, const glm::vec3& normal) const;
+    PaintedLook lookAt(const glm::vec3& place, const glm::vec3& normal) const;
 
     /// The largest density that a stroke near the ground asks for, at least 1.
     double highest() const { return highest_; }
@@ -50,23 +55,26 @@ public:
     bool mayRaise(const Aabb& box) const;
 
 private:
-    // The strength of a stroke at a point, and the capsule that it comes from.
+    // A stroke that reaches a point: its nearest capsule of those that belong to the same surface.
     struct Hit {
         std::uint32_t stroke;
         std::uint32_t segment;
-        double share;
+        double squared; // of the distance
     };
 
-    double reachOf(const StrokeSegment& segment, const glm::dvec3& place,
-                   const glm::dvec3& normal) const;
-    void findHits(const glm::dvec3& place, const glm::dvec3& normal, std::vector<Hit>& hits) const;
+    double shareOf(const StrokeGrid& grid, const Hit& hit) const;
+    bool belongs(const StrokeSegment& segment, double along, const glm::dvec3& offset,
+                 const glm::dvec3& normal) const;
+    void findHits(const StrokeGrid& grid, const glm::dvec3& place, const glm::dvec3& normal,
+                  std::vector<Hit>& hits) const;
     double smoothed(const glm::dvec3& place, const glm::dvec3& normal, double base,
                     std::uint32_t before) const;
-    double densityBefore(const glm::dvec3& place, const glm::dvec3& normal, double base,
-                         std::uint32_t before, std::vector<Hit>& hits) const;
 
     const Strokes& strokes_;
-    StrokeGrid grid_;
+    // Each knows the strokes that change what it is named after.
+    StrokeGrid density_;
+    StrokeGrid species_;
+    StrokeGrid look_;
     BoxTree raising_;
     double highest_ = 1.0;
 };

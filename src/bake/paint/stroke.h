@@ -14,13 +14,13 @@ enum class StrokeKind { add, erase, set, smooth, species, height, dryness, trodd
 /// face the way of its normals.
 struct Stroke {
     StrokeKind kind = StrokeKind::add;
-    double radius = 1.0;   ///< [m]
-    double hardness = 0.5; ///< [0, 1] share of the radius that has the full strength
-    double strength = 1.0; ///< [0, 1] share of the way to `value`
-    double depth = 0.0;    ///< [m] largest distance along the normal; 0: the radius
-    double value = 1.0;    ///< ceiling, density, factor, share, or relative height if trodden
-    double lean = 0.8;     ///< [0, 1] of trodden
-    std::string species;   ///< name, of kind species
+    double radius = 1.0;    ///< [m]
+    double hardness = 0.5;  ///< [0, 1] share of the radius that has the full strength
+    double strength = 1.0;  ///< [0, 1] share of the way to `value`
+    double depth = 0.0;     ///< [m] largest distance along the normal; 0: the radius
+    double value = 1.0;     ///< ceiling, density, factor, share, or relative height if trodden
+    double lean = 0.8;      ///< [0, 1] of trodden
+    std::string species;    ///< name, of kind species
     std::uint32_t slot = 0; ///< of that species in the meadow, by resolveSpecies()
 
     /// World positions [mm].

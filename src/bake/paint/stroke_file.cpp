@@ -169,9 +169,9 @@ std::string vectorsText(const std::vector<std::array<Int, 3>>& vectors)
 
 std::string strokeText(const Stroke& stroke)
 {
-    std::string text = fmt::format(R"({{"kind":"{}","radius_m":{},"hardness":{},"strength":{})",
-                                   nameOf(stroke.kind), stroke.radius, stroke.hardness,
-                                   stroke.strength);
+    std::string text =
+        fmt::format(R"({{"kind":"{}","radius_m":{},"hardness":{},"strength":{})",
+                    nameOf(stroke.kind), stroke.radius, stroke.hardness, stroke.strength);
     if (stroke.depth > 0.0)
         text += fmt::format(R"(,"depth_m":{})", stroke.depth);
     if (const ValueKey value = valueKeyOf(stroke.kind); *value.key != '\0')
@@ -225,8 +225,8 @@ Strokes loadStrokes(const std::filesystem::path& path)
 
 std::string toJson(const Strokes& strokes)
 {
-    std::string text = fmt::format("{{\"format\":\"{}{}\",\"strokes\":[", strokeFormat,
-                                   strokeVersion);
+    std::string text =
+        fmt::format("{{\"format\":\"{}{}\",\"strokes\":[", strokeFormat, strokeVersion);
     for (std::size_t i = 0; i < strokes.list.size(); ++i)
         text += (i > 0 ? ",\n" : "\n") + strokeText(strokes.list[i]);
     return text + "\n]}\n";

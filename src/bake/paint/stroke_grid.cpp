@@ -32,12 +32,6 @@ double squaredDistance(const StrokeSegment& segment, const glm::dvec3& place)
 
 } // namespace
 
-double StrokeSegment::shareAt(const glm::dvec3& place) const
-{
-    const double squared = glm::dot(along, along);
-    return squared > 0.0 ? glm::clamp(glm::dot(place - from, along) / squared, 0.0, 1.0) : 0.0;
-}
-
 DAabb StrokeSegment::box() const
 {
     DAabb box;
@@ -55,7 +49,7 @@ StrokeGrid::StrokeGrid(std::vector<StrokeSegment> segments)
     for (std::uint32_t i = 0; i < segments_.size(); ++i) {
         const StrokeSegment& segment = segments_[i];
         const double length = std::sqrt(glm::dot(segment.along, segment.along));
-        byWidth[exponentOf(std::max(2.0 * segment.radius, length / cellsAlong))].push_back(i);
+        byWidth[exponentOf(std::max(segment.radius, length / cellsAlong))].push_back(i);
     }
     for (const auto& [exponent, members] : byWidth)
         addLevel(exponent, members);

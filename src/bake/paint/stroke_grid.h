@@ -23,15 +23,24 @@ struct StrokeSegment {
     std::uint32_t stroke = 0; ///< rises from segment to segment
     bool hasNormals = false;
 
+    double perSquaredLength = 0.0; ///< of `along`; 0 if it has no length
+
     /// Share [0, 1] of the way along at the point nearest to a position.
-    double shareAt(const glm::dvec3& place) const;
+    double shareAt(const glm::dvec3& place) const
+    {
+        const glm::dvec3 offset = place - from;
+        const double share =
+            (offset.x * along.x + offset.y * along.y + offset.z * along.z) * perSquaredLength;
+        return share < 0.0 ? 0.0 : share > 1.0 ? 1.0 : share;
+    }
 
     /// The box of the capsule, a millimetre wider.
     DAabb box() const;
 };
 
-/// Finds the capsules near a position. Each lies in the cells of a grid as wide as itself; there is
-/// one grid for each power of two. What is found may be too much, never too little.
+/// Finds the capsules near a position. Each lies in the cells of a grid about as wide as its
+/// radius; there is one grid for each power of two. What is found may be too much, never too
+/// little.
 class StrokeGrid {
 public:
     explicit StrokeGrid(std::vector<StrokeSegment> segments);

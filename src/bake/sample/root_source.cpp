@@ -57,7 +57,7 @@ void thinByPaint(const terrain::GroundMesh& ground, const BakeSettings& settings
         [&](const tbb::blocked_range<std::size_t>& range) {
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 const RootSample& root = sampling.roots[i];
-                if (!filter.painting()->reaches(root.position))
+                if (!filter.painting()->mayChangeDensity(root.position))
                     continue;
                 Reject ignored = Reject::paint;
                 const double chance = uniform(settings.seed, keyBits(keyOf(ground, root)),

@@ -211,7 +211,7 @@ bool SurfaceSampler::takes(const RootSample& root, const Amount& amount, bool co
 bool SurfaceSampler::takesMore(const RootSample& root, const Amount& amount, bool counts,
                                Block& block) const
 {
-    if (!filter_.painting()->reaches(root.position) || !hasPriority(root, amount))
+    if (!filter_.painting()->mayChangeDensity(root.position) || !hasPriority(root, amount))
         return false;
     const bool back = (root.candidate & backSide) != 0;
     const double number = double(root.candidate & ~backSide) + 1.0;
