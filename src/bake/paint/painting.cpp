@@ -194,10 +194,16 @@ bool Painting::belongs(const StrokeSegment& segment, double along, const glm::dv
     if (!segment.hasNormals)
         return true;
     const glm::dvec3 own =
-        normalized(glm::mix(glm::dvec3(segment.fromNormal), glm::dvec3(segment.toNormal), along));
+        glm::mix(glm::dvec3(segment.fromNormal), glm::dvec3(segment.toNormal), along);
+    const double squared = glm::dot(own, own);
+    const double cosine = glm::dot(own, normal);
+    if (cosine <= 0.0 || cosine * cosine <= boundCosine * boundCosine * squared)
+        return false;
     const double depth = strokes_.list[segment.stroke].depth;
-    return glm::dot(own, normal) > boundCosine &&
-           (depth <= 0.0 || std::fabs(glm::dot(own, offset)) <= depth);
+    if (depth <= 0.0)
+        return true;
+    const double away = glm::dot(own, offset);
+    return away * away <= depth * depth * squared;
 }
 
 // The strokes that reach a point, in their order.

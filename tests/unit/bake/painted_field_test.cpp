@@ -119,8 +119,7 @@ TEST_P(PaintedSpread, ChangesNoBladeOutOfReach)
     requireSameOutside(with, grownBlades(ground, settings), last, 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Spreads, PaintedSpread,
-                         testing::Values(Spread::uniform, Spread::poisson));
+INSTANTIATE_TEST_SUITE_P(Spreads, PaintedSpread, testing::Values(Spread::uniform, Spread::poisson));
 
 TEST(PaintedField, MovesTuftsAtMostTheirReachOutOfReach)
 {
@@ -223,8 +222,7 @@ TEST(PaintedField, DependsOnTheOrderOfStrokes)
     const Stroke erase = tests::hardStroke(StrokeKind::erase, {{0.0, 0.0, 0.0}}, 5.0);
     const Stroke add = tests::hardStroke(StrokeKind::add, {{0.0, 0.0, 0.0}}, 5.0);
     settings.strokes.list = {erase, add};
-    const field::Field unpainted =
-        tests::paintedField(ground, tests::plainSettings(50.0)).field;
+    const field::Field unpainted = tests::paintedField(ground, tests::plainSettings(50.0)).field;
     EXPECT_TRUE(isSameField(tests::paintedField(ground, settings).field, unpainted));
     settings.strokes.list = {add, erase};
     EXPECT_LT(tests::paintedField(ground, settings).field.blades.size(),
@@ -238,7 +236,8 @@ TEST(PaintedField, IsAsWithoutStrokesWhereAllIsCleared)
     const field::Field unpainted = tests::paintedField(ground, settings).field;
     settings.strokes = tests::laidOn(ground, tests::allKinds());
     EXPECT_FALSE(isSameField(tests::paintedField(ground, settings).field, unpainted));
-    Stroke clear = tests::hardStroke(StrokeKind::clear, {{-12.0, 0.0, 0.0}, {12.0, 0.0, 0.0}}, 30.0);
+    Stroke clear =
+        tests::hardStroke(StrokeKind::clear, {{-12.0, 0.0, 0.0}, {12.0, 0.0, 0.0}}, 30.0);
     clear.normals.clear();
     settings.strokes.list.push_back(clear);
     EXPECT_TRUE(isSameField(tests::paintedField(ground, settings).field, unpainted));
@@ -304,9 +303,7 @@ TEST(PaintedField, HasTheTraitsThatStrokesSay)
                                     [&](const auto& one) { return holds(one.second.blade); })) /
                double(blades.size());
     };
-    const auto isDry = [](const shared::Blade& blade) {
-        return blade.clump == shared::driedClump;
-    };
+    const auto isDry = [](const shared::Blade& blade) { return blade.clump == shared::driedClump; };
     EXPECT_NEAR(share(after(StrokeKind::dryness, 0.6, 1.0), isDry), 0.6, 0.015);
     EXPECT_NEAR(share(after(StrokeKind::dryness, 1.0, 0.3), isDry), 0.3, 0.015);
     const auto isSecond = [](const shared::Blade& blade) { return blade.species == 1; };

@@ -1,5 +1,4 @@
 #include "bake/paint/painting.h"
-
 #include "support/meshes.h"
 #include "unit/bake/bake_settings.h"
 #include "unit/bake/strokes.h"
@@ -67,23 +66,21 @@ TEST_P(PaintedDensity, IsWhatTheStrokesSay)
 
 INSTANTIATE_TEST_SUITE_P(
     Strokes, PaintedDensity,
-    testing::Values(DensityCase{"add", {dab(StrokeKind::add, 2.6)}, 2.6},
-                    DensityCase{"addHalf", {dab(StrokeKind::add, 3.0, 0.5)}, 2.0},
-                    DensityCase{"addBelow", {dab(StrokeKind::add, 0.5)}, 1.0},
-                    DensityCase{"erase", {dab(StrokeKind::erase, 1.0)}, 0.0},
-                    DensityCase{"eraseSome", {dab(StrokeKind::erase, 1.0, 0.3)}, 0.7},
-                    DensityCase{"setLow", {dab(StrokeKind::set, 0.25)}, 0.25},
-                    DensityCase{"setHigh", {dab(StrokeKind::set, 8.0)}, 8.0},
-                    DensityCase{"eraseThenAdd",
-                                {dab(StrokeKind::erase, 1.0), dab(StrokeKind::add, 0.4)},
-                                0.4},
-                    DensityCase{"addThenErase",
-                                {dab(StrokeKind::add, 4.0), dab(StrokeKind::erase, 1.0, 0.5)},
-                                2.0},
-                    DensityCase{"smoothEven",
-                                {hardStroke(StrokeKind::set, {middle}, 40.0, 0.5),
-                                 dab(StrokeKind::smooth, 1.0)},
-                                0.5}),
+    testing::Values(
+        DensityCase{"add", {dab(StrokeKind::add, 2.6)}, 2.6},
+        DensityCase{"addHalf", {dab(StrokeKind::add, 3.0, 0.5)}, 2.0},
+        DensityCase{"addBelow", {dab(StrokeKind::add, 0.5)}, 1.0},
+        DensityCase{"erase", {dab(StrokeKind::erase, 1.0)}, 0.0},
+        DensityCase{"eraseSome", {dab(StrokeKind::erase, 1.0, 0.3)}, 0.7},
+        DensityCase{"setLow", {dab(StrokeKind::set, 0.25)}, 0.25},
+        DensityCase{"setHigh", {dab(StrokeKind::set, 8.0)}, 8.0},
+        DensityCase{"eraseThenAdd", {dab(StrokeKind::erase, 1.0), dab(StrokeKind::add, 0.4)}, 0.4},
+        DensityCase{
+            "addThenErase", {dab(StrokeKind::add, 4.0), dab(StrokeKind::erase, 1.0, 0.5)}, 2.0},
+        DensityCase{
+            "smoothEven",
+            {hardStroke(StrokeKind::set, {middle}, 40.0, 0.5), dab(StrokeKind::smooth, 1.0)},
+            0.5}),
     [](const testing::TestParamInfo<DensityCase>& tested) {
         return std::string(tested.param.name);
     });

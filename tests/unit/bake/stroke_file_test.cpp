@@ -1,5 +1,4 @@
 #include "bake/paint/stroke_file.h"
-
 #include "core/error.h"
 #include "unit/bake/strokes.h"
 
@@ -155,12 +154,12 @@ TEST(StrokeFile, BoundsTheNumbersOfPointsAndStrokes)
             text += (i > 0 ? "," : "") + one;
         return text;
     };
-    EXPECT_THAT(troubleOfStrokes(R"({"kind": "erase", "points": [)" + many("[0,0,0]", 1'000'001) +
-                                 "]}"),
-                HasSubstr("strokes[0]: points: has 1000001 entries, more than 1000000"));
-    EXPECT_THAT(troubleOfStrokes(R"({"kind": "erase", "points": [)" + many("[0,0,0]", 10'000'000) +
-                                 "]}"),
-                HasSubstr("values, more than 8000000"));
+    EXPECT_THAT(
+        troubleOfStrokes(R"({"kind": "erase", "points": [)" + many("[0,0,0]", 1'000'001) + "]}"),
+        HasSubstr("strokes[0]: points: has 1000001 entries, more than 1000000"));
+    EXPECT_THAT(
+        troubleOfStrokes(R"({"kind": "erase", "points": [)" + many("[0,0,0]", 10'000'000) + "]}"),
+        HasSubstr("values, more than 8000000"));
     const std::string dab = R"({"kind":"erase","points":[[0,0,0]]})";
     EXPECT_THAT(troubleOfStrokes(many(dab, 100'001)),
                 HasSubstr("has 100001 strokes, more than 100000"));
