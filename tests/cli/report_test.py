@@ -7,7 +7,7 @@ from support import CliTest, ROOT
 # The contract: every key and the kind of its value.
 NUMBER = (int, float)
 REASONS = ("spacing", "mask", "cutout", "material", "slope", "altitude", "border", "curvature", "water",
-           "clearance", "exposure", "occluder", "excluded")
+           "clearance", "exposure", "occluder", "excluded", "paint")
 STAGES = ("load", "topology", "rays", "sample", "traits", "patches", "write", "total")
 CONTRACT = {
     "tool": str,

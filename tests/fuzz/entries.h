@@ -18,6 +18,7 @@ void meadow(Bytes bytes);          ///< a meadow file
 void meshImport(Bytes bytes);      ///< the first byte chooses among OBJ, PLY, STL and OFF
 void recipe(Bytes bytes);          ///< a terrain recipe
 void settings(Bytes bytes);        ///< a settings file of the viewer
+void strokes(Bytes bytes);         ///< a file of painted strokes
 void tileFiles(Bytes bytes);       ///< the first byte chooses: part, tile, image, plan
 
 /// Id of the plan that the files of tileFiles() belong to.
@@ -38,6 +39,7 @@ inline constexpr Entry entries[] = {
     {"mesh_import", meshImport},
     {"recipe", recipe},
     {"settings", settings},
+    {"strokes", strokes},
     {"tile_files", tileFiles},
 };
 

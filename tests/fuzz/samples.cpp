@@ -1,6 +1,7 @@
 #include "fuzz/samples.h"
 
 #include "bake/meadow.h"
+#include "bake/paint/stroke_file.h"
 #include "bake/tiles/tile_files.h"
 #include "core/mapped_file.h"
 #include "field/write.h"
@@ -117,6 +118,28 @@ void addTexts(std::vector<Sample>& all)
     all.push_back({"recipe", "mesh.json", R"({"kind": "mesh", "file": "a.obj", "up_axis": "z"})"});
     for (const std::string& name : bake::builtInMeadows())
         all.push_back({"meadow", name + ".json", bake::toJson(bake::loadMeadow(name))});
+}
+
+void addStrokes(std::vector<Sample>& all)
+{
+    all.push_back({"strokes", "none.json", bake::toJson(bake::Strokes())});
+    bake::Strokes strokes;
+    for (int kind = 0; kind <= int(bake::StrokeKind::clear); ++kind) {
+        bake::Stroke& stroke = strokes.list.emplace_back();
+        stroke.kind = static_cast<bake::StrokeKind>(kind);
+        stroke.species = kind == int(bake::StrokeKind::species) ? "grass" : "";
+        stroke.depth = kind % 3 == 0 ? 0.5 : 0.0;
+        stroke.points = {{-1000, 0, 250 * kind}, {500, 100, 0}};
+        if (kind % 2 == 0)
+            stroke.normals = {{0, 1000, 0}};
+        if (kind % 4 == 1)
+            stroke.normals = {{0, 1000, 0}, {600, 800, 0}};
+    }
+    all.push_back({"strokes", "all.json", bake::toJson(strokes)});
+    strokes.list = {strokes.list[0]};
+    strokes.list[0].points.resize(1);
+    strokes.list[0].normals.clear();
+    all.push_back({"strokes", "dab.json", bake::toJson(strokes)});
 }
 
 void addSettings(std::vector<Sample>& all)
@@ -238,6 +261,7 @@ std::vector<Sample> samples()
     addMeshes(all);
     addHeightmaps(all);
     addTexts(all);
+    addStrokes(all);
     addSettings(all);
     addFields(all);
     addMasks(all);

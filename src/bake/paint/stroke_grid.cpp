@@ -14,7 +14,7 @@ namespace sward::bake {
 namespace {
 
 // Cells of a segment along its length, at most.
-constexpr double cellsAlong = 8.0;
+constexpr double cellsAlong = 4.0;
 
 // The smallest power of two that is at least `width`.
 int exponentOf(double width)

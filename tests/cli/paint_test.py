@@ -1,0 +1,117 @@
+"""`--paint`: strokes of a file raise, thin and change the grass that they reach, and no other."""
+
+import math
+import unittest
+
+from support import CliTest, INPUT, IO, ROOT, UNSUPPORTED, digest
+
+EXAMPLE = ROOT / "examples/paint/strokes.json"
+
+
+def stroke(kind, *points, radius=3.0, **more):
+    """A hard stroke on level ground."""
+    return {"kind": kind, "radius_m": radius, "hardness": 1, "points": [list(p) for p in points],
+            "normals": [[0, 1, 0]], **more}
+
+
+class Paint(CliTest):
+    def paint(self, *strokes, name="strokes.json"):
+        return self.write_json(name, {"format": "sward strokes 1", "strokes": list(strokes)}).name
+
+    def roots(self, *options):
+        self.bake("plane", "--density", "300", "--report", "report.json", "--force", *options)
+        return self.read_json("report.json")["roots"]
+
+    def test_strokes_thin_and_thicken_and_are_counted(self):
+        disk = math.pi * 9.0 * 300.0
+        erased = self.roots("--paint", self.paint(stroke("erase", (0, 0, 0))))
+        self.assertEqual(erased["kept"] + erased["rejected"]["paint"], erased["proposed"])
+        self.assertEqual(erased["proposed"], 120000)
+        self.assertAlmostEqual(erased["rejected"]["paint"], disk, delta=0.02 * disk)
+        added = self.roots("--paint", self.paint(stroke("add", (0, 0, 0), ceiling=3)))
+        self.assertEqual(sum(added["rejected"].values()), 0)
+        self.assertAlmostEqual(added["kept"] - 120000, 2 * disk, delta=0.02 * disk)
+
+    def test_blades_stand_where_they_stood(self):
+        def blades(*options):
+            return {blade.id: blade for blade in self.blades(
+                self.bake("plane", "--density", "40", "--force", *options))}
+        before = blades()
+        after = blades("--paint", self.paint(stroke("erase", (-5, 0, -5), (5, 0, 5))))
+        self.assertLess(set(after), set(before))
+        for key, blade in after.items():
+            x, _, z = blade.root
+            along = min(max((x + z) / 2.0, -5.0), 5.0)
+            self.assertGreater(math.hypot(x - along, z - along), 2.999)
+            self.assertLess(math.dist(blade.root, before[key].root), 0.002)
+
+    def test_the_order_of_strokes_counts(self):
+        erase, put = stroke("erase", (0, 0, 0)), stroke("set", (0, 0, 0))
+        unpainted = self.roots()["kept"]
+        self.assertEqual(self.roots("--paint", self.paint(erase, put))["kept"], unpainted)
+        self.assertLess(self.roots("--paint", self.paint(put, erase))["kept"], unpainted - 8000)
+
+    def test_the_example_bakes_in_any_number_of_threads(self):
+        fields = {digest(self.bake("plane", "--density", "60", "--paint", EXAMPLE, "--threads", threads,
+                                   to=f"{threads}.sward")) for threads in (1, 2, 7)}
+        self.assertEqual(len(fields), 1)
+        self.assertNotEqual(fields, {digest(self.bake("plane", "--density", "60"))})
+
+    def test_tiles_are_together_what_one_bake_is(self):
+        ground = self.write_json("hills.json", {"kind": "plane", "size": [160, 130], "cells": [80, 65]}).name
+        options = ("--density", "1.5", "--paint", self.paint(
+            stroke("add", (-80, 0, -50), (0, 0, 10), (80, 0, 60), radius=9, ceiling=4),
+            stroke("trodden", (-60, 0, 50), (60, 0, -60), radius=2),
+            stroke("smooth", (0, 0, 0), radius=12)))
+        whole = self.bake(ground, *options)
+        self.sward("plan", ground, "--tiles", 5, "-o", "plan.json", "-q", *options)
+        for index in range(5):
+            self.sward("tile", "plan.json", "--index", index, "-o", "tiles")
+        self.sward("merge", "plan.json", "tiles", "-o", "merged.sward", "-q")
+        self.assertEqual(digest(self.folder / "merged.sward"), digest(whole))
+
+    def test_a_count_is_what_grows_without_strokes(self):
+        self.bake("plane", "--count", "100000", "--report", "report.json", "--paint",
+                  self.paint(stroke("erase", (0, 0, 0), radius=5)))
+        kept = self.read_json("report.json")["roots"]["kept"]
+        self.assertAlmostEqual(kept, 100000 * (1 - math.pi * 25 / 400), delta=500)
+
+    def test_the_field_knows_what_was_painted(self):
+        def provenance(*strokes):
+            field = self.bake("plane", "--density", "5", "--paint", self.paint(*strokes), "--force")
+            return self.info(field)["provenance"]["settings"]["paint"]
+        one = provenance(stroke("erase", (0, 0, 0)))
+        self.assertEqual(one["strokes"], 1)
+        self.assertNotEqual(one["hash"], provenance(stroke("erase", (0, 0, 0.001)))["hash"])
+
+    def test_bad_strokes_are_refused_by_name(self):
+        def refused(code, *names, paint):
+            self.refused("bake", "plane", "-o", "out.sward", "--paint", paint, code=code, names=names)
+        refused(IO, "none.json", paint="none.json")
+        refused(INPUT, "s.json", "strokes[1]", "radius_m", "[0.001, 1000]",
+                paint=self.paint(stroke("erase", (0, 0, 0)), stroke("erase", (0, 0, 0), radius=0), name="s.json"))
+        refused(INPUT, "s.json", "strokes[0]", "radius_m", "1000000000",
+                paint=self.paint(stroke("erase", (0, 0, 0), radius=1e9), name="s.json"))
+        refused(INPUT, "s.json", "strokes[0]", "kind", "mow",
+                paint=self.paint(stroke("mow", (0, 0, 0)), name="s.json"))
+        refused(INPUT, "s.json", "JSON", paint=self.paint(stroke("erase", (0, math.nan, 0)), name="s.json"))
+        refused(INPUT, "s.json", "strokes[0]", "species", "no \"moss\"", "ryegrass",
+                paint=self.paint(stroke("species", (0, 0, 0), species="moss"), name="s.json"))
+        refused(UNSUPPORTED, "new.json", "sward strokes 2", "sward strokes 1",
+                paint=self.write_json("new.json", {"format": "sward strokes 2", "strokes": []}).name)
+        (self.folder / "long.json").write_text(
+            '{"format": "sward strokes 1", "strokes": [{"kind": "erase", "points": [' +
+            ",".join(["[0,0,0]"] * 10_000_000) + "]}]}")
+        refused(INPUT, "long.json", "67108864", paint="long.json")
+
+    def test_strokes_without_effect_are_warned_of(self):
+        done = self.sward("bake", "plane", "-o", "a.sward", "--density", "5", "--paint",
+                          self.paint(stroke("erase", (0, 0, 0)), stroke("erase", (500, 0, 0))))
+        self.assertIn("1 of 2 strokes, the first of them strokes[1], lie outside", done.stderr)
+        done = self.sward("bake", "plane", "-o", "b.sward", "--spacing", "0.5", "--paint",
+                          self.paint(stroke("add", (0, 0, 0), ceiling=2)))
+        self.assertIn("--sampling uniform", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
