@@ -1,5 +1,6 @@
 #include "bake/bake.h"
 
+#include "bake/all_cells.h"
 #include "bake/field_header.h"
 #include "bake/patches/patch_tree.h"
 #include "bake/plan.h"
@@ -21,65 +22,6 @@
 
 namespace sward::bake {
 namespace {
-
-// Blades per tile, at about 130 bytes each. Bounds the memory of a large bake. A tile also samples
-// its surroundings, so the actual number is slightly larger.
-constexpr double bladesPerTile = 8e6;
-constexpr double maxBladesInOne = 12e6;
-
-// Blades that grow at most, strokes included.
-double expectedWithStrokes(const BakeSettings& settings, const Plan& plan)
-{
-    const double density = plan.area > 0.0 ? plan.expected / plan.area : 0.0;
-    double more = 0.0;
-    double highest = 1.0;
-    for (const Stroke& stroke : settings.strokes.list) {
-        if (settings.spread != Spread::uniform || stroke.value <= 1.0 ||
-            (stroke.kind != StrokeKind::add && stroke.kind != StrokeKind::set))
-            continue;
-        double area = 3.15 * stroke.radius * stroke.radius;
-        for (std::size_t i = 1; i < stroke.points.size(); ++i) {
-            double squared = 0.0;
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const double step = double(stroke.points[i][axis] - stroke.points[i - 1][axis]);
-                squared += step * step;
-            }
-            area += 2.0 * stroke.radius * std::sqrt(squared) / 1000.0;
-        }
-        more += area * (stroke.value - 1.0) * density;
-        highest = std::max(highest, stroke.value);
-    }
-    return plan.expected + std::min(more, (highest - 1.0) * plan.expected);
-}
-
-// Bakes all tiles one after another.
-std::vector<CellTree> bakeTiles(const GroundView& whole, const BakeSettings& settings,
-                                const BakePlan& plan, Totals& totals, Progress& progress)
-{
-    const terrain::GroundMesh& ground = whole.ground;
-    std::vector<CellTree> cells;
-    const double expected = expectedWithStrokes(settings, plan.plan);
-    if (expected <= maxBladesInOne) {
-        TileResult tile = bakeTile(whole, settings, plan, nullptr, progress);
-        totals.add(tile);
-        return std::move(tile.cells);
-    }
-    const double margin = tileMargin(ground, settings, plan);
-    const auto count = static_cast<std::size_t>(std::ceil(expected / bladesPerTile));
-    const std::vector<std::vector<CellNumber>> tiles = dealTiles(ground, count);
-    const std::vector<std::vector<std::uint32_t>> near = trianglesNear(ground, tiles, margin);
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-        if (tiles[i].empty())
-            continue;
-        const terrain::GroundMesh part = partOf(ground, near[i]);
-        const terrain::SurfaceFeatures features = partOf(ground, whole.features, near[i], margin);
-        const TileRegion region(ground.origin, tiles[i]);
-        TileResult tile = bakeTile({part, features}, settings, plan, &region, progress);
-        totals.add(tile);
-        std::move(tile.cells.begin(), tile.cells.end(), std::back_inserter(cells));
-    }
-    return cells;
-}
 
 // Bytes a blade's candidate number adds for each doubling of the candidates on a triangle.
 constexpr double bytesPerDoubling = 1.0 / 8.0;
@@ -117,12 +59,12 @@ BakeResult bakeField(const terrain::GroundMesh& ground, const BakeSettings& sett
         report.timing.sample = watch.lap();
         report.timing.sampleBusy = processorSeconds() - before;
         Totals totals;
-        if (expectedWithStrokes(settings, plan.plan) > maxBladesInOne) {
+        if (needsTiles(settings, plan)) {
             // Each tile builds its own ray tree; free the memory of this one.
             whole.rays = nullptr;
             rays.reset();
         }
-        std::vector<CellTree> cells = bakeTiles(whole, settings, plan, totals, progress);
+        std::vector<CellTree> cells = bakeAllCells(whole, settings, plan, totals, progress);
         finishReport(report, totals, settings, plan, diagnostics);
         watch.lap();
         result.field = fieldWithoutBlades(ground, settings, plan, report);

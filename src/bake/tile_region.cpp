@@ -203,6 +203,23 @@ terrain::GroundMesh partOf(const terrain::GroundMesh& ground,
     part.hasNormals = ground.hasNormals;
     for (const terrain::VertexAttribute& one : ground.attributes.list)
         part.attributes.list.push_back({one.name, one.components, {}});
+    refillPart(ground, triangles, part);
+    return part;
+}
+
+void refillPart(const terrain::GroundMesh& ground, const std::vector<std::uint32_t>& triangles,
+                terrain::GroundMesh& part)
+{
+    for (auto* const list : {&part.materialOf, &part.nodeOf, &part.sourceOf})
+        list->clear();
+    for (auto* const list : {&part.positions, &part.normals})
+        list->clear();
+    part.uvs.clear();
+    part.colors.clear();
+    part.triangles.clear();
+    part.bears.clear();
+    for (terrain::VertexAttribute& one : part.attributes.list)
+        one.values.clear();
 
     // Number the vertices in order of first use.
     std::unordered_map<std::uint32_t, std::uint32_t> vertexOf;
@@ -223,7 +240,6 @@ terrain::GroundMesh partOf(const terrain::GroundMesh& ground,
         part.bears.push_back(ground.bears[t]);
         part.sourceOf.push_back(ground.source(t));
     }
-    return part;
 }
 
 terrain::SurfaceFeatures partOf(const terrain::GroundMesh& ground,

@@ -57,6 +57,10 @@ trianglesNear(const terrain::GroundMesh& ground, const std::vector<std::vector<C
 terrain::GroundMesh partOf(const terrain::GroundMesh& ground,
                            const std::vector<std::uint32_t>& triangles);
 
+/// Fills a part with other triangles of the same ground. Keeps its materials, images and nodes.
+void refillPart(const terrain::GroundMesh& ground, const std::vector<std::uint32_t>& triangles,
+                terrain::GroundMesh& part);
+
 /// Extracts the features of that part from those of the whole ground. Keeps borders within `margin`
 /// [m] of its triangles.
 terrain::SurfaceFeatures partOf(const terrain::GroundMesh& ground,

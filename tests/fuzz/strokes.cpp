@@ -2,7 +2,6 @@
 
 #include "bake/paint/painting.h"
 #include "bake/paint/stroke_file.h"
-
 #include "core/error.h"
 #include "core/expect.h"
 #include "fuzz/entries.h"

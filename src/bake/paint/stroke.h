@@ -27,6 +27,8 @@ struct Stroke {
     std::vector<std::array<std::int64_t, 3>> points;
     /// Of the surface, in thousandths: one for each point, one for all, or none.
     std::vector<std::array<std::int16_t, 3>> normals;
+
+    bool operator==(const Stroke&) const = default; ///< in all its members
 };
 
 /// Largest density that strokes reach, relative to the bake's.

@@ -1,0 +1,75 @@
+#include "bake/all_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace sward::bake {
+namespace {
+
+// Blades per tile, at about 130 bytes each. Bounds the memory of a large bake. A tile also samples
+// its surroundings, so the actual number is slightly larger.
+constexpr double bladesPerTile = 8e6;
+constexpr double maxBladesInOne = 12e6;
+
+// Blades that grow at most, strokes included.
+double expectedWithStrokes(const BakeSettings& settings, const Plan& plan)
+{
+    const double density = plan.area > 0.0 ? plan.expected / plan.area : 0.0;
+    double more = 0.0;
+    double highest = 1.0;
+    for (const Stroke& stroke : settings.strokes.list) {
+        if (settings.spread != Spread::uniform || stroke.value <= 1.0 ||
+            (stroke.kind != StrokeKind::add && stroke.kind != StrokeKind::set))
+            continue;
+        double area = 3.15 * stroke.radius * stroke.radius;
+        for (std::size_t i = 1; i < stroke.points.size(); ++i) {
+            double squared = 0.0;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const double step = double(stroke.points[i][axis] - stroke.points[i - 1][axis]);
+                squared += step * step;
+            }
+            area += 2.0 * stroke.radius * std::sqrt(squared) / 1000.0;
+        }
+        more += area * (stroke.value - 1.0) * density;
+        highest = std::max(highest, stroke.value);
+    }
+    return plan.expected + std::min(more, (highest - 1.0) * plan.expected);
+}
+
+} // namespace
+
+bool needsTiles(const BakeSettings& settings, const BakePlan& plan)
+{
+    return expectedWithStrokes(settings, plan.plan) > maxBladesInOne;
+}
+
+std::vector<CellTree> bakeAllCells(const GroundView& whole, const BakeSettings& settings,
+                                   const BakePlan& plan, Totals& totals, Progress& progress)
+{
+    const terrain::GroundMesh& ground = whole.ground;
+    std::vector<CellTree> cells;
+    if (!needsTiles(settings, plan)) {
+        TileResult tile = bakeTile(whole, settings, plan, nullptr, progress);
+        totals.add(tile);
+        return std::move(tile.cells);
+    }
+    const double margin = tileMargin(ground, settings, plan);
+    const auto count = static_cast<std::size_t>(
+        std::ceil(expectedWithStrokes(settings, plan.plan) / bladesPerTile));
+    const std::vector<std::vector<CellNumber>> tiles = dealTiles(ground, count);
+    const std::vector<std::vector<std::uint32_t>> near = trianglesNear(ground, tiles, margin);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        if (tiles[i].empty())
+            continue;
+        const terrain::GroundMesh part = partOf(ground, near[i]);
+        const terrain::SurfaceFeatures features = partOf(ground, whole.features, near[i], margin);
+        const TileRegion region(ground.origin, tiles[i]);
+        TileResult tile = bakeTile({part, features}, settings, plan, &region, progress);
+        totals.add(tile);
+        std::move(tile.cells.begin(), tile.cells.end(), std::back_inserter(cells));
+    }
+    return cells;
+}
+
+} // namespace sward::bake

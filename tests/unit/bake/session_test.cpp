@@ -1,0 +1,185 @@
+#include "bake/session.h"
+#include "core/error.h"
+#include "core/random.h"
+#include "support/meshes.h"
+#include "terrain/load.h"
+#include "unit/bake/bake_settings.h"
+#include "unit/bake/strokes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+namespace sward::bake {
+namespace {
+
+template <typename T>
+bool areSameBytes(const T& a, const T& b)
+{
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
+}
+
+void expectSameField(const field::Field& a, const field::Field& b)
+{
+    EXPECT_TRUE(areSameBytes(a.blades, b.blades));
+    EXPECT_TRUE(areSameBytes(a.keys, b.keys));
+    EXPECT_TRUE(areSameBytes(a.patches, b.patches));
+    EXPECT_EQ(a.provenance, b.provenance);
+}
+
+BakeSettings sessionSettings(double density)
+{
+    BakeSettings settings = tests::plainSettings(density);
+    settings.meadow.clumpSize = 1.5;
+    settings.meadow.heightWaves = 0.15;
+    settings.meadow.drifts = 0.8;
+    settings.meadow.species.resize(2);
+    settings.meadow.species[0].tuftSpacing = 0.8;
+    settings.meadow.species[1].habitat.slope = {0.0, 20.0, 10.0};
+    settings.slope = {0.0, 70.0, 20.0};
+    return settings;
+}
+
+// A stroke of any kind from a place of the ground, a few metres along it.
+Stroke randomStroke(const terrain::GroundMesh& ground, std::uint64_t seed)
+{
+    const auto random = [&](std::uint32_t dimension) { return uniform(seed, 0, dimension); };
+    const auto vertex = static_cast<std::size_t>(random(0) * double(ground.positions.size()));
+    const glm::dvec3 from = ground.origin + glm::dvec3(ground.positions[vertex]);
+    const glm::dvec3 along(random(1) - 0.5, 0.0, random(2) - 0.5);
+    const auto kind = static_cast<StrokeKind>(int(random(3) * 9.0));
+    constexpr double values[] = {2.5, 1.0, 0.4, 1.0, 1.0, 1.7, 0.6, 0.4, 1.0};
+    Stroke stroke = tests::hardStroke(kind, {from, from + 8.0 * along, from + 20.0 * along},
+                                      1.0 + 5.0 * random(4), values[static_cast<int>(kind)]);
+    stroke.hardness = random(5);
+    stroke.slot = 1;
+    stroke.normals.clear();
+    return stroke;
+}
+
+struct Case {
+    const char* name;
+    terrain::GroundMesh ground;
+    Spread spread = Spread::uniform;
+    bool counts = false;
+};
+
+std::vector<Case> grounds()
+{
+    Diagnostics diagnostics;
+    std::vector<Case> cases;
+    cases.push_back({"hills", meshes::hills(150.0, 60)});
+    cases.push_back({"sphere", meshes::sphere(48, 22.0)});
+    cases.push_back({"counted", meshes::hills(120.0, 50), Spread::uniform, true});
+    cases.push_back({"disks", meshes::hills(100.0, 40), Spread::poisson});
+    cases.push_back({"wall", meshes::grid(30, 90.0)});
+    append(cases.back().ground, meshes::moved(meshes::cube(20.0), {10.0, 5.0, 30.0}));
+    std::fill(cases.back().ground.bears.end() - 12, cases.back().ground.bears.end(),
+              std::uint8_t(0));
+    return cases;
+}
+
+// Strokes, undone and done again, in random order: the field is that of a whole bake.
+TEST(Session, IsAlwaysAWholeBakeOfItsStrokes)
+{
+    const char* const wish = std::getenv("SWARD_SESSION_SEQUENCES");
+    const int sequences = wish != nullptr ? std::atoi(wish) : 1;
+    for (const Case& one : grounds()) {
+        SCOPED_TRACE(one.name);
+        BakeSettings settings = sessionSettings(1.5);
+        settings.spread = one.spread;
+        if (one.counts) {
+            settings.density.reset();
+            settings.count = 20'000;
+        }
+        if (one.ground.bears.back() == 0)
+            settings.exposureRays = 2;
+        Diagnostics diagnostics;
+        Progress progress;
+        Session session(one.ground, settings, 2, diagnostics, progress);
+        expectSameField(session.field(), tests::paintedField(one.ground, settings).field);
+        const std::size_t all = session.cells().size();
+        std::size_t cells = 0;
+        std::size_t changes = 0;
+        for (int sequence = 0; sequence < sequences; ++sequence) {
+            Strokes done;
+            std::vector<Stroke> undone;
+            for (std::uint64_t step = 0; step < 6; ++step) {
+                const std::uint64_t seed =
+                    hashBits(std::uint64_t(sequence) * 100 + step, std::uint64_t(one.name[0]));
+                const double draw = uniform(seed, 1, 0);
+                if (draw < 0.25 && !done.list.empty()) {
+                    // Any of them, not only the last.
+                    const auto at =
+                        done.list.begin() +
+                        static_cast<std::ptrdiff_t>(uniform(seed, 1, 1) * double(done.list.size()));
+                    undone.push_back(*at);
+                    done.list.erase(at);
+                } else if (draw < 0.4 && !undone.empty()) {
+                    done.list.push_back(undone.back());
+                    undone.pop_back();
+                } else {
+                    done.list.push_back(randomStroke(one.ground, seed));
+                }
+                cells += session.apply(done, progress).cells.size();
+                ++changes;
+            }
+            settings.strokes = done;
+            const field::Field field = session.field();
+            for (const int threads : {1, 7})
+                expectSameField(field, tests::paintedField(one.ground, settings, threads).field);
+        }
+        // Ground of few cells is soon all of it reached.
+        EXPECT_TRUE(all <= 15 || double(cells) < 0.7 * double(all * changes)) << cells;
+    }
+}
+
+TEST(Session, BakesNothingWhereNothingChanges)
+{
+    const terrain::GroundMesh ground = meshes::hills(150.0, 60);
+    BakeSettings settings = sessionSettings(1.5);
+    settings.strokes = tests::laidOn(ground, tests::allKinds());
+    Diagnostics diagnostics;
+    Progress progress;
+    Session session(ground, settings, 2, diagnostics, progress);
+    EXPECT_TRUE(session.apply(settings.strokes, progress).cells.empty());
+    Strokes far = settings.strokes;
+    far.list.push_back(tests::hardStroke(StrokeKind::erase, {{5000.0, 0.0, 0.0}}, 3.0));
+    EXPECT_TRUE(session.apply(far, progress).cells.empty());
+    EXPECT_EQ(session.strokes().list.size(), far.list.size());
+    // A look is changed in the cells that it touches alone.
+    Strokes look = far;
+    look.list.push_back(
+        tests::laidOn(ground,
+                      {"", {tests::hardStroke(StrokeKind::height, {{16.0, 0.0, 16.0}}, 1.0, 2.0)}})
+            .list[0]);
+    const Session::Change change = session.apply(look, progress);
+    EXPECT_LE(change.cells.size(), 2U);
+    EXPECT_GT(change.blades, 1000U);
+}
+
+TEST(Session, StaysAsItWasWhenAChangeIsCancelled)
+{
+    const terrain::GroundMesh ground = meshes::hills(100.0, 40);
+    const BakeSettings settings = sessionSettings(1.5);
+    Diagnostics diagnostics;
+    Progress progress;
+    Session session(ground, settings, 2, diagnostics, progress);
+    const field::Field before = session.field();
+    Strokes strokes;
+    strokes.list = {tests::hardStroke(StrokeKind::set, {{0.0, 0.0, 0.0}}, 30.0, 0.2)};
+    Progress cancelled;
+    cancelled.cancel();
+    EXPECT_THROW(session.apply(strokes, cancelled), Error);
+    expectSameField(session.field(), before);
+    EXPECT_TRUE(session.strokes().empty());
+    session.apply(strokes, progress);
+    EXPECT_LT(session.field().blades.size(), before.blades.size());
+    session.apply({}, progress);
+    expectSameField(session.field(), before);
+}
+
+} // namespace
+} // namespace sward::bake
