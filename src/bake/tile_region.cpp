@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::size_t maxCells = 10'000'000; // 10 000 km² of level ground, 25 s
 
+constexpr double boxCells = 1000.0; // that are looked up to find whether a box is near
+
 // Index of a cell along a Z-order curve that begins at the lowest cell. If it began at zero, ground
 // that crosses height 0 would be split into two layers.
 std::uint64_t curveOf(const CellNumber& cell, const CellNumber& lowest)
@@ -102,8 +104,15 @@ TileRegion::TileRegion(const glm::dvec3& origin, const std::vector<CellNumber>& 
 
 bool TileRegion::isNear(const glm::vec3& position, double margin) const
 {
+    return isNear(Aabb{position, position}, margin);
+}
+
+bool TileRegion::isNear(const Aabb& box, double margin) const
+{
     const auto reach = static_cast<float>(margin);
-    const Range range{cellOf(origin_, position - reach), cellOf(origin_, position + reach)};
+    const Range range{cellOf(origin_, box.low - reach), cellOf(origin_, box.high + reach)};
+    if (sizeOf(range) > boxCells)
+        return true;
     bool near = false;
     forEachCell(range, [&](const CellNumber& cell) { near = near || holds(cell); });
     return near;

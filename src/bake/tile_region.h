@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bake/root_sample.h"
+#include "core/bounds.h"
 #include "terrain/ground_mesh.h"
 #include "terrain/topology/surface_features.h"
 
@@ -35,6 +36,9 @@ public:
     /// Whether a position is in one of the cells or at most `margin` [m] away from one along each
     /// axis.
     bool isNear(const glm::vec3& position, double margin) const;
+
+    /// The same of a box. May be true of one that is farther away.
+    bool isNear(const Aabb& box, double margin) const;
 
 private:
     glm::dvec3 origin_;

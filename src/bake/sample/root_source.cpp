@@ -131,10 +131,11 @@ RootPlan planRoots(const terrain::GroundMesh& ground, const BakeSettings& settin
 
 Sampling sampleRoots(const terrain::GroundMesh& ground, const BakeSettings& settings,
                      const RootFilter& filter, const RootPlan& plan, Progress& progress,
-                     const TileRegion* counted)
+                     const TileRegion* counted, double around)
 {
     if (settings.spread == Spread::uniform)
-        return SurfaceSampler(ground, settings, filter).sample(plan.amount, progress, counted);
+        return SurfaceSampler(ground, settings, filter)
+            .sample(plan.amount, progress, counted, around);
     if (plan.spacing <= 0.0)
         return {};
     Sampling sampling;

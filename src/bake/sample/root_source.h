@@ -38,10 +38,11 @@ RootPlan planRoots(const terrain::GroundMesh& ground, const BakeSettings& settin
                    const RootFilter& filter, const Plan& plan, Progress& progress);
 
 /// Samples the roots of a ground, or of a part. Counts only candidates in `counted` (null:
-/// everywhere) as proposed or rejected. Strokes thin Poisson disks and add none.
+/// everywhere) as proposed or rejected. Roots more than `around` [m] from there, along an axis, may
+/// be left out. Strokes thin Poisson disks and add none.
 Sampling sampleRoots(const terrain::GroundMesh& ground, const BakeSettings& settings,
                      const RootFilter& filter, const RootPlan& plan, Progress& progress,
-                     const TileRegion* counted = nullptr);
+                     const TileRegion* counted = nullptr, double around = unbounded);
 
 /// Largest distance along each axis of anything that affects a root, except rays [m].
 double rootReach(const BakeSettings& settings, const RootPlan& plan);

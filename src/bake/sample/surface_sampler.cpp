@@ -43,15 +43,18 @@ double random(std::uint64_t seed, field::BladeKey key, Dimension dimension)
     return uniform(seed, keyBits(key), static_cast<std::uint32_t>(dimension));
 }
 
-// The largest relative density that is painted on a triangle, or more.
-double highestOn(const Painting* painting, const terrain::GroundMesh& ground, std::size_t triangle)
+Aabb boxOfTriangle(const terrain::GroundMesh& ground, std::size_t triangle)
 {
-    if (painting == nullptr || painting->highest() <= 1.0)
-        return 1.0;
     Aabb box;
     for (glm::length_t corner = 0; corner < 3; ++corner)
         box.add(ground.positions[ground.triangles[triangle][corner]]);
-    return painting->mayRaise(box) ? painting->highest() : 1.0;
+    return box;
+}
+
+// The largest relative density that is painted in a box, or more.
+double highestIn(const Aabb& box, const Painting* painting)
+{
+    return painting != nullptr && painting->mayRaise(box) ? painting->highest() : 1.0;
 }
 
 void add(std::array<std::uint64_t, rejectCount>& sum,
@@ -119,7 +122,8 @@ std::uint32_t SurfaceSampler::candidates(std::size_t triangle, double density, b
     return static_cast<std::uint32_t>(count);
 }
 
-std::vector<std::uint64_t> SurfaceSampler::firstCandidates(double density) const
+std::vector<std::uint64_t>
+SurfaceSampler::firstCandidates(double density, const TileRegion* counted, double around) const
 {
     // One entry per bearing triangle side, then the total.
     const std::size_t triangles = ground_.triangles.size();
@@ -129,7 +133,10 @@ std::vector<std::uint64_t> SurfaceSampler::firstCandidates(double density) const
     tbb::parallel_for(std::size_t(0), triangles, [&](std::size_t t) {
         if (ground_.bears[t] == 0)
             return;
-        const double highest = density * highestOn(filter_.painting(), ground_, t);
+        const Aabb box = boxOfTriangle(ground_, t);
+        if (counted != nullptr && around < unbounded && !counted->isNear(box, around))
+            return;
+        const double highest = density * highestIn(box, filter_.painting());
         if (front)
             first[t + 1] = candidates(t, highest, false);
         if (back)
@@ -235,10 +242,10 @@ bool SurfaceSampler::isFree(const RootSample& root, bool counts, Block& block) c
     return true;
 }
 
-Sampling SurfaceSampler::sample(const Amount& amount, Progress& progress,
-                                const TileRegion* counted) const
+Sampling SurfaceSampler::sample(const Amount& amount, Progress& progress, const TileRegion* counted,
+                                double around) const
 {
-    const Tries tries{amount, firstCandidates(amount.density)};
+    const Tries tries{amount, firstCandidates(amount.density, counted, around)};
     Sampling result;
     result.roots.resize(tries.count());
 

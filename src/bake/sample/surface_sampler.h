@@ -46,9 +46,10 @@ public:
                    const RootFilter& filter);
 
     /// Tests the candidates of an amount and keeps those that pass the filter. Only candidates in
-    /// `counted` (null: everywhere) count as proposed and rejected.
-    Sampling sample(const Amount& amount, Progress& progress,
-                    const TileRegion* counted = nullptr) const;
+    /// `counted` (null: everywhere) count as proposed and rejected. Roots more than `around` [m]
+    /// from there, along an axis, may be left out.
+    Sampling sample(const Amount& amount, Progress& progress, const TileRegion* counted = nullptr,
+                    double around = unbounded) const;
 
     /// The amount that keeps exactly `count` roots: the passing candidates of lowest priority. If
     /// the ground keeps fewer, all that can be found; the priority is then 1. The filter must have
@@ -59,7 +60,8 @@ private:
     struct Block;
     struct Tries;
 
-    std::vector<std::uint64_t> firstCandidates(double density) const;
+    std::vector<std::uint64_t> firstCandidates(double density, const TileRegion* counted = nullptr,
+                                               double around = unbounded) const;
     std::uint32_t candidates(std::size_t triangle, double density, bool back) const;
     bool takes(const RootSample& root, const Amount& amount, bool counts, Block& block) const;
     bool takesMore(const RootSample& root, const Amount& amount, bool counts, Block& block) const;

@@ -101,7 +101,8 @@ TileResult bakeTile(const GroundView& part, const BakeSettings& settings, const 
     const double before = processorSeconds();
     // Sample the roots of the tile, and those around it that affect their order.
     const RootFilter filter(ground, settings, rays, &part.features, plan.plan.scale);
-    Sampling sampling = sampleRoots(ground, settings, filter, plan.roots, progress, tile);
+    Sampling sampling =
+        sampleRoots(ground, settings, filter, plan.roots, progress, tile, orderReach);
     result.counts.proposed = sampling.proposed;
     result.counts.rejected = sampling.rejected;
     result.timing.sample = watch.lap();
