@@ -163,7 +163,7 @@ std::string toJson(const BakeSettings& settings)
     };
     if (!settings.strokes.empty())
         object["paint"] = {{"strokes", settings.strokes.list.size()},
-                           {"hash", fmt::format("{:016x}", digestOf(settings.strokes))}};
+                           {"hash", hashOf(settings.strokes)}};
     return jsonText(object, 2);
 }
 

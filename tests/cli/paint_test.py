@@ -69,6 +69,10 @@ class Paint(CliTest):
             self.sward("tile", "plan.json", "--index", index, "-o", "tiles")
         self.sward("merge", "plan.json", "tiles", "-o", "merged.sward", "-q")
         self.assertEqual(digest(self.folder / "merged.sward"), digest(whole))
+        # Tiles of other strokes would not fit together.
+        self.paint(stroke("erase", (0, 0, 0)))
+        self.refused("tile", "plan.json", "--index", 1, "-o", "tiles", "--force", code=INPUT,
+                     names=["strokes.json", "plan.json"])
 
     def test_a_count_is_what_grows_without_strokes(self):
         self.bake("plane", "--count", "100000", "--report", "report.json", "--paint",

@@ -11,6 +11,7 @@
 #include "apps/sward/subcommand.h"
 #include "bake/field_header.h"
 #include "bake/filter/default_slope.h"
+#include "bake/paint/stroke_file.h"
 #include "bake/report_totals.h"
 #include "bake/threads.h"
 #include "bake/tiles/tile_files.h"
@@ -85,6 +86,7 @@ public:
             plan.arguments.insert(plan.arguments.begin(), // before "--"
                                   "--slope=" + bake::textOf(request.settings.slope));
         plan.folder = fs::current_path().string();
+        plan.paint = bake::hashOf(request.settings.strokes);
         std::size_t triangles = 0;
         bake::withThreads(bake::threadCount(request.threads), [&] {
             triangles = write(ground, request, plan, output, diagnostics, progress);

@@ -6,6 +6,7 @@
 #include "apps/sward/excluded_input.h"
 #include "apps/sward/subcommand.h"
 #include "apps/sward/working_folder.h"
+#include "bake/paint/stroke_file.h"
 #include "bake/threads.h"
 #include "bake/tiles/tile_files.h"
 #include "core/atomic_file.h"
@@ -73,6 +74,9 @@ public:
             fail(ErrorKind::io, "{}: cannot be made: {}", folder_, trouble.message());
         requireWritable(output, true);
         BakeRequest request = requestOf(plan.arguments, plan_);
+        if (bake::hashOf(request.settings.strokes) != plan.paint)
+            fail(ErrorKind::input, "{}: its strokes are not those of {}, which was made before",
+                 request.settings.strokes.file, plan_);
         Diagnostics diagnostics;
         loadExcluded(request, diagnostics);
         const bake::TilePart ground = bake::readPart(parts, index_, plan.id);

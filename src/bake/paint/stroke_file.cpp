@@ -232,13 +232,15 @@ std::string toJson(const Strokes& strokes)
     return text + "\n]}\n";
 }
 
-std::uint64_t digestOf(const Strokes& strokes)
+std::string hashOf(const Strokes& strokes)
 {
+    if (strokes.empty())
+        return {};
     const std::string text = toJson(strokes);
     std::uint64_t digest = text.size();
     for (const char c : text)
         digest = hashBits(digest, static_cast<unsigned char>(c));
-    return digest;
+    return fmt::format("{:016x}", digest);
 }
 
 void resolveSpecies(Strokes& strokes, std::span<const std::string> names)

@@ -27,8 +27,8 @@ Strokes loadStrokes(const std::filesystem::path& path);
 /// The text that parseStrokes() reads back: a stroke to a line. Points are rounded to millimetres.
 std::string toJson(const Strokes& strokes);
 
-/// A number for the content: equal lists of strokes have the same.
-std::uint64_t digestOf(const Strokes& strokes);
+/// A hash of the content as 16 digits: equal lists of strokes have the same. Empty without strokes.
+std::string hashOf(const Strokes& strokes);
 
 /// Finds the species of strokes among these names. Throws Error{input} naming the file, the stroke
 /// and all names.

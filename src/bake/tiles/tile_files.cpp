@@ -156,6 +156,7 @@ void writePlan(const fs::path& path, const TilePlan& plan, bool overwrite)
                          {"tiles", plan.tiles},
                          {"arguments", arguments},
                          {"folder", bytesToJson(plan.folder)},
+                         {"paint", plan.paint},
                          {"ground", groundJson(plan.report)},
                          {"resolved",
                           {{"scale", plan.plan.plan.scale},
@@ -191,6 +192,7 @@ TilePlan readPlan(const fs::path& path)
         for (const json& argument : object.at("arguments"))
             plan.arguments.push_back(bytesFromJson(argument, name + ": arguments"));
         plan.folder = bytesFromJson(object.at("folder"), name + ": folder");
+        plan.paint = object.value("paint", "");
         plan.report = groundReport(object.at("ground"), name);
         const json& resolved = object.at("resolved");
         const auto number = [&](const char* key, double low = 0.0, double high = 1e300) {

@@ -24,6 +24,7 @@ struct TilePlan {
     std::string id;                     ///< hash of ground, settings and tiles; stored in tiles
     std::vector<std::string> arguments; ///< command line of the bake
     std::string folder;                 ///< base folder of files in the arguments
+    std::string paint;                  ///< hash of the strokes; empty without any
     std::uint32_t tiles = 0;
     BakePlan plan;
     Report report; ///< of the whole ground, without root counts

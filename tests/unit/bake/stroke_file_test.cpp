@@ -48,10 +48,11 @@ TEST(StrokeFile, ReadsWhatItWrites)
     const Strokes back = parseStrokes(text, "back");
     EXPECT_EQ(toJson(back), text);
     EXPECT_EQ(back.list[2].points, strokes.list[2].points);
-    EXPECT_EQ(digestOf(back), digestOf(strokes));
+    EXPECT_EQ(hashOf(back), hashOf(strokes));
     strokes.list[8].points[0][0] += 1;
-    EXPECT_NE(digestOf(back), digestOf(strokes));
+    EXPECT_NE(hashOf(back), hashOf(strokes));
     EXPECT_EQ(toJson(parsed("")), toJson(Strokes()));
+    EXPECT_EQ(hashOf(Strokes()), "");
 }
 
 TEST(StrokeFile, RoundsPointsToMillimetres)
