@@ -80,6 +80,20 @@ class Paint(CliTest):
         kept = self.read_json("report.json")["roots"]["kept"]
         self.assertAlmostEqual(kept, 100000 * (1 - math.pi * 25 / 400), delta=500)
 
+    def test_more_than_max_blades_with_strokes_is_refused(self):
+        strokes = self.paint(stroke("add", (0, 0, 0), radius=5, ceiling=4))
+        self.refused("bake", "plane", "--density", "100", "--max-blades", "50000", "-o", "out.sward",
+                     "--paint", strokes, code=INPUT, names=["strokes.json", "--max-blades 50000"])
+        self.bake("plane", "--density", "100", "--max-blades", "50000")
+
+    def test_a_dry_run_counts_strokes(self):
+        options = ("--density", "2000", "--paint", self.paint(
+            stroke("add", (-5, 0, 0), radius=4, ceiling=3), stroke("erase", (5, 0, 5), radius=3)))
+        wanted = self.report("plane", *options)["roots"]["kept"]
+        estimate = self.report("plane", *options, dry=True)["roots"]["kept"]
+        self.assertAlmostEqual(estimate, wanted, delta=0.05 * wanted)
+        self.assertGreater(wanted, 850000)
+
     def test_the_field_knows_what_was_painted(self):
         def provenance(*strokes):
             field = self.bake("plane", "--density", "5", "--paint", self.paint(*strokes), "--force")
