@@ -158,16 +158,13 @@ void warnOfStrokes(const terrain::GroundMesh& ground, const BakeSettings& settin
     std::size_t firstFar = 0;
     for (std::size_t i = 0; i < strokes.list.size(); ++i) {
         const Stroke& stroke = strokes.list[i];
-        const bool isNear = std::any_of(
-            stroke.points.begin(), stroke.points.end(),
-            [&](const std::array<std::int64_t, 3>& point) {
-                for (glm::length_t axis = 0; axis < 3; ++axis) {
-                    const double at = double(point[std::size_t(axis)]) / 1000.0;
-                    if (at < low[axis] - stroke.radius || at > high[axis] + stroke.radius)
-                        return false;
-                }
-                return true;
-            });
+        DAabb box;
+        for (const std::array<std::int64_t, 3>& point : stroke.points)
+            box.add(glm::dvec3{double(point[0]), double(point[1]), double(point[2])} / 1000.0);
+        bool isNear = true;
+        for (glm::length_t axis = 0; axis < 3; ++axis)
+            isNear = isNear && box.low[axis] <= high[axis] + stroke.radius &&
+                     box.high[axis] >= low[axis] - stroke.radius;
         if (!isNear && far++ == 0)
             firstFar = i;
     }

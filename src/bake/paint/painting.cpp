@@ -86,7 +86,12 @@ std::vector<StrokeSegment> segmentsNear(const Strokes& strokes, Change change,
                                         const glm::dvec3& origin, const Aabb& ground)
 {
     std::vector<StrokeSegment> segments;
-    const DAabb wide{glm::dvec3(ground.low), glm::dvec3(ground.high)};
+    // A stroke that smooths looks at places beside the ground, too.
+    double beside = 0.0;
+    for (const Stroke& stroke : strokes.list)
+        if (stroke.kind == StrokeKind::smooth)
+            beside = std::max(beside, stroke.radius);
+    const DAabb wide{glm::dvec3(ground.low) - beside, glm::dvec3(ground.high) + beside};
     for (std::uint32_t s = 0; s < strokes.list.size(); ++s) {
         const Stroke& stroke = strokes.list[s];
         if (stroke.points.empty() || !changes(stroke.kind, change))

@@ -179,6 +179,10 @@ TEST_P(PaintedSpread, GivesTheSameBytesForAnyNumberOfThreadsAndTiles)
     // Across many cells.
     settings.strokes.list.push_back(tests::hardStroke(
         StrokeKind::set, {{-70.0, 0.0, -60.0}, {20.0, 2.0, 40.0}, {70.0, 0.0, 70.0}}, 9.0, 2.5));
+    // Smooths over more than a tile knows.
+    settings.strokes.list.push_back(
+        tests::hardStroke(StrokeKind::smooth, {{-40.0, 0.0, 0.0}, {40.0, 0.0, 0.0}}, 60.0));
+    settings.strokes.list.back().strength = 0.5;
     settings.strokes = tests::laidOn(ground, settings.strokes);
     const BakeResult one = tests::paintedField(ground, settings, 1);
     EXPECT_GT(one.report.rejected[static_cast<std::size_t>(Reject::paint)], 0U);

@@ -53,6 +53,8 @@ Stroke randomStroke(const terrain::GroundMesh& ground, std::uint64_t seed)
     constexpr double values[] = {2.5, 1.0, 0.4, 1.0, 1.0, 1.7, 0.6, 0.4, 1.0};
     Stroke stroke = tests::hardStroke(kind, {from, from + 8.0 * along, from + 20.0 * along},
                                       1.0 + 5.0 * random(4), values[static_cast<int>(kind)]);
+    if (kind == StrokeKind::smooth)
+        stroke.radius = 25.0;
     stroke.hardness = random(5);
     stroke.slot = 1;
     stroke.normals.clear();
