@@ -4,7 +4,7 @@
 #include "bake/paint/stroke.h"
 #include "bake/paint/stroke_grid.h"
 #include "core/bounds.h"
-#include "shaders/shared/blade.h"
+#include "shaders/shared/species.h"
 
 #include <glm/vec3.hpp>
 
