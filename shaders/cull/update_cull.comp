@@ -99,28 +99,7 @@ LeafAreaLimit limitOfSlot(uint slot)
     return taken[slot].limit;
 }
 
-/// Marks the colliders that may touch a blade of the patches. All threads call this together.
-void findColliders(uint patches, uint thread)
-{
-    for (uint i = thread; i < patches * CULL_VIEW.environment.colliderCount; i += gl_WorkGroupSize.x) {
-        const uint slot = i / CULL_VIEW.environment.colliderCount;
-        const uint number = i % CULL_VIEW.environment.colliderCount;
-        const Patch cell = CULL_VIEW.patches.at[taken[slot].patchIndex];
-        if (taken[slot].elapsed > 0.0f &&
-            colliderNear(CULL_VIEW.environment.colliders.at[number], cell.boundsLow, cell.boundsHigh,
-                         taken[slot].elapsed))
-            atomicOr(colliderBits[slot * colliderWords + number / 32u], 1u << (number % 32u));
-    }
-}
-
-/// The colliders that may touch a blade of a patch.
-ColliderMask collidersNear(uint slot)
-{
-    ColliderMask near = noColliders();
-    for (uint word = 0u; hasColliders && word < colliderWords; ++word)
-        near.words[word] = colliderBits[slot * colliderWords + word];
-    return near;
-}
+#include "shaders/cull/near_colliders.glsl"
 
 bool hasCullResults()
 {
@@ -228,27 +207,6 @@ StoredBlade storedBlade(uint index)
     const uint place = placeOf(uvec2(CULL_VIEW.pages), index);
     return StoredBlade(place, CULL_VIEW.blades.at[place],
                        BladeState(CULL_VIEW.states.at[place], keepsEtas ? CULL_VIEW.etas.at[place] : 0.0));
-}
-
-/// Whether any collider may touch a blade of a patch.
-bool isNearCollider(Patch cell, float elapsed)
-{
-    for (uint i = 0u; elapsed > 0.0f && i < CULL_VIEW.environment.colliderCount; ++i)
-        if (colliderNear(CULL_VIEW.environment.colliders.at[i], cell.boundsLow, cell.boundsHigh, elapsed))
-            return true;
-    return false;
-}
-
-/// Lists a patch for the dispatch with takesNear; `place` is its place among the patches.
-void leaveToNear(uint place)
-{
-    WalkLevelArray nearCount = push.nearCount;
-    UintArray near = push.near;
-    const uint listed = atomicAdd(nearCount.at[0].count, 1u);
-    near.at[listed] = place;
-    atomicMax(nearCount.at[0].groups[0], min(listed + 1u, maxGroups));
-    nearCount.at[0].groups[1] = 1u;
-    nearCount.at[0].groups[2] = 1u;
 }
 
 /// Takes the patch at a place of the list; `live` holds the number of blades that the view wants. Only one thread calls

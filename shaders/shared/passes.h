@@ -89,12 +89,6 @@ SHARED_CONST uint moveAndCull = 0u;
 SHARED_CONST uint onlyMove = 1u; ///< moves the blades that any view wants; lists nothing
 SHARED_CONST uint onlyCull = 2u; ///< blades that are already moved
 
-// Patches that a dispatch of the update takes. Code for colliders makes a CPU slow also where none
-// is near.
-SHARED_CONST uint takesAll = 0u;
-SHARED_CONST uint takesFar = 1u;  ///< patches that no collider may touch; lists the others
-SHARED_CONST uint takesNear = 2u; ///< these others
-
 struct WalkPush {
     FrameArray cullView;
     SubtreeArray subtrees;  ///< by patch

@@ -37,6 +37,12 @@ SHARED_BUFFER(WalkLevelArray, WalkLevel, )
 /// Place of the walk's result among the walk's levels: the visible patches.
 SHARED_CONST uint liveLevel = 0u;
 
+// Patches that a dispatch of the update takes. Code for colliders makes a CPU slow also where none
+// is near.
+SHARED_CONST uint takesAll = 0u;
+SHARED_CONST uint takesFar = 1u;  ///< patches that no collider may touch; lists the others
+SHARED_CONST uint takesNear = 2u; ///< these others
+
 /// Threads of a work-group of the walk, one node each.
 SHARED_CONST uint walkThreads = 64u;
 

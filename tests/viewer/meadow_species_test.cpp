@@ -34,14 +34,16 @@ TEST(MeadowSpecies, EveryPresetHasSpeciesWithColours)
 
 TEST(MeadowSpecies, TextsThatAreNoMeadowAreRefused)
 {
-    for (const char* text : {"", "[]", "{}", "{\"species\": []}", "{\"species\": [1]}", "{\"species\": 3}"})
+    for (const char* text :
+         {"", "[]", "{}", "{\"species\": []}", "{\"species\": [1]}", "{\"species\": 3}"})
         EXPECT_THROW(speciesOf(text, "bad.json"), Error) << text;
     MeadowRequests requests;
     requests.meadowFile = "/nowhere/meadow.json";
     EXPECT_THROW(MeadowEditor{requests}, Error);
     // Wrong kinds of values keep their defaults, as the baker refuses them.
-    EXPECT_EQ(speciesOf("{\"species\": [{\"share\": \"x\", \"height_m\": [1], \"tip_color\": 3}]}", "a"),
-              std::vector{MeadowSpecies{}});
+    EXPECT_EQ(
+        speciesOf("{\"species\": [{\"share\": \"x\", \"height_m\": [1], \"tip_color\": 3}]}", "a"),
+        std::vector{MeadowSpecies{}});
 }
 
 TEST(MeadowEditor, WritesWhatHasChangedAndKeepsAllElse)

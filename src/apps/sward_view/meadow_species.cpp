@@ -22,7 +22,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr float leastColorful = 0.1f; ///< of an organ that counts as a flower
+constexpr float minColorful = 0.1f; ///< of an organ that counts as a flower
 
 std::string sourceOf(const MeadowRequests& requests)
 {
@@ -56,7 +56,7 @@ void readNumbers(const json& from, const char* key, float* values, std::size_t c
 std::optional<glm::vec3> flowerOf(const json& organs)
 {
     std::optional<glm::vec3> flower;
-    float most = leastColorful;
+    float most = minColorful;
     for (const json& organ : organs) {
         glm::vec3 tip(0.0f);
         if (organ.is_object())

@@ -16,11 +16,11 @@ struct MeadowRequests;
 /// What the window shows and changes of a species; the rest stays in the meadow's text.
 struct MeadowSpecies {
     std::string name = "grass";
-    float share = 1.0f;                ///< relative to the others
-    glm::vec2 height{0.25f, 0.55f};    ///< [m] smallest and largest
+    float share = 1.0f;                    ///< relative to the others
+    glm::vec2 height{0.25f, 0.55f};        ///< [m] smallest and largest
     glm::vec3 root{0.035f, 0.06f, 0.012f}; ///< linear reflectance at the blade's base …
     glm::vec3 tip{0.24f, 0.36f, 0.06f};    ///< … and at its tip
-    std::optional<glm::vec3> flower{}; ///< of a plant with flowers
+    std::optional<glm::vec3> flower{};     ///< of a plant with flowers
 
     bool operator==(const MeadowSpecies&) const = default;
 };
@@ -31,7 +31,7 @@ struct MeadowPreset {
     int density; ///< [1/m²] blades that close its sward at blade scale 1
 };
 inline constexpr MeadowPreset meadowPresets[] = {
-    {"meadow", 2305}, {"grass", 2400},   {"hay", 2196},   {"lawn", 9286},    {"daisies", 28523},
+    {"meadow", 2305},  {"grass", 2400}, {"hay", 2196},     {"lawn", 9286},   {"daisies", 28523},
     {"alpine", 11846}, {"marsh", 2385}, {"prairie", 1218}, {"steppe", 1540}, {"dunes", 347}};
 
 /// Their names, separated by commas.

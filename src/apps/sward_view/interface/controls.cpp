@@ -253,7 +253,7 @@ bool Controls::beginChoice(const char* name, const char* shows, float pixels, co
     const bool isOpen =
         ImGui::BeginCombo(hidden(name).c_str(), shows, ImGuiComboFlags_HeightLargest);
     if (!isOpen) {
-        finish(name, shows, about, "choice");
+        finish(name, shows, std::string(about) + "\nclick for the list", "choice");
         return false;
     }
     return true;

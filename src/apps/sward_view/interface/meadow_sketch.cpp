@@ -11,12 +11,12 @@
 namespace sward::view {
 namespace {
 
-constexpr float sunlit = 2.2f;         ///< radiance of a white sheet in the sketch
-constexpr float highest = 1.2f;        ///< [m] height of a blade that fills the sketch
-constexpr float bladesAcross = 0.45f;  ///< blades per pixel of width
-constexpr std::uint64_t dice = 41;     ///< of the places of blades
-constexpr int pieces = 4;              ///< of a blade
-constexpr float baseWidth = 2.6f;      ///< [pixels]
+constexpr float sunlit = 2.2f;        ///< radiance of a white sheet in the sketch
+constexpr float highest = 1.2f;       ///< [m] height of a blade that fills the sketch
+constexpr float bladesAcross = 0.45f; ///< blades per pixel of width
+constexpr std::uint64_t dice = 41;    ///< of the places of blades
+constexpr int pieces = 4;             ///< of a blade
+constexpr float baseWidth = 2.6f;     ///< [pixels]
 
 void drawBlade(ImDrawList& list, const Style& style, const MeadowSpecies& species,
                const ImVec2& root, float height, float lean)
@@ -36,7 +36,8 @@ void drawBlade(ImDrawList& list, const Style& style, const MeadowSpecies& specie
         widthBefore = width;
     }
     if (species.flower)
-        list.AddCircleFilled(before, style.scaled(2.2f), packedReflectance(style, *species.flower), 8);
+        list.AddCircleFilled(before, style.scaled(2.2f), packedReflectance(style, *species.flower),
+                             8);
 }
 
 } // namespace
@@ -63,8 +64,7 @@ void drawMeadowSketch(ImDrawList& list, const Style& style, const ImVec2& low, c
     for (const MeadowSpecies& one : species) {
         // Of what is rare at least one; of flowers more than there are, or none would be seen.
         const float wanted = blades * one.share / std::max(shares, 1e-6f);
-        const int count =
-            std::max(static_cast<int>(std::lround(wanted)), one.flower ? 3 : 1);
+        const int count = std::max(static_cast<int>(std::lround(wanted)), one.flower ? 3 : 1);
         for (int i = 0; i < count; ++i, ++number) {
             const auto throwDice = [&number](std::uint32_t dimension) {
                 return static_cast<float>(uniform(dice, number, dimension));

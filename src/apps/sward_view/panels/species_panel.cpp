@@ -50,8 +50,7 @@ bool drawPreset(Controls& controls, std::size_t preset, bool isChosen)
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::PushID(static_cast<int>(preset));
-    const bool picked =
-        ImGui::Selectable("##preset", isChosen, 0, {0.0f, style.scaled(rowPixels)});
+    const bool picked = ImGui::Selectable("##preset", isChosen, 0, {0.0f, style.scaled(rowPixels)});
     ImGui::PopID();
     controls.tell(meadowPresets[preset].name, densityOf(preset),
                   "Blades per square metre that close its sward, at blade scale 1");
@@ -73,7 +72,8 @@ void drawSwatch(const Controls& controls, const ImVec2& corner, const MeadowSpec
     const float size = style.scaled(swatchPixels);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     int i = 0;
-    for (const glm::vec3& color : {species.root, species.tip, species.flower.value_or(species.tip)}) {
+    for (const glm::vec3& color :
+         {species.root, species.tip, species.flower.value_or(species.tip)}) {
         const float x = corner.x + size * static_cast<float>(i++);
         list.AddRectFilled({x, corner.y}, {x + size, corner.y + size},
                            packedReflectance(style, color));
@@ -146,7 +146,8 @@ void drawMeadowChoice(Controls& controls, ViewerState& state)
         sketch(controls, ImGui::GetCursorScreenPos(), size,
                isEdited ? state.editor->species : speciesOfPreset(chosen));
         ImGui::Dummy(size);
-        controls.tell("Sketch", meadow.meadowFile.empty() ? densityOf(chosen) : "", nullptr);
+        controls.tell("Sketch", meadow.meadowFile.empty() ? densityOf(chosen) : "",
+                      "Species of the meadow in their colours, heights and shares");
     }
     if (meadow.meadowFile.empty())
         controls.fact("Its density", densityOf(chosen),
