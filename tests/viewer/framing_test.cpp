@@ -25,7 +25,7 @@ protected:
     Framing framed(const Pane& pane) const
     {
         return framedBeside(render::presetCamera(render::CameraPreset::fit, view_,
-                                                 glm::vec3(0.0f, 1.0f, 0.0f), pane.freeAspect()),
+                                                 glm::vec3(0.0f, 1.0f, 0.0f), pane.aspect),
                             pane, view_);
     }
 };

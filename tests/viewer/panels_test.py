@@ -114,7 +114,8 @@ class PanelsTest(unittest.TestCase):
         viewer.wait(lambda: share_that_differs(before, self.grass(viewer)) > 0.002,
                     "the ball is seen, and blades that give way to it")
         self.assertEqual(first, viewer.shows("Colliders/Collider 1"), "it lies still")
-        viewer.drag(viewer.centre("Picture/Collider 1"), (640, 330))
+        x, y = viewer.centre("Picture/Collider 1")
+        viewer.drag((x, y), (x - 60, y + 10))
         viewer.wait_for_value("Colliders/Collider 1", lambda place: place != first, "it is dragged")
         viewer.press("Remove", panel="Colliders")
         viewer.wait(lambda: viewer.shows("Colliders/Colliders").startswith("0 "), "it is gone")

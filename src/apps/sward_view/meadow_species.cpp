@@ -158,7 +158,7 @@ std::string MeadowEditor::text() const
         for (const auto& [key, value] : changed.items())
             list[i][key] = value;
     }
-    return meadow.dump(2) + "\n";
+    return jsonText(meadow, 2) + "\n";
 }
 
 std::string MeadowEditor::file() const

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t testedPoints = 50'000; ///< of the ground
 constexpr double step = 1.03;                ///< factor of the distance until all is in the frame
-constexpr int maxSteps = 16;
+constexpr int maxSteps = 64;
 constexpr double edge = 0.99; ///< of the free part's half width that may be filled
 
 /// The picture's axes, and half its height at 1 m.

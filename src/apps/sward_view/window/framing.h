@@ -31,12 +31,10 @@ struct Framing {
 struct Pane {
     float aspect = 16.0f / 9.0f;
     float covered = 0.0f;
-
-    float freeAspect() const { return aspect * (1.0f - covered); }
 };
 
-/// Moves `fit`, which shows the whole field in a picture of freeAspect(), so that the field lies in
-/// the free part of the window.
+/// Moves `fit`, which shows the whole field in the window, aside and back, so that the field lies
+/// in the free part of the window.
 Framing framedBeside(const render::Camera& fit, const Pane& pane, const field::FieldView& field);
 
 } // namespace sward::view

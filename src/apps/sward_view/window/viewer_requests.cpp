@@ -76,7 +76,7 @@ void Viewer::fulfil()
         navigation.show(
             framedBeside(render::presetCamera(render::CameraPreset::fit, view,
                                               {.groundUp = groundUpOf(view),
-                                               .aspect = pane.freeAspect(),
+                                               .aspect = pane.aspect,
                                                .sunDirection = viewerState_.settings.sunDirection,
                                                .surface = &loadedField_->field().ground}),
                          pane, view));
