@@ -47,10 +47,13 @@ class SpeciesTest(unittest.TestCase):
     def test_the_list_of_meadows_tells_the_density_of_each(self):
         viewer = self.open()
         told = self.densities(viewer)
+        small = self.folder / "small.obj"
+        small.write_text("v 0 0 0\nv 0 0 2\nv 2 0 2\nv 2 0 0\nf 1 2 3 4\n")
         for name, density in told.items():
             report = self.folder / f"{name}.json"
-            subprocess.run([SWARD, "bake", "plane", "--meadow", name, "--dry-run", "--report", report,
-                            "-o", self.folder / "x.sward", "-q"], check=True, capture_output=True)
+            subprocess.run([SWARD, "bake", small, "--meadow", name, "--blade-scale", "1", "--dry-run",
+                            "--report", report, "-o", self.folder / "x.sward", "-q"], check=True,
+                           capture_output=True)
             self.assertEqual(density, json.loads(report.read_text())["density_per_m2"]["closed"], name)
         viewer.wait_frames(3)
         viewer.click("Meadow/lawn")
