@@ -49,11 +49,12 @@ void drawMeadowPanel(Controls& controls, ViewerState& state)
                   ".json, or plane sphere hills dunes torus arch",
                   browses);
     if (browses)
-        state.files = FileDialog{
-            .browser = {std::filesystem::path(meadow.ground).parent_path(), apps::groundExtensions()},
-            .title = "Ground",
-            .verb = "Choose",
-            .act = [&meadow](const std::string& path) { meadow.ground = path; }};
+        state.files =
+            FileDialog{.browser = {std::filesystem::path(meadow.ground).parent_path(),
+                                   apps::groundExtensions()},
+                       .title = "Ground",
+                       .verb = "Choose",
+                       .act = [&meadow](const std::string& path) { meadow.ground = path; }};
     ImGui::BeginDisabled(!meadow.meadowFile.empty());
     drawMeadowChoice(controls, state);
     ImGui::EndDisabled();
