@@ -7,6 +7,8 @@ import time
 
 from display import PATIENCE, wait_until
 
+STATUS_BAR = 30  # its height at most, at a content scale of 1
+
 
 class Viewer:
     """A running viewer, under the validation layer, that tells where its controls are. It draws on
@@ -83,8 +85,24 @@ class Viewer:
         self.click(wanted)
         self.wait(lambda: (self.shows(wanted) == "open") == bool(name), f"{name} is open")
 
-    def centre(self, name, across=0.5):
+    def scroll_to(self, name):
+        """Where a control is; one below the window's end is brought inside by the wheel."""
         control = self.wait(lambda: self.controls().get(name), f"there is {name}")
+        _, _, _, height = self.window.geometry()
+        if control["y"] + control["height"] <= height:
+            return control
+        while control["y"] + control["height"] > height - STATUS_BAR:
+            xdotool = self.display.xdotool
+            xdotool("mousemove", "--window", self.window.number, int(control["x"]), height // 2)
+            xdotool("click", 5)
+            self.wait_frames(4)
+            before, control = control, self.controls()[name]
+            if control["y"] >= before["y"]:
+                break
+        return control
+
+    def centre(self, name, across=0.5):
+        control = self.scroll_to(name)
         return (round(control["x"] + across * control["width"]),
                 round(control["y"] + 0.5 * control["height"]))
 
