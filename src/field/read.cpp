@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
+#include "core/uninitialized.h"
 #include "field/compression.h"
 #include "field/format.h"
 #include "field/images.h"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <future>
 #include <limits>
 #include <optional>
 
@@ -22,7 +24,7 @@ namespace sward::field {
 struct MappedField::Contents {
     std::optional<MappedFile> file; ///< unless the caller owns the bytes
     std::span<const std::byte> bytes;
-    std::vector<BladeKey> keys;
+    UninitializedVector<BladeKey> keys;
     std::vector<Species> species;
     DisplayGround ground;
     Defaults defaults;
@@ -66,8 +68,8 @@ public:
     }
 
     // A copy of an array, decompressed if needed.
-    template <typename T>
-    std::vector<T> copied(const format::ChunkId& id, bool required) const
+    template <typename T, typename Array = std::vector<T>>
+    Array copied(const format::ChunkId& id, bool required) const
     {
         const format::ChunkEntry* entry = find<T>(id, required);
         if (entry == nullptr)
@@ -79,7 +81,7 @@ public:
         const std::string name = fmt::format("{}: chunk {}", place_, nameOf(id));
         if (isCompressed)
             checkClaim(stored, entry->rawBytes, name);
-        std::vector<T> result(entry->elementCount);
+        Array result(entry->elementCount);
         if (isCompressed) {
             decompress(stored, sizeof(T), std::as_writable_bytes(std::span(result)), name);
         } else {
@@ -249,7 +251,10 @@ void MappedField::Contents::read(const std::string& name)
     const Reader reader(bytes, name);
     const std::string& place = reader.place();
 
-    keys = reader.copied<BladeKey>(format::keys, false);
+    // Keys take as long as all the rest.
+    std::future<UninitializedVector<BladeKey>> readKeys = std::async(std::launch::async, [&] {
+        return reader.copied<BladeKey, UninitializedVector<BladeKey>>(format::keys, false);
+    });
     species = parseSpecies(reader.text(format::species, true), fmt::format("{}: species", place));
     defaults = parseDefaults(reader.text(format::defaults, true),
                              fmt::format("{}: defaults", place), copyright);
@@ -270,13 +275,15 @@ void MappedField::Contents::read(const std::string& name)
     view.origin = glm::dvec3(origin[0], origin[1], origin[2]);
     view.patches = reader.mapped<shared::Patch>(format::patches, true);
     view.blades = reader.mapped<shared::PackedBlade>(format::blades, true);
-    view.keys = keys;
     view.species = species;
     view.ground = &ground;
     view.defaults = &defaults;
     view.provenance = &provenance;
     view.copyright = &copyright;
     verify(view, place);
+    keys = readKeys.get();
+    view.keys = keys;
+    verifyKeys(view, place);
 }
 
 MappedField readField(const std::filesystem::path& path)

@@ -148,6 +148,13 @@ void verifyGround(const DisplayGround& ground, const std::string& place)
 
 } // namespace
 
+void verifyKeys(const FieldView& field, const std::string& place)
+{
+    if (!field.keys.empty() && field.keys.size() != field.blades.size())
+        fail(ErrorKind::input, "{}: {} keys for {} blades", place, field.keys.size(),
+             field.blades.size());
+}
+
 void verify(const FieldView& field, const std::string& place)
 {
     if (!std::isfinite(field.origin.x) || !std::isfinite(field.origin.y) ||
@@ -159,9 +166,7 @@ void verify(const FieldView& field, const std::string& place)
     if (!(field.thinned >= 1.0 && field.thinned <= maxThinned))
         fail(ErrorKind::input, "{}: a meadow of {} times the leaf area, outside 1 to {}", place,
              field.thinned, maxThinned);
-    if (!field.keys.empty() && field.keys.size() != field.blades.size())
-        fail(ErrorKind::input, "{}: {} keys for {} blades", place, field.keys.size(),
-             field.blades.size());
+    verifyKeys(field, place);
     verifyTree(field, place);
     for (std::size_t b = 0; b < field.blades.size(); ++b)
         if (((field.blades[b].look >> 21) & 7) >= field.species.size())

@@ -11,4 +11,7 @@ namespace sward::field {
 /// must have a target. Readers may follow any index of a verified field.
 void verify(const FieldView& field, const std::string& place);
 
+/// Throws Error{input} unless there are no keys or one for each blade; a part of verify().
+void verifyKeys(const FieldView& field, const std::string& place);
+
 } // namespace sward::field
