@@ -3,7 +3,6 @@
 #include <sys/mman.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <new>
 #include <utility>
@@ -63,25 +62,12 @@ struct UninitializedAllocator : std::allocator<T> {
         ::new (static_cast<void*>(place)) U(std::forward<Args>(args)...);
     }
 
-    static constexpr std::size_t large = std::size_t(1) << 20; ///< a block from the system [bytes]
+private:
+    static constexpr std::size_t large = std::size_t(1) << 20; ///< [bytes]
 };
 
 /// A vector whose resize() leaves new elements unwritten; for millions of plain structs.
 template <typename T>
 using UninitializedVector = std::vector<T, UninitializedAllocator<T>>;
-
-/// Takes memory for an array that is written in scattered pieces: a page of 4 KiB for each, where a
-/// huge page would take 2 MiB. For an array whose elements are still unwritten.
-template <typename T>
-void writeScattered(UninitializedVector<T>& array)
-{
-    constexpr std::size_t page = 4096;
-    if (array.size() * sizeof(T) < UninitializedAllocator<T>::large)
-        return;
-    const auto first = reinterpret_cast<std::uintptr_t>(array.data()) / page * page;
-    const auto last = reinterpret_cast<std::uintptr_t>(array.data() + array.size());
-    // A hint; failure is harmless.
-    ::madvise(reinterpret_cast<void*>(first), last - first, MADV_NOHUGEPAGE);
-}
 
 } // namespace sward

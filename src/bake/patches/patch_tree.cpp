@@ -129,12 +129,9 @@ void joinCells(std::vector<CellTree>&& cells, field::Field& field)
     const std::unique_ptr<Wide> root = build(pointers, topShift);
     const std::vector<std::vector<std::uint32_t>> places = layOut(*root, cells, field);
 
-    // Move cell by cell and free each, to limit the peak memory. The patches of a cell lie all over
-    // the arrays.
+    // Move cell by cell and free each, to limit the peak memory.
     field.blades.resize(blades);
     field.keys.resize(blades);
-    writeScattered(field.blades);
-    writeScattered(field.keys);
     for (std::size_t c = 0; c < cells.size(); ++c) {
         const CellTree cell = std::move(cells[c]);
         tbb::parallel_for(std::size_t(0), cell.patches.size(), [&](std::size_t p) {
