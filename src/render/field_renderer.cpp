@@ -10,6 +10,7 @@
 #include "render/cull/cull_view.h"
 #include "render/cull/pass_scope.h"
 #include "render/exposure.h"
+#include "render/field_target.h"
 #include "render/preview/field_renderer_parts.h"
 #include "render/tessellation/geometry_choice.h"
 #include "shaders/shared/passes.h"
@@ -33,41 +34,6 @@ FieldBuffers::Records recordsFor(const gpu::DeviceContext& context, Geometry geo
             .cullResults = wanted.recordCullResults,
             .roundPatches = wanted.roundPatches,
             .walkStart = context.isCpu() ? shared::walkStart : shared::walkStartOfGpu};
-}
-
-/// Whether some species, or an organ of one, is so.
-template <typename Is>
-bool anyLook(const field::FieldView& field, Is is)
-{
-    return std::ranges::any_of(field.species, [&](const field::Species& kind) {
-        return is(kind.look) || std::ranges::any_of(kind.organs, is, &field::Organ::look);
-    });
-}
-
-/// TargetSettings::onlyShape.
-std::uint32_t onlyShapeOf(const field::FieldView& field)
-{
-    if (field.species.empty())
-        return shared::shapeCount;
-    const std::uint32_t shape = field.species[0].look.shape;
-    return anyLook(field, [&](const shared::Species& look) { return look.shape != shape; })
-               ? shared::shapeCount
-               : shape;
-}
-
-TargetSettings targetFor(const gpu::DeviceContext& context, const field::FieldView& field,
-                         const FieldRenderer::Settings& wanted)
-{
-    const bool isForCpu = wanted.rastersForCpu.value_or(context.isCpu());
-    return {.colorFormat = wanted.colorFormat,
-            .samples = wanted.samples,
-            .mayBePaged = wanted.deviceBytes > 0,
-            .mayFold = anyLook(field, [](const shared::Species& look) { return look.fold > 0.0f; }),
-            .mayHaveOrgans =
-                anyLook(field, [](const shared::Species& look) { return look.organKinds > 0; }),
-            .onlyShape = onlyShapeOf(field),
-            .groupsDrawLarge = !isForCpu,
-            .sortsTiles = isForCpu};
 }
 
 /// Throws Error{unsupported} if the visibility cannot number all blades and triangles.
@@ -110,7 +76,7 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , targetSettings(targetFor(context, field, wanted))
     , ground(uploaded<GroundBuffers>(context, *field.ground))
     , cover(uploaded<GrassCover>(context, field))
-    , sunShadow(context, shaders, ground.box())
+    , sunShadow(context, shaders, ground.box(), wanted.deviceBytes == 0)
     , pyramid(context, shaders, wanted.samples)
     , attachments(madeIf<Attachments>(geometry == Geometry::tessellation, context, targetSettings))
     , opaque(madeIf<OpaquePass>(geometry == Geometry::tessellation, context, shaders,

@@ -139,6 +139,13 @@ TEST_F(StreamingTest, KeepsToItsBudgetAndUsesIt)
         } else {
             EXPECT_EQ(renderer.stats().streamedOut, 0u);
         }
+        // A collider may bend blades that are resident, and casts its shadow within the budget.
+        FrameSettings pressed = settings();
+        pressed.colliders = {{.from = {}, .to = {}, .radius = 0.5, .path = {}}};
+        if (renderer.isStreamed()) {
+            picture.draw(renderer, lookingAlong(), pressed, 0.1);
+            EXPECT_LE(renderer.deviceBytes(), wanted.deviceBytes) << share;
+        }
     }
 }
 

@@ -84,9 +84,10 @@ shared::SunShadow sunShadowOf(const Aabb& ground, glm::vec3 sunDirection, std::u
 }
 
 SunShadowPass::SunShadowPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-                             const Aabb& ground)
+                             const Aabb& ground, bool keepsGround)
     : context_(&context)
     , ground_(ground)
+    , keepsGround_(keepsGround)
 {
     if (ground_.isEmpty())
         return;
@@ -118,17 +119,23 @@ void SunShadowPass::describe(shared::Frame& frame, std::span<const shared::Colli
     if (!changes_.isNone())
         contents_ = {};
     changes_ = contents_.follow(frame.shadow, frame.sunDirection, colliders);
+    if (!keepsGround_ && !changes_.isNone()) {
+        // All of it anew.
+        contents_ = {};
+        changes_ = contents_.follow(frame.shadow, frame.sunDirection, colliders);
+    }
 }
 
 void SunShadowPass::prepare(const gpu::ShaderLibrary& shaders)
 {
     if (changes_.colliders.empty() || colliders_.get() != VK_NULL_HANDLE)
         return;
-    groundMap_ = gpu::Image(
-        *context_, {.name = "sun shadow/ground",
-                    .format = depthFormat,
-                    .extent = {sunShadowSize, sunShadowSize},
-                    .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+    if (keepsGround_)
+        groundMap_ = gpu::Image(*context_, {.name = "sun shadow/ground",
+                                            .format = depthFormat,
+                                            .extent = {sunShadowSize, sunShadowSize},
+                                            .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                                                     VK_IMAGE_USAGE_TRANSFER_DST_BIT});
     gpu::GraphicsPipelineSettings settings;
     settings.name = "sun shadow/colliders";
     settings.vertexShader = "collider_sun.vert";
@@ -161,7 +168,9 @@ void SunShadowPass::drawGround(VkCommandBuffer commands, const GroundBuffers& gr
 void SunShadowPass::drawColliders(VkCommandBuffer commands, VkDeviceAddress frame)
 {
     using gpu::ImageUse;
-    if (!hasGroundMap_) {
+    if (!keepsGround_) {
+        gpu::transition(commands, map_, ImageUse::transferSource, ImageUse::depthTarget);
+    } else if (!hasGroundMap_) {
         // The map shows no collider yet.
         gpu::transition(commands, groundMap_, ImageUse::undefined, ImageUse::transferTarget);
         copyParts(commands, map_, groundMap_, {&wholeMap, 1});

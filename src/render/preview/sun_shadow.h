@@ -24,12 +24,15 @@ constexpr std::uint32_t sunShadowSize = 2048;
 shared::SunShadow sunShadowOf(const Aabb& ground, glm::vec3 sunDirection, std::uint32_t size);
 
 /// The shadow map of ground and colliders. The ground is redrawn when the sun has moved; around
-/// colliders that have changed it is copied, and they are drawn into it.
+/// colliders that have changed it is copied, and they are drawn into it. The copy takes as much
+/// memory as the map, from the first collider on; without it the ground is redrawn whenever a
+/// collider changes.
 class SunShadowPass {
 public:
-    /// `ground` is the box of shadow casters, relative to the field's origin.
+    /// `ground` is the box of shadow casters, relative to the field's origin. `keepsGround`: with
+    /// the copy.
     SunShadowPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-                  const Aabb& ground);
+                  const Aabb& ground, bool keepsGround);
 
     /// Call after the frame's sun is set. `colliders` are those of the frame's table.
     void describe(shared::Frame& frame, std::span<const shared::Collider> colliders);
@@ -51,6 +54,7 @@ private:
 
     const gpu::DeviceContext* context_;
     Aabb ground_;
+    bool keepsGround_;
     ShadowContents contents_;
     ShadowChanges changes_; ///< not recorded yet
     gpu::Image map_;
