@@ -8,6 +8,7 @@
 #include "render/camera_presets.h"
 #include "render/cull/field_buffers.h"
 #include "render/preview/attachments.h"
+#include "render/preview/sun_shadow.h"
 #include "shaders/shared/bezier.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
