@@ -1,5 +1,6 @@
 """`--report` answers "why is there no grass here": its keys, its sums, and the dry run's promise."""
 
+import os
 import unittest
 
 from support import CliTest, ROOT
@@ -97,6 +98,13 @@ class Report(CliTest):
         self.assertGreater(busy["sample"], 0.0)
         self.assertLess(busy["sample"], busy["total"])
         self.assertLessEqual(busy["sample"], times["sample"] * report["threads"] + 0.02)
+
+    def test_memory_is_that_of_the_bake_alone(self):
+        # Whoever starts the program may hold more.
+        held = bytearray(os.urandom(1 << 20)) * 400
+        peak = self.report("plane", "--count", "1000")["memory_bytes"]["peak"]
+        self.assertGreater(peak, 1 << 20)
+        self.assertLess(peak, len(held) // 2)
 
     def test_density_reached_is_what_stands_on_the_area(self):
         report = self.report("plane", "--density", "50", "--blade-scale", "1")

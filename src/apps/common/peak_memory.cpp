@@ -2,10 +2,20 @@
 
 #include <sys/resource.h>
 
+#include <fstream>
+#include <string>
+
 namespace sward::apps {
 
 std::uint64_t peakMemory()
 {
+    // Not getrusage(): its number begins with the memory of the program that started this one.
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;) {
+        std::uint64_t kibibytes = 0;
+        if (word == "VmHWM:" && status >> kibibytes)
+            return kibibytes * 1024;
+    }
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);
     // Linux counts in units of 1024 bytes.
