@@ -34,7 +34,7 @@ protected:
         return {.browser = {folder_, {".sward", ".glb"}}, .title = {}, .verb = {}, .act = {}};
     }
 
-    const apps::TemporaryFolder temporary_;
+    const apps::TemporaryFolder temporary_{"sward-view"};
     const fs::path folder_ = fs::canonical(temporary_.path());
 };
 

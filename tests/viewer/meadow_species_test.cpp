@@ -48,7 +48,7 @@ TEST(MeadowSpecies, TextsThatAreNoMeadowAreRefused)
 
 TEST(MeadowEditor, WritesWhatHasChangedAndKeepsAllElse)
 {
-    const apps::TemporaryFolder folder;
+    const apps::TemporaryFolder folder{"sward-view"};
     MeadowRequests requests;
     MeadowEditor editor(requests);
     EXPECT_FALSE(editor.isChanged());

@@ -9,7 +9,7 @@ namespace sward::apps {
 class TemporaryFolder {
 public:
     /// `name` begins its name. Throws Error{io} if it cannot be created.
-    explicit TemporaryFolder(const std::string& name = "sward");
+    explicit TemporaryFolder(const std::string& name);
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
     ~TemporaryFolder();

@@ -58,7 +58,7 @@ private:
     void takeIn(std::string_view text);
     void takeLine(std::string line);
 
-    apps::TemporaryFolder folder_;
+    apps::TemporaryFolder folder_{"sward-view"};
     pid_t child_ = -1;
     int said_ = -1; ///< its stderr
     std::string unfinished_;

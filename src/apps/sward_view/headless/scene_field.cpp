@@ -75,7 +75,7 @@ SceneField::SceneField(const Scene& scene, const fs::path& folder, bool showBar)
         return;
     log::info("{}: {} is missing; baking it first", scene.file.string(), file_.string());
 
-    const apps::TemporaryFolder inputs;
+    const apps::TemporaryFolder inputs{"sward-view"};
     InputFiles files(inputs.path());
     std::vector<std::string> arguments{files.add(scene.ground, "ground")};
     if (scene.meadow) {
