@@ -101,6 +101,10 @@ def stands_on_a_plane():
     assert len(places) == 5000
     assert abs(places[:, 2] - 3.0).max() < PLACE and abs(places[:, :2]).max() < 4.0 + PLACE
     assert np.arccos(np.clip(ups[:, 2], -1, 1)).max() < TURN
+    # Its first species is green grass.
+    species = bpy.data.collections[f"Sward species: {bpy.context.active_object.name}"].objects[0].data
+    colors = [tuple(each.color)[:3] for each in species.color_attributes["Color"].data]
+    assert all(r < g > b for r, g, b in colors), colors
     # What is instanced stands on the point, as high as the attribute says, along the up-vector.
     height = mesh.attributes["height"].data[17].value
     graph = bpy.context.evaluated_depsgraph_get()

@@ -116,7 +116,8 @@ def read_blades(path):
     species = []
     for mesh in document.get("meshes", []):
         part = mesh["primitives"][0]
-        colors = array(part["attributes"]["COLOR_0"])[:, :3]
+        surface = document["materials"][part["material"]]["pbrMetallicRoughness"]
+        colors = array(part["attributes"]["COLOR_0"])[:, :3] * np.asarray(surface["baseColorFactor"][:3])
         species.append((mesh["name"], array(part["attributes"]["POSITION"]), array(part["indices"]).reshape(-1, 3), colors))
 
     nodes = document["nodes"]
