@@ -46,21 +46,28 @@ struct NearestPoint {
 
 NearestPoint nearestPoint(const Corners& corners, const glm::dvec2& place)
 {
-    NearestPoint best;
-    best.outside = std::numeric_limits<double>::infinity();
+    // Most texels are inside.
     const double area = crossOf(corners[1] - corners[0], corners[2] - corners[0]);
-    glm::dvec3 weights(0.0);
-    double depth = std::numeric_limits<double>::infinity();
+    glm::dvec3 weights(-1.0);
+    for (std::size_t i = 0; area != 0.0 && i < 3; ++i)
+        weights[glm::length_t((i + 2) % 3)] =
+            crossOf(corners[(i + 1) % 3] - corners[i], place - corners[i]) / area;
+    NearestPoint best;
+    if (std::min({weights.x, weights.y, weights.z}) >= 0.0) {
+        best.weights = weights;
+        best.inside = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < 3; ++i)
+            best.inside =
+                std::min(best.inside, weights[glm::length_t((i + 2) % 3)] * std::fabs(area) /
+                                          glm::length(corners[(i + 1) % 3] - corners[i]));
+        return best;
+    }
+    best.outside = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t next = (i + 1) % 3;
         const glm::dvec2 edge = corners[next] - corners[i];
         const glm::dvec2 offset = place - corners[i];
         const double squared = glm::dot(edge, edge);
-        if (area != 0.0) {
-            const double side = crossOf(edge, offset) / area;
-            weights[glm::length_t((i + 2) % 3)] = side;
-            depth = std::min(depth, side * std::fabs(area) / std::sqrt(squared));
-        }
         const double share =
             squared > 0.0 ? std::clamp(glm::dot(edge, offset) / squared, 0.0, 1.0) : 0.0;
         const double away = glm::length(offset - share * edge);
@@ -71,8 +78,6 @@ NearestPoint nearestPoint(const Corners& corners, const glm::dvec2& place)
             best.weights[glm::length_t(next)] = share;
         }
     }
-    if (area != 0.0 && std::min({weights.x, weights.y, weights.z}) >= 0.0)
-        return {weights, 0.0, depth};
     return best;
 }
 
@@ -157,14 +162,16 @@ public:
         const double side = size_;
         const glm::dvec2 at(double(texel % size_), double(texel / size_));
         const glm::dvec2 low = glm::min(glm::min(corners[0], corners[1]), corners[2]);
-        const glm::dvec2 from = at + side * glm::ceil((low - dilation - at) / side);
-        NearestPoint best = nearestPoint(corners, from);
-        for (const glm::dvec2 step :
-             {glm::dvec2(side, 0.0), glm::dvec2(0.0, side), glm::dvec2(side, side)})
-            if (const NearestPoint other = nearestPoint(corners, from + step);
-                other.outside < best.outside ||
-                (other.outside == best.outside && other.inside > best.inside))
-                best = other;
+        const glm::dvec2 high = glm::max(glm::max(corners[0], corners[1]), corners[2]);
+        const glm::dvec2 first = at + side * glm::ceil((low - dilation - at) / side);
+        NearestPoint best;
+        best.outside = std::numeric_limits<double>::infinity();
+        for (double y = first.y; y <= high.y + dilation; y += side)
+            for (double x = first.x; x <= high.x + dilation; x += side)
+                if (const NearestPoint near = nearestPoint(corners, {x, y});
+                    near.outside < best.outside ||
+                    (near.outside == best.outside && near.inside > best.inside))
+                    best = near;
         return best;
     }
 
