@@ -112,6 +112,13 @@ def stands_on_a_plane():
             for each in graph.object_instances if each.is_instance]
     assert len(tops) == 5000 and 3.0 < min(tops) and max(tops) < 3.0 + 2.0, (len(tops), min(tops), max(tops))
     assert 0.0 < height < 2.0
+    # A viewport shows the share that it is told; five standard deviations.
+    item = bpy.data.objects["Sward blades"]
+    result.set_input(item.modifiers["Blades"], "Viewport share", 0.3)
+    item.update_tag()
+    bpy.context.view_layer.update()
+    shown = sum(each.is_instance for each in bpy.context.evaluated_depsgraph_get().object_instances)
+    assert abs(shown - 1500) < 5 * math.sqrt(5000 * 0.3 * 0.7), shown
 
 
 def stands_on_a_moved_sphere():
