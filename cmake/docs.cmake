@@ -5,7 +5,7 @@ set(SWARD_DOCS_OUTPUT ${CMAKE_BINARY_DIR}/site)
 file(GLOB pages CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}
   docs/*.md docs/algorithms/*.md docs/decisions/*.md docs/lab/*.md)
 list(PREPEND pages README.md ARCHITECTURE.md CONTRIBUTING.md CHANGELOG.md assets/LICENSES.md
-  examples/cluster/README.md docs/bench/README.md)
+  examples/blender/sward_addon/README.md examples/cluster/README.md docs/bench/README.md)
 # What a host includes: the doors, and what it fills in for them.
 set(headers ${doors} field/display_ground.h render/camera.h render/colliders.h
   render/frame_settings.h render/wind.h)

@@ -1,9 +1,10 @@
 """`--paint`: strokes of a file raise, thin and change the grass that they reach, and no other."""
 
 import math
+import struct
 import unittest
 
-from support import CliTest, INPUT, IO, ROOT, UNSUPPORTED, digest
+from support import CliTest, INPUT, IO, ROOT, UNSUPPORTED, USAGE, digest
 
 EXAMPLE = ROOT / "examples/paint/strokes.json"
 
@@ -50,6 +51,41 @@ class Paint(CliTest):
         unpainted = self.roots()["kept"]
         self.assertEqual(self.roots("--paint", self.paint(erase, put))["kept"], unpainted)
         self.assertLess(self.roots("--paint", self.paint(put, erase))["kept"], unpainted - 8000)
+
+    def test_a_paint_mask_in_place_of_the_strokes_grows_the_same_blades(self):
+        # Soft edges 2 m wide, texels of 2 cm: by docs/painting.md the density differs by less than 1/510 + 0.0003.
+        strokes = self.paint(stroke("erase", (-6, 0, -6), (-4, 0, 7), radius=2.5, hardness=0.2),
+                             stroke("set", (4, 0, 2), radius=4, hardness=0.5, density=0.4))
+        def blades(*options):
+            field = self.bake("plane", "--density", "300", "--force", *options)
+            return {blade.id for blade in self.blades(field)}
+        painted = blades("--paint", strokes, "--paint-mask", "mask.png")
+        head = (self.folder / "mask.png").read_bytes()[:26]
+        self.assertEqual(head[12:26], b"IHDR" + struct.pack(">IIBB", 1024, 1024, 8, 0))
+        masked = blades("--mask", "texture:mask.png")
+        self.assertLess(len(painted), 110000)
+        # An image repeats: a texel round the edge mixes with the other side.
+        self.assertLess(len(painted ^ masked), 120000 * (1 / 510 + 0.0003) + 120000 * 2 / 1024)
+        # The same bytes again, by another number of threads, and of the size that is asked for.
+        first = digest(self.folder / "mask.png")
+        self.sward("bake", "plane", "--dry-run", "--paint", strokes, "--paint-mask", "again.png", "--threads", 3)
+        self.assertEqual(digest(self.folder / "again.png"), first)
+        self.sward("bake", "plane", "--dry-run", "--paint", strokes, "--paint-mask", "small.png", "--paint-mask-size", 7)
+        self.assertEqual((self.folder / "small.png").read_bytes()[16:24], struct.pack(">II", 7, 7))
+
+    def test_a_paint_mask_that_cannot_be_made_leaves_nothing(self):
+        strokes = self.paint(stroke("erase", (0, 0, 0)))
+        (self.folder / "bare.obj").write_text("v 0 0 0\nv 0 0 5\nv 5 0 0\nf 1 2 3\n", encoding="ascii")
+        bake = ("bake", "bare.obj", "-o", "out.sward", "--density", "10", "--paint-mask")
+        self.refused(*bake, "out.png", "--paint", strokes, code=INPUT, names=["--paint-mask", "no texture coordinates", "bare.obj"])
+        self.refused(*bake, "out.png", code=USAGE, names=["--paint-mask out.png", "--paint is missing"])
+        self.refused(*bake, "out.jpg", "--paint", strokes, code=USAGE, names=["out.jpg", ".png"])
+        self.refused(*bake, "out.png", "--paint-mask-size", "8193", "--paint", strokes, code=USAGE, names=["--paint-mask-size", "8192"])
+        (self.folder / "out.png").write_bytes(b"mine")
+        self.refused(*bake, "out.png", "--paint", strokes, code=IO, names=["out.png", "--force"])
+        self.assertEqual((self.folder / "out.png").read_bytes(), b"mine")
+        self.refused("plan", "plane", "--tiles", 2, "-o", "plan.json", "--paint", strokes, "--paint-mask", "p.png",
+                     code=USAGE, names=["--paint-mask"])
 
     def test_the_example_bakes_in_any_number_of_threads(self):
         fields = {digest(self.bake("plane", "--density", "60", "--paint", EXAMPLE, "--threads", threads,

@@ -4,8 +4,8 @@
     needs("open3d", "parallel")
 
 and is left out, with the reason, on a machine that lacks one of them. Where CI is true in the environment such a
-test fails instead, unless the distribution has no such package: CI installs what there is. scripts/test
---complete sets CI. What a GoogleTest skips is told with it, and fails there too.
+test fails instead, unless the distribution has no such package or only `install-dependencies --dev` installs it.
+scripts/test --complete sets CI. What a GoogleTest skips is told with it, and fails there too.
 
   tests/support/needs.py              what this machine lacks: a line "Left out: …" for each need that leaves tests out
   tests/support/needs.py LastTest.log the tests that a run of ctest has left out, by reason
@@ -32,6 +32,7 @@ class Need(NamedTuple):
     what: str
     packages: tuple  # that bring it
     here: Callable[[], bool]
+    option: str = "--test"  # of scripts/install-dependencies
 
 
 def module(name):
@@ -54,6 +55,7 @@ NEEDS = {
     "npm packages": Need("gltf-validator, three.js and TinyUSDZ from npm", ("nodejs", "npm"), programs("node")),
     "display": Need("Xvfb and xdotool", ("xvfb", "xdotool"), programs("Xvfb", "xdotool")),
     "groff": Need("groff", ("groff-base",), programs("groff")),
+    "blender": Need("Blender", ("blender",), programs("blender"), "--dev"),
 }
 
 
@@ -72,7 +74,7 @@ def reason_without(name):
         return None
     if absent := sorted(absent_packages().intersection(need.packages)):
         return f"this distribution has no package {', '.join(absent)}"
-    return f"install {' '.join(need.packages)} (scripts/install-dependencies --test)"
+    return f"install {' '.join(need.packages)} (scripts/install-dependencies {need.option})"
 
 
 def demanded():
@@ -89,8 +91,9 @@ def needs(*names):
 
 def leave_out(name, reason):
     """The same for what shows only when it is used: a server that cannot be reached, a daemon that does not start."""
-    text = f"needs {NEEDS[name].what}: {reason}"
-    if demanded() and not absent_packages().intersection(NEEDS[name].packages):
+    need = NEEDS[name]
+    text = f"needs {need.what}: {reason}"
+    if demanded() and need.option == "--test" and not absent_packages().intersection(need.packages):
         raise AssertionError(f"{text}\nCI is set: there no test is left out")
     print(f"\nleft out: {text.splitlines()[0]}", file=sys.stderr)
     raise unittest.SkipTest(text)

@@ -22,12 +22,14 @@ import sys, unittest
 sys.path.insert(0, {support!r})
 import needs
 needs.NEEDS["moon"] = needs.Need("the moon", ("moonlight",), lambda: False)
+needs.NEEDS["comet"] = needs.Need("a comet", ("perihelion",), lambda: False, "--dev")
 needs.NEEDS["sun"] = needs.Need("the sun", ("daylight",), lambda: True)
 needs.ABSENT = {absent!r}
 needs.platform.freedesktop_os_release = lambda: {{"ID": "some", "VERSION_ID": "1"}}
 class Guest(unittest.TestCase):
     def test_night(self): needs.needs("moon")
     def test_day(self): needs.needs("sun")
+    def test_years(self): needs.needs("comet")
     def test_eclipse(self): needs.leave_out("sun", "it is hidden")
     def test_wrong(self): self.fail("wrong")
 unittest.main()
@@ -73,6 +75,11 @@ class InCtest(unittest.TestCase):
         self.assertIn("Skipped", self.run_ctest("night", absent=ABSENT, CI="true")[0])
         # Another package of the same machine is demanded all the same.
         self.assertIn("Failed", self.run_ctest("eclipse", absent=ABSENT, CI="true")[0])
+
+    def test_what_only_developers_install_is_left_out_in_ci_too(self):
+        self.assertIn("Skipped", self.run_ctest("years", CI="true")[0])
+        log = (self.folder / "Testing/Temporary/LastTest.log").read_text(encoding="utf-8")
+        self.assertIn("install perihelion (scripts/install-dependencies --dev)", log)
 
     def test_a_test_with_its_need_passes_and_a_failure_is_never_hidden(self):
         self.assertIn("Passed", self.run_ctest("day", CI="true")[0])
@@ -170,11 +177,13 @@ class Script(unittest.TestCase):
 
 
 class Lists(unittest.TestCase):
-    def test_every_need_is_installed_for_tests(self):
-        said = subprocess.run([ROOT / "scripts/install-dependencies", "--test", "--print"], capture_output=True, text=True, check=True)
-        installed = set(said.stdout.split())
+    def test_every_need_is_installed_by_the_option_that_it_names(self):
+        installed = {}
+        for option in ("--test", "--dev"):
+            said = subprocess.run([ROOT / "scripts/install-dependencies", option, "--print"], capture_output=True, text=True, check=True)
+            installed[option] = set(said.stdout.split())
         for need in needs.NEEDS.values():
-            self.assertLessEqual(set(need.packages), installed, need.what)
+            self.assertLessEqual(set(need.packages), installed[need.option], need.what)
 
     def test_what_is_absent_is_something_that_a_need_names(self):
         known = {package for need in needs.NEEDS.values() for package in need.packages}

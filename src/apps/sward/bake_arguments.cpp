@@ -12,9 +12,10 @@ namespace sward::apps {
 namespace {
 
 // Options that do not affect the result: how the bake runs and where its output goes.
-constexpr std::array<std::string_view, 11> aboutTheRun = {
-    "--output", "--threads", "--report",   "--dry-run", "--force", "--print-config",
-    "--quiet",  "--verbose", "--progress", "--tiles",   "--help"};
+constexpr std::array<std::string_view, 13> aboutTheRun = {
+    "--output",       "--threads",    "--report",         "--dry-run",  "--force",
+    "--print-config", "--quiet",      "--verbose",        "--progress", "--tiles",
+    "--help",         "--paint-mask", "--paint-mask-size"};
 
 } // namespace
 

@@ -11,11 +11,13 @@
 #include "apps/sward/subcommand.h"
 #include "bake/bake.h"
 #include "bake/filter/default_slope.h"
+#include "bake/paint_mask.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/log.h"
 #include "core/stopwatch.h"
 #include "field/write.h"
+#include "terrain/image/gray_png.h"
 
 #include <fmt/ranges.h>
 
@@ -33,6 +35,8 @@ void checkOutputs(const BakeRequest& request)
         checkOutput(request.output, ".sward", sources, request.overwrite);
     if (!request.report.empty())
         checkOutput(request.report, ".json", sources, request.overwrite);
+    if (!request.paintMask.empty())
+        checkOutput(request.paintMask, ".png", sources, request.overwrite);
     if (!request.dryRun && !request.report.empty() && isSameFile(request.report, request.output))
         fail(ErrorKind::usage, "{}: is named both as the field and as the report", request.output);
 }
@@ -53,6 +57,22 @@ bake::Report grow(const BakeRequest& request, const terrain::GroundMesh& ground,
     result.report.output.path = request.output;
     result.report.timing.write = watch.lap();
     return std::move(result.report);
+}
+
+// The painted density as a PNG file.
+std::vector<std::byte> paintMaskOf(const BakeRequest& request, const terrain::GroundMesh& ground,
+                                   Diagnostics& diagnostics, Progress& progress)
+{
+    const bake::PaintMask mask = bake::paintMask(ground, request.settings, request.paintMaskSize,
+                                                 request.threads, diagnostics, progress);
+    return terrain::grayPng(mask.size, mask.size, mask.values);
+}
+
+void writeImage(const BakeRequest& request, const std::vector<std::byte>& png)
+{
+    AtomicFile file(request.paintMask, request.overwrite);
+    file.write(png);
+    file.commit();
 }
 
 class Bake : public Subcommand {
@@ -96,7 +116,12 @@ public:
         ProgressBar bar(options_.log.showBar());
         Progress progress(bar.callback());
         const CancelOnInterrupt cancel(progress);
+        std::vector<std::byte> paintMask;
+        if (!request.paintMask.empty())
+            paintMask = paintMaskOf(request, ground, diagnostics, progress);
         bake::Report report = grow(request, ground, diagnostics, progress);
+        if (!request.paintMask.empty())
+            writeImage(request, paintMask);
         bar.clear();
 
         // Fill in values known only here.

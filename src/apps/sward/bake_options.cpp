@@ -2,6 +2,7 @@
 
 #include "apps/common/parse_text.h"
 #include "bake/paint/stroke_file.h"
+#include "bake/paint_mask.h"
 #include "core/error.h"
 #include "core/log.h"
 
@@ -319,6 +320,17 @@ void BakeOptions::addRun(CLI::App& app)
     app.add_option("--report", direct_.report, "JSON file for counts, rejections by filter, times")
         ->type_name("FILE.json")
         ->group(group);
+    app.add_option("--paint-mask", direct_.paintMask,
+                   "Image to write with the density that --paint and --mask ask for, over the "
+                   "ground's TEXCOORD_0; it can be a --mask in their place (requires --paint)")
+        ->type_name("OUT.png")
+        ->group(group);
+    app.add_option("--paint-mask-size", direct_.paintMaskSize,
+                   "Texels on a side of that image, 1 to 8192")
+        ->type_name("N")
+        ->check(CLI::Range(1U, bake::maxPaintMaskSize).description(""))
+        ->group(group)
+        ->capture_default_str();
     app.add_flag("--dry-run", direct_.dryRun, "Estimate counts and bytes, and write no field")
         ->group(group);
     app.add_flag("--force", direct_.overwrite, "Overwrite existing files")->group(group);
@@ -364,6 +376,13 @@ BakeRequest BakeOptions::request() const
         settings.strokes = paintOf(paint_, settings.meadow);
     bake::validate(settings);
     request.import.masks = bake::maskInputs(settings);
+    if (!request.paintMask.empty()) {
+        if (paint_.empty())
+            fail(ErrorKind::usage,
+                 "--paint-mask {}: --paint is missing, which says what is painted",
+                 request.paintMask);
+        bake::addPaintMaskInputs(request.import.masks);
+    }
     if (!printConfig)
         bake::loadMaskImages(settings);
 

@@ -24,9 +24,11 @@ struct BakeRequest {
     std::vector<std::string> occluders; ///< the same; block rays, bear nothing
     terrain::ImportSettings import;
     bake::BakeSettings settings;
-    int threads = 0;           ///< 0: all threads of the machine
-    std::string output;        ///< empty in a dry run
-    std::string report;        ///< empty: none
+    int threads = 0;                    ///< 0: all threads of the machine
+    std::string output;                 ///< empty in a dry run
+    std::string report;                 ///< empty: none
+    std::string paintMask;              ///< image of the strokes; empty: none
+    std::uint32_t paintMaskSize = 1024; ///< texels on a side
     bool choosesSlope = false; ///< no --slope, front sides: bake::defaultSlope() of the ground
     bool dryRun = false;
     bool overwrite = false;
