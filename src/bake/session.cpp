@@ -105,13 +105,15 @@ Session::Session(const terrain::GroundMesh& ground, const BakeSettings& settings
         for (const std::vector<CellNumber>& cells : dealTiles(ground_, 1))
             bearing_.insert(cells.begin(), cells.end());
         part_ = partOf(ground_, {});
-        if (needsTiles(settings_, plan_)) {
+        if (needsTiles(settings_, plan_, {})) {
             whole.rays = nullptr;
             rays.reset();
         }
-        Totals totals;
-        for (CellTree& cell : bakeAllCells(whole, settings_, plan_, totals, progress))
-            cells_.insert_or_assign(cell.cell, std::move(cell));
+        const auto take = [&](TileResult&& tile) {
+            for (CellTree& cell : tile.cells)
+                cells_.insert_or_assign(cell.cell, std::move(cell));
+        };
+        bakeAllCells(whole, settings_, plan_, {}, take, progress);
     });
 }
 

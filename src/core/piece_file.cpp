@@ -63,8 +63,7 @@ ScratchFile::ScratchFile(const std::filesystem::path& output)
 void ScratchFile::append(std::span<const std::byte> bytes)
 {
     while (!bytes.empty()) {
-        const ssize_t size =
-            ::pwrite(fd_, bytes.data(), bytes.size(), static_cast<off_t>(size_));
+        const ssize_t size = ::pwrite(fd_, bytes.data(), bytes.size(), static_cast<off_t>(size_));
         if (size < 0 && errno == EINTR)
             continue;
         if (size < 0)

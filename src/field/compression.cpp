@@ -93,9 +93,8 @@ UninitializedVector<std::byte> compress(std::span<const std::byte> raw, std::siz
         stored.insert(stored.end(), piece.begin(), piece.end());
     });
     for (std::size_t byte = 0; byte < elementBytes; ++byte)
-        regroup(raw, elementBytes, byte, [&](std::span<const std::byte> piece) {
-            compressor.add(piece);
-        });
+        regroup(raw, elementBytes, byte,
+                [&](std::span<const std::byte> piece) { compressor.add(piece); });
     compressor.finish();
     return stored;
 }

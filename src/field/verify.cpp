@@ -153,7 +153,8 @@ void BladeVerifier::addPlants(std::span<const shared::PackedBlade> blades)
     constexpr std::uint32_t clumpBits = 255U << 24U;
     for (std::size_t i = 0; i < blades.size(); ++i) {
         const std::size_t b = next_ + i;
-        while (b >= std::size_t(field_.patches[patch_].firstBlade) + field_.patches[patch_].bladeCount)
+        while (b >=
+               std::size_t(field_.patches[patch_].firstBlade) + field_.patches[patch_].bladeCount)
             ++patch_;
         const shared::PackedBlade& blade = blades[i];
         const shared::PackedBlade before = std::exchange(last_, blade);

@@ -209,8 +209,8 @@ private:
             entry.storedBytes += bytes.size();
         });
         for (std::size_t byte = 0; byte < entry.elementBytes; ++byte)
-            pieces_.eachKeyByte(
-                byte, [&](std::span<const std::byte> bytes) { compressor.add(bytes); });
+            pieces_.eachKeyByte(byte,
+                                [&](std::span<const std::byte> bytes) { compressor.add(bytes); });
         compressor.finish();
         entry.hash = hash.digest();
     }
@@ -350,9 +350,9 @@ std::uint64_t writeField(const Field& field, const BladePieces& pieces,
     AtomicFile file(path, overwrite);
     Encoded encoded(field, pieces);
     encoded.parse(path.string());
-    encoded.put([&](std::uint64_t at,
-                    std::span<const std::byte> bytes) { file.writeAt(at, bytes); },
-                [&](std::span<const shared::PackedBlade> blades) { verifier.add(blades); });
+    encoded.put(
+        [&](std::uint64_t at, std::span<const std::byte> bytes) { file.writeAt(at, bytes); },
+        [&](std::span<const shared::PackedBlade> blades) { verifier.add(blades); });
 
     // Verify the bytes on the disk before the file gets its name.
     file.flush();

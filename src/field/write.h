@@ -14,8 +14,8 @@ namespace sward::field {
 /// new one is left.
 std::uint64_t writeField(const Field& field, const std::filesystem::path& path, bool overwrite);
 
-/// The same for a field whose blades and keys come in pieces; those of `field` are ignored. The file
-/// has the bytes that it has if they are in memory. Also throws what `pieces` throw.
+/// The same for a field whose blades and keys come in pieces; those of `field` are ignored. The
+/// file has the bytes that it has if they are in memory. Also throws what `pieces` throw.
 std::uint64_t writeField(const Field& field, const BladePieces& pieces,
                          const std::filesystem::path& path, bool overwrite);
 

@@ -3,6 +3,7 @@
 #include "bake/report.h"
 #include "bake/tile_region.h"
 #include "bake/tiles/bake_tile.h"
+#include "bake/tiles/stored_cells.h"
 #include "terrain/ground_mesh.h"
 
 #include <cstdint>
@@ -15,7 +16,7 @@ namespace sward::bake {
 // First bytes of the files beside a plan: eight letters each; the last two are the version.
 inline constexpr const char* partKind = "SWPART04";  ///< a tile's part of the ground
 inline constexpr const char* imageKind = "SWIMAG02"; ///< an image of the ground
-inline constexpr const char* tileKind = "SWTILE03";  ///< the blades of a tile
+inline constexpr const char* tileKind = "SWTILE04";  ///< the blades of a tile
 
 /// A bake distributed over machines: the result of `plan`, needed by every tile. Its file is JSON.
 /// The folder beside it holds the parts of the ground, one for each tile, the ground's images and a
@@ -64,7 +65,13 @@ void writeTile(const std::filesystem::path& path, const std::string& id, const T
 /// Plan id of a tile; verifies the whole file.
 std::string planOfTile(const std::filesystem::path& path);
 
-/// Also throws Error{input} if the tile belongs to another plan.
-TileResult readTile(const std::filesystem::path& path, const std::string& id);
+/// A tile whose blades and keys stay in its file.
+struct StoredTile {
+    TileResult tile; ///< with cells that have patches alone
+    TileStretch stretch;
+};
+
+/// Verifies the whole file. Also throws Error{input} if the tile belongs to another plan.
+StoredTile readTile(const std::filesystem::path& path, const std::string& id);
 
 } // namespace sward::bake
