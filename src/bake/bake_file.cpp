@@ -94,8 +94,7 @@ Report bakeIntoFile(const terrain::GroundMesh& ground, const BakeSettings& setti
         else
             joinCells(std::move(cells), field);
     };
-    Report report =
-        bakeWhole(ground, settings, threads, limits, takers, diagnostics, progress);
+    Report report = bakeWhole(ground, settings, threads, limits, takers, diagnostics, progress);
     progress.begin("write", 1);
     Stopwatch watch;
     report.output.path = path.string();

@@ -38,8 +38,7 @@ public:
     void add(std::vector<CellTree>&& cells, const TileStretch& stretch,
              std::shared_ptr<const PieceFile> file);
     /// The same for a file that is opened when it is read.
-    void add(std::vector<CellTree>&& cells, const TileStretch& stretch,
-             std::filesystem::path file);
+    void add(std::vector<CellTree>&& cells, const TileStretch& stretch, std::filesystem::path file);
 
     /// Lays the patches of all cells out in `field`, once, after the last tile. Then the blades can
     /// be asked for. Throws as layOutCells() does.
