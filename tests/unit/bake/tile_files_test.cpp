@@ -1,12 +1,15 @@
 #include "bake/patches/patch_tree.h"
 #include "bake/tiles/tile_files.h"
 #include "core/error.h"
+#include "terrain/record_file.h"
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -66,14 +69,43 @@ TEST(TileFile, GivesBackWhatWasWritten)
     }
 }
 
+// Writes a tile of one cell as writeTile() does, without a look at what its patches say.
+void forgeTile(const std::filesystem::path& path, const CellTree& cell, std::size_t keyBytes)
+{
+    struct Numbers {
+        RootCounts counts;
+        double spacingMinimum;
+    };
+    struct Header {
+        CellNumber cell;
+        SubtreeDescription::Summary summary;
+        std::uint64_t patches;
+        std::uint64_t blades;
+    };
+    terrain::RecordWriter writer(path, tileKind, true);
+    writer.add(std::string_view("plan"));
+    writer.addOne(Numbers{});
+    writer.addOne(std::uint64_t(1));
+    writer.addOne(Header{cell.cell, cell.summary, cell.patches.size(), cell.blades.size()});
+    writer.add(cell.patches);
+    writer.add(cell.blades);
+    writer.add(std::vector<std::byte>(keyBytes));
+    writer.commit();
+}
+
 // The hashes of these files are correct: a deliberate forgery.
 TEST(TileFile, RefusesPatchesOutsideOfTheirCell)
 {
     const auto path = std::filesystem::path(testing::TempDir()) / "sward_tile_bad.blades";
+    constexpr std::size_t keyBytes = 3 * sizeof(field::BladeKey);
+    forgeTile(path, smallTile().cells[0], keyBytes);
+    EXPECT_NO_THROW(readTile(path, "plan"));
+    forgeTile(path, smallTile().cells[0], keyBytes - 1);
+    EXPECT_THROW(readTile(path, "plan"), Error);
     const auto refuses = [&](auto change) {
         TileResult tile = smallTile();
         change(tile.cells[0]);
-        writeTile(path, "plan", tile);
+        forgeTile(path, tile.cells[0], keyBytes);
         EXPECT_THROW(readTile(path, "plan"), Error);
     };
     refuses([](CellTree& cell) { cell.patches[1].bladeCount = 2; });
