@@ -43,14 +43,22 @@ RecordWriter::~RecordWriter() = default;
 
 void RecordWriter::addBytes(std::span<const std::byte> bytes, std::size_t elementBytes)
 {
-    const ArrayHeader header{bytes.size() / elementBytes, elementBytes};
-    const auto headerBytes = std::as_bytes(std::span(&header, 1));
-    for (const std::span<const std::byte> part : {headerBytes, bytes}) {
-        if (part.empty())
-            continue;
-        file_.write(part);
-        XXH3_64bits_update(hash_->state, part.data(), part.size());
-    }
+    begin(bytes.size() / elementBytes, elementBytes);
+    addPart(bytes);
+}
+
+void RecordWriter::begin(std::uint64_t count, std::uint64_t elementBytes)
+{
+    const ArrayHeader header{count, elementBytes};
+    addPart(std::as_bytes(std::span(&header, 1)));
+}
+
+void RecordWriter::addPart(std::span<const std::byte> bytes)
+{
+    if (bytes.empty())
+        return;
+    file_.write(bytes);
+    XXH3_64bits_update(hash_->state, bytes.data(), bytes.size());
 }
 
 void RecordWriter::commit()
@@ -100,6 +108,12 @@ void RecordReader::read(std::string& text)
 {
     const std::span<const std::byte> bytes = next(1);
     text.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+}
+
+RecordReader::ArrayPlace RecordReader::skip(std::size_t elementBytes)
+{
+    const std::span<const std::byte> bytes = next(elementBytes);
+    return {at_ - bytes.size(), bytes.size() / elementBytes};
 }
 
 void RecordReader::requireOne(std::size_t count) const

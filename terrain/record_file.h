@@ -40,6 +40,11 @@ public:
         add(std::span<const T>(&value, 1));
     }
 
+    /// Begins an array of `count` elements whose bytes addPart() then adds, all of them.
+    void begin(std::uint64_t count, std::uint64_t elementBytes);
+    /// The next bytes of that array.
+    void addPart(std::span<const std::byte> bytes);
+
     /// Writes the hash and renames the file to its final name. Throws Error{io}.
     void commit();
 
@@ -66,6 +71,13 @@ public:
         copy(bytes, values.data());
     }
     void read(std::string& text);
+    /// Place of the next array in a file.
+    struct ArrayPlace {
+        std::uint64_t at;    ///< [bytes] of its first element, from the file's beginning
+        std::uint64_t count; ///< of elements
+    };
+    /// Passes over an array.
+    ArrayPlace skip(std::size_t elementBytes);
     template <typename T>
     void readOne(T& value)
     {

@@ -2,15 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace sward::bake {
 namespace {
-
-// Blades per tile, at about 130 bytes each. Bounds the memory of a large bake. A tile also samples
-// its surroundings, so the actual number is slightly larger.
-constexpr double bladesPerTile = 8e6;
-constexpr double maxBladesInOne = 12e6;
 
 // Blades that grow at most, strokes included.
 double expectedWithStrokes(const BakeSettings& settings, const Plan& plan)
@@ -39,24 +33,23 @@ double expectedWithStrokes(const BakeSettings& settings, const Plan& plan)
 
 } // namespace
 
-bool needsTiles(const BakeSettings& settings, const BakePlan& plan)
+bool needsTiles(const BakeSettings& settings, const BakePlan& plan, const TileLimits& limits)
 {
-    return expectedWithStrokes(settings, plan.plan) > maxBladesInOne;
+    return expectedWithStrokes(settings, plan.plan) > limits.inOne;
 }
 
-std::vector<CellTree> bakeAllCells(const GroundView& whole, const BakeSettings& settings,
-                                   const BakePlan& plan, Totals& totals, Progress& progress)
+void bakeAllCells(const GroundView& whole, const BakeSettings& settings, const BakePlan& plan,
+                  const TileLimits& limits, const TakeTile& take, Progress& progress)
 {
     const terrain::GroundMesh& ground = whole.ground;
-    std::vector<CellTree> cells;
-    if (!needsTiles(settings, plan)) {
-        TileResult tile = bakeTile(whole, settings, plan, nullptr, progress);
-        totals.add(tile);
-        return std::move(tile.cells);
+    if (!needsTiles(settings, plan, limits)) {
+        take(bakeTile(whole, settings, plan, nullptr, progress));
+        return;
     }
+    // A tile also samples its surroundings: its actual number of blades is slightly larger.
     const double margin = tileMargin(ground, settings, plan);
     const auto count = static_cast<std::size_t>(
-        std::ceil(expectedWithStrokes(settings, plan.plan) / bladesPerTile));
+        std::ceil(expectedWithStrokes(settings, plan.plan) / limits.inTile));
     const std::vector<std::vector<CellNumber>> tiles = dealTiles(ground, count);
     const std::vector<std::vector<std::uint32_t>> near = trianglesNear(ground, tiles, margin);
     for (std::size_t i = 0; i < tiles.size(); ++i) {
@@ -65,11 +58,8 @@ std::vector<CellTree> bakeAllCells(const GroundView& whole, const BakeSettings& 
         const terrain::GroundMesh part = partOf(ground, near[i]);
         const terrain::SurfaceFeatures features = partOf(ground, whole.features, near[i], margin);
         const TileRegion region(ground.origin, tiles[i]);
-        TileResult tile = bakeTile({part, features}, settings, plan, &region, progress);
-        totals.add(tile);
-        std::move(tile.cells.begin(), tile.cells.end(), std::back_inserter(cells));
+        take(bakeTile({part, features}, settings, plan, &region, progress));
     }
-    return cells;
 }
 
 } // namespace sward::bake

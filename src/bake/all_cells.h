@@ -5,16 +5,26 @@
 #include "bake/tiles/bake_tile.h"
 #include "core/progress.h"
 
+#include <functional>
 #include <vector>
 
 namespace sward::bake {
 
+/// What bounds the memory of a large bake. The bytes of a field do not depend on it.
+struct TileLimits {
+    double inOne = 12e6; ///< blades of a ground that is baked at once; more are baked in tiles
+    double inTile = 8e6; ///< blades of such a tile, of about 130 bytes each; one cell at least
+};
+
+/// Takes the result of a tile, one of several or the only one.
+using TakeTile = std::function<void(TileResult&& tile)>;
+
 /// Bakes all 32 m cells of a whole ground: at once, or tile by tile where that would take too much
 /// memory.
-std::vector<CellTree> bakeAllCells(const GroundView& whole, const BakeSettings& settings,
-                                   const BakePlan& plan, Totals& totals, Progress& progress);
+void bakeAllCells(const GroundView& whole, const BakeSettings& settings, const BakePlan& plan,
+                  const TileLimits& limits, const TakeTile& take, Progress& progress);
 
 /// Whether that is done tile by tile. The ray tree of the whole ground is then of no use.
-bool needsTiles(const BakeSettings& settings, const BakePlan& plan);
+bool needsTiles(const BakeSettings& settings, const BakePlan& plan, const TileLimits& limits);
 
 } // namespace sward::bake

@@ -8,6 +8,7 @@
 #include "bake/sample/surface_sampler.h"
 #include "bake/threads.h"
 #include "bake/warnings.h"
+#include "bake/whole_bake.h"
 #include "bake/whole_plan.h"
 #include "core/stopwatch.h"
 #include "field/write.h"
@@ -28,12 +29,12 @@ constexpr double bytesPerDoubling = 1.0 / 8.0;
 
 } // namespace
 
-BakeResult bakeField(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads,
-                     Diagnostics& diagnostics, Progress& progress)
+Report bakeWhole(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads,
+                 const TileLimits& limits, const CellTakers& takers, Diagnostics& diagnostics,
+                 Progress& progress)
 {
     validate(settings);
-    BakeResult result;
-    Report& report = result.report;
+    Report report;
     withThreads(threadCount(threads), [&] {
         report = reportOf(ground, settings, threadCount(threads));
         Stopwatch watch;
@@ -58,21 +59,44 @@ BakeResult bakeField(const terrain::GroundMesh& ground, const BakeSettings& sett
         const BakePlan plan = planWhole(whole, settings, diagnostics, progress);
         report.timing.sample = watch.lap();
         report.timing.sampleBusy = processorSeconds() - before;
-        Totals totals;
-        if (needsTiles(settings, plan)) {
+        const bool inTiles = needsTiles(settings, plan, limits);
+        if (inTiles) {
             // Each tile builds its own ray tree; free the memory of this one.
             whole.rays = nullptr;
             rays.reset();
         }
-        std::vector<CellTree> cells = bakeAllCells(whole, settings, plan, totals, progress);
+        takers.begin(inTiles);
+        Totals totals;
+        const auto take = [&](TileResult&& tile) {
+            totals.add(tile);
+            takers.take(std::move(tile));
+        };
+        bakeAllCells(whole, settings, plan, limits, take, progress);
         finishReport(report, totals, settings, plan, diagnostics);
         watch.lap();
-        result.field = fieldWithoutBlades(ground, settings, plan, report);
-        joinCells(std::move(cells), result.field);
+        takers.finish(fieldWithoutBlades(ground, settings, plan, report));
         report.timing.patches += watch.lap();
     });
-    report.output.patches = result.field.patches.size();
     report.warnings = diagnostics.warnings();
+    return report;
+}
+
+BakeResult bakeField(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads,
+                     Diagnostics& diagnostics, Progress& progress)
+{
+    BakeResult result;
+    std::vector<CellTree> cells;
+    CellTakers takers;
+    takers.begin = [](bool) {};
+    takers.take = [&](TileResult&& tile) {
+        std::move(tile.cells.begin(), tile.cells.end(), std::back_inserter(cells));
+    };
+    takers.finish = [&](field::Field&& bare) {
+        result.field = std::move(bare);
+        joinCells(std::move(cells), result.field);
+    };
+    result.report = bakeWhole(ground, settings, threads, {}, takers, diagnostics, progress);
+    result.report.output.patches = result.field.patches.size();
     return result;
 }
 

@@ -109,12 +109,14 @@ Session::Session(const terrain::GroundMesh& ground, const BakeSettings& settings
         hasReused_ = baked != nullptr && reuse(*baked, diagnostics);
         if (hasReused_)
             return;
-        if (needsTiles(settings_, plan_))
+        if (needsTiles(settings_, plan_, {}))
             rays.reset(); // each tile builds its own
-        const GroundView whole{ground_, features_, rays ? &*rays : nullptr};
-        Totals totals;
-        for (CellTree& cell : bakeAllCells(whole, settings_, plan_, totals, progress))
-            cells_.insert_or_assign(cell.cell, std::move(cell));
+        const auto take = [&](TileResult&& tile) {
+            for (CellTree& cell : tile.cells)
+                cells_.insert_or_assign(cell.cell, std::move(cell));
+        };
+        bakeAllCells({ground_, features_, rays ? &*rays : nullptr}, settings_, plan_, {}, take,
+                     progress);
     });
 }
 

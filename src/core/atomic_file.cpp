@@ -194,6 +194,19 @@ void AtomicFile::write(std::span<const std::byte> bytes)
     }
 }
 
+void AtomicFile::writeAt(std::uint64_t at, std::span<const std::byte> bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t written = ::pwrite(fd_, bytes.data(), bytes.size(), static_cast<off_t>(at));
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written < 0)
+            fail(ErrorKind::io, "{}: cannot write: {}", path_.string(), std::strerror(errno));
+        at += static_cast<std::uint64_t>(written);
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+}
+
 void AtomicFile::flush()
 {
     if (::fsync(fd_) != 0)

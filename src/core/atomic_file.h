@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string_view>
@@ -21,6 +22,10 @@ public:
     /// Appends. Throws Error{io} with the reason if the disk rejects the bytes.
     void write(std::span<const std::byte> bytes);
     void write(std::string_view text) { write(std::as_bytes(std::span(text))); }
+
+    /// Writes from byte `at` on, wherever write() is; bytes never written before are 0. Several
+    /// threads may write at once. Throws as write() does.
+    void writeAt(std::uint64_t at, std::span<const std::byte> bytes);
 
     /// The temporary file, for reading back before commit().
     const std::filesystem::path& temporaryPath() const { return temporary_; }

@@ -63,7 +63,7 @@ struct UninitializedAllocator : std::allocator<T> {
     }
 
 private:
-    static constexpr std::size_t large = std::size_t(1) << 20; ///< [bytes]
+    static constexpr std::size_t large = std::size_t(1) << 18; ///< [bytes]
 };
 
 /// A vector whose resize() leaves new elements unwritten; for millions of plain structs.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <utility>
 
 namespace sward::field {
 namespace {
@@ -31,30 +32,70 @@ void forEachBlock(std::size_t rawBytes, std::size_t elementBytes, Visit visit)
 
 } // namespace
 
-UninitializedVector<std::byte> compress(std::span<const std::byte> raw, std::size_t elementBytes)
+struct Compressor::Context {
+    std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> zstd{ZSTD_createCCtx(), ZSTD_freeCCtx};
+    UninitializedVector<std::byte> out = UninitializedVector<std::byte>(ZSTD_CStreamOutSize());
+};
+
+Compressor::Compressor(std::uint64_t rawBytes, TakeBytes take)
+    : context_(std::make_unique<Context>())
+    , take_(std::move(take))
+{
+    ZSTD_CCtx_setParameter(context_->zstd.get(), ZSTD_c_compressionLevel, level);
+    ZSTD_CCtx_setPledgedSrcSize(context_->zstd.get(), rawBytes);
+}
+
+Compressor::~Compressor() = default;
+
+void Compressor::feed(std::span<const std::byte> raw, bool isEnd)
+{
+    ZSTD_inBuffer in{raw.data(), raw.size(), 0};
+    for (std::size_t left = 1; isEnd ? left != 0 : in.pos < in.size;) {
+        ZSTD_outBuffer out{context_->out.data(), context_->out.size(), 0};
+        left = ZSTD_compressStream2(context_->zstd.get(), &out, &in,
+                                    isEnd ? ZSTD_e_end : ZSTD_e_continue);
+        expect(ZSTD_isError(left) == 0, "zstd compresses as many bytes as were announced");
+        if (out.pos > 0)
+            take_(std::span<const std::byte>(context_->out).first(out.pos));
+    }
+}
+
+void Compressor::add(std::span<const std::byte> raw)
+{
+    feed(raw, false);
+}
+
+void Compressor::finish()
+{
+    feed({}, true);
+}
+
+void regroup(std::span<const std::byte> raw, std::size_t elementBytes, std::size_t byte,
+             const TakeBytes& take)
 {
     expect(raw.size() % elementBytes == 0, "whole elements");
-    const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(),
-                                                                       ZSTD_freeCCtx);
-    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);
-    ZSTD_CCtx_setPledgedSrcSize(context.get(), raw.size());
-    UninitializedVector<std::byte> stored(ZSTD_compressBound(raw.size()));
-    ZSTD_outBuffer out{stored.data(), stored.size(), 0};
-    const auto feed = [&](const std::byte* bytes, std::size_t size, ZSTD_EndDirective end) {
-        ZSTD_inBuffer in{bytes, size, 0};
-        const std::size_t left = ZSTD_compressStream2(context.get(), &out, &in, end);
-        expect(ZSTD_isError(left) == 0 && in.pos == in.size && (end != ZSTD_e_end || left == 0),
-               "zstd compresses into a buffer of its own bound");
-    };
     std::array<std::byte, blockBytes> block;
-    forEachBlock(raw.size(), elementBytes, [&](std::size_t byte, std::size_t first, std::size_t n) {
+    const std::size_t count = raw.size() / elementBytes;
+    for (std::size_t first = 0; first < count; first += blockBytes) {
+        const std::size_t n = std::min(blockBytes, count - first);
         const std::byte* const from = raw.data() + first * elementBytes + byte;
         for (std::size_t i = 0; i < n; ++i)
             block[i] = from[i * elementBytes];
-        feed(block.data(), n, ZSTD_e_continue);
+        take(std::span<const std::byte>(block).first(n));
+    }
+}
+
+UninitializedVector<std::byte> compress(std::span<const std::byte> raw, std::size_t elementBytes)
+{
+    UninitializedVector<std::byte> stored;
+    stored.reserve(ZSTD_compressBound(raw.size()));
+    Compressor compressor(raw.size(), [&](std::span<const std::byte> piece) {
+        stored.insert(stored.end(), piece.begin(), piece.end());
     });
-    feed(block.data(), 0, ZSTD_e_end);
-    stored.resize(out.pos);
+    for (std::size_t byte = 0; byte < elementBytes; ++byte)
+        regroup(raw, elementBytes, byte,
+                [&](std::span<const std::byte> piece) { compressor.add(piece); });
+    compressor.finish();
     return stored;
 }
 

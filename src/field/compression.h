@@ -3,10 +3,42 @@
 #include "core/uninitialized.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 
 namespace sward::field {
+
+/// Takes bytes piece by piece.
+using TakeBytes = std::function<void(std::span<const std::byte>)>;
+
+/// Hands byte `byte` of every element to `take`, in pieces of at most 64 KiB. `raw` is a whole
+/// number of elements.
+void regroup(std::span<const std::byte> raw, std::size_t elementBytes, std::size_t byte,
+             const TakeBytes& take);
+
+/// Compresses bytes that come in pieces into one zstd frame, in little memory. The frame depends on
+/// the bytes alone, not on how they are cut.
+class Compressor {
+public:
+    /// `rawBytes` will come in all. `take` is given the frame in pieces.
+    Compressor(std::uint64_t rawBytes, TakeBytes take);
+    Compressor(const Compressor&) = delete;
+    Compressor& operator=(const Compressor&) = delete;
+    ~Compressor();
+
+    void add(std::span<const std::byte> raw); ///< the next bytes
+    void finish();                            ///< after the last ones, once
+
+private:
+    struct Context;
+    void feed(std::span<const std::byte> raw, bool isEnd);
+
+    std::unique_ptr<Context> context_;
+    TakeBytes take_;
+};
 
 /// Compresses array elements into one zstd frame; the result depends on the input alone. Byte k of
 /// all elements is stored together (all first bytes, then all second …). Neighbours in a field have

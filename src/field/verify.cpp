@@ -4,9 +4,8 @@
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 namespace sward::field {
 namespace {
@@ -46,7 +45,7 @@ void verifyPatchNumbers(const shared::Patch& patch, std::size_t index, const std
              patch.bladeCount, shared::maxPatchBlades);
 }
 
-void verifyTree(const FieldView& field, const std::string& place)
+void verifyTree(const FieldView& field, std::uint64_t blades, const std::string& place)
 {
     std::uint64_t nextBlade = 0;
     std::uint64_t nextChild = 1;
@@ -77,41 +76,12 @@ void verifyTree(const FieldView& field, const std::string& place)
                 fail(ErrorKind::input, "{}: patch {} has level {}", place, p, patch.level);
         }
     }
-    if (nextBlade != field.blades.size())
+    if (nextBlade != blades)
         fail(ErrorKind::input, "{}: the patches own {} blades, the file has {}", place, nextBlade,
-             field.blades.size());
+             blades);
     if (!field.patches.empty() && nextChild != field.patches.size())
         fail(ErrorKind::input, "{}: {} patches are reached from the root, the file has {}", place,
              nextChild, field.patches.size());
-}
-
-// Verifies that each ribbon of a compound plant follows its stalk, with the stalk's data.
-void verifyPlants(const FieldView& field, const std::string& place)
-{
-    std::array<std::uint32_t, shared::maxSpecies> ribbons{};
-    for (std::size_t i = 0; i < field.species.size(); ++i)
-        ribbons[i] = ribbonsOf(field.species[i].organs);
-    if (std::all_of(ribbons.begin(), ribbons.end(), [](std::uint32_t n) { return n == 0; }))
-        return;
-    constexpr std::uint32_t widthBits = 63U << 16U;
-    constexpr std::uint32_t clumpBits = 255U << 24U;
-    for (const shared::Patch& patch : field.patches)
-        for (std::size_t b = patch.firstBlade; b < patch.firstBlade + patch.bladeCount; ++b) {
-            const shared::PackedBlade& blade = field.blades[b];
-            const std::uint32_t number = blade.look >> 24U;
-            if (number == 0 || ribbons[blade.look >> 21U & 7U] == 0)
-                continue;
-            if (number > ribbons[blade.look >> 21U & 7U])
-                fail(ErrorKind::input, "{}: blade {} is ribbon {} of a plant with {}", place, b,
-                     number, ribbons[blade.look >> 21U & 7U]);
-            const shared::PackedBlade& before = field.blades[std::max<std::size_t>(b, 1) - 1];
-            if (b == patch.firstBlade || before.look >> 24U != number - 1 ||
-                before.rootXY != blade.rootXY || before.rootZUp != blade.rootZUp ||
-                ((before.shape ^ blade.shape) & ~widthBits) != 0 ||
-                ((before.look ^ blade.look) & ~clumpBits) != 0)
-                fail(ErrorKind::input, "{}: blade {} is ribbon {} without its stalk", place, b,
-                     number);
-        }
 }
 
 void verifyGround(const DisplayGround& ground, const std::string& place)
@@ -155,18 +125,63 @@ void verifyKeys(const FieldView& field, const std::string& place)
              field.blades.size());
 }
 
+BladeVerifier::BladeVerifier(const FieldView& field, std::string place)
+    : field_(field)
+    , place_(std::move(place))
+{
+    for (std::size_t i = 0; i < field.species.size(); ++i) {
+        ribbons_[i] = ribbonsOf(field.species[i].organs);
+        hasPlants_ = hasPlants_ || ribbons_[i] > 0;
+    }
+}
+
+void BladeVerifier::add(std::span<const shared::PackedBlade> blades)
+{
+    for (std::size_t b = 0; b < blades.size(); ++b)
+        if (((blades[b].look >> 21) & 7) >= field_.species.size())
+            fail(ErrorKind::input, "{}: blade {} has species {}; there are {}", place_, next_ + b,
+                 (blades[b].look >> 21) & 7, field_.species.size());
+    if (hasPlants_)
+        addPlants(blades);
+    next_ += blades.size();
+}
+
+// Each ribbon of a compound plant follows its stalk in the same patch, with the stalk's data.
+void BladeVerifier::addPlants(std::span<const shared::PackedBlade> blades)
+{
+    constexpr std::uint32_t widthBits = 63U << 16U;
+    constexpr std::uint32_t clumpBits = 255U << 24U;
+    for (std::size_t i = 0; i < blades.size(); ++i) {
+        const std::size_t b = next_ + i;
+        while (b >=
+               std::size_t(field_.patches[patch_].firstBlade) + field_.patches[patch_].bladeCount)
+            ++patch_;
+        const shared::PackedBlade& blade = blades[i];
+        const shared::PackedBlade before = std::exchange(last_, blade);
+        const std::uint32_t number = blade.look >> 24U;
+        const std::uint32_t ribbons = ribbons_[blade.look >> 21U & 7U];
+        if (number == 0 || ribbons == 0)
+            continue;
+        if (number > ribbons)
+            fail(ErrorKind::input, "{}: blade {} is ribbon {} of a plant with {}", place_, b,
+                 number, ribbons);
+        if (b == field_.patches[patch_].firstBlade || before.look >> 24U != number - 1 ||
+            before.rootXY != blade.rootXY || before.rootZUp != blade.rootZUp ||
+            ((before.shape ^ blade.shape) & ~widthBits) != 0 ||
+            ((before.look ^ blade.look) & ~clumpBits) != 0)
+            fail(ErrorKind::input, "{}: blade {} is ribbon {} without its stalk", place_, b,
+                 number);
+    }
+}
+
 void verifyBlades(const FieldView& field, const std::string& place)
 {
     verifyKeys(field, place);
-    verifyTree(field, place);
-    for (std::size_t b = 0; b < field.blades.size(); ++b)
-        if (((field.blades[b].look >> 21) & 7) >= field.species.size())
-            fail(ErrorKind::input, "{}: blade {} has species {}; there are {}", place, b,
-                 (field.blades[b].look >> 21) & 7, field.species.size());
-    verifyPlants(field, place);
+    verifyTree(field, field.blades.size(), place);
+    BladeVerifier(field, place).add(field.blades);
 }
 
-void verify(const FieldView& field, const std::string& place)
+void verifyWithoutBlades(const FieldView& field, std::uint64_t blades, const std::string& place)
 {
     if (!std::isfinite(field.origin.x) || !std::isfinite(field.origin.y) ||
         !std::isfinite(field.origin.z))
@@ -177,8 +192,15 @@ void verify(const FieldView& field, const std::string& place)
     if (!(field.thinned >= 1.0 && field.thinned <= maxThinned))
         fail(ErrorKind::input, "{}: a meadow of {} times the leaf area, outside 1 to {}", place,
              field.thinned, maxThinned);
-    verifyBlades(field, place);
+    verifyTree(field, blades, place);
     verifyGround(*field.ground, place);
+}
+
+void verify(const FieldView& field, const std::string& place)
+{
+    verifyKeys(field, place);
+    verifyWithoutBlades(field, field.blades.size(), place);
+    BladeVerifier(field, place).add(field.blades);
 }
 
 } // namespace sward::field

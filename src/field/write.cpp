@@ -2,6 +2,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/expect.h"
 #include "field/compression.h"
 #include "field/format.h"
 #include "field/images.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cstring>
 #include <fstream>
+#include <functional>
 #include <future>
 #include <memory>
 #include <span>
@@ -23,7 +25,25 @@
 namespace sward::field {
 namespace {
 
-// A chunk ready to be written: either its own bytes or a span of the field.
+using Put = std::function<void(std::uint64_t at, std::span<const std::byte>)>;
+
+class Hash {
+public:
+    Hash() { XXH3_64bits_reset(state_.get()); }
+
+    void add(std::span<const std::byte> bytes)
+    {
+        XXH3_64bits_update(state_.get(), bytes.data(), bytes.size());
+    }
+
+    std::uint64_t digest() const { return XXH3_64bits_digest(state_.get()); }
+
+private:
+    std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state_{XXH3_createState(),
+                                                                    XXH3_freeState};
+};
+
+// A chunk and its bytes: own ones, or a span of the field. Those of blades and keys come in pieces.
 struct Chunk {
     format::ChunkEntry entry = {};
     UninitializedVector<std::byte> owned;
@@ -35,58 +55,6 @@ std::uint64_t aligned(std::uint64_t offset)
     return (offset + format::alignment - 1) / format::alignment * format::alignment;
 }
 
-class ChunkList {
-public:
-    // Stores an array as it is in memory.
-    template <typename T>
-    void addPlain(format::ChunkId id, std::span<const T> elements, std::uint32_t flags)
-    {
-        Chunk& chunk = add(id, elements, flags);
-        chunk.stored = std::as_bytes(elements);
-    }
-
-    // Stores an array compressed, after regrouping the bytes of its elements.
-    template <typename T>
-    void addCompressed(format::ChunkId id, std::span<const T> elements, std::uint32_t flags)
-    {
-        add(id, elements, flags | format::compressed).stored = std::as_bytes(elements);
-    }
-
-    // Compresses the flagged chunks and hashes all, in parallel.
-    void compressAll()
-    {
-        std::vector<std::future<void>> work;
-        for (Chunk& chunk : chunks_)
-            work.push_back(std::async(std::launch::async, [&chunk] {
-                if ((chunk.entry.flags & format::compressed) != 0) {
-                    chunk.owned = compress(chunk.stored, chunk.entry.elementBytes);
-                    chunk.stored = chunk.owned;
-                }
-                chunk.entry.hash = XXH3_64bits(chunk.stored.data(), chunk.stored.size());
-            }));
-        for (std::future<void>& chunk : work)
-            chunk.get();
-    }
-
-    std::vector<Chunk>& chunks() { return chunks_; }
-    const std::vector<Chunk>& chunks() const { return chunks_; }
-
-private:
-    template <typename T>
-    Chunk& add(format::ChunkId id, std::span<const T> elements, std::uint32_t flags)
-    {
-        Chunk& chunk = chunks_.emplace_back();
-        chunk.entry.id = id;
-        chunk.entry.flags = flags;
-        chunk.entry.elementBytes = sizeof(T);
-        chunk.entry.elementCount = elements.size();
-        chunk.entry.rawBytes = elements.size_bytes();
-        return chunk;
-    }
-
-    std::vector<Chunk> chunks_;
-};
-
 // The oldest version that describes the field: without newer parts a file stays the same bytes.
 std::uint16_t minorVersionOf(const Field& field)
 {
@@ -95,83 +63,198 @@ std::uint16_t minorVersionOf(const Field& field)
     return hasOrgans ? format::minorVersion : field.thinned == 1.0 ? 0 : 1;
 }
 
-// Assigns each chunk its offset, and the header its hash.
-format::FileHeader layOut(std::vector<Chunk>& chunks, const Field& field)
-{
-    std::uint64_t offset = sizeof(format::FileHeader) + chunks.size() * sizeof(format::ChunkEntry);
-    for (Chunk& chunk : chunks) {
-        offset = aligned(offset);
-        chunk.entry.offset = offset;
-        chunk.entry.storedBytes = chunk.stored.size();
-        offset += chunk.stored.size();
-    }
-
-    format::FileHeader header = {};
-    header.magic = format::magic;
-    header.majorVersion = format::majorVersion;
-    header.minorVersion = minorVersionOf(field);
-    header.endianMark = format::endianMark;
-    header.fileBytes = aligned(offset);
-    header.chunkCount = static_cast<std::uint32_t>(chunks.size());
-    header.origin = {field.origin.x, field.origin.y, field.origin.z};
-
-    std::vector<std::byte> hashed(sizeof header + chunks.size() * sizeof(format::ChunkEntry));
-    std::memcpy(hashed.data(), &header, sizeof header);
-    for (std::size_t i = 0; i < chunks.size(); ++i)
-        std::memcpy(hashed.data() + sizeof header + i * sizeof(format::ChunkEntry),
-                    &chunks[i].entry, sizeof(format::ChunkEntry));
-    header.tableHash = XXH3_64bits(hashed.data(), hashed.size());
-    return header;
-}
-
 template <typename T>
 std::span<const std::byte> bytesOf(const T& value)
 {
     return std::as_bytes(std::span(&value, 1));
 }
 
-void writePadding(AtomicFile& file, std::uint64_t& at)
-{
-    static constexpr std::byte zeros[format::alignment] = {};
-    const std::uint64_t count = aligned(at) - at;
-    file.write(std::span(zeros).first(count));
-    at += count;
-}
-
 // All chunks of a field. Texts and images are encoded here; arrays are referenced.
-struct Encoded {
-    std::string species;
-    std::string cover;
-    std::string defaults;
-    std::vector<std::byte> images;
-    ChunkList list;
-    format::FileHeader header;
-
-    explicit Encoded(const Field& field)
-        : species(speciesText(field.species))
-        , cover(coverText(field.thinned))
-        , defaults(defaultsText(field.defaults, field.copyright))
-        , images(imagesBytes(field.ground.images))
+class Encoded {
+public:
+    Encoded(const Field& field, const BladePieces& pieces)
+        : pieces_(pieces)
+        , species_(speciesText(field.species))
+        , cover_(coverText(field.thinned))
+        , defaults_(defaultsText(field.defaults, field.copyright))
+        , images_(imagesBytes(field.ground.images))
     {
         const DisplayGround& ground = field.ground;
-        list.addPlain(format::patches, std::span(field.patches), format::critical);
-        list.addPlain(format::blades, std::span(field.blades), format::critical);
-        list.addCompressed(format::keys, std::span(field.keys), 0);
-        list.addPlain(format::species, std::span(std::as_const(species)), format::critical);
-        list.addCompressed(format::groundVertices, std::span(ground.vertices), 0);
-        list.addCompressed(format::groundIndices, std::span(ground.indices), 0);
-        list.addPlain(format::groundRanges, std::span(ground.ranges), 0);
-        list.addPlain(format::groundMaterials, std::span(ground.materials), 0);
-        list.addCompressed(format::groundImages, std::span(std::as_const(images)), 0);
-        list.addPlain(format::defaults, std::span(std::as_const(defaults)), format::critical);
-        if (!cover.empty())
-            list.addPlain(format::cover, std::span(std::as_const(cover)), 0);
-        list.addPlain(format::provenance, std::span(field.provenance), 0);
-        list.compressAll();
-        header = layOut(list.chunks(), field);
+        add(format::patches, std::span(field.patches), format::critical);
+        addPieces(format::blades, sizeof(shared::PackedBlade), format::critical);
+        addPieces(format::keys, sizeof(BladeKey), format::compressed);
+        add(format::species, std::span(std::as_const(species_)), format::critical);
+        add(format::groundVertices, std::span(ground.vertices), format::compressed);
+        add(format::groundIndices, std::span(ground.indices), format::compressed);
+        add(format::groundRanges, std::span(ground.ranges), 0);
+        add(format::groundMaterials, std::span(ground.materials), 0);
+        add(format::groundImages, std::span(std::as_const(images_)), format::compressed);
+        add(format::defaults, std::span(std::as_const(defaults_)), format::critical);
+        if (!cover_.empty())
+            add(format::cover, std::span(std::as_const(cover_)), 0);
+        add(format::provenance, std::span(field.provenance), 0);
+        header_.magic = format::magic;
+        header_.majorVersion = format::majorVersion;
+        header_.minorVersion = minorVersionOf(field);
+        header_.endianMark = format::endianMark;
+        header_.chunkCount = static_cast<std::uint32_t>(chunks_.size());
+        header_.origin = {field.origin.x, field.origin.y, field.origin.z};
     }
     Encoded(const Encoded&) = delete;
     Encoded& operator=(const Encoded&) = delete;
+
+    // Throws unless what was encoded reads back.
+    void parse(const std::string& place) const
+    {
+        std::string copyright;
+        parseSpecies(species_, place + ": species");
+        parseDefaults(defaults_, place + ": defaults", copyright);
+    }
+
+    // Puts every byte of the file in its place, several threads at once. `check` sees all blades.
+    void put(const Put& put, const BladePieces::TakeBlades& check)
+    {
+        // Of the keys only the beginning is known before they are compressed. Whatever follows them
+        // is compressed meanwhile.
+        std::uint64_t at = sizeof header_ + chunks_.size() * sizeof(format::ChunkEntry);
+        for (std::size_t i = 0; i <= keysIndex; ++i) {
+            chunks_[i].entry.offset = aligned(at);
+            at = chunks_[i].entry.offset + chunks_[i].entry.rawBytes;
+        }
+        std::vector<std::future<void>> work;
+        work.push_back(std::async(std::launch::async, [&] { putKeys(put); }));
+        for (std::size_t i = 0; i < chunks_.size(); ++i)
+            if (i != bladesIndex && i != keysIndex)
+                work.push_back(std::async(std::launch::async, finish, std::ref(chunks_[i])));
+        putBlades(put, check);
+        for (std::future<void>& one : work)
+            one.get();
+
+        at = chunks_[keysIndex].entry.offset + chunks_[keysIndex].entry.storedBytes;
+        for (std::size_t i = keysIndex + 1; i < chunks_.size(); ++i) {
+            chunks_[i].entry.offset = aligned(at);
+            at = chunks_[i].entry.offset + chunks_[i].entry.storedBytes;
+        }
+        for (const Chunk& chunk : chunks_)
+            put(chunk.entry.offset, chunk.stored);
+        static constexpr std::byte zeros[format::alignment] = {};
+        put(at, std::span(zeros).first(aligned(at) - at));
+        putTable(put, aligned(at));
+    }
+
+    const format::FileHeader& header() const { return header_; }
+    const std::vector<Chunk>& chunks() const { return chunks_; }
+
+private:
+    static constexpr std::size_t bladesIndex = 1;
+    static constexpr std::size_t keysIndex = 2;
+
+    template <typename T>
+    void add(format::ChunkId id, std::span<const T> elements, std::uint32_t flags)
+    {
+        addEntry(id, flags, sizeof(T), elements.size()).stored = std::as_bytes(elements);
+    }
+
+    void addPieces(format::ChunkId id, std::uint32_t elementBytes, std::uint32_t flags)
+    {
+        addEntry(id, flags, elementBytes, pieces_.count());
+    }
+
+    Chunk& addEntry(format::ChunkId id, std::uint32_t flags, std::uint32_t elementBytes,
+                    std::uint64_t count)
+    {
+        Chunk& chunk = chunks_.emplace_back();
+        chunk.entry.id = id;
+        chunk.entry.flags = flags;
+        chunk.entry.elementBytes = elementBytes;
+        chunk.entry.elementCount = count;
+        chunk.entry.rawBytes = elementBytes * count;
+        return chunk;
+    }
+
+    // Compresses a chunk that is flagged so, and hashes it.
+    static void finish(Chunk& chunk)
+    {
+        if ((chunk.entry.flags & format::compressed) != 0) {
+            chunk.owned = compress(chunk.stored, chunk.entry.elementBytes);
+            chunk.stored = chunk.owned;
+        }
+        chunk.entry.storedBytes = chunk.stored.size();
+        chunk.entry.hash = XXH3_64bits(chunk.stored.data(), chunk.stored.size());
+    }
+
+    void putBlades(const Put& put, const BladePieces::TakeBlades& check)
+    {
+        format::ChunkEntry& entry = chunks_[bladesIndex].entry;
+        Hash hash;
+        pieces_.eachBlade([&](std::span<const shared::PackedBlade> blades) {
+            const std::span<const std::byte> bytes = std::as_bytes(blades);
+            expect(bytes.size() <= entry.rawBytes - entry.storedBytes, "as many blades as counted");
+            check(blades);
+            put(entry.offset + entry.storedBytes, bytes);
+            hash.add(bytes);
+            entry.storedBytes += bytes.size();
+        });
+        expect(entry.storedBytes == entry.rawBytes, "as many blades as counted");
+        entry.hash = hash.digest();
+    }
+
+    void putKeys(const Put& put)
+    {
+        format::ChunkEntry& entry = chunks_[keysIndex].entry;
+        Hash hash;
+        Compressor compressor(entry.rawBytes, [&](std::span<const std::byte> bytes) {
+            put(entry.offset + entry.storedBytes, bytes);
+            hash.add(bytes);
+            entry.storedBytes += bytes.size();
+        });
+        for (std::size_t byte = 0; byte < entry.elementBytes; ++byte)
+            pieces_.eachKeyByte(byte,
+                                [&](std::span<const std::byte> bytes) { compressor.add(bytes); });
+        compressor.finish();
+        entry.hash = hash.digest();
+    }
+
+    // Header and table, which hold the hashes of all others.
+    void putTable(const Put& put, std::uint64_t fileBytes)
+    {
+        header_.fileBytes = fileBytes;
+        std::vector<std::byte> bytes(sizeof header_ + chunks_.size() * sizeof(format::ChunkEntry));
+        std::memcpy(bytes.data(), &header_, sizeof header_);
+        for (std::size_t i = 0; i < chunks_.size(); ++i)
+            std::memcpy(bytes.data() + sizeof header_ + i * sizeof(format::ChunkEntry),
+                        &chunks_[i].entry, sizeof(format::ChunkEntry));
+        header_.tableHash = XXH3_64bits(bytes.data(), bytes.size());
+        std::memcpy(bytes.data(), &header_, sizeof header_);
+        put(0, bytes);
+    }
+
+    const BladePieces& pieces_;
+    std::string species_;
+    std::string cover_;
+    std::string defaults_;
+    std::vector<std::byte> images_;
+    std::vector<Chunk> chunks_;
+    format::FileHeader header_ = {};
+};
+
+// Blades and keys of a field in memory.
+class WholePieces : public BladePieces {
+public:
+    explicit WholePieces(const Field& field)
+        : field_(field)
+    {
+    }
+
+    std::uint64_t count() const override { return field_.blades.size(); }
+    void eachBlade(const TakeBlades& take) const override { take(field_.blades); }
+    void eachKeyByte(std::size_t byte, const TakeBytes& take) const override
+    {
+        regroup(std::as_bytes(std::span(field_.keys)), sizeof(BladeKey), byte, take);
+    }
+
+private:
+    const Field& field_;
 };
 
 // Reads a file from front to back in blocks: mapped, its pages would count as memory.
@@ -194,15 +277,13 @@ public:
     // Whether the next bytes have this hash.
     bool matches(std::size_t bytes, std::uint64_t hash)
     {
-        const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(),
-                                                                             XXH3_freeState);
-        XXH3_64bits_reset(state.get());
+        Hash found;
         return eachBlock(bytes,
                          [&](std::span<const std::byte> block, std::size_t) {
-                             XXH3_64bits_update(state.get(), block.data(), block.size());
+                             found.add(block);
                              return true;
                          }) &&
-               XXH3_64bits_digest(state.get()) == hash;
+               found.digest() == hash;
     }
 
     bool isAtEnd() { return file_.peek() == std::ifstream::traits_type::eof(); }
@@ -254,37 +335,37 @@ void checkWritten(const std::filesystem::path& written, const std::filesystem::p
 
 std::uint64_t fieldBytes(const Field& field)
 {
-    return Encoded(field).header.fileBytes;
+    const WholePieces pieces(field);
+    Encoded encoded(field, pieces);
+    encoded.put([](std::uint64_t, std::span<const std::byte>) {},
+                [](std::span<const shared::PackedBlade>) {});
+    return encoded.header().fileBytes;
+}
+
+std::uint64_t writeField(const Field& field, const BladePieces& pieces,
+                         const std::filesystem::path& path, bool overwrite)
+{
+    verifyWithoutBlades(viewOf(field), pieces.count(), path.string());
+    BladeVerifier verifier(viewOf(field), path.string());
+    AtomicFile file(path, overwrite);
+    Encoded encoded(field, pieces);
+    encoded.parse(path.string());
+    encoded.put(
+        [&](std::uint64_t at, std::span<const std::byte> bytes) { file.writeAt(at, bytes); },
+        [&](std::span<const shared::PackedBlade> blades) { verifier.add(blades); });
+
+    // Verify the bytes on the disk before the file gets its name.
+    file.flush();
+    checkWritten(file.temporaryPath(), path, encoded.header(), encoded.chunks());
+    file.commit();
+    return encoded.header().fileBytes;
 }
 
 std::uint64_t writeField(const Field& field, const std::filesystem::path& path, bool overwrite)
 {
     requireUsage(field.keys.size() == field.blades.size(), "{}: {} keys for {} blades",
                  path.string(), field.keys.size(), field.blades.size());
-    verify(viewOf(field), path.string());
-    AtomicFile file(path, overwrite);
-
-    const Encoded encoded(field);
-    std::string copyright;
-    parseSpecies(encoded.species, fmt::format("{}: species", path.string()));
-    parseDefaults(encoded.defaults, fmt::format("{}: defaults", path.string()), copyright);
-    const std::vector<Chunk>& chunks = encoded.list.chunks();
-    file.write(bytesOf(encoded.header));
-    for (const Chunk& chunk : chunks)
-        file.write(bytesOf(chunk.entry));
-    std::uint64_t at = sizeof encoded.header + chunks.size() * sizeof(format::ChunkEntry);
-    for (const Chunk& chunk : chunks) {
-        writePadding(file, at);
-        file.write(chunk.stored);
-        at += chunk.stored.size();
-    }
-    writePadding(file, at);
-
-    // Verify the bytes on the disk before the file gets its name.
-    file.flush();
-    checkWritten(file.temporaryPath(), path, encoded.header, chunks);
-    file.commit();
-    return encoded.header.fileBytes;
+    return writeField(field, WholePieces(field), path, overwrite);
 }
 
 } // namespace sward::field

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/blade_pieces.h"
 #include "field/field.h"
 
 #include <cstdint>
@@ -12,6 +13,11 @@ namespace sward::field {
 /// `overwrite` is false, or if the disk rejects the bytes. On error an old file stays intact and no
 /// new one is left.
 std::uint64_t writeField(const Field& field, const std::filesystem::path& path, bool overwrite);
+
+/// The same for a field whose blades and keys come in pieces; those of `field` are ignored. The
+/// file has the bytes that it has if they are in memory. Also throws what `pieces` throw.
+std::uint64_t writeField(const Field& field, const BladePieces& pieces,
+                         const std::filesystem::path& path, bool overwrite);
 
 /// Bytes that writeField() would write.
 std::uint64_t fieldBytes(const Field& field);

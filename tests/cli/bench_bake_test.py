@@ -36,13 +36,22 @@ class BenchBake(CliTest):
         self.assertEqual(of["uniform"]["blades"], 4_000)
         self.assertEqual(of["count"]["roots"], 2_000)
         self.assertEqual(of["glb"]["blades"], 2_000)
-        self.assertGreater(of["tiles"]["peak_bytes_of_a_process"], 1 << 20)
+        self.assertGreater(of["tiles"]["peak_bytes"], 1 << 20)
         for name, number in (("poisson", 2_000), ("sustained", 40_000), ("dense", 2_000)):
             self.assertAlmostEqual(of[name]["roots"] / number, 1.0, delta=0.04)
         for name in ("poisson", "sustained", "dense", "count"):
             if of[name]["rho"] is not None:  # SciPy is installed
                 self.assertGreaterEqual(of[name]["rho"], 0.69, name)
                 self.assertLess(of[name]["rho"], 1.0, name)
+
+    def test_tiles_go_on_where_they_ended(self):
+        command = ("--scale", "0.002", "--rows", "tiles")
+        _, rows = self.measured(*command, "--seconds", "0")
+        self.assertEqual(rows, [])
+        self.assertEqual((self.folder / "out/tiles/plan.json").is_file(), True)
+        _, rows = self.measured(*command, "--seconds", "100")
+        self.assertEqual([row["row"] for row in rows], ["tiles"])
+        self.assertFalse((self.folder / "out/tiles").exists())
 
     def test_another_program_is_compared_by_points(self):
         # In Blender's place stands what prints its line.

@@ -75,6 +75,17 @@ class Tiles(ClusterTest):
         for index in range(TILES):
             self.assertEqual(digest(self.tile_file(index, "a")), digest(self.tile_file(index, "b")))
 
+    def test_the_memory_of_a_merge_is_that_of_a_tile(self):
+        peaks = {}
+        for count in (10_000, 2_000_000):
+            self.plan("--count", count, "--sky-rays", 0, tiles=30, to=f"{count}.json")
+            for index in range(30):
+                self.tile(index, "--threads", 1, plan=f"{count}.json", to=f"of-{count}")
+            self.sward("merge", f"{count}.json", f"of-{count}", "-o", f"{count}.sward", "--report", "report.json", "--force", "-q")
+            peaks[count] = self.read_json("report.json")["memory_bytes"]["peak"]
+        # Of 24 bytes a blade; a tile has a thirtieth, and patches half a byte for each blade.
+        self.assertLess(peaks[2_000_000] - peaks[10_000], 24 * 2_000_000 / 4)
+
     def test_any_number_of_tiles_does_too(self):
         # 200 are more than there are cells: some tiles are empty.
         whole = digest(self.bake("hills", "--density", "10"))

@@ -3,7 +3,6 @@
 
 #include "bake/tiles/tile_files.h"
 
-#include "bake/patches/patch_tree.h"
 #include "core/error.h"
 #include "core/expect.h"
 #include "fuzz/memory_file.h"
@@ -13,6 +12,9 @@
 
 #include <array>
 #include <cstring>
+#include <filesystem>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace sward::fuzz {
@@ -44,9 +46,14 @@ void readPart(Bytes file)
 
 void joinTile(Bytes file)
 {
-    bake::TileResult tile = bake::readTile(memoryFile().hold(file, ".blades"), tileFilesId);
+    const std::filesystem::path path = memoryFile().hold(file, ".blades");
+    bake::StoredTile stored = bake::readTile(path, tileFilesId);
+    bake::StoredCells cells;
+    cells.add(std::move(stored.tile.cells), stored.stretch, path);
     field::Field field;
-    bake::joinCells(std::move(tile.cells), field);
+    cells.layOut(field);
+    cells.eachBlade([](std::span<const shared::PackedBlade>) {});
+    cells.eachKeyByte(sizeof(field::BladeKey) - 1, [](std::span<const std::byte>) {});
 }
 
 void readImage(Bytes file)

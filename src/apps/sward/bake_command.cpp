@@ -10,13 +10,13 @@
 #include "apps/sward/output_files.h"
 #include "apps/sward/subcommand.h"
 #include "bake/bake.h"
+#include "bake/bake_file.h"
 #include "bake/filter/default_slope.h"
 #include "bake/paint_mask.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/log.h"
 #include "core/stopwatch.h"
-#include "field/write.h"
 #include "terrain/image/gray_png.h"
 
 #include <fmt/ranges.h>
@@ -49,14 +49,8 @@ bake::Report grow(const BakeRequest& request, const terrain::GroundMesh& ground,
     if (request.dryRun)
         return bake::estimateBake(ground, request.settings, request.threads, diagnostics, progress);
 
-    bake::BakeResult result =
-        bake::bakeField(ground, request.settings, request.threads, diagnostics, progress);
-    throwIfInterrupted("write");
-    Stopwatch watch;
-    result.report.output.bytes = field::writeField(result.field, request.output, request.overwrite);
-    result.report.output.path = request.output;
-    result.report.timing.write = watch.lap();
-    return std::move(result.report);
+    return bake::bakeIntoFile(ground, request.settings, request.threads, request.output,
+                              request.overwrite, diagnostics, progress);
 }
 
 // The painted density as a PNG file.

@@ -7,7 +7,6 @@
 #include "apps/sward/subcommand.h"
 #include "apps/sward/working_folder.h"
 #include "bake/field_header.h"
-#include "bake/patches/patch_tree.h"
 #include "bake/report_totals.h"
 #include "bake/threads.h"
 #include "bake/tiles/tile_files.h"
@@ -22,7 +21,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 
 namespace sward::apps {
 namespace {
@@ -52,6 +50,7 @@ field::Field fieldWithoutBlades(const fs::path& plan)
     const field::FieldView& view = mapped.view();
     field::Field field;
     field.origin = view.origin;
+    field.thinned = view.thinned;
     field.species.assign(view.species.begin(), view.species.end());
     field.ground = *view.ground;
     field.defaults = *view.defaults;
@@ -96,26 +95,27 @@ public:
         bake::Totals totals;
         std::vector<std::uint32_t> missing;
         std::vector<std::uint32_t> damaged;
-        std::vector<bake::CellTree> cells;
+        bake::StoredCells cells;
         for (std::uint32_t i = 0; i < plan.tiles; ++i) {
             std::error_code ignored;
             if (!fs::exists(bake::tilePath(folder_, i), ignored))
                 missing.push_back(i);
         }
-        // Verify every tile; keep blades only while no tile has failed.
+        // Verify every tile; keep patches only while no tile has failed.
         for (std::uint32_t i = 0; i < plan.tiles; ++i) {
             throwIfInterrupted("merge");
             if (std::binary_search(missing.begin(), missing.end(), i))
                 continue;
             try {
-                bake::TileResult tile = bake::readTile(bake::tilePath(folder_, i), plan.id);
-                totals.add(tile);
+                const fs::path path = bake::tilePath(folder_, i);
+                bake::StoredTile stored = bake::readTile(path, plan.id);
+                totals.add(stored.tile);
                 if (missing.empty() && damaged.empty())
-                    std::move(tile.cells.begin(), tile.cells.end(), std::back_inserter(cells));
+                    cells.add(std::move(stored.tile.cells), stored.stretch, path);
             } catch (const Error& error) {
                 log::warn("{}", error.what());
                 damaged.push_back(i);
-                cells = {};
+                cells = bake::StoredCells();
             }
         }
         if (!missing.empty() || !damaged.empty()) {
@@ -137,9 +137,10 @@ public:
         const std::vector<std::string> warnings = diagnostics.warnings();
         report.warnings.insert(report.warnings.end(), warnings.begin(), warnings.end());
         field::Field field = fieldWithoutBlades(plan_);
-        bake::joinCells(std::move(cells), field);
+        cells.layOut(field);
         report.timing.patches = watch.lap();
-        report.output = {output_, field::writeField(field, output_, force_), field.patches.size()};
+        report.output = {output_, field::writeField(field, cells, output_, force_),
+                         field.patches.size()};
         report.timing.write = watch.lap();
         report.timing.total = total.lap();
         report.timing.totalBusy = processorSeconds();

@@ -62,12 +62,24 @@ std::unique_ptr<Wide> build(std::span<CellTree*> cells, int shift)
     return wide;
 }
 
-// Lays the patches out level by level. Returns the first blade of each patch of each cell, in the
-// cell's own patch order.
-std::vector<std::vector<std::uint32_t>> layOut(const Wide& root, const std::vector<CellTree>& cells,
-                                               field::Field& field)
+// Appends blades of a cell, to the last run if they follow it.
+void addRun(std::vector<BladeRun>& runs, std::uint32_t cell, std::uint32_t first,
+            std::uint32_t count, bool beginsLevel)
 {
-    std::vector<std::vector<std::uint32_t>> places(cells.size());
+    if (count == 0)
+        return;
+    if (!beginsLevel && !runs.empty() && runs.back().cell == cell &&
+        runs.back().first + runs.back().count == first && runs.back().count + count <= maxRun)
+        runs.back().count += count;
+    else
+        runs.push_back({cell, first, count});
+}
+
+// Lays the patches out level by level. Returns the order of the blades.
+std::vector<BladeRun> layOut(const Wide& root, const std::vector<CellTree>& cells,
+                             field::Field& field)
+{
+    std::vector<BladeRun> runs;
     // A wide cell, or a patch inside a 32 m cell.
     struct Pending {
         const Wide* wide;
@@ -78,6 +90,7 @@ std::vector<std::vector<std::uint32_t>> layOut(const Wide& root, const std::vect
     std::deque<Pending> queue{{&root, 0, shared::noPatch, 0}};
     std::uint32_t nextChild = 1;
     std::uint32_t nextBlade = 0;
+    std::uint32_t lastLevel = 0;
     while (!queue.empty()) {
         const Pending pending = queue.front();
         queue.pop_front();
@@ -85,7 +98,9 @@ std::vector<std::vector<std::uint32_t>> layOut(const Wide& root, const std::vect
         shared::Patch patch = pending.wide->patch;
         if (const CellTree* const cell = pending.wide->cell) {
             patch = cell->patches[pending.patch];
-            places[static_cast<std::size_t>(cell - cells.data())].push_back(nextBlade);
+            addRun(runs, static_cast<std::uint32_t>(cell - cells.data()), patch.firstBlade,
+                   patch.bladeCount, pending.level != lastLevel);
+            lastLevel = pending.level;
             for (std::uint32_t i = 0; i < patch.childCount; ++i)
                 queue.push_back({pending.wide, patch.firstChild + i, index, pending.level + 1});
         } else {
@@ -103,21 +118,37 @@ std::vector<std::vector<std::uint32_t>> layOut(const Wide& root, const std::vect
         nextBlade += patch.bladeCount;
         field.patches.push_back(patch);
     }
-    return places;
+    return runs;
 }
 
 } // namespace
 
-void joinCells(std::vector<CellTree>&& cells, field::Field& field)
+std::vector<std::uint32_t> levelsOf(const CellTree& cell)
+{
+    std::vector<std::uint32_t> levels;
+    std::uint32_t blades = 0;
+    for (std::size_t begin = 0, end = 1; begin < cell.patches.size();) {
+        expect(begin < end, "every patch of a cell has a parent");
+        levels.push_back(blades);
+        std::size_t children = 0;
+        for (std::size_t p = begin; p < end; ++p) {
+            blades += cell.patches[p].bladeCount;
+            children += cell.patches[p].childCount;
+        }
+        begin = end;
+        end = begin + children;
+    }
+    levels.push_back(blades);
+    return levels;
+}
+
+std::vector<BladeRun> layOutCells(std::vector<CellTree>& cells, field::Field& field)
 {
     std::vector<CellTree*> pointers;
-    std::size_t blades = 0;
-    for (CellTree& cell : cells) {
+    for (CellTree& cell : cells)
         pointers.push_back(&cell);
-        blades += cell.blades.size();
-    }
     if (pointers.empty())
-        return;
+        return {};
     std::sort(pointers.begin(), pointers.end(),
               [](const CellTree* a, const CellTree* b) { return a->cell < b->cell; });
     const auto same =
@@ -127,19 +158,34 @@ void joinCells(std::vector<CellTree>&& cells, field::Field& field)
         fail(ErrorKind::input, "two tiles have the 32 m cell ({}, {}, {})", (*same)->cell[0],
              (*same)->cell[1], (*same)->cell[2]);
     const std::unique_ptr<Wide> root = build(pointers, topShift);
-    const std::vector<std::vector<std::uint32_t>> places = layOut(*root, cells, field);
+    return layOut(*root, cells, field);
+}
 
+void joinCells(std::vector<CellTree>&& cells, field::Field& field)
+{
+    const std::vector<BladeRun> runs = layOutCells(cells, field);
+    struct Move {
+        std::uint32_t from;
+        std::uint32_t count;
+        std::size_t to;
+    };
+    std::vector<std::vector<Move>> moves(cells.size());
+    std::size_t blades = 0;
+    for (const BladeRun& run : runs) {
+        moves[run.cell].push_back({run.first, run.count, blades});
+        blades += run.count;
+    }
     // Move cell by cell and free each, to limit the peak memory.
     field.blades.resize(blades);
     field.keys.resize(blades);
     for (std::size_t c = 0; c < cells.size(); ++c) {
         const CellTree cell = std::move(cells[c]);
-        tbb::parallel_for(std::size_t(0), cell.patches.size(), [&](std::size_t p) {
-            const shared::Patch& patch = cell.patches[p];
-            const auto from = static_cast<std::ptrdiff_t>(patch.firstBlade);
-            const auto to = static_cast<std::ptrdiff_t>(places[c][p]);
-            std::copy_n(cell.blades.begin() + from, patch.bladeCount, field.blades.begin() + to);
-            std::copy_n(cell.keys.begin() + from, patch.bladeCount, field.keys.begin() + to);
+        tbb::parallel_for(std::size_t(0), moves[c].size(), [&](std::size_t m) {
+            const Move& move = moves[c][m];
+            const auto from = static_cast<std::ptrdiff_t>(move.from);
+            const auto to = static_cast<std::ptrdiff_t>(move.to);
+            std::copy_n(cell.blades.begin() + from, move.count, field.blades.begin() + to);
+            std::copy_n(cell.keys.begin() + from, move.count, field.keys.begin() + to);
         });
     }
     cells.clear();

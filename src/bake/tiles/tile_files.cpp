@@ -122,26 +122,26 @@ void readImages(const fs::path& folder, const std::string& id, terrain::GroundMe
 }
 
 // Checks that children and blades of each patch follow those of the patches before.
-void checkTree(const CellTree& cell, const fs::path& path)
+void checkTree(const CellTree& cell, std::uint64_t blades, const fs::path& path)
 {
     std::size_t nextChild = 1;
     std::size_t nextBlade = 0;
     for (std::size_t i = 0; i < cell.patches.size(); ++i) {
         const shared::Patch& patch = cell.patches[i];
-        if (patch.firstBlade != nextBlade || patch.bladeCount > cell.blades.size() - nextBlade ||
+        if (patch.firstBlade != nextBlade || patch.bladeCount > blades - nextBlade ||
             (patch.childCount > 0 && (patch.firstChild != nextChild || patch.firstChild <= i)) ||
             patch.childCount > cell.patches.size() - nextChild)
             fail(ErrorKind::input,
                  "{}: patch {} of a cell says {} blades from {} and {} children from {}; of {} and "
                  "{} the next are {} and {}",
                  path.string(), i, patch.bladeCount, patch.firstBlade, patch.childCount,
-                 patch.firstChild, cell.blades.size(), cell.patches.size(), nextBlade, nextChild);
+                 patch.firstChild, blades, cell.patches.size(), nextBlade, nextChild);
         nextBlade += patch.bladeCount;
         nextChild += patch.childCount;
     }
-    if (cell.patches.empty() || nextBlade != cell.blades.size() || nextChild != cell.patches.size())
+    if (cell.patches.empty() || nextBlade != blades || nextChild != cell.patches.size())
         fail(ErrorKind::input, "{}: a cell's patches have {} of {} blades and {} of {} patches",
-             path.string(), nextBlade, cell.blades.size(), nextChild, cell.patches.size());
+             path.string(), nextBlade, blades, nextChild, cell.patches.size());
 }
 
 } // namespace
@@ -309,12 +309,18 @@ void writeTile(const fs::path& path, const std::string& id, const TileResult& ti
     writer.add(std::string_view(id));
     writer.addOne(TileNumbers{tile.counts, tile.spacingMinimum});
     writer.addOne(static_cast<std::uint64_t>(tile.cells.size()));
+    std::uint64_t blades = 0;
     for (const CellTree& cell : tile.cells) {
         writer.addOne(CellHeader{cell.cell, cell.summary, cell.patches.size(), cell.blades.size()});
         writer.add(cell.patches);
-        writer.add(cell.blades);
-        writer.add(cell.keys);
+        blades += cell.blades.size();
     }
+    writer.begin(blades, sizeof(shared::PackedBlade));
+    eachStoredBlade(tile.cells, [&](std::span<const shared::PackedBlade> part) {
+        writer.addPart(std::as_bytes(part));
+    });
+    writer.begin(blades * sizeof(field::BladeKey), 1);
+    eachStoredKeyByte(tile.cells, [&](std::span<const std::byte> part) { writer.addPart(part); });
     writer.commit();
 }
 
@@ -326,13 +332,14 @@ std::string planOfTile(const fs::path& path)
     return id;
 }
 
-TileResult readTile(const fs::path& path, const std::string& id)
+StoredTile readTile(const fs::path& path, const std::string& id)
 {
     terrain::RecordReader reader(path, tileKind);
     std::string own;
     reader.read(own);
     requireId(own, id, path);
-    TileResult tile;
+    StoredTile stored;
+    TileResult& tile = stored.tile;
     TileNumbers numbers = {};
     reader.readOne(numbers);
     tile.counts = numbers.counts;
@@ -345,15 +352,21 @@ TileResult readTile(const fs::path& path, const std::string& id)
         cell.cell = header.cell;
         cell.summary = header.summary;
         reader.read(cell.patches);
-        reader.read(cell.blades);
-        reader.read(cell.keys);
-        if (cell.patches.size() != header.patches || cell.blades.size() != header.blades ||
-            cell.keys.size() != header.blades)
-            fail(ErrorKind::input, "{}: a cell's arrays do not have the lengths it says",
-                 path.string());
-        checkTree(cell, path);
+        if (cell.patches.size() != header.patches)
+            fail(ErrorKind::input, "{}: a cell has {} patches instead of {}", path.string(),
+                 cell.patches.size(), header.patches);
+        checkTree(cell, header.blades, path);
+        stored.stretch.count += header.blades;
     }
-    return tile;
+    const auto blades = reader.skip(sizeof(shared::PackedBlade));
+    const auto keys = reader.skip(1);
+    stored.stretch.blades = blades.at;
+    stored.stretch.keys = keys.at;
+    if (blades.count != stored.stretch.count ||
+        keys.count != stored.stretch.count * sizeof(field::BladeKey))
+        fail(ErrorKind::input, "{}: {} blades and {} bytes of keys for cells of {} blades",
+             path.string(), blades.count, keys.count, stored.stretch.count);
+    return stored;
 }
 
 } // namespace sward::bake

@@ -3,6 +3,7 @@
 #include "bake/report.h"
 #include "bake/tile_region.h"
 #include "bake/tiles/bake_tile.h"
+#include "bake/tiles/stored_cells.h"
 #include "terrain/ground_mesh.h"
 
 #include <cstdint>
@@ -64,7 +65,13 @@ void writeTile(const std::filesystem::path& path, const std::string& id, const T
 /// Plan id of a tile; verifies the whole file.
 std::string planOfTile(const std::filesystem::path& path);
 
-/// Also throws Error{input} if the tile belongs to another plan.
-TileResult readTile(const std::filesystem::path& path, const std::string& id);
+/// A tile whose blades and keys stay in its file.
+struct StoredTile {
+    TileResult tile; ///< with cells that have patches alone
+    TileStretch stretch;
+};
+
+/// Verifies the whole file. Also throws Error{input} if the tile belongs to another plan.
+StoredTile readTile(const std::filesystem::path& path, const std::string& id);
 
 } // namespace sward::bake

@@ -1,10 +1,17 @@
 #include "bake/patches/patch_tree.h"
 #include "bake/tiles/tile_files.h"
 #include "core/error.h"
+#include "terrain/record_file.h"
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace sward::bake {
 namespace {
@@ -28,21 +35,77 @@ TileResult smallTile()
 TEST(TileFile, GivesBackWhatWasWritten)
 {
     const auto path = std::filesystem::path(testing::TempDir()) / "sward_tile_good.blades";
-    writeTile(path, "plan", smallTile());
-    const TileResult tile = readTile(path, "plan");
-    ASSERT_EQ(tile.cells.size(), 1U);
-    EXPECT_EQ(tile.cells[0].patches.size(), 2U);
-    EXPECT_EQ(tile.cells[0].blades.size(), 3U);
+    TileResult written = smallTile();
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        written.cells[0].blades[i].look = i;
+        written.cells[0].keys[i] = {0x01020304U * (i + 1), 7 - i};
+    }
+    writeTile(path, "plan", written);
+    StoredTile tile = readTile(path, "plan");
+    ASSERT_EQ(tile.tile.cells.size(), 1U);
+    EXPECT_EQ(tile.tile.cells[0].patches.size(), 2U);
+    EXPECT_EQ(tile.stretch.count, 3U);
+
+    StoredCells stored;
+    stored.add(std::move(tile.tile.cells), tile.stretch, path);
+    field::Field field;
+    stored.layOut(field);
+    EXPECT_EQ(stored.count(), 3U);
+    std::vector<std::uint32_t> looks;
+    stored.eachBlade([&](std::span<const shared::PackedBlade> blades) {
+        for (const shared::PackedBlade& blade : blades)
+            looks.push_back(blade.look);
+    });
+    EXPECT_EQ(looks, (std::vector<std::uint32_t>{0, 1, 2}));
+    for (std::size_t byte = 0; byte < sizeof(field::BladeKey); ++byte) {
+        std::size_t next = 0;
+        stored.eachKeyByte(byte, [&](std::span<const std::byte> bytes) {
+            for (const std::byte one : bytes)
+                EXPECT_EQ(one,
+                          std::as_bytes(std::span(
+                              written.cells[0].keys))[next++ * sizeof(field::BladeKey) + byte]);
+        });
+        EXPECT_EQ(next, 3U);
+    }
+}
+
+// Writes a tile of one cell as writeTile() does, without a look at what its patches say.
+void forgeTile(const std::filesystem::path& path, const CellTree& cell, std::size_t keyBytes)
+{
+    struct Numbers {
+        RootCounts counts;
+        double spacingMinimum;
+    };
+    struct Header {
+        CellNumber cell;
+        SubtreeDescription::Summary summary;
+        std::uint64_t patches;
+        std::uint64_t blades;
+    };
+    terrain::RecordWriter writer(path, tileKind, true);
+    writer.add(std::string_view("plan"));
+    writer.addOne(Numbers{});
+    writer.addOne(std::uint64_t(1));
+    writer.addOne(Header{cell.cell, cell.summary, cell.patches.size(), cell.blades.size()});
+    writer.add(cell.patches);
+    writer.add(cell.blades);
+    writer.add(std::vector<std::byte>(keyBytes));
+    writer.commit();
 }
 
 // The hashes of these files are correct: a deliberate forgery.
 TEST(TileFile, RefusesPatchesOutsideOfTheirCell)
 {
     const auto path = std::filesystem::path(testing::TempDir()) / "sward_tile_bad.blades";
+    constexpr std::size_t keyBytes = 3 * sizeof(field::BladeKey);
+    forgeTile(path, smallTile().cells[0], keyBytes);
+    EXPECT_NO_THROW(readTile(path, "plan"));
+    forgeTile(path, smallTile().cells[0], keyBytes - 1);
+    EXPECT_THROW(readTile(path, "plan"), Error);
     const auto refuses = [&](auto change) {
         TileResult tile = smallTile();
         change(tile.cells[0]);
-        writeTile(path, "plan", tile);
+        forgeTile(path, tile.cells[0], keyBytes);
         EXPECT_THROW(readTile(path, "plan"), Error);
     };
     refuses([](CellTree& cell) { cell.patches[1].bladeCount = 2; });
@@ -56,6 +119,21 @@ TEST(TileFile, RefusesPatchesOutsideOfTheirCell)
         cell.patches[1].childCount = 1;
     });
     refuses([](CellTree& cell) { cell.patches.clear(); });
+}
+
+TEST(TileFile, ThatVanishesBeforeItIsJoinedIsNamed)
+{
+    const auto path = std::filesystem::path(testing::TempDir()) / "sward_tile_gone.blades";
+    writeTile(path, "plan", smallTile());
+    StoredTile tile = readTile(path, "plan");
+    StoredCells stored;
+    stored.add(std::move(tile.tile.cells), tile.stretch, path);
+    field::Field field;
+    stored.layOut(field);
+    std::filesystem::resize_file(path, 100);
+    EXPECT_THROW(stored.eachBlade([](std::span<const shared::PackedBlade>) {}), Error);
+    std::filesystem::remove(path);
+    EXPECT_THROW(stored.eachBlade([](std::span<const shared::PackedBlade>) {}), Error);
 }
 
 TEST(TileFile, ThatRepeatsACellOfAnotherIsNotJoined)

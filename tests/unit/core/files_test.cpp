@@ -1,6 +1,7 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/mapped_file.h"
+#include "core/piece_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -90,6 +91,32 @@ TEST_F(Files, KeepTheOldOneWhenAForcedWriteFails)
     ::setrlimit(RLIMIT_FSIZE, &before);
     EXPECT_EQ(contents(folder / "a"), "old");
     EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(Files, TakeBytesAtAnyPlace)
+{
+    AtomicFile file(folder / "a", false);
+    const std::string text = "abc";
+    file.writeAt(5, std::as_bytes(std::span(text)));
+    file.writeAt(1, std::as_bytes(std::span(text)).first(2));
+    file.commit();
+    EXPECT_EQ(contents(folder / "a"), std::string("\0ab\0\0abc", 8));
+}
+
+TEST_F(Files, ForScratchHaveNoNameAndGiveBackTheirBytes)
+{
+    ScratchFile file(folder / "a");
+    EXPECT_EQ(entries(), 0U);
+    const std::string text = "some text";
+    file.append(std::as_bytes(std::span(text)).first(4));
+    file.append(std::as_bytes(std::span(text)).subspan(4));
+    EXPECT_EQ(file.size(), text.size());
+    std::string read(4, ' ');
+    file.read(5, std::as_writable_bytes(std::span(read)));
+    EXPECT_EQ(read, "text");
+    EXPECT_THROW(file.read(6, std::as_writable_bytes(std::span(read))), Error);
+    EXPECT_THROW(ScratchFile(folder / "no" / "a"), Error);
+    EXPECT_THROW(PieceFile(folder / "a"), Error);
 }
 
 TEST_F(Files, InMissingFoldersAreRefused)

@@ -13,7 +13,11 @@
 #include <array>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <limits>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace sward::field {
 namespace {
@@ -47,6 +51,78 @@ TEST(FieldFile, ReadsBackWhatWasWritten)
     EXPECT_EQ(view.defaults->cameras[0].eye, field.defaults.cameras[0].eye);
     EXPECT_EQ(*view.provenance, field.provenance);
     EXPECT_EQ(*view.copyright, "CC0");
+}
+
+// Hands over a field in pieces of at most `size` blades.
+class CutPieces : public BladePieces {
+public:
+    CutPieces(const Field& field, std::size_t size)
+        : field_(field)
+        , size_(size)
+    {
+    }
+
+    std::uint64_t count() const override { return field_.blades.size(); }
+    void eachBlade(const TakeBlades& take) const override
+    {
+        for (std::size_t at = 0; at < field_.blades.size(); at += size_)
+            take(std::span(field_.blades).subspan(at, std::min(size_, field_.blades.size() - at)));
+    }
+    void eachKeyByte(std::size_t byte, const TakeBytes& take) const override
+    {
+        const std::span<const std::byte> keys = std::as_bytes(std::span(field_.keys));
+        for (std::size_t at = 0; at < field_.keys.size(); at += size_) {
+            std::vector<std::byte> bytes;
+            for (std::size_t i = at; i < std::min(at + size_, field_.keys.size()); ++i)
+                bytes.push_back(keys[i * sizeof(BladeKey) + byte]);
+            take(bytes);
+        }
+    }
+
+private:
+    const Field& field_;
+    std::size_t size_;
+};
+
+TEST(FieldFile, HasTheSameBytesHoweverItsBladesAreCut)
+{
+    Field field = tests::sampleField(shared::maxPatchBlades);
+    const std::size_t one = field.blades.size();
+    for (std::size_t i = 0; i < field.keys.size(); ++i)
+        field.keys[i] = {static_cast<std::uint32_t>(i * i / 7),
+                         static_cast<std::uint32_t>(i % 13 * (i % 5))};
+    const auto path = tests::temporaryFile("cut.sward");
+    writeField(field, path, true);
+    const auto contents = [&] {
+        std::ifstream file(path, std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    const std::string whole = contents();
+    for (const std::size_t size : {std::size_t(1), std::size_t(7), one}) {
+        writeField(field, CutPieces(field, size), path, true);
+        EXPECT_TRUE(contents() == whole) << size;
+    }
+}
+
+TEST(Compression, DependsOnTheBytesAloneAndNotOnHowTheyAreCut)
+{
+    // Several of zstd's blocks, neither constant nor random.
+    std::vector<std::byte> raw(1'000'000);
+    for (std::size_t i = 0; i < raw.size(); ++i)
+        raw[i] = static_cast<std::byte>(i * i / 70'001 % 251 * (i % 5));
+    const UninitializedVector<std::byte> whole = compress(raw, 1);
+    EXPECT_LT(whole.size(), raw.size());
+    for (const std::size_t size : {1U, 1000U, 65'537U, 131'072U, 1'000'000U}) {
+        UninitializedVector<std::byte> cut;
+        Compressor compressor(raw.size(), [&](std::span<const std::byte> piece) {
+            cut.insert(cut.end(), piece.begin(), piece.end());
+        });
+        for (std::size_t at = 0; at < raw.size(); at += size)
+            compressor.add(
+                std::span(raw).subspan(at, std::min<std::size_t>(size, raw.size() - at)));
+        compressor.finish();
+        EXPECT_TRUE(cut == whole) << size;
+    }
 }
 
 TEST(FieldFile, IsOfTheFirstVersionUnlessABudgetThinnedIt)
