@@ -76,7 +76,7 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , shaders(wanted.shaders.empty() ? embedded::shaders() : wanted.shaders)
     , targetSettings(targetFor(context, field, wanted))
     , ground(uploaded<GroundBuffers>(context, *field.ground))
-    , cover(uploaded<GrassCover>(context, field))
+    , cover(uploaded<GrassCover>(context, field, wanted.isEditable))
     , sunShadow(context, shaders, ground.box(), wanted.deviceBytes == 0)
     , pyramid(context, shaders, wanted.samples)
     , attachments(madeIf<Attachments>(geometry == Geometry::tessellation, context, targetSettings))
@@ -99,7 +99,7 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     if (raster)
         expectNumbers(context, field.blades.size(), ground.triangleCount());
     if (edited)
-        blades.expectEdits(shaders, std::move(edited), wanted.framesInFlight);
+        blades.expectEdits(shaders, std::move(edited), cover, wanted.framesInFlight);
     if (raster)
         raster->expectBlades(blades.buffers().baked().placeCount());
     if (plan.records.pages > 0)
@@ -147,24 +147,6 @@ FieldRenderer::Parts::editedOf(const field::FieldView& field) const
     return std::make_unique<EditedField>(
         field, plan.records.walkStart,
         static_cast<std::uint32_t>(most - 1 - std::min(most - 1, triangles + ofColliders)));
-}
-
-void FieldRenderer::apply(const field::Delta& delta)
-{
-    Parts& parts = *parts_;
-    if (parts.streaming)
-        fail(ErrorKind::unsupported, "a field that is larger than its budget of device memory "
-                                     "cannot be edited while it is shown");
-    requireUsage(parts.blades.edited() != nullptr, "FieldRendererSettings::isEditable is not set");
-    parts.blades.apply(delta);
-    if (parts.raster)
-        parts.blades.keep(
-            parts.raster->expectBlades(parts.blades.buffers().baked().placeCount()));
-    const EditedField& edited = *parts.blades.edited();
-    if (edited.bladeCount() > 0) {
-        parts.shape.content.add(edited.patches()[0].boundsLow);
-        parts.shape.content.add(edited.patches()[0].boundsHigh);
-    }
 }
 
 void FieldRenderer::Parts::fit(glm::uvec2 size)

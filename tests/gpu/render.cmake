@@ -21,3 +21,6 @@ sward_add_tests(sward_edit_tests LABEL gpu
   SOURCES edit_test.cpp picture.cpp
   USES sward::render sward_gpu_test_support sward_field_test_support
   ENVIRONMENT ${SWARD_GPU_ENVIRONMENT})
+
+add_executable(sward_edit_bench edit_bench.cpp)
+target_link_libraries(sward_edit_bench PRIVATE sward_options sward::render sward_field_test_support)

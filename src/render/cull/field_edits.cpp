@@ -27,13 +27,15 @@ VkDeviceSize alignedEdit(VkDeviceSize bytes)
 } // namespace
 
 FieldEdits::FieldEdits(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-                       std::unique_ptr<EditedField> edited, std::uint32_t framesInFlight)
+                       std::unique_ptr<EditedField> edited, GrassCover& cover,
+                       std::uint32_t framesInFlight)
     : context_(&context)
     , states_(context, shaders,
               {.name = "move states",
                .shader = "move_states.comp",
                .pushConstantBytes = sizeof(shared::EditPush)})
     , edited_(std::move(edited))
+    , cover_(&cover)
     , slots_(framesInFlight)
 {
 }
@@ -42,7 +44,7 @@ void FieldEdits::apply(const field::Delta& delta, FieldBuffers& buffers)
 {
     const Edit edit = edited_->apply(delta);
     keep(buffers.update(*context_, *edited_, delta));
-    waiting_.push_back(stage(edit));
+    waiting_.push_back(stage(edit, cover_->apply(delta)));
 }
 
 void FieldEdits::keep(OutgrownBuffers outgrown)
@@ -66,7 +68,7 @@ gpu::Buffer FieldEdits::staging(VkDeviceSize bytes)
              .memory = gpu::MemoryUse::upload}};
 }
 
-FieldEdits::Staged FieldEdits::stage(const Edit& edit)
+FieldEdits::Staged FieldEdits::stage(const Edit& edit, PlaceRange coverCorners)
 {
     // Collect the copies, then the bytes: these need mapped memory of their size.
     Staged staged;
@@ -95,6 +97,8 @@ FieldEdits::Staged FieldEdits::stage(const Edit& edit)
     copy(Table::subtrees, edited_->subtrees(), edit.patches);
     copy(Table::entries, edited_->entries(), edit.entries);
     copy(Table::firstEntries, edited_->firstEntries(), edit.firstEntries);
+    if (coverCorners.count > 0)
+        copy(Table::cover, cover_->values(), {coverCorners});
     staged.sources = add(std::as_bytes(std::span(edit.sources)));
     staged.sourceCount = static_cast<std::uint32_t>(edit.sources.size());
     staged.patches = add(std::as_bytes(std::span(edit.times)));
@@ -109,7 +113,7 @@ FieldEdits::Staged FieldEdits::stage(const Edit& edit)
     return staged;
 }
 
-const gpu::Buffer& FieldEdits::bufferOf(Table table, const FieldBuffers& buffers)
+const gpu::Buffer& FieldEdits::bufferOf(Table table, const FieldBuffers& buffers) const
 {
     const BakedBlades& baked = buffers.baked();
     switch (table) {
@@ -121,6 +125,8 @@ const gpu::Buffer& FieldEdits::bufferOf(Table table, const FieldBuffers& buffers
         return baked.entryTable();
     case Table::firstEntries:
         return baked.firstEntryTable();
+    case Table::cover:
+        return cover_->buffer();
     case Table::blades:
         break;
     }

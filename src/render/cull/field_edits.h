@@ -8,6 +8,7 @@
 #include "gpu/shader_library.h"
 #include "render/cull/field_buffers.h"
 #include "render/field/edited_field.h"
+#include "render/field/grass_cover.h"
 #include "render/field/outgrown.h"
 
 #include <vulkan/vulkan.h>
@@ -23,9 +24,10 @@ namespace sward::render {
 /// mapped memory and replaced buffers do.
 class FieldEdits {
 public:
-    /// `edited` must have filled the buffers. The context must outlive it.
+    /// `edited` must have filled the buffers. Context and cover must outlive it.
     FieldEdits(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-               std::unique_ptr<EditedField> edited, std::uint32_t framesInFlight);
+               std::unique_ptr<EditedField> edited, GrassCover& cover,
+               std::uint32_t framesInFlight);
 
     const EditedField& field() const { return *edited_; }
 
@@ -42,7 +44,7 @@ public:
                 std::uint32_t slot);
 
 private:
-    enum class Table { blades, patches, subtrees, entries, firstEntries };
+    enum class Table { blades, patches, subtrees, entries, firstEntries, cover };
     struct Copy {
         Table table = Table::blades;
         VkBufferCopy region{};
@@ -63,14 +65,15 @@ private:
     };
 
     gpu::Buffer staging(VkDeviceSize bytes);
-    Staged stage(const Edit& edit);
+    Staged stage(const Edit& edit, PlaceRange coverCorners);
     void recordStates(const gpu::Recording& commands, const FieldBuffers& buffers,
                       const Staged& staged, float settledAt, bool isSecond) const;
-    static const gpu::Buffer& bufferOf(Table table, const FieldBuffers& buffers);
+    const gpu::Buffer& bufferOf(Table table, const FieldBuffers& buffers) const;
 
     const gpu::DeviceContext* context_;
     gpu::ComputePipeline states_;
     std::unique_ptr<EditedField> edited_;
+    GrassCover* cover_;
     std::vector<Staged> waiting_;
     OutgrownBuffers outgrown_; ///< of these
     std::vector<InFlight> slots_;

@@ -19,9 +19,10 @@ MovingBlades::MovingBlades(const gpu::DeviceContext& context, const gpu::ShaderL
 }
 
 void MovingBlades::expectEdits(const gpu::ShaderLibrary& shaders,
-                               std::unique_ptr<EditedField> edited, std::uint32_t framesInFlight)
+                               std::unique_ptr<EditedField> edited, GrassCover& cover,
+                               std::uint32_t framesInFlight)
 {
-    edits_.emplace(*context_, shaders, std::move(edited), framesInFlight);
+    edits_.emplace(*context_, shaders, std::move(edited), cover, framesInFlight);
 }
 
 void MovingBlades::prepare(const gpu::ShaderLibrary& shaders, const shared::Frame& frame)

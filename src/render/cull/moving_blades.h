@@ -27,9 +27,10 @@ public:
     MovingBlades(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
                  FieldBuffers buffers, bool testsSmall);
 
-    /// Lets blades be edited that have been uploaded with the places of `edited`.
+    /// Lets blades be edited that have been uploaded with the places of `edited`. The cover
+    /// must outlive this.
     void expectEdits(const gpu::ShaderLibrary& shaders, std::unique_ptr<EditedField> edited,
-                     std::uint32_t framesInFlight);
+                     GrassCover& cover, std::uint32_t framesInFlight);
 
     /// The edited field; null unless edits are expected.
     const EditedField* edited() const { return edits_ ? &edits_->field() : nullptr; }

@@ -1,12 +1,11 @@
 #include "render/field/edited_field.h"
 
 #include "core/error.h"
-#include "core/random.h"
+#include "render/field/key_table.h"
 #include "render/field/patch_tree.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -51,9 +50,19 @@ struct CellCopy {
     field::CellChange change(const CellIndex& cell) const { return {cell, patches, blades, keys}; }
 };
 
-bool sameKey(field::BladeKey a, field::BladeKey b)
+/// The same places, none twice.
+std::vector<PlaceRange> united(std::vector<PlaceRange> ranges)
 {
-    return a.triangle == b.triangle && a.candidate == b.candidate;
+    std::ranges::sort(ranges, {}, &PlaceRange::first);
+    std::vector<PlaceRange> result;
+    for (const PlaceRange& range : ranges) {
+        if (result.empty() || result.back().end() < range.first)
+            result.push_back(range);
+        else
+            result.back().count =
+                std::max(result.back().end(), range.end()) - result.back().first;
+    }
+    return result;
 }
 
 /// A table of `size` places after it has become too small for `more`.
@@ -62,47 +71,6 @@ std::uint32_t grown(std::uint32_t size, std::uint32_t more)
     constexpr std::uint32_t leastRoom = 1024;
     return size + std::max({more, size / 4, leastRoom});
 }
-
-/// Finds blades by their keys.
-class KeyTable {
-public:
-    explicit KeyTable(std::span<const field::BladeKey> keys)
-        : keys_(keys)
-        , slots_(std::bit_ceil(2 * keys.size() + 1), shared::noSource)
-    {
-        for (std::uint32_t i = 0; i < keys.size(); ++i) {
-            if (i > 0 && sameKey(keys[i], keys[i - 1]))
-                continue;
-            std::size_t slot = slotOf(keys[i]);
-            while (slots_[slot] != shared::noSource)
-                slot = (slot + 1) & (slots_.size() - 1);
-            slots_[slot] = i;
-        }
-    }
-
-    /// The blade that follows the first one of a key as number `repeated`; noSource if none does.
-    std::uint32_t find(field::BladeKey key, std::uint32_t repeated) const
-    {
-        for (std::size_t slot = slotOf(key); slots_[slot] != shared::noSource;
-             slot = (slot + 1) & (slots_.size() - 1)) {
-            if (!sameKey(keys_[slots_[slot]], key))
-                continue;
-            const std::size_t i = std::size_t(slots_[slot]) + repeated;
-            return i < keys_.size() && sameKey(keys_[i], key) ? static_cast<std::uint32_t>(i)
-                                                              : shared::noSource;
-        }
-        return shared::noSource;
-    }
-
-private:
-    std::size_t slotOf(field::BladeKey key) const
-    {
-        return mixBits(std::uint64_t(key.triangle) << 32U | key.candidate) & (slots_.size() - 1);
-    }
-
-    std::span<const field::BladeKey> keys_;
-    std::vector<std::uint32_t> slots_;
-};
 
 /// Levels of a cell's patches.
 std::uint32_t levelsOf(std::span<const shared::Patch> patches)
@@ -173,8 +141,10 @@ Edit EditedField::apply(const field::Delta& delta)
         if (!change.patches.empty())
             top_.add(change.cell);
     std::map<std::uint32_t, shared::PatchSource> times;
-    for (const shared::PatchSource& moved : top_.moved())
+    for (const shared::PatchSource& moved : top_.moved()) {
         times[moved.patchIndex] = moved;
+        followMove(moved, edit);
+    }
     std::vector<Cell> former;
     for (const field::CellChange& change : delta.cells) {
         if (top_.find(change.cell) == shared::noPatch)
@@ -210,7 +180,20 @@ Edit EditedField::apply(const field::Delta& delta)
     edit.patches = top_.takeChanged();
     for (const auto& [place, time] : times)
         edit.times.push_back(time);
+    edit.entries = united(std::move(edit.entries));
+    edit.firstEntries = united(std::move(edit.firstEntries));
     return edit;
+}
+
+/// The entry of a cell's own patch names its new place.
+void EditedField::followMove(const shared::PatchSource& moved, Edit& edit)
+{
+    const CellIndex* const cell = top_.cellAt(moved.patchIndex);
+    if (cell == nullptr || top_.patches()[moved.patchIndex].bladeCount == 0)
+        return;
+    const std::uint32_t entry = cells_.at(*cell).entries.first;
+    entries_[entry] = moved.patchIndex;
+    edit.entries.push_back({entry, 1});
 }
 
 void EditedField::check(const field::Delta& delta) const

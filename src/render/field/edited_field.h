@@ -69,6 +69,7 @@ private:
     };
 
     void check(const field::Delta& delta) const;
+    void followMove(const shared::PatchSource& moved, Edit& edit);
     void addSources(const field::CellChange& change, const Cell& former, Edit& edit) const;
     void forgetPatches(const CellIndex& index, const Cell& cell);
     void putPatches(const field::CellChange& change, const Cell& cell);

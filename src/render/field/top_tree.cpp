@@ -68,6 +68,12 @@ std::uint32_t TopTree::find(const CellIndex& cell) const
     return found == placeOf_.end() ? shared::noPatch : found->second;
 }
 
+const CellIndex* TopTree::cellAt(std::uint32_t place) const
+{
+    const auto found = cellAt_.find(place);
+    return found == cellAt_.end() ? nullptr : &found->second;
+}
+
 void TopTree::own(std::uint32_t place, const CellIndex& cell)
 {
     cellAt_[place] = cell;

@@ -27,7 +27,10 @@ public:
     /// The place of a cell's own patch; noPatch if there has been no such cell.
     std::uint32_t find(const CellIndex& cell) const;
 
-    /// The same; adds a cell without blades.
+    /// The cell whose own patch is at a place; null if that is another patch.
+    const CellIndex* cellAt(std::uint32_t place) const;
+
+    /// The same as find(); adds a cell without blades.
     std::uint32_t add(const CellIndex& cell);
 
     /// Places for patches below 32 m cells.
