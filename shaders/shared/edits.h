@@ -10,8 +10,8 @@ SHARED_BEGIN
 /// A new blade, and the one of the same key before the edit.
 struct BladeSource {
     uint place;
-    uint from;       ///< place before; noSource: the blade is new
-    uint fromPatch;  ///< the patch that contained it before …
+    uint from;         ///< place before; noSource: the blade is new
+    uint fromPatch;    ///< the patch that contained it before …
     uint indexInPatch; ///< … and its index there
 };
 SHARED_LAYOUT(BladeSource, 16)
@@ -33,10 +33,10 @@ SHARED_BUFFER(PatchSourceArray, PatchSource, readonly)
 SHARED_CONST uint editThreads = 64u;
 
 struct EditPush {
-    UintArray states;       ///< Frame::states
-    FloatArray etas;        ///< Frame::etas, or address 0
-    FloatArray patchTimes;  ///< Frame::patchTimes
-    UintArray patchCounts;  ///< Frame::patchCounts
+    UintArray states;      ///< Frame::states
+    FloatArray etas;       ///< Frame::etas, or address 0
+    FloatArray patchTimes; ///< Frame::patchTimes
+    UintArray patchCounts; ///< Frame::patchCounts
     BladeSourceArray blades;
     PatchSourceArray patches;
     FloatArray times; ///< of each of `patches`, between both dispatches …

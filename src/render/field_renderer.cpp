@@ -92,8 +92,8 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
                                   wanted.framesInFlight))
     , plan(planWithin(field))
     , edited(editedOf(field))
-    , blades(context, shaders,
-             uploaded<FieldBuffers>(context, field, plan.records, edited.get()), wanted.testsSmallBlades.value_or(!context.isCpu()))
+    , blades(context, shaders, uploaded<FieldBuffers>(context, field, plan.records, edited.get()),
+             wanted.testsSmallBlades.value_or(!context.isCpu()))
     , shape{field.origin, field.bounds(), blades.buffers().bladeSize(), chosenExposure(field)}
 {
     if (raster)
@@ -138,8 +138,7 @@ MemoryPlan FieldRenderer::Parts::planWithin(const field::FieldView& field)
                     .waitsForDisk = settings.waitsForDisk});
 }
 
-std::unique_ptr<EditedField>
-FieldRenderer::Parts::editedOf(const field::FieldView& field) const
+std::unique_ptr<EditedField> FieldRenderer::Parts::editedOf(const field::FieldView& field) const
 {
     if (!settings.isEditable || plan.records.pages > 0)
         return nullptr;

@@ -84,10 +84,9 @@ int run(std::int64_t along, std::size_t blades, std::int64_t perEdit, int frames
     }
     std::printf("{\"device\":\"%s\",\"blades\":%zu,\"edited\":%zu,\"frame_ms\":[%.3f,%.3f],"
                 "\"edit_frame_ms\":[%.3f,%.3f],\"apply_ms\":[%.3f,%.3f]}\n",
-                device.context().name.c_str(), meadow.bladeCount(),
-                blades * std::size_t(perEdit), percentile(plain, 0.5), percentile(plain, 0.99),
-                percentile(edited, 0.5), percentile(edited, 0.99), percentile(applied, 0.5),
-                percentile(applied, 0.99));
+                device.context().name.c_str(), meadow.bladeCount(), blades * std::size_t(perEdit),
+                percentile(plain, 0.5), percentile(plain, 0.99), percentile(edited, 0.5),
+                percentile(edited, 0.99), percentile(applied, 0.5), percentile(applied, 0.99));
     return 0;
 }
 
@@ -96,9 +95,7 @@ int run(std::int64_t along, std::size_t blades, std::int64_t perEdit, int frames
 
 int main(int argc, char** argv)
 {
-    const auto number = [&](int i, long usual) {
-        return argc > i ? std::atol(argv[i]) : usual;
-    };
+    const auto number = [&](int i, long usual) { return argc > i ? std::atol(argv[i]) : usual; };
     return sward::run(number(1, 32), std::size_t(number(2, 10'000)), number(3, 4),
                       int(number(4, 400)));
 }

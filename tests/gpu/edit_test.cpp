@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <string>
 
@@ -65,6 +66,15 @@ std::map<std::uint64_t, FieldRenderer::BladeRecord> byId(const FieldRenderer& re
         records[record.id] = record;
     EXPECT_EQ(records.size(), field.blades.size());
     return records;
+}
+
+/// Bytes that differ by more than rounding.
+std::size_t plainlyDiffering(const std::vector<std::byte>& a, const std::vector<std::byte>& b)
+{
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        differing += std::abs(std::to_integer<int>(a[i]) - std::to_integer<int>(b[i])) > 2 ? 1 : 0;
+    return differing;
 }
 
 std::uint64_t sumOf(const FrameStats& s)
@@ -122,8 +132,7 @@ TEST_P(EditTest, DrawsTheFieldJoinedAnew)
         test::Picture expected(context(), size);
         expected.draw(fresh, overMeadow(), calm(), time - 60.0);
         expected.draw(fresh, overMeadow(), calm(), time);
-        EXPECT_LE(test::differingPixels(pixels, expected.pixels()), size.x * size.y / 50)
-            << "largest difference " << test::largestDifference(pixels, expected.pixels());
+        EXPECT_LE(plainlyDiffering(pixels, expected.pixels()), 20u);
         EXPECT_EQ(edited.stats().total, whole.blades.size());
         EXPECT_EQ(sumOf(edited.stats()), whole.blades.size());
         EXPECT_NEAR(double(edited.stats().drawn), double(fresh.stats().drawn), 2.0);
@@ -250,7 +259,7 @@ TEST_P(EditTest, GoesOnWithSeveralFramesInFlight)
     expected.draw(fresh, overMeadow(), calm(), 0.8);
     test::Picture picture(context(), size);
     picture.draw(renderer, overMeadow(), calm(), 0.8);
-    EXPECT_LE(test::differingPixels(picture.pixels(), expected.pixels()), size.x * size.y / 50);
+    EXPECT_LE(plainlyDiffering(picture.pixels(), expected.pixels()), 100u);
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryGeometry, EditTest,

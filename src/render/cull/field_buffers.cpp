@@ -87,8 +87,8 @@ std::uint32_t FieldBuffers::roundPatchesOf(const PatchSizes& sizes, const Record
 FieldBuffers::FieldBuffers(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
                            const field::FieldView& field, Records records,
                            const EditedField* edited)
-    : baked_(bakedOf(context, upload, refusingWhatCannotFit(context, field, records), records,
-                     edited))
+    : baked_(
+          bakedOf(context, upload, refusingWhatCannotFit(context, field, records), records, edited))
     , states_(context, baked_, {.before = false, .etas = records.etas || records.pages > 0})
     , list_(context, baked_, roundOf(baked_, records), std::numeric_limits<std::uint32_t>::max())
     , visiblePatchBound_(field, nodesOfBound)

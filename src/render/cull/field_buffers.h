@@ -1,7 +1,7 @@
 #pragma once
 
-#include "field/distributions.h"
 #include "field/delta.h"
+#include "field/distributions.h"
 #include "field/field.h"
 #include "gpu/buffer.h"
 #include "gpu/buffer_upload.h"

@@ -84,14 +84,14 @@ FieldEdits::Staged FieldEdits::stage(const Edit& edit, PlaceRange coverCorners)
                                       const std::vector<PlaceRange>& ranges) {
         for (const PlaceRange& range : ranges) {
             const auto bytes = std::as_bytes(elements.subspan(range.first, range.count));
-            staged.copies.push_back(
-                {table, {add(bytes), range.first * sizeof(T), bytes.size()}});
+            staged.copies.push_back({table, {add(bytes), range.first * sizeof(T), bytes.size()}});
         }
     };
     for (const Edit::Blades& blades : edit.blades) {
         const auto bytes = std::as_bytes(blades.blades);
         staged.copies.push_back(
-            {Table::blades, {add(bytes), blades.first * sizeof(shared::PackedBlade), bytes.size()}});
+            {Table::blades,
+             {add(bytes), blades.first * sizeof(shared::PackedBlade), bytes.size()}});
     }
     copy(Table::patches, edited_->patches(), edit.patches);
     copy(Table::subtrees, edited_->subtrees(), edit.patches);
@@ -138,20 +138,20 @@ void FieldEdits::recordStates(const gpu::Recording& commands, const FieldBuffers
 {
     const VkDeviceAddress bytes = staged.bytes.address();
     states_.bind(commands);
-    states_.push(commands, shared::EditPush{.states = buffers.states().address(),
-                                            .etas = buffers.etas().address(),
-                                            .patchTimes = buffers.ownStates().patchTimes(),
-                                            .patchCounts = buffers.ownStates().patchCounts(),
-                                            .blades = bytes + staged.sources,
-                                            .patches = bytes + staged.patches,
-                                            .times = bytes + staged.times,
-                                            .counts = bytes + staged.times +
-                                                      alignedEdit(staged.patchCount *
-                                                                  sizeof(float)),
-                                            .bladeCount = staged.sourceCount,
-                                            .patchCount = staged.patchCount,
-                                            .settledAt = settledAt,
-                                            .isSecond = isSecond ? 1u : 0u});
+    states_.push(commands,
+                 shared::EditPush{.states = buffers.states().address(),
+                                  .etas = buffers.etas().address(),
+                                  .patchTimes = buffers.ownStates().patchTimes(),
+                                  .patchCounts = buffers.ownStates().patchCounts(),
+                                  .blades = bytes + staged.sources,
+                                  .patches = bytes + staged.patches,
+                                  .times = bytes + staged.times,
+                                  .counts = bytes + staged.times +
+                                            alignedEdit(staged.patchCount * sizeof(float)),
+                                  .bladeCount = staged.sourceCount,
+                                  .patchCount = staged.patchCount,
+                                  .settledAt = settledAt,
+                                  .isSecond = isSecond ? 1u : 0u});
     const std::uint32_t threads =
         isSecond ? staged.patchCount : std::max(staged.sourceCount, staged.patchCount);
     const auto groups =
@@ -169,9 +169,7 @@ void FieldEdits::record(const gpu::Recording& commands, const FieldBuffers& buff
     if (waiting_.empty() && outgrown_.empty())
         return;
 
-    const auto everything = [&] {
-        gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
-    };
+    const auto everything = [&] { gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess); };
     everything();
     for (const Outgrown& outgrown : outgrown_) {
         if (outgrown.now == VK_NULL_HANDLE || outgrown.former.bytes() == 0)

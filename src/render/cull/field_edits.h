@@ -37,9 +37,9 @@ public:
     /// Keeps a buffer that another one replaces until frames in flight are over.
     void keep(OutgrownBuffers outgrown);
 
-    /// Records all edits since the last call, with barriers from and to everything. `settledAt` [s]:
-    /// the time at which a new patch counts as settled. The former commands of `slot` must have
-    /// completed.
+    /// Records all edits since the last call, with barriers from and to everything. `settledAt`
+    /// [s]: the time at which a new patch counts as settled. The former commands of `slot` must
+    /// have completed.
     void record(const gpu::Recording& commands, const FieldBuffers& buffers, float settledAt,
                 std::uint32_t slot);
 

@@ -44,7 +44,7 @@ private:
 
     std::vector<Node> nodes_;
     std::map<std::array<std::int64_t, 3>, Node> replaced_; ///< cells, each as one node
-    std::array<float, rankSteps> ranks_; ///< … 1, √½, ½, …
+    std::array<float, rankSteps> ranks_;                   ///< … 1, √½, ½, …
 };
 
 } // namespace sward::render

@@ -98,8 +98,7 @@ BakedBlades::BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& u
     count(edited);
     blades_ = allocate(context, "field/blades", placeCount_ * sizeof(shared::PackedBlade));
     patches_ = allocate(context, "field/patches", edited.patches().size_bytes());
-    nonEmptyPatches_ =
-        allocate(context, "field/nonEmptyPatches", edited.entries().size_bytes());
+    nonEmptyPatches_ = allocate(context, "field/nonEmptyPatches", edited.entries().size_bytes());
     firstNonEmptyPatches_ =
         allocate(context, "field/first nonEmptyPatches", edited.firstEntries().size_bytes());
     describeField(context, upload, field);

@@ -59,8 +59,7 @@ std::vector<PlaceRange> united(std::vector<PlaceRange> ranges)
         if (result.empty() || result.back().end() < range.first)
             result.push_back(range);
         else
-            result.back().count =
-                std::max(result.back().end(), range.end()) - result.back().first;
+            result.back().count = std::max(result.back().end(), range.end()) - result.back().first;
     }
     return result;
 }
@@ -206,8 +205,8 @@ void EditedField::check(const field::Delta& delta) const
     for (const field::CellChange& change : delta.cells) {
         checkCell(change);
         if (&change != delta.cells.data() && !((&change - 1)->cell < change.cell))
-            fail(ErrorKind::input, "the changed cells are not sorted: ({}, {}, {})",
-                 change.cell[0], change.cell[1], change.cell[2]);
+            fail(ErrorKind::input, "the changed cells are not sorted: ({}, {}, {})", change.cell[0],
+                 change.cell[1], change.cell[2]);
         places += std::uint64_t(stridesOf(change.blades.size())) * stride;
     }
     if (places > maxBlades_)
@@ -389,8 +388,7 @@ std::vector<std::uint32_t> EditedField::placesOf(const field::FieldView& field) 
     std::vector<std::uint32_t> places(field.blades.size());
     for (const FieldCell& cell : cellsOf(field)) {
         const auto known = cells_.find(cell.cell);
-        requireUsage(known != cells_.end() &&
-                         cell.patches.size() == known->second.below.count + 1,
+        requireUsage(known != cells_.end() && cell.patches.size() == known->second.below.count + 1,
                      "the renderer's field has other patches in the 32 m cell ({}, {}, {})",
                      cell.cell[0], cell.cell[1], cell.cell[2]);
         const std::uint32_t own = top_.find(cell.cell);

@@ -32,7 +32,7 @@ public:
     std::uint32_t tail(std::uint32_t size) const { return size - usedEnd(size); }
 
 private:
-    std::map<std::uint32_t, std::uint32_t> byPlace_; ///< first place: count
+    std::map<std::uint32_t, std::uint32_t> byPlace_;           ///< first place: count
     std::set<std::pair<std::uint32_t, std::uint32_t>> bySize_; ///< count, first place
 };
 

@@ -76,9 +76,8 @@ void dealBlades(const field::FieldView& field, CoverCorners& leaves)
     const double all = static_cast<double>(std::max<std::size_t>(field.blades.size(), 1));
     const double share = std::min(1.0, static_cast<double>(maxCoverBlades) / all);
     for (const shared::Patch& cell : field.patches)
-        forSomeBlades(field.species, cell, field.blades, share, [&](const CoverBlade& blade) {
-            leaves.deal(blade.root, blade.area);
-        });
+        forSomeBlades(field.species, cell, field.blades, share,
+                      [&](const CoverBlade& blade) { leaves.deal(blade.root, blade.area); });
 }
 
 /// Distributes a triangle in pieces no longer than `longest`, by halving its longest side.

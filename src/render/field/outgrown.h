@@ -10,7 +10,7 @@ namespace sward::render {
 
 /// A buffer that another one replaces, which has room for more.
 struct Outgrown {
-    gpu::Buffer former;           ///< to be destroyed when no frame in flight uses it
+    gpu::Buffer former;            ///< to be destroyed when no frame in flight uses it
     VkBuffer now = VK_NULL_HANDLE; ///< gets the former bytes; null: they are not wanted
 };
 

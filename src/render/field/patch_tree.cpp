@@ -88,8 +88,7 @@ void PatchTree::update(const gpu::DeviceContext& context, const EditedField& edi
     startCount_ = edited.walkStarts();
     if (edited.subtrees().size_bytes() <= subtrees_.bytes())
         return;
-    gpu::Buffer former =
-        std::exchange(subtrees_, subtreeBuffer(context, edited.subtrees().size()));
+    gpu::Buffer former = std::exchange(subtrees_, subtreeBuffer(context, edited.subtrees().size()));
     outgrown.push_back({std::move(former), subtrees_.get()});
 }
 

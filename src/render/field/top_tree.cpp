@@ -100,9 +100,9 @@ std::uint32_t TopTree::add(const CellIndex& cell)
                  child < patch.firstChild + patch.childCount; ++child) {
                 const auto inner = wide_.find(child);
                 const CellIndex inside =
-                    inner == wide_.end()
-                        ? shifted(cellAt_.at(child), wide->second.shift - 1)
-                        : shifted(inner->second.number, wide->second.shift - 1 - inner->second.shift);
+                    inner == wide_.end() ? shifted(cellAt_.at(child), wide->second.shift - 1)
+                                         : shifted(inner->second.number,
+                                                   wide->second.shift - 1 - inner->second.shift);
                 if (inside == octant)
                     next = child;
             }
@@ -276,15 +276,15 @@ void TopTree::gather(std::uint32_t place)
         axis += static_cast<float>(below.blades) * child.coneAxis;
         subtree.blades += below.blades;
         subtree.widest = std::max(subtree.widest, below.widest);
-        subtree.rankBelow = std::min({subtree.rankBelow, below.rankBelow,
-                                      child.bladeCount > 0 ? child.rankLow : 1.0f});
+        subtree.rankBelow = std::min(
+            {subtree.rankBelow, below.rankBelow, child.bladeCount > 0 ? child.rankLow : 1.0f});
     }
     patch.boundsLow = low;
     patch.boundsHigh = high;
     patch.coneAxis = {0.0f, 1.0f, 0.0f};
     patch.coneCosine = -1.0f;
-    if (const float length = glm::length(axis); length > 1e-3f * float(subtree.blades) &&
-                                                 subtree.blades > 0) {
+    if (const float length = glm::length(axis);
+        length > 1e-3f * float(subtree.blades) && subtree.blades > 0) {
         patch.coneAxis = axis / length;
         float cosine = 1.0f;
         for (std::uint32_t i = 0; i < patch.childCount; ++i)

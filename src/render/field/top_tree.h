@@ -54,8 +54,8 @@ public:
 
     std::span<const shared::Patch> patches() const { return patches_; }
     std::span<const shared::Subtree> subtrees() const { return subtrees_; }
-    std::uint32_t usedEnd() const;           ///< one past the last place in use
-    std::uint32_t topEnd() const;            ///< the same of the first places
+    std::uint32_t usedEnd() const;            ///< one past the last place in use
+    std::uint32_t topEnd() const;             ///< the same of the first places
     bool isMixed() const { return isMixed_; } ///< these were too few: all places may hold any patch
 
 private:
@@ -79,14 +79,14 @@ private:
     std::uint32_t top_; ///< number of first places
     std::vector<shared::Patch> patches_;
     std::vector<shared::Subtree> subtrees_;
-    std::map<std::uint32_t, Wide> wide_;           ///< by place
-    std::map<std::uint32_t, CellIndex> cellAt_;    ///< by place of the own patch
-    std::map<CellIndex, std::uint32_t> placeOf_;   ///< of a cell's own patch
+    std::map<std::uint32_t, Wide> wide_;         ///< by place
+    std::map<std::uint32_t, CellIndex> cellAt_;  ///< by place of the own patch
+    std::map<CellIndex, std::uint32_t> placeOf_; ///< of a cell's own patch
     FreeRanges freeTop_;
     FreeRanges freeBelow_;
     bool isMixed_ = false;
     std::set<std::uint32_t> changed_;
-    std::set<std::uint32_t> stale_;                      ///< whose ancestors are to be computed
+    std::set<std::uint32_t> stale_;                    ///< whose ancestors are to be computed
     std::map<std::uint32_t, std::uint32_t> movedFrom_; ///< by place; noPatch: new
 };
 

@@ -19,15 +19,14 @@ VisibleBlades::VisibleBlades(const gpu::DeviceContext& context, const BakedBlade
 void VisibleBlades::fit(const gpu::DeviceContext& context, const BakedBlades& blades)
 {
     roundPatches_ = std::max(std::min(wantedPatches_, blades.nonEmptyPatchCount()), 1u);
-    roundCount_ = std::max(1u, static_cast<std::uint32_t>(gpu::groupsFor(
-                                   blades.nonEmptyPatchCount(), roundPatches_)));
+    roundCount_ = std::max(
+        1u, static_cast<std::uint32_t>(gpu::groupsFor(blades.nonEmptyPatchCount(), roundPatches_)));
     // Edits may fill all places: room for them avoids that lists grow with every edit.
     const std::uint32_t places = std::min(blades.placeCount(), maxBlades_);
-    listLength_ =
-        blades.isEditable() && roundCount_ == 1
-            ? places
-            : static_cast<std::uint32_t>(std::min<std::uint64_t>(
-                  places, blades.patchSizes().maxBladesOf(roundPatches_)));
+    listLength_ = blades.isEditable() && roundCount_ == 1
+                      ? places
+                      : static_cast<std::uint32_t>(std::min<std::uint64_t>(
+                            places, blades.patchSizes().maxBladesOf(roundPatches_)));
     const PatchTree& tree = blades.tree();
     const std::uint32_t patches =
         blades.isEditable() ? blades.patchCount() : blades.nonEmptyPatchCount();

@@ -17,8 +17,7 @@ void FieldRenderer::apply(const field::Delta& delta)
     requireUsage(parts.blades.edited() != nullptr, "FieldRendererSettings::isEditable is not set");
     parts.blades.apply(delta);
     if (parts.raster)
-        parts.blades.keep(
-            parts.raster->expectBlades(parts.blades.buffers().baked().placeCount()));
+        parts.blades.keep(parts.raster->expectBlades(parts.blades.buffers().baked().placeCount()));
     const EditedField& edited = *parts.blades.edited();
     if (edited.bladeCount() > 0) {
         // A field that was bare has had no typical blade.

@@ -28,7 +28,8 @@ shared::Blade bladeOf(const EditedMeadow::Cell& cell, std::uint64_t index)
     };
     shared::Blade blade = {};
     const glm::vec3 low = edge * glm::vec3(cell[0], cell[1], cell[2]);
-    blade.root = low + glm::vec3(between(0.1f, edge - 0.1f, 0), 0.05f, between(0.1f, edge - 0.1f, 2));
+    blade.root =
+        low + glm::vec3(between(0.1f, edge - 0.1f, 0), 0.05f, between(0.1f, edge - 0.1f, 2));
     blade.up = {0.0f, 1.0f, 0.0f};
     blade.facing = between(0.0f, shared::twoPi, 3);
     blade.stiffness = between(0.3f, 0.8f, 4);
@@ -54,7 +55,8 @@ void EditedMeadow::sow(const Cell& cell, std::size_t blades, double kept, std::u
     for (std::size_t i = 0; i < blades; ++i)
         if (uniform(seed, i, 20) < kept) {
             grown.push_back(bladeOf(cell, i));
-            keys.push_back({static_cast<std::uint32_t>(seedOf(cell)), static_cast<std::uint32_t>(i)});
+            keys.push_back(
+                {static_cast<std::uint32_t>(seedOf(cell)), static_cast<std::uint32_t>(i)});
         }
     sown_[cell] = true;
     if (grown.empty())

@@ -244,8 +244,7 @@ field::Field makeField(const FieldSettings& settings)
         blades[i] = makeBlade(settings, i);
         keys[i] = {static_cast<std::uint32_t>(i), 0};
     }
-    field::Field tree =
-        treeOf(blades, keys, glm::vec3(-0.5f * settings.extent), settings.extent);
+    field::Field tree = treeOf(blades, keys, glm::vec3(-0.5f * settings.extent), settings.extent);
     field.patches = std::move(tree.patches);
     field.blades = std::move(tree.blades);
     field.keys = std::move(tree.keys);

@@ -71,8 +71,8 @@ void expectTree(const EditedField& edited, std::size_t blades)
                 ASSERT_GE(patch.boundsHigh[axis], patches[child].boundsHigh[axis]);
             }
             // The child's cone lies within its parent's.
-            const float between =
-                std::acos(std::clamp(glm::dot(patch.coneAxis, patches[child].coneAxis), -1.0f, 1.0f));
+            const float between = std::acos(
+                std::clamp(glm::dot(patch.coneAxis, patches[child].coneAxis), -1.0f, 1.0f));
             ASSERT_GE(std::acos(patch.coneCosine) + 1e-3f,
                       between + std::acos(patches[child].coneCosine));
         }
