@@ -7,8 +7,8 @@
 
 namespace sward::render {
 
-/// What the rasteriser's pipelines are made for: the settings, the device, and the shapes, folds
-/// and plants that the field's species have.
+/// What the rasteriser's pipelines are made for: the settings, the device, and the shapes, folds and
+/// plants that the field's species have.
 TargetSettings targetFor(const gpu::DeviceContext& context, const field::FieldView& field,
                          const FieldRendererSettings& wanted);
 
