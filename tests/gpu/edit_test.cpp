@@ -73,7 +73,8 @@ std::size_t plainlyDiffering(const std::vector<std::byte>& a, const std::vector<
 {
     std::size_t differing = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
-        differing += std::abs(std::to_integer<int>(a[i]) - std::to_integer<int>(b[i])) > 2 ? 1 : 0;
+        if (std::abs(std::to_integer<int>(a[i]) - std::to_integer<int>(b[i])) > 2)
+            ++differing;
     return differing;
 }
 
