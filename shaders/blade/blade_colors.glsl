@@ -18,13 +18,16 @@ float chance(uint key)
     return float(mixUint(key) >> 8u) * (1.0 / 16777215.0);
 }
 
-/// `index` is the resident id, so that a blade has the same colour in every picture. `leafArea`: that of the blades
+/// Chance depends on what packing keeps of a blade, so that it has the same colour in every picture, also after an
+/// edit has moved it. `leafArea`: that of the blades
 /// at the root.
-BladeColors bladeColors(Blade blade, Species species, uint index, float leafArea)
+BladeColors bladeColors(Blade blade, Species species, float leafArea)
 {
     const float clump = chance(blade.clump * 977u + 11u);
-    const float single = chance(index * 16u + blade.hash);
-    const float other = chance(index * 16u + blade.hash + 0x9e3779b9u);
+    const uint kept = uint(blade.facing * (256.0 / twoPi) + 0.5) | (uint(blade.stiffness * 63.0 + 0.5) << 8u) |
+                      (uint(blade.tint.y * 63.0 + 0.5) << 14u) | (blade.clump << 20u);
+    const float single = chance(kept * 16u + blade.hash);
+    const float other = chance(kept * 16u + blade.hash + 0x9e3779b9u);
     // Wide patches of drier and lusher growth, some metres across.
     const float meadow = 0.65 * valueNoise(blade.root / 2.3) + 0.35 * valueNoise(blade.root / 0.7);
 
@@ -75,7 +78,7 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, LeafAreaLimit 
     const Blade blade = drawn.blade;
     const Species species = drawn.species;
     const float leafArea = leafAreaAt(FRAME.cover, blade.root);
-    BladeColors colors = bladeColors(blade, species, visible.blade, leafArea);
+    BladeColors colors = bladeColors(blade, species, leafArea);
     if (debugMode() == 1u)
         colors.tip = mix(vec3(0.1, 0.6, 0.1), vec3(1.0, 0.1, 0.0),
                          clamp(log2(max(widthFactorOf(visible), 1.0)) / 4.0, 0.0, 1.0));

@@ -2,6 +2,8 @@
 
 #include "core/bounds.h"
 #include "field/distributions.h"
+#include "render/field/cover_corners.h"
+#include "render/field/edited_cover.h"
 
 #include <glm/geometric.hpp>
 
@@ -9,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace sward::render {
 namespace {
@@ -68,67 +71,17 @@ shared::Cover shapeOf(const field::FieldView& field)
     return shape;
 }
 
-/// Amounts at the corners of a grid.
-class Corners {
-public:
-    explicit Corners(const shared::Cover& shape)
-        : shape_(shape)
-        , amounts_(std::size_t(shape.countX) * shape.countY * shape.countZ, 0.0f)
-    {
-    }
-
-    /// Distributes an amount to the corners around a place with the weights of leafAreaAt().
-    void deal(glm::vec3 place, float amount)
-    {
-        const glm::vec3 last = glm::vec3(shape_.countX, shape_.countY, shape_.countZ) - 1.0f;
-        const glm::vec3 at =
-            glm::clamp((place - shape_.low) * shape_.cellsPerMetre, glm::vec3(0.0f), last);
-        const glm::vec3 cell = glm::min(glm::floor(at), last - 1.0f);
-        const glm::vec3 f = at - cell;
-        const std::size_t stepY = shape_.countX;
-        const std::size_t stepZ = stepY * shape_.countY;
-        float* const first = amounts_.data() + static_cast<std::size_t>(cell.x) +
-                             stepY * static_cast<std::size_t>(cell.y) +
-                             stepZ * static_cast<std::size_t>(cell.z);
-        for (std::size_t corner = 0; corner < 8; ++corner) {
-            const bool x = (corner & 1u) != 0;
-            const bool y = (corner & 2u) != 0;
-            const bool z = (corner & 4u) != 0;
-            const float weight =
-                (x ? f.x : 1.0f - f.x) * (y ? f.y : 1.0f - f.y) * (z ? f.z : 1.0f - f.z);
-            first[(x ? 1 : 0) + (y ? stepY : 0) + (z ? stepZ : 0)] += amount * weight;
-        }
-    }
-
-    std::vector<float>& amounts() { return amounts_; }
-
-private:
-    shared::Cover shape_;
-    std::vector<float> amounts_;
-};
-
-void dealBlades(const field::FieldView& field, Corners& leaves)
+void dealBlades(const field::FieldView& field, CoverCorners& leaves)
 {
     const double all = static_cast<double>(std::max<std::size_t>(field.blades.size(), 1));
     const double share = std::min(1.0, static_cast<double>(maxCoverBlades) / all);
-    for (const shared::Patch& cell : field.patches) {
-        // The first blades of a patch are spread evenly over it: they represent all.
-        const auto read =
-            static_cast<std::uint32_t>(std::ceil(share * static_cast<double>(cell.bladeCount)));
-        for (std::uint32_t i = 0; i < read; ++i) {
-            const shared::Blade blade =
-                shared::unpackBlade(field.blades[cell.firstBlade + i], cell);
-            const field::BladePart part = field::partOf(field.species[blade.species], blade);
-            const float area = part.length * blade.width *
-                               shared::outlineArea(part.look->shape, part.look->tipThreshold);
-            leaves.deal(blade.root,
-                        area * static_cast<float>(cell.bladeCount) / static_cast<float>(read));
-        }
-    }
+    for (const shared::Patch& cell : field.patches)
+        forSomeBlades(field.species, cell, field.blades, share,
+                      [&](const CoverBlade& blade) { leaves.deal(blade.root, blade.area); });
 }
 
 /// Distributes a triangle in pieces no longer than `longest`, by halving its longest side.
-void dealTriangle(std::array<glm::vec3, 3> corners, float longest, Corners& ground)
+void dealTriangle(std::array<glm::vec3, 3> corners, float longest, CoverCorners& ground)
 {
     const auto squared = [&](std::size_t i) {
         const glm::vec3 side = corners[(i + 1) % 3] - corners[i];
@@ -154,7 +107,7 @@ void dealTriangle(std::array<glm::vec3, 3> corners, float longest, Corners& grou
     dealTriangle(half, longest, ground);
 }
 
-void dealGround(const field::DisplayGround& drawn, float longest, Corners& ground)
+void dealGround(const field::DisplayGround& drawn, float longest, CoverCorners& ground)
 {
     for (const field::GroundRange& range : drawn.ranges) {
         if (range.level != 0)
@@ -177,21 +130,33 @@ shared::Cover LeafAreaGrid::view() const
     return cover;
 }
 
+std::vector<float> groundAreasOf(const field::FieldView& field, const shared::Cover& shape)
+{
+    const float edge = 1.0f / shape.cellsPerMetre;
+    CoverCorners ground(shape);
+    dealGround(*field.ground, pieceSize * edge, ground);
+    for (float& area : ground.amounts())
+        area = std::max(area, minGround * edge * edge);
+    return std::move(ground.amounts());
+}
+
+shared::Cover coverShapeOf(const field::FieldView& field)
+{
+    return shapeOf(field);
+}
+
 LeafAreaGrid leafAreaOf(const field::FieldView& field)
 {
     LeafAreaGrid grid;
     if (field.blades.empty())
         return grid;
     grid.shape = shapeOf(field);
-    const float edge = 1.0f / grid.shape.cellsPerMetre;
-    Corners leaves(grid.shape);
-    Corners ground(grid.shape);
+    CoverCorners leaves(grid.shape);
     dealBlades(field, leaves);
-    dealGround(*field.ground, pieceSize * edge, ground);
-
+    const std::vector<float> ground = groundAreasOf(field, grid.shape);
     grid.values = std::move(leaves.amounts());
     for (std::size_t i = 0; i < grid.values.size(); ++i)
-        grid.values[i] /= std::max(ground.amounts()[i], minGround * edge * edge);
+        grid.values[i] /= ground[i];
     return grid;
 }
 
@@ -220,17 +185,27 @@ void describeUndergrowth(const field::FieldView& field, shared::Cover& cover)
     cover.thinned = static_cast<float>(field.thinned);
     if (leaves <= 0.0f)
         return;
-    roots /= leaves;
-    tips /= leaves;
-    cover.undergrowth =
-        glm::mix(glm::mix(roots, tips, undergrowthHeight), litterColor, litterShare);
-    cover.sward = glm::mix(roots, tips, swardHeight);
+    colorUndergrowth(roots / leaves, tips / leaves, cover);
+}
+
+void colorUndergrowth(const glm::vec3& root, const glm::vec3& tip, shared::Cover& cover)
+{
+    cover.undergrowth = glm::mix(glm::mix(root, tip, undergrowthHeight), litterColor, litterShare);
+    cover.sward = glm::mix(root, tip, swardHeight);
 }
 
 GrassCover::GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
-                       const field::FieldView& field)
+                       const field::FieldView& field, bool isEditable)
 {
-    const LeafAreaGrid grid = leafAreaOf(field);
+    LeafAreaGrid grid = leafAreaOf(field);
+    if (isEditable) {
+        if (grid.values.empty()) {
+            grid.shape = coverShapeOf(field);
+            grid.values.resize(std::size_t(grid.shape.countX) * grid.shape.countY *
+                               grid.shape.countZ);
+        }
+        edited_ = std::make_unique<EditedCover>(field, grid);
+    }
     shape_ = grid.shape;
     describeUndergrowth(field, shape_);
     values_ = gpu::Buffer(
@@ -238,6 +213,19 @@ GrassCover::GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upl
                   .bytes = grid.values.size() * sizeof(float),
                   .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
     upload.toBuffer(values_, std::span<const float>(grid.values));
+}
+
+GrassCover::GrassCover(GrassCover&&) noexcept = default;
+GrassCover::~GrassCover() = default;
+
+PlaceRange GrassCover::apply(const field::Delta& delta)
+{
+    return edited_->apply(delta, shape_);
+}
+
+std::span<const float> GrassCover::values() const
+{
+    return edited_->values();
 }
 
 void GrassCover::describe(shared::Frame& frame, float thatch) const

@@ -1,12 +1,16 @@
 #pragma once
 
+#include "field/delta.h"
 #include "field/field.h"
 #include "gpu/buffer.h"
 #include "gpu/buffer_upload.h"
 #include "gpu/context.h"
+#include "render/field/free_ranges.h"
 #include "shaders/shared/cover.h"
 #include "shaders/shared/frame.h"
 
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace sward::render {
@@ -32,16 +36,34 @@ struct LeafAreaGrid {
 /// range at which grass darkens.
 LeafAreaGrid leafAreaOf(const field::FieldView& field);
 
+/// Its grid, also for a field without blades.
+shared::Cover coverShapeOf(const field::FieldView& field);
+
+/// m² of ground at the corners of the grid, never 0.
+std::vector<float> groundAreasOf(const field::FieldView& field, const shared::Cover& shape);
+
 /// Colours and structure of the ground under a field's grass: members undergrowth, sward, thinned
 /// and structure.
 void describeUndergrowth(const field::FieldView& field, shared::Cover& cover);
 
-/// The same in device memory, computed once.
+/// Members undergrowth and sward, from the mean colours of roots and tips.
+void colorUndergrowth(const glm::vec3& root, const glm::vec3& tip, shared::Cover& cover);
+
+class EditedCover;
+
+/// The same in device memory. Only edits change it.
 class GrassCover {
 public:
     /// Begins the upload; it is complete when `upload` is.
     GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
-               const field::FieldView& field);
+               const field::FieldView& field, bool isEditable = false);
+    GrassCover(GrassCover&&) noexcept;
+    ~GrassCover();
+
+    /// Follows an edit. Returns the corners that change; the caller uploads them.
+    PlaceRange apply(const field::Delta& delta);
+    std::span<const float> values() const; ///< of all corners, if editable
+    const gpu::Buffer& buffer() const { return values_; }
 
     /// Call after the frame's draw distance is set. `thatch`: FrameSettings::thatch.
     void describe(shared::Frame& frame, float thatch) const;
@@ -51,6 +73,7 @@ public:
 private:
     shared::Cover shape_ = {}; ///< with the colours of the undergrowth
     gpu::Buffer values_;
+    std::unique_ptr<EditedCover> edited_;
 };
 
 } // namespace sward::render

@@ -1,4 +1,5 @@
 #include "core/error.h"
+#include "field/distributions.h"
 #include "gpu/barrier.h"
 #include "gpu/image_use.h"
 #include "render/cull/pass_scope.h"
@@ -6,6 +7,28 @@
 #include "render/preview/field_renderer_parts.h"
 
 namespace sward::render {
+
+void FieldRenderer::apply(const field::Delta& delta)
+{
+    Parts& parts = *parts_;
+    if (parts.streaming)
+        fail(ErrorKind::unsupported, "a field that is larger than its budget of device memory "
+                                     "cannot be edited while it is shown");
+    requireUsage(parts.blades.edited() != nullptr, "FieldRendererSettings::isEditable is not set");
+    parts.blades.apply(delta);
+    if (parts.raster)
+        parts.blades.keep(parts.raster->expectBlades(parts.blades.buffers().baked().placeCount()));
+    const EditedField& edited = *parts.blades.edited();
+    if (edited.bladeCount() > 0) {
+        // A field that was bare has had no typical blade.
+        field::FieldView now;
+        now.patches = edited.patches();
+        if (parts.shape.blade.height <= 0.0f)
+            parts.shape.blade = field::meanBladeSize(now);
+        parts.shape.content.add(edited.patches()[0].boundsLow);
+        parts.shape.content.add(edited.patches()[0].boundsHigh);
+    }
+}
 
 const gpu::DeviceContext& FieldRenderer::Parts::checked(const gpu::DeviceContext& given,
                                                         const field::FieldView& field,

@@ -1,0 +1,98 @@
+#include "render/field/edited_cover.h"
+
+#include "field/distributions.h"
+#include "render/field/cover_corners.h"
+
+#include <algorithm>
+
+namespace sward::render {
+namespace {
+
+/// Blades read of an edited cell, at most: a few milliseconds.
+constexpr double editedCoverBlades = 16384.0;
+
+} // namespace
+
+EditedCover::EditedCover(const field::FieldView& field, const LeafAreaGrid& grid)
+    : shape_(grid.shape)
+    , species_(field.species.begin(), field.species.end())
+    , scratch_(grid.values.size(), 0.0f)
+    , leaves_(grid.values.size(), 0.0)
+    , ground_(groundAreasOf(field, grid.shape))
+    , values_(grid.values)
+{
+    const double share =
+        std::min(1.0, double(maxCoverBlades) / std::max(double(field.blades.size()), 1.0));
+    std::vector<shared::Patch> patches;
+    for (const FieldCell& cell : cellsOf(field)) {
+        patches.clear();
+        for (const std::uint32_t patch : cell.patches)
+            patches.push_back(field.patches[patch]);
+        Cell& measure = cells_[cell.cell];
+        measure = measured(patches, field.blades, share);
+        add(measure, 1.0);
+    }
+}
+
+EditedCover::Cell EditedCover::measured(std::span<const shared::Patch> patches,
+                                        std::span<const shared::PackedBlade> blades, double share)
+{
+    Cell cell;
+    for (const shared::Patch& patch : patches)
+        forSomeBlades(species_, patch, blades, share, [&](const CoverBlade& blade) {
+            cell.roots += double(blade.area) * glm::dvec3(blade.look->rootColor);
+            cell.tips += double(blade.area) * glm::dvec3(blade.look->tipColor);
+            cell.leaves += double(blade.area);
+            dealToCorners(shape_, blade.root, blade.area, [&](std::size_t corner, float part) {
+                if (part <= 0.0f)
+                    return;
+                if (scratch_[corner] == 0.0f)
+                    cell.corners.emplace_back(static_cast<std::uint32_t>(corner), 0.0f);
+                scratch_[corner] += part;
+            });
+        });
+    for (auto& [corner, amount] : cell.corners)
+        amount = std::exchange(scratch_[corner], 0.0f);
+    return cell;
+}
+
+void EditedCover::add(const Cell& cell, double sign)
+{
+    for (const auto& [corner, amount] : cell.corners)
+        leaves_[corner] += sign * double(amount);
+    sum_.roots += sign * cell.roots;
+    sum_.tips += sign * cell.tips;
+    sum_.leaves += sign * cell.leaves;
+}
+
+PlaceRange EditedCover::apply(const field::Delta& delta, shared::Cover& cover)
+{
+    std::uint32_t low = static_cast<std::uint32_t>(values_.size());
+    std::uint32_t end = 0;
+    const auto touch = [&](const Cell& cell, double sign) {
+        add(cell, sign);
+        for (const auto& [corner, amount] : cell.corners) {
+            low = std::min(low, corner);
+            end = std::max(end, corner + 1);
+        }
+    };
+    for (const field::CellChange& change : delta.cells) {
+        Cell& cell = cells_[change.cell];
+        touch(cell, -1.0);
+        const double blades = std::max(double(change.blades.size()), 1.0);
+        cell = measured(change.patches, change.blades, std::min(1.0, editedCoverBlades / blades));
+        touch(cell, 1.0);
+    }
+    // What remains of removed blades is rounding.
+    constexpr double nothing = 1e-9;
+    for (std::uint32_t corner = low; corner < end; ++corner)
+        values_[corner] = leaves_[corner] < nothing
+                              ? 0.0f
+                              : static_cast<float>(leaves_[corner]) / ground_[corner];
+    if (sum_.leaves > nothing)
+        colorUndergrowth(glm::vec3(sum_.roots / sum_.leaves), glm::vec3(sum_.tips / sum_.leaves),
+                         cover);
+    return low < end ? PlaceRange{low, end - low} : PlaceRange{};
+}
+
+} // namespace sward::render

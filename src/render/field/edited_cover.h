@@ -1,0 +1,54 @@
+#pragma once
+
+#include "field/delta.h"
+#include "field/field.h"
+#include "render/field/field_cells.h"
+#include "render/field/free_ranges.h"
+#include "render/field/grass_cover.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace sward::render {
+
+/// The cover of an edited field: what each 32 m cell adds to the corners of the grid, so that an
+/// edit reads only the blades of its cells. The grid stays as it was; grass outside counts at its
+/// edge.
+class EditedCover {
+public:
+    /// The grid need not have values.
+    EditedCover(const field::FieldView& field, const LeafAreaGrid& grid);
+
+    /// Replaces cells. Returns a range that holds all changed corners, and colours `cover`.
+    PlaceRange apply(const field::Delta& delta, shared::Cover& cover);
+
+    std::span<const float> values() const { return values_; } ///< as LeafAreaGrid::values
+
+private:
+    struct Cell {
+        std::vector<std::pair<std::uint32_t, float>> corners; ///< and m² of blades there
+        glm::dvec3 roots{0.0};                                ///< colours times m²
+        glm::dvec3 tips{0.0};
+        double leaves = 0.0; ///< [m²]
+    };
+
+    Cell measured(std::span<const shared::Patch> patches,
+                  std::span<const shared::PackedBlade> blades, double share);
+    void add(const Cell& cell, double sign);
+
+    shared::Cover shape_;
+    std::vector<field::Species> species_;
+    std::map<CellIndex, Cell> cells_;
+    std::vector<float> scratch_; ///< one per corner, all 0
+    std::vector<double> leaves_; ///< [m²] of all cells
+    std::vector<float> ground_;  ///< [m²]
+    std::vector<float> values_;
+    Cell sum_; ///< of colours
+};
+
+} // namespace sward::render

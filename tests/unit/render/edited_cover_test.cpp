@@ -1,0 +1,44 @@
+#include "render/field/edited_cover.h"
+#include "support/fields/edited_meadow.h"
+
+#include <gtest/gtest.h>
+
+namespace sward::render {
+namespace {
+
+TEST(EditedCover, IsThatOfTheFieldJoinedAnew)
+{
+    test::EditedMeadow meadow(200.0f);
+    meadow.sow({0, 0, 0}, 2000);
+    meadow.sow({1, 0, 1}, 900);
+    meadow.changes();
+    const field::Field first = meadow.whole();
+    LeafAreaGrid grid = leafAreaOf(field::viewOf(first));
+    EditedCover edited(field::viewOf(first), grid);
+    shared::Cover colors = grid.shape;
+    for (std::uint64_t step = 0; step < 6; ++step) {
+        meadow.sow({std::int64_t(step % 3) - 1, 0, 0}, 700 * step, 0.7, step);
+        meadow.sow({1, 0, 1}, 900, 0.2 * double(step), step);
+        const PlaceRange changed = edited.apply(meadow.changes(), colors);
+        const field::Field whole = meadow.whole();
+        const LeafAreaGrid expected = leafAreaOf(field::viewOf(whole));
+        ASSERT_EQ(expected.values.size(), edited.values().size());
+        double sum = 0.0;
+        for (std::uint32_t i = 0; i < expected.values.size(); ++i) {
+            ASSERT_NEAR(edited.values()[i], expected.values[i], 1e-4f + 1e-4f * expected.values[i]);
+            if (i < changed.first || i >= changed.end()) {
+                ASSERT_EQ(edited.values()[i], grid.values[i]) << "no change is told of it";
+            }
+            grid.values[i] = edited.values()[i];
+            sum += double(expected.values[i]);
+        }
+        EXPECT_GT(sum, 0.0);
+        shared::Cover wanted = expected.shape;
+        describeUndergrowth(field::viewOf(whole), wanted);
+        EXPECT_NEAR(colors.sward.y, wanted.sward.y, 1e-4f);
+        EXPECT_NEAR(colors.undergrowth.x, wanted.undergrowth.x, 1e-4f);
+    }
+}
+
+} // namespace
+} // namespace sward::render
