@@ -5,7 +5,7 @@ import subprocess
 from dataclasses import dataclass, field
 
 COMMANDS = {
-    "sward": ["bake", "info", "validate", "compare", "export", "terrain", "plan", "tile", "merge"],
+    "sward": ["bake", "info", "validate", "compare", "export", "terrain", "plan", "tile", "merge", "edit"],
     "sward-view": ["", "render", "bench", "devices"],
 }
 FACTS = r"required|default: |not with |environment: "

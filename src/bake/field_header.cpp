@@ -32,6 +32,8 @@ field::Defaults defaultsFor(const BakeSettings& settings, double scale)
     return defaults;
 }
 
+} // namespace
+
 std::string provenanceOf(const BakeSettings& settings, const Report& report)
 {
     const nlohmann::json object = {{"tool", "sward 0.1.0"},
@@ -40,8 +42,6 @@ std::string provenanceOf(const BakeSettings& settings, const Report& report)
                                    {"settings", nlohmann::json::parse(toJson(settings))}};
     return jsonText(object);
 }
-
-} // namespace
 
 field::Field fieldWithoutBlades(const terrain::GroundMesh& ground, const BakeSettings& settings,
                                 const BakePlan& plan, const Report& report)

@@ -6,7 +6,12 @@
 #include "field/field.h"
 #include "terrain/ground_mesh.h"
 
+#include <string>
+
 namespace sward::bake {
+
+/// What a field says of its making: tool, input, scale and settings, as JSON.
+std::string provenanceOf(const BakeSettings& settings, const Report& report);
 
 /// Makes a field without patches and blades.
 field::Field fieldWithoutBlades(const terrain::GroundMesh& ground, const BakeSettings& settings,

@@ -4,6 +4,7 @@
 #include "bake/field_header.h"
 #include "bake/paint/stroke_grid.h"
 #include "bake/patches/patch_tree.h"
+#include "bake/patches/split_cells.h"
 #include "bake/sample/progressive_order.h"
 #include "bake/threads.h"
 #include "bake/whole_plan.h"
@@ -85,7 +86,7 @@ bool mayTouch(const Stroke& a, const Stroke& b, double margin)
 } // namespace
 
 Session::Session(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads,
-                 Diagnostics& diagnostics, Progress& progress)
+                 Diagnostics& diagnostics, Progress& progress, const field::FieldView* baked)
     : ground_(ground)
     , settings_(settings)
     , threads_(threadCount(threads))
@@ -95,24 +96,43 @@ Session::Session(const terrain::GroundMesh& ground, const BakeSettings& settings
         report_ = reportOf(ground_, settings_, threads_);
         features_ = featuresOf(ground_, settings_);
         std::optional<terrain::SurfaceQuery> rays;
-        if (needsRays(ground_, settings_))
+        if (baked == nullptr && needsRays(ground_, settings_))
             rays.emplace(ground_);
-        GroundView whole{ground_, features_, rays ? &*rays : nullptr};
-        plan_ = planWhole(whole, settings_, diagnostics, progress);
+        plan_ = planWhole({ground_, features_, rays ? &*rays : nullptr}, settings_, diagnostics,
+                          progress);
         report_.bladeScale = plan_.plan.scale;
         margin_ = tileMargin(ground_, settings_, plan_);
         triangles_.emplace(ground_);
         for (const std::vector<CellNumber>& cells : dealTiles(ground_, 1))
             bearing_.insert(cells.begin(), cells.end());
         part_ = partOf(ground_, {});
-        if (needsTiles(settings_, plan_)) {
-            whole.rays = nullptr;
-            rays.reset();
-        }
+        hasReused_ = baked != nullptr && reuse(*baked, diagnostics);
+        if (hasReused_)
+            return;
+        if (needsTiles(settings_, plan_))
+            rays.reset(); // each tile builds its own
+        const GroundView whole{ground_, features_, rays ? &*rays : nullptr};
         Totals totals;
         for (CellTree& cell : bakeAllCells(whole, settings_, plan_, totals, progress))
             cells_.insert_or_assign(cell.cell, std::move(cell));
     });
+}
+
+// Takes the blades of a field that was baked alike.
+bool Session::reuse(const field::FieldView& baked, Diagnostics& diagnostics)
+{
+    const auto refuse = [&](const char* why) {
+        diagnostics.warn("the field's blades are not used, but baked anew: {}", why);
+        return false;
+    };
+    if (baked.keys.size() != baked.blades.size())
+        return refuse("it does not tell where its blades come from");
+    if (baked.origin != ground_.origin || *baked.provenance != provenanceOf(settings_, report_))
+        return refuse("it was baked of other ground, with other options or strokes, or by another "
+                      "version of the program");
+    for (CellTree& cell : splitCells(baked))
+        cells_.insert_or_assign(cell.cell, std::move(cell));
+    return true;
 }
 
 // The cells that a stroke changes, with `later` strokes after it.
@@ -213,6 +233,23 @@ Session::Change Session::apply(Strokes strokes, Progress& progress)
     }
     settings_.strokes = std::move(next.strokes);
     return change;
+}
+
+field::Delta Session::deltaOf(std::span<const CellNumber> cells) const
+{
+    field::Delta delta;
+    delta.origin = ground_.origin;
+    for (const CellNumber& number : cells) {
+        field::CellChange& change = delta.cells.emplace_back();
+        change.cell = number;
+        const auto found = cells_.find(number);
+        if (found == cells_.end())
+            continue;
+        change.patches = found->second.patches;
+        change.blades = found->second.blades;
+        change.keys = found->second.keys;
+    }
+    return delta;
 }
 
 field::Field Session::field() const

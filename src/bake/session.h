@@ -6,6 +6,7 @@
 #include "bake/tiles/bake_tile.h"
 #include "core/diagnostics.h"
 #include "core/progress.h"
+#include "field/delta.h"
 #include "field/field.h"
 #include "terrain/ground_mesh.h"
 #include "terrain/topology/surface_features.h"
@@ -34,15 +35,23 @@ public:
     };
 
     /// Bakes the whole field with the settings' strokes. The ground must outlive the session; the
-    /// settings are copied. `threads` 0: all threads of the machine. Throws as bakeField() does.
+    /// settings are copied. `threads` 0: all threads of the machine. `baked`: a field with keys
+    /// whose blades are used instead, if it was baked of this ground with these settings; else a
+    /// warning says why not. Throws as bakeField() does.
     Session(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads,
-            Diagnostics& diagnostics, Progress& progress);
+            Diagnostics& diagnostics, Progress& progress, const field::FieldView* baked = nullptr);
 
     /// Replaces all strokes; their species must be resolved. Leaves the session as it was if it
     /// throws Error{interrupted} because it was cancelled. Does not test maxBlades.
     Change apply(Strokes strokes, Progress& progress);
 
     const Strokes& strokes() const { return settings_.strokes; }
+    const BakePlan& plan() const { return plan_; } ///< without strokes
+    bool hasReused() const { return hasReused_; }  ///< the blades of a baked field
+
+    /// Cells as they are now, relative to the ground's origin; for receivers of a Change. The
+    /// session must not change as long as the delta is used.
+    field::Delta deltaOf(std::span<const CellNumber> cells) const;
 
     /// Cells with blades, by number.
     const std::map<CellNumber, CellTree>& cells() const { return cells_; }
@@ -51,6 +60,7 @@ public:
     field::Field field() const;
 
 private:
+    bool reuse(const field::FieldView& baked, Diagnostics& diagnostics);
     std::set<CellNumber> cellsReached(const Strokes& next) const;
     void addCells(const Stroke& stroke, std::span<const Stroke> later,
                   std::set<CellNumber>& reached) const;
@@ -66,6 +76,7 @@ private:
     std::set<CellNumber> bearing_; ///< all cells that may have blades
     terrain::GroundMesh part_;     ///< around the cells that were baked last
     std::map<CellNumber, CellTree> cells_;
+    bool hasReused_ = false;
 };
 
 } // namespace sward::bake

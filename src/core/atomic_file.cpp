@@ -200,9 +200,10 @@ void AtomicFile::flush()
         fail(ErrorKind::io, "{}: cannot write: {}", path_.string(), std::strerror(errno));
 }
 
-void AtomicFile::commit()
+void AtomicFile::commit(bool synchronises)
 {
-    flush();
+    if (synchronises)
+        flush();
     // Without --force, a file that has appeared in the meantime stays.
     const int trouble = overwrite_
                             ? (::rename(temporary_.c_str(), target_.c_str()) != 0 ? errno : 0)
@@ -211,7 +212,8 @@ void AtomicFile::commit()
         fail(ErrorKind::io, "{}: cannot put into place: {}", path_.string(),
              std::strerror(trouble));
     committed_ = true;
-    syncFolder(folderOf(target_));
+    if (synchronises)
+        syncFolder(folderOf(target_));
 }
 
 void writeTextFile(const std::filesystem::path& path, std::string_view text, bool overwrite)

@@ -28,8 +28,9 @@ public:
     /// Hands all written bytes to the disk (fsync).
     void flush();
 
-    /// Renames the file to its final path. Throws Error{io}.
-    void commit();
+    /// Renames the file to its final path. Throws Error{io}. `synchronises`: false for a file that
+    /// need not outlive the system, which is faster.
+    void commit(bool synchronises = true);
 
 private:
     std::filesystem::path path_;   ///< as given, for messages

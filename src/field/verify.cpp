@@ -155,6 +155,17 @@ void verifyKeys(const FieldView& field, const std::string& place)
              field.blades.size());
 }
 
+void verifyBlades(const FieldView& field, const std::string& place)
+{
+    verifyKeys(field, place);
+    verifyTree(field, place);
+    for (std::size_t b = 0; b < field.blades.size(); ++b)
+        if (((field.blades[b].look >> 21) & 7) >= field.species.size())
+            fail(ErrorKind::input, "{}: blade {} has species {}; there are {}", place, b,
+                 (field.blades[b].look >> 21) & 7, field.species.size());
+    verifyPlants(field, place);
+}
+
 void verify(const FieldView& field, const std::string& place)
 {
     if (!std::isfinite(field.origin.x) || !std::isfinite(field.origin.y) ||
@@ -166,13 +177,7 @@ void verify(const FieldView& field, const std::string& place)
     if (!(field.thinned >= 1.0 && field.thinned <= maxThinned))
         fail(ErrorKind::input, "{}: a meadow of {} times the leaf area, outside 1 to {}", place,
              field.thinned, maxThinned);
-    verifyKeys(field, place);
-    verifyTree(field, place);
-    for (std::size_t b = 0; b < field.blades.size(); ++b)
-        if (((field.blades[b].look >> 21) & 7) >= field.species.size())
-            fail(ErrorKind::input, "{}: blade {} has species {}; there are {}", place, b,
-                 (field.blades[b].look >> 21) & 7, field.species.size());
-    verifyPlants(field, place);
+    verifyBlades(field, place);
     verifyGround(*field.ground, place);
 }
 

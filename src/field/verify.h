@@ -11,6 +11,10 @@ namespace sward::field {
 /// must have a target. Readers may follow any index of a verified field.
 void verify(const FieldView& field, const std::string& place);
 
+/// A part of verify(): patches, blades and keys, by the field's species. Does not look at ground
+/// and texts, which may be missing.
+void verifyBlades(const FieldView& field, const std::string& place);
+
 /// Throws Error{input} unless there are no keys or one for each blade; a part of verify().
 void verifyKeys(const FieldView& field, const std::string& place);
 

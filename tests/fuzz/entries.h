@@ -10,6 +10,7 @@ namespace sward::fuzz {
 
 using Bytes = std::span<const std::uint8_t>;
 
+void fieldDelta(Bytes bytes);      ///< a delta of a field; its hash is repaired first
 void fieldReader(Bytes bytes);     ///< a field file; its hashes are repaired first
 void gltfImport(Bytes bytes);      ///< a .glb or .gltf
 void heightmapImport(Bytes bytes); ///< the first bytes choose format, size and a mask
@@ -31,6 +32,7 @@ struct Entry {
 };
 
 inline constexpr Entry entries[] = {
+    {"field_delta", fieldDelta},
     {"field_reader", fieldReader},
     {"gltf_import", gltfImport},
     {"heightmap_import", heightmapImport},

@@ -4,6 +4,7 @@
 #include "bake/paint/stroke_file.h"
 #include "bake/tiles/tile_files.h"
 #include "core/mapped_file.h"
+#include "field/delta.h"
 #include "field/write.h"
 #include "fuzz/memory_file.h"
 #include "render/settings/settings_text.h"
@@ -176,6 +177,20 @@ void addFields(std::vector<Sample>& all)
     std::filesystem::remove(path);
 }
 
+void addDeltas(std::vector<Sample>& all)
+{
+    const field::Field field = test::makeField({.surface = test::Surface::cloud, .blades = 600});
+    const std::filesystem::path path = memoryFile().folder() / "sample.swdelta";
+    field::writeDelta(path, {.origin = field.origin,
+                             .cells = {{{0, 0, -1}, {}, {}, {}},
+                                       {{0, 0, 1}, field.patches, field.blades, field.keys}},
+                             .storage = {}});
+    const std::vector<std::byte> bytes = readFile(path);
+    all.push_back({"field_delta", "change.swdelta",
+                   std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size())});
+    std::filesystem::remove(path);
+}
+
 std::string contentOf(const std::filesystem::path& path)
 {
     const std::vector<std::byte> bytes = readFile(path);
@@ -264,6 +279,7 @@ std::vector<Sample> samples()
     addStrokes(all);
     addSettings(all);
     addFields(all);
+    addDeltas(all);
     addMasks(all);
     addTileFiles(all);
     return all;

@@ -1,5 +1,5 @@
+#include "apps/common/temporary_folder.h"
 #include "apps/sward_view/file_browser.h"
-#include "apps/sward_view/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ protected:
         return {.browser = {folder_, {".sward", ".glb"}}, .title = {}, .verb = {}, .act = {}};
     }
 
-    const TemporaryFolder temporary_;
+    const apps::TemporaryFolder temporary_;
     const fs::path folder_ = fs::canonical(temporary_.path());
 };
 

@@ -1,6 +1,6 @@
+#include "apps/common/temporary_folder.h"
 #include "apps/sward_view/meadow_requests.h"
 #include "apps/sward_view/meadow_species.h"
-#include "apps/sward_view/temporary_folder.h"
 #include "core/error.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(MeadowSpecies, TextsThatAreNoMeadowAreRefused)
 
 TEST(MeadowEditor, WritesWhatHasChangedAndKeepsAllElse)
 {
-    const TemporaryFolder folder;
+    const apps::TemporaryFolder folder;
     MeadowRequests requests;
     MeadowEditor editor(requests);
     EXPECT_FALSE(editor.isChanged());

@@ -1,5 +1,5 @@
 #include "apps/sward_view/paint/stroke_list.h"
-#include "apps/sward_view/temporary_folder.h"
+#include "apps/common/temporary_folder.h"
 #include "core/error.h"
 
 #include <glm/common.hpp>

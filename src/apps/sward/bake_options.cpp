@@ -372,7 +372,7 @@ BakeRequest BakeOptions::request() const
         fail(ErrorKind::usage,
              "INPUT is missing: a mesh, a heightmap, a recipe, or a built-in such as hills.\n"
              "'sward bake --help' lists them.");
-    if (!printConfig && !request.dryRun && request.output.empty())
+    if (needsOutput && !printConfig && !request.dryRun && request.output.empty())
         fail(ErrorKind::usage, "-o OUT.sward is missing; --dry-run alone writes no field");
     return request;
 }

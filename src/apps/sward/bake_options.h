@@ -43,6 +43,7 @@ public:
     BakeRequest request() const;
 
     bool printConfig = false;
+    bool needsOutput = true; ///< --output, unless --dry-run is there
     LogSwitches log;
 
 private:

@@ -28,9 +28,9 @@ int run(int argc, char** argv)
     CLI::App program{description};
     prepareApp(program, "sward");
     const std::unique_ptr<Subcommand> commands[] = {
-        addBake(program),    addInfo(program),   addValidate(program),
-        addCompare(program), addExport(program), addTerrain(program),
-        addPlan(program),    addTile(program),   addMerge(program)};
+        addBake(program),   addInfo(program),    addValidate(program), addCompare(program),
+        addExport(program), addTerrain(program), addPlan(program),     addTile(program),
+        addMerge(program),  addEdit(program)};
     program.footer(exitCodes);
     program.require_subcommand(0, 1);
     if (const std::optional<int> done = parseCommandLine(program, argc, argv))

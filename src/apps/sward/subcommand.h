@@ -41,5 +41,6 @@ std::unique_ptr<Subcommand> addTerrain(CLI::App& program);
 std::unique_ptr<Subcommand> addPlan(CLI::App& program);
 std::unique_ptr<Subcommand> addTile(CLI::App& program);
 std::unique_ptr<Subcommand> addMerge(CLI::App& program);
+std::unique_ptr<Subcommand> addEdit(CLI::App& program);
 
 } // namespace sward::apps

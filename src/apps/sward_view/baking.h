@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/sward_view/temporary_folder.h"
+#include "apps/common/temporary_folder.h"
 #include "core/error.h"
 
 #include <sys/types.h>
@@ -58,7 +58,7 @@ private:
     void takeIn(std::string_view text);
     void takeLine(std::string line);
 
-    TemporaryFolder folder_;
+    apps::TemporaryFolder folder_;
     pid_t child_ = -1;
     int said_ = -1; ///< its stderr
     std::string unfinished_;

@@ -4,6 +4,7 @@
 #include "bake/blades/ground_color.h"
 #include "bake/drawn_colors.h"
 #include "bake/sample/triangle_points.h"
+#include "bake/tile_region.h"
 #include "bake/up_vector.h"
 #include "core/exact_math.h"
 #include "core/random.h"
@@ -173,10 +174,12 @@ RootSample BladeGrower::gather(const RootSample& root, const SpeciesTraits& spec
     const RootSample moved =
         TrianglePoints(ground_, found.triangle).at(place.x, place.y, root.candidate);
 
-    // Reject moves to the other side of a surface and to bare ground.
+    // Reject moves to the other side of a surface, to bare ground, and to another 32 m cell, which
+    // holds the blades that stand in it.
     constexpr double likeliest = 0.3;
     Reject ignored = Reject::mask;
     if (glm::dot(glm::dvec3(moved.normal), glm::dvec3(root.normal)) < likeliest ||
+        cellOf(ground_.origin, moved.position) != cellOf(ground_.origin, root.position) ||
         filter_.paintedDensity(moved, 0.0, ignored) <= 0.0 || filter_.obstacle(moved))
         return root;
     return moved;

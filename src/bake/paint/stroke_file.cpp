@@ -217,6 +217,19 @@ Strokes parseStrokes(std::string_view text, const std::string& place)
     return strokes;
 }
 
+void requireStrokeCount(const Strokes& strokes, const std::string& place)
+{
+    if (strokes.list.size() > maxStrokes)
+        fail(ErrorKind::input, "{}: {} strokes, more than {}", place, strokes.list.size(),
+             maxStrokes);
+    std::size_t points = 0;
+    for (const Stroke& stroke : strokes.list)
+        points += stroke.points.size();
+    if (points > maxStrokePoints)
+        fail(ErrorKind::input, "{}: {} points in all strokes, more than {}", place, points,
+             maxStrokePoints);
+}
+
 Strokes loadStrokes(const std::filesystem::path& path)
 {
     const std::vector<std::byte> bytes = readFile(path, strokeFileLimit);

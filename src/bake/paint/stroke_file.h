@@ -21,6 +21,9 @@ inline constexpr double farthestPoint = 1e9;              ///< [m] along each ax
 /// value and its bound, and Error{unsupported} for another version of the format.
 Strokes parseStrokes(std::string_view text, const std::string& place);
 
+/// Throws Error{input} naming `place` if there are more strokes or points than a file may have.
+void requireStrokeCount(const Strokes& strokes, const std::string& place);
+
 /// Reads a stroke file. Throws as parseStrokes() does, and Error{io}.
 Strokes loadStrokes(const std::filesystem::path& path);
 

@@ -50,14 +50,14 @@ void SubtreeDescription::addChild(const Summary& child)
 {
     box_.add(child.boundsLow);
     box_.add(child.boundsHigh);
-    sum_ += child.upSum;
+    sum_ += glm::dvec3(child.coneAxis) * double(child.count);
     count_ += child.count;
     parts_.push_back({child.coneAxis, child.coneCosine});
 }
 
 SubtreeDescription::Summary SubtreeDescription::finish(shared::Patch& patch)
 {
-    // Axis: the mean up-vector. Opening: the largest deviation from it, plus rounding.
+    // Axis: about the mean up-vector. Opening: the largest deviation from it, plus rounding.
     Cone cone{glm::vec3(0.0f, 1.0f, 0.0f), -1.0f};
     const double length = std::sqrt(glm::dot(sum_, sum_));
     if (length > 1e-6 * double(count_)) {
@@ -73,7 +73,7 @@ SubtreeDescription::Summary SubtreeDescription::finish(shared::Patch& patch)
     patch.boundsHigh = box_.high;
     patch.coneAxis = cone.axis;
     patch.coneCosine = cone.cosine;
-    return {box_.low, box_.high, sum_, count_, cone.axis, cone.cosine};
+    return {box_.low, box_.high, count_, cone.axis, cone.cosine};
 }
 
 void describeOwn(shared::Patch& patch, std::span<const GrownBlade> own)

@@ -21,11 +21,11 @@ struct GrownBlade {
 /// reach of every bent blade, and a cone about all up-vectors.
 class SubtreeDescription {
 public:
-    /// Result of a finished subtree for its parent patch; plain data.
+    /// Result of a finished subtree for its parent patch; plain data. All of it can be told from
+    /// the patches of a field, see splitCells().
     struct Summary {
         glm::vec3 boundsLow, boundsHigh;
-        glm::dvec3 upSum; ///< of all up-vectors
-        std::uint64_t count;
+        std::uint64_t count; ///< blades
         glm::vec3 coneAxis;
         float coneCosine;
     };
@@ -46,7 +46,7 @@ private:
     };
 
     Aabb box_;
-    glm::dvec3 sum_{0.0}; ///< of all up-vectors
+    glm::dvec3 sum_{0.0}; ///< of own up-vectors, and of the children's axes times their blades
     std::uint64_t count_ = 0;
     std::vector<Cone> parts_; ///< of own blades (single directions) and children
 };

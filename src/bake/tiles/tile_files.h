@@ -15,7 +15,7 @@ namespace sward::bake {
 // First bytes of the files beside a plan: eight letters each; the last two are the version.
 inline constexpr const char* partKind = "SWPART04";  ///< a tile's part of the ground
 inline constexpr const char* imageKind = "SWIMAG02"; ///< an image of the ground
-inline constexpr const char* tileKind = "SWTILE03";  ///< the blades of a tile
+inline constexpr const char* tileKind = "SWTILE04";  ///< the blades of a tile
 
 /// A bake distributed over machines: the result of `plan`, needed by every tile. Its file is JSON.
 /// The folder beside it holds the parts of the ground, one for each tile, the ground's images and a

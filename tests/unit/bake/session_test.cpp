@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 
 namespace sward::bake {
 namespace {
@@ -181,6 +182,77 @@ TEST(Session, StaysAsItWasWhenAChangeIsCancelled)
     EXPECT_LT(session.field().blades.size(), before.blades.size());
     session.apply({}, progress);
     expectSameField(session.field(), before);
+}
+
+// A session that begins with a baked field is one that has baked it.
+TEST(Session, GoesOnFromABakedField)
+{
+    const terrain::GroundMesh ground = meshes::hills(150.0, 60);
+    BakeSettings settings = sessionSettings(1.5);
+    settings.strokes = tests::laidOn(ground, tests::allKinds());
+    const field::Field baked = tests::paintedField(ground, settings).field;
+    const field::FieldView view = field::viewOf(baked);
+    Diagnostics diagnostics;
+    Progress progress;
+    Session session(ground, settings, 2, diagnostics, progress, &view);
+    EXPECT_TRUE(session.hasReused());
+    EXPECT_TRUE(diagnostics.warnings().empty());
+    expectSameField(session.field(), baked);
+    settings.strokes.list.push_back(tests::hardStroke(StrokeKind::set, {{0, 0, 0}}, 20.0, 0.3));
+    session.apply(settings.strokes, progress);
+    expectSameField(session.field(), tests::paintedField(ground, settings).field);
+
+    // Blades of other strokes or without keys are of no use.
+    Session other(ground, settings, 2, diagnostics, progress, &view);
+    EXPECT_FALSE(other.hasReused());
+    EXPECT_EQ(diagnostics.warnings().size(), 1U);
+    expectSameField(other.field(), session.field());
+    field::FieldView without = view;
+    without.keys = {};
+    settings.strokes.list.pop_back();
+    EXPECT_FALSE(Session(ground, settings, 2, diagnostics, progress, &without).hasReused());
+    EXPECT_EQ(diagnostics.warnings().size(), 2U);
+}
+
+// A receiver that knows only the first field and the deltas has the session's blades.
+TEST(Session, TellsAllThatChangesByDeltas)
+{
+    const terrain::GroundMesh ground = meshes::hills(150.0, 60);
+    const BakeSettings settings = sessionSettings(1.5);
+    Diagnostics diagnostics;
+    Progress progress;
+    Session session(ground, settings, 2, diagnostics, progress);
+    const auto keysOf = [](const auto& keys) {
+        std::vector<std::uint64_t> ids;
+        for (const field::BladeKey& key : keys)
+            ids.push_back(field::bladeId(key));
+        return ids;
+    };
+    std::map<CellNumber, std::vector<std::uint64_t>> received;
+    for (const auto& [number, cell] : session.cells())
+        received[number] = keysOf(cell.keys);
+    Strokes strokes;
+    for (std::uint64_t step = 0; step < 4; ++step) {
+        strokes.list.push_back(randomStroke(ground, 7 + step));
+        if (step == 2) // a whole cell goes bare, and comes back
+            strokes.list.push_back(tests::hardStroke(StrokeKind::erase, {{-48, 0, -48}}, 60.0));
+        if (step == 3)
+            strokes.list.erase(strokes.list.begin() + 3);
+        const Session::Change change = session.apply(strokes, progress);
+        const field::Delta delta = session.deltaOf(change.cells);
+        std::size_t blades = 0;
+        for (const field::CellChange& cell : delta.cells) {
+            blades += cell.blades.size();
+            if (cell.patches.empty())
+                received.erase(cell.cell);
+            else
+                received[cell.cell] = keysOf(cell.keys);
+        }
+        EXPECT_EQ(blades, change.blades);
+        ASSERT_EQ(received.size(), session.cells().size());
+        for (const auto& [number, cell] : session.cells())
+            EXPECT_EQ(received[number], keysOf(cell.keys));
+    }
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 
 #include "apps/common/interrupt.h"
 #include "apps/common/progress_bar.h"
-#include "apps/sward_view/temporary_folder.h"
+#include "apps/common/temporary_folder.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/log.h"
@@ -75,7 +75,7 @@ SceneField::SceneField(const Scene& scene, const fs::path& folder, bool showBar)
         return;
     log::info("{}: {} is missing; baking it first", scene.file.string(), file_.string());
 
-    const TemporaryFolder inputs;
+    const apps::TemporaryFolder inputs;
     InputFiles files(inputs.path());
     std::vector<std::string> arguments{files.add(scene.ground, "ground")};
     if (scene.meadow) {

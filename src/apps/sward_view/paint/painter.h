@@ -2,7 +2,7 @@
 
 #include "apps/sward_view/paint/edit_session.h"
 #include "apps/sward_view/paint/stroke_list.h"
-#include "apps/sward_view/temporary_folder.h"
+#include "apps/common/temporary_folder.h"
 
 #include <cstdint>
 #include <filesystem>

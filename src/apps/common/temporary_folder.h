@@ -1,14 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
-namespace sward::view {
+namespace sward::apps {
 
 /// A temporary folder; the destructor deletes it with its content.
 class TemporaryFolder {
 public:
-    /// Throws Error{io} if it cannot be created.
-    TemporaryFolder();
+    /// `name` begins its name. Throws Error{io} if it cannot be created.
+    explicit TemporaryFolder(const std::string& name = "sward");
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
     ~TemporaryFolder();
@@ -19,4 +20,4 @@ private:
     std::filesystem::path path_;
 };
 
-} // namespace sward::view
+} // namespace sward::apps

@@ -1,0 +1,145 @@
+#include "apps/common/interrupt.h"
+#include "apps/common/output.h"
+#include "apps/common/progress_bar.h"
+#include "apps/common/temporary_folder.h"
+#include "apps/sward/bake_options.h"
+#include "apps/sward/edit_requests.h"
+#include "apps/sward/excluded_input.h"
+#include "apps/sward/ground_input.h"
+#include "apps/sward/line_input.h"
+#include "apps/sward/subcommand.h"
+#include "bake/filter/default_slope.h"
+#include "bake/session.h"
+#include "core/error.h"
+#include "core/json_text.h"
+#include "core/log.h"
+#include "field/read.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sward::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> speciesNames(const bake::BakeSettings& settings)
+{
+    std::vector<std::string> names;
+    for (const bake::SpeciesTraits& species : settings.meadow.species)
+        names.push_back(species.name);
+    return names;
+}
+
+class Edit : public Subcommand {
+public:
+    explicit Edit(CLI::App& program)
+        : Subcommand(program, "edit",
+                     "Keep a bake open and paint on it, by JSON lines from standard input",
+                     "sward edit terrain.glb --density 100 --field meadow.sward")
+    {
+        options_.add(app());
+        options_.needsOutput = false;
+        for (const char* name : {"--output", "--report", "--dry-run", "--force", "--print-config"})
+            app().remove_option(app().get_option(name));
+        app()
+            .add_option("--field", field_,
+                        "Field that was baked of this ground with these options and strokes: its "
+                        "blades are used")
+            ->type_name("FIELD.sward")
+            ->group("Run");
+        app()
+            .add_option("--deltas", deltas_,
+                        "Existing folder for files with changes; a temporary one if left out")
+            ->type_name("DIR")
+            ->group("Run");
+    }
+
+    int run() const override
+    {
+        options_.log.apply();
+        BakeRequest request = options_.request();
+        if (!deltas_.empty() && !fs::is_directory(deltas_))
+            fail(ErrorKind::io, "{}: is no folder", deltas_);
+        std::optional<field::MappedField> baked;
+        std::optional<field::FieldView> view;
+        if (!field_.empty())
+            view = baked.emplace(field::readField(field_)).view();
+
+        Diagnostics diagnostics;
+        const terrain::GroundMesh ground = loadGround(request, diagnostics);
+        if (request.choosesSlope)
+            request.settings.slope = bake::defaultSlope(ground, request.settings.groundUp);
+        loadExcluded(request, diagnostics);
+
+        ProgressBar bar(options_.log.showBar());
+        Progress progress(bar.callback());
+        const CancelOnInterrupt cancel(progress);
+        bake::Session session(ground, request.settings, request.threads, diagnostics, progress,
+                              view ? &*view : nullptr);
+        baked.reset();
+        bar.clear();
+        std::optional<TemporaryFolder> own;
+        const fs::path deltas =
+            deltas_.empty() ? own.emplace("sward-edit").path() : fs::absolute(deltas_);
+        std::vector<std::string> sources = request.inputs;
+        sources.insert(sources.end(), request.occluders.begin(), request.occluders.end());
+        EditRequests requests(session, speciesNames(request.settings), deltas, sources,
+                              request.settings.maxBlades);
+        tellReady(session, ground, request, diagnostics);
+
+        LineInput input(STDIN_FILENO, longestRequest);
+        while (!requests.hasEnded()) {
+            const std::optional<LineInput::Line> line = input.next();
+            if (!line)
+                break;
+            const std::string answer = line->isTooLong ? EditRequests::answerToLongLine()
+                                                       : requests.answer(line->text, progress);
+            bar.clear();
+            writeResult(answer + "\n");
+        }
+        throwIfInterrupted("edit");
+        return 0;
+    }
+
+private:
+    // The first line: that the session is ready, and what of.
+    static void tellReady(const bake::Session& session, const terrain::GroundMesh& ground,
+                          const BakeRequest& request, const Diagnostics& diagnostics)
+    {
+        std::size_t blades = 0;
+        for (const auto& [number, cell] : session.cells())
+            blades += cell.blades.size();
+        const glm::dvec3& origin = ground.origin;
+        const nlohmann::json ready = {{"format", "sward edit 1"},
+                                      {"origin", {origin.x, origin.y, origin.z}},
+                                      {"blades", blades},
+                                      {"cells", session.cells().size()},
+                                      {"strokes", session.strokes().list.size()},
+                                      {"species", speciesNames(request.settings)},
+                                      {"scale", session.plan().plan.scale},
+                                      {"reused", session.hasReused()},
+                                      {"warnings", diagnostics.warnings()}};
+        writeResult(jsonText(ready) + "\n");
+    }
+
+    BakeOptions options_;
+    std::string field_;
+    std::string deltas_;
+};
+
+} // namespace
+
+std::unique_ptr<Subcommand> addEdit(CLI::App& program)
+{
+    return std::make_unique<Edit>(program);
+}
+
+} // namespace sward::apps

@@ -1,0 +1,226 @@
+#include "apps/sward/edit_requests.h"
+
+#include "apps/sward/output_files.h"
+#include "bake/paint/stroke_file.h"
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "core/json_text.h"
+#include "core/settings_json.h"
+#include "core/stopwatch.h"
+#include "field/delta.h"
+#include "field/write.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+namespace sward::apps {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* requestPlace = "request";
+
+const char* nameOf(ErrorKind kind)
+{
+    switch (kind) {
+    case ErrorKind::usage:
+        return "usage";
+    case ErrorKind::io:
+        return "io";
+    case ErrorKind::input:
+        return "input";
+    case ErrorKind::unsupported:
+        return "unsupported";
+    case ErrorKind::interrupted:
+        return "interrupted";
+    case ErrorKind::runtime:
+    case ErrorKind::difference:
+        break;
+    }
+    return "runtime";
+}
+
+json errorAnswer(ErrorKind kind, const std::string& message)
+{
+    return {{"id", nullptr}, {"error", nameOf(kind)}, {"message", message}};
+}
+
+void requireKeys(const json& request, std::initializer_list<const char*> known)
+{
+    for (const auto& [key, value] : request.items())
+        if (std::none_of(known.begin(), known.end(),
+                         [&key = key](const char* name) { return key == name; }))
+            fail(ErrorKind::usage, "{}: has no key \"{}\"", requestPlace, key);
+}
+
+std::string textOf(const json& request, const char* key)
+{
+    const auto found = request.find(key);
+    if (found == request.end() || !found->is_string() || found->get<std::string>().empty())
+        fail(ErrorKind::usage, "{}: {}: is no text", requestPlace, key);
+    return found->get<std::string>();
+}
+
+bool switchOf(const json& request, const char* key)
+{
+    const auto found = request.find(key);
+    if (found == request.end())
+        return false;
+    if (!found->is_boolean())
+        fail(ErrorKind::usage, "{}: {}: is not true or false", requestPlace, key);
+    return found->get<bool>();
+}
+
+std::uint64_t bladesIn(const bake::Session& session)
+{
+    std::uint64_t blades = 0;
+    for (const auto& [number, cell] : session.cells())
+        blades += cell.blades.size();
+    return blades;
+}
+
+} // namespace
+
+EditRequests::EditRequests(bake::Session& session, std::vector<std::string> species,
+                           std::filesystem::path deltas, std::vector<std::string> sources,
+                           std::uint64_t maxBlades)
+    : session_(session)
+    , species_(std::move(species))
+    , deltas_(std::move(deltas))
+    , sources_(std::move(sources))
+    , maxBlades_(std::max(maxBlades, bladesIn(session)))
+{
+}
+
+EditRequests::~EditRequests()
+{
+    std::error_code ignored;
+    for (const std::filesystem::path& path : written_)
+        std::filesystem::remove(path, ignored);
+}
+
+// The session's strokes after a request.
+bake::Strokes EditRequests::strokesOf(const json& request) const
+{
+    bake::Strokes strokes = session_.strokes();
+    const auto keep = request.find("keep");
+    if (keep == request.end() || !keep->is_number_unsigned() ||
+        keep->get<std::uint64_t>() > strokes.list.size())
+        fail(ErrorKind::usage, "{}: keep: is no whole number in [0, {}], the number of strokes",
+             requestPlace, strokes.list.size());
+    strokes.list.resize(keep->get<std::size_t>());
+    if (const auto added = request.find("strokes"); added != request.end()) {
+        const json file = {{"format", "sward strokes 1"}, {"strokes", *added}};
+        bake::Strokes next = bake::parseStrokes(jsonText(file), requestPlace);
+        bake::resolveSpecies(next, species_);
+        std::move(next.list.begin(), next.list.end(), std::back_inserter(strokes.list));
+    }
+    bake::requireStrokeCount(strokes, requestPlace);
+    return strokes;
+}
+
+json EditRequests::paint(const json& request, Progress& progress)
+{
+    requireKeys(request, {"id", "do", "keep", "strokes"});
+    Stopwatch watch;
+    bake::Strokes before = session_.strokes();
+    const bake::Session::Change change = session_.apply(strokesOf(request), progress);
+    const std::uint64_t total = bladesIn(session_);
+    json delta;
+    try {
+        if (total > maxBlades_)
+            fail(ErrorKind::input, "{} blades with strokes, more than --max-blades {}", total,
+                 maxBlades_);
+        if (!change.cells.empty()) {
+            const std::filesystem::path path =
+                deltas_ / fmt::format("{}.swdelta", deltaNumber_ + 1);
+            field::writeDelta(path, session_.deltaOf(change.cells));
+            ++deltaNumber_;
+            written_.push_back(path);
+            delta = path.string();
+        }
+    } catch (const Error&) {
+        session_.apply(std::move(before), progress);
+        throw;
+    }
+    return {{"delta", delta},
+            {"cells", change.cells.size()},
+            {"blades", change.blades},
+            {"total", total},
+            {"strokes", session_.strokes().list.size()},
+            {"seconds", watch.lap()}};
+}
+
+json EditRequests::save(const json& request)
+{
+    requireKeys(request, {"id", "do", "path", "overwrite"});
+    const std::string path = textOf(request, "path");
+    const bool overwrite = switchOf(request, "overwrite");
+    checkOutput(path, ".sward", sources_, overwrite);
+    const std::uint64_t bytes = field::writeField(session_.field(), path, overwrite);
+    return {{"saved", path}, {"bytes", bytes}};
+}
+
+json EditRequests::saveStrokes(const json& request)
+{
+    requireKeys(request, {"id", "do", "path", "overwrite"});
+    const std::string path = textOf(request, "path");
+    const bool overwrite = switchOf(request, "overwrite");
+    checkOutput(path, ".json", sources_, overwrite);
+    const std::string text = bake::toJson(session_.strokes());
+    writeTextFile(path, text, overwrite);
+    return {{"saved", path}, {"bytes", text.size()}};
+}
+
+json EditRequests::carryOut(const json& request, Progress& progress)
+{
+    const std::string wish = textOf(request, "do");
+    if (wish == "paint")
+        return paint(request, progress);
+    if (wish == "save")
+        return save(request);
+    if (wish == "save_strokes")
+        return saveStrokes(request);
+    if (wish != "quit")
+        fail(ErrorKind::usage, "{}: do: is \"{}\"; known are paint, save, save_strokes and quit",
+             requestPlace, wish);
+    requireKeys(request, {"id", "do"});
+    hasEnded_ = true;
+    return {{"ended", true}};
+}
+
+std::string EditRequests::answerToLongLine()
+{
+    return jsonText(errorAnswer(ErrorKind::input,
+                                fmt::format("{}: is longer than {} bytes", requestPlace,
+                                            longestRequest)));
+}
+
+std::string EditRequests::answer(const std::string& line, Progress& progress)
+{
+    json id;
+    json given;
+    try {
+        const json request = parseJson(line, requestPlace);
+        if (!request.is_object())
+            fail(ErrorKind::input, "{}: is no object", requestPlace);
+        if (const auto found = request.find("id"); found != request.end()) {
+            if (!found->is_number() && !found->is_string())
+                fail(ErrorKind::usage, "{}: id: is no number and no text", requestPlace);
+            id = *found;
+        }
+        given = carryOut(request, progress);
+    } catch (const Error& error) {
+        if (progress.isCancelled())
+            throw;
+        given = errorAnswer(error.kind(), error.what());
+    }
+    given["id"] = id;
+    return jsonText(given);
+}
+
+} // namespace sward::apps

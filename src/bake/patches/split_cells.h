@@ -1,0 +1,14 @@
+#pragma once
+
+#include "bake/patches/cell_tree.h"
+#include "field/field.h"
+
+#include <vector>
+
+namespace sward::bake {
+
+/// The trees of the 32 m cells of a field, sorted by cell: joinCells() makes the same field of them
+/// again. Copies. The field must be verified and have keys.
+std::vector<CellTree> splitCells(const field::FieldView& field);
+
+} // namespace sward::bake
