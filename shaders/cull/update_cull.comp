@@ -259,7 +259,9 @@ void updateBlade(Eyepoint view, Environment environment, uint slot, uint i, Stor
 {
     const uint movedBefore = taken[slot].movedBefore;
     const float since =
-        role == onlyCull ? 0.0f : i < movedBefore ? taken[slot].elapsed : settlingTime;
+        role == onlyCull                                       ? 0.0f
+        : i < movedBefore && stored.state.turn != unsettledTurn ? taken[slot].elapsed
+                                                                : settlingTime;
     if (role == onlyMove && since <= 0.0f)
         return;
     const Patch cell = cellOf(slot);
@@ -269,6 +271,7 @@ void updateBlade(Eyepoint view, Environment environment, uint slot, uint i, Stor
     // Move it. At a standstill the stored state stays as it is, to the bit.
     BladeState state = stored.state;
     if (since > 0.0f) {
+        state.turn = state.turn == unsettledTurn ? 0u : state.turn;
         const uint before = state.turn;
         state = advanceBlade(blade, environment, collidersNear(slot), state, CULL_VIEW.time, since);
         // A blade that was thinned out before has no earlier state and gets no motion.

@@ -106,7 +106,7 @@ void main()
                 cell.bladeCount = 0u;
             firstChild = cell.firstChild;
             next = stepOf(view, cell, push.subtrees.at[node],
-                          push.level == 0u && cell.level < push.startLevel);
+                          push.level == 0u && firstChild < push.startCount);
         }
         const uint childPlace = next.children > 0u ? atomicAdd(childTotal, next.children) : 0u;
         const uint livePlace = next.isLive ? atomicAdd(liveTotal, 1u) : 0u;

@@ -95,12 +95,10 @@ struct WalkPush {
     UintArray queue;        ///< room for each patch once
     VisiblePatchArray live; ///< room for each non-empty patch
     WalkLevelArray levels;  ///< one more than the levels of the tree
-    uint startCount;        ///< patches of the levels at which the walk begins …
-    uint startLevel;        ///< … and the last of these levels
-    uint level;             ///< 0 for these levels together, then 1, 2, …
-    uint reserved;
+    uint startCount;        ///< the walk begins with this many patches, the first of the array
+    uint level;             ///< 0 for these together, then 1, 2, … for children beyond them
 };
-SHARED_LAYOUT(WalkPush, 56)
+SHARED_LAYOUT(WalkPush, 48)
 
 /// Threads of a work-group of the depth pyramid along each axis, one per cell of the finest level.
 /// The work-group also fills the next two levels.

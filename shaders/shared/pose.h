@@ -18,6 +18,10 @@ struct BladeState {
     float eta; ///< [0, 1] strength of the last collision
 };
 
+/// BladeState::turn of a blade that has never been moved: packSnorm16() never makes it. Such a blade
+/// is settled in its wind before it is drawn.
+SHARED_CONST uint unsettledTurn = 0x80008000u;
+
 /// A blade's control points relative to its root, in heights; v0 is the origin.
 struct Pose {
     vec3 v1;

@@ -31,6 +31,12 @@ FieldRenderer::BladeRecord recordOf(const field::FieldView& field,
     return record;
 }
 
+/// A blade that has never been moved stands upright.
+shared::BladeState stateOf(std::uint32_t turn, float eta)
+{
+    return {turn == shared::unsettledTurn ? 0 : turn, eta};
+}
+
 /// Reads the elements of a buffer that belong to some blades.
 template <typename T>
 std::vector<T> readPart(const gpu::DeviceContext& context, const gpu::Buffer& buffer,
@@ -54,7 +60,8 @@ void append(std::vector<T>& elements, const std::vector<T>& more)
 
 std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& context,
                                                    const FieldBuffers& buffers,
-                                                   const field::FieldView& field)
+                                                   const field::FieldView& field,
+                                                   std::span<const std::uint32_t> places)
 {
     gpu::check(vkDeviceWaitIdle(context.device), "vkDeviceWaitIdle");
     const auto turns = gpu::readBufferAs<std::uint32_t>(context, buffers.states());
@@ -70,14 +77,17 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
     // Pose each blade of each patch.
     const std::vector<shared::Organ> organs = field::organTable(field.species);
     std::vector<FieldRenderer::BladeRecord> records(field.blades.size());
+    std::vector<std::size_t> fileIndex(turns.size());
     for (const shared::Patch& cell : field.patches) {
         for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
             const std::size_t index = cell.firstBlade + i;
+            const std::size_t place = places.empty() ? index : places[index];
+            fileIndex[place] = index;
             records[index] = recordOf(field, organs, shared::unpackBlade(field.blades[index], cell),
-                                      {turns[index], etas[index]});
+                                      stateOf(turns[place], etas[place]));
             records[index].id = field.idOf(index);
             records[index].cullResult =
-                cullResults.empty() ? shared::cullResultPatch : cullResults[index];
+                cullResults.empty() ? shared::cullResultPatch : cullResults[place];
         }
     }
 
@@ -86,12 +96,13 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
     const auto drawn = [&](const shared::VisibleBlade& blade) {
         if (!cullResults.empty() && cullResults[blade.blade] != shared::cullResultDrawn)
             return;
-        records[blade.blade].lodWidth = shared::widthFactorOf(blade);
-        records[blade.blade].cullResult = shared::cullResultDrawn;
+        FieldRenderer::BladeRecord& record = records[fileIndex[blade.blade]];
+        record.lodWidth = shared::widthFactorOf(blade);
+        record.cullResult = shared::cullResultDrawn;
     };
     const std::size_t first = std::min<std::size_t>(rounds[0].count, visible.size());
     const std::size_t late =
-        std::min<std::size_t>(rounds[rounds.size() / 2].count, visible.size() - first);
+        std::min<std::size_t>(rounds[buffers.list().roundCount()].count, visible.size() - first);
     std::for_each_n(visible.begin(), first, drawn);
     std::for_each_n(visible.rbegin(), late, drawn);
     return records;
@@ -121,7 +132,7 @@ readPatch(const gpu::DeviceContext& context, const FieldBuffers& buffers,
     for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
         const std::size_t index = cell.firstBlade + i;
         records[i] = recordOf(field, organs, shared::unpackBlade(field.blades[index], cell),
-                              {turns[i], etas[i]});
+                              stateOf(turns[i], etas[i]));
         records[i].id = field.idOf(index);
         records[i].cullResult = cullResults[i];
     }

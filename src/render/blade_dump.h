@@ -12,10 +12,12 @@
 
 namespace sward::render {
 
-/// The state of every blade after the last frame, in file order. Waits for the device.
+/// The state of every blade after the last frame, in file order. Waits for the device. `places`: of
+/// each blade on the device, if they are not in file order.
 std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& context,
                                                    const FieldBuffers& buffers,
-                                                   const field::FieldView& field);
+                                                   const field::FieldView& field,
+                                                   std::span<const std::uint32_t> places);
 
 /// The same for one patch, whose blades are in memory at `parts`; empty without parts. Leaves the
 /// width factors unset.

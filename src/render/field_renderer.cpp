@@ -36,12 +36,13 @@ FieldBuffers::Records recordsFor(const gpu::DeviceContext& context, Geometry geo
             .walkStart = context.isCpu() ? shared::walkStart : shared::walkStartOfGpu};
 }
 
+constexpr std::uint64_t ofColliders =
+    std::uint64_t(shared::maxColliders) * shared::colliderTriangles;
+constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+
 /// Throws Error{unsupported} if the visibility cannot number all blades and triangles.
 void expectNumbers(const gpu::DeviceContext& context, std::uint64_t blades, std::uint64_t triangles)
 {
-    constexpr std::uint64_t ofColliders =
-        std::uint64_t(shared::maxColliders) * shared::colliderTriangles;
-    constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
     if (blades + triangles + ofColliders >= most)
         fail(ErrorKind::unsupported,
              "{} cannot draw {} blades on {} triangles of ground by compute shaders: there are {} "
@@ -90,12 +91,17 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , resolve(madeIf<ResolvePass>(geometry == Geometry::raster, context, shaders, targetSettings,
                                   wanted.framesInFlight))
     , plan(planWithin(field))
-    , blades(context, shaders, uploaded<FieldBuffers>(context, field, plan.records),
-             wanted.testsSmallBlades.value_or(!context.isCpu()))
+    , edited(editedOf(field))
+    , blades(context, shaders,
+             uploaded<FieldBuffers>(context, field, plan.records, edited.get()), wanted.testsSmallBlades.value_or(!context.isCpu()))
     , shape{field.origin, field.bounds(), blades.buffers().bladeSize(), chosenExposure(field)}
 {
     if (raster)
         expectNumbers(context, field.blades.size(), ground.triangleCount());
+    if (edited)
+        blades.expectEdits(shaders, std::move(edited), wanted.framesInFlight);
+    if (raster)
+        raster->expectBlades(blades.buffers().baked().placeCount());
     if (plan.records.pages > 0)
         streaming.emplace(context, shaders, field, blades.buffers().baked(), plan.streaming);
     const gpu::UniformSetLayout frameLayout(context, "frame");
@@ -130,6 +136,35 @@ MemoryPlan FieldRenderer::Parts::planWithin(const field::FieldView& field)
                     .others = bytesBesideBlades() + (resolve ? resolve->bytesToCopy() : 0),
                     .framesInFlight = settings.framesInFlight,
                     .waitsForDisk = settings.waitsForDisk});
+}
+
+std::unique_ptr<EditedField>
+FieldRenderer::Parts::editedOf(const field::FieldView& field) const
+{
+    if (!settings.isEditable || plan.records.pages > 0)
+        return nullptr;
+    const std::uint64_t triangles = geometry == Geometry::raster ? ground.triangleCount() : 0;
+    return std::make_unique<EditedField>(
+        field, plan.records.walkStart,
+        static_cast<std::uint32_t>(most - 1 - std::min(most - 1, triangles + ofColliders)));
+}
+
+void FieldRenderer::apply(const field::Delta& delta)
+{
+    Parts& parts = *parts_;
+    if (parts.streaming)
+        fail(ErrorKind::unsupported, "a field that is larger than its budget of device memory "
+                                     "cannot be edited while it is shown");
+    requireUsage(parts.blades.edited() != nullptr, "FieldRendererSettings::isEditable is not set");
+    parts.blades.apply(delta);
+    if (parts.raster)
+        parts.blades.keep(
+            parts.raster->expectBlades(parts.blades.buffers().baked().placeCount()));
+    const EditedField& edited = *parts.blades.edited();
+    if (edited.bladeCount() > 0) {
+        parts.shape.content.add(edited.patches()[0].boundsLow);
+        parts.shape.content.add(edited.patches()[0].boundsHigh);
+    }
 }
 
 void FieldRenderer::Parts::fit(glm::uvec2 size)
@@ -182,6 +217,7 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
     if (!wanted.colliders.empty())
         blades.expectColliders();
     blades.buffers().describe(frame);
+    slots[slot].blades = blades.buffers().bladeCount();
     cover.describe(frame, wanted.thatch);
     if ((frame.view.cullMask & shared::cullOcclusion) != 0 || findsHidden(wanted))
         pyramid.describe(frame);
@@ -273,7 +309,7 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
         .firstBlade = parts.raster ? parts.opaqueRaster->firstBlade() : 1,
         .findsHidden = findsHidden};
 
-    parts.blades.begin(commands, time);
+    parts.blades.begin(commands, time, slot);
     // Blades hidden by the ground are neither moved nor drawn.
     if (parts.raster)
         parts.rasterOpaque(commands, slot, timestamps);
@@ -320,7 +356,7 @@ void FieldRenderer::recordUpdateOnly(VkCommandBuffer commands, const FrameSettin
     const gpu::LabelScope label(parts.context, commands, "field/update only");
     parts.writeFrame(frameOf(parts.shape, ViewMatrices{}, settings, time, parts.settings.samples),
                      settings, time, slot);
-    parts.blades.begin(commands, time);
+    parts.blades.begin(commands, time, slot);
     parts.blades.moveAll(commands, parts.slots[slot].frame.place());
 }
 
@@ -338,7 +374,7 @@ bool FieldRenderer::recordStreaming(VkCommandBuffer commands, glm::uvec2 size, c
     parts.stream(frame, settings, size, slot);
     if (!parts.blades.hasMoved())
         parts.lastTime = time;
-    parts.blades.begin(commands, time);
+    parts.blades.begin(commands, time, slot);
     parts.recordStreaming(commands, slot, time);
     return parts.streaming->isSettled();
 }
@@ -351,7 +387,7 @@ std::optional<VkSemaphoreSubmitInfo> FieldRenderer::copied() const
 FrameStats FieldRenderer::stats(std::uint32_t slot) const
 {
     requireUsage(slot < parts_->slots.size(), "slot {} of {}", slot, parts_->slots.size());
-    const std::uint64_t blades = parts_->blades.buffers().bladeCount();
+    const std::uint64_t blades = parts_->slots[slot].blades;
     return parts_->slots[slot].counts(
         blades, parts_->streaming ? parts_->streaming->residentBlades(slot) : blades);
 }
@@ -367,7 +403,10 @@ FieldRenderer::dumpBlades(const field::FieldView& field) const
              "not all of the field's {} blades are in device memory; "
              "only those in memory have a state",
              field.blades.size());
-    return readBlades(parts_->context, parts_->blades.buffers(), field);
+    std::vector<std::uint32_t> places;
+    if (const EditedField* const edited = parts_->blades.edited())
+        places = edited->placesOf(field);
+    return readBlades(parts_->context, parts_->blades.buffers(), field, places);
 }
 
 std::vector<FieldRenderer::BladeRecord> FieldRenderer::dumpPatch(const field::FieldView& field,
@@ -378,6 +417,8 @@ std::vector<FieldRenderer::BladeRecord> FieldRenderer::dumpPatch(const field::Fi
     std::vector<BladePart> parts{{cell.firstBlade, cell.bladeCount}};
     if (parts_->streaming)
         parts = parts_->streaming->partsOf(cell);
+    if (const EditedField* const edited = parts_->blades.edited(); edited && cell.bladeCount > 0)
+        parts = {{edited->placesOf(field)[cell.firstBlade], cell.bladeCount}};
     return readPatch(parts_->context, parts_->blades.buffers(), field, patch, parts);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/delta.h"
 #include "field/field.h"
 #include "render/camera.h"
 #include "render/field/blade_record.h"
@@ -37,6 +38,14 @@ public:
     FieldRenderer(const gpu::Device&, const field::FieldView&, const Settings&); ///< of Sward
     FieldRenderer(FieldRenderer&&) noexcept; ///< only between frames
     ~FieldRenderer();
+
+    /// Replaces 32 m cells of the field, between frames; the next frame's commands carry it out.
+    /// Blades whose key the cell had before keep their state, others appear settled in the wind of
+    /// that frame. Neither waits for the device nor needs the delta afterwards. Throws, and changes
+    /// nothing: Error{usage} unless Settings::isEditable; Error{unsupported} if the field is
+    /// streamed or would have too many blades; Error{input} if the delta is damaged or of a field
+    /// with another origin.
+    void apply(const field::Delta& delta);
 
     /// A picture to draw into. It is in layout COLOR_ATTACHMENT_OPTIMAL before and after the
     /// commands run. For raster geometry its usage includes TRANSFER_DST, unless it is `stored`.
@@ -84,8 +93,9 @@ public:
 
     using BladeRecord = render::BladeRecord; ///< result of dumpBlades()
 
-    /// Reads back every blade's state in file order; waits for the device. Throws
-    /// Error{unsupported} if the field is streamed.
+    /// Reads back every blade's state in file order; waits for the device. After an edit `field` is
+    /// the edited field, and a frame has been drawn. Throws Error{unsupported} if the field is
+    /// streamed.
     std::vector<BladeRecord> dumpBlades(const field::FieldView& field) const;
 
     /// The same for one patch, without `lodWidth`; empty if its blades are not resident.

@@ -41,6 +41,10 @@ struct FieldRendererSettings {
     glm::uvec2 largestTarget{1920, 1080}; ///< [pixels] that deviceBytes includes
     bool waitsForDisk = false;            ///< false: blades not in CPU memory are loaded later
 
+    /// Whether FieldRenderer::apply() may replace cells of the field, which must have keys. Costs a
+    /// copy of patches and keys in CPU memory, and room for more blades.
+    bool isEditable = false;
+
     /// SPIR-V modules; must outlive the renderer. Empty: the built-in ones.
     std::span<const EmbeddedFile> shaders{};
 };

@@ -39,6 +39,7 @@ struct FrameSlot {
     FrameConstants listing;  ///< for listing all blades
     gpu::Buffer draw;        ///< shared::DrawArguments, read by the CPU
     FrameTables tables;
+    std::uint32_t blades = 0; ///< of the field in the frame recorded last
 
     /// Copies the counts of the update, recorded before, to the memory that counts() reads.
     void recordCounts(VkCommandBuffer commands, const gpu::Buffer& drawArguments) const;

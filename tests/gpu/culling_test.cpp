@@ -126,7 +126,7 @@ bool isClose(const shared::Frame& frame, const shared::Blade& blade, std::uint32
 
 TEST_F(CullingTest, CullsAsTheCpuDoesSaveWhereRoundingDecides)
 {
-    const std::vector<shared::Subtree> subtrees = subtreesOf(field::viewOf(field_));
+    const std::vector<shared::Subtree> subtrees = subtreesOf(field_.patches);
     std::size_t close = 0;
     std::size_t tested = 0;
     std::array<std::size_t, shared::cullResultCount> seen{};

@@ -186,8 +186,7 @@ std::size_t fillValues(Values& v)
               u.seenBefore, u.nonEmptyPatchCount, u.onlyUpdate, u.firstLive, u.maxLive, u.round,
               u.lateRound, u.viewCount, u.frame);
     shared::WalkPush& w = v.walkPush;
-    n.fillAll(w.cullView, w.subtrees, w.queue, w.live, w.levels, w.startCount, w.startLevel,
-              w.level, w.reserved);
+    n.fillAll(w.cullView, w.subtrees, w.queue, w.live, w.levels, w.startCount, w.level);
     n.fill(v.rasterPush);
     n.fillAll(v.subtree.blades, v.subtree.widest, v.subtree.rankBelow);
     n.fillAll(v.live.patchIndex, v.live.count);

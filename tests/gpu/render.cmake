@@ -15,3 +15,9 @@ sward_add_tests(sward_render_tests LABEL gpu
 get_target_property(render_test_spirv sward_render_test_shaders SWARD_SPIRV)
 sward_embed(sward_render_tests renderTestShaders ${render_test_spirv})
 add_dependencies(sward_render_tests sward_render_test_shaders)
+
+# A running field that is edited.
+sward_add_tests(sward_edit_tests LABEL gpu
+  SOURCES edit_test.cpp picture.cpp
+  USES sward::render sward_gpu_test_support sward_field_test_support
+  ENVIRONMENT ${SWARD_GPU_ENVIRONMENT})

@@ -89,7 +89,7 @@ protected:
 TEST_F(ResidencyTest, BringsAllThatIsSeenWhereItFits)
 {
     const field::FieldView field = field::viewOf(cloud());
-    const std::vector<shared::Subtree> subtrees = subtreesOf(field);
+    const std::vector<shared::Subtree> subtrees = subtreesOf(field.patches);
     Residency residency(field, 40);
     std::size_t seen = 0;
     std::size_t whole = 0;
@@ -117,7 +117,7 @@ TEST_F(ResidencyTest, HasWhatIsDrawnOfAThinnedField)
 {
     // With too little memory for almost any camera.
     const field::FieldView field = field::viewOf(cloud());
-    const std::vector<shared::Subtree> subtrees = subtreesOf(field);
+    const std::vector<shared::Subtree> subtrees = subtreesOf(field.patches);
     Residency residency(field, 12);
     std::size_t thinned = 0;
     for (std::uint64_t c = 0; c < 40; ++c) {

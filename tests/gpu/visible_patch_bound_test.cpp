@@ -56,7 +56,7 @@ shared::Eyepoint viewOf(const field::FieldView& field, std::uint64_t camera, boo
 std::uint64_t visiblePatches(const field::FieldView& field, const shared::Eyepoint& view,
                              bool toldOfEach)
 {
-    const std::vector<shared::Subtree> subtrees = subtreesOf(field);
+    const std::vector<shared::Subtree> subtrees = subtreesOf(field.patches);
     std::vector<bool> isReached(subtrees.size(), true);
     std::uint64_t live = 0;
     for (std::size_t p = 0; p < subtrees.size(); ++p) {

@@ -70,7 +70,7 @@ protected:
 
 TEST_F(WalkTest, KnowsWhatStandsBelowEachNode)
 {
-    const std::vector<shared::Subtree> subtrees = subtreesOf(field::viewOf(field_));
+    const std::vector<shared::Subtree> subtrees = subtreesOf(field_.patches);
     ASSERT_EQ(subtrees.size(), field_.patches.size());
     ASSERT_GT(subtrees.size(), 100u);
     std::vector<std::uint32_t> blades(subtrees.size());
@@ -95,7 +95,7 @@ TEST_F(WalkTest, KnowsWhatStandsBelowEachNode)
 
 TEST_F(WalkTest, LeavesNothingOutThatAPatchBelowWouldKeep)
 {
-    const std::vector<shared::Subtree> subtrees = subtreesOf(field::viewOf(field_));
+    const std::vector<shared::Subtree> subtrees = subtreesOf(field_.patches);
     std::size_t culled = 0;
     std::size_t thinned = 0;
     for (std::uint64_t c = 0; c < 300; ++c) {

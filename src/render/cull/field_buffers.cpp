@@ -2,11 +2,13 @@
 
 #include "core/error.h"
 #include "gpu/compute_pipeline.h"
+#include "render/field/edited_field.h"
 #include "shaders/shared/pages.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace sward::render {
 namespace {
@@ -30,11 +32,25 @@ const field::FieldView& refusingWhatCannotFit(const gpu::DeviceContext& context,
 /// Nodes of the patch tree that bound the number of rounds of a frame: about 20 µs.
 constexpr std::size_t nodesOfBound = 2048;
 
+/// Blades of which one list holds all.
+constexpr std::uint64_t wholeLists = std::uint64_t(1) << 24;
+
+BakedBlades bakedOf(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
+                    const field::FieldView& field, const FieldBuffers::Records& records,
+                    const EditedField* edited)
+{
+    if (edited != nullptr)
+        return {context, upload, field, *edited};
+    return {context, upload, field, records.walkStart, records.pages};
+}
+
 /// Visible patches of a round.
 std::uint32_t roundOf(const BakedBlades& baked, FieldBuffers::Records records)
 {
     if (records.list)
-        return baked.nonEmptyPatchCount();
+        return std::numeric_limits<std::uint32_t>::max();
+    if (baked.isEditable() && records.roundPatches == 0 && baked.placeCount() <= wholeLists)
+        return std::numeric_limits<std::uint32_t>::max();
     return FieldBuffers::roundPatchesOf(baked.patchSizes(), records, baked.placeCount(),
                                         baked.isPaged());
 }
@@ -62,7 +78,6 @@ std::uint32_t FieldBuffers::roundPatchesOf(const PatchSizes& sizes, const Record
 {
     if (records.roundPatches > 0)
         return records.roundPatches;
-    constexpr std::uint64_t wholeLists = std::uint64_t(1) << 24;
     constexpr std::uint64_t minPatches = 64;
     const std::uint64_t least =
         isPaged ? minPatches * shared::maxPatchBlades : std::min(places, wholeLists);
@@ -70,15 +85,32 @@ std::uint32_t FieldBuffers::roundPatchesOf(const PatchSizes& sizes, const Record
 }
 
 FieldBuffers::FieldBuffers(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
-                           const field::FieldView& field, Records records)
-    : baked_(context, upload, refusingWhatCannotFit(context, field, records), records.walkStart,
-             records.pages)
+                           const field::FieldView& field, Records records,
+                           const EditedField* edited)
+    : baked_(bakedOf(context, upload, refusingWhatCannotFit(context, field, records), records,
+                     edited))
     , states_(context, baked_, {.before = false, .etas = records.etas || records.pages > 0})
     , list_(context, baked_, roundOf(baked_, records), std::numeric_limits<std::uint32_t>::max())
     , visiblePatchBound_(field, nodesOfBound)
 {
     if (records.cullResults)
         cullResults_ = cullResultsOf(context, baked_);
+}
+
+OutgrownBuffers FieldBuffers::update(const gpu::DeviceContext& context, const EditedField& edited,
+                                     const field::Delta& delta)
+{
+    OutgrownBuffers outgrown;
+    baked_.update(context, edited, outgrown);
+    states_.update(context, baked_, outgrown);
+    list_.update(context, baked_, outgrown);
+    for (const field::CellChange& change : delta.cells)
+        visiblePatchBound_.replace(change.cell, change.patches);
+    if (cullResults_.address() != 0 &&
+        baked_.placeCount() * sizeof(std::uint32_t) > cullResults_.bytes())
+        outgrown.push_back(
+            {std::exchange(cullResults_, cullResultsOf(context, baked_)), VK_NULL_HANDLE});
+    return outgrown;
 }
 
 void FieldBuffers::describe(shared::Frame& frame) const

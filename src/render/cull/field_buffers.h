@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/distributions.h"
+#include "field/delta.h"
 #include "field/field.h"
 #include "gpu/buffer.h"
 #include "gpu/buffer_upload.h"
@@ -40,10 +41,17 @@ public:
     static std::uint32_t roundPatchesOf(const PatchSizes& sizes, const Records& records,
                                         std::uint64_t places, bool isPaged);
 
-    /// Begins the upload; it is complete when `upload` is. Throws Error{runtime} if the device's
+    /// Begins the upload; it is complete when `upload` is. `edited`: null if the field is never
+    /// edited. Throws Error{runtime} if the device's
     /// memory is too small, naming both sizes.
     FieldBuffers(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
-                 const field::FieldView& field, Records records);
+                 const field::FieldView& field, Records records,
+                 const EditedField* edited = nullptr);
+
+    /// Follows an edit, whose bytes the caller uploads: counts, and room for more. Returns what is
+    /// replaced.
+    OutgrownBuffers update(const gpu::DeviceContext& context, const EditedField& edited,
+                           const field::Delta& delta);
 
     /// Writes addresses and counts into a frame.
     void describe(shared::Frame& frame) const;

@@ -18,6 +18,12 @@ MovingBlades::MovingBlades(const gpu::DeviceContext& context, const gpu::ShaderL
 {
 }
 
+void MovingBlades::expectEdits(const gpu::ShaderLibrary& shaders,
+                               std::unique_ptr<EditedField> edited, std::uint32_t framesInFlight)
+{
+    edits_.emplace(*context_, shaders, std::move(edited), framesInFlight);
+}
+
 void MovingBlades::prepare(const gpu::ShaderLibrary& shaders, const shared::Frame& frame)
 {
     expect(frame.environment.colliderCount == 0 || buffers_.hasEtas(), "collisions can be kept");
@@ -38,18 +44,21 @@ void MovingBlades::expectColliders()
     hasNewEtas_ = true;
 }
 
-void MovingBlades::begin(VkCommandBuffer commands, double time)
+void MovingBlades::begin(VkCommandBuffer commands, double time, std::uint32_t slot)
 {
     gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
     buffers_.clearCounts(commands);
     buffers_.clearCullResults(commands);
+    const auto settledAt = static_cast<float>(time - double(shared::settlingTime));
     // Treats every blade as settled: none is still moving from the straight pose of the bake.
     if (!hasMoved_)
-        buffers_.rest(commands, static_cast<float>(time - double(shared::settlingTime)));
+        buffers_.rest(commands, settledAt);
     else if (hasNewEtas_)
         buffers_.clearEtas(commands);
     hasMoved_ = true;
     hasNewEtas_ = false;
+    if (edits_)
+        edits_->record(commands, buffers_, settledAt, slot);
     gpu::transferToCompute(commands);
 }
 

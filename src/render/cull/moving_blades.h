@@ -4,12 +4,18 @@
 #include "gpu/shader_library.h"
 #include "gpu/timestamps.h"
 #include "render/cull/field_buffers.h"
+#include "render/cull/field_edits.h"
 #include "render/cull/update_cull_pass.h"
 #include "render/cull/walk_pass.h"
 #include "render/frame_place.h"
 #include "shaders/shared/frame.h"
 
 #include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
 
 namespace sward::render {
 
@@ -21,6 +27,19 @@ public:
     MovingBlades(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
                  FieldBuffers buffers, bool testsSmall);
 
+    /// Lets blades be edited that have been uploaded with the places of `edited`.
+    void expectEdits(const gpu::ShaderLibrary& shaders, std::unique_ptr<EditedField> edited,
+                     std::uint32_t framesInFlight);
+
+    /// The edited field; null unless edits are expected.
+    const EditedField* edited() const { return edits_ ? &edits_->field() : nullptr; }
+
+    /// Replaces cells, with the next begin(). Edits must be expected. See FieldEdits.
+    void apply(const field::Delta& delta) { edits_->apply(delta, buffers_); }
+
+    /// See FieldEdits.
+    void keep(OutgrownBuffers outgrown) { edits_->keep(std::move(outgrown)); }
+
     const FieldBuffers& buffers() const { return buffers_; }
     bool hasMoved() const { return hasMoved_; } ///< whether a frame has begun
 
@@ -31,9 +50,10 @@ public:
     /// Prepares pipelines for the wind and colliders of a frame; before the frame's begin().
     void prepare(const gpu::ShaderLibrary& shaders, const shared::Frame& frame);
 
-    /// Waits for the frame before, and clears lists and counts. In the first frame, at `time` [s],
-    /// blades start settled in their wind.
-    void begin(VkCommandBuffer commands, double time);
+    /// Waits for the frame before, clears lists and counts, and carries out edits. In the first
+    /// frame, at `time` [s], blades start settled in their wind. The former commands of `slot` must
+    /// have completed.
+    void begin(VkCommandBuffer commands, double time, std::uint32_t slot);
 
     /// Clears lists and counts for another list in the same frame. Blades are not moved again,
     /// since no time passes.
@@ -58,6 +78,7 @@ private:
     WalkPass walk_;
     UpdateCullPass update_;
     UpdateCullPass::Variant variant_; ///< for the frame being recorded
+    std::optional<FieldEdits> edits_;
     bool testsSmall_;
     bool hasMoved_ = false;
     bool hasNewEtas_ = false; ///< collision state is uninitialised

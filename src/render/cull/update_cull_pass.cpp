@@ -112,7 +112,7 @@ void UpdateCullPass::bind(const gpu::Recording& commands, Pipeline wanted,
                                                .views = input.views,
                                                .before = input.before,
                                                .seenBefore = input.shown.quarters,
-                                               .nonEmptyPatchCount = blades.nonEmptyPatchCount(),
+                                               .nonEmptyPatchCount = blades.entryCount(),
                                                .onlyUpdate = scope == Scope::all ? 1u : 0u,
                                                .firstLive = input.round * found.roundPatches(),
                                                .maxLive = found.roundPatches(),
@@ -141,7 +141,7 @@ void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& b
          blades, found, scope, input);
     if (scope == Scope::all) {
         const std::uint32_t groups =
-            shared::updateGroups(blades.nonEmptyPatchCount(), patchesOfGroup(*context_));
+            shared::updateGroups(blades.entryCount(), patchesOfGroup(*context_));
         commands.vk->CmdDispatch(commands, std::min(groups, input.maxGroups), 1, 1);
     } else {
         commands.vk->CmdDispatchIndirect(commands, found.levels().get(),

@@ -48,17 +48,33 @@ VisiblePatchBound::VisiblePatchBound(const field::FieldView& field, std::size_t 
         Node& node = nodes_[countedWith[p]];
         if (p < nodes_.size())
             node.cell = cell;
-        if (cell.bladeCount == 0)
-            continue;
-        node.widest = std::max(node.widest, cell.widthLow + 63.0f * cell.widthStep);
-        for (std::size_t step = 0; step < rankSteps && cell.rankLow < ranks_[step]; ++step)
-            ++node.nonEmptyPatches[step];
+        count(node, cell);
     }
     // A walk tests each node with the widest blade below it.
     for (std::size_t p = nodes_.size(); p-- > 1;) {
         float& above = nodes_[nodes_[p].cell.parent].widest;
         above = std::max(above, nodes_[p].widest);
     }
+}
+
+void VisiblePatchBound::count(Node& node, const shared::Patch& cell) const
+{
+    if (cell.bladeCount == 0)
+        return;
+    node.widest = std::max(node.widest, cell.widthLow + 63.0f * cell.widthStep);
+    for (std::size_t step = 0; step < rankSteps && cell.rankLow < ranks_[step]; ++step)
+        ++node.nonEmptyPatches[step];
+}
+
+void VisiblePatchBound::replace(const std::array<std::int64_t, 3>& cell,
+                                std::span<const shared::Patch> patches)
+{
+    Node& node = replaced_[cell];
+    node = {};
+    if (!patches.empty())
+        node.cell = patches[0];
+    for (const shared::Patch& patch : patches)
+        count(node, patch);
 }
 
 std::uint64_t VisiblePatchBound::of(const shared::Eyepoint& view, bool toldOfEach) const
@@ -68,24 +84,31 @@ std::uint64_t VisiblePatchBound::of(const shared::Eyepoint& view, bool toldOfEac
     const bool thins =
         !toldOfEach && (view.cullMask & shared::leaveThinned) != 0 && view.lodThreshold > 0.0f;
     std::uint64_t sum = 0;
-    for (const Node& node : nodes_) {
-        if (node.nonEmptyPatches[0] == 0)
-            continue;
-        const shared::Patch& cell = node.cell;
-        const float distance = shared::boxDistance(view.eye, cell.boundsLow, cell.boundsHigh);
-        const float size = glm::length(cell.boundsHigh - cell.boundsLow);
-        const float reserve = rounding * (distance + size + glm::length(view.eye));
-        if (shared::patchCulled(farther, cell, node.widest + 2.0f * reserve))
-            continue;
-        std::size_t step = 0;
-        if (thins) {
-            const float share = (1.0f + rounding) * shared::shareAt(view, distance);
-            while (step + 1 < rankSteps && share <= ranks_[step + 1])
-                ++step;
-        }
-        sum += node.nonEmptyPatches[step];
-    }
+    for (const Node& node : nodes_)
+        sum += of(node, farther, thins);
+    for (const auto& [cell, node] : replaced_)
+        sum += of(node, farther, thins);
     return sum;
+}
+
+std::uint64_t VisiblePatchBound::of(const Node& node, const shared::Eyepoint& farther,
+                                    bool thins) const
+{
+    if (node.nonEmptyPatches[0] == 0)
+        return 0;
+    const shared::Patch& cell = node.cell;
+    const float distance = shared::boxDistance(farther.eye, cell.boundsLow, cell.boundsHigh);
+    const float size = glm::length(cell.boundsHigh - cell.boundsLow);
+    const float reserve = rounding * (distance + size + glm::length(farther.eye));
+    if (shared::patchCulled(farther, cell, node.widest + 2.0f * reserve))
+        return 0;
+    std::size_t step = 0;
+    if (thins) {
+        const float share = (1.0f + rounding) * shared::shareAt(farther, distance);
+        while (step + 1 < rankSteps && share <= ranks_[step + 1])
+            ++step;
+    }
+    return node.nonEmptyPatches[step];
 }
 
 } // namespace sward::render

@@ -7,6 +7,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <span>
 #include <vector>
 
 namespace sward::render {
@@ -22,6 +24,9 @@ public:
     /// result of each blade is kept, so no node is skipped because its blades are thinned out.
     std::uint64_t of(const shared::Eyepoint& view, bool toldOfEach) const;
 
+    /// Counts what a 32 m cell holds now. What it held before stays counted, so the bound holds.
+    void replace(const std::array<std::int64_t, 3>& cell, std::span<const shared::Patch> patches);
+
 private:
     /// Steps of the blade rank, two per halving; the last is the smallest share that is drawn.
     static constexpr std::size_t rankSteps = 17;
@@ -34,7 +39,11 @@ private:
             nonEmptyPatches{}; ///< patches with blades of ranks below …
     };
 
+    void count(Node& node, const shared::Patch& cell) const;
+    std::uint64_t of(const Node& node, const shared::Eyepoint& farther, bool thins) const;
+
     std::vector<Node> nodes_;
+    std::map<std::array<std::int64_t, 3>, Node> replaced_; ///< cells, each as one node
     std::array<float, rankSteps> ranks_; ///< … 1, √½, ½, …
 };
 

@@ -38,9 +38,7 @@ void WalkPass::recordStep(const gpu::Recording& commands, const BakedBlades& bla
                                           .live = found.live(),
                                           .levels = found.levels().address(),
                                           .startCount = tree.startCount(),
-                                          .startLevel = tree.startLevel(),
-                                          .level = step,
-                                          .reserved = 0});
+                                          .level = step});
     if (step == 0) {
         const auto groups = gpu::groupsFor(tree.startCount(), shared::walkThreads);
         commands.vk->CmdDispatch(commands, static_cast<std::uint32_t>(groups), 1, 1);

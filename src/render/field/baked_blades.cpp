@@ -2,12 +2,14 @@
 
 #include "core/error.h"
 #include "gpu/compute_pipeline.h"
+#include "render/field/edited_field.h"
 #include "shaders/shared/pages.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace sward::render {
@@ -62,11 +64,7 @@ BakedBlades::BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& u
     placeCount_ = pages == 0 ? bladeCount_ : pages * shared::pageBlades;
     patchCount_ = static_cast<std::uint32_t>(field.patches.size());
     nonEmptyPatchCount_ = static_cast<std::uint32_t>(nonEmptyPatches.size());
-    bladeSize_ = field::meanBladeSize(field);
-    std::vector<shared::Species> species;
-    for (const field::Species& kind : field.species)
-        species.push_back(kind.look);
-    species.resize(shared::maxSpecies, species.empty() ? shared::Species{} : species.front());
+    entryCount_ = nonEmptyPatchCount_;
 
     // In the file's layout.
     blades_ =
@@ -76,13 +74,7 @@ BakedBlades::BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& u
         allocate(context, "field/nonEmptyPatches", nonEmptyPatches.size() * sizeof(std::uint32_t));
     firstNonEmptyPatches_ = allocate(context, "field/first nonEmptyPatches",
                                      firstNonEmptyPatches.size() * sizeof(std::uint32_t));
-    species_ = allocate(context, "field/species", species.size() * sizeof(shared::Species));
-    areaFactor_ = field::areaFactor(field);
-    const std::vector<shared::Organ> organs = field::organTable(field.species);
-    if (!organs.empty()) {
-        organs_ = allocate(context, "field/organs", organs.size() * sizeof(shared::Organ));
-        upload.toBuffer(organs_, std::span<const shared::Organ>(organs));
-    }
+    describeField(context, upload, field);
     if (pages == 0) {
         upload.toBuffer(blades_, field.blades);
     } else {
@@ -94,9 +86,78 @@ BakedBlades::BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& u
     upload.toBuffer(patches_, field.patches);
     upload.toBuffer(nonEmptyPatches_, std::span<const std::uint32_t>(nonEmptyPatches));
     upload.toBuffer(firstNonEmptyPatches_, std::span<const std::uint32_t>(firstNonEmptyPatches));
-    upload.toBuffer(species_, std::span<const shared::Species>(species));
     tree_.emplace(context, upload, field, walkStart, pages > 0);
     bytes_ += tree_->bytes();
+}
+
+BakedBlades::BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
+                         const field::FieldView& field, const EditedField& edited)
+    : isEditable_(true)
+    , patchSizes_(edited.sizes())
+{
+    count(edited);
+    blades_ = allocate(context, "field/blades", placeCount_ * sizeof(shared::PackedBlade));
+    patches_ = allocate(context, "field/patches", edited.patches().size_bytes());
+    nonEmptyPatches_ =
+        allocate(context, "field/nonEmptyPatches", edited.entries().size_bytes());
+    firstNonEmptyPatches_ =
+        allocate(context, "field/first nonEmptyPatches", edited.firstEntries().size_bytes());
+    describeField(context, upload, field);
+    const std::vector<shared::PackedBlade> placed = edited.placed(field);
+    upload.toBuffer(blades_, std::span<const shared::PackedBlade>(placed));
+    upload.toBuffer(patches_, edited.patches());
+    upload.toBuffer(nonEmptyPatches_, edited.entries());
+    upload.toBuffer(firstNonEmptyPatches_, edited.firstEntries());
+    tree_.emplace(context, upload, edited);
+    bytes_ += tree_->bytes();
+}
+
+void BakedBlades::count(const EditedField& edited)
+{
+    bladeCount_ = edited.bladeCount();
+    placeCount_ = edited.bladeRoom();
+    patchCount_ = static_cast<std::uint32_t>(edited.patches().size());
+    nonEmptyPatchCount_ = edited.nonEmptyPatchCount();
+    entryCount_ = edited.entryEnd();
+    patchSizes_ = edited.sizes();
+}
+
+void BakedBlades::update(const gpu::DeviceContext& context, const EditedField& edited,
+                         OutgrownBuffers& outgrown)
+{
+    count(edited);
+    const auto fit = [&](gpu::Buffer& buffer, const char* name, VkDeviceSize bytes) {
+        if (bytes <= buffer.bytes())
+            return;
+        bytes_ -= buffer.bytes();
+        gpu::Buffer former = std::exchange(buffer, allocate(context, name, bytes));
+        outgrown.push_back({std::move(former), buffer.get()});
+    };
+    fit(blades_, "field/blades", placeCount_ * sizeof(shared::PackedBlade));
+    fit(patches_, "field/patches", edited.patches().size_bytes());
+    fit(nonEmptyPatches_, "field/nonEmptyPatches", edited.entries().size_bytes());
+    fit(firstNonEmptyPatches_, "field/first nonEmptyPatches", edited.firstEntries().size_bytes());
+    bytes_ -= tree_->bytes();
+    tree_->update(context, edited, outgrown);
+    bytes_ += tree_->bytes();
+}
+
+void BakedBlades::describeField(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
+                                const field::FieldView& field)
+{
+    bladeSize_ = field::meanBladeSize(field);
+    areaFactor_ = field::areaFactor(field);
+    std::vector<shared::Species> species;
+    for (const field::Species& kind : field.species)
+        species.push_back(kind.look);
+    species.resize(shared::maxSpecies, species.empty() ? shared::Species{} : species.front());
+    species_ = allocate(context, "field/species", species.size() * sizeof(shared::Species));
+    upload.toBuffer(species_, std::span<const shared::Species>(species));
+    const std::vector<shared::Organ> organs = field::organTable(field.species);
+    if (!organs.empty()) {
+        organs_ = allocate(context, "field/organs", organs.size() * sizeof(shared::Organ));
+        upload.toBuffer(organs_, std::span<const shared::Organ>(organs));
+    }
 }
 
 gpu::Buffer BakedBlades::allocate(const gpu::DeviceContext& context, const char* name,
@@ -106,7 +167,8 @@ gpu::Buffer BakedBlades::allocate(const gpu::DeviceContext& context, const char*
     return {context,
             {.name = name,
              .bytes = bytes,
-             .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+             .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                      VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
              .isFilledByCopyQueue = isFilledByCopyQueue}};
 }
 

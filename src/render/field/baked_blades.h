@@ -16,7 +16,9 @@
 
 namespace sward::render {
 
-/// The baked data of a field's blades in device memory. It never changes.
+class EditedField;
+
+/// The baked data of a field's blades in device memory. Only edits change it.
 class BakedBlades {
 public:
     /// Begins the upload; it is complete when `upload` is. `walkStart`: see PatchTree. `pages`: if
@@ -25,21 +27,34 @@ public:
                 const field::FieldView& field, std::uint32_t walkStart = shared::walkStart,
                 std::uint32_t pages = 0);
 
+    /// The same of a field that may be edited; blades have the places of `edited`.
+    BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
+                const field::FieldView& field, const EditedField& edited);
+
+    /// Follows an edit, of which the caller uploads the bytes.
+    void update(const gpu::DeviceContext& context, const EditedField& edited,
+                OutgrownBuffers& outgrown);
+
     /// Writes addresses and counts into a frame.
     void describe(shared::Frame& frame) const;
 
     std::uint32_t bladeCount() const { return bladeCount_; } ///< of the field
-    std::uint32_t placeCount() const { return placeCount_; } ///< resident blades at most
+    std::uint32_t placeCount() const { return placeCount_; } ///< of blades in memory
     bool isPaged() const { return pages_.address() != 0; }   ///< false: all blades are resident
-    std::uint32_t patchCount() const { return patchCount_; }
+    std::uint32_t patchCount() const { return patchCount_; } ///< with those that edits left free
     std::uint32_t nonEmptyPatchCount() const { return nonEmptyPatchCount_; } ///< non-empty patches
+    std::uint32_t entryCount() const { return entryCount_; } ///< of nonEmptyPatches()
+    bool isEditable() const { return isEditable_; }
     const gpu::Buffer& blades() const { return blades_; }          ///< shared::PackedBlade
     VkDeviceAddress patches() const { return patches_.address(); } ///< shared::Patch
     VkDeviceAddress pages() const { return pages_.address(); }     ///< Frame::pages
     VkDeviceAddress nonEmptyPatches() const
     {
         return nonEmptyPatches_.address();
-    } ///< in the order of their blades
+    } ///< in the order of their blades; with edits, some empty ones among them
+    const gpu::Buffer& patchTable() const { return patches_; }
+    const gpu::Buffer& entryTable() const { return nonEmptyPatches_; }
+    const gpu::Buffer& firstEntryTable() const { return firstNonEmptyPatches_; }
 
     /// Index into nonEmptyPatches of every shared::nonEmptyPatchStride-th blade's patch.
     VkDeviceAddress firstNonEmptyPatches() const { return firstNonEmptyPatches_.address(); }
@@ -49,6 +64,9 @@ public:
     VkDeviceSize bytes() const { return bytes_; }
 
 private:
+    void describeField(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
+                       const field::FieldView& field);
+    void count(const EditedField& edited);
     gpu::Buffer allocate(const gpu::DeviceContext& context, const char* name, VkDeviceSize bytes,
                          bool isFilledByCopyQueue = false);
 
@@ -56,6 +74,8 @@ private:
     std::uint32_t placeCount_ = 0;
     std::uint32_t patchCount_ = 0;
     std::uint32_t nonEmptyPatchCount_ = 0;
+    std::uint32_t entryCount_ = 0;
+    bool isEditable_ = false;
     field::BladeSize bladeSize_;
     PatchSizes patchSizes_;
     VkDeviceSize bytes_ = 0;

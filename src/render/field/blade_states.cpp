@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <utility>
 
 namespace sward::render {
 namespace {
@@ -34,6 +35,22 @@ void BladeStates::keepEtas(const gpu::DeviceContext& context)
     if (!hasEtas_)
         etas_ = allocate(context, "field/collisions", states_.bytes());
     hasEtas_ = true;
+}
+
+void BladeStates::update(const gpu::DeviceContext& context, const BakedBlades& blades,
+                         OutgrownBuffers& outgrown)
+{
+    const auto fit = [&](gpu::Buffer& buffer, const char* name, VkDeviceSize bytes) {
+        if (bytes <= buffer.bytes())
+            return;
+        gpu::Buffer former = std::exchange(buffer, allocate(context, name, bytes));
+        outgrown.push_back({std::move(former), buffer.get()});
+    };
+    fit(states_, "field/states", blades.placeCount() * sizeof(std::uint32_t));
+    fit(patchTimes_, "field/patch times", blades.patchCount() * sizeof(float));
+    fit(patchCounts_, "field/patch counts", blades.patchCount() * sizeof(std::uint32_t));
+    if (hasEtas_)
+        fit(etas_, "field/collisions", states_.bytes());
 }
 
 void BladeStates::describe(shared::Frame& frame) const

@@ -31,6 +31,10 @@ public:
     /// Puts every blade at rest, with `time` [s] as the time of its last update.
     void rest(const gpu::Recording& commands, float time) const;
 
+    /// Makes room for the places of edited blades. New places have no state until one is written.
+    void update(const gpu::DeviceContext& context, const BakedBlades& blades,
+                OutgrownBuffers& outgrown);
+
     /// Resets the collision state of all blades.
     void clearEtas(const gpu::Recording& commands) const;
 

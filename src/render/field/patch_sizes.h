@@ -15,6 +15,10 @@ public:
     /// Patches have at most shared::maxPatchBlades blades each.
     explicit PatchSizes(std::span<const shared::Patch> patches);
 
+    /// Counts a patch with `blades` blades, or no longer.
+    void add(std::uint32_t blades) { ++patches_[blades]; }
+    void remove(std::uint32_t blades) { --patches_[blades]; }
+
     /// Maximum blades of any `patches` patches: the sum over the largest ones.
     std::uint64_t maxBladesOf(std::uint64_t patches) const;
 

@@ -4,17 +4,21 @@
 #include "gpu/buffer.h"
 #include "gpu/buffer_upload.h"
 #include "gpu/context.h"
+#include "render/field/outgrown.h"
 #include "shaders/shared/patch_tree.h"
 
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace sward::render {
 
-/// Summary of everything below each node of a field's patch tree, by patch.
-std::vector<shared::Subtree> subtreesOf(const field::FieldView& field);
+class EditedField;
+
+/// Summary of everything below each node of a patch tree, by patch; parents come before children.
+std::vector<shared::Subtree> subtreesOf(std::span<const shared::Patch> patches);
 
 /// A field's patch tree in device memory, for walks from the root.
 class PatchTree {
@@ -25,18 +29,27 @@ public:
     PatchTree(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
               const field::FieldView& field, std::uint32_t start, bool isEmpty = false);
 
+    /// The same of an edited field.
+    PatchTree(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
+              const EditedField& edited);
+
+    /// Follows an edit, of which the caller uploads the bytes.
+    void update(const gpu::DeviceContext& context, const EditedField& edited,
+                OutgrownBuffers& outgrown);
+
     /// Dispatches of one walk: one for the first levels, and one per level below.
     std::uint32_t steps() const { return steps_; }
-    std::uint32_t startCount() const { return startCount_; } ///< patches of the first levels …
-    std::uint32_t startLevel() const { return startLevel_; } ///< … and the last of these levels
+    std::uint32_t maxSteps() const { return maxSteps_; }     ///< whatever the edits
+    std::uint32_t startCount() const { return startCount_; } ///< patches of the first levels
 
     VkDeviceAddress subtrees() const { return subtrees_.address(); }
+    const gpu::Buffer& buffer() const { return subtrees_; } ///< shared::Subtree
     VkDeviceSize bytes() const { return subtrees_.bytes(); }
 
 private:
     std::uint32_t steps_ = 0;
+    std::uint32_t maxSteps_ = 0;
     std::uint32_t startCount_ = 0;
-    std::uint32_t startLevel_ = 0;
     gpu::Buffer subtrees_;
 };
 

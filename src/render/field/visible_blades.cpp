@@ -4,30 +4,64 @@
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sward::render {
 
 VisibleBlades::VisibleBlades(const gpu::DeviceContext& context, const BakedBlades& blades,
                              std::uint32_t roundPatches, std::uint32_t maxBlades)
-    : roundPatches_(std::max(std::min(roundPatches, blades.nonEmptyPatchCount()), 1u))
-    , roundCount_(std::max(1u, static_cast<std::uint32_t>(
-                                   gpu::groupsFor(blades.nonEmptyPatchCount(), roundPatches_))))
-    , listLength_(static_cast<std::uint32_t>(
-          std::min<std::uint64_t>(std::min(blades.placeCount(), maxBlades),
-                                  blades.patchSizes().maxBladesOf(roundPatches_))))
+    : wantedPatches_(roundPatches)
+    , maxBlades_(maxBlades)
 {
+    fit(context, blades);
+}
+
+void VisibleBlades::fit(const gpu::DeviceContext& context, const BakedBlades& blades)
+{
+    roundPatches_ = std::max(std::min(wantedPatches_, blades.nonEmptyPatchCount()), 1u);
+    roundCount_ = std::max(1u, static_cast<std::uint32_t>(gpu::groupsFor(
+                                   blades.nonEmptyPatchCount(), roundPatches_)));
+    // Edits may fill all places: room for them avoids that lists grow with every edit.
+    const std::uint32_t places = std::min(blades.placeCount(), maxBlades_);
+    listLength_ =
+        blades.isEditable() && roundCount_ == 1
+            ? places
+            : static_cast<std::uint32_t>(std::min<std::uint64_t>(
+                  places, blades.patchSizes().maxBladesOf(roundPatches_)));
     const PatchTree& tree = blades.tree();
-    queue_ =
-        allocate(context, "view/queue",
-                 std::max(blades.patchCount() - tree.startCount(), blades.nonEmptyPatchCount()) *
-                     sizeof(std::uint32_t));
-    live_ = allocate(context, "view/visible patches",
-                     blades.nonEmptyPatchCount() * sizeof(shared::VisiblePatch));
-    nearLevel_ = tree.steps() + 1;
+    const std::uint32_t patches =
+        blades.isEditable() ? blades.patchCount() : blades.nonEmptyPatchCount();
+    bytes_ = 0;
+    queue_ = allocate(context, "view/queue",
+                      std::max(blades.patchCount() - (blades.isEditable() ? 0 : tree.startCount()),
+                               blades.nonEmptyPatchCount()) *
+                          sizeof(std::uint32_t));
+    live_ = allocate(context, "view/visible patches", patches * sizeof(shared::VisiblePatch));
+    nearLevel_ = tree.maxSteps() + 1;
     levels_ = allocate(context, "view/levels", (nearLevel_ + 1) * sizeof(shared::WalkLevel));
     visible_ = allocate(context, "view/visible", listLength_ * sizeof(shared::VisibleBlade));
     rounds_ = allocate(context, "view/rounds", 2 * roundCount_ * sizeof(shared::WalkLevel));
     draw_ = allocate(context, "view/draw", sizeof(shared::DrawArguments));
+}
+
+void VisibleBlades::update(const gpu::DeviceContext& context, const BakedBlades& blades,
+                           OutgrownBuffers& outgrown)
+{
+    const std::uint32_t within = blades.patchSizes().patchesWithin(listLength_);
+    const std::uint32_t patches =
+        std::max(std::min({wantedPatches_, within, blades.nonEmptyPatchCount()}), 1u);
+    const auto rounds = std::max(
+        1u, static_cast<std::uint32_t>(gpu::groupsFor(blades.nonEmptyPatchCount(), patches)));
+    if (blades.patchCount() * sizeof(std::uint32_t) <= queue_.bytes() &&
+        2 * rounds * sizeof(shared::WalkLevel) <= rounds_.bytes() &&
+        (within > 0 || blades.nonEmptyPatchCount() == 0)) {
+        roundPatches_ = patches;
+        roundCount_ = rounds;
+        return;
+    }
+    for (gpu::Buffer* const buffer : {&queue_, &live_, &levels_, &visible_, &rounds_, &draw_})
+        outgrown.push_back({std::move(*buffer), VK_NULL_HANDLE});
+    fit(context, blades);
 }
 
 gpu::Buffer VisibleBlades::allocate(const gpu::DeviceContext& context, const char* name,

@@ -24,6 +24,10 @@ public:
     /// Writes addresses and the list's length into a frame.
     void describe(shared::Frame& frame) const;
 
+    /// Follows an edit.
+    void update(const gpu::DeviceContext& context, const BakedBlades& blades,
+                OutgrownBuffers& outgrown);
+
     /// Clears the list, the counts, and the results of the walk.
     void clear(const gpu::Recording& commands) const;
 
@@ -45,8 +49,11 @@ public:
     VkDeviceSize bytes() const { return bytes_; }
 
 private:
+    void fit(const gpu::DeviceContext& context, const BakedBlades& blades);
     gpu::Buffer allocate(const gpu::DeviceContext& context, const char* name, VkDeviceSize bytes);
 
+    std::uint32_t wantedPatches_ = 1; ///< of a round
+    std::uint32_t maxBlades_ = 0;
     std::uint32_t roundPatches_ = 1;
     std::uint32_t roundCount_ = 1;
     std::uint32_t listLength_ = 0;

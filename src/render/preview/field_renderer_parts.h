@@ -21,6 +21,7 @@
 #include "render/streaming/streaming.h"
 #include "render/target_settings.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -57,6 +58,7 @@ struct FieldRenderer::Parts {
     std::optional<RasterPass> raster;
     std::optional<ResolvePass> resolve;
     MemoryPlan plan;
+    std::unique_ptr<EditedField> edited; ///< of an editable field, until `blades` has it
     MovingBlades blades;
     std::optional<Streaming> streaming; ///< if not all blades are resident
     FieldShape shape;
@@ -67,6 +69,7 @@ struct FieldRenderer::Parts {
     std::uint32_t rounds = 1; ///< rounds that list and draw the frame's blades
 
     MemoryPlan planWithin(const field::FieldView& field);
+    std::unique_ptr<EditedField> editedOf(const field::FieldView& field) const;
     std::size_t bytesBesideBlades() const;
     void fit(glm::uvec2 size);
     void recordStreaming(VkCommandBuffer commands, std::uint32_t slot, double time) const;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace sward::render {
 namespace {
@@ -16,6 +17,19 @@ struct Counts {
 static_assert(offsetof(Counts, early) == shared::largeEarly * sizeof(shared::WalkLevel) &&
               offsetof(Counts, cut) == shared::largeCut * sizeof(shared::WalkLevel) &&
               offsetof(Counts, late) == shared::largeLate * sizeof(shared::WalkLevel));
+
+VkDeviceSize shownBytes(std::uint32_t blades)
+{
+    return (blades / shared::seenOfWord + 1) * sizeof(std::uint32_t);
+}
+
+gpu::Buffer shownFor(const gpu::DeviceContext& context, std::uint32_t blades)
+{
+    return {context,
+            {.name = "raster/quarters that frames have shown",
+             .bytes = shownBytes(blades),
+             .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT}};
+}
 
 } // namespace
 
@@ -35,10 +49,18 @@ LargeBladeList::LargeBladeList(const gpu::DeviceContext& context, Room room)
                                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
     if (room.shownBlades == 0)
         return;
-    shown_ = gpu::Buffer(
-        context, {.name = "raster/quarters that frames have shown",
-                  .bytes = (room.shownBlades / shared::seenOfWord + 1) * sizeof(std::uint32_t),
-                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
+    shown_ = shownFor(context, room.shownBlades);
+}
+
+bool LargeBladeList::hasRoomFor(std::uint32_t blades) const
+{
+    return shown_.bytes() == 0 || shownBytes(blades) <= shown_.bytes();
+}
+
+gpu::Buffer LargeBladeList::growShown(const gpu::DeviceContext& context, std::uint32_t blades)
+{
+    isCleared_ = false;
+    return std::exchange(shown_, shownFor(context, blades));
 }
 
 void LargeBladeList::describe(shared::RasterPush& push) const
@@ -56,8 +78,9 @@ void LargeBladeList::clear(const gpu::Recording& commands) const
 
 void LargeBladeList::beginShown(const gpu::Recording& commands)
 {
-    if (frame_ == 0 && shown_.bytes() > 0)
+    if (!isCleared_ && shown_.bytes() > 0)
         commands.vk->CmdFillBuffer(commands, shown_.get(), 0, VK_WHOLE_SIZE, 0);
+    isCleared_ = true;
     ++frame_;
 }
 

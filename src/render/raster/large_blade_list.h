@@ -32,10 +32,14 @@ public:
     /// The visibility history, a bit per quarter of each blade: see shared::RasterPush::seen.
     UpdateCullPass::Shown shown() const { return {shown_.address(), frame_}; }
 
+    /// Makes room for more blades in the history, which is empty then. Returns the former buffer.
+    gpu::Buffer growShown(const gpu::DeviceContext& context, std::uint32_t blades);
+    bool hasRoomFor(std::uint32_t blades) const; ///< in the history, if there is one
+
     /// Clears the list; a transfer.
     void clear(const gpu::Recording& commands) const;
 
-    /// Begins a frame. The first call clears the visibility history; a transfer.
+    /// Begins a frame. Clears a new visibility history; a transfer.
     void beginShown(const gpu::Recording& commands);
 
     // Dispatch work-groups for large parts in the early pass, large parts in the late pass, and
@@ -51,6 +55,7 @@ private:
     gpu::Buffer cut_;
     gpu::Buffer counts_;
     gpu::Buffer shown_;
+    bool isCleared_ = false;
     std::uint32_t frame_ = 0; ///< number of frames begun
 };
 

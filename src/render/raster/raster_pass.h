@@ -36,6 +36,9 @@ public:
     /// Resizes the pictures; the device must be done with the former ones.
     void resize(VkExtent2D size);
 
+    /// Makes room for `blades` places of blades. Returns what is replaced.
+    OutgrownBuffers expectBlades(std::uint32_t blades);
+
     /// Common inputs of the functions below.
     struct Input {
         const FieldBuffers* field = nullptr;

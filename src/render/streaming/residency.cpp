@@ -56,7 +56,7 @@ std::uint8_t gradeOf(float worth, float rank, bool outside)
 
 Residency::Residency(const field::FieldView& field, std::uint32_t places)
     : field_(field)
-    , subtrees_(subtreesOf(field))
+    , subtrees_(subtreesOf(field.patches))
     , pages_((field.blades.size() + pageBlades - 1) / pageBlades)
     , pageAt_(places, noPlace)
     , wanted_(gradeCount)

@@ -298,9 +298,7 @@ void main()
     put(uvec2(sources.at[0].walkPush.at[1].live));
     put(uvec2(sources.at[0].walkPush.at[1].levels));
     put(sources.at[0].walkPush.at[1].startCount);
-    put(sources.at[0].walkPush.at[1].startLevel);
     put(sources.at[0].walkPush.at[1].level);
-    put(sources.at[0].walkPush.at[1].reserved);
 
     put(uvec2(sources.at[0].rasterPush.at[1].frame));
     put(uvec2(sources.at[0].rasterPush.at[1].cullView));

@@ -189,24 +189,15 @@ field::Field emptyField()
     return field;
 }
 
-field::Field makeField(const FieldSettings& settings)
+field::Field treeOf(const std::vector<shared::Blade>& blades,
+                    const std::vector<field::BladeKey>& keys, glm::vec3 low, float size)
 {
     field::Field field = emptyField();
-    field.origin = settings.origin;
-    if (settings.hasGround && settings.surface == Surface::plane)
-        field.ground = planeGround(settings.extent);
-    if (settings.hasGround && settings.surface == Surface::sphere)
-        field.ground = sphereGround(settings.extent);
-    if (settings.blades == 0)
+    if (blades.empty())
         return field;
-
-    // Independent random blades, so that every prefix has the same distribution.
-    std::vector<shared::Blade> blades(settings.blades);
-    Node root{{}, glm::vec3(-0.5f * settings.extent), settings.extent, shared::noPatch, 0, 0.0f};
-    for (std::size_t i = 0; i < blades.size(); ++i) {
-        blades[i] = makeBlade(settings, i);
-        root.blades.push_back(static_cast<std::uint32_t>(i));
-    }
+    Node root{{}, low, size, shared::noPatch, 0, 0.0f};
+    for (std::uint32_t i = 0; i < blades.size(); ++i)
+        root.blades.push_back(i);
 
     // Level by level: a node of at most 32 m owns its first blades, its octants the rest.
     std::deque<Node> waiting{std::move(root)};
@@ -220,7 +211,7 @@ field::Field makeField(const FieldSettings& settings)
         cell.firstBlade = static_cast<std::uint32_t>(field.blades.size());
         for (std::uint32_t k = 0; k < owned; ++k) {
             field.blades.push_back(shared::packBlade(blades[node.blades[k]], cell));
-            field.keys.push_back({node.blades[k], 0});
+            field.keys.push_back(keys[node.blades[k]]);
         }
         // Append children behind all waiting nodes.
         for (Node& child : divide(node, blades, owned, index, cell.rankHigh)) {
@@ -232,6 +223,32 @@ field::Field makeField(const FieldSettings& settings)
         }
         field.patches.push_back(cell);
     }
+    return field;
+}
+
+field::Field makeField(const FieldSettings& settings)
+{
+    field::Field field = emptyField();
+    field.origin = settings.origin;
+    if (settings.hasGround && settings.surface == Surface::plane)
+        field.ground = planeGround(settings.extent);
+    if (settings.hasGround && settings.surface == Surface::sphere)
+        field.ground = sphereGround(settings.extent);
+    if (settings.blades == 0)
+        return field;
+
+    // Independent random blades, so that every prefix has the same distribution.
+    std::vector<shared::Blade> blades(settings.blades);
+    std::vector<field::BladeKey> keys(settings.blades);
+    for (std::size_t i = 0; i < blades.size(); ++i) {
+        blades[i] = makeBlade(settings, i);
+        keys[i] = {static_cast<std::uint32_t>(i), 0};
+    }
+    field::Field tree =
+        treeOf(blades, keys, glm::vec3(-0.5f * settings.extent), settings.extent);
+    field.patches = std::move(tree.patches);
+    field.blades = std::move(tree.blades);
+    field.keys = std::move(tree.keys);
     return field;
 }
 

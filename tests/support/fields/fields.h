@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace sward::test {
 
@@ -33,6 +34,11 @@ struct FieldSettings {
 /// A valid field: an octree of patches, blades in progressive (random) order, one species, one
 /// material. Heights, widths, stiffness, colours, clumps and directions are random, too.
 field::Field makeField(const FieldSettings& settings);
+
+/// A field of these blades under an octree over the cube that begins at `low`, with `size` [m]
+/// edges. They come in progressive order. Blade i has key i of `keys`.
+field::Field treeOf(const std::vector<shared::Blade>& blades,
+                    const std::vector<field::BladeKey>& keys, glm::vec3 low, float size);
 
 /// A field without blades and without ground.
 field::Field emptyField();

@@ -1,0 +1,191 @@
+#include "render/cull/field_edits.h"
+
+#include "gpu/barrier.h"
+#include "shaders/shared/edits.h"
+#include "shaders/shared/pose.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <iterator>
+#include <span>
+#include <utility>
+
+namespace sward::render {
+namespace {
+
+/// What shaders read begins at such offsets.
+constexpr VkDeviceSize editAlignment = 16;
+
+constexpr VkDeviceSize leastStaging = VkDeviceSize(1) << 20;
+
+VkDeviceSize alignedEdit(VkDeviceSize bytes)
+{
+    return (bytes + editAlignment - 1) / editAlignment * editAlignment;
+}
+
+} // namespace
+
+FieldEdits::FieldEdits(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                       std::unique_ptr<EditedField> edited, std::uint32_t framesInFlight)
+    : context_(&context)
+    , states_(context, shaders,
+              {.name = "move states",
+               .shader = "move_states.comp",
+               .pushConstantBytes = sizeof(shared::EditPush)})
+    , edited_(std::move(edited))
+    , slots_(framesInFlight)
+{
+}
+
+void FieldEdits::apply(const field::Delta& delta, FieldBuffers& buffers)
+{
+    const Edit edit = edited_->apply(delta);
+    keep(buffers.update(*context_, *edited_, delta));
+    waiting_.push_back(stage(edit));
+}
+
+void FieldEdits::keep(OutgrownBuffers outgrown)
+{
+    std::move(outgrown.begin(), outgrown.end(), std::back_inserter(outgrown_));
+}
+
+gpu::Buffer FieldEdits::staging(VkDeviceSize bytes)
+{
+    const auto fits = std::ranges::find_if(
+        spare_, [&](const gpu::Buffer& buffer) { return buffer.bytes() >= bytes; });
+    if (fits != spare_.end()) {
+        gpu::Buffer found = std::move(*fits);
+        spare_.erase(fits);
+        return found;
+    }
+    return {*context_,
+            {.name = "edit/staging",
+             .bytes = std::bit_ceil(std::max(bytes, leastStaging)),
+             .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+             .memory = gpu::MemoryUse::upload}};
+}
+
+FieldEdits::Staged FieldEdits::stage(const Edit& edit)
+{
+    // Collect the copies, then the bytes: these need mapped memory of their size.
+    Staged staged;
+    std::vector<std::pair<VkDeviceSize, std::span<const std::byte>>> parts;
+    VkDeviceSize size = 0;
+    const auto add = [&](std::span<const std::byte> bytes) {
+        const VkDeviceSize offset = size;
+        parts.emplace_back(offset, bytes);
+        size += alignedEdit(bytes.size());
+        return offset;
+    };
+    const auto copy = [&]<typename T>(Table table, std::span<const T> elements,
+                                      const std::vector<PlaceRange>& ranges) {
+        for (const PlaceRange& range : ranges) {
+            const auto bytes = std::as_bytes(elements.subspan(range.first, range.count));
+            staged.copies.push_back(
+                {table, {add(bytes), range.first * sizeof(T), bytes.size()}});
+        }
+    };
+    for (const Edit::Blades& blades : edit.blades) {
+        const auto bytes = std::as_bytes(blades.blades);
+        staged.copies.push_back(
+            {Table::blades, {add(bytes), blades.first * sizeof(shared::PackedBlade), bytes.size()}});
+    }
+    copy(Table::patches, edited_->patches(), edit.patches);
+    copy(Table::subtrees, edited_->subtrees(), edit.patches);
+    copy(Table::entries, edited_->entries(), edit.entries);
+    copy(Table::firstEntries, edited_->firstEntries(), edit.firstEntries);
+    staged.sources = add(std::as_bytes(std::span(edit.sources)));
+    staged.sourceCount = static_cast<std::uint32_t>(edit.sources.size());
+    staged.patches = add(std::as_bytes(std::span(edit.times)));
+    staged.patchCount = static_cast<std::uint32_t>(edit.times.size());
+    staged.times = size;
+    size += 2 * alignedEdit(edit.times.size() * sizeof(float));
+
+    staged.bytes = staging(size);
+    for (const auto& [offset, bytes] : parts)
+        if (!bytes.empty())
+            std::memcpy(staged.bytes.mapped().data() + offset, bytes.data(), bytes.size());
+    return staged;
+}
+
+const gpu::Buffer& FieldEdits::bufferOf(Table table, const FieldBuffers& buffers)
+{
+    const BakedBlades& baked = buffers.baked();
+    switch (table) {
+    case Table::patches:
+        return baked.patchTable();
+    case Table::subtrees:
+        return baked.tree().buffer();
+    case Table::entries:
+        return baked.entryTable();
+    case Table::firstEntries:
+        return baked.firstEntryTable();
+    case Table::blades:
+        break;
+    }
+    return baked.blades();
+}
+
+void FieldEdits::recordStates(const gpu::Recording& commands, const FieldBuffers& buffers,
+                              const Staged& staged, float settledAt, bool isSecond) const
+{
+    const VkDeviceAddress bytes = staged.bytes.address();
+    states_.bind(commands);
+    states_.push(commands, shared::EditPush{.states = buffers.states().address(),
+                                            .etas = buffers.etas().address(),
+                                            .patchTimes = buffers.ownStates().patchTimes(),
+                                            .patchCounts = buffers.ownStates().patchCounts(),
+                                            .blades = bytes + staged.sources,
+                                            .patches = bytes + staged.patches,
+                                            .times = bytes + staged.times,
+                                            .counts = bytes + staged.times +
+                                                      alignedEdit(staged.patchCount *
+                                                                  sizeof(float)),
+                                            .bladeCount = staged.sourceCount,
+                                            .patchCount = staged.patchCount,
+                                            .settledAt = settledAt,
+                                            .isSecond = isSecond ? 1u : 0u});
+    const std::uint32_t threads =
+        isSecond ? staged.patchCount : std::max(staged.sourceCount, staged.patchCount);
+    const auto groups =
+        std::clamp<std::uint64_t>(gpu::groupsFor(threads, shared::editThreads), 1, 4096);
+    commands.vk->CmdDispatch(commands, static_cast<std::uint32_t>(groups), 1, 1);
+}
+
+void FieldEdits::record(const gpu::Recording& commands, const FieldBuffers& buffers,
+                        float settledAt, std::uint32_t slot)
+{
+    InFlight& inFlight = slots_[slot];
+    inFlight.outgrown.clear();
+    std::move(inFlight.staging.begin(), inFlight.staging.end(), std::back_inserter(spare_));
+    inFlight.staging.clear();
+    if (waiting_.empty() && outgrown_.empty())
+        return;
+
+    const auto everything = [&] {
+        gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
+    };
+    everything();
+    for (const Outgrown& outgrown : outgrown_) {
+        if (outgrown.now == VK_NULL_HANDLE || outgrown.former.bytes() == 0)
+            continue;
+        const VkBufferCopy all{0, 0, outgrown.former.bytes()};
+        commands.vk->CmdCopyBuffer(commands, outgrown.former.get(), outgrown.now, 1, &all);
+        everything();
+    }
+    for (Staged& staged : waiting_) {
+        recordStates(commands, buffers, staged, settledAt, false);
+        everything();
+        recordStates(commands, buffers, staged, settledAt, true);
+        for (const Copy& copy : staged.copies)
+            commands.vk->CmdCopyBuffer(commands, staged.bytes.get(),
+                                       bufferOf(copy.table, buffers).get(), 1, &copy.region);
+        everything();
+        inFlight.staging.push_back(std::move(staged.bytes));
+    }
+    waiting_.clear();
+    inFlight.outgrown = std::exchange(outgrown_, {});
+}
+
+} // namespace sward::render

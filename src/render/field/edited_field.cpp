@@ -1,0 +1,436 @@
+#include "render/field/edited_field.h"
+
+#include "core/error.h"
+#include "core/random.h"
+#include "render/field/patch_tree.h"
+#include "shaders/shared/passes.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace sward::render {
+namespace {
+
+constexpr std::uint32_t stride = shared::nonEmptyPatchStride;
+
+std::uint32_t stridesOf(std::size_t blades)
+{
+    return static_cast<std::uint32_t>((blades + stride - 1) / stride);
+}
+
+/// The change that makes a cell what it is in a field. Owns what the change views.
+struct CellCopy {
+    std::vector<shared::Patch> patches;
+    std::vector<field::BladeKey> keys;
+    std::vector<shared::PackedBlade> blades;
+
+    CellCopy(const field::FieldView& field, const FieldCell& cell)
+    {
+        std::uint32_t children = 1;
+        for (const std::uint32_t index : cell.patches) {
+            shared::Patch patch = field.patches[index];
+            const auto first = static_cast<std::ptrdiff_t>(patch.firstBlade);
+            const auto end = first + static_cast<std::ptrdiff_t>(patch.bladeCount);
+            patch.firstBlade = static_cast<std::uint32_t>(blades.size());
+            blades.insert(blades.end(), field.blades.begin() + first, field.blades.begin() + end);
+            keys.insert(keys.end(), field.keys.begin() + first, field.keys.begin() + end);
+            patch.firstChild = patch.childCount == 0 ? shared::noPatch : children;
+            children += patch.childCount;
+            patch.parent = shared::noPatch;
+            patches.push_back(patch);
+        }
+        for (std::uint32_t p = 0; p < patches.size(); ++p)
+            for (std::uint32_t i = 0; i < patches[p].childCount; ++i)
+                patches[patches[p].firstChild + i].parent = p;
+    }
+
+    field::CellChange change(const CellIndex& cell) const { return {cell, patches, blades, keys}; }
+};
+
+bool sameKey(field::BladeKey a, field::BladeKey b)
+{
+    return a.triangle == b.triangle && a.candidate == b.candidate;
+}
+
+/// A table of `size` places after it has become too small for `more`.
+std::uint32_t grown(std::uint32_t size, std::uint32_t more)
+{
+    constexpr std::uint32_t leastRoom = 1024;
+    return size + std::max({more, size / 4, leastRoom});
+}
+
+/// Finds blades by their keys.
+class KeyTable {
+public:
+    explicit KeyTable(std::span<const field::BladeKey> keys)
+        : keys_(keys)
+        , slots_(std::bit_ceil(2 * keys.size() + 1), shared::noSource)
+    {
+        for (std::uint32_t i = 0; i < keys.size(); ++i) {
+            if (i > 0 && sameKey(keys[i], keys[i - 1]))
+                continue;
+            std::size_t slot = slotOf(keys[i]);
+            while (slots_[slot] != shared::noSource)
+                slot = (slot + 1) & (slots_.size() - 1);
+            slots_[slot] = i;
+        }
+    }
+
+    /// The blade that follows the first one of a key as number `repeated`; noSource if none does.
+    std::uint32_t find(field::BladeKey key, std::uint32_t repeated) const
+    {
+        for (std::size_t slot = slotOf(key); slots_[slot] != shared::noSource;
+             slot = (slot + 1) & (slots_.size() - 1)) {
+            if (!sameKey(keys_[slots_[slot]], key))
+                continue;
+            const std::size_t i = std::size_t(slots_[slot]) + repeated;
+            return i < keys_.size() && sameKey(keys_[i], key) ? static_cast<std::uint32_t>(i)
+                                                              : shared::noSource;
+        }
+        return shared::noSource;
+    }
+
+private:
+    std::size_t slotOf(field::BladeKey key) const
+    {
+        return mixBits(std::uint64_t(key.triangle) << 32U | key.candidate) & (slots_.size() - 1);
+    }
+
+    std::span<const field::BladeKey> keys_;
+    std::vector<std::uint32_t> slots_;
+};
+
+/// Levels of a cell's patches.
+std::uint32_t levelsOf(std::span<const shared::Patch> patches)
+{
+    std::vector<std::uint32_t> level(patches.size(), 1);
+    std::uint32_t levels = 0;
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+        if (p > 0)
+            level[p] = level[patches[p].parent] + 1;
+        levels = std::max(levels, level[p]);
+    }
+    return levels;
+}
+
+/// Throws Error{input} that names the cell unless all indices have a target.
+void checkCell(const field::CellChange& change)
+{
+    const auto refuse = [&](const char* what) {
+        fail(ErrorKind::input, "the change of the 32 m cell ({}, {}, {}): {}", change.cell[0],
+             change.cell[1], change.cell[2], what);
+    };
+    std::size_t blades = 0;
+    std::size_t children = 1;
+    for (std::size_t p = 0; p < change.patches.size(); ++p) {
+        const shared::Patch& patch = change.patches[p];
+        if (patch.bladeCount > shared::maxPatchBlades || patch.firstBlade != blades)
+            refuse("its patches do not own its blades one after the other");
+        blades += patch.bladeCount;
+        if (patch.childCount > 8 || (patch.childCount > 0 && patch.firstChild != children))
+            refuse("the children of its patches are not one after the other");
+        for (std::size_t child = children;
+             child < std::min(children + patch.childCount, change.patches.size()); ++child)
+            if (child <= p || change.patches[child].parent != p)
+                refuse("a patch is not the parent of its children");
+        children += patch.childCount;
+    }
+    if (children != std::max<std::size_t>(change.patches.size(), 1))
+        refuse("not all of its patches are below the first");
+    if (blades != change.blades.size() || blades != change.keys.size())
+        refuse("its patches own another number of blades than it has, or keys");
+    if (levelsOf(change.patches) > EditedField::maxCellLevels)
+        refuse("its patches have more than 32 levels");
+}
+
+} // namespace
+
+EditedField::EditedField(const field::FieldView& field, std::uint32_t walkStart,
+                         std::uint32_t maxBlades)
+    : origin_(field.origin)
+    , walkStart_(walkStart)
+    , maxBlades_(maxBlades)
+    , top_(cellsOf(field).size())
+{
+    requireUsage(field.keys.size() == field.blades.size(), "an editable field has keys");
+    field::Delta whole{.origin = field.origin, .cells = {}, .storage = {}};
+    for (const FieldCell& cell : cellsOf(field)) {
+        const CellCopy copy(field, cell);
+        whole.cells = {copy.change(cell.cell)};
+        apply(whole);
+    }
+}
+
+Edit EditedField::apply(const field::Delta& delta)
+{
+    check(delta);
+    Edit edit;
+    for (const field::CellChange& change : delta.cells)
+        if (!change.patches.empty())
+            top_.add(change.cell);
+    std::map<std::uint32_t, shared::PatchSource> times;
+    for (const shared::PatchSource& moved : top_.moved())
+        times[moved.patchIndex] = moved;
+    std::vector<Cell> former;
+    for (const field::CellChange& change : delta.cells) {
+        if (top_.find(change.cell) == shared::noPatch)
+            continue;
+        Cell& cell = cells_[change.cell];
+        former.push_back(std::exchange(cell, Cell{}));
+        cell.keys.assign(change.keys.begin(), change.keys.end());
+        cell.below = top_.take(
+            static_cast<std::uint32_t>(std::max<std::size_t>(change.patches.size(), 1) - 1));
+        cell.blades = takeBlades(static_cast<std::uint32_t>(change.blades.size()));
+        const std::size_t first = edit.sources.size();
+        addSources(change, former.back(), edit);
+        for (const shared::Patch& patch : change.patches) {
+            const auto index = static_cast<std::uint32_t>(&patch - change.patches.data());
+            const std::uint32_t place = slotOf(top_.find(change.cell), cell, index);
+            shared::PatchSource& time = times[place];
+            time = {.patchIndex = place, .from = shared::noPatch, .keepsCount = 0};
+            for (std::uint32_t i = 0; i < patch.bladeCount && time.from == shared::noPatch; ++i)
+                time.from = edit.sources[first + patch.firstBlade + i].fromPatch;
+        }
+        forgetPatches(change.cell, former.back());
+        putPatches(change, cell);
+        putEntries(change, cell, edit);
+        if (!change.blades.empty())
+            edit.blades.push_back({cell.blades.first, change.blades});
+        bladeCount_ += static_cast<std::uint32_t>(change.blades.size());
+    }
+    // What is freed now is used from the next edit on: states move from it to new places.
+    for (const Cell& cell : former)
+        free(cell, edit);
+    top_.refresh();
+    top_.clearMoved();
+    edit.patches = top_.takeChanged();
+    for (const auto& [place, time] : times)
+        edit.times.push_back(time);
+    return edit;
+}
+
+void EditedField::check(const field::Delta& delta) const
+{
+    if (delta.origin != origin_)
+        fail(ErrorKind::input,
+             "a change of a field with the origin ({}, {}, {}); that of this one is ({}, {}, {})",
+             delta.origin.x, delta.origin.y, delta.origin.z, origin_.x, origin_.y, origin_.z);
+    std::uint64_t places = bladeRoom();
+    for (const field::CellChange& change : delta.cells) {
+        checkCell(change);
+        if (&change != delta.cells.data() && !((&change - 1)->cell < change.cell))
+            fail(ErrorKind::input, "the changed cells are not sorted: ({}, {}, {})",
+                 change.cell[0], change.cell[1], change.cell[2]);
+        places += std::uint64_t(stridesOf(change.blades.size())) * stride;
+    }
+    if (places > maxBlades_)
+        fail(ErrorKind::unsupported, "the changed field needs {} places of blades; there are {}",
+             places, maxBlades_);
+}
+
+std::uint32_t EditedField::slotOf(std::uint32_t own, const Cell& cell, std::uint32_t patch)
+{
+    return patch == 0 ? own : cell.below.first + patch - 1;
+}
+
+/// Finds for each new blade the former one of the same key. Ribbons share the key of their stalk,
+/// which they follow.
+void EditedField::addSources(const field::CellChange& change, const Cell& former, Edit& edit) const
+{
+    const std::uint32_t own = top_.find(change.cell);
+    const KeyTable known(former.keys);
+    // The patch of each former blade.
+    std::vector<std::uint32_t> patchOf(former.keys.size());
+    for (std::uint32_t p = 0; p <= former.below.count; ++p) {
+        const shared::Patch& patch = top_.patches()[slotOf(own, former, p)];
+        for (std::uint32_t i = 0; i < patch.bladeCount; ++i)
+            patchOf[patch.firstBlade - former.blades.first + i] = slotOf(own, former, p);
+    }
+    const Cell& now = cells_.at(change.cell);
+    std::uint32_t repeated = 0;
+    for (std::uint32_t i = 0; i < change.keys.size(); ++i) {
+        repeated = i > 0 && sameKey(change.keys[i], change.keys[i - 1]) ? repeated + 1 : 0;
+        shared::BladeSource source{.place = now.blades.first + i,
+                                   .from = shared::noSource,
+                                   .fromPatch = shared::noPatch,
+                                   .indexInPatch = 0};
+        if (const std::uint32_t from = known.find(change.keys[i], repeated);
+            from != shared::noSource) {
+            source.from = former.blades.first + from;
+            source.fromPatch = top_.before(patchOf[from]);
+            source.indexInPatch = source.from - top_.patches()[patchOf[from]].firstBlade;
+        }
+        edit.sources.push_back(source);
+    }
+}
+
+void EditedField::forgetPatches(const CellIndex& index, const Cell& cell)
+{
+    bladeCount_ -= static_cast<std::uint32_t>(cell.keys.size());
+    for (std::uint32_t p = 0; p <= cell.below.count; ++p)
+        if (const std::uint32_t blades =
+                top_.patches()[slotOf(top_.find(index), cell, p)].bladeCount;
+            blades > 0) {
+            sizes_.remove(blades);
+            --nonEmptyPatches_;
+        }
+}
+
+void EditedField::putPatches(const field::CellChange& change, const Cell& cell)
+{
+    const std::uint32_t own = top_.find(change.cell);
+    if (change.patches.empty()) {
+        // Its bounds stay.
+        shared::Patch bare = top_.patches()[own];
+        bare.bladeCount = 0;
+        bare.childCount = 0;
+        bare.firstChild = shared::noPatch;
+        top_.set(own, bare, {.blades = 0, .widest = 0.0f, .rankBelow = 1.0f});
+        return;
+    }
+    const std::vector<shared::Subtree> subtrees = subtreesOf(change.patches);
+    const std::uint32_t parent = top_.patches()[own].parent;
+    for (std::uint32_t p = 0; p < change.patches.size(); ++p) {
+        shared::Patch patch = change.patches[p];
+        patch.firstBlade += cell.blades.first;
+        patch.parent = p == 0 ? parent : slotOf(own, cell, patch.parent);
+        if (patch.childCount > 0)
+            patch.firstChild = slotOf(own, cell, patch.firstChild);
+        top_.set(slotOf(own, cell, p), patch, subtrees[p]);
+        if (patch.bladeCount > 0) {
+            sizes_.add(patch.bladeCount);
+            ++nonEmptyPatches_;
+        }
+    }
+    levels_ = std::max(levels_, levelsOf(change.patches));
+}
+
+void EditedField::putEntries(const field::CellChange& change, Cell& cell, Edit& edit)
+{
+    std::vector<std::uint32_t> patches;
+    for (std::uint32_t p = 0; p < change.patches.size(); ++p)
+        if (change.patches[p].bladeCount > 0)
+            patches.push_back(p);
+    if (patches.empty())
+        return;
+    const auto count = static_cast<std::uint32_t>(patches.size());
+    std::optional<PlaceRange> range = freeEntries_.take(count);
+    if (!range) {
+        const auto size = static_cast<std::uint32_t>(entries_.size());
+        entries_.resize(grown(size, count), TopTree::noBlades);
+        const PlaceRange more{size, static_cast<std::uint32_t>(entries_.size()) - size};
+        freeEntries_.give(more);
+        edit.entries.push_back(more);
+        range = freeEntries_.take(count);
+    }
+    cell.entries = *range;
+    edit.entries.push_back(*range);
+    const std::uint32_t own = top_.find(change.cell);
+    for (std::uint32_t i = 0; i < count; ++i)
+        entries_[range->first + i] = slotOf(own, cell, patches[i]);
+
+    // A search for the blade at a place begins with the first patch that ends behind it.
+    std::uint32_t place = 0;
+    const PlaceRange strides{cell.blades.first / stride, cell.blades.count / stride};
+    for (std::uint32_t i = 0; i < strides.count; ++i) {
+        const auto end = [&] {
+            const shared::Patch& patch = change.patches[patches[place]];
+            return patch.firstBlade + patch.bladeCount;
+        };
+        while (end() <= i * stride)
+            ++place;
+        firstEntries_[strides.first + i] = range->first + place;
+    }
+    edit.firstEntries.push_back(strides);
+}
+
+PlaceRange EditedField::takeBlades(std::uint32_t count)
+{
+    if (count == 0)
+        return {};
+    const std::uint32_t strides = stridesOf(count);
+    std::optional<PlaceRange> range = freeStrides_.take(strides);
+    if (!range) {
+        const auto size = static_cast<std::uint32_t>(firstEntries_.size());
+        const std::uint32_t room =
+            std::max(std::min(grown(size, strides), maxBlades_ / stride), size + strides);
+        firstEntries_.resize(room, 0);
+        freeStrides_.give({size, room - size});
+        range = freeStrides_.take(strides);
+    }
+    return {range->first * stride, range->count * stride};
+}
+
+void EditedField::free(const Cell& cell, Edit& edit)
+{
+    top_.give(cell.below);
+    freeStrides_.give({cell.blades.first / stride, cell.blades.count / stride});
+    for (std::uint32_t place = cell.entries.first; place < cell.entries.end(); ++place)
+        entries_[place] = TopTree::noBlades;
+    if (cell.entries.count > 0)
+        edit.entries.push_back(cell.entries);
+    freeEntries_.give(cell.entries);
+}
+
+std::uint32_t EditedField::entryEnd() const
+{
+    return freeEntries_.usedEnd(static_cast<std::uint32_t>(entries_.size()));
+}
+
+std::uint32_t EditedField::bladeRoom() const
+{
+    return static_cast<std::uint32_t>(firstEntries_.size()) * stride;
+}
+
+bool EditedField::walksLevels() const
+{
+    return !top_.isMixed() && top_.usedEnd() > walkStart_;
+}
+
+std::uint32_t EditedField::walkStarts() const
+{
+    return walksLevels() ? top_.topEnd() : top_.usedEnd();
+}
+
+std::uint32_t EditedField::walkSteps() const
+{
+    return walksLevels() ? std::max(levels_, 1u) : 1;
+}
+
+std::vector<std::uint32_t> EditedField::placesOf(const field::FieldView& field) const
+{
+    std::vector<std::uint32_t> places(field.blades.size());
+    for (const FieldCell& cell : cellsOf(field)) {
+        const auto known = cells_.find(cell.cell);
+        requireUsage(known != cells_.end() &&
+                         cell.patches.size() == known->second.below.count + 1,
+                     "the renderer's field has other patches in the 32 m cell ({}, {}, {})",
+                     cell.cell[0], cell.cell[1], cell.cell[2]);
+        const std::uint32_t own = top_.find(cell.cell);
+        for (std::uint32_t p = 0; p < cell.patches.size(); ++p) {
+            const shared::Patch& wanted = field.patches[cell.patches[p]];
+            const shared::Patch& patch = top_.patches()[slotOf(own, known->second, p)];
+            requireUsage(wanted.bladeCount == patch.bladeCount,
+                         "patch {} has {} blades; that of the renderer {}", cell.patches[p],
+                         wanted.bladeCount, patch.bladeCount);
+            for (std::uint32_t i = 0; i < patch.bladeCount; ++i)
+                places[wanted.firstBlade + i] = patch.firstBlade + i;
+        }
+    }
+    return places;
+}
+
+std::vector<shared::PackedBlade> EditedField::placed(const field::FieldView& field) const
+{
+    std::vector<shared::PackedBlade> blades(bladeRoom());
+    const std::vector<std::uint32_t> places = placesOf(field);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        blades[places[i]] = field.blades[i];
+    return blades;
+}
+
+} // namespace sward::render
