@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <csignal>
 #include <chrono>
+#include <csignal>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -81,7 +81,7 @@ protected:
         return list;
     }
 
-    TemporaryFolder folder;
+    apps::TemporaryFolder folder;
     fs::path log = folder.path() / "asked";
     fs::path autosave = folder.path() / "a.strokes.autosave.json";
     std::vector<std::string> deltas, errors, notices;
@@ -243,12 +243,9 @@ TEST_F(PainterTest, SavesAFieldThatHasAllStrokes)
 TEST_F(PainterTest, ASessionThatEndsOrSaysGarbageIsAFailureWithAReason)
 {
     const std::vector<std::pair<const char*, const char*>> reasons{
-        {"silent-death", "ended with exit code 3"},
-        {"loud-death", "hills: no such ground"},
-        {"garbage", "its first line is not that of"},
-        {"dies", "ended by signal 6"},
-        {"wrong-id", "no answer to a request"},
-        {"endless", "longer than 16 MiB"}};
+        {"silent-death", "ended with exit code 3"},   {"loud-death", "hills: no such ground"},
+        {"garbage", "its first line is not that of"}, {"dies", "ended by signal 6"},
+        {"wrong-id", "no answer to a request"},       {"endless", "longer than 16 MiB"}};
     for (const auto& [how, reason] : reasons) {
         SCOPED_TRACE(how);
         errors.clear();

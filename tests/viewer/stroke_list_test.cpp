@@ -1,5 +1,5 @@
-#include "apps/sward_view/paint/stroke_list.h"
 #include "apps/common/temporary_folder.h"
+#include "apps/sward_view/paint/stroke_list.h"
 #include "core/error.h"
 
 #include <glm/common.hpp>
@@ -39,10 +39,14 @@ void addStroke(StrokeList& list, double x)
 TEST(StrokeText, HasTheKeysOfItsKindAndNoOthers)
 {
     const std::vector<std::pair<PaintKind, std::vector<const char*>>> own{
-        {PaintKind::add, {"ceiling"}},   {PaintKind::erase, {}},
-        {PaintKind::set, {"density"}},   {PaintKind::smooth, {}},
-        {PaintKind::species, {"species"}}, {PaintKind::height, {"factor"}},
-        {PaintKind::dryness, {"share"}}, {PaintKind::trodden, {"height", "lean"}},
+        {PaintKind::add, {"ceiling"}},
+        {PaintKind::erase, {}},
+        {PaintKind::set, {"density"}},
+        {PaintKind::smooth, {}},
+        {PaintKind::species, {"species"}},
+        {PaintKind::height, {"factor"}},
+        {PaintKind::dryness, {"share"}},
+        {PaintKind::trodden, {"height", "lean"}},
         {PaintKind::clear, {}}};
     ASSERT_EQ(own.size(), paintKinds);
     for (const auto& [kind, keys] : own) {
@@ -90,8 +94,8 @@ TEST(Simplified, NoPointIsFartherAwayThanTheTolerance)
         for (std::size_t i = 0; i + 1 < kept.size(); ++i)
             for (int k = 0; k <= 200; ++k)
                 nearest = std::min(
-                    nearest, glm::distance(point.place, glm::mix(kept[i].place, kept[i + 1].place,
-                                                                 k / 200.0)));
+                    nearest, glm::distance(point.place,
+                                           glm::mix(kept[i].place, kept[i + 1].place, k / 200.0)));
         EXPECT_LE(nearest, 0.3 + 0.02);
     }
 }
@@ -202,7 +206,7 @@ TEST(StrokeList, IsUnsavedUntilTheSameStrokesAreThereAgain)
 
 TEST(StrokeFile, IsReadBackAsItWasWritten)
 {
-    const TemporaryFolder folder;
+    const apps::TemporaryFolder folder;
     StrokeList list;
     addStroke(list, 1.0);
     addStroke(list, 2.0);
@@ -216,7 +220,7 @@ TEST(StrokeFile, IsReadBackAsItWasWritten)
 
 TEST(StrokeFile, OtherFilesAreRefused)
 {
-    const TemporaryFolder folder;
+    const apps::TemporaryFolder folder;
     const auto path = folder.path() / "a.json";
     EXPECT_THROW(readStrokeFile(path), Error) << "missing";
     for (const char* text :

@@ -20,7 +20,7 @@ constexpr std::chrono::milliseconds savePoll{5};
 } // namespace
 
 Painter::Painter(std::vector<std::string> command, const std::vector<std::string>& held,
-                 std::filesystem::path autosave, std::unique_ptr<TemporaryFolder> folder)
+                 std::filesystem::path autosave, std::unique_ptr<apps::TemporaryFolder> folder)
     : folder_(std::move(folder))
     , session_(std::move(command))
     , autosave_(std::move(autosave))
@@ -107,10 +107,9 @@ void Painter::askNext()
         const Saving& saving = savings_.front();
         under_ = saving.what;
         savedRevision_ = strokes.finishedRevision();
-        const nlohmann::json keys{
-            {"do", saving.what == Asked::saveField ? "save" : "save_strokes"},
-            {"path", std::filesystem::absolute(saving.path).string()},
-            {"overwrite", saving.overwrite}};
+        const nlohmann::json keys{{"do", saving.what == Asked::saveField ? "save" : "save_strokes"},
+                                  {"path", std::filesystem::absolute(saving.path).string()},
+                                  {"overwrite", saving.overwrite}};
         const std::string text = jsonText(keys);
         session_.ask(std::string_view(text).substr(1, text.size() - 2));
     }

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "apps/common/temporary_folder.h"
 #include "apps/sward_view/paint/edit_session.h"
 #include "apps/sward_view/paint/stroke_list.h"
-#include "apps/common/temporary_folder.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -22,7 +22,8 @@ public:
     /// `autosave`: a stroke file that follows each finished stroke. `folder` may be null: files of
     /// the command, kept as long as it runs. Throws as EditSession does.
     Painter(std::vector<std::string> command, const std::vector<std::string>& held,
-            std::filesystem::path autosave, std::unique_ptr<TemporaryFolder> folder = nullptr);
+            std::filesystem::path autosave,
+            std::unique_ptr<apps::TemporaryFolder> folder = nullptr);
 
     StrokeList strokes;
 
@@ -83,7 +84,7 @@ private:
     void writeAutosave();
     void removeAutosave();
 
-    std::unique_ptr<TemporaryFolder> folder_;
+    std::unique_ptr<apps::TemporaryFolder> folder_;
     EditSession session_;
     std::filesystem::path autosave_;
     std::vector<std::string> held_;  ///< strokes of the session
@@ -96,8 +97,8 @@ private:
     std::uint64_t savedRevision_ = 0;     ///< of finished strokes, while they are being saved
     std::uint64_t autosavedRevision_ = 0; ///< of finished strokes
     bool hasPainted_ = false;
-    std::filesystem::path field_;      ///< that was saved last
-    std::uint64_t fieldRevision_ = 0;  ///< of its finished strokes
+    std::filesystem::path field_;     ///< that was saved last
+    std::uint64_t fieldRevision_ = 0; ///< of its finished strokes
     std::uint64_t total_ = 0;
     double seconds_ = 0.0;
     std::vector<Told> told_;

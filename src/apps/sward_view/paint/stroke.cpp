@@ -43,19 +43,19 @@ double distanceToSegment(const glm::dvec3& place, const glm::dvec3& from, const 
 {
     const glm::dvec3 along = to - from;
     const double size = glm::dot(along, along);
-    const double t =
-        size > 0.0 ? std::clamp(glm::dot(place - from, along) / size, 0.0, 1.0) : 0.0;
+    const double t = size > 0.0 ? std::clamp(glm::dot(place - from, along) / size, 0.0, 1.0) : 0.0;
     return glm::length(place - from - t * along);
 }
 
 // The keys of a brush: kind, size and its own value.
 std::string brushKeys(const Brush& brush)
 {
-    std::string text = fmt::format("\"kind\":\"{}\",\"radius_m\":{},\"hardness\":{},\"strength\":{}",
-                                   paintKindNames[static_cast<std::size_t>(brush.kind)],
-                                   shortNumber(static_cast<double>(brush.radius)),
-                                   shortNumber(static_cast<double>(brush.hardness)),
-                                   shortNumber(static_cast<double>(brush.strength)));
+    std::string text =
+        fmt::format("\"kind\":\"{}\",\"radius_m\":{},\"hardness\":{},\"strength\":{}",
+                    paintKindNames[static_cast<std::size_t>(brush.kind)],
+                    shortNumber(static_cast<double>(brush.radius)),
+                    shortNumber(static_cast<double>(brush.hardness)),
+                    shortNumber(static_cast<double>(brush.strength)));
     const auto add = [&text](const char* key, float value) {
         text += fmt::format(",\"{}\":{}", key, shortNumber(static_cast<double>(value)));
     };

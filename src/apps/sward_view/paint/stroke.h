@@ -59,8 +59,8 @@ std::string strokeText(const Brush& brush, const std::vector<PaintPoint>& points
 /// A stroke file of these lines.
 std::string strokeFileText(const std::vector<std::string>& strokes);
 
-/// The strokes of a stroke file, each as a line; `sward edit` judges what they say. Throws Error{io}
-/// if it cannot be read, Error{input} if it is no stroke file or larger than 64 MiB.
+/// The strokes of a stroke file, each as a line; `sward edit` judges what they say. Throws
+/// Error{io} if it cannot be read, Error{input} if it is no stroke file or larger than 64 MiB.
 std::vector<std::string> readStrokeFile(const std::filesystem::path& path);
 
 /// The kind that a stroke's text names; empty if it names none.

@@ -84,7 +84,7 @@ private:
     std::uint64_t lastRevision_ = 0;     ///< the highest that was given
     std::uint64_t finishedRevision_ = 0; ///< of the entries
     std::uint64_t saved_ = 0;
-    std::vector<std::uint64_t> before_;  ///< finishedRevision_ before each change
+    std::vector<std::uint64_t> before_; ///< finishedRevision_ before each change
 };
 
 } // namespace sward::view

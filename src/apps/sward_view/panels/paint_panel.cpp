@@ -151,8 +151,8 @@ void drawStrokes(Controls& controls, StrokeList& strokes)
                 switched = i;
             controls.tell(name.c_str(), entry.kind + (entry.visible ? "" : " hidden"),
                           "Whether this stroke counts");
-            ImGui::SameLine(ImGui::GetWindowContentRegionMax().x -
-                            ImGui::CalcTextSize("Delete").x - controls.style().scaled(10.0f));
+            ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize("Delete").x -
+                            controls.style().scaled(10.0f));
             if (ImGui::SmallButton("Delete"))
                 removed = i;
             controls.tell(("Delete " + name).c_str(), "", "Removes this stroke");
@@ -172,13 +172,12 @@ void drawStrokes(Controls& controls, StrokeList& strokes)
 void browseToSave(ViewerState& state, const char* title, const std::string& extension,
                   const fs::path& proposed, std::optional<std::string>& request)
 {
-    state.files = FileDialog{
-        .browser = {proposed.parent_path(), {extension}},
-        .title = title,
-        .verb = "Save",
-        .act = [&request](const std::string& path) { request = path; },
-        .saves = true,
-        .typed = proposed.filename().string()};
+    state.files = FileDialog{.browser = {proposed.parent_path(), {extension}},
+                             .title = title,
+                             .verb = "Save",
+                             .act = [&request](const std::string& path) { request = path; },
+                             .saves = true,
+                             .typed = proposed.filename().string()};
 }
 
 void drawPaintSaving(Controls& controls, ViewerState& state)

@@ -15,7 +15,6 @@
 #include "apps/sward_view/window/window.h"
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,6 +68,7 @@ private:
     void fulfilPainting(const Requests& requests);
     void startPainting(std::optional<std::filesystem::path> strokes);
     void endPainting();
+    void drawEditable(bool isEditable);
     // viewer_requests.cpp: requests that take longer than a frame
     void fulfil();
     void fulfilFiles(const Requests& requests);

@@ -135,6 +135,9 @@ void Viewer::show(Opening::Opened opened)
     viewerState_.difference.reset();
     former_.reset();
     // The strokes are those of the field before; they stay in the autosave.
+    if (viewerState_.painter && viewerState_.painter->strokes.isUnsaved())
+        notice("Painting has ended; the strokes are in " +
+               viewerState_.painter->autosave().string());
     viewerState_.painter.reset();
     if (isSame)
         next->navigation().show(loadedField_->navigation().framing());

@@ -1,11 +1,11 @@
 // The brush: strokes on the ground, and the session that bakes them.
 #include "apps/sward_view/child_process.h"
-#include "apps/sward_view/paint/apply_delta.h"
 #include "apps/sward_view/paint/ring.h"
 #include "apps/sward_view/panels/panels.h"
 #include "apps/sward_view/window/free_name.h"
 #include "apps/sward_view/window/viewer.h"
 #include "core/error.h"
+#include "field/delta.h"
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
@@ -56,9 +56,9 @@ void Viewer::steerBrush(Input& input, bool mouse)
     }
     Brush& brush = viewerState_.brush;
     if (mouse && input.alt)
-        brush.radius = std::clamp(
-            brush.radius * std::pow(radiusStep, std::exchange(input.wheel, 0.0f)), shortestBrush,
-            longestBrush);
+        brush.radius =
+            std::clamp(brush.radius * std::pow(radiusStep, std::exchange(input.wheel, 0.0f)),
+                       shortestBrush, longestBrush);
     const render::GroundSurface& ground = loadedField_->field().ground;
     const auto pointAt = [&](glm::vec2 pixel) {
         const Sight sight = sightAt(pixel);
@@ -76,8 +76,8 @@ void Viewer::steerBrush(Input& input, bool mouse)
         const int rays =
             std::clamp(static_cast<int>(glm::length(way) / pixelsPerRay), 1, raysPerFrame);
         for (int i = 1; i <= rays; ++i)
-            if (const auto point =
-                    pointAt(viewerState_.brushAt + way * (static_cast<float>(i) / static_cast<float>(rays))))
+            if (const auto point = pointAt(viewerState_.brushAt + way * (static_cast<float>(i) /
+                                                                         static_cast<float>(rays))))
                 strokes.extend(*point);
         viewerState_.brushAt = input.cursor;
         if (!input.leftHeld)
@@ -104,7 +104,7 @@ void Viewer::followPainter()
     Painter& painter = *viewerState_.painter;
     const bool wasReady = painter.session().isReady();
     painter.poll([this](const fs::path& delta) {
-        applyDelta(loadedField_->renderer(), delta);
+        loadedField_->renderer().apply(field::readDelta(delta));
         rest_.isDisturbed = true;
     });
     while (const auto told = painter.takeTold()) {
@@ -142,18 +142,17 @@ void Viewer::fulfilPainting(const Requests& requests)
         std::error_code ignored;
         if (!fs::exists(autosave, ignored))
             return startPainting(std::nullopt);
-        viewerState_.question =
-            Question{fmt::format("{} has strokes of a painting that was not saved.",
-                                 autosave.string()),
-                     {{"Load them", "Begins with these strokes",
-                       [this, autosave] { startPainting(autosave); }},
-                      {"Delete them", "These strokes are lost",
-                       [this, autosave] {
-                           std::error_code unknown;
-                           fs::remove(autosave, unknown);
-                           startPainting(std::nullopt);
-                       }},
-                      {"Cancel", "Does not begin to paint (Escape)", {}}}};
+        viewerState_.question = Question{
+            fmt::format("{} has strokes of a painting that was not saved.", autosave.string()),
+            {{"Load them", "Begins with these strokes",
+              [this, autosave] { startPainting(autosave); }},
+             {"Delete them", "These strokes are lost",
+              [this, autosave] {
+                  std::error_code unknown;
+                  fs::remove(autosave, unknown);
+                  startPainting(std::nullopt);
+              }},
+             {"Cancel", "Does not begin to paint (Escape)", {}}}};
     }
     if (!viewerState_.painter)
         return;
@@ -190,8 +189,8 @@ void Viewer::startPainting(std::optional<fs::path> strokes)
     std::vector<std::string> held;
     if (wasPainted(*field.mapped.view().provenance)) {
         if (file.empty())
-            fail(ErrorKind::usage,
-                 "{}: was baked with strokes; name their file in the panel Paint", field.name);
+            fail(ErrorKind::usage, "{}: was baked with strokes; name their file in the panel Paint",
+                 field.name);
         held = readStrokeFile(file);
         command.insert(command.end(), {"--paint", file});
     } else if (!file.empty() && !strokes) {
@@ -200,18 +199,19 @@ void Viewer::startPainting(std::optional<fs::path> strokes)
     std::vector<std::string> more;
     if (strokes)
         more = readStrokeFile(*strokes);
-    auto folder = std::make_unique<TemporaryFolder>();
+    auto folder = std::make_unique<apps::TemporaryFolder>();
     fs::path base = field.source.file;
     if (field.source.requests) {
         base = folder->path() / "field.sward";
         field.write(base, false);
     }
     command.insert(command.end(), {"--field", base.string(), "--progress", "always"});
-    viewerState_.painter = std::make_unique<Painter>(std::move(command), held, autosaveOf(field),
-                                                     std::move(folder));
+    viewerState_.painter =
+        std::make_unique<Painter>(std::move(command), held, autosaveOf(field), std::move(folder));
     if (strokes)
         viewerState_.painter->strokes.reset(more, strokes == fs::path(file));
     viewerState_.picked.reset();
+    drawEditable(true);
 }
 
 void Viewer::endPainting()
@@ -220,12 +220,16 @@ void Viewer::endPainting()
     const fs::path saved = viewerState_.painter->savedField();
     viewerState_.painter.reset();
     viewerState_.rings.clear();
-    if (!isPainted)
-        return;
-    if (!saved.empty())
+    if (isPainted && !saved.empty())
         return open({saved.string()});
     // Show the field as it was.
+    drawEditable(false);
+}
+
+void Viewer::drawEditable(bool isEditable)
+{
     device_.waitIdle();
+    loadedField_->setEditable(isEditable);
     loadedField_->drawWith(goodShaders_);
     rest_.isDisturbed = true;
     times_.frames = times_.framesAtTitle = rest_.moving = 0;

@@ -63,7 +63,7 @@ void Viewer::fulfil()
         return;
 
     Navigation& navigation = loadedField_->navigation();
-    if (requests.compare && former_) {
+    if (requests.compare && former_ && !viewerState_.painter) {
         device_.waitIdle();
         former_->navigation().show(navigation.framing());
         std::swap(loadedField_, former_);
