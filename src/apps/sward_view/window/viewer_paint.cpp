@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <string_view>
 #include <utility>
 
@@ -39,6 +40,18 @@ fs::path autosaveOf(const OpenedField& field)
 {
     const fs::path name = fs::path(field.source.input).stem().string() + ".strokes.autosave.json";
     return field.source.requests ? name : field.source.file.parent_path() / name;
+}
+
+// The field for the session alone, so that its own file may be replaced by the painted one.
+void writeCopy(OpenedField& field, const fs::path& path)
+{
+    if (field.bytes.empty())
+        return field.write(path, false);
+    std::ofstream out(path, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(field.bytes.data()),
+              static_cast<std::streamsize>(field.bytes.size()));
+    if (!out.flush())
+        fail(ErrorKind::io, "{}: cannot be written", path.string());
 }
 
 } // namespace
@@ -201,9 +214,9 @@ void Viewer::startPainting(std::optional<fs::path> strokes)
         more = readStrokeFile(*strokes);
     auto folder = std::make_unique<apps::TemporaryFolder>();
     fs::path base = field.source.file;
-    if (field.source.requests) {
+    if (field.source.requests || !field.bytes.empty()) {
         base = folder->path() / "field.sward";
-        field.write(base, false);
+        writeCopy(field, base);
     }
     command.insert(command.end(), {"--field", base.string(), "--progress", "always"});
     viewerState_.painter =
