@@ -12,7 +12,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from display import Display, share_that_differs  # noqa: E402
+from display import Display, share_that_differs, wait_until  # noqa: E402
 from viewer import Viewer  # noqa: E402
 
 SWARD = os.environ["SWARD_PROGRAM"]
@@ -21,6 +21,14 @@ VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
 GROUND = "hills"
 BAKE = ["--meadow", "grass", "--count", "4000"]
 LEFT, RIGHT, LOW = (560, 420), (760, 420), 470  # places of the picture beside the panel
+
+
+def has_ended(process):
+    """Whether it has, be it that nobody has taken notice yet."""
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0] == "Z"
+    except FileNotFoundError:
+        return True
 
 
 class PaintTest(unittest.TestCase):
@@ -60,19 +68,11 @@ class PaintTest(unittest.TestCase):
         return viewer
 
     def choose(self, viewer, kind):
-        """The drop-down of kinds is a column of words below the control."""
-        kinds = ["add", "erase", "set", "smooth", "species", "height", "dryness", "trodden", "clear"]
-        control = viewer.controls()["Paint/Kind"]
         viewer.click("Paint/Kind")
-        x = round(control["x"] + 0.3 * control["width"])
-        for y in range(round(control["y"] + control["height"]), 760, 6):
-            viewer.click_at(x, y)
-            if viewer.shows("Paint/Kind") == kind:
-                return
-            if viewer.shows("Paint/Kind") != kinds[0] or True:
-                viewer.key("Escape") if False else None
-                viewer.click("Paint/Kind")
-        self.fail(f"no {kind} among the kinds")
+        viewer.wait(lambda: f"Paint/Kind {kind}" in viewer.controls(), "the list is open")
+        viewer.wait_frames(2)
+        viewer.click(f"Paint/Kind {kind}")
+        viewer.wait_for_value("Paint/Kind", lambda shown: shown == kind, "it is chosen")
 
     @staticmethod
     def blades(viewer):
@@ -97,7 +97,7 @@ class PaintTest(unittest.TestCase):
         self.choose(viewer, "erase")
         viewer.drag(begin, end)
 
-    def bladesOf(self, field):
+    def blades_of(self, field):
         told = subprocess.run([SWARD, "info", "--json", field], check=True, capture_output=True)
         return json.loads(told.stdout)["blades"]
 
@@ -142,7 +142,7 @@ class PaintTest(unittest.TestCase):
         viewer.window.ask_to_close()
         self.assertEqual(viewer.process.wait(timeout=60), 0, viewer.said())
         painted, baked = self.folder / "painted.sward", self.folder / "baked.sward"
-        self.assertEqual(self.bladesOf(painted), fewer)
+        self.assertEqual(self.blades_of(painted), fewer)
         subprocess.run([SWARD, "bake", GROUND, *BAKE, "--paint", self.folder / "painted.json", "-o",
                         baked, "-q"], check=True)
         self.assertEqual(baked.read_bytes(), painted.read_bytes())
@@ -184,8 +184,7 @@ class PaintTest(unittest.TestCase):
         viewer.process.wait()
         xdotool("mouseup", 1)
         for child in children:
-            viewer_ended = lambda: not Path(f"/proc/{child}").exists()
-            self.assertTrue(self.waited(viewer_ended), "sward edit ends, too")
+            wait_until(lambda: has_ended(child), "sward edit ends, too")
         strokes = json.loads(self.autosave.read_text())["strokes"]
         self.assertEqual([stroke["kind"] for stroke in strokes], ["erase"])
         self.assertEqual(self.field.read_bytes(), self.whole.read_bytes())
@@ -198,11 +197,6 @@ class PaintTest(unittest.TestCase):
         self.wait_for_strokes(again, 1)
         self.settled(again, lambda count: 0 < count < 4000, "the stroke is applied")
         self.assertEqual(again.end()[0], 0)
-
-    @staticmethod
-    def waited(holds):
-        from display import wait_until
-        return wait_until(holds, "it ends")
 
     def test_a_session_that_is_killed_is_told_and_the_window_goes_on(self):
         viewer = self.paint()

@@ -15,6 +15,18 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr float strokesPixels = 180.0f; ///< height of the list
+constexpr float kindsPixels = 120.0f;   ///< width of the list of kinds
+
+constexpr std::array<const char*, paintKinds> meanings{
+    "Adds grass up to a ceiling",
+    "Takes grass away",
+    "Sets the density",
+    "Smooths the density",
+    "Sows one species",
+    "Makes blades higher or lower",
+    "Dries a share of the blades",
+    "Treads a path: short blades, leaning along it",
+    "Takes back what the strokes before did"};
 
 void browseForInput(ViewerState& state, std::string& value, std::vector<std::string> extensions,
                     const char* title)
@@ -105,15 +117,24 @@ void drawOwnValue(Controls& controls, ViewerState& state)
     }
 }
 
+void drawKinds(Controls& controls, Brush& brush)
+{
+    const char* shown = paintKindNames[static_cast<std::size_t>(brush.kind)];
+    if (!controls.beginChoice("Kind", shown, kindsPixels, "What a stroke does"))
+        return;
+    for (std::size_t i = 0; i < paintKinds; ++i) {
+        const auto kind = static_cast<PaintKind>(i);
+        if (ImGui::Selectable(paintKindNames[i], brush.kind == kind))
+            brush.kind = kind;
+        controls.tell((std::string("Kind ") + paintKindNames[i]).c_str(), "", meanings[i]);
+    }
+    ImGui::EndCombo();
+}
+
 void drawBrush(Controls& controls, ViewerState& state)
 {
     Brush& brush = state.brush;
-    auto kind = static_cast<int>(brush.kind);
-    if (controls.choice("Kind", kind, paintKindNames,
-                        "What a stroke does: adds grass up to a ceiling, erases it, sets its "
-                        "density, smooths it, sows a species, makes blades higher, dry or "
-                        "trodden, or clears what strokes before it did"))
-        brush.kind = static_cast<PaintKind>(kind);
+    drawKinds(controls, brush);
     controls.number("Radius", brush.radius, {shortestBrush, longestBrush, "m", "%.2f", true},
                     "Radius of the brush; Alt and the wheel change it");
     controls.number("Hardness", brush.hardness, {0.0f, 1.0f, "", "%.2f"},
