@@ -150,11 +150,11 @@ TEST(StrokeList, UndoAndRedoLeadThroughEveryStateForAnySequence)
             switch (random() % 5) {
             case 0:
                 EXPECT_EQ(list.undo(), now > 0);
-                now -= now > 0 ? 1 : 0;
+                now -= now > 0 ? 1u : 0u;
                 break;
             case 1:
                 EXPECT_EQ(list.redo(), now + 1 < states.size());
-                now += now + 1 < states.size() ? 1 : 0;
+                now += now + 1 < states.size() ? 1u : 0u;
                 break;
             case 2:
                 if (count == 0)

@@ -117,7 +117,8 @@ void Viewer::followPainter()
     Painter& painter = *viewerState_.painter;
     const bool wasReady = painter.session().isReady();
     painter.poll([this](const fs::path& delta) {
-        loadedField_->renderer().apply(field::readDelta(delta));
+        loadedField_->renderer().apply(
+            field::readDelta(delta, loadedField_->field().view.species));
         rest_.isDisturbed = true;
     });
     while (const auto told = painter.takeTold()) {
