@@ -95,6 +95,7 @@ class PaintTest(unittest.TestCase):
 
     def erase(self, viewer, begin=LEFT, end=RIGHT):
         self.choose(viewer, "erase")
+        viewer.set("Radius", "Paint", 0.68)
         viewer.drag(begin, end)
 
     def blades_of(self, field):
