@@ -15,8 +15,9 @@ namespace sward::view {
 std::vector<glm::dvec3> ringOn(const render::GroundSurface& ground, const PaintPoint& centre,
                                double radius);
 
-/// The ground that a ray from `eye` (world) meets first, as a point of a stroke.
+/// The ground that a ray from `eye` (world) meets first, as a point of a stroke of this radius [m]:
+/// its normal is the mean of what lies within, so that a rough spot does not turn the brush.
 std::optional<PaintPoint> paintPointAt(const render::GroundSurface& ground, const glm::dvec3& eye,
-                                       const glm::dvec3& direction);
+                                       const glm::dvec3& direction, double radius);
 
 } // namespace sward::view

@@ -75,7 +75,7 @@ void Viewer::steerBrush(Input& input, bool mouse)
     const render::GroundSurface& ground = loadedField_->field().ground;
     const auto pointAt = [&](glm::vec2 pixel) {
         const Sight sight = sightAt(pixel);
-        return paintPointAt(ground, sight.eye, sight.direction);
+        return paintPointAt(ground, sight.eye, sight.direction, static_cast<double>(brush.radius));
     };
     // Left with Shift moves the camera.
     if (mouse && input.leftPressed && !input.hurry) {
@@ -117,8 +117,7 @@ void Viewer::followPainter()
     Painter& painter = *viewerState_.painter;
     const bool wasReady = painter.session().isReady();
     painter.poll([this](const fs::path& delta) {
-        loadedField_->renderer().apply(
-            field::readDelta(delta, loadedField_->field().view.species));
+        loadedField_->renderer().apply(field::readDelta(delta, loadedField_->field().view.species));
         rest_.isDisturbed = true;
     });
     while (const auto told = painter.takeTold()) {
