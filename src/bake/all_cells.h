@@ -13,7 +13,7 @@ namespace sward::bake {
 /// What bounds the memory of a large bake. The bytes of a field do not depend on it.
 struct TileLimits {
     double inOne = 12e6; ///< blades of a ground that is baked at once; more are baked in tiles
-    double inTile = 8e6; ///< blades of such a tile, of about 130 bytes each; one cell at least
+    double inTile = 4e6; ///< blades of such a tile, of about 130 bytes each; one cell at least
 };
 
 /// Takes the result of a tile, one of several or the only one.

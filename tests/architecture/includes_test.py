@@ -91,7 +91,7 @@ INSIDE = {
     "render": "field streaming cull settings resolve raster tessellation preview",
     "bake": "paint filter sample patches blades tiles",
     "terrain": "topology image heightmap gltf mesh_files procedural query",
-    "sward_view": "interface panels window headless",
+    "sward_view": "paint interface panels window headless",
 }
 
 # Headers that would double the build if other headers passed them on; these light ones may.

@@ -46,6 +46,22 @@ TEST(MeadowSpecies, TextsThatAreNoMeadowAreRefused)
         std::vector{MeadowSpecies{}});
 }
 
+TEST(MeadowEditor, RefusesAFileThatIsTooLargeForAMeadow)
+{
+    const apps::TemporaryFolder folder;
+    MeadowRequests requests;
+    requests.meadowFile = (folder.path() / "large.json").string();
+    std::ofstream(requests.meadowFile) << "{}";
+    std::filesystem::resize_file(requests.meadowFile, (std::uintmax_t(16) << 20) + 1);
+    try {
+        const MeadowEditor editor(requests);
+        FAIL() << "it was read";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("large.json"), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("16777216"), std::string::npos) << error.what();
+    }
+}
+
 TEST(MeadowEditor, WritesWhatHasChangedAndKeepsAllElse)
 {
     const apps::TemporaryFolder folder{"sward-view"};

@@ -17,7 +17,7 @@ from viewer import Viewer  # noqa: E402
 SWARD = os.environ["SWARD_PROGRAM"]
 VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
 ROOT = Path(__file__).resolve().parents[2]
-PANELS = ("Field", "Meadow", "Physics", "Wind", "Culling", "Colliders", "Look", "Camera", "Profile",
+PANELS = ("Field", "Meadow", "Paint", "Physics", "Wind", "Culling", "Colliders", "Look", "Camera", "Profile",
           "Capture")
 SIZE = (900, 600)
 GRASS = (440, 20, 440, 500)  # left, top, width, height of the picture beside an open panel

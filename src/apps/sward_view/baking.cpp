@@ -19,36 +19,8 @@
 namespace sward::view {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::size_t linesKept = 40; ///< of its output
 constexpr int runtimeCode = static_cast<int>(ErrorKind::runtime);
-
-// The program `sward` beside this one: in a build folder, in a bundle and when installed.
-fs::path swardProgram()
-{
-    std::error_code error;
-    const fs::path own = fs::read_symlink("/proc/self/exe", error);
-    const fs::path program = own.parent_path() / "sward";
-    if (error || ::access(program.c_str(), X_OK) != 0)
-        fail(ErrorKind::io, "{}: not found; it bakes a mesh before it is shown", program.string());
-    return program;
-}
-
-// Removes the sequences that erase and colour a line.
-std::string plain(std::string_view line)
-{
-    std::string text;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        if (line[i] == '\033') {
-            while (i < line.size() && !(line[i] >= '@' && line[i] <= 'z' && line[i] != '['))
-                ++i;
-            continue;
-        }
-        text += line[i];
-    }
-    return text;
-}
 
 } // namespace
 
@@ -76,7 +48,8 @@ std::optional<BakeProgress> parseProgress(std::string_view line)
 Baking::Baking(std::vector<std::string> arguments)
 {
     try {
-        std::vector<std::string> all{swardProgram().string(), "bake"};
+        std::vector<std::string> all{swardProgram("it bakes a mesh before it is shown").string(),
+                                     "bake"};
         all.insert(all.end(), arguments.begin(), arguments.end());
         for (const std::string& argument :
              {std::string("-o"), field().string(), std::string("--report"), report().string(),
@@ -154,11 +127,11 @@ void Baking::takeIn(std::string_view text)
             unfinished_ += c;
             continue;
         }
-        takeLine(plain(unfinished_));
+        takeLine(plainLine(unfinished_));
         unfinished_.clear();
     }
     // The next bar ends the line of a bar; show the current one now.
-    if (const auto progress = parseProgress(plain(unfinished_)))
+    if (const auto progress = parseProgress(plainLine(unfinished_)))
         progress_ = *progress;
 }
 

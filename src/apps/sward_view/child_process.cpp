@@ -18,7 +18,8 @@ namespace sward::view {
 
 namespace {
 
-pid_t spawn(std::vector<std::string> arguments, int said, std::optional<int> input)
+// `output`: its stdout.
+pid_t spawn(std::vector<std::string> arguments, int output, int said, std::optional<int> input)
 {
     std::vector<char*> pointers;
     for (std::string& argument : arguments)
@@ -29,7 +30,7 @@ pid_t spawn(std::vector<std::string> arguments, int said, std::optional<int> inp
     if (input)
         ::posix_spawn_file_actions_adddup2(&actions, *input, STDIN_FILENO);
     // Redirect its stdout, because stdout carries this program's result.
-    ::posix_spawn_file_actions_adddup2(&actions, said, STDOUT_FILENO);
+    ::posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
     ::posix_spawn_file_actions_adddup2(&actions, said, STDERR_FILENO);
     pid_t child = -1;
     const int error =
@@ -56,9 +57,38 @@ std::filesystem::path programNamed(const std::string& name)
     return {};
 }
 
+std::filesystem::path swardProgram(const char* purpose)
+{
+    std::error_code error;
+    const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", error);
+    const std::filesystem::path program = own.parent_path() / "sward";
+    if (error || ::access(program.c_str(), X_OK) != 0)
+        fail(ErrorKind::io, "{}: not found; {}", program.string(), purpose);
+    return program;
+}
+
+std::string plainLine(std::string_view line)
+{
+    std::string text;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '\033') {
+            while (i < line.size() && !(line[i] >= '@' && line[i] <= 'z' && line[i] != '['))
+                ++i;
+            continue;
+        }
+        text += line[i];
+    }
+    return text;
+}
+
 pid_t startChild(std::vector<std::string> arguments, int said, std::optional<int> input)
 {
-    return spawn(std::move(arguments), said, input);
+    return spawn(std::move(arguments), said, said, input);
+}
+
+pid_t startTalkingChild(std::vector<std::string> arguments, int input, int output, int said)
+{
+    return spawn(std::move(arguments), output, said, input);
 }
 
 ChildEnd runChild(std::vector<std::string> arguments)
@@ -69,7 +99,7 @@ ChildEnd runChild(std::vector<std::string> arguments)
     ChildEnd end;
     pid_t child = -1;
     try {
-        child = spawn(std::move(arguments), ends[1], std::nullopt);
+        child = spawn(std::move(arguments), ends[1], ends[1], std::nullopt);
     } catch (...) {
         ::close(ends[0]);
         ::close(ends[1]);

@@ -6,11 +6,11 @@
 #include "core/embedded.h"
 #include "core/error.h"
 #include "core/json_text.h"
+#include "core/mapped_file.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 
 namespace sward::embedded {
@@ -23,6 +23,7 @@ namespace {
 using nlohmann::json;
 
 constexpr float minColorful = 0.1f; ///< of an organ that counts as a flower
+constexpr std::size_t largestMeadow = std::size_t(16) << 20; ///< [bytes]
 
 std::string sourceOf(const MeadowRequests& requests)
 {
@@ -35,11 +36,8 @@ std::string textOf(const MeadowRequests& requests)
 {
     if (requests.meadowFile.empty())
         return textOfPreset(static_cast<std::size_t>(requests.meadow));
-    std::ifstream in(requests.meadowFile, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(in), {}};
-    if (!in.is_open() || in.bad())
-        fail(ErrorKind::io, "{}: cannot be read", requests.meadowFile);
-    return text;
+    const std::vector<std::byte> bytes = readFile(requests.meadowFile, largestMeadow);
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 void readNumbers(const json& from, const char* key, float* values, std::size_t count)
@@ -130,11 +128,11 @@ std::vector<MeadowSpecies> speciesOf(const std::string& text, const std::string&
 }
 
 MeadowEditor::MeadowEditor(const MeadowRequests& requests)
-    : species(speciesOf(textOf(requests), sourceOf(requests)))
-    , source_(sourceOf(requests))
+    : source_(sourceOf(requests))
     , text_(textOf(requests))
-    , read_(species)
+    , read_(speciesOf(text_, source_))
 {
+    species = read_;
 }
 
 bool MeadowEditor::isOf(const MeadowRequests& requests) const

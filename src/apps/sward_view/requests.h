@@ -33,7 +33,10 @@ struct Requests {
     bool picture = false;
     bool sequence = false; ///< or no longer
     bool forgetTimes = false;
-    std::optional<bool> addCapsule; ///< adds a collider: a capsule, or a ball
+    bool startPainting = false;
+    bool stopPainting = false;
+    std::optional<std::string> saveStrokes; ///< path of the strokes
+    std::optional<bool> addCapsule;         ///< adds a collider: a capsule, or a ball
 };
 
 } // namespace sward::view

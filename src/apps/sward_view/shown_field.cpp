@@ -69,7 +69,7 @@ OpenedField::OpenedField(FieldSource from)
 {
 }
 
-void OpenedField::save(const std::filesystem::path& path, bool overwrite)
+void OpenedField::write(const std::filesystem::path& path, bool overwrite)
 {
     AtomicFile out(path, overwrite);
     if (!bytes.empty()) {
@@ -89,6 +89,11 @@ void OpenedField::save(const std::filesystem::path& path, bool overwrite)
                  source.file.string());
     }
     out.commit();
+}
+
+void OpenedField::save(const std::filesystem::path& path, bool overwrite)
+{
+    write(path, overwrite);
     savedAs = path;
 }
 

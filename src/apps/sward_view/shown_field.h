@@ -36,6 +36,9 @@ struct OpenedField {
     explicit OpenedField(FieldSource source);
 
     /// Writes the field file. Throws Error{io} as AtomicFile does.
+    void write(const std::filesystem::path& path, bool overwrite);
+
+    /// The same, after which the field is saved there.
     void save(const std::filesystem::path& path, bool overwrite);
 
     /// Whether its only file is the temporary one of a bake by this window.

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double latitude = 50.0;     ///< [degrees]
 constexpr double declination = 18.0;  ///< [degrees] of the sun, in May and July
-constexpr double stepOfSearch = 0.01; ///< [h]
 constexpr double darkest = 0.04;      ///< share of the sky's light at night …
 constexpr double atHorizon = 0.3;     ///< … and at sunrise: more than in nature, as eyes adapt
 
@@ -36,18 +35,13 @@ render::SunPlace sunAt(double hour)
 
 double hourOf(double elevation, double near)
 {
-    double best = near;
-    double least = 1e9;
-    for (double hour = 0.0; hour < 24.0; hour += stepOfSearch) {
-        // Of two hours that are as good the nearer.
-        const double miss =
-            std::abs(sunAt(hour).elevation - elevation) + 1e-3 * std::abs(hour - near);
-        if (miss < least) {
-            least = miss;
-            best = hour;
-        }
-    }
-    return best;
+    // The inverse of sunAt(): the same elevation before and after noon.
+    const double north = glm::radians(latitude);
+    const double tilt = glm::radians(declination);
+    const double turn = (std::sin(glm::radians(elevation)) - std::sin(north) * std::sin(tilt)) /
+                        (std::cos(north) * std::cos(tilt));
+    const double fromNoon = glm::degrees(std::acos(std::clamp(turn, -1.0, 1.0))) / 15.0;
+    return near < 12.0 ? 12.0 - fromNoon : 12.0 + fromNoon;
 }
 
 double skyShareAt(double elevation)

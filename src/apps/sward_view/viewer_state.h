@@ -4,6 +4,7 @@
 #include "apps/sward_view/file_browser.h"
 #include "apps/sward_view/meadow_requests.h"
 #include "apps/sward_view/meadow_species.h"
+#include "apps/sward_view/paint/painter.h"
 #include "apps/sward_view/picking.h"
 #include "apps/sward_view/question.h"
 #include "apps/sward_view/requests.h"
@@ -15,6 +16,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +46,9 @@ struct ViewerState {
     MeadowRequests meadow;
     std::optional<MeadowEditor> editor; ///< of the meadow's species, if they are edited
     ColliderDragger hand;
+    Brush brush;
+    std::string strokesFile;          ///< strokes to begin painting with; empty: none
+    std::unique_ptr<Painter> painter; ///< while the field is painted
     bool automaticScale = true;
     float scale = 1.0f;         ///< of the window's pixels that are drawn
     bool refinesAtRest = false; ///< fine pictures, and no time, while nothing changes
@@ -86,7 +91,9 @@ struct ViewerState {
     std::string shaderError; ///< stays until the shaders compile again
     std::string notice;      ///< disappears automatically
     bool hasFfmpeg = false;  ///< required for videos
-    float heading = 0.0f;    ///< [rad] of the view: 0 is +x, π/2 is +z
+    glm::vec2 brushAt{0.0f}; ///< where the cursor was when the stroke was last made longer
+    std::vector<std::vector<glm::dvec3>> rings; ///< of the brush on the ground, world [m]
+    float heading = 0.0f;                       ///< [rad] of the view: 0 is +x, π/2 is +z
     bool walking = false;
     bool recording = false;
     bool replaying = false;

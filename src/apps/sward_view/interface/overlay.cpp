@@ -42,6 +42,7 @@ void Overlay::draw(const ViewerState& state) const
         drawFrustum(*state.settings.cullingCamera);
     if (state.picked)
         drawPicked(*state.picked);
+    drawRings(state);
 }
 
 glm::dvec2 Overlay::onScreen(const glm::dvec4& clip) const
@@ -171,6 +172,15 @@ void Overlay::drawFrustum(const render::Camera& frozen) const
         line(corner(i, reach), corner(i + 1, reach), color, 1.5f);
         line(corner(i, 0.1 * reach), corner(i + 1, 0.1 * reach), color, 1.0f);
     }
+}
+
+void Overlay::drawRings(const ViewerState& state) const
+{
+    // The first is the brush's radius, the second where its strength begins to fall.
+    for (std::size_t i = 0; i < state.rings.size(); ++i)
+        for (std::size_t k = 0; k + 1 < state.rings[i].size(); ++k)
+            line(state.rings[i][k], state.rings[i][k + 1],
+                 style_.packed(palette::warm, i == 0 ? 0.95f : 0.5f), i == 0 ? 2.0f : 1.0f);
 }
 
 void Overlay::drawPicked(const PickedBlade& picked) const

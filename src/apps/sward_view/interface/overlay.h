@@ -32,6 +32,7 @@ private:
     void drawCollider(const render::Collider& collider, double time, bool chosen) const;
     void drawWinds(const ViewerState& state) const;
     void drawFrustum(const render::Camera& frozen) const;
+    void drawRings(const ViewerState& state) const;
     void drawPicked(const PickedBlade& picked) const;
 
     const Style& style_;

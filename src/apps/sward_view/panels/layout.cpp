@@ -34,7 +34,7 @@ struct KeyLine {
     const char* meaning;
 };
 
-constexpr std::array<KeyLine, 21> keyLines{
+constexpr std::array<KeyLine, 23> keyLines{
     {{"Drop, Shift+drop", "open a file; add it to the fields shown"},
      {"Left drag", "orbit"},
      {"Middle drag, Shift+left", "pan"},
@@ -53,7 +53,9 @@ constexpr std::array<KeyLine, 21> keyLines{
      {"P", "take a picture"},
      {"Tab", "hide and show the panels"},
      {"Ctrl + plus, minus, 0", "larger, smaller, normal text and controls"},
-     {"Ctrl+S", "save the field that was baked in this window"},
+     {"Ctrl+S", "save the field that was baked or painted in this window"},
+     {"Ctrl+Z, Ctrl+Shift+Z", "undo and redo a stroke"},
+     {"Alt + wheel", "radius of the brush"},
      {"H", "show and hide these keys"},
      {"Escape", "close the topmost item; finally the window"}}};
 

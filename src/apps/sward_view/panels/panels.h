@@ -11,6 +11,7 @@ namespace sward::view {
 
 void drawFieldPanel(Controls& controls, ViewerState& state);
 void drawMeadowPanel(Controls& controls, ViewerState& state);
+void drawPaintPanel(Controls& controls, ViewerState& state);
 void drawPhysicsPanel(Controls& controls, ViewerState& state);
 void drawWindPanel(Controls& controls, ViewerState& state);
 void drawCullingPanel(Controls& controls, ViewerState& state);
@@ -37,9 +38,11 @@ struct Panel {
 };
 
 /// In the order of the rail.
-inline constexpr std::array<Panel, 10> panels{
+inline constexpr std::array<Panel, 11> panels{
     {{"Field", "Fields shown, recent files, and provenance", drawFieldPanel},
      {"Meadow", "Settings of the bake", drawMeadowPanel},
+     {"Paint", "Strokes of a brush on the field: more grass or less, other species, paths",
+      drawPaintPanel},
      {"Physics", "Gravity, stiffness and time", drawPhysicsPanel},
      {"Wind", "Wind sources: kind, strength and direction", drawWindPanel},
      {"Culling", "Culling tests and their counts", drawCullingPanel},

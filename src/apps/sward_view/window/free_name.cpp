@@ -31,6 +31,11 @@ std::string fieldNameFor(const std::string& input)
     return std::filesystem::path(input).stem().string() + ".sward";
 }
 
+std::string strokesNameFor(const std::string& input)
+{
+    return std::filesystem::path(input).stem().string() + ".strokes.json";
+}
+
 Question replaceQuestion(const std::filesystem::path& path,
                          std::function<void(const std::filesystem::path&, bool)> write)
 {

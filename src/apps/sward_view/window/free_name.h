@@ -14,6 +14,9 @@ std::filesystem::path freeName(const std::filesystem::path& path);
 /// Name of a file for a field baked on `input`.
 std::string fieldNameFor(const std::string& input);
 
+/// Name of a file for the strokes painted on the field of `input`.
+std::string strokesNameFor(const std::string& input);
+
 /// Asks whether a file that exists shall be replaced, or the new one get the next free name. Then
 /// calls `write` with the path, and whether it may replace a file.
 Question replaceQuestion(const std::filesystem::path& path,

@@ -25,7 +25,9 @@ enum class Key {
     larger,    ///< Ctrl and plus: larger texts and controls
     smaller,   ///< Ctrl and minus
     usualSize, ///< Ctrl and 0
-    save,      ///< Ctrl+S: saves the field that was baked in this window
+    save,      ///< Ctrl+S: saves the field that was baked or painted in this window
+    undo,      ///< Ctrl+Z: takes the last change of the strokes back
+    redo,      ///< Ctrl+Shift+Z: does it again
     bookmark,  ///< 1 to 9
 };
 
@@ -50,6 +52,7 @@ struct Input {
     std::optional<glm::vec2> clicked; ///< left button clicked without a drag
     glm::vec3 walk{0.0f}; ///< held W A S D Q E: to the right, up and ahead, each in [−1, 1]
     bool hurry = false;   ///< shift is held
+    bool alt = false;     ///< Alt is held
     std::vector<KeyPress> keys;
     std::vector<std::string> dropped; ///< files dropped on the window …
     bool dropsMore = false;           ///< … with shift held

@@ -26,6 +26,9 @@ public:
     /// device must be idle. Throws as FieldRenderer does, and then keeps the former renderer.
     void drawWith(std::shared_ptr<const ShaderModules> shaders);
 
+    /// Whether the next renderer takes changes of the field.
+    void setEditable(bool isEditable) { wanted_.isEditable = isEditable; }
+
     std::uint32_t samples() const { return wanted_.samples; } ///< per pixel
     const ShownField& field() const { return *field_; }
     render::FieldRenderer& renderer() { return *renderer_; }

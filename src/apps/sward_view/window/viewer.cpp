@@ -146,6 +146,7 @@ void Viewer::run()
         takeOpened();
         look();
         fulfil();
+        followPainter();
         drawn = draw();
         if (times_.firstShown &&
             secondsBetween(*times_.firstShown, Clock::now()) >= options_.seconds) {

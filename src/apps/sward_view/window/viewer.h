@@ -4,7 +4,6 @@
 #include "apps/sward_view/internal_resolution.h"
 #include "apps/sward_view/panels/layout.h"
 #include "apps/sward_view/shader_sources.h"
-#include "apps/sward_view/viewer_state.h"
 #include "apps/sward_view/window/bookmarks.h"
 #include "apps/sward_view/window/capture.h"
 #include "apps/sward_view/window/frame_times.h"
@@ -13,13 +12,9 @@
 #include "apps/sward_view/window/path_recorder.h"
 #include "apps/sward_view/window/rest.h"
 #include "apps/sward_view/window/viewer_options.h"
-#include "apps/sward_view/window/watched_file.h"
 #include "apps/sward_view/window/window.h"
-#include "gpu/frame_ring.h"
 
 #include <filesystem>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,10 +27,8 @@ public:
     /// `window` and objects referenced by `options` must outlive this.
     Viewer(Window& window, const ViewerOptions& options);
 
-    /// Runs until the window is closed. Throws Error{interrupted}, errors of the first field's
-    /// opening, and an Error if the device is lost.
+    /// Until the window is closed. Throws Error{interrupted}, and as opening the first field does.
     void run();
-
     const gpu::Instance& instance() const { return instance_; }
 
 private:
@@ -69,6 +62,13 @@ private:
     Pane paneBesidePanel() const;
     Sight sightAt(glm::vec2 place) const;
     Style::Scale uiScale() const;
+    // viewer_paint.cpp: the brush
+    void steerBrush(Input& input, bool mouse);
+    void followPainter();
+    void fulfilPainting(const Requests& requests);
+    void startPainting(std::optional<std::filesystem::path> strokes);
+    void endPainting();
+    void drawEditable(bool isEditable);
     // viewer_requests.cpp: requests that take longer than a frame
     void fulfil();
     void fulfilFiles(const Requests& requests);

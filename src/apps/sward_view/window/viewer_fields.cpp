@@ -134,6 +134,11 @@ void Viewer::show(Opening::Opened opened)
         next->navigation().setBookmark(number, camera);
     viewerState_.difference.reset();
     former_.reset();
+    // The strokes are those of the field before; they stay in the autosave.
+    if (viewerState_.painter && viewerState_.painter->strokes.isUnsaved())
+        notice("Painting has ended; the strokes are in " +
+               viewerState_.painter->autosave().string());
+    viewerState_.painter.reset();
     if (isSame)
         next->navigation().show(loadedField_->navigation().framing());
     if (isExchange && isBaked) {
@@ -178,6 +183,8 @@ void Viewer::choose(std::size_t member)
     // Take the requests of a field baked elsewhere from its provenance, without its ground.
     viewerState_.meadow = field.source.requests ? *field.source.requests
                                                 : requestsOf(*field.mapped.view().provenance);
+    if (viewerState_.meadow.ground.empty())
+        viewerState_.meadow.ground = options_.ground;
 }
 
 void Viewer::watch()
@@ -230,6 +237,8 @@ void Viewer::reloadShaders()
     // Report device errors like any other error.
     device_.waitIdle();
     loadedField_->drawWith(shaders_->modules());
+    if (viewerState_.painter)
+        viewerState_.painter->repeatAll();
     goodShaders_ = shaders_->modules();
     former_.reset();
     viewerState_.difference.reset();

@@ -36,6 +36,7 @@ void Viewer::steer(Input input)
 
     Navigation& navigation = loadedField_->navigation();
     const bool mouse = !interface_.takesMouse();
+    steerBrush(input, mouse);
     if (!handleColliders(input, mouse)) {
         if (mouse && input.clicked)
             rest_.pickAt = input.clicked;
@@ -105,8 +106,18 @@ void Viewer::press(const KeyPress& key)
         uiZoom_ = 0;
         break;
     case Key::save:
-        if (loadedField_ && loadedField_->field().members.at(viewerState_.chosen)->source.requests)
+        if (loadedField_ &&
+            (viewerState_.painter ||
+             loadedField_->field().members.at(viewerState_.chosen)->source.requests))
             viewerState_.requests.saveField = viewerState_.fieldFile;
+        break;
+    case Key::undo:
+        if (viewerState_.painter && !viewerState_.painter->strokes.undo())
+            notice("No change of the strokes is left to undo");
+        break;
+    case Key::redo:
+        if (viewerState_.painter && !viewerState_.painter->strokes.redo())
+            notice("No change of the strokes is left to redo");
         break;
     case Key::bookmark:
         if (!loadedField_)
@@ -171,6 +182,9 @@ bool Viewer::handleColliders(const Input& input, bool mouse)
 
 void Viewer::pick(glm::vec2 pixel)
 {
+    // Numbers of blades on the device are those of the painted field.
+    if (viewerState_.painter)
+        return notice("Blades can be picked after painting has stopped");
     const bool onlyDrawn = viewerState_.settings.debug != render::DebugMode::reason;
     viewerState_.picked =
         pickBlade(loadedField_->renderer(), loadedField_->field(), sightAt(pixel), onlyDrawn);

@@ -18,6 +18,7 @@ struct ViewerOptions {
     std::string controlsFile; ///< output of the control map; empty: none
     std::string shaderFolder; ///< whose changes are compiled and shown; empty or "none": none
     std::string meadow;       ///< meadow name or file for meshes; empty: the first
+    std::string ground;       ///< on which a field was baked, for painting; empty: none
     float resolution = 0.0f;  ///< drawn share of width and height; 0: by time
     std::optional<bool> refinesAtRest; ///< unset: on a CPU device with a resolution by time
     std::optional<float> uiScale;      ///< of texts and controls; unset: as the desktop asks for

@@ -49,6 +49,8 @@ void Viewer::fulfil()
         fulfilFields(requests);
         watch();
         if (loadedField_)
+            fulfilPainting(requests);
+        if (loadedField_)
             fulfilFiles(requests);
     } catch (const Error& error) {
         if (isFirstInput_)
@@ -61,7 +63,7 @@ void Viewer::fulfil()
         return;
 
     Navigation& navigation = loadedField_->navigation();
-    if (requests.compare && former_) {
+    if (requests.compare && former_ && !viewerState_.painter) {
         device_.waitIdle();
         former_->navigation().show(navigation.framing());
         std::swap(loadedField_, former_);
@@ -116,7 +118,7 @@ void Viewer::fulfilFiles(const Requests& requests)
     if (requests.saveSettings) {
         writeText(*requests.saveSettings, render::settingsText(viewerState_.settings));
     }
-    if (requests.saveField) {
+    if (requests.saveField && !viewerState_.painter) {
         const auto field = loadedField_->field().members.at(viewerState_.chosen);
         writeUnlessTaken(*requests.saveField,
                          [this, field](const std::filesystem::path& path, bool replaces) {

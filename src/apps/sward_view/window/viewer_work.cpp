@@ -29,7 +29,8 @@ bool Viewer::isDone()
     if (!window_.isClosed())
         return false;
     OpenedFields unsaved = loadedField_ ? loadedField_->field().unsaved() : OpenedFields();
-    if (isClosing_ || (unsaved.empty() && !recorder_.isRecording()))
+    const bool hasStrokes = viewerState_.painter && viewerState_.painter->strokes.isUnsaved();
+    if (isClosing_ || (unsaved.empty() && !recorder_.isRecording() && !hasStrokes))
         return true;
     window_.keepOpen();
     isClosing_ = false;
@@ -43,7 +44,8 @@ bool Viewer::isDone()
 void Viewer::askToSave(OpenedFields fields, const std::string& verb, std::function<void()> act)
 {
     const bool records = recorder_.isRecording() && verb == "close";
-    if (fields.empty() && !records)
+    const bool hasStrokes = viewerState_.painter && viewerState_.painter->strokes.isUnsaved();
+    if (fields.empty() && !records && !hasStrokes)
         return act();
     std::string text;
     if (!fields.empty())
@@ -51,14 +53,23 @@ void Viewer::askToSave(OpenedFields fields, const std::string& verb, std::functi
                            namesOf(fields));
     if (records)
         text += std::string(text.empty() ? "" : "\n") + "A camera path is being recorded.";
+    if (hasStrokes)
+        text += fmt::format("{}{}: strokes are not saved as a file.", text.empty() ? "" : "\n",
+                            loadedField_->field().name);
     std::string about = "Writes";
     for (const auto& field : fields)
         about += " " + freeName(fieldNameFor(field->source.input)).string();
     if (records)
         about += " " + freeName(viewerState_.pathFile).string();
-    const auto save = [this, fields = std::move(fields), records, act] {
+    if (hasStrokes)
+        about +=
+            " " + freeName(strokesNameFor(loadedField_->field().members[0]->source.input)).string();
+    const auto save = [this, fields = std::move(fields), records, hasStrokes, act] {
         for (const auto& field : fields)
             saveField(*field, freeName(fieldNameFor(field->source.input)), false);
+        if (hasStrokes)
+            viewerState_.painter->writeStrokes(
+                freeName(strokesNameFor(loadedField_->field().members[0]->source.input)));
         if (records)
             record();
         act();
@@ -68,13 +79,24 @@ void Viewer::askToSave(OpenedFields fields, const std::string& verb, std::functi
                  {{"Save and " + verb, std::move(about), save},
                   {fmt::format("{}{} without saving", static_cast<char>(verb[0] - 'a' + 'A'),
                                verb.substr(1)),
-                   "What is not saved is lost", std::move(act)},
+                   "What is not saved is lost",
+                   [this, hasStrokes, act = std::move(act)] {
+                       if (hasStrokes && viewerState_.painter)
+                           viewerState_.painter->discard();
+                       act();
+                   }},
                   {"Cancel", "Changes nothing (Escape)", {}}}};
 }
 
 void Viewer::saveField(OpenedField& field, const fs::path& path, bool replaces)
 {
-    field.save(path, replaces);
+    // A painted field is that of the session.
+    if (viewerState_.painter && viewerState_.painter->isReady()) {
+        viewerState_.painter->saveFieldNow(path, replaces);
+        field.savedAs = path;
+    } else {
+        field.save(path, replaces);
+    }
     log::info("{}: saved as {}", field.source.input, path.string());
     notice(path.string() + ": written");
     recent_.add(path.string());

@@ -71,7 +71,7 @@ int rowsOf(int key)
 }
 
 // Keys that mean something with Ctrl, by what is printed on them.
-std::optional<Key> controlKeyOf(int key, int code)
+std::optional<Key> controlKeyOf(int key, int code, bool shift)
 {
     const char* name = glfwGetKeyName(key, code);
     const std::string_view sign = name == nullptr ? "" : name;
@@ -83,6 +83,8 @@ std::optional<Key> controlKeyOf(int key, int code)
         return Key::usualSize;
     if (sign == "s")
         return Key::save;
+    if (sign == "z")
+        return shift ? Key::redo : Key::undo;
     return std::nullopt;
 }
 
@@ -202,7 +204,8 @@ void Window::Parts::onKey(GLFWwindow* window, int key, int code, int action, int
         of(window).input.entered = true;
     KeyPress press{Key::bookmark, 0, (modifiers & GLFW_MOD_CONTROL) != 0};
     if (press.control)
-        if (const std::optional<Key> found = controlKeyOf(key, code)) {
+        if (const std::optional<Key> found =
+                controlKeyOf(key, code, (modifiers & GLFW_MOD_SHIFT) != 0)) {
             press.key = *found;
             of(window).input.keys.push_back(press);
             return;
@@ -372,6 +375,7 @@ Input Window::takeInput()
     input.leftHeld = parts_->isHeld(GLFW_MOUSE_BUTTON_LEFT);
     input.rightHeld = parts_->isHeld(GLFW_MOUSE_BUTTON_RIGHT);
     input.hurry = parts_->shift();
+    input.alt = parts_->isDown(GLFW_KEY_LEFT_ALT) || parts_->isDown(GLFW_KEY_RIGHT_ALT);
     input.walk = {held(GLFW_KEY_D, GLFW_KEY_A), held(GLFW_KEY_E, GLFW_KEY_Q),
                   held(GLFW_KEY_W, GLFW_KEY_S)};
     return input;

@@ -92,8 +92,13 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
         ->type_name("NAME|FILE")
         ->group(group)
         ->default_str("meadow");
+    app.add_option("--ground", options->viewer.ground,
+                   "Ground on which the field was baked, for painting it and baking it again: a "
+                   "mesh, a heightmap, a recipe, or the name of a built-in ground")
+        ->type_name("FILE|NAME")
+        ->group(group);
     app.add_option("--panel", options->viewer.panel,
-                   "Panel that is open at the start: field, meadow, physics, wind, culling, "
+                   "Panel that is open at the start: field, meadow, paint, physics, wind, culling, "
                    "colliders, look, camera, profile, capture; off: no panels, only the picture")
         ->type_name("NAME")
         ->group(group);

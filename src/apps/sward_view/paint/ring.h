@@ -1,0 +1,23 @@
+#pragma once
+
+#include "apps/sward_view/paint/stroke.h"
+#include "render/ground_surface.h"
+
+#include <glm/vec3.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace sward::view {
+
+/// Points of a circle of `radius` [m] around `centre`, laid on the ground along its normal; the
+/// first is the last, too. World [m]. Where no ground is within the radius they stay in the plane.
+std::vector<glm::dvec3> ringOn(const render::GroundSurface& ground, const PaintPoint& centre,
+                               double radius);
+
+/// The ground that a ray from `eye` (world) meets first, as a point of a stroke of this radius [m]:
+/// its normal is the mean of what lies within, so that a rough spot does not turn the brush.
+std::optional<PaintPoint> paintPointAt(const render::GroundSurface& ground, const glm::dvec3& eye,
+                                       const glm::dvec3& direction, double radius);
+
+} // namespace sward::view

@@ -1,0 +1,224 @@
+"""Painting in the viewer, by mouse and keys on a real X server: strokes, undo, what is saved, and what is
+left when it is killed."""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from display import Display, share_that_differs, wait_until  # noqa: E402
+from viewer import Viewer  # noqa: E402
+
+SWARD = os.environ["SWARD_PROGRAM"]
+VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
+
+GROUND = "hills"
+BAKE = ["--meadow", "grass", "--count", "4000"]
+LEFT, RIGHT, LOW = (560, 420), (760, 420), 470  # places of the picture beside the panel
+
+
+def has_ended(process):
+    """Whether it has, be it that nobody has taken notice yet."""
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0] == "Z"
+    except FileNotFoundError:
+        return True
+
+
+class PaintTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="sward-view-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.whole = Path(folder.name) / "whole.sward"
+        subprocess.run([SWARD, "bake", GROUND, *BAKE, "-o", cls.whole, "-q"], check=True)
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="sward-view-")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.field = self.folder / "meadow.sward"
+        shutil.copy(self.whole, self.field)
+        self.autosave = self.folder / "meadow.strokes.autosave.json"
+        self.display = Display()
+        self.addCleanup(self.display.close)
+
+    def open(self, *arguments):
+        viewer = Viewer(VIEWER, self.display, self.folder,
+                        [*arguments, "--size", "1000x760", "--panel", "paint", "--camera", "top"])
+        self.addCleanup(viewer.close)
+        viewer.wait_for_field()
+        viewer.key("space")
+        return viewer
+
+    def start(self, viewer):
+        viewer.click("Paint/Start painting")
+        viewer.wait(lambda: "Paint/Kind" in viewer.controls(), "painting begins")
+
+    def paint(self):
+        viewer = self.open(self.field, "--ground", GROUND)
+        self.start(viewer)
+        self.assertEqual(self.blades(viewer), 4000)
+        return viewer
+
+    def choose(self, viewer, kind):
+        viewer.click("Paint/Kind")
+        viewer.wait(lambda: f"Paint/Kind {kind}" in viewer.controls(), "the list is open")
+        viewer.wait_frames(2)
+        viewer.click(f"Paint/Kind {kind}")
+        viewer.wait_for_value("Paint/Kind", lambda shown: shown == kind, "it is chosen")
+
+    @staticmethod
+    def blades(viewer):
+        return int((viewer.shows("Paint/Blades") or "0").replace(" ", "").replace(",", ""))
+
+    def strokes(self, viewer):
+        return int(viewer.shows("Paint/Count"))
+
+    def wait_for_strokes(self, viewer, count):
+        viewer.wait_for_value("Paint/Count", lambda shown: shown == str(count), f"{count} strokes")
+
+    def settled(self, viewer, holds, what):
+        viewer.wait(lambda: holds(self.blades(viewer)), what)
+        viewer.wait_frames(4)
+
+    def picture(self, viewer):
+        viewer.away()
+        left, top, _, _ = viewer.window.geometry()
+        return self.display.picture(left + 450, top + 120, 520, 560)
+
+    def erase(self, viewer, begin=LEFT, end=RIGHT):
+        self.choose(viewer, "erase")
+        viewer.set("Radius", "Paint", 0.68)
+        viewer.drag(begin, end)
+
+    def blades_of(self, field):
+        told = subprocess.run([SWARD, "info", "--json", field], check=True, capture_output=True)
+        return json.loads(told.stdout)["blades"]
+
+    def test_strokes_change_the_picture_and_undo_brings_it_back(self):
+        viewer = self.paint()
+        before = self.picture(viewer)
+        self.erase(viewer)
+        self.wait_for_strokes(viewer, 1)
+        self.settled(viewer, lambda count: 0 < count < 4000, "blades are gone")
+        erased, fewer = self.picture(viewer), self.blades(viewer)
+        self.assertGreater(share_that_differs(before, erased, 12), 0.005)
+        viewer.key("ctrl+z")
+        self.settled(viewer, lambda count: count == 4000, "all blades are back")
+        self.assertEqual(self.strokes(viewer), 0)
+        self.assertLess(share_that_differs(before, self.picture(viewer), 12), 0.002)
+        viewer.key("ctrl+shift+z")
+        self.settled(viewer, lambda count: count == fewer, "the stroke is there again")
+        self.assertLess(share_that_differs(erased, self.picture(viewer), 12), 0.002)
+        # Its switch does the same as undo.
+        viewer.click("Paint/Stroke 1", 0.1)
+        self.settled(viewer, lambda count: count == 4000, "a hidden stroke does not count")
+        self.assertEqual(self.strokes(viewer), 1)
+        self.assertEqual(viewer.end()[0], 0)
+
+    def test_what_is_saved_is_what_was_painted(self):
+        viewer = self.paint()
+        self.erase(viewer)
+        self.settled(viewer, lambda count: 0 < count < 4000, "blades are gone")
+        fewer = self.blades(viewer)
+        self.assertTrue(self.autosave.exists())
+        for button, name in (("Save field...", "painted.sward"), ("Save strokes...", "painted.json")):
+            viewer.click(f"Paint/{button}")
+            viewer.wait_for_value("Files/Name", lambda shown: shown, "it proposes a name")
+            viewer.wait_frames(3)
+            viewer.key("ctrl+a")
+            self.display.xdotool("type", name)
+            viewer.wait_for_value("Files/Name", lambda shown: shown == name, "the name is typed")
+            viewer.key("Return")
+            viewer.wait((self.folder / name).exists, f"{name} is written")
+        viewer.wait_for_value("Paint/Saved", lambda shown: shown == "yes", "it is told")
+        self.assertFalse(self.autosave.exists())
+        viewer.window.ask_to_close()
+        self.assertEqual(viewer.process.wait(timeout=60), 0, viewer.said())
+        painted, baked = self.folder / "painted.sward", self.folder / "baked.sward"
+        self.assertEqual(self.blades_of(painted), fewer)
+        subprocess.run([SWARD, "bake", GROUND, *BAKE, "--paint", self.folder / "painted.json", "-o",
+                        baked, "-q"], check=True)
+        self.assertEqual(baked.read_bytes(), painted.read_bytes())
+        again = self.open(painted, "--ground", GROUND)
+        self.assertIn(f"{fewer}", again.shows("Status/Numbers").replace(" ", "").replace(",", ""))
+        self.assertEqual(again.end()[0], 0)
+
+    def test_strokes_that_are_not_saved_are_asked_for(self):
+        viewer = self.paint()
+        self.erase(viewer)
+        self.wait_for_strokes(viewer, 1)
+        viewer.window.ask_to_close()
+        viewer.wait(lambda: "strokes" in (viewer.shows("Question/Text") or ""), "it asks")
+        viewer.wait_frames(3)
+        try:
+            viewer.click("Question/Save and close")
+        except AssertionError:
+            pass
+        self.assertEqual(viewer.process.wait(timeout=60), 0, viewer.said())
+        strokes = json.loads((self.folder / "meadow.strokes.json").read_text())["strokes"]
+        self.assertEqual([stroke["kind"] for stroke in strokes], ["erase"])
+        self.assertFalse(self.autosave.exists())
+
+    def test_killed_within_a_stroke_it_leaves_those_before_and_a_whole_field(self):
+        viewer = self.paint()
+        self.erase(viewer)
+        self.wait_for_strokes(viewer, 1)
+        viewer.wait(self.autosave.exists, "it is saved by itself")
+        xdotool = self.display.xdotool
+        xdotool("mousemove", "--window", viewer.window.number, LEFT[0], LOW)
+        viewer.wait_frames(2)
+        xdotool("mousedown", 1)
+        xdotool("mousemove", "--window", viewer.window.number, RIGHT[0], LOW)
+        viewer.wait_frames(3)
+        children = subprocess.run(["pgrep", "-P", str(viewer.process.pid)], capture_output=True,
+                                  text=True).stdout.split()
+        self.assertTrue(children, "sward edit runs")
+        viewer.process.send_signal(signal.SIGKILL)
+        viewer.process.wait()
+        xdotool("mouseup", 1)
+        for child in children:
+            wait_until(lambda: has_ended(child), "sward edit ends, too")
+        strokes = json.loads(self.autosave.read_text())["strokes"]
+        self.assertEqual([stroke["kind"] for stroke in strokes], ["erase"])
+        self.assertEqual(self.field.read_bytes(), self.whole.read_bytes())
+        again = self.open(self.field, "--ground", GROUND)
+        again.click("Paint/Start painting")
+        again.wait(lambda: "Question/Load them" in again.controls(), "it offers the strokes")
+        again.wait_frames(3)
+        again.click("Question/Load them")
+        again.wait(lambda: "Paint/Kind" in again.controls(), "painting begins")
+        self.wait_for_strokes(again, 1)
+        self.settled(again, lambda count: 0 < count < 4000, "the stroke is applied")
+        self.assertEqual(again.end()[0], 0)
+
+    def test_a_session_that_is_killed_is_told_and_the_window_goes_on(self):
+        viewer = self.paint()
+        self.erase(viewer)
+        self.wait_for_strokes(viewer, 1)
+        for child in subprocess.run(["pgrep", "-P", str(viewer.process.pid)], capture_output=True,
+                                    text=True).stdout.split():
+            os.kill(int(child), signal.SIGKILL)
+        viewer.wait(lambda: "sward edit" in (viewer.shows("Message/Error") or ""), "it is told")
+        self.assertIn(str(self.autosave.name), viewer.shows("Message/Error"))
+        viewer.wait(lambda: "Paint/Start painting" in viewer.controls(), "it can begin again")
+        self.assertTrue(self.autosave.exists())
+        self.assertEqual(viewer.end()[0], 0)
+
+    def test_a_field_of_another_bake_is_not_painted(self):
+        viewer = self.open(self.field, "--ground", "dunes")
+        viewer.click("Paint/Start painting")
+        viewer.wait(lambda: "was not baked on dunes" in (viewer.shows("Message/Error") or ""),
+                    "it is told")
+        self.assertEqual(viewer.end()[0], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

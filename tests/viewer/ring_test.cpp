@@ -1,0 +1,50 @@
+#include "apps/sward_view/paint/ring.h"
+#include "support/fields/fields.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace sward::view {
+namespace {
+
+field::Field groundOf(test::Surface surface)
+{
+    test::FieldSettings settings;
+    settings.surface = surface;
+    settings.blades = 16;
+    settings.extent = 10.0f;
+    return test::makeField(settings);
+}
+
+TEST(Ring, LiesOnTheGroundAtItsRadiusAndIsClosed)
+{
+    const field::Field field = groundOf(test::Surface::plane);
+    const render::GroundSurface ground(viewOf(field));
+    const auto point = paintPointAt(ground, {1.0, 7.0, 0.5}, {0.0, -1.0, 0.0}, 2.0);
+    ASSERT_TRUE(point.has_value());
+    EXPECT_NEAR(glm::distance(point->place, glm::dvec3(1.0, 0.0, 0.5)), 0.0, 1e-5);
+    EXPECT_NEAR(point->normal.y, 1.0, 1e-6);
+    const auto ring = ringOn(ground, *point, 2.0);
+    EXPECT_EQ(ring.front(), ring.back());
+    for (const glm::dvec3& place : ring) {
+        EXPECT_NEAR(place.y, 0.0, 1e-5);
+        EXPECT_NEAR(glm::distance(place, point->place), 2.0, 1e-5);
+    }
+    EXPECT_FALSE(paintPointAt(ground, {1.0, 7.0, 0.5}, {0.0, 1.0, 0.0}, 2.0).has_value());
+}
+
+TEST(Ring, FollowsABall)
+{
+    const field::Field field = groundOf(test::Surface::sphere);
+    const render::GroundSurface ground(viewOf(field));
+    const glm::dvec3 side = glm::normalize(glm::dvec3(1.0, 2.0, -3.0));
+    const auto point = paintPointAt(ground, 20.0 * side, -side, 1.0);
+    ASSERT_TRUE(point.has_value());
+    EXPECT_GT(glm::dot(point->normal, side), 0.95) << "the side that is seen";
+    const double radius = glm::length(point->place);
+    for (const glm::dvec3& place : ringOn(ground, *point, 1.0))
+        EXPECT_NEAR(glm::length(place), radius, 0.05 * radius);
+}
+
+} // namespace
+} // namespace sward::view

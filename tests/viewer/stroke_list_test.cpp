@@ -1,0 +1,238 @@
+#include "apps/common/temporary_folder.h"
+#include "apps/sward_view/paint/stroke_list.h"
+#include "core/error.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <random>
+
+namespace sward::view {
+namespace {
+
+using nlohmann::json;
+
+PaintPoint at(double x, double z = 0.0)
+{
+    return {{x, 0.0, z}, {0.0, 1.0, 0.0}};
+}
+
+Brush eraser(float radius = 1.0f)
+{
+    Brush brush;
+    brush.kind = PaintKind::erase;
+    brush.radius = radius;
+    return brush;
+}
+
+void addStroke(StrokeList& list, double x)
+{
+    list.begin(eraser(), at(x));
+    list.finish();
+}
+
+TEST(StrokeText, HasTheKeysOfItsKindAndNoOthers)
+{
+    const std::vector<std::pair<PaintKind, std::vector<const char*>>> own{
+        {PaintKind::add, {"ceiling"}},
+        {PaintKind::erase, {}},
+        {PaintKind::set, {"density"}},
+        {PaintKind::smooth, {}},
+        {PaintKind::species, {"species"}},
+        {PaintKind::height, {"factor"}},
+        {PaintKind::dryness, {"share"}},
+        {PaintKind::trodden, {"height", "lean"}},
+        {PaintKind::clear, {}}};
+    ASSERT_EQ(own.size(), paintKinds);
+    for (const auto& [kind, keys] : own) {
+        Brush brush;
+        brush.kind = kind;
+        brush.species = "a \"daisy\"";
+        const json stroke = json::parse(strokeText(brush, {at(1.0), at(2.5)}));
+        EXPECT_EQ(stroke.size(), 6 + keys.size()) << stroke;
+        EXPECT_EQ(stroke["kind"], paintKindNames[static_cast<std::size_t>(kind)]);
+        EXPECT_EQ(stroke["points"], json::parse("[[1,0,0],[2.5,0,0]]"));
+        EXPECT_EQ(stroke["normals"], json::parse("[[0,1,0]]")) << "one for all";
+        for (const char* key : keys)
+            EXPECT_TRUE(stroke.contains(key)) << key;
+    }
+}
+
+TEST(StrokeText, TellsANormalForEachPointWhereTheyDiffer)
+{
+    const PaintPoint side{{5.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
+    const json stroke = json::parse(strokeText(eraser(), {at(0.0), side}));
+    EXPECT_EQ(stroke["normals"], json::parse("[[0,1,0],[1,0,0]]"));
+}
+
+TEST(StrokeText, RoundsToMillimetresAndKeepsLargeNumbers)
+{
+    const json stroke =
+        json::parse(strokeText(eraser(), {{{-123456789.98765, -0.0001, 0.0004}, {0, 1, 0}}}));
+    EXPECT_EQ(stroke["points"], json::parse("[[-123456789.988,0,0]]"));
+}
+
+TEST(Simplified, NoPointIsFartherAwayThanTheTolerance)
+{
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> step(-0.4, 0.4);
+    std::vector<PaintPoint> points;
+    double z = 0.0;
+    for (int i = 0; i < 400; ++i)
+        points.push_back(at(0.25 * i, z += step(random)));
+    const auto kept = simplified(points, 0.3);
+    EXPECT_LT(kept.size(), points.size() / 2);
+    EXPECT_EQ(kept.front().place, points.front().place);
+    EXPECT_EQ(kept.back().place, points.back().place);
+    for (const PaintPoint& point : points) {
+        double nearest = 1e9;
+        for (std::size_t i = 0; i + 1 < kept.size(); ++i)
+            for (int k = 0; k <= 200; ++k)
+                nearest = std::min(
+                    nearest, glm::distance(point.place,
+                                           glm::mix(kept[i].place, kept[i + 1].place, k / 200.0)));
+        EXPECT_LE(nearest, 0.3 + 0.02);
+    }
+}
+
+TEST(StrokeList, ALongStrokeTakesAtMostTwoKilobytes)
+{
+    StrokeList list;
+    list.begin(eraser(), at(0.0));
+    for (int i = 1; i < 4000; ++i)
+        list.extend(at(0.05 * i, 8.0 * std::sin(0.01 * i)));
+    EXPECT_LT(list.grownPoints(), 1400u) << "resampled to a quarter of the radius";
+    list.finish();
+    ASSERT_EQ(list.entries().size(), 1u);
+    EXPECT_LE(list.entries()[0].text.size(), strokeBytes);
+}
+
+TEST(StrokeList, PointsNearTheLastAreLeftOut)
+{
+    StrokeList list;
+    list.begin(eraser(2.0f), at(0.0));
+    const auto before = list.revision();
+    EXPECT_FALSE(list.extend(at(0.49)));
+    EXPECT_EQ(list.revision(), before) << "nothing new to be sent";
+    EXPECT_TRUE(list.extend(at(0.51)));
+    EXPECT_NE(list.revision(), before);
+    EXPECT_EQ(list.grownPoints(), 2u);
+}
+
+TEST(StrokeList, TheGrowingStrokeIsVisibleAndBecomesTheLastWithTheSameText)
+{
+    StrokeList list;
+    addStroke(list, 0.0);
+    list.begin(eraser(), at(5.0));
+    list.extend(at(6.0));
+    EXPECT_EQ(list.finished().size(), 1u);
+    const auto growing = list.visible();
+    ASSERT_EQ(growing.size(), 2u);
+    list.finish();
+    EXPECT_EQ(list.visible(), growing);
+    EXPECT_EQ(list.finished(), growing);
+}
+
+TEST(StrokeList, UndoAndRedoLeadThroughEveryStateForAnySequence)
+{
+    std::mt19937 random(11);
+    for (int run = 0; run < 50; ++run) {
+        StrokeList list;
+        std::vector<std::vector<std::string>> states{list.visible()};
+        std::size_t now = 0;
+        for (int i = 0; i < 60; ++i) {
+            const auto count = list.entries().size();
+            switch (random() % 5) {
+            case 0:
+                EXPECT_EQ(list.undo(), now > 0);
+                now -= now > 0 ? 1u : 0u;
+                break;
+            case 1:
+                EXPECT_EQ(list.redo(), now + 1 < states.size());
+                now += now + 1 < states.size() ? 1u : 0u;
+                break;
+            case 2:
+                if (count == 0)
+                    continue;
+                list.remove(random() % count);
+                states.resize(++now);
+                states.push_back(list.visible());
+                break;
+            case 3: {
+                if (count == 0)
+                    continue;
+                const std::size_t index = random() % count;
+                list.setVisible(index, !list.entries()[index].visible);
+                states.resize(++now);
+                states.push_back(list.visible());
+                break;
+            }
+            default:
+                addStroke(list, i);
+                states.resize(++now);
+                states.push_back(list.visible());
+            }
+            ASSERT_EQ(list.visible(), states[now]);
+            ASSERT_EQ(list.canUndo(), now > 0);
+            ASSERT_EQ(list.canRedo(), now + 1 < states.size());
+        }
+    }
+}
+
+TEST(StrokeList, IsUnsavedUntilTheSameStrokesAreThereAgain)
+{
+    StrokeList list;
+    EXPECT_FALSE(list.isUnsaved());
+    addStroke(list, 1.0);
+    EXPECT_TRUE(list.isUnsaved());
+    list.setSaved(list.finishedRevision());
+    EXPECT_FALSE(list.isUnsaved());
+    addStroke(list, 2.0);
+    EXPECT_TRUE(list.isUnsaved());
+    list.undo();
+    EXPECT_FALSE(list.isUnsaved()) << "as it was saved";
+    list.undo();
+    EXPECT_TRUE(list.isUnsaved());
+    list.redo();
+    EXPECT_FALSE(list.isUnsaved());
+    list.setVisible(0, false);
+    EXPECT_TRUE(list.isUnsaved());
+}
+
+TEST(StrokeFile, IsReadBackAsItWasWritten)
+{
+    const apps::TemporaryFolder folder;
+    StrokeList list;
+    addStroke(list, 1.0);
+    addStroke(list, 2.0);
+    const auto path = folder.path() / "a.json";
+    std::ofstream(path) << strokeFileText(list.finished());
+    EXPECT_EQ(readStrokeFile(path), list.finished());
+    EXPECT_EQ(kindOfStroke(readStrokeFile(path)[0]), "erase");
+    std::ofstream(path) << strokeFileText({});
+    EXPECT_TRUE(readStrokeFile(path).empty());
+}
+
+TEST(StrokeFile, OtherFilesAreRefused)
+{
+    const apps::TemporaryFolder folder;
+    const auto path = folder.path() / "a.json";
+    EXPECT_THROW(readStrokeFile(path), Error) << "missing";
+    for (const char* text :
+         {"", "[]", "{", "{\"format\":\"sward strokes 2\",\"strokes\":[]}",
+          "{\"format\":\"sward strokes 1\"}", "{\"format\":\"sward strokes 1\",\"strokes\":3}",
+          "{\"strokes\":[]}"}) {
+        std::ofstream(path) << text;
+        EXPECT_THROW(readStrokeFile(path), Error) << text;
+    }
+    for (const char* text : {"", "3", "[]", "{}", "{\"kind\":3}"})
+        EXPECT_EQ(kindOfStroke(text), "") << text;
+}
+
+} // namespace
+} // namespace sward::view
