@@ -212,7 +212,7 @@ void Viewer::startPainting(std::optional<fs::path> strokes)
     std::vector<std::string> more;
     if (strokes)
         more = readStrokeFile(*strokes);
-    auto folder = std::make_unique<apps::TemporaryFolder>();
+    auto folder = std::make_unique<apps::TemporaryFolder>("sward-view");
     fs::path base = field.source.file;
     if (field.source.requests || !field.bytes.empty()) {
         base = folder->path() / "field.sward";
