@@ -19,7 +19,8 @@ SWARD = os.environ["SWARD_PROGRAM"]
 VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
 
 GROUND = "hills"
-BAKE = ["--meadow", "grass", "--count", "4000"]
+COUNT = 60000
+BAKE = ["--meadow", "grass", "--count", str(COUNT)]
 LEFT, RIGHT, LOW = (560, 420), (760, 420), 470  # places of the picture beside the panel
 
 
@@ -51,7 +52,8 @@ class PaintTest(unittest.TestCase):
 
     def open(self, *arguments):
         viewer = Viewer(VIEWER, self.display, self.folder,
-                        [*arguments, "--size", "1000x760", "--panel", "paint", "--camera", "top"])
+                        [*arguments, "--size", "1000x760", "--panel", "paint", "--camera", "top",
+                         "--resolution", "0.5"])
         self.addCleanup(viewer.close)
         viewer.wait_for_field()
         viewer.key("space")
@@ -64,7 +66,7 @@ class PaintTest(unittest.TestCase):
     def paint(self):
         viewer = self.open(self.field, "--ground", GROUND)
         self.start(viewer)
-        self.assertEqual(self.blades(viewer), 4000)
+        self.assertEqual(self.blades(viewer), COUNT)
         return viewer
 
     def choose(self, viewer, kind):
@@ -107,45 +109,50 @@ class PaintTest(unittest.TestCase):
         before = self.picture(viewer)
         self.erase(viewer)
         self.wait_for_strokes(viewer, 1)
-        self.settled(viewer, lambda count: 0 < count < 4000, "blades are gone")
-        erased, fewer = self.picture(viewer), self.blades(viewer)
-        self.assertGreater(share_that_differs(before, erased, 12), 0.005)
+        self.settled(viewer, lambda count: 0 < count < COUNT, "blades are gone")
+        viewer.wait_frames(8)  # the last part of the stroke, too
+        fewer = self.blades(viewer)
+        erases = share_that_differs(before, self.picture(viewer), 12)
+        self.assertGreater(erases, 0.02)
         viewer.key("ctrl+z")
-        self.settled(viewer, lambda count: count == 4000, "all blades are back")
+        self.settled(viewer, lambda count: count == COUNT, "all blades are back")
         self.assertEqual(self.strokes(viewer), 0)
-        self.assertLess(share_that_differs(before, self.picture(viewer), 12), 0.002)
+        # Blades that come back are bent as the wind of now bends them, not as they were.
+        self.assertLess(share_that_differs(before, self.picture(viewer), 12), 0.5 * erases)
         viewer.key("ctrl+shift+z")
         self.settled(viewer, lambda count: count == fewer, "the stroke is there again")
-        self.assertLess(share_that_differs(erased, self.picture(viewer), 12), 0.002)
+        self.assertGreater(share_that_differs(before, self.picture(viewer), 12), 0.7 * erases)
         # Its switch does the same as undo.
         viewer.click("Paint/Stroke 1", 0.1)
-        self.settled(viewer, lambda count: count == 4000, "a hidden stroke does not count")
+        self.settled(viewer, lambda count: count == COUNT, "a hidden stroke does not count")
         self.assertEqual(self.strokes(viewer), 1)
         self.assertEqual(viewer.end()[0], 0)
 
     def test_what_is_saved_is_what_was_painted(self):
         viewer = self.paint()
         self.erase(viewer)
-        self.settled(viewer, lambda count: 0 < count < 4000, "blades are gone")
+        self.settled(viewer, lambda count: 0 < count < COUNT, "blades are gone")
         fewer = self.blades(viewer)
         self.assertTrue(self.autosave.exists())
-        for button, name in (("Save field...", "painted.sward"), ("Save strokes...", "painted.json")):
+        strokes = self.folder / "meadow.strokes.json"
+        for button, path in (("Save field...", self.field), ("Save strokes...", strokes)):
             viewer.click(f"Paint/{button}")
-            viewer.wait_for_value("Files/Name", lambda shown: shown, "it proposes a name")
+            viewer.wait_for_value("Files/Name", lambda shown: shown == path.name, "it proposes a name")
             viewer.wait_frames(3)
-            viewer.key("ctrl+a")
-            self.display.xdotool("type", name)
-            viewer.wait_for_value("Files/Name", lambda shown: shown == name, "the name is typed")
             viewer.key("Return")
-            viewer.wait((self.folder / name).exists, f"{name} is written")
+            if path == self.field:  # its own file, which is there
+                viewer.wait(lambda: "Question/Replace" in viewer.controls(), "it asks")
+                viewer.wait_frames(3)
+                viewer.click("Question/Replace")
+                viewer.wait(lambda: path.read_bytes() != self.whole.read_bytes(), "it is replaced")
+            viewer.wait(path.exists, f"{path.name} is written")
         viewer.wait_for_value("Paint/Saved", lambda shown: shown == "yes", "it is told")
         self.assertFalse(self.autosave.exists())
         viewer.window.ask_to_close()
         self.assertEqual(viewer.process.wait(timeout=60), 0, viewer.said())
-        painted, baked = self.folder / "painted.sward", self.folder / "baked.sward"
+        painted, baked = self.field, self.folder / "baked.sward"
         self.assertEqual(self.blades_of(painted), fewer)
-        subprocess.run([SWARD, "bake", GROUND, *BAKE, "--paint", self.folder / "painted.json", "-o",
-                        baked, "-q"], check=True)
+        subprocess.run([SWARD, "bake", GROUND, *BAKE, "--paint", strokes, "-o", baked, "-q"], check=True)
         self.assertEqual(baked.read_bytes(), painted.read_bytes())
         again = self.open(painted, "--ground", GROUND)
         self.assertIn(f"{fewer}", again.shows("Status/Numbers").replace(" ", "").replace(",", ""))
@@ -196,7 +203,7 @@ class PaintTest(unittest.TestCase):
         again.click("Question/Load them")
         again.wait(lambda: "Paint/Kind" in again.controls(), "painting begins")
         self.wait_for_strokes(again, 1)
-        self.settled(again, lambda count: 0 < count < 4000, "the stroke is applied")
+        self.settled(again, lambda count: 0 < count < COUNT, "the stroke is applied")
         self.assertEqual(again.end()[0], 0)
 
     def test_a_session_that_is_killed_is_told_and_the_window_goes_on(self):
