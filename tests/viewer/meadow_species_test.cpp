@@ -48,7 +48,7 @@ TEST(MeadowSpecies, TextsThatAreNoMeadowAreRefused)
 
 TEST(MeadowEditor, RefusesAFileThatIsTooLargeForAMeadow)
 {
-    const apps::TemporaryFolder folder;
+    const apps::TemporaryFolder folder{"sward-view"};
     MeadowRequests requests;
     requests.meadowFile = (folder.path() / "large.json").string();
     std::ofstream(requests.meadowFile) << "{}";

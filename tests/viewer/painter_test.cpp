@@ -81,7 +81,7 @@ protected:
         return list;
     }
 
-    apps::TemporaryFolder folder;
+    apps::TemporaryFolder folder{"sward-view"};
     fs::path log = folder.path() / "asked";
     fs::path autosave = folder.path() / "a.strokes.autosave.json";
     std::vector<std::string> deltas, errors, notices;

@@ -206,7 +206,7 @@ TEST(StrokeList, IsUnsavedUntilTheSameStrokesAreThereAgain)
 
 TEST(StrokeFile, IsReadBackAsItWasWritten)
 {
-    const apps::TemporaryFolder folder;
+    const apps::TemporaryFolder folder{"sward-view"};
     StrokeList list;
     addStroke(list, 1.0);
     addStroke(list, 2.0);
@@ -220,7 +220,7 @@ TEST(StrokeFile, IsReadBackAsItWasWritten)
 
 TEST(StrokeFile, OtherFilesAreRefused)
 {
-    const apps::TemporaryFolder folder;
+    const apps::TemporaryFolder folder{"sward-view"};
     const auto path = folder.path() / "a.json";
     EXPECT_THROW(readStrokeFile(path), Error) << "missing";
     for (const char* text :
