@@ -3,6 +3,7 @@
 #include "apps/common/interrupt.h"
 #include "core/error.h"
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +11,11 @@
 #include <cstring>
 
 namespace sward::apps {
+namespace {
+
+constexpr int maxWait = 100; // [ms] until signals are looked for
+
+} // namespace
 
 LineInput::LineInput(int descriptor, std::size_t longest)
     : descriptor_(descriptor)
@@ -22,6 +28,10 @@ LineInput::LineInput(int descriptor, std::size_t longest)
 bool LineInput::fill()
 {
     while (!interruptRequested()) {
+        // A signal that comes just before a read would not end it.
+        pollfd waiting{descriptor_, POLLIN, 0};
+        if (::poll(&waiting, 1, maxWait) == 0)
+            continue;
         const ssize_t got = ::read(descriptor_, buffer_.data(), buffer_.size());
         if (got < 0 && errno == EINTR)
             continue;

@@ -17,7 +17,7 @@ namespace {
 /// What shaders read begins at such offsets.
 constexpr VkDeviceSize editAlignment = 16;
 
-constexpr VkDeviceSize leastStaging = VkDeviceSize(1) << 20;
+constexpr VkDeviceSize minStaging = VkDeviceSize(1) << 20;
 
 VkDeviceSize alignedEdit(VkDeviceSize bytes)
 {
@@ -63,7 +63,7 @@ gpu::Buffer FieldEdits::staging(VkDeviceSize bytes)
     }
     return {*context_,
             {.name = "edit/staging",
-             .bytes = std::bit_ceil(std::max(bytes, leastStaging)),
+             .bytes = std::bit_ceil(std::max(bytes, minStaging)),
              .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
              .memory = gpu::MemoryUse::upload}};
 }

@@ -67,8 +67,8 @@ std::vector<PlaceRange> united(std::vector<PlaceRange> ranges)
 /// A table of `size` places after it has become too small for `more`.
 std::uint32_t grown(std::uint32_t size, std::uint32_t more)
 {
-    constexpr std::uint32_t leastRoom = 1024;
-    return size + std::max({more, size / 4, leastRoom});
+    constexpr std::uint32_t minRoom = 1024;
+    return size + std::max({more, size / 4, minRoom});
 }
 
 /// Levels of a cell's patches.

@@ -17,7 +17,7 @@ constexpr std::uint32_t rootPlace = 0;
 constexpr int topShift = 63; ///< a cell this wide contains all
 
 /// Places that a table gains at least.
-constexpr std::uint32_t leastRoom = 1024;
+constexpr std::uint32_t minRoom = 1024;
 
 shared::Patch emptyPatch()
 {
@@ -54,7 +54,7 @@ bool TopTree::Wide::contains(const CellIndex& cell) const
 }
 
 TopTree::TopTree(std::size_t cells)
-    : top_(static_cast<std::uint32_t>(4 * cells) + leastRoom)
+    : top_(static_cast<std::uint32_t>(4 * cells) + minRoom)
 {
     patches_.resize(top_, emptyPatch());
     subtrees_.resize(top_, emptySubtree);
@@ -211,7 +211,7 @@ PlaceRange TopTree::take(std::uint32_t count)
     if (const auto range = freeBelow_.take(count))
         return *range;
     const auto size = static_cast<std::uint32_t>(patches_.size());
-    resize(size + std::max({count, size / 4, leastRoom}));
+    resize(size + std::max({count, size / 4, minRoom}));
     return *freeBelow_.take(count);
 }
 
