@@ -30,7 +30,7 @@ bool LineInput::fill()
     while (!interruptRequested()) {
         // A signal that comes just before a read would not end it.
         pollfd waiting{descriptor_, POLLIN, 0};
-        if (::poll(&waiting, 1, maxWait) == 0)
+        if (::poll(&waiting, 1, maxWait) <= 0)
             continue;
         const ssize_t got = ::read(descriptor_, buffer_.data(), buffer_.size());
         if (got < 0 && errno == EINTR)
