@@ -237,6 +237,14 @@ Session::Change Session::apply(Strokes strokes, Progress& progress)
     return change;
 }
 
+std::uint64_t Session::bladeCount() const
+{
+    std::uint64_t blades = 0;
+    for (const auto& [number, cell] : cells_)
+        blades += cell.blades.size();
+    return blades;
+}
+
 field::Delta Session::deltaOf(std::span<const CellNumber> cells) const
 {
     field::Delta delta;

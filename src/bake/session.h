@@ -12,6 +12,7 @@
 #include "terrain/topology/surface_features.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -52,6 +53,8 @@ public:
     /// Cells as they are now, relative to the ground's origin; for receivers of a Change. The
     /// session must not change as long as the delta is used.
     field::Delta deltaOf(std::span<const CellNumber> cells) const;
+
+    std::uint64_t bladeCount() const; ///< of all cells
 
     /// Cells with blades, by number.
     const std::map<CellNumber, CellTree>& cells() const { return cells_; }

@@ -152,8 +152,8 @@ Delta readDelta(const std::filesystem::path& path, std::span<const Species> spec
             fail(ErrorKind::input, "{}: the origin is not finite", place);
     DeltaCursor cursor(bytes.subspan(sizeof header), place);
     for (const DeltaCell& cell : cursor.take<DeltaCell>(header.cells, "cells")) {
-        const std::string name = fmt::format("{}: cell ({}, {}, {})", place, cell.cell[0],
-                                             cell.cell[1], cell.cell[2]);
+        const std::string name =
+            fmt::format("{}: cell ({}, {}, {})", place, cell.cell[0], cell.cell[1], cell.cell[2]);
         if (!delta.cells.empty() && delta.cells.back().cell >= cell.cell)
             fail(ErrorKind::input, "{}: does not follow the one before it", name);
         CellChange& change = delta.cells.emplace_back();

@@ -29,8 +29,8 @@ struct CellChange {
 /// A change of a field, as `sward edit` tells of it: the cells that were baked again. Everything
 /// else of the field stays. See docs/editing.md.
 struct Delta {
-    glm::dvec3 origin{0.0};        ///< of the field; a cell's positions are relative to it
-    std::vector<CellChange> cells; ///< sorted by number, each once
+    glm::dvec3 origin{0.0};              ///< of the field; a cell's positions are relative to it
+    std::vector<CellChange> cells;       ///< sorted by number, each once
     std::shared_ptr<const void> storage; ///< what the spans view
 };
 

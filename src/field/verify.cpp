@@ -45,45 +45,6 @@ void verifyPatchNumbers(const shared::Patch& patch, std::size_t index, const std
              patch.bladeCount, shared::maxPatchBlades);
 }
 
-void verifyTree(const FieldView& field, std::uint64_t blades, const std::string& place)
-{
-    std::uint64_t nextBlade = 0;
-    std::uint64_t nextChild = 1;
-    for (std::size_t p = 0; p < field.patches.size(); ++p) {
-        const shared::Patch& patch = field.patches[p];
-        verifyPatchNumbers(patch, p, place);
-        // Blades must be contiguous.
-        if (patch.firstBlade != nextBlade)
-            fail(ErrorKind::input, "{}: patch {} begins at blade {} instead of {}", place, p,
-                 patch.firstBlade, nextBlade);
-        nextBlade += patch.bladeCount;
-        // Children are contiguous, in the order of their parents: each has exactly one parent.
-        if (p == 0 ? patch.parent != shared::noPatch || patch.level != 0 : patch.parent >= p)
-            fail(ErrorKind::input, "{}: patch {} has the parent {}", place, p, patch.parent);
-        if (patch.childCount > 8)
-            fail(ErrorKind::input, "{}: patch {} has {} children, more than 8", place, p,
-                 patch.childCount);
-        if (patch.firstChild != (patch.childCount == 0 ? shared::noPatch : nextChild))
-            fail(ErrorKind::input, "{}: patch {} has its children at {}", place, p,
-                 patch.firstChild);
-        nextChild += patch.childCount;
-        if (p > 0) {
-            const shared::Patch& parent = field.patches[patch.parent];
-            if (p < parent.firstChild || p - parent.firstChild >= parent.childCount)
-                fail(ErrorKind::input, "{}: patch {} is not a child of its parent {}", place, p,
-                     patch.parent);
-            if (patch.level != parent.level + 1)
-                fail(ErrorKind::input, "{}: patch {} has level {}", place, p, patch.level);
-        }
-    }
-    if (nextBlade != blades)
-        fail(ErrorKind::input, "{}: the patches own {} blades, the file has {}", place, nextBlade,
-             blades);
-    if (!field.patches.empty() && nextChild != field.patches.size())
-        fail(ErrorKind::input, "{}: {} patches are reached from the root, the file has {}", place,
-             nextChild, field.patches.size());
-}
-
 void verifyGround(const DisplayGround& ground, const std::string& place)
 {
     for (std::size_t v = 0; v < ground.vertices.size(); ++v) {
@@ -117,6 +78,46 @@ void verifyGround(const DisplayGround& ground, const std::string& place)
 }
 
 } // namespace
+
+void verifyTree(std::span<const shared::Patch> patches, std::uint64_t blades,
+                const std::string& place)
+{
+    std::uint64_t nextBlade = 0;
+    std::uint64_t nextChild = 1;
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+        const shared::Patch& patch = patches[p];
+        verifyPatchNumbers(patch, p, place);
+        // Blades must be contiguous.
+        if (patch.firstBlade != nextBlade)
+            fail(ErrorKind::input, "{}: patch {} begins at blade {} instead of {}", place, p,
+                 patch.firstBlade, nextBlade);
+        nextBlade += patch.bladeCount;
+        // Children are contiguous, in the order of their parents: each has exactly one parent.
+        if (p == 0 ? patch.parent != shared::noPatch || patch.level != 0 : patch.parent >= p)
+            fail(ErrorKind::input, "{}: patch {} has the parent {}", place, p, patch.parent);
+        if (patch.childCount > 8)
+            fail(ErrorKind::input, "{}: patch {} has {} children, more than 8", place, p,
+                 patch.childCount);
+        if (patch.firstChild != (patch.childCount == 0 ? shared::noPatch : nextChild))
+            fail(ErrorKind::input, "{}: patch {} has its children at {}", place, p,
+                 patch.firstChild);
+        nextChild += patch.childCount;
+        if (p > 0) {
+            const shared::Patch& parent = patches[patch.parent];
+            if (p < parent.firstChild || p - parent.firstChild >= parent.childCount)
+                fail(ErrorKind::input, "{}: patch {} is not a child of its parent {}", place, p,
+                     patch.parent);
+            if (patch.level != parent.level + 1)
+                fail(ErrorKind::input, "{}: patch {} has level {}", place, p, patch.level);
+        }
+    }
+    if (nextBlade != blades)
+        fail(ErrorKind::input, "{}: the patches own {} blades, of {} that there are", place,
+             nextBlade, blades);
+    if (!patches.empty() && nextChild != patches.size())
+        fail(ErrorKind::input, "{}: {} patches are reached from the root, of {} that there are",
+             place, nextChild, patches.size());
+}
 
 void verifyKeys(const FieldView& field, const std::string& place)
 {
@@ -177,7 +178,7 @@ void BladeVerifier::addPlants(std::span<const shared::PackedBlade> blades)
 void verifyBlades(const FieldView& field, const std::string& place)
 {
     verifyKeys(field, place);
-    verifyTree(field, field.blades.size(), place);
+    verifyTree(field.patches, field.blades.size(), place);
     BladeVerifier(field, place).add(field.blades);
 }
 
@@ -192,7 +193,7 @@ void verifyWithoutBlades(const FieldView& field, std::uint64_t blades, const std
     if (!(field.thinned >= 1.0 && field.thinned <= maxThinned))
         fail(ErrorKind::input, "{}: a meadow of {} times the leaf area, outside 1 to {}", place,
              field.thinned, maxThinned);
-    verifyTree(field, blades, place);
+    verifyTree(field.patches, blades, place);
     verifyGround(*field.ground, place);
 }
 

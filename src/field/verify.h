@@ -19,6 +19,11 @@ void verify(const FieldView& field, const std::string& place);
 /// and texts, which may be missing.
 void verifyBlades(const FieldView& field, const std::string& place);
 
+/// The part of verify() that looks at patches alone: they form one tree, which owns `blades`
+/// blades.
+void verifyTree(std::span<const shared::Patch> patches, std::uint64_t blades,
+                const std::string& place);
+
 /// The part of verify() that looks at no blade and no key; there are `blades` blades.
 void verifyWithoutBlades(const FieldView& field, std::uint64_t blades, const std::string& place);
 

@@ -11,6 +11,18 @@ SCRIPT = ROOT / "scripts/bench-bake"
 ROWS = ("uniform", "sky", "poisson", "sustained", "dense", "count", "glb", "clearance", "read", "memory", "tiles")
 
 
+class BenchEdit(CliTest):
+    def test_it_measures_sessions_and_strokes(self):
+        done = subprocess.run([str(ROOT / "scripts/bench-edit"), "--side", "60", "--cells", "20", "--density", "3",
+                               "--strokes", "4", "--programs", str(PROGRAM.parent)],
+                              stdin=subprocess.DEVNULL, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        told = json.loads(done.stdout.splitlines()[-1])
+        self.assertEqual((told["blades"], told["triangles"]), (10800, 800))
+        self.assertLessEqual(told["median_ms"], told["p99_ms"])
+        self.assertGreater(min(told["median_ms"], told["start_s"], told["cells"], told["blades_a_stroke"]), 0)
+
+
 class BenchBake(CliTest):
     def bench(self, *arguments, code=0, path=None):
         done = subprocess.run([str(SCRIPT), "--out", str(self.folder / "out"), "--programs", str(PROGRAM.parent), "--rounds", "1",

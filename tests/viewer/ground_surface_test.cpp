@@ -7,18 +7,9 @@
 namespace sward::view {
 namespace {
 
-field::Field fieldOn(test::Surface surface)
-{
-    test::FieldSettings settings;
-    settings.surface = surface;
-    settings.blades = 16;
-    settings.extent = 10.0f;
-    return test::makeField(settings);
-}
-
 TEST(GroundSurface, IsHitStraightBelowAndFromBelow)
 {
-    const field::Field field = fieldOn(test::Surface::plane);
+    const field::Field field = test::smallGround(test::Surface::plane);
     const render::GroundSurface ground(viewOf(field));
     for (const double x : {-4.9, -1.0, 0.0, 3.3}) {
         const auto above = ground.hit({x, 7.0, 1.0}, {0.0, -1.0, 0.0});
@@ -30,7 +21,7 @@ TEST(GroundSurface, IsHitStraightBelowAndFromBelow)
 
 TEST(GroundSurface, IsNotHitBesideItNorBehind)
 {
-    const field::Field field = fieldOn(test::Surface::plane);
+    const field::Field field = test::smallGround(test::Surface::plane);
     const render::GroundSurface ground(viewOf(field));
     EXPECT_FALSE(ground.hit({5.5, 7.0, 0.0}, {0.0, -1.0, 0.0}).has_value());
     EXPECT_FALSE(ground.hit({0.0, 7.0, 0.0}, {0.0, 1.0, 0.0}).has_value());
@@ -38,7 +29,7 @@ TEST(GroundSurface, IsNotHitBesideItNorBehind)
 
 TEST(GroundSurface, IsHitAtTheNearerSideOfABall)
 {
-    const field::Field field = fieldOn(test::Surface::sphere);
+    const field::Field field = test::smallGround(test::Surface::sphere);
     const render::GroundSurface ground(viewOf(field));
     for (const glm::dvec3 side : {glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 0.0, -1.0),
                                   glm::normalize(glm::dvec3(1.0, 2.0, -3.0))}) {

@@ -7,18 +7,9 @@
 namespace sward::view {
 namespace {
 
-field::Field groundOf(test::Surface surface)
-{
-    test::FieldSettings settings;
-    settings.surface = surface;
-    settings.blades = 16;
-    settings.extent = 10.0f;
-    return test::makeField(settings);
-}
-
 TEST(Ring, LiesOnTheGroundAtItsRadiusAndIsClosed)
 {
-    const field::Field field = groundOf(test::Surface::plane);
+    const field::Field field = test::smallGround(test::Surface::plane);
     const render::GroundSurface ground(viewOf(field));
     const auto point = paintPointAt(ground, {1.0, 7.0, 0.5}, {0.0, -1.0, 0.0}, 2.0);
     ASSERT_TRUE(point.has_value());
@@ -35,7 +26,7 @@ TEST(Ring, LiesOnTheGroundAtItsRadiusAndIsClosed)
 
 TEST(Ring, FollowsABall)
 {
-    const field::Field field = groundOf(test::Surface::sphere);
+    const field::Field field = test::smallGround(test::Surface::sphere);
     const render::GroundSurface ground(viewOf(field));
     const glm::dvec3 side = glm::normalize(glm::dvec3(1.0, 2.0, -3.0));
     const auto point = paintPointAt(ground, 20.0 * side, -side, 1.0);

@@ -5,13 +5,11 @@
 #include "apps/sward/bake_options.h"
 #include "apps/sward/bake_summary.h"
 #include "apps/sward/effective_settings.h"
-#include "apps/sward/excluded_input.h"
 #include "apps/sward/ground_input.h"
 #include "apps/sward/output_files.h"
 #include "apps/sward/subcommand.h"
 #include "bake/bake.h"
 #include "bake/bake_file.h"
-#include "bake/filter/default_slope.h"
 #include "bake/paint_mask.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
@@ -29,8 +27,7 @@ namespace {
 
 void checkOutputs(const BakeRequest& request)
 {
-    std::vector<std::string> sources = request.inputs;
-    sources.insert(sources.end(), request.occluders.begin(), request.occluders.end());
+    const std::vector<std::string> sources = request.sources();
     if (!request.dryRun)
         checkOutput(request.output, ".sward", sources, request.overwrite);
     if (!request.report.empty())
@@ -96,9 +93,6 @@ public:
         Stopwatch watch;
         Diagnostics diagnostics;
         const terrain::GroundMesh ground = loadGround(request, diagnostics);
-        if (request.choosesSlope)
-            request.settings.slope = bake::defaultSlope(ground, request.settings.groundUp);
-        loadExcluded(request, diagnostics);
         checkOutputs(request); // against all files that the ground names
         const double loading = watch.lap();
         // Compute the topology line only when verbose, because it takes time.

@@ -338,6 +338,13 @@ void BakeOptions::addRun(CLI::App& app)
         ->group(group);
 }
 
+std::vector<std::string> BakeRequest::sources() const
+{
+    std::vector<std::string> files = inputs;
+    files.insert(files.end(), occluders.begin(), occluders.end());
+    return files;
+}
+
 BakeRequest BakeOptions::request() const
 {
     BakeRequest request = direct_;

@@ -32,6 +32,8 @@ struct BakeRequest {
     bool choosesSlope = false; ///< no --slope, front sides: bake::defaultSlope() of the ground
     bool dryRun = false;
     bool overwrite = false;
+
+    std::vector<std::string> sources() const; ///< inputs and occluders: no output replaces them
 };
 
 /// The command-line options of `sward bake`.

@@ -4,11 +4,9 @@
 #include "apps/common/temporary_folder.h"
 #include "apps/sward/bake_options.h"
 #include "apps/sward/edit_requests.h"
-#include "apps/sward/excluded_input.h"
 #include "apps/sward/ground_input.h"
 #include "apps/sward/line_input.h"
 #include "apps/sward/subcommand.h"
-#include "bake/filter/default_slope.h"
 #include "bake/session.h"
 #include "core/error.h"
 #include "core/json_text.h"
@@ -17,7 +15,6 @@
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
-
 #include <unistd.h>
 
 #include <filesystem>
@@ -76,9 +73,6 @@ public:
 
         Diagnostics diagnostics;
         const terrain::GroundMesh ground = loadGround(request, diagnostics);
-        if (request.choosesSlope)
-            request.settings.slope = bake::defaultSlope(ground, request.settings.groundUp);
-        loadExcluded(request, diagnostics);
 
         ProgressBar bar(options_.log.showBar());
         Progress progress(bar.callback());
@@ -90,9 +84,7 @@ public:
         std::optional<TemporaryFolder> own;
         const fs::path deltas =
             deltas_.empty() ? own.emplace("sward-edit").path() : fs::absolute(deltas_);
-        std::vector<std::string> sources = request.inputs;
-        sources.insert(sources.end(), request.occluders.begin(), request.occluders.end());
-        EditRequests requests(session, speciesNames(request.settings), deltas, sources,
+        EditRequests requests(session, speciesNames(request.settings), deltas, request.sources(),
                               request.settings.maxBlades);
         tellReady(session, ground, request, diagnostics);
 
@@ -115,13 +107,10 @@ private:
     static void tellReady(const bake::Session& session, const terrain::GroundMesh& ground,
                           const BakeRequest& request, const Diagnostics& diagnostics)
     {
-        std::size_t blades = 0;
-        for (const auto& [number, cell] : session.cells())
-            blades += cell.blades.size();
         const glm::dvec3& origin = ground.origin;
         const nlohmann::json ready = {{"format", "sward edit 1"},
                                       {"origin", {origin.x, origin.y, origin.z}},
-                                      {"blades", blades},
+                                      {"blades", session.bladeCount()},
                                       {"cells", session.cells().size()},
                                       {"strokes", session.strokes().list.size()},
                                       {"species", speciesNames(request.settings)},

@@ -75,14 +75,6 @@ bool switchOf(const json& request, const char* key)
     return found->get<bool>();
 }
 
-std::uint64_t bladesIn(const bake::Session& session)
-{
-    std::uint64_t blades = 0;
-    for (const auto& [number, cell] : session.cells())
-        blades += cell.blades.size();
-    return blades;
-}
-
 } // namespace
 
 EditRequests::EditRequests(bake::Session& session, std::vector<std::string> species,
@@ -92,7 +84,7 @@ EditRequests::EditRequests(bake::Session& session, std::vector<std::string> spec
     , species_(std::move(species))
     , deltas_(std::move(deltas))
     , sources_(std::move(sources))
-    , maxBlades_(std::max(maxBlades, bladesIn(session)))
+    , maxBlades_(std::max(maxBlades, session.bladeCount()))
 {
 }
 
@@ -129,7 +121,7 @@ json EditRequests::paint(const json& request, Progress& progress)
     Stopwatch watch;
     bake::Strokes before = session_.strokes();
     const bake::Session::Change change = session_.apply(strokesOf(request), progress);
-    const std::uint64_t total = bladesIn(session_);
+    const std::uint64_t total = session_.bladeCount();
     json delta;
     try {
         if (total > maxBlades_)
@@ -195,9 +187,8 @@ json EditRequests::carryOut(const json& request, Progress& progress)
 
 std::string EditRequests::answerToLongLine()
 {
-    return jsonText(errorAnswer(ErrorKind::input,
-                                fmt::format("{}: is longer than {} bytes", requestPlace,
-                                            longestRequest)));
+    return jsonText(errorAnswer(ErrorKind::input, fmt::format("{}: is longer than {} bytes",
+                                                              requestPlace, longestRequest)));
 }
 
 std::string EditRequests::answer(const std::string& line, Progress& progress)

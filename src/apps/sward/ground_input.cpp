@@ -1,6 +1,8 @@
 #include "apps/sward/ground_input.h"
 
 #include "apps/common/interrupt.h"
+#include "apps/sward/excluded_input.h"
+#include "bake/filter/default_slope.h"
 #include "core/error.h"
 #include "core/log.h"
 #include "terrain/file_kind.h"
@@ -97,7 +99,7 @@ Placed placeOf(const std::string& input, const terrain::GroundMesh& ground)
 
 } // namespace
 
-terrain::GroundMesh loadGround(const BakeRequest& request, Diagnostics& diagnostics)
+terrain::GroundMesh loadGround(BakeRequest& request, Diagnostics& diagnostics)
 {
     warnWithoutHeightmap(request, diagnostics);
     terrain::GroundMesh ground = loadBearing(request.inputs.front(), request, diagnostics);
@@ -130,6 +132,9 @@ terrain::GroundMesh loadGround(const BakeRequest& request, Diagnostics& diagnost
         std::fill(occluder.bears.begin(), occluder.bears.end(), std::uint8_t(0));
         terrain::append(ground, occluder);
     }
+    if (request.choosesSlope)
+        request.settings.slope = bake::defaultSlope(ground, request.settings.groundUp);
+    loadExcluded(request, diagnostics);
     return ground;
 }
 

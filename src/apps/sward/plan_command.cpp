@@ -4,13 +4,11 @@
 #include "apps/sward/bake_arguments.h"
 #include "apps/sward/bake_options.h"
 #include "apps/sward/bake_summary.h"
-#include "apps/sward/excluded_input.h"
 #include "apps/sward/ground_input.h"
 #include "apps/sward/output_files.h"
 #include "apps/sward/parts_folder.h"
 #include "apps/sward/subcommand.h"
 #include "bake/field_header.h"
-#include "bake/filter/default_slope.h"
 #include "bake/paint/stroke_file.h"
 #include "bake/report_totals.h"
 #include "bake/threads.h"
@@ -72,10 +70,7 @@ public:
         checkOutputs(request, output);
         Diagnostics diagnostics;
         terrain::GroundMesh ground = loadGround(request, diagnostics);
-        loadExcluded(request, diagnostics);
         checkOutputs(request, output); // against all files that the ground names
-        if (request.choosesSlope)
-            request.settings.slope = bake::defaultSlope(ground, request.settings.groundUp);
 
         ProgressBar bar(options_.log.showBar());
         Progress progress(bar.callback());
@@ -107,9 +102,7 @@ public:
 private:
     static void checkOutputs(const BakeRequest& request, const fs::path& output)
     {
-        std::vector<std::string> sources = request.inputs;
-        sources.insert(sources.end(), request.occluders.begin(), request.occluders.end());
-        checkOutput(output.string(), ".json", sources, request.overwrite);
+        checkOutput(output.string(), ".json", request.sources(), request.overwrite);
         PartsFolder::requirePlace(bake::partsFolder(output));
     }
 

@@ -11,10 +11,10 @@
 namespace sward::view {
 namespace {
 
-constexpr double latitude = 50.0;     ///< [degrees]
-constexpr double declination = 18.0;  ///< [degrees] of the sun, in May and July
-constexpr double darkest = 0.04;      ///< share of the sky's light at night …
-constexpr double atHorizon = 0.3;     ///< … and at sunrise: more than in nature, as eyes adapt
+constexpr double latitude = 50.0;    ///< [degrees]
+constexpr double declination = 18.0; ///< [degrees] of the sun, in May and July
+constexpr double darkest = 0.04;     ///< share of the sky's light at night …
+constexpr double atHorizon = 0.3;    ///< … and at sunrise: more than in nature, as eyes adapt
 
 constexpr double twilightFold = 6.0; ///< [degrees] below the horizon in which it falls e times
 

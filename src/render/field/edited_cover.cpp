@@ -24,7 +24,7 @@ EditedCover::EditedCover(const field::FieldView& field, const LeafAreaGrid& grid
     const double share =
         std::min(1.0, double(maxCoverBlades) / std::max(double(field.blades.size()), 1.0));
     std::vector<shared::Patch> patches;
-    for (const FieldCell& cell : cellsOf(field)) {
+    for (const field::FieldCell& cell : field::cellsOf(field)) {
         patches.clear();
         for (const std::uint32_t patch : cell.patches)
             patches.push_back(field.patches[patch]);

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "field/cells.h"
 #include "field/delta.h"
 #include "field/field.h"
-#include "render/field/field_cells.h"
 #include "render/field/free_ranges.h"
 #include "render/field/grass_cover.h"
 
@@ -43,7 +43,7 @@ private:
 
     shared::Cover shape_;
     std::vector<field::Species> species_;
-    std::map<CellIndex, Cell> cells_;
+    std::map<field::CellIndex, Cell> cells_;
     std::vector<float> scratch_; ///< one per corner, all 0
     std::vector<double> leaves_; ///< [m²] of all cells
     std::vector<float> ground_;  ///< [m²]

@@ -1,14 +1,18 @@
 #include "render/field/edited_field.h"
 
 #include "core/error.h"
+#include "field/verify.h"
 #include "render/field/key_table.h"
 #include "render/field/patch_tree.h"
 #include "shaders/shared/passes.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace sward::render {
@@ -20,35 +24,6 @@ std::uint32_t stridesOf(std::size_t blades)
 {
     return static_cast<std::uint32_t>((blades + stride - 1) / stride);
 }
-
-/// The change that makes a cell what it is in a field. Owns what the change views.
-struct CellCopy {
-    std::vector<shared::Patch> patches;
-    std::vector<field::BladeKey> keys;
-    std::vector<shared::PackedBlade> blades;
-
-    CellCopy(const field::FieldView& field, const FieldCell& cell)
-    {
-        std::uint32_t children = 1;
-        for (const std::uint32_t index : cell.patches) {
-            shared::Patch patch = field.patches[index];
-            const auto first = static_cast<std::ptrdiff_t>(patch.firstBlade);
-            const auto end = first + static_cast<std::ptrdiff_t>(patch.bladeCount);
-            patch.firstBlade = static_cast<std::uint32_t>(blades.size());
-            blades.insert(blades.end(), field.blades.begin() + first, field.blades.begin() + end);
-            keys.insert(keys.end(), field.keys.begin() + first, field.keys.begin() + end);
-            patch.firstChild = patch.childCount == 0 ? shared::noPatch : children;
-            children += patch.childCount;
-            patch.parent = shared::noPatch;
-            patches.push_back(patch);
-        }
-        for (std::uint32_t p = 0; p < patches.size(); ++p)
-            for (std::uint32_t i = 0; i < patches[p].childCount; ++i)
-                patches[patches[p].firstChild + i].parent = p;
-    }
-
-    field::CellChange change(const CellIndex& cell) const { return {cell, patches, blades, keys}; }
-};
 
 /// The same places, none twice.
 std::vector<PlaceRange> united(std::vector<PlaceRange> ranges)
@@ -87,31 +62,15 @@ std::uint32_t levelsOf(std::span<const shared::Patch> patches)
 /// Throws Error{input} that names the cell unless all indices have a target.
 void checkCell(const field::CellChange& change)
 {
-    const auto refuse = [&](const char* what) {
-        fail(ErrorKind::input, "the change of the 32 m cell ({}, {}, {}): {}", change.cell[0],
-             change.cell[1], change.cell[2], what);
-    };
-    std::size_t blades = 0;
-    std::size_t children = 1;
-    for (std::size_t p = 0; p < change.patches.size(); ++p) {
-        const shared::Patch& patch = change.patches[p];
-        if (patch.bladeCount > shared::maxPatchBlades || patch.firstBlade != blades)
-            refuse("its patches do not own its blades one after the other");
-        blades += patch.bladeCount;
-        if (patch.childCount > 8 || (patch.childCount > 0 && patch.firstChild != children))
-            refuse("the children of its patches are not one after the other");
-        for (std::size_t child = children;
-             child < std::min(children + patch.childCount, change.patches.size()); ++child)
-            if (child <= p || change.patches[child].parent != p)
-                refuse("a patch is not the parent of its children");
-        children += patch.childCount;
-    }
-    if (children != std::max<std::size_t>(change.patches.size(), 1))
-        refuse("not all of its patches are below the first");
-    if (blades != change.blades.size() || blades != change.keys.size())
-        refuse("its patches own another number of blades than it has, or keys");
+    const std::string place = fmt::format("the change of the 32 m cell ({}, {}, {})",
+                                          change.cell[0], change.cell[1], change.cell[2]);
+    if (change.keys.size() != change.blades.size())
+        fail(ErrorKind::input, "{}: {} keys for {} blades", place, change.keys.size(),
+             change.blades.size());
+    field::verifyTree(change.patches, change.blades.size(), place);
     if (levelsOf(change.patches) > EditedField::maxCellLevels)
-        refuse("its patches have more than 32 levels");
+        fail(ErrorKind::input, "{}: its patches have more than {} levels", place,
+             EditedField::maxCellLevels);
 }
 
 } // namespace
@@ -121,13 +80,13 @@ EditedField::EditedField(const field::FieldView& field, std::uint32_t walkStart,
     : origin_(field.origin)
     , walkStart_(walkStart)
     , maxBlades_(maxBlades)
-    , top_(cellsOf(field).size())
+    , top_(field::cellsOf(field).size())
 {
     requireUsage(field.keys.size() == field.blades.size(), "an editable field has keys");
     field::Delta whole{.origin = field.origin, .cells = {}, .storage = {}};
-    for (const FieldCell& cell : cellsOf(field)) {
-        const CellCopy copy(field, cell);
-        whole.cells = {copy.change(cell.cell)};
+    for (const field::FieldCell& cell : field::cellsOf(field)) {
+        const field::CellContent content = field::contentOf(field, cell);
+        whole.cells = {{cell.cell, content.patches, content.blades, content.keys}};
         apply(whole);
     }
 }
@@ -187,7 +146,7 @@ Edit EditedField::apply(const field::Delta& delta)
 /// The entry of a cell's own patch names its new place.
 void EditedField::followMove(const shared::PatchSource& moved, Edit& edit)
 {
-    const CellIndex* const cell = top_.cellAt(moved.patchIndex);
+    const field::CellIndex* const cell = top_.cellAt(moved.patchIndex);
     if (cell == nullptr || top_.patches()[moved.patchIndex].bladeCount == 0)
         return;
     const std::uint32_t entry = cells_.at(*cell).entries.first;
@@ -250,7 +209,7 @@ void EditedField::addSources(const field::CellChange& change, const Cell& former
     }
 }
 
-void EditedField::forgetPatches(const CellIndex& index, const Cell& cell)
+void EditedField::forgetPatches(const field::CellIndex& index, const Cell& cell)
 {
     bladeCount_ -= static_cast<std::uint32_t>(cell.keys.size());
     for (std::uint32_t p = 0; p <= cell.below.count; ++p)
@@ -386,7 +345,7 @@ std::uint32_t EditedField::walkSteps() const
 std::vector<std::uint32_t> EditedField::placesOf(const field::FieldView& field) const
 {
     std::vector<std::uint32_t> places(field.blades.size());
-    for (const FieldCell& cell : cellsOf(field)) {
+    for (const field::FieldCell& cell : field::cellsOf(field)) {
         const auto known = cells_.find(cell.cell);
         requireUsage(known != cells_.end() && cell.patches.size() == known->second.below.count + 1,
                      "the renderer's field has other patches in the 32 m cell ({}, {}, {})",

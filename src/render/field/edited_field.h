@@ -1,8 +1,8 @@
 #pragma once
 
+#include "field/cells.h"
 #include "field/delta.h"
 #include "render/field/edit.h"
-#include "render/field/field_cells.h"
 #include "render/field/free_ranges.h"
 #include "render/field/patch_sizes.h"
 #include "render/field/top_tree.h"
@@ -71,7 +71,7 @@ private:
     void check(const field::Delta& delta) const;
     void followMove(const shared::PatchSource& moved, Edit& edit);
     void addSources(const field::CellChange& change, const Cell& former, Edit& edit) const;
-    void forgetPatches(const CellIndex& index, const Cell& cell);
+    void forgetPatches(const field::CellIndex& index, const Cell& cell);
     void putPatches(const field::CellChange& change, const Cell& cell);
     void putEntries(const field::CellChange& change, Cell& cell, Edit& edit);
     void free(const Cell& cell, Edit& edit);
@@ -83,7 +83,7 @@ private:
     std::uint32_t walkStart_;
     std::uint32_t maxBlades_;
     TopTree top_;
-    std::map<CellIndex, Cell> cells_;
+    std::map<field::CellIndex, Cell> cells_;
     std::vector<std::uint32_t> entries_;
     std::vector<std::uint32_t> firstEntries_;
     FreeRanges freeEntries_;

@@ -31,7 +31,7 @@ shared::Patch emptyPatch()
 
 constexpr shared::Subtree emptySubtree{.blades = 0, .widest = 0.0f, .rankBelow = 1.0f};
 
-CellIndex shifted(CellIndex cell, int shift)
+field::CellIndex shifted(field::CellIndex cell, int shift)
 {
     for (std::int64_t& axis : cell)
         axis >>= shift;
@@ -48,7 +48,7 @@ float cosineOfAngles(float a, float b)
 
 } // namespace
 
-bool TopTree::Wide::contains(const CellIndex& cell) const
+bool TopTree::Wide::contains(const field::CellIndex& cell) const
 {
     return shift == topShift || shifted(cell, shift) == number;
 }
@@ -62,25 +62,25 @@ TopTree::TopTree(std::size_t cells)
     freeTop_.give({noBlades + 1, top_ - noBlades - 1});
 }
 
-std::uint32_t TopTree::find(const CellIndex& cell) const
+std::uint32_t TopTree::find(const field::CellIndex& cell) const
 {
     const auto found = placeOf_.find(cell);
     return found == placeOf_.end() ? shared::noPatch : found->second;
 }
 
-const CellIndex* TopTree::cellAt(std::uint32_t place) const
+const field::CellIndex* TopTree::cellAt(std::uint32_t place) const
 {
     const auto found = cellAt_.find(place);
     return found == cellAt_.end() ? nullptr : &found->second;
 }
 
-void TopTree::own(std::uint32_t place, const CellIndex& cell)
+void TopTree::own(std::uint32_t place, const field::CellIndex& cell)
 {
     cellAt_[place] = cell;
     placeOf_[cell] = place;
 }
 
-std::uint32_t TopTree::add(const CellIndex& cell)
+std::uint32_t TopTree::add(const field::CellIndex& cell)
 {
     if (const std::uint32_t known = find(cell); known != shared::noPatch)
         return known;
@@ -94,12 +94,12 @@ std::uint32_t TopTree::add(const CellIndex& cell)
                 break;
             }
             const shared::Patch& patch = patches_[place];
-            const CellIndex octant = shifted(cell, wide->second.shift - 1);
+            const field::CellIndex octant = shifted(cell, wide->second.shift - 1);
             std::uint32_t next = shared::noPatch;
             for (std::uint32_t child = patch.firstChild;
                  child < patch.firstChild + patch.childCount; ++child) {
                 const auto inner = wide_.find(child);
-                const CellIndex inside =
+                const field::CellIndex inside =
                     inner == wide_.end() ? shifted(cellAt_.at(child), wide->second.shift - 1)
                                          : shifted(inner->second.number,
                                                    wide->second.shift - 1 - inner->second.shift);
@@ -136,7 +136,7 @@ std::uint32_t TopTree::addChild(std::uint32_t parent)
     return added;
 }
 
-std::uint32_t TopTree::split(std::uint32_t place, const CellIndex& cell)
+std::uint32_t TopTree::split(std::uint32_t place, const field::CellIndex& cell)
 {
     const auto inner = wide_.find(place);
     const Wide low = inner == wide_.end() ? Wide{cellAt_.at(place), 0} : inner->second;
@@ -173,7 +173,7 @@ void TopTree::move(std::uint32_t from, std::uint32_t to)
         wide.key() = to;
         wide_.insert(std::move(wide));
     } else {
-        const CellIndex cell = cellAt_.at(from);
+        const field::CellIndex cell = cellAt_.at(from);
         cellAt_.erase(from);
         own(to, cell);
     }

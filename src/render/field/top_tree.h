@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/field/field_cells.h"
+#include "field/cells.h"
 #include "render/field/free_ranges.h"
 #include "shaders/shared/edits.h"
 #include "shaders/shared/patch.h"
@@ -25,13 +25,13 @@ public:
     explicit TopTree(std::size_t cells);
 
     /// The place of a cell's own patch; noPatch if there has been no such cell.
-    std::uint32_t find(const CellIndex& cell) const;
+    std::uint32_t find(const field::CellIndex& cell) const;
 
     /// The cell whose own patch is at a place; null if that is another patch.
-    const CellIndex* cellAt(std::uint32_t place) const;
+    const field::CellIndex* cellAt(std::uint32_t place) const;
 
     /// The same as find(); adds a cell without blades.
-    std::uint32_t add(const CellIndex& cell);
+    std::uint32_t add(const field::CellIndex& cell);
 
     /// Places for patches below 32 m cells.
     PlaceRange take(std::uint32_t count);
@@ -61,9 +61,9 @@ public:
 private:
     /// A cell wider than 32 m: 2^shift of these along each axis.
     struct Wide {
-        CellIndex number = {}; ///< index of its cells, shifted
+        field::CellIndex number = {}; ///< index of its cells, shifted
         int shift = 0;
-        bool contains(const CellIndex& cell) const;
+        bool contains(const field::CellIndex& cell) const;
     };
 
     PlaceRange takeTop(std::uint32_t count);
@@ -71,17 +71,17 @@ private:
     void move(std::uint32_t from, std::uint32_t to);
     void change(std::uint32_t place) { changed_.insert(place); }
     std::uint32_t addChild(std::uint32_t parent);
-    std::uint32_t split(std::uint32_t place, const CellIndex& cell);
-    void own(std::uint32_t place, const CellIndex& cell);
+    std::uint32_t split(std::uint32_t place, const field::CellIndex& cell);
+    void own(std::uint32_t place, const field::CellIndex& cell);
     void gather(std::uint32_t place);
     void resize(std::uint32_t places);
 
     std::uint32_t top_; ///< number of first places
     std::vector<shared::Patch> patches_;
     std::vector<shared::Subtree> subtrees_;
-    std::map<std::uint32_t, Wide> wide_;         ///< by place
-    std::map<std::uint32_t, CellIndex> cellAt_;  ///< by place of the own patch
-    std::map<CellIndex, std::uint32_t> placeOf_; ///< of a cell's own patch
+    std::map<std::uint32_t, Wide> wide_;                ///< by place
+    std::map<std::uint32_t, field::CellIndex> cellAt_;  ///< by place of the own patch
+    std::map<field::CellIndex, std::uint32_t> placeOf_; ///< of a cell's own patch
     FreeRanges freeTop_;
     FreeRanges freeBelow_;
     bool isMixed_ = false;

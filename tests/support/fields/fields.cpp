@@ -182,6 +182,15 @@ field::Species meadowGrass()
 
 } // namespace
 
+field::Field smallGround(Surface surface)
+{
+    FieldSettings settings;
+    settings.surface = surface;
+    settings.blades = 16;
+    settings.extent = 10.0f;
+    return makeField(settings);
+}
+
 field::Field emptyField()
 {
     field::Field field;

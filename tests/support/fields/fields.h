@@ -35,6 +35,9 @@ struct FieldSettings {
 /// material. Heights, widths, stiffness, colours, clumps and directions are random, too.
 field::Field makeField(const FieldSettings& settings);
 
+/// A few blades on ground of 10 m.
+field::Field smallGround(Surface surface);
+
 /// A field of these blades under an octree over the cube that begins at `low`, with `size` [m]
 /// edges. They come in progressive order. Blade i has key i of `keys`.
 field::Field treeOf(const std::vector<shared::Blade>& blades,

@@ -1,7 +1,6 @@
-#include "bake/patches/split_cells.h"
-
 #include "bake/bake.h"
 #include "bake/patches/patch_tree.h"
+#include "bake/patches/split_cells.h"
 #include "support/meshes.h"
 #include "unit/bake/bake_settings.h"
 #include "unit/bake/strokes.h"

@@ -1,7 +1,6 @@
-#include "field/delta.h"
-
 #include "core/error.h"
 #include "core/mapped_file.h"
+#include "field/delta.h"
 #include "unit/field/sample_field.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 #include "apps/sward_view/paint/stroke.h"
 
+#include "apps/sward_view/paint/brush_values.h"
 #include "core/error.h"
 #include "core/json_text.h"
 #include "core/mapped_file.h"
@@ -56,34 +57,12 @@ std::string brushKeys(const Brush& brush)
                     shortNumber(static_cast<double>(brush.radius)),
                     shortNumber(static_cast<double>(brush.hardness)),
                     shortNumber(static_cast<double>(brush.strength)));
-    const auto add = [&text](const char* key, float value) {
-        text += fmt::format(",\"{}\":{}", key, shortNumber(static_cast<double>(value)));
-    };
-    switch (brush.kind) {
-    case PaintKind::add:
-        add("ceiling", brush.ceiling);
-        break;
-    case PaintKind::set:
-        add("density", brush.density);
-        break;
-    case PaintKind::species:
+    if (brush.kind == PaintKind::species)
         text += ",\"species\":" + jsonText(json(brush.species));
-        break;
-    case PaintKind::height:
-        add("factor", brush.factor);
-        break;
-    case PaintKind::dryness:
-        add("share", brush.share);
-        break;
-    case PaintKind::trodden:
-        add("height", brush.height);
-        add("lean", brush.lean);
-        break;
-    case PaintKind::erase:
-    case PaintKind::smooth:
-    case PaintKind::clear:
-        break;
-    }
+    for (const BrushValue& own : brushValues)
+        if (own.kind == brush.kind)
+            text += fmt::format(",\"{}\":{}", own.key,
+                                shortNumber(static_cast<double>(brush.*own.value)));
     return text;
 }
 

@@ -1,5 +1,6 @@
 #include "apps/common/field_input.h"
 #include "apps/sward_view/interface/units.h"
+#include "apps/sward_view/paint/brush_values.h"
 #include "apps/sward_view/panels/panels.h"
 
 #include <fmt/core.h>
@@ -81,40 +82,15 @@ void drawSpeciesChoice(Controls& controls, ViewerState& state)
         chosen = names[static_cast<std::size_t>(index)];
 }
 
-void drawOwnValue(Controls& controls, ViewerState& state)
+void drawOwnValues(Controls& controls, ViewerState& state)
 {
     Brush& brush = state.brush;
-    switch (brush.kind) {
-    case PaintKind::add:
-        controls.number("Ceiling", brush.ceiling, {0.0f, 8.0f, "", "%.2f"},
-                        "Density up to which grass is added; 1 is the bake's");
-        break;
-    case PaintKind::set:
-        controls.number("Density", brush.density, {0.0f, 8.0f, "", "%.2f"},
-                        "Density that the stroke leaves; 1 is the bake's");
-        break;
-    case PaintKind::species:
+    if (brush.kind == PaintKind::species)
         drawSpeciesChoice(controls, state);
-        break;
-    case PaintKind::height:
-        controls.number("Factor", brush.factor, {0.05f, 4.0f, "", "x %.2f"},
-                        "Factor on the heights of blades");
-        break;
-    case PaintKind::dryness:
-        controls.number("Share", brush.share, {0.0f, 1.0f, "", "%.2f"},
-                        "Share of the blades that are dry");
-        break;
-    case PaintKind::trodden:
-        controls.number("Height", brush.height, {0.05f, 1.0f, "", "x %.2f"},
-                        "Factor on the heights of trodden blades");
-        controls.number("Lean", brush.lean, {0.0f, 1.0f, "", "%.2f"},
-                        "How far blades lean along the stroke");
-        break;
-    case PaintKind::erase:
-    case PaintKind::smooth:
-    case PaintKind::clear:
-        break;
-    }
+    for (const BrushValue& own : brushValues)
+        if (own.kind == brush.kind)
+            controls.number(own.name, brush.*own.value, {own.min, own.max, "", own.format},
+                            own.explanation);
 }
 
 void drawKinds(Controls& controls, Brush& brush)
@@ -141,7 +117,7 @@ void drawBrush(Controls& controls, ViewerState& state)
                     "Share of the radius with the full strength, the inner ring");
     controls.number("Strength", brush.strength, {0.0f, 1.0f, "", "%.2f"},
                     "Share of the way from what is there to what the stroke says");
-    drawOwnValue(controls, state);
+    drawOwnValues(controls, state);
 }
 
 void drawStrokes(Controls& controls, StrokeList& strokes)
