@@ -114,8 +114,8 @@ public:
     // Puts every byte of the file in its place, several threads at once. `check` sees all blades.
     void put(const Put& put, const BladePieces::TakeBlades& check)
     {
-        // Of the keys only the beginning is known before they are compressed. Whatever follows them
-        // is compressed meanwhile.
+        // Only the beginning of the keys is known before they are compressed. All chunks after them
+        // are compressed meanwhile.
         std::uint64_t at = sizeof header_ + chunks_.size() * sizeof(format::ChunkEntry);
         for (std::size_t i = 0; i <= keysIndex; ++i) {
             chunks_[i].entry.offset = aligned(at);

@@ -25,7 +25,7 @@ LEFT, RIGHT, LOW = (560, 420), (760, 420), 470  # places of the picture beside t
 
 
 def has_ended(process):
-    """Whether it has, be it that nobody has taken notice yet."""
+    """Whether a process has ended, also if its parent has not waited for it yet."""
     try:
         return Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0] == "Z"
     except FileNotFoundError:

@@ -148,7 +148,7 @@ def blade_material(made, name, colors):
 
 
 def node_group():
-    """Instances on points: a species' blade each, of which a viewport shows a share, and a render all."""
+    """Puts a blade of its species on each point. A viewport shows a share of the points, a render all."""
     group = bpy.data.node_groups.get(GROUP)
     if group is not None and group.type == "GEOMETRY":
         return group

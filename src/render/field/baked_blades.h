@@ -31,7 +31,7 @@ public:
     BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
                 const field::FieldView& field, const EditedField& edited);
 
-    /// Follows an edit, of which the caller uploads the bytes.
+    /// Follows an edit. The caller uploads its bytes.
     void update(const gpu::DeviceContext& context, const EditedField& edited,
                 OutgrownBuffers& outgrown);
 

@@ -10,7 +10,7 @@ namespace sward::view {
 struct BrushValue {
     PaintKind kind;          ///< of the strokes
     const char* key;         ///< in a stroke file
-    float Brush::*value;     ///< of the brush
+    float Brush::* value;    ///< of the brush
     float min, max;          ///< as a stroke file bounds it (docs/painting.md)
     const char* name;        ///< of the control
     const char* format;      ///< of the number

@@ -52,7 +52,7 @@ struct Ends {
     std::array<int, 2> own{-1, -1};
 };
 
-// Reads what there is, within bounds. Returns whether the other end is still open.
+// Reads all bytes that have arrived, up to a bound. Returns whether the other end is still open.
 template <typename Take>
 bool readAll(int from, const Take& take)
 {

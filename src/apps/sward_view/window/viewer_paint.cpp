@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr float radiusStep = 1.15f;  ///< factor on the brush's radius, by a step of the wheel
 constexpr float pixelsPerRay = 8.0f; ///< way of the cursor between two points of a stroke …
-constexpr int raysPerFrame = 32;     ///< … of which a frame finds no more
+constexpr int raysPerFrame = 32;     ///< … of which a frame casts no more
 constexpr std::string_view paintPanel = "Paint";
 
 // Whether the field was baked with strokes, according to its provenance.
