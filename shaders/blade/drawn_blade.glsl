@@ -89,6 +89,7 @@ DrawnBlade drawnBlade(VisibleBlade visible, PosedLook part)
     const uint shape = knownShape(species.shape);
     ribbon.outline = outlineOf(shape, species.tipThreshold,
                                segmentsOf(ribbon, height, shape, visible.pixels, widthPixels));
+    ribbon.seed = posed.blade.seed;
     drawn.ribbon = ribbon;
     return drawn;
 }

@@ -298,7 +298,7 @@ void updateBlade(Eyepoint view, Environment environment, uint slot, uint i, Stor
             drawn = ribbonOf(CULL_VIEW.organs, species, drawn, number);
     }
     // A plant is thinned out as a whole.
-    Verdict verdict = cullBlade(view, limit, drawn, index, bladeRank(cell, i - min(number, i)));
+    Verdict verdict = cullBlade(view, limit, drawn, bladeRank(cell, i - min(number, i)));
     const float pixels = pixelsCovered(drawn.blade, verdict.pixels, verdict.widthFactor);
     const bool isTestedLater = hasTwoPasses() && isTested(pixels);
     if (verdict.cullResult == cullResultDrawn && (view.cullMask & cullOcclusion) != 0u && !isTestedLater &&

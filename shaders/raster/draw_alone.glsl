@@ -8,7 +8,7 @@ void drawAlone(Lens lens, Ribbon ribbon, uint blade)
 {
     const bool hasRidge = isFolded(ribbon);
     const float segments = ribbon.outline.segments;
-    const SampleMask mask = sampleMaskOf(blade, samplesPerPixel);
+    const SampleMask mask = sampleMaskOf(ribbon.seed, samplesPerPixel);
     ScreenSection before = screenSection(seenSection(lens, ribbon, 0.0), hasRidge);
     float segment = 1.0;
     uint part = 0u;

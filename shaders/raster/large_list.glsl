@@ -11,7 +11,7 @@
 LargePart partOf(Ribbon ribbon, uint blade, uint part)
 {
     return LargePart(ribbon.v0, ribbon.width, ribbon.v1, ribbon.fold, ribbon.v2,
-                     packOutline(ribbon.outline.shape, uint(ribbon.outline.segments)),
+                     packOutline(ribbon.outline.shape, uint(ribbon.outline.segments), ribbon.seed),
                      ribbon.axis, ribbon.outline.tipThreshold, ribbon.outline.scale,
                      push.instance, blade, part);
 }

@@ -41,6 +41,27 @@ uint listedLarge()
     return min(push.largeCount.at[largeParts].count, maxLargeParts);
 }
 
+/// LargePart::outline.
+uint packOutline(uint shape, uint segments, uint seed)
+{
+    return shape | (segments << 8u) | (seed << 16u);
+}
+
+uint shapeOfOutline(uint outline)
+{
+    return outline & 0xffu;
+}
+
+uint segmentsOfOutline(uint outline)
+{
+    return (outline >> 8u) & 0xffu;
+}
+
+uint seedOfOutline(uint outline)
+{
+    return outline >> 16u;
+}
+
 /// Number of the part; argument: LargePart::part.
 uint numberOfPart(uint part)
 {
@@ -70,6 +91,7 @@ Ribbon ribbonOf(LargePart part)
     ribbon.fold = part.fold;
     ribbon.outline = Outline(knownShape(shapeOfOutline(part.outline)), part.tipThreshold,
                              float(segmentsOfOutline(part.outline)), part.scale);
+    ribbon.seed = seedOfOutline(part.outline);
     return ribbon;
 }
 

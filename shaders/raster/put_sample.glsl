@@ -5,12 +5,6 @@
 #include "shaders/raster/visibility.glsl"
 #include "shaders/shared/ribbon.h"
 
-/// Bits of the samples to keep at a place where the blade is `weight.x` wide and drawn `weight.y` wide.
-uint samplesKept(vec2 weight, uint blade)
-{
-    return keptSamples(weight.x / max(weight.y, 1e-12), blade, samplesPerPixel);
-}
-
 void putSample(uvec2 pixel, uint s, float depth, uint blade)
 {
     Visibility visibility = Visibility(uvec2(push.visibility));

@@ -114,7 +114,7 @@ void main()
                                        max(max(quad.a0.y, quad.a1.y), max(quad.b0.y, quad.b1.y)));
                 const ivec2 rows = rowsBetween(ends.x, ends.y, float(push.size.y));
                 for (int row = rows.x + int(gl_LocalInvocationIndex); row <= rows.y; row += int(largeThreads))
-                    drawRow(span, blade.blade, row);
+                    drawRow(span, blade.blade, ribbon.seed, row);
             }
         }
     }

@@ -35,7 +35,7 @@ struct Piece {
 struct Shared {
     uint firstSection; ///< among the sections of all blades
     uint beginsAt; ///< its first computed cross-section
-    uint cycle;    ///< eight rows of every `cycle` rows of the picture are drawn
+    uint cycle;    ///< 0–15 c: eight of every c rows of the picture are drawn; 16–31 Ribbon::seed
     uint blade;    ///< resident id
 #ifdef HAS_INSTANCES
     uint instance; ///< instance of the blade
@@ -154,8 +154,8 @@ void drawPieces(uint stride)
 #endif
         Span span;
         if (spanOfQuad(quadOf(piece.what, stride), (piece.what & 0x4000u) != 0u, span))
-            drawRow(span, item.blade,
-                    rowAt(int(piece.what >> 15u), int(row - (piece.place & 0xffffffu)), item.cycle));
+            drawRow(span, item.blade, item.cycle >> 16u,
+                    rowAt(int(piece.what >> 15u), int(row - (piece.place & 0xffffffu)), item.cycle & 0xffffu));
     }
     putKept();
 }
@@ -229,7 +229,8 @@ void main()
             const uvec2 own = partsOf(part) > 0u ? segmentsOfPart(part) : uvec2(0u);
             items[thread + 1u].firstSection = own.x < own.y ? own.y - own.x + 1u : 0u;
             items[thread].beginsAt = own.x;
-            items[thread].cycle = 8u * partsOf(part);
+            items[thread].cycle =
+                (8u * partsOf(part)) | (seedOfOutline(large.at[place].outline) << 16u);
             items[thread].blade = large.at[place].blade;
 #ifdef HAS_INSTANCES
             items[thread].instance = large.at[place].instance;

@@ -36,13 +36,13 @@ shared bool isAnyLeft;                    // the quads did not all fit
 shared uint seenBlades[(lateTogether + 31u) / 32u]; // bits of blades that are not completely hidden
 shared uint hiddenCount;                  // over all blades of the group
 
-/// Packs a quad of `part`: x `at`, its first row among the rows of all quads; y its first row of the picture, and
-/// whether it may be thin; z the number of its rows and of the blade's parts; w the blade. `rows`: first row and row
-/// count.
+/// Packs a quad of `part`: x `at`, its first row among the rows of all quads; y 0–14 its first row of the picture, 15
+/// whether it may be thin, 16–31 Ribbon::seed; z the number of its rows and of the blade's parts; w the blade. `rows`:
+/// first row and row count.
 uvec4 packQuad(uint at, ivec2 rows, LargePart part, bool mayBeThin)
 {
-    return uvec4(at, uint(rows.x) | (mayBeThin ? 0x80000000u : 0u), uint(rows.y) | (partsOf(part.part) << 16u),
-                 part.blade);
+    return uvec4(at, uint(rows.x) | (mayBeThin ? 0x8000u : 0u) | (seedOfOutline(part.outline) << 16u),
+                 uint(rows.y) | (partsOf(part.part) << 16u), part.blade);
 }
 
 void putQuad(uint slot, Quad quad)
@@ -133,8 +133,9 @@ void drawRows()
             ++place;
         const uvec4 piece = pieces[place];
         Span span;
-        if (spanOfQuad(quadAt(place), piece.y >> 31u != 0u, span))
-            drawRow(span, piece.w, rowAt(int(piece.y & 0x7fffffffu), int(row - piece.x), 8u * (piece.z >> 16u)));
+        if (spanOfQuad(quadAt(place), (piece.y & 0x8000u) != 0u, span))
+            drawRow(span, piece.w, piece.y >> 16u,
+                    rowAt(int(piece.y & 0x7fffu), int(row - piece.x), 8u * (piece.z >> 16u)));
     }
 }
 

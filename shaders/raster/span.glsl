@@ -163,10 +163,10 @@ void putKept()
 }
 #endif
 
-/// Draws one row of pixels.
-void drawRow(Span span, uint blade, int row)
+/// Draws one row of pixels. `seed`: Ribbon::seed.
+void drawRow(Span span, uint blade, uint seed, int row)
 {
-    const SampleMask mask = sampleMaskOf(blade, samplesPerPixel);
+    const SampleMask mask = sampleMaskOf(seed, samplesPerPixel);
     vec2 spans[samplesPerPixel];
     vec2 reach = vec2(1e30, -1.0);
     SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s) {

@@ -2,6 +2,7 @@
 #ifndef SWARD_SHARED_BLADE_H
 #define SWARD_SHARED_BLADE_H
 
+#include "shaders/shared/noise.h"
 #include "shaders/shared/octahedral.h"
 #include "shaders/shared/patch.h"
 #include "shaders/shared/types.h"
@@ -34,6 +35,7 @@ struct Blade {
     vec3 tint;       ///< [0, 1] colour of the ground at the root, as stored in images (sRGB)
     uint clump;      ///< 0–254, the same for neighbours of one clump; driedClump
     uint hash;       ///< 0–15
+    uint seed;       ///< seedOf() its packed form; packBlade() ignores it
 };
 
 /// The number of a clump that stands for none: its blades are dead and dry.
@@ -51,6 +53,14 @@ SHARED_FN uint quantise(float x, float low, float step, uint largest)
     if (step <= 0.0f)
         return 0u;
     return uint(clamp(floor((x - low) / step + 0.5f), 0.0f, float(largest)));
+}
+
+/// 16 random bits of a blade. They come from the bytes that do not depend on the blade's patch or on
+/// its place in it, so an edit of other blades of the patch does not change them.
+SHARED_FN uint seedOf(PackedBlade bits)
+{
+    const uint kept = (bits.shape & 0xffc000ffu) ^ ((bits.rootZUp >> 16u) << 8u);
+    return mixUint(kept + bits.look * 0x9e3779b9u) >> 16u;
 }
 
 /// Packs a blade whose up-vector is encoded already: `up` is encodeOctahedral(blade.up).
@@ -101,6 +111,7 @@ SHARED_FN Blade unpackBlade(PackedBlade bits, Patch cell)
     blade.exposure = float((bits.look >> 16u) & 31u) * (1.0f / 31.0f);
     blade.species = (bits.look >> 21u) & 7u;
     blade.clump = bits.look >> 24u;
+    blade.seed = seedOf(bits);
     return blade;
 }
 

@@ -200,7 +200,7 @@ struct LargePart {
     vec3 v1;
     float fold;
     vec3 v2;
-    uint outline; ///< packOutline()
+    uint outline; ///< 0–7 shape, 8–15 segments, 16–31 Ribbon::seed
     vec3 axis;
     float tipThreshold;
     float scale;
@@ -211,22 +211,6 @@ struct LargePart {
                ///< pass the late pass draws all other segments
 };
 SHARED_LAYOUT(LargePart, 80)
-
-/// LargePart::outline.
-SHARED_FN uint packOutline(uint shape, uint segments)
-{
-    return shape | (segments << 16u);
-}
-
-SHARED_FN uint shapeOfOutline(uint outline)
-{
-    return outline & 0xffffu;
-}
-
-SHARED_FN uint segmentsOfOutline(uint outline)
-{
-    return outline >> 16u;
-}
 
 /// LargePart::part.
 SHARED_FN uint packPart(uint number, uint parts, uint begin, uint end)

@@ -3,7 +3,6 @@
 #define SWARD_SHARED_RIBBON_H
 
 #include "shaders/shared/bezier.h"
-#include "shaders/shared/noise.h"
 #include "shaders/shared/shape.h"
 #include "shaders/shared/types.h"
 
@@ -18,6 +17,7 @@ struct Ribbon {
     float width; ///< [m] for an outline of 1
     float fold;  ///< [0, 1]: height of the ridge, see foldOf()
     Outline outline;
+    uint seed; ///< see sampleMaskOf()
 };
 
 /// A cross-section of a ribbon.
@@ -124,12 +124,12 @@ struct SampleMask {
     uint samples;    ///< per pixel
 };
 
-SHARED_FN SampleMask sampleMaskOf(uint blade, uint samples)
+/// `seed`: Blade::seed.
+SHARED_FN SampleMask sampleMaskOf(uint seed, uint samples)
 {
-    const uint h = mixUint(blade * 0x9e3779b9u + 0x85ebca6bu);
     SampleMask mask;
-    mask.threshold = (float(h & 0xffffu) + 0.5f) / 65536.0f;
-    mask.first = (h >> 16u) % samples;
+    mask.threshold = (float(seed & 0x1fffu) + 0.5f) / 8192.0f;
+    mask.first = (seed >> 13u) % samples;
     mask.samples = samples;
     return mask;
 }
@@ -150,9 +150,9 @@ SHARED_FN uint keptBits(SampleMask mask, float weight)
     return ((bits << mask.first) | (bits >> (mask.samples - mask.first))) & all;
 }
 
-SHARED_FN uint keptSamples(float weight, uint blade, uint samples)
+SHARED_FN uint keptSamples(float weight, uint seed, uint samples)
 {
-    return keptBits(sampleMaskOf(blade, samples), weight);
+    return keptBits(sampleMaskOf(seed, samples), weight);
 }
 
 SHARED_END

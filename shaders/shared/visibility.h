@@ -210,7 +210,7 @@ SHARED_FN bool patchCulled(Eyepoint view, Patch cell, float widest)
 
 /// Whether a blade is so narrow in the view that it keeps no sample wherever it is drawn, so that
 /// culling does not change the picture; or whether it exceeds the set cosine.
-SHARED_FN bool seenTooNarrow(Eyepoint view, PosedBlade posed, uint index, float widthFactor)
+SHARED_FN bool seenTooNarrow(Eyepoint view, PosedBlade posed, float widthFactor)
 {
     const Blade blade = posed.blade;
     const float distance = length(posed.v0 - view.eye);
@@ -224,14 +224,12 @@ SHARED_FN bool seenTooNarrow(Eyepoint view, PosedBlade posed, uint index, float 
     // asin(height/distance) ≤ π/2 · height/distance.
     const float sine = min(sqrt(1.0f - cosine * cosine) + 1.58f * blade.height / distance, 1.0f);
     const float widest = outlineMost * blade.width * widthFactor * sine;
-    return keptSamples(widest / (view.minWidth * nearest), index, view.samples) == 0u;
+    return keptSamples(widest / (view.minWidth * nearest), blade.seed, view.samples) == 0u;
 }
 
 /// The cull result of one blade of a visible patch, in the order orientation, frustum, distance,
-/// level of detail. `limit`: leafAreaLimitOf() its patch; the blade is raised() by it. `index` is
-/// its resident id.
-SHARED_FN Verdict cullBlade(Eyepoint view, LeafAreaLimit limit, PosedBlade posed, uint index,
-                            float rank)
+/// level of detail. `limit`: leafAreaLimitOf() its patch; the blade is raised() by it.
+SHARED_FN Verdict cullBlade(Eyepoint view, LeafAreaLimit limit, PosedBlade posed, float rank)
 {
     const Blade blade = posed.blade;
     const float distance = length(blade.root - view.eye);
@@ -251,7 +249,7 @@ SHARED_FN Verdict cullBlade(Eyepoint view, LeafAreaLimit limit, PosedBlade posed
             outside || curveOutside(view.planes[i], posed.v0, posed.v1, posed.v2, verdict.margin);
 
     if ((view.cullMask & cullOrientation) != 0u &&
-        seenTooNarrow(view, posed, index, factor > 0.0f ? factor : 1.0f))
+        seenTooNarrow(view, posed, factor > 0.0f ? factor : 1.0f))
         verdict.cullResult = cullResultOrientation;
     else if (outside)
         verdict.cullResult = cullResultFrustum;

@@ -7,10 +7,10 @@
 layout(push_constant, scalar) uniform Block { ViewPush push; };
 
 layout(location = 3) centroid in vec4 inPlace;
-layout(location = 8) flat in uint inBlade;
+layout(location = 8) flat in uint inSeed;
 
 void main()
 {
-    gl_SampleMask[0] = int(keptSamples(inPlace.z / max(inPlace.w, 1e-12), inBlade,
+    gl_SampleMask[0] = int(keptSamples(inPlace.z / max(inPlace.w, 1e-12), inSeed,
                                        push.frame.at[0].view.samples));
 }

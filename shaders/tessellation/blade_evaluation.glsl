@@ -31,7 +31,7 @@ layout(location = 3) centroid out vec4 outPlace; // −1 … 1 across, 0 … 1 a
 layout(location = 4) flat out uvec4 outSurface; // see BladeVaryings
 layout(location = 5) flat out uvec4 outFrame;
 layout(location = 6) flat out uint outBend;
-layout(location = 8) flat out uint outBlade;
+layout(location = 8) flat out uint outSeed;
 #ifdef HAS_MOTION
 layout(location = 9) centroid out vec4 outClip;
 layout(location = 10) centroid out vec4 outClipBefore;
@@ -46,6 +46,7 @@ void main()
     ribbon.axis = inAxis.xyz;
     ribbon.width = inV0.w;
     ribbon.fold = inV2.w;
+    ribbon.seed = inWhich.z;
     ribbon.outline = Outline(inWhich.x, inV1.w, float(inWhich.y), inAxis.w);
 
     // A quad of several rows always has a column of vertices in its middle. Without a fold the column is moved to the
@@ -57,7 +58,7 @@ void main()
     outSurface = inSurface;
     outFrame = inFrame;
     outBend = inBend;
-    outBlade = inWhich.z;
+    outSeed = inWhich.z;
     gl_Position = FRAME.viewProjection * vec4(outPosition, 1.0);
 
 #ifdef HAS_MOTION

@@ -17,7 +17,7 @@ layout(location = 3) centroid in vec4 inPlace;
 layout(location = 4) flat in uvec4 inSurface; // see BladeVaryings
 layout(location = 5) flat in uvec4 inFrame;
 layout(location = 6) flat in uint inBend;
-layout(location = 8) flat in uint inBlade;
+layout(location = 8) flat in uint inSeed;
 
 layout(location = 0) out vec4 outColor;
 #ifdef HAS_MOTION
@@ -47,7 +47,7 @@ BladePoint pointOf(BladeVaryings varyings)
 
 void main()
 {
-    const uint kept = keptSamples(inPlace.z / max(inPlace.w, 1e-12), inBlade, FRAME.view.samples);
+    const uint kept = keptSamples(inPlace.z / max(inPlace.w, 1e-12), inSeed, FRAME.view.samples);
     gl_SampleMask[0] = int(kept);
     const BladePoint point = pointOf(BladeVaryings(inSurface, inFrame, inBend));
     const float soft = handedTo == handedToFilm ? softness(length(FRAME.view.eye - inPosition), 1.0) : 0.0;

@@ -15,7 +15,7 @@ layout(location = 0) out vec4 outV0; // and the width [m]
 layout(location = 1) out vec4 outV1; // and the tip threshold
 layout(location = 2) out vec4 outV2; // and the fold
 layout(location = 3) out vec4 outAxis; // and the scale of the outline
-layout(location = 4) out uvec3 outWhich; // shape, segments (0: nothing is drawn), resident id
+layout(location = 4) out uvec3 outWhich; // shape, segments (0: nothing is drawn), Ribbon::seed
 layout(location = 5) out uvec4 outSurface; // see BladeVaryings
 layout(location = 6) out uvec4 outFrame;
 layout(location = 7) out uint outBend;
@@ -59,7 +59,7 @@ void main()
     outV1 = vec4(ribbon.v1, ribbon.outline.tipThreshold);
     outV2 = vec4(ribbon.v2, ribbon.fold);
     outAxis = vec4(ribbon.axis, ribbon.outline.scale);
-    outWhich = uvec3(ribbon.outline.shape, uint(ribbon.outline.segments), visible.blade);
+    outWhich = uvec3(ribbon.outline.shape, uint(ribbon.outline.segments), ribbon.seed);
 
     BladeSurface surface = BladeSurface(vec4(0.0), vec4(0.0), vec4(0.0));
     if (handedTo != handedToNone)

@@ -93,8 +93,7 @@ protected:
 /// Whether rounding may change the result: a blade within `margin` of a threshold (relative, or
 /// metres for a plane). The device uses the same formulas in the same precision; 1e-5 is about
 /// fifty times its rounding over ten metres.
-bool isClose(const shared::Frame& frame, const shared::Blade& blade, std::uint32_t index,
-             shared::BladeState state, const shared::Verdict& verdict)
+bool isClose(const shared::Frame& frame, const shared::Blade& blade, shared::BladeState state, const shared::Verdict& verdict)
 {
     constexpr float margin = 1e-5f;
     const shared::PosedBlade posed = shared::posedBlade(blade, state);
@@ -105,8 +104,8 @@ bool isClose(const shared::Frame& frame, const shared::Blade& blade, std::uint32
     narrower.minWidth *= 1.0f - 10.0f * margin;
     wider.minWidth *= 1.0f + 10.0f * margin;
     const float factor = verdict.widthFactor > 0.0f ? verdict.widthFactor : 1.0f;
-    if (shared::seenTooNarrow(narrower, posed, index, factor) !=
-        shared::seenTooNarrow(wider, posed, index, factor))
+    if (shared::seenTooNarrow(narrower, posed, factor) !=
+        shared::seenTooNarrow(wider, posed, factor))
         return true;
     if (std::abs(distance - frame.view.drawDistance) < margin * distance)
         return true;
@@ -144,15 +143,14 @@ TEST_F(CullingTest, CullsAsTheCpuDoesSaveWhereRoundingDecides)
                 const shared::Blade drawn = shared::raised(blade(index), limit.height);
                 const shared::Verdict verdict = shared::cullBlade(
                     view, limit, shared::posedBlade(drawn, states_[index]),
-                    static_cast<std::uint32_t>(index), shared::bladeRank(cell, i));
+                    shared::bladeRank(cell, i));
                 const std::uint32_t expected =
                     culled ? shared::cullResultPatch : verdict.cullResult;
                 ++tested;
                 ++seen[result.cullResults[index]];
                 if (result.cullResults[index] == expected)
                     continue;
-                ASSERT_TRUE(isClose(frame, drawn, static_cast<std::uint32_t>(index), states_[index],
-                                    verdict))
+                ASSERT_TRUE(isClose(frame, drawn, states_[index], verdict))
                     << "blade " << index << " has cull result " << result.cullResults[index]
                     << ", expected " << expected << "; camera " << c << ", seed " << seed;
                 ++close;

@@ -194,6 +194,47 @@ TEST_P(EditTest, KeepsTheStatesOfUnchangedBlades)
     EXPECT_GT(added, 10u);
 }
 
+// Blades that an edit leaves alone look as before, also those thinner than a pixel. They are drawn
+// from another place of the buffer, in another order.
+TEST_P(EditTest, ChangesThePictureWhereBladesChangeAlone)
+{
+    EditedMeadow meadow(200.0f);
+    meadow.sow({0, 0, 0}, 3000);
+    meadow.sow({1, 0, 0}, 3000);
+    meadow.changes();
+    const field::Field first = meadow.whole();
+    FieldRenderer renderer(device(), field::viewOf(first), settingsOf(GetParam()));
+    Camera far = overMeadow();
+    far.eye = {-25.0, 20.0, -25.0};
+    far.fovY = 35.0f;
+    // Ranks of blades change with their number, so nothing is thinned out here.
+    FrameSettings settings = calm();
+    settings.levelOfDetail = true;
+    settings.lodThreshold = 0.0f;
+    settings.maxLeafArea = 0.0f;
+    test::Picture picture(context(), size);
+    const auto atRest = [&](double time) {
+        picture.draw(renderer, far, settings, time);
+        picture.draw(renderer, far, settings, time + 60.0);
+        return picture.pixels();
+    };
+    const auto before = atRest(0.0);
+    meadow.sow({0, 0, 0}, 3003);
+    meadow.sow({1, 0, 0}, 0);
+    renderer.apply(meadow.changes());
+    const auto without = atRest(100.0);
+    const std::size_t ofMany = test::differingPixels(without, before);
+    meadow.sow({1, 0, 0}, 3000);
+    meadow.sow({0, 0, 0}, 3000);
+    renderer.apply(meadow.changes());
+    EXPECT_LE(plainlyDiffering(atRest(200.0), before), 20u);
+    meadow.sow({0, 0, 0}, 3003);
+    renderer.apply(meadow.changes());
+    const std::size_t ofFew = test::differingPixels(atRest(300.0), before);
+    EXPECT_GT(ofMany, 500u);
+    EXPECT_LT(ofFew, ofMany / 10);
+}
+
 TEST_P(EditTest, BecomesBareAndGrowsAgain)
 {
     EditedMeadow meadow(200.0f);

@@ -14,7 +14,7 @@ from viewer import Viewer  # noqa: E402
 SWARD = os.environ["SWARD_PROGRAM"]
 VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
 SIZE = "1200x780"
-BACKGROUND = (0x1a, 0x19, 0x15)  # of panels: blue, green, red
+DARK = 56  # panels are darker, over a white picture too; the sky and sunlit ground are lighter
 
 
 class ScaleTest(unittest.TestCase):
@@ -59,10 +59,9 @@ class ScaleTest(unittest.TestCase):
         rail = int(viewer.controls()["Rail/Field"]["x"] + viewer.controls()["Rail/Field"]["width"])
         lines = [y for y in range(int(control["y"]), int(control["y"] + control["height"]))
                  if any(max(pixel) > 80 for pixel in rows[y][rail + 12:int(control["x"]) - 4])]
-        # The panel ends where its own colour does, between two controls.
+        # The panel ends where it is light, between two controls.
         gap = rows[int(control["y"] + control["height"]) + 2]
-        # Panels let a little of the picture through.
-        is_panel = lambda pixel: all(abs(a - b) < 6 for a, b in zip(pixel, BACKGROUND))
+        is_panel = lambda pixel: max(pixel) < DARK
         panel = next(x for x in range(rail + 4, width) if not is_panel(gap[x]))
         # Nothing is written at the right end of the status bar.
         status = next(y for y in range(height) if not is_panel(rows[height - 1 - y][width - 4]))
@@ -90,6 +89,10 @@ class ScaleTest(unittest.TestCase):
 
         viewer = self.open(dots_per_inch=192)
         self.assert_factor(usual, self.sizes(viewer), 2)
+        # The whole rail is in sight.
+        rail = [control for name, control in viewer.controls().items() if name.startswith("Rail/")]
+        self.assertLess(max(control["y"] + control["height"] for control in rail),
+                        viewer.window.geometry()[3] - 2 * usual["status"])
         self.hits(viewer)
         self.assert_ends_well(viewer)
 

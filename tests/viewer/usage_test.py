@@ -131,7 +131,7 @@ class UsageTest(unittest.TestCase):
                 continue
             rows = self.rows(viewer, control)
             begins.append(min(x for row in rows for x, pixel in enumerate(row) if max(pixel) > 90))
-        self.assertEqual(len(begins), 10)
+        self.assertEqual(len(begins), 11)
         # Letters have side bearings of a pixel or two.
         self.assertLessEqual(max(begins) - min(begins), 2, begins)
         self.assert_ends_well(viewer)

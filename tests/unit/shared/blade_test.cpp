@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 namespace sward::shared {
 namespace {
@@ -109,6 +110,52 @@ TEST(PackedBlade, LivesInAPatchOfOneSize)
     EXPECT_EQ(back.root, vec3(1, 2, 3));
     EXPECT_EQ(back.height, 0.5f);
     EXPECT_EQ(back.width, 0.01f);
+}
+
+TEST(BladeSeed, StaysWhereverThePatchMovesTheBlade)
+{
+    tests::Dice dice(9);
+    const Patch patch = somePatch();
+    for (int i = 0; i < 10'000; ++i) {
+        const Blade blade = randomBlade(dice, patch);
+        const uint up = encodeOctahedral(blade.up);
+        Patch other = patch;
+        other.rootLow += vec3(-3.0f, 0.5f, 0.25f);
+        other.rootStep *= 1.5f;
+        other.heightLow = 0.1f;
+        other.widthStep *= 2.0f;
+        ASSERT_EQ(unpackBlade(packBladeWith(blade, patch, up), patch).seed,
+                  unpackBlade(packBladeWith(blade, other, up), other).seed);
+    }
+}
+
+/// Blades of one colour of ground, one species and one direction of growth still differ.
+TEST(BladeSeed, IsUniformOverTheBladesOfOnePlace)
+{
+    tests::Dice dice(10);
+    const Patch patch = somePatch();
+    Blade blade = randomBlade(dice, patch);
+    blade.up = vec3(0.0f, 1.0f, 0.0f);
+    constexpr int blades = 64'000;
+    constexpr int bins = 64;
+    // Bits 0–12 are the threshold of sampleMaskOf(), bits 13–15 its first sample.
+    std::array<int, bins> thresholds{};
+    std::array<int, 8> samples{};
+    for (int i = 0; i < blades; ++i) {
+        blade.facing = dice.number(0.0f, twoPi);
+        blade.stiffness = dice.number(0.5f, 0.7f);
+        blade.hash = static_cast<uint>(dice.number(0.0f, 15.99f));
+        const uint seed = seedOf(packBlade(blade, patch));
+        ASSERT_LT(seed, 1u << 16u);
+        ++thresholds[(seed & 0x1fffu) * bins / 0x2000u];
+        ++samples[seed >> 13u];
+    }
+    // Some 53 000 of the packed forms differ at most, so the counts scatter more than those of
+    // independent numbers; a bit that is stuck is ten times as far off.
+    for (const int count : thresholds)
+        EXPECT_NEAR(count, blades / bins, 0.25 * blades / bins);
+    for (const int count : samples)
+        EXPECT_NEAR(count, blades / 8, 0.1 * blades / 8);
 }
 
 TEST(WidthAxis, IsPerpendicularToItsOwnUpWhicheverWayThatPoints)

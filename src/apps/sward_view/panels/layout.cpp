@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 
 namespace sward::view {
 namespace {
@@ -64,6 +65,12 @@ ImVec2 scaledPair(const Style& style, float x, float y)
     return {style.scaled(x), style.scaled(y)};
 }
 
+// Size of a window that others adjoin: whole pixels, as windows begin and end at whole ones.
+float edge(const Style& style, float pixels)
+{
+    return std::round(style.scaled(pixels));
+}
+
 void beginFixed(const char* name, const ImVec2& place, const ImVec2& size,
                 ImGuiWindowFlags more = 0)
 {
@@ -101,7 +108,9 @@ bool Layout::openPanel(const std::string& name)
 
 float Layout::coveredWidth(const Style& style, float width) const
 {
-    return shown ? std::min(style.scaled(railPixels + (open ? panelPixels : 0.0f)), width) : 0.0f;
+    return shown
+               ? std::min(edge(style, railPixels) + (open ? edge(style, panelPixels) : 0.0f), width)
+               : 0.0f;
 }
 
 void Layout::draw(Controls& controls, ViewerState& state)
@@ -128,13 +137,17 @@ void Layout::drawRail(Controls& controls)
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, scaledPair(style, 12.0f, 14.0f));
     ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0f, 0.5f});
-    beginFixed("rail", {0.0f, 0.0f},
-               {style.scaled(railPixels), size.y - style.scaled(statusPixels)});
+    beginFixed("rail", {0.0f, 0.0f}, {edge(style, railPixels), size.y - edge(style, statusPixels)});
     controls.beginPanel("Rail");
+    // All rows are in sight, also if the controls are large for the window.
+    const float spacing = ImGui::GetStyle().ItemSpacing.y;
+    const float room = ImGui::GetContentRegionAvail().y / float(panels.size()) - spacing;
+    const float height =
+        std::min(style.scaled(railRowPixels), std::max(room, ImGui::GetTextLineHeight()));
     for (std::size_t i = 0; i < panels.size(); ++i) {
         const bool isOpen = open == i;
         ImGui::PushStyleColor(ImGuiCol_Text, style.color(isOpen ? palette::text : palette::dim));
-        if (ImGui::Selectable(panels[i].name, isOpen, 0, {0.0f, style.scaled(railRowPixels)}))
+        if (ImGui::Selectable(panels[i].name, isOpen, 0, {0.0f, height}))
             open = isOpen ? std::nullopt : std::optional(i);
         ImGui::PopStyleColor();
         controls.tell(panels[i].name, isOpen ? "open" : "", panels[i].about);
@@ -148,9 +161,9 @@ void Layout::drawPanel(Controls& controls, ViewerState& state)
     const Style& style = controls.style();
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const Panel& panel = panels[*open];
-    const float left = style.scaled(railPixels);
-    const float width = std::min(style.scaled(panelPixels), size.x - left);
-    beginFixed(panel.name, {left, 0.0f}, {width, size.y - style.scaled(statusPixels)});
+    const float left = edge(style, railPixels);
+    const float width = std::min(edge(style, panelPixels), size.x - left);
+    beginFixed(panel.name, {left, 0.0f}, {width, size.y - edge(style, statusPixels)});
     controls.beginPanel(panel.name);
     controls.heading(panel.name);
     panel.draw(controls, state);
@@ -163,7 +176,7 @@ void Layout::drawStatus(Controls& controls, ViewerState& state)
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, scaledPair(style, statusPadding, 5.0f));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
-    const float height = style.scaled(statusPixels);
+    const float height = edge(style, statusPixels);
     beginFixed("status", {0.0f, size.y - height}, {size.x, height},
                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     controls.beginPanel("Status");
@@ -192,12 +205,18 @@ void Layout::drawStatus(Controls& controls, ViewerState& state)
     const int percent = isResting ? 100 : static_cast<int>(100.0f * state.scale + 0.5f);
     const std::string pictures =
         isResting ? fmt::format("{} of {}", *state.passesAtRest, AtRest::passes) : std::string();
-    const std::string right =
-        isResting       ? fmt::format("refined: {}   H: keys", pictures)
-        : percent < 100 ? fmt::format("drawn at {} % of the resolution   H: keys", percent)
-                        : "H: keys";
-    const float width = ImGui::CalcTextSize(right.c_str()).x;
-    ImGui::SameLine(size.x - width - style.scaled(statusPadding));
+    const char* const keys = "H: keys";
+    std::string right = isResting ? fmt::format("refined: {}   H: keys", pictures)
+                        : percent < 100
+                            ? fmt::format("drawn at {} % of the resolution   H: keys", percent)
+                            : keys;
+    const auto widthOf = [](const std::string& text) {
+        return ImGui::CalcTextSize(text.c_str()).x;
+    };
+    const float room = size.x - 4.0f * style.scaled(statusPadding) - widthOf(left);
+    if (widthOf(right) > room)
+        right = widthOf(keys) > room ? "" : keys;
+    ImGui::SameLine(size.x - widthOf(right) - style.scaled(statusPadding));
     controls.note(right);
     controls.tell("Resolution", std::to_string(percent),
                   "Resolution of drawing relative to the window, %; see panel Profile");
@@ -286,7 +305,7 @@ void Layout::drawWelcome(Controls& controls, ViewerState& state)
 {
     const Style& style = controls.style();
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    beginCentred("welcome", style, {0.5f * (size.x + style.scaled(railPixels)), 0.5f * size.y},
+    beginCentred("welcome", style, {0.5f * (size.x + edge(style, railPixels)), 0.5f * size.y},
                  {0.5f, 0.5f});
     controls.beginPanel("Welcome");
     controls.heading("Sward");
