@@ -42,24 +42,9 @@ private:
     XXH3_state_t* state_ = XXH3_createState();
 };
 
-} // namespace
-
-std::string contentHash(const GroundMesh& mesh)
+// The material properties that affect blades: the colour.
+void addAppearance(const GroundMesh& mesh, Hasher& hasher)
 {
-    Hasher hasher;
-    for (glm::length_t axis = 0; axis < 3; ++axis)
-        hasher.add(mesh.origin[axis]);
-    hasher.add(mesh.positions);
-    hasher.add(mesh.normals);
-    hasher.add(mesh.uvs);
-    hasher.add(mesh.colors);
-    for (const VertexAttribute& one : mesh.attributes.list)
-        hasher.add(one.values);
-    hasher.add(mesh.triangles);
-    hasher.add(mesh.materialOf);
-    hasher.add(mesh.bears);
-
-    // Hash the material properties that affect blades: the colour.
     for (const GroundMaterial& material : mesh.materials) {
         for (glm::length_t channel = 0; channel < 4; ++channel)
             hasher.add(static_cast<double>(material.baseColor[channel]));
@@ -80,7 +65,33 @@ std::string contentHash(const GroundMesh& mesh)
             if (channel != nullptr)
                 hasher.add(channel->values);
     }
+}
+
+} // namespace
+
+std::string contentHash(const GroundMesh& mesh)
+{
+    Hasher hasher;
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+        hasher.add(mesh.origin[axis]);
+    hasher.add(mesh.positions);
+    hasher.add(mesh.normals);
+    hasher.add(mesh.uvs);
+    hasher.add(mesh.colors);
+    for (const VertexAttribute& one : mesh.attributes.list)
+        hasher.add(one.values);
+    hasher.add(mesh.triangles);
+    hasher.add(mesh.materialOf);
+    hasher.add(mesh.bears);
+    addAppearance(mesh, hasher);
     return fmt::format("{:016x}", hasher.digest());
+}
+
+std::uint64_t appearanceHash(const GroundMesh& mesh)
+{
+    Hasher hasher;
+    addAppearance(mesh, hasher);
+    return hasher.digest();
 }
 
 } // namespace sward::terrain

@@ -49,6 +49,9 @@ GroundMesh load(const std::string& input, const ImportSettings& settings, Diagno
 /// roles), as 16 hex digits. Equal hashes mean that two bakes used the same ground.
 std::string contentHash(const GroundMesh& mesh);
 
+/// The same over what materials and images contribute to it.
+std::uint64_t appearanceHash(const GroundMesh& mesh);
+
 /// Whether `text` matches a glob with * and ?, letters compared exactly.
 bool globMatches(const std::string& glob, const std::string& text);
 

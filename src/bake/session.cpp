@@ -1,111 +1,49 @@
 #include "bake/session.h"
 
 #include "bake/all_cells.h"
+#include "bake/cells_between.h"
 #include "bake/field_header.h"
-#include "bake/paint/stroke_grid.h"
+#include "bake/ground_changes.h"
+#include "bake/paint/stroke_reach.h"
 #include "bake/patches/patch_tree.h"
 #include "bake/patches/split_cells.h"
-#include "bake/sample/progressive_order.h"
 #include "bake/threads.h"
 #include "bake/whole_plan.h"
-#include "core/floor.h"
 #include "terrain/query/surface_query.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 
 namespace sward::bake {
 namespace {
 
-// For what is rounded on the way from a stroke to a root [m].
-constexpr double slackOfStrokes = 0.01;
-
-// Whether a stroke changes which roots grow, and with them the order of their neighbours.
-bool changesRoots(StrokeKind kind)
+// Largest spacing of tufts [m]; 0: none grow.
+double tuftSpacing(const Meadow& meadow, double scale)
 {
-    switch (kind) {
-    case StrokeKind::add:
-    case StrokeKind::erase:
-    case StrokeKind::set:
-    case StrokeKind::smooth:
-    case StrokeKind::clear:
-        return true;
-    case StrokeKind::species:
-    case StrokeKind::height:
-    case StrokeKind::dryness:
-    case StrokeKind::trodden:
-        break;
-    }
-    return false;
-}
-
-// The capsules of a stroke, in the world.
-std::vector<StrokeSegment> capsulesOf(const Stroke& stroke)
-{
-    const auto at = [&](std::size_t i) {
-        return glm::dvec3(double(stroke.points[i][0]), double(stroke.points[i][1]),
-                          double(stroke.points[i][2])) /
-               1000.0;
-    };
-    std::vector<StrokeSegment> capsules;
-    for (std::size_t i = 0; i < stroke.points.size(); ++i) {
-        if (i > 0 && i + 1 == stroke.points.size())
-            break;
-        StrokeSegment capsule;
-        capsule.from = at(i);
-        capsule.along = at(std::min(i + 1, stroke.points.size() - 1)) - capsule.from;
-        const double squared = glm::dot(capsule.along, capsule.along);
-        capsule.perSquaredLength = squared > 0.0 ? 1.0 / squared : 0.0;
-        capsule.radius = stroke.radius;
-        capsules.push_back(capsule);
-    }
-    return capsules;
-}
-
-bool mayTouch(const Stroke& a, const Stroke& b, double margin)
-{
-    const auto boxOf = [](const Stroke& stroke) {
-        DAabb box;
-        for (const StrokeSegment& capsule : capsulesOf(stroke))
-            box.add(capsule.box());
-        return box;
-    };
-    const DAabb first = boxOf(a);
-    const DAabb second = boxOf(b);
-    for (glm::length_t axis = 0; axis < 3; ++axis)
-        if (first.low[axis] - margin > second.high[axis] ||
-            second.low[axis] - margin > first.high[axis])
-            return false;
-    return true;
+    double widest = 0.0;
+    for (const SpeciesTraits& species : meadow.species)
+        widest = std::max(widest, species.tuftSpacing * scale);
+    return widest;
 }
 
 } // namespace
 
 Session::Session(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads,
                  Diagnostics& diagnostics, Progress& progress, const field::FieldView* baked)
-    : ground_(ground)
-    , settings_(settings)
+    : settings_(settings)
     , threads_(threadCount(threads))
 {
     validate(settings_);
     withThreads(threads_, [&] {
-        report_ = reportOf(ground_, settings_, threads_);
-        features_ = featuresOf(ground_, settings_);
+        ground_ = groundOf(ground);
         std::optional<terrain::SurfaceQuery> rays;
-        if (baked == nullptr && needsRays(ground_, settings_))
-            rays.emplace(ground_);
-        plan_ = planWhole({ground_, features_, rays ? &*rays : nullptr}, settings_, diagnostics,
+        if (baked == nullptr && needsRays(ground, settings_))
+            rays.emplace(ground);
+        const terrain::SurfaceFeatures& features = ground_.features;
+        plan_ = planWhole({ground, features, rays ? &*rays : nullptr}, settings_, diagnostics,
                           progress);
-        report_.bladeScale = plan_.plan.scale;
-        margin_ = tileMargin(ground_, settings_, plan_);
-        triangles_.emplace(ground_);
-        for (const std::vector<CellNumber>& cells : dealTiles(ground_, 1))
-            bearing_.insert(cells.begin(), cells.end());
-        part_ = partOf(ground_, {});
+        ground_.report.bladeScale = plan_.plan.scale;
         hasReused_ = baked != nullptr && reuse(*baked, diagnostics);
         if (hasReused_)
             return;
@@ -115,9 +53,23 @@ Session::Session(const terrain::GroundMesh& ground, const BakeSettings& settings
             for (CellTree& cell : tile.cells)
                 cells_.insert_or_assign(cell.cell, std::move(cell));
         };
-        bakeAllCells({ground_, features_, rays ? &*rays : nullptr}, settings_, plan_, {}, take,
+        bakeAllCells({ground, features, rays ? &*rays : nullptr}, settings_, plan_, {}, take,
                      progress);
     });
+}
+
+Session::Ground Session::groundOf(const terrain::GroundMesh& mesh) const
+{
+    Ground ground;
+    ground.mesh = &mesh;
+    ground.report = reportOf(mesh, settings_, threads_);
+    ground.report.bladeScale = plan_.plan.scale;
+    ground.features = featuresOf(mesh, settings_);
+    ground.triangles.emplace(mesh);
+    for (const std::vector<CellNumber>& cells : dealTiles(mesh, 1))
+        ground.bearing.insert(cells.begin(), cells.end());
+    ground.part = partOf(mesh, {});
+    return ground;
 }
 
 // Takes the blades of a field that was baked alike.
@@ -129,61 +81,13 @@ bool Session::reuse(const field::FieldView& baked, Diagnostics& diagnostics)
     };
     if (baked.keys.size() != baked.blades.size())
         return refuse("it does not tell where its blades come from");
-    if (baked.origin != ground_.origin || *baked.provenance != provenanceOf(settings_, report_))
+    if (baked.origin != ground().origin ||
+        *baked.provenance != provenanceOf(settings_, ground_.report))
         return refuse("it was baked of other ground, with other options or strokes, or by another "
                       "version of the program");
     for (CellTree& cell : splitCells(baked))
         cells_.insert_or_assign(cell.cell, std::move(cell));
     return true;
-}
-
-// The cells that a stroke changes, with `later` strokes after it.
-void Session::addCells(const Stroke& stroke, std::span<const Stroke> later,
-                       std::set<CellNumber>& reached) const
-{
-    double margin = slackOfStrokes;
-    if (changesRoots(stroke.kind)) {
-        // Tufts look at their middles, and strokes that smooth at what is around a root.
-        double around = 0.0;
-        for (const SpeciesTraits& species : settings_.meadow.species)
-            around = std::max(around, 3.0 * species.tuftSpacing * plan_.plan.scale);
-        for (const Stroke& other : later)
-            if (other.kind == StrokeKind::smooth && mayTouch(stroke, other, other.radius))
-                around = std::max(around, other.radius);
-        margin += around + progressiveReach + LocalRanks::reach;
-    }
-    constexpr double halfDiagonal = 0.8661 * widestPatch;
-    for (const StrokeSegment& capsule : capsulesOf(stroke)) {
-        const double reach = capsule.radius + margin;
-        const auto take = [&](const CellNumber& cell) {
-            const glm::dvec3 corner{double(cell[0]), double(cell[1]), double(cell[2])};
-            const glm::dvec3 middle = (corner + 0.5) * widestPatch;
-            const glm::dvec3 offset =
-                middle - capsule.from - capsule.shareAt(middle) * capsule.along;
-            const double near = reach + halfDiagonal;
-            if (glm::dot(offset, offset) <= near * near)
-                reached.insert(cell);
-        };
-        CellNumber first;
-        CellNumber last;
-        double count = 1.0;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double from = capsule.from[int(axis)];
-            const double to = from + capsule.along[int(axis)];
-            first[axis] = floorOf((std::min(from, to) - reach) / widestPatch);
-            last[axis] = floorOf((std::max(from, to) + reach) / widestPatch);
-            count *= double(last[axis] - first[axis] + 1);
-        }
-        if (count > double(bearing_.size())) {
-            std::for_each(bearing_.begin(), bearing_.end(), take);
-            continue;
-        }
-        for (std::int64_t x = first[0]; x <= last[0]; ++x)
-            for (std::int64_t y = first[1]; y <= last[1]; ++y)
-                for (std::int64_t z = first[2]; z <= last[2]; ++z)
-                    if (bearing_.count({x, y, z}) != 0)
-                        take({x, y, z});
-    }
 }
 
 // The cells that differ between the strokes of the session and the next ones. Strokes that both
@@ -201,40 +105,99 @@ std::set<CellNumber> Session::cellsReached(const Strokes& next) const
         --nextEnd;
     }
     const std::span<const Stroke> later(oldEnd, old.end());
+    const double tufts = tuftSpacing(settings_.meadow, plan_.plan.scale);
     std::set<CellNumber> reached;
     for (auto stroke = differing.first; stroke != oldEnd; ++stroke)
-        addCells(*stroke, later, reached);
+        addCellsReached(*stroke, later, tufts, ground_.bearing, reached);
     for (auto stroke = differing.second; stroke != nextEnd; ++stroke)
-        addCells(*stroke, later, reached);
+        addCellsReached(*stroke, later, tufts, ground_.bearing, reached);
     return reached;
+}
+
+// The cells that differ between the ground of the session and the next one.
+std::set<CellNumber> Session::cellsChanged(const Ground& next) const
+{
+    std::set<CellNumber> either = ground_.bearing;
+    either.insert(next.bearing.begin(), next.bearing.end());
+    const GroundChanges changes =
+        groundChanges({ground(), ground_.features}, {*next.mesh, next.features});
+    if (changes.isEverywhere)
+        return either;
+    const double margin =
+        std::max(tileMargin(ground(), settings_, plan_), tileMargin(*next.mesh, settings_, plan_));
+    std::set<CellNumber> changed;
+    for (const Aabb& box : changes.boxes) {
+        const DAabb around{next.mesh->origin + glm::dvec3(box.low) - margin,
+                           next.mesh->origin + glm::dvec3(box.high) + margin};
+        forCellsBetween(either, around, [&](const CellNumber& cell) { changed.insert(cell); });
+    }
+    return changed;
+}
+
+// Bakes cells of a ground, in tiles of bounded memory.
+std::vector<CellTree> Session::bakeAgain(Ground& ground, const BakeSettings& settings,
+                                         const std::set<CellNumber>& cells,
+                                         Progress& progress) const
+{
+    std::vector<CellTree> baked;
+    const double perCell = double(bladeCount()) / double(std::max<std::size_t>(cells_.size(), 1));
+    const auto together =
+        static_cast<std::size_t>(std::max(TileLimits{}.inTile / std::max(perCell, 1.0), 1.0));
+    const double margin = tileMargin(*ground.mesh, settings, plan_);
+    for (auto next = cells.begin(); next != cells.end();) {
+        std::vector<CellNumber> own;
+        for (; next != cells.end() && own.size() < together; ++next)
+            own.push_back(*next);
+        const std::vector<std::uint32_t> near = ground.triangles->near(own, margin);
+        refillPart(*ground.mesh, near, ground.part);
+        const terrain::SurfaceFeatures features =
+            partOf(*ground.mesh, ground.features, near, margin);
+        const TileRegion region(ground.mesh->origin, own);
+        TileResult tile = bakeTile({ground.part, features}, settings, plan_, &region, progress);
+        std::move(tile.cells.begin(), tile.cells.end(), std::back_inserter(baked));
+    }
+    return baked;
+}
+
+// Takes what was baked instead of these cells.
+Session::Change Session::replaceCells(const std::set<CellNumber>& cells,
+                                      std::vector<CellTree>&& baked)
+{
+    Change change;
+    change.cells.assign(cells.begin(), cells.end());
+    for (const CellNumber& cell : cells)
+        cells_.erase(cell);
+    for (CellTree& cell : baked) {
+        change.blades += cell.blades.size();
+        cells_.insert_or_assign(cell.cell, std::move(cell));
+    }
+    return change;
 }
 
 Session::Change Session::apply(Strokes strokes, Progress& progress)
 {
     const std::set<CellNumber> reached = cellsReached(strokes);
-    Change change;
-    change.cells.assign(reached.begin(), reached.end());
     BakeSettings next = settings_;
     next.strokes = std::move(strokes);
-    TileResult tile;
+    std::vector<CellTree> baked;
     if (!reached.empty())
-        withThreads(threads_, [&] {
-            // Strokes may widen what rays look at: see reachOf().
-            const double margin = std::max(margin_, tileMargin(ground_, next, plan_));
-            const std::vector<std::uint32_t> near = triangles_->near(change.cells, margin);
-            refillPart(ground_, near, part_);
-            const terrain::SurfaceFeatures features = partOf(ground_, features_, near, margin);
-            const TileRegion region(ground_.origin, change.cells);
-            tile = bakeTile({part_, features}, next, plan_, &region, progress);
-        });
-    for (const CellNumber& cell : change.cells)
-        cells_.erase(cell);
-    for (CellTree& cell : tile.cells) {
-        change.blades += cell.blades.size();
-        cells_.insert_or_assign(cell.cell, std::move(cell));
-    }
+        withThreads(threads_, [&] { baked = bakeAgain(ground_, next, reached, progress); });
     settings_.strokes = std::move(next.strokes);
-    return change;
+    return replaceCells(reached, std::move(baked));
+}
+
+Session::Change Session::replaceGround(const terrain::GroundMesh& ground, Progress& progress)
+{
+    Ground next;
+    std::set<CellNumber> changed;
+    std::vector<CellTree> baked;
+    withThreads(threads_, [&] {
+        next = groundOf(ground);
+        changed = cellsChanged(next);
+        baked = bakeAgain(next, settings_, changed, progress);
+    });
+    ground_ = std::move(next);
+    return replaceCells(changed, std::move(baked));
 }
 
 std::uint64_t Session::bladeCount() const
@@ -248,7 +211,7 @@ std::uint64_t Session::bladeCount() const
 field::Delta Session::deltaOf(std::span<const CellNumber> cells) const
 {
     field::Delta delta;
-    delta.origin = ground_.origin;
+    delta.origin = ground().origin;
     for (const CellNumber& number : cells) {
         field::CellChange& change = delta.cells.emplace_back();
         change.cell = number;
@@ -264,7 +227,7 @@ field::Delta Session::deltaOf(std::span<const CellNumber> cells) const
 
 field::Field Session::field() const
 {
-    field::Field field = fieldWithoutBlades(ground_, settings_, plan_, report_);
+    field::Field field = fieldWithoutBlades(ground(), settings_, plan_, ground_.report);
     std::vector<CellTree> cells;
     cells.reserve(cells_.size());
     for (const auto& [number, cell] : cells_)

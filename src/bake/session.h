@@ -21,15 +21,15 @@
 
 namespace sward::bake {
 
-/// A bake that stays open while its ground is painted. A change of strokes bakes those 32 m cells
+/// A bake that stays open while its ground is painted or sculpted. A change bakes those 32 m cells
 /// again that it reaches, and no other. The cells are at any time, byte for byte, those of a whole
-/// bake with the session's strokes. Undo and redo are changes like any other.
+/// bake of the session's ground with its strokes. Undo and redo are changes like any other.
 ///
-/// The amount is planned once, without strokes: a count becomes a local density when the session
-/// begins.
+/// Amount and size of blades are planned once, for the first ground without strokes: a count
+/// becomes a local density when the session begins.
 class Session {
 public:
-    /// What a change of strokes changed.
+    /// What a change of strokes or ground changed.
     struct Change {
         std::vector<CellNumber> cells; ///< baked again, sorted; some may have no blades now
         std::size_t blades = 0;        ///< in these cells, after the change
@@ -46,9 +46,17 @@ public:
     /// throws Error{interrupted} because it was cancelled. Does not test maxBlades.
     Change apply(Strokes strokes, Progress& progress);
 
+    /// Replaces the ground by one of as many triangles in the same order, for example after some of
+    /// its vertices have been moved. Bakes the cells again that are near a triangle or an edge that
+    /// differs; all cells if the origin, a material or an image differs. The new ground must
+    /// outlive the session; the one before is no longer used. Leaves the session as it was if it
+    /// throws: Error{input} for another number of triangles, else as bakeField() and apply() do.
+    Change replaceGround(const terrain::GroundMesh& ground, Progress& progress);
+
     const Strokes& strokes() const { return settings_.strokes; }
-    const BakePlan& plan() const { return plan_; } ///< without strokes
-    bool hasReused() const { return hasReused_; }  ///< the blades of a baked field
+    const BakePlan& plan() const { return plan_; } ///< of the first ground, without strokes
+    const terrain::GroundMesh& ground() const { return *ground_.mesh; }
+    bool hasReused() const { return hasReused_; } ///< the blades of a baked field
 
     /// Cells as they are now, relative to the ground's origin; for receivers of a Change. The
     /// session must not change as long as the delta is used.
@@ -63,21 +71,28 @@ public:
     field::Field field() const;
 
 private:
+    // A ground with what the session finds on it once.
+    struct Ground {
+        const terrain::GroundMesh* mesh = nullptr;
+        Report report; // of the input
+        terrain::SurfaceFeatures features;
+        std::optional<CellTriangles> triangles;
+        std::set<CellNumber> bearing; // all cells that may have blades
+        terrain::GroundMesh part;     // around the cells that were baked last
+    };
+
+    Ground groundOf(const terrain::GroundMesh& mesh) const;
     bool reuse(const field::FieldView& baked, Diagnostics& diagnostics);
     std::set<CellNumber> cellsReached(const Strokes& next) const;
-    void addCells(const Stroke& stroke, std::span<const Stroke> later,
-                  std::set<CellNumber>& reached) const;
+    std::set<CellNumber> cellsChanged(const Ground& next) const;
+    std::vector<CellTree> bakeAgain(Ground& ground, const BakeSettings& settings,
+                                    const std::set<CellNumber>& cells, Progress& progress) const;
+    Change replaceCells(const std::set<CellNumber>& cells, std::vector<CellTree>&& baked);
 
-    const terrain::GroundMesh& ground_;
     BakeSettings settings_;
     int threads_;
-    Report report_; ///< of the input
-    terrain::SurfaceFeatures features_;
+    Ground ground_;
     BakePlan plan_;
-    double margin_ = 0.0; ///< [m] of a tile
-    std::optional<CellTriangles> triangles_;
-    std::set<CellNumber> bearing_; ///< all cells that may have blades
-    terrain::GroundMesh part_;     ///< around the cells that were baked last
     std::map<CellNumber, CellTree> cells_;
     bool hasReused_ = false;
 };

@@ -138,6 +138,61 @@ class Edit(CliTest):
         self.assertIn("other options", other.ready["warnings"][-1])
         self.assertEqual(other.end(), 0)
 
+    def heights(self, name, hill):
+        """A heightmap of 65 x 65 samples, 2 m apart, with a hill of 6 m in one corner, or without."""
+        rows = [[4000 + (hill and max(0, 6553 - 800 * ((x - 8) ** 2 + (y - 8) ** 2))) for x in range(65)]
+                for y in range(65)]
+        (self.folder / name).write_bytes(b"".join(struct.pack("<65H", *row) for row in rows))
+
+    MAP = ("--size", "65x65", "--extent", "130", "130", "--height", "0:60", "--density", "3", "-q")
+
+    def test_changed_ground_is_baked_again_where_it_differs(self):
+        self.heights("map.r16", False)
+        one = stroke("height", (-45, 3.66, -45), (40, 3.66, 40), factor=2)
+        del one["normals"]
+        session = self.session("map.r16", *self.MAP)
+        session.paint(0, one)
+        same = session.ask({"id": 1, "do": "ground"})
+        self.assertEqual((same["id"], same["delta"], same["cells"]), (1, None, 0))
+        self.heights("map.r16", True)
+        answer = session.ask({"id": 2, "do": "ground"})
+        self.assertEqual((answer["strokes"], answer["warnings"], answer["origin"]),
+                         (1, [], session.ready["origin"]))
+        cells = cells_of(answer["delta"])
+        self.assertEqual(len(cells), answer["cells"])
+        self.assertLess(answer["cells"], session.ready["cells"])
+        session.ask({"id": 3, "do": "save", "path": "hill.sward"})
+        strokes = self.write_json("wanted.json", {"format": "sward strokes 1", "strokes": [one]})
+        wanted = self.bake("map.r16", *self.MAP, "--paint", strokes.name, to="wanted.sward")
+        self.assertEqual(digest(self.folder / "hill.sward"), digest(wanted))
+        # What cannot replace the ground leaves it as it was.
+        (self.folder / "map.r16").write_bytes(b"")
+        broken = session.ask({"id": 4, "do": "ground"})
+        self.assertEqual((broken["id"], broken["error"]), (4, "input"))
+        self.assertIn("map.r16", broken["message"])
+        (self.folder / "map.r16").unlink()
+        self.assertEqual(session.ask({"id": 5, "do": "ground"})["error"], "io")
+        self.assertEqual(session.ask({"id": 6, "do": "ground", "path": "x"})["error"], "usage")
+        session.ask({"id": 7, "do": "save", "path": "hill.sward", "overwrite": True})
+        self.assertEqual(digest(self.folder / "hill.sward"), digest(wanted))
+        self.assertEqual(session.end(), 0)
+
+    def test_ground_of_other_triangles_or_with_too_many_blades_is_refused(self):
+        ground = self.ground()
+        session = self.session(ground, "--density", "3", "--max-blades", "70000", "--meadow", "grass", "-q")
+        before = session.ready["blades"]
+        for size, names in (([160, 131], ["2560", "2640"]), ([160, 200], ["--max-blades 70000"])):
+            cells = [40, 33] if size[1] == 131 else [40, 32]
+            self.write_json("ground.json", {"kind": "plane", "size": size, "cells": cells})
+            answer = session.ask({"id": 1, "do": "ground"})
+            self.assertEqual(answer.get("error"), "input", answer)
+            for name in names:
+                self.assertIn(name, answer["message"])
+        self.assertEqual(session.paint(0)["total"], before)
+        self.ground()
+        self.assertEqual(session.ask({"id": 2, "do": "ground"})["cells"], 0)
+        self.assertEqual(session.end(), 0)
+
     def test_a_request_that_fails_changes_nothing(self):
         session = self.session("plane", "--density", "30", "--meadow", "grass", "--max-blades", "15000", "-q")
         before = session.paint(0, stroke("erase", (0, 0, 0)))

@@ -93,7 +93,8 @@ protected:
 /// Whether rounding may change the result: a blade within `margin` of a threshold (relative, or
 /// metres for a plane). The device uses the same formulas in the same precision; 1e-5 is about
 /// fifty times its rounding over ten metres.
-bool isClose(const shared::Frame& frame, const shared::Blade& blade, shared::BladeState state, const shared::Verdict& verdict)
+bool isClose(const shared::Frame& frame, const shared::Blade& blade, shared::BladeState state,
+             const shared::Verdict& verdict)
 {
     constexpr float margin = 1e-5f;
     const shared::PosedBlade posed = shared::posedBlade(blade, state);
@@ -141,9 +142,9 @@ TEST_F(CullingTest, CullsAsTheCpuDoesSaveWhereRoundingDecides)
             for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
                 const std::size_t index = cell.firstBlade + i;
                 const shared::Blade drawn = shared::raised(blade(index), limit.height);
-                const shared::Verdict verdict = shared::cullBlade(
-                    view, limit, shared::posedBlade(drawn, states_[index]),
-                    shared::bladeRank(cell, i));
+                const shared::Verdict verdict =
+                    shared::cullBlade(view, limit, shared::posedBlade(drawn, states_[index]),
+                                      shared::bladeRank(cell, i));
                 const std::uint32_t expected =
                     culled ? shared::cullResultPatch : verdict.cullResult;
                 ++tested;

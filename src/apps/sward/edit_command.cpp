@@ -84,8 +84,12 @@ public:
         std::optional<TemporaryFolder> own;
         const fs::path deltas =
             deltas_.empty() ? own.emplace("sward-edit").path() : fs::absolute(deltas_);
+        const auto load = [&](Diagnostics& warnings) {
+            BakeRequest again = request;
+            return loadGround(again, warnings);
+        };
         EditRequests requests(session, speciesNames(request.settings), deltas, request.sources(),
-                              request.settings.maxBlades);
+                              request.settings.maxBlades, load);
         tellReady(session, ground, request, diagnostics);
 
         LineInput input(STDIN_FILENO, longestRequest);

@@ -6,7 +6,6 @@
 #include "core/error.h"
 #include "core/json_text.h"
 #include "core/settings_json.h"
-#include "core/stopwatch.h"
 #include "field/delta.h"
 #include "field/write.h"
 
@@ -79,12 +78,13 @@ bool switchOf(const json& request, const char* key)
 
 EditRequests::EditRequests(bake::Session& session, std::vector<std::string> species,
                            std::filesystem::path deltas, std::vector<std::string> sources,
-                           std::uint64_t maxBlades)
+                           std::uint64_t maxBlades, LoadGround load)
     : session_(session)
     , species_(std::move(species))
     , deltas_(std::move(deltas))
     , sources_(std::move(sources))
     , maxBlades_(std::max(maxBlades, session.bladeCount()))
+    , load_(std::move(load))
 {
 }
 
@@ -115,29 +115,20 @@ bake::Strokes EditRequests::strokesOf(const json& request) const
     return strokes;
 }
 
-json EditRequests::paint(const json& request, Progress& progress)
+// Writes the delta of a change and tells about both.
+json EditRequests::answerOf(const bake::Session::Change& change, Stopwatch& watch)
 {
-    requireKeys(request, {"id", "do", "keep", "strokes"});
-    Stopwatch watch;
-    bake::Strokes before = session_.strokes();
-    const bake::Session::Change change = session_.apply(strokesOf(request), progress);
     const std::uint64_t total = session_.bladeCount();
+    if (total > maxBlades_)
+        fail(ErrorKind::input, "{} blades after the change, more than --max-blades {}", total,
+             maxBlades_);
     json delta;
-    try {
-        if (total > maxBlades_)
-            fail(ErrorKind::input, "{} blades with strokes, more than --max-blades {}", total,
-                 maxBlades_);
-        if (!change.cells.empty()) {
-            const std::filesystem::path path =
-                deltas_ / fmt::format("{}.swdelta", deltaNumber_ + 1);
-            field::writeDelta(path, session_.deltaOf(change.cells));
-            ++deltaNumber_;
-            written_.push_back(path);
-            delta = path.string();
-        }
-    } catch (const Error&) {
-        session_.apply(std::move(before), progress);
-        throw;
+    if (!change.cells.empty()) {
+        const std::filesystem::path path = deltas_ / fmt::format("{}.swdelta", deltaNumber_ + 1);
+        field::writeDelta(path, session_.deltaOf(change.cells));
+        ++deltaNumber_;
+        written_.push_back(path);
+        delta = path.string();
     }
     return {{"delta", delta},
             {"cells", change.cells.size()},
@@ -145,6 +136,41 @@ json EditRequests::paint(const json& request, Progress& progress)
             {"total", total},
             {"strokes", session_.strokes().list.size()},
             {"seconds", watch.lap()}};
+}
+
+json EditRequests::paint(const json& request, Progress& progress)
+{
+    requireKeys(request, {"id", "do", "keep", "strokes"});
+    Stopwatch watch;
+    bake::Strokes before = session_.strokes();
+    const bake::Session::Change change = session_.apply(strokesOf(request), progress);
+    try {
+        return answerOf(change, watch);
+    } catch (const Error&) {
+        session_.apply(std::move(before), progress);
+        throw;
+    }
+}
+
+json EditRequests::replaceGround(const json& request, Progress& progress)
+{
+    requireKeys(request, {"id", "do"});
+    Stopwatch watch;
+    Diagnostics diagnostics;
+    auto next = std::make_unique<const terrain::GroundMesh>(load_(diagnostics));
+    const terrain::GroundMesh& before = session_.ground();
+    const bake::Session::Change change = session_.replaceGround(*next, progress);
+    json answer;
+    try {
+        answer = answerOf(change, watch);
+    } catch (const Error&) {
+        session_.replaceGround(before, progress);
+        throw;
+    }
+    ground_ = std::move(next);
+    answer["origin"] = {ground_->origin.x, ground_->origin.y, ground_->origin.z};
+    answer["warnings"] = diagnostics.warnings();
+    return answer;
 }
 
 json EditRequests::save(const json& request)
@@ -173,12 +199,15 @@ json EditRequests::carryOut(const json& request, Progress& progress)
     const std::string wish = textOf(request, "do");
     if (wish == "paint")
         return paint(request, progress);
+    if (wish == "ground")
+        return replaceGround(request, progress);
     if (wish == "save")
         return save(request);
     if (wish == "save_strokes")
         return saveStrokes(request);
     if (wish != "quit")
-        fail(ErrorKind::usage, "{}: do: is \"{}\"; known are paint, save, save_strokes and quit",
+        fail(ErrorKind::usage,
+             "{}: do: is \"{}\"; known are paint, ground, save, save_strokes and quit",
              requestPlace, wish);
     requireKeys(request, {"id", "do"});
     hasEnded_ = true;

@@ -1,12 +1,17 @@
 #pragma once
 
 #include "bake/session.h"
+#include "core/diagnostics.h"
 #include "core/progress.h"
+#include "core/stopwatch.h"
+#include "terrain/ground_mesh.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,11 +23,14 @@ inline constexpr std::size_t longestRequest = std::size_t(64) << 20;
 /// Answers the requests of `sward edit`, see docs/editing.md. Include from .cpp files only.
 class EditRequests {
 public:
+    using LoadGround = std::function<terrain::GroundMesh(Diagnostics& diagnostics)>;
+
     /// `deltas` is an existing folder. `sources`: files of the ground, which no output replaces.
-    /// `maxBlades`: bound of the field's blades, unless there are more already.
+    /// `maxBlades`: bound of the field's blades, unless there are more already. `load` reads the
+    /// ground again from its files.
     EditRequests(bake::Session& session, std::vector<std::string> species,
                  std::filesystem::path deltas, std::vector<std::string> sources,
-                 std::uint64_t maxBlades);
+                 std::uint64_t maxBlades, LoadGround load);
     EditRequests(const EditRequests&) = delete;
     EditRequests& operator=(const EditRequests&) = delete;
     ~EditRequests(); ///< deletes its deltas
@@ -38,6 +46,8 @@ public:
 
 private:
     nlohmann::json paint(const nlohmann::json& request, Progress& progress);
+    nlohmann::json replaceGround(const nlohmann::json& request, Progress& progress);
+    nlohmann::json answerOf(const bake::Session::Change& change, Stopwatch& watch);
     nlohmann::json save(const nlohmann::json& request);
     nlohmann::json saveStrokes(const nlohmann::json& request);
     nlohmann::json carryOut(const nlohmann::json& request, Progress& progress);
@@ -48,6 +58,8 @@ private:
     std::filesystem::path deltas_;
     std::vector<std::string> sources_;
     std::uint64_t maxBlades_;
+    LoadGround load_;
+    std::unique_ptr<const terrain::GroundMesh> ground_; ///< that replaced the session's first one
     std::uint64_t deltaNumber_ = 0;
     std::vector<std::filesystem::path> written_;
     bool hasEnded_ = false;

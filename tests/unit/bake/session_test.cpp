@@ -1,17 +1,24 @@
+#include "bake/patches/patch_tree.h"
 #include "bake/session.h"
+#include "bake/whole_bake.h"
 #include "core/error.h"
 #include "core/random.h"
 #include "support/meshes.h"
 #include "terrain/load.h"
+#include "terrain/procedural/landforms.h"
+#include "terrain/topology/topology.h"
 #include "unit/bake/bake_settings.h"
 #include "unit/bake/strokes.h"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <map>
+#include <utility>
 
 namespace sward::bake {
 namespace {
@@ -67,6 +74,7 @@ struct Case {
     terrain::GroundMesh ground;
     Spread spread = Spread::uniform;
     bool counts = false;
+    double density = 1.5;
 };
 
 std::vector<Case> grounds()
@@ -77,11 +85,38 @@ std::vector<Case> grounds()
     cases.push_back({"sphere", meshes::sphere(48, 22.0)});
     cases.push_back({"counted", meshes::hills(120.0, 50), Spread::uniform, true});
     cases.push_back({"disks", meshes::hills(100.0, 40), Spread::poisson});
+    cases.push_back({"arch", terrain::makeArch(), Spread::uniform, false, 12.0});
+    cases.push_back({"landscape",
+                     terrain::load(SWARD_ASSETS "/meshes/landscape.glb", {}, diagnostics),
+                     Spread::uniform, false, 4.0});
     cases.push_back({"wall", meshes::grid(30, 90.0)});
     append(cases.back().ground, meshes::moved(meshes::cube(20.0), {10.0, 5.0, 30.0}));
     std::fill(cases.back().ground.bears.end() - 12, cases.back().ground.bears.end(),
               std::uint8_t(0));
     return cases;
+}
+
+// The bake in tiles of about two thousand blades.
+field::Field bakedInTiles(const terrain::GroundMesh& ground, const BakeSettings& settings)
+{
+    field::Field field;
+    std::vector<CellTree> cells;
+    std::size_t tiles = 0;
+    CellTakers takers;
+    takers.begin = [](bool inTiles) { EXPECT_TRUE(inTiles); };
+    takers.take = [&](TileResult&& tile) {
+        ++tiles;
+        std::move(tile.cells.begin(), tile.cells.end(), std::back_inserter(cells));
+    };
+    takers.finish = [&](field::Field&& bare) {
+        field = std::move(bare);
+        joinCells(std::move(cells), field);
+    };
+    Diagnostics diagnostics;
+    Progress progress;
+    bakeWhole(ground, settings, 2, {0.0, 2'000.0}, takers, diagnostics, progress);
+    EXPECT_GT(tiles, 1U);
+    return field;
 }
 
 // Strokes, undone and done again, in random order: the field is that of a whole bake.
@@ -91,7 +126,7 @@ TEST(Session, IsAlwaysAWholeBakeOfItsStrokes)
     const int sequences = wish != nullptr ? std::atoi(wish) : 1;
     for (const Case& one : grounds()) {
         SCOPED_TRACE(one.name);
-        BakeSettings settings = sessionSettings(1.5);
+        BakeSettings settings = sessionSettings(one.density);
         settings.spread = one.spread;
         if (one.counts) {
             settings.density.reset();
@@ -131,8 +166,9 @@ TEST(Session, IsAlwaysAWholeBakeOfItsStrokes)
             }
             settings.strokes = done;
             const field::Field field = session.field();
-            for (const int threads : {1, 7})
+            for (const int threads : {1, 2, 7})
                 expectSameField(field, tests::paintedField(one.ground, settings, threads).field);
+            expectSameField(field, bakedInTiles(one.ground, settings));
         }
         // Ground of few cells is soon all of it reached.
         EXPECT_TRUE(all <= 15 || double(cells) < 0.7 * double(all * changes)) << cells;
@@ -212,6 +248,125 @@ TEST(Session, GoesOnFromABakedField)
     settings.strokes.list.pop_back();
     EXPECT_FALSE(Session(ground, settings, 2, diagnostics, progress, &without).hasReused());
     EXPECT_EQ(diagnostics.warnings().size(), 2U);
+}
+
+// The ground with its vertices within 12 m of one of them moved along their normals, up to 2 m in
+// the middle, and with normals that fit.
+terrain::GroundMesh sculpted(const terrain::GroundMesh& ground, std::size_t middle)
+{
+    terrain::GroundMesh next = ground;
+    for (std::size_t v = 0; v < next.positions.size(); ++v) {
+        const float near =
+            1.0f - glm::length(ground.positions[v] - ground.positions[middle]) / 12.0f;
+        if (near > 0.0f)
+            next.positions[v] += 2.0f * near * near * ground.normals[v];
+    }
+    const std::vector<glm::vec3> normals = next.normals;
+    terrain::computeNormals(next, terrain::analyse(next));
+    for (std::size_t v = 0; v < normals.size(); ++v) // some may be doubled, at creases
+        if (glm::length(ground.positions[v] - ground.positions[middle]) > 25.0f)
+            next.normals[v] = normals[v];
+    return next;
+}
+
+void expectCellsOutside(const std::map<CellNumber, CellTree>& before, const Session& session,
+                        const Session::Change& change)
+{
+    for (const auto& [number, cell] : session.cells()) {
+        if (std::binary_search(change.cells.begin(), change.cells.end(), number))
+            continue;
+        ASSERT_EQ(before.count(number), 1U);
+        EXPECT_TRUE(areSameBytes(before.at(number).blades, cell.blades));
+    }
+}
+
+// Sculpted ground is baked as if it had been so from the beginning, and only near what was moved.
+TEST(Session, BakesReplacedGroundAgainWhereItDiffers)
+{
+    for (const Case& one : grounds()) {
+        if (one.counts)
+            continue; // the count of other ground is another plan
+        SCOPED_TRACE(one.name);
+        BakeSettings settings = sessionSettings(one.density);
+        settings.spread = one.spread;
+        settings.exposureRays = one.ground.bears.back() == 0 ? 2 : 0;
+        settings.border = {1.0, 1000.0, 0.5};
+        settings.meadow.edges.pathReach = 2.0;
+        settings.strokes.list = {randomStroke(one.ground, 3), randomStroke(one.ground, 4)};
+        Diagnostics diagnostics;
+        Progress progress;
+        Session session(one.ground, settings, 2, diagnostics, progress);
+        const auto before = session.cells();
+        const field::Field first = session.field();
+        const terrain::GroundMesh next = sculpted(one.ground, one.ground.positions.size() / 3);
+        ASSERT_EQ(next.origin, one.ground.origin);
+        const Session::Change change = session.replaceGround(next, progress);
+        expectSameField(session.field(), tests::paintedField(next, settings).field);
+        EXPECT_GT(change.cells.size(), 0U);
+        expectCellsOutside(before, session, change);
+        // Strokes lie on the new ground from then on.
+        BakeSettings more = settings;
+        more.strokes.list.push_back(randomStroke(next, 5));
+        session.apply(more.strokes, progress);
+        expectSameField(session.field(), tests::paintedField(next, more, 7).field);
+        session.apply(settings.strokes, progress);
+        // The same cells change back.
+        EXPECT_EQ(session.replaceGround(one.ground, progress).cells, change.cells);
+        expectSameField(session.field(), first);
+        EXPECT_TRUE(session.replaceGround(one.ground, progress).cells.empty());
+    }
+}
+
+TEST(Session, LeavesCellsFarFromSculptedGroundAlone)
+{
+    const terrain::GroundMesh ground = meshes::hills(400.0, 120);
+    const BakeSettings settings = sessionSettings(0.3);
+    Diagnostics diagnostics;
+    Progress progress;
+    Session session(ground, settings, 2, diagnostics, progress);
+    const std::size_t all = session.cells().size();
+    const terrain::GroundMesh next = sculpted(ground, ground.positions.size() / 3);
+    const Session::Change change = session.replaceGround(next, progress);
+    EXPECT_LT(change.cells.size(), all / 4) << all;
+    expectSameField(session.field(), tests::paintedField(next, settings).field);
+}
+
+TEST(Session, BakesAllOfReplacedGroundOfAnotherOriginOrMaterial)
+{
+    const terrain::GroundMesh ground = meshes::hills(100.0, 40);
+    const BakeSettings settings = sessionSettings(1.5);
+    Diagnostics diagnostics;
+    Progress progress;
+    Session session(ground, settings, 2, diagnostics, progress);
+    const std::size_t all = session.cells().size();
+    terrain::GroundMesh painted = ground;
+    painted.materials[0].baseColor = {0.2f, 0.1f, 0.05f, 1.0f};
+    EXPECT_GE(session.replaceGround(painted, progress).cells.size(), all);
+    expectSameField(session.field(), tests::paintedField(painted, settings).field);
+    const terrain::GroundMesh elsewhere = meshes::moved(ground, {64.0, 0.0, 0.0});
+    ASSERT_NE(elsewhere.origin, ground.origin);
+    const Session::Change change = session.replaceGround(elsewhere, progress);
+    EXPECT_GT(change.cells.size(), all);
+    EXPECT_EQ(session.deltaOf(change.cells).origin, elsewhere.origin);
+    expectSameField(session.field(), tests::paintedField(elsewhere, settings).field);
+}
+
+TEST(Session, StaysAsItWasWhenGroundDoesNotReplaceIt)
+{
+    const terrain::GroundMesh ground = meshes::hills(100.0, 40);
+    const BakeSettings settings = sessionSettings(1.5);
+    Diagnostics diagnostics;
+    Progress progress;
+    Session session(ground, settings, 2, diagnostics, progress);
+    const field::Field before = session.field();
+    const terrain::GroundMesh finer = meshes::hills(100.0, 41);
+    EXPECT_THROW(session.replaceGround(finer, progress), Error);
+    const terrain::GroundMesh next = sculpted(ground, 800);
+    Progress cancelled;
+    cancelled.cancel();
+    EXPECT_THROW(session.replaceGround(next, cancelled), Error);
+    EXPECT_EQ(&session.ground(), &ground);
+    expectSameField(session.field(), before);
 }
 
 // A receiver that knows only the first field and the deltas has the session's blades.
