@@ -3,6 +3,7 @@
 #include "core/expect.h"
 #include "gpu/check.h"
 #include "gpu/debug.h"
+#include "gpu/shared_objects.h"
 
 #include <algorithm>
 
@@ -13,29 +14,37 @@ ComputePipeline::ComputePipeline(const DeviceContext& context, const ShaderLibra
     : layout_(context, settings.name, VK_SHADER_STAGE_COMPUTE_BIT, settings.pushConstantBytes,
               settings.setLayouts)
 {
-    const ShaderModule module = shaders.module(context, settings.shader);
-    const Specialization specialization(settings.constants);
+    ObjectKey key;
+    key.add(VK_PIPELINE_BIND_POINT_COMPUTE)
+        .add(std::span(settings.setLayouts))
+        .add(settings.pushConstantBytes)
+        .add(std::span<const SpecializationConstant>(settings.constants));
+    shaders.addTo(key, settings.shader);
+    pipeline_ = madeOnce<Pipeline>(context, key, [&](const DeviceContext& owner) {
+        const ShaderModule module = shaders.module(owner, settings.shader);
+        const Specialization specialization(settings.constants);
 
-    VkComputePipelineCreateInfo create{};
-    create.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
-    create.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-    create.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-    create.stage.module = module.get();
-    create.stage.pName = "main";
-    create.stage.pSpecializationInfo = specialization.get();
-    create.layout = layout_.get();
+        VkComputePipelineCreateInfo create{};
+        create.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+        create.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+        create.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+        create.stage.module = module.get();
+        create.stage.pName = "main";
+        create.stage.pSpecializationInfo = specialization.get();
+        create.layout = layout_.get();
 
-    VkPipeline pipeline = VK_NULL_HANDLE;
-    check(context.vk.CreateComputePipelines(context.device, context.pipelineCache, 1, &create,
-                                            context.allocation, &pipeline),
-          "vkCreateComputePipelines");
-    pipeline_ = {context, pipeline};
-    setName(context, pipeline, settings.name);
+        VkPipeline pipeline = VK_NULL_HANDLE;
+        check(owner.vk.CreateComputePipelines(owner.device, owner.pipelineCache, 1, &create,
+                                              owner.allocation, &pipeline),
+              "vkCreateComputePipelines");
+        setName(owner, pipeline, settings.name);
+        return Pipeline(owner, pipeline);
+    });
 }
 
 void ComputePipeline::bind(const Recording& commands) const
 {
-    commands.vk->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_.get());
+    commands.vk->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, get());
 }
 
 VkExtent2D groupGrid(const DeviceContext& context, std::uint64_t groups)

@@ -8,6 +8,7 @@
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,7 @@ public:
     ComputePipeline(const DeviceContext& context, const ShaderLibrary& shaders,
                     const ComputePipelineSettings& settings);
 
-    VkPipeline get() const { return pipeline_.get(); }
+    VkPipeline get() const { return pipeline_ ? pipeline_->get() : VK_NULL_HANDLE; }
     const PipelineLayout& layout() const { return layout_; }
 
     void bind(const Recording& commands) const;
@@ -40,7 +41,7 @@ public:
 
 private:
     PipelineLayout layout_;
-    Pipeline pipeline_;
+    std::shared_ptr<const Pipeline> pipeline_;
 };
 
 /// Work-groups in x and y, together at least `groups`, within the device's limit per dimension (65

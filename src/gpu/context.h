@@ -29,6 +29,8 @@ struct DebugFunctions {
     PFN_vkCmdEndDebugUtilsLabelEXT endLabel = nullptr;        ///< of a pass
 };
 
+class SharedObjects;
+
 /// Everything that passes need of a device. Owns nothing: the handles belong to a Device or to the
 /// host program. Must outlive everything made with it.
 struct DeviceContext {
@@ -59,6 +61,7 @@ struct DeviceContext {
     const VkAllocationCallbacks* allocation = nullptr; ///< the host's, or null
     VkPipelineCache pipelineCache = VK_NULL_HANDLE;    ///< the host's, or null
     HostMemory hostMemory;                             ///< the host's, or no functions
+    SharedObjects* shared = nullptr; ///< of a Device, which makes equal pipelines once, or null
 
     /// Whether the device is a CPU implementation.
     bool isCpu() const { return type == VK_PHYSICAL_DEVICE_TYPE_CPU; }

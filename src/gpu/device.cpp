@@ -73,6 +73,7 @@ Device::Device(const Instance& instance, const DeviceSettings& settings)
     vkGetDeviceQueue(device, report_.queueFamily, 0, &queue);
     context_ = describeDevice(report_.physical, device, report_.queueFamily, queue, enabled,
                               instance.hasDebugUtils());
+    context_.shared = &shared_;
     setName(context_, queue, "queue");
     if (copyFamily) {
         context_.copyQueueFamily = *copyFamily;

@@ -4,6 +4,7 @@
 #include "gpu/device_report.h"
 #include "gpu/handle.h"
 #include "gpu/instance.h"
+#include "gpu/shared_objects.h"
 
 #include <vulkan/vulkan.h>
 
@@ -42,6 +43,7 @@ private:
     DeviceReport report_;
     UniqueRoot<VkDevice, vkDestroyDevice> device_;
     DeviceContext context_;
+    SharedObjects shared_{context_}; ///< so the next field of a window compiles no shader again
 };
 
 } // namespace sward::gpu

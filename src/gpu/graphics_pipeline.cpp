@@ -3,6 +3,7 @@
 #include "core/expect.h"
 #include "gpu/check.h"
 #include "gpu/debug.h"
+#include "gpu/shared_objects.h"
 
 namespace sward::gpu {
 namespace {
@@ -56,14 +57,40 @@ void expectSound(const DeviceContext& context, const GraphicsPipelineSettings& s
            "the device draws lines instead of faces");
 }
 
-} // namespace
-
-GraphicsPipeline::GraphicsPipeline(const DeviceContext& context, const ShaderLibrary& shaders,
-                                   const GraphicsPipelineSettings& settings)
-    : layout_(context, settings.name, VK_SHADER_STAGE_ALL_GRAPHICS, settings.pushConstantBytes,
-              settings.setLayouts)
+ObjectKey keyOf(const GraphicsPipelineSettings& settings, const ShaderLibrary& shaders)
 {
-    expectSound(context, settings);
+    ObjectKey key;
+    key.add(VK_PIPELINE_BIND_POINT_GRAPHICS);
+    for (const std::string* name :
+         {&settings.vertexShader, &settings.tessellationControlShader,
+          &settings.tessellationEvaluationShader, &settings.fragmentShader}) {
+        key.add(name->empty());
+        if (!name->empty())
+            shaders.addTo(key, *name);
+    }
+    key.add(settings.patchControlPoints)
+        .add(settings.topology)
+        .add(settings.pushConstantBytes)
+        .add(std::span(settings.setLayouts))
+        .add(std::span(settings.constants))
+        .add(std::span(settings.colorFormats))
+        .add(settings.depthFormat)
+        .add(settings.stencilFormat)
+        .add(settings.writtenColors)
+        .add(settings.samples)
+        .add(settings.depthTest)
+        .add(settings.depthWrite)
+        .add(settings.depthCompare)
+        .add(settings.cullMode)
+        .add(settings.frontFace)
+        .add(settings.polygonMode)
+        .add(settings.blend);
+    return key;
+}
+
+VkPipeline createPipeline(const DeviceContext& context, const ShaderLibrary& shaders,
+                          const GraphicsPipelineSettings& settings, VkPipelineLayout layout)
+{
     const bool tessellates = settings.patchControlPoints > 0;
     const bool hasDepth = settings.depthFormat != VK_FORMAT_UNDEFINED;
 
@@ -150,19 +177,36 @@ GraphicsPipeline::GraphicsPipeline(const DeviceContext& context, const ShaderLib
     create.pDepthStencilState = &depth;
     create.pColorBlendState = &blend;
     create.pDynamicState = &dynamic;
-    create.layout = layout_.get();
+    create.layout = layout;
 
     VkPipeline pipeline = VK_NULL_HANDLE;
     check(context.vk.CreateGraphicsPipelines(context.device, context.pipelineCache, 1, &create,
                                              context.allocation, &pipeline),
           "vkCreateGraphicsPipelines");
-    pipeline_ = {context, pipeline};
     setName(context, pipeline, settings.name);
+    return pipeline;
+}
+
+} // namespace
+
+GraphicsPipeline::GraphicsPipeline(const DeviceContext& context, const ShaderLibrary& shaders,
+                                   const GraphicsPipelineSettings& settings)
+    : layout_(context, settings.name, VK_SHADER_STAGE_ALL_GRAPHICS, settings.pushConstantBytes,
+              settings.setLayouts)
+{
+    expectSound(context, settings);
+    const auto make = [&](const DeviceContext& owner) {
+        return Pipeline(owner, createPipeline(owner, shaders, settings, layout_.get()));
+    };
+    // The handle of a host's render pass does not tell what it is.
+    pipeline_ = settings.renderPass == VK_NULL_HANDLE
+                    ? madeOnce<Pipeline>(context, keyOf(settings, shaders), make)
+                    : std::make_shared<const Pipeline>(make(context));
 }
 
 void GraphicsPipeline::bind(const Recording& commands) const
 {
-    commands.vk->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
+    commands.vk->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, get());
 }
 
 } // namespace sward::gpu

@@ -8,6 +8,7 @@
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -61,7 +62,8 @@ public:
     GraphicsPipeline(const DeviceContext& context, const ShaderLibrary& shaders,
                      const GraphicsPipelineSettings& settings);
 
-    VkPipeline get() const { return pipeline_.get(); }       ///< the handle
+    /// The handle; null if default-constructed.
+    VkPipeline get() const { return pipeline_ ? pipeline_->get() : VK_NULL_HANDLE; }
     const PipelineLayout& layout() const { return layout_; } ///< of all its shaders
 
     void bind(const Recording& commands) const; ///< for the draws recorded next
@@ -75,7 +77,7 @@ public:
 
 private:
     PipelineLayout layout_;
-    Pipeline pipeline_;
+    std::shared_ptr<const Pipeline> pipeline_;
 };
 
 } // namespace sward::gpu

@@ -36,16 +36,7 @@ ImageSetLayout::ImageSetLayout(const DeviceContext& context, const ImageSetSetti
         bindings.push_back({storageBinding, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, storageCount_,
                             settings.stages, nullptr});
 
-    VkDescriptorSetLayoutCreateInfo create{};
-    create.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
-    create.bindingCount = static_cast<std::uint32_t>(bindings.size());
-    create.pBindings = bindings.data();
-    VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-    check(
-        context.vk.CreateDescriptorSetLayout(context.device, &create, context.allocation, &layout),
-        "vkCreateDescriptorSetLayout");
-    layout_ = {context, layout};
-    setName(context, layout, settings.name);
+    layout_ = sharedSetLayout(context, settings.name, bindings);
 }
 
 ImageSet::ImageSet(const DeviceContext& context, const ImageSetLayout& layout,

@@ -4,10 +4,12 @@
 #include "gpu/handle.h"
 #include "gpu/pipeline_layout.h"
 #include "gpu/recording.h"
+#include "gpu/shared_objects.h"
 
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,12 +30,12 @@ public:
     ImageSetLayout() = default;
     ImageSetLayout(const DeviceContext& context, const ImageSetSettings& settings);
 
-    VkDescriptorSetLayout get() const { return layout_.get(); }
+    VkDescriptorSetLayout get() const { return layout_ ? layout_->get() : VK_NULL_HANDLE; }
     std::uint32_t sampledCount() const { return sampledCount_; }
     std::uint32_t storageCount() const { return storageCount_; }
 
 private:
-    Owned<VkDescriptorSetLayout, &DeviceFunctions::DestroyDescriptorSetLayout> layout_;
+    std::shared_ptr<const SetLayout> layout_;
     std::uint32_t sampledCount_ = 0;
     std::uint32_t storageCount_ = 0;
 };

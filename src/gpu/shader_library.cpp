@@ -4,7 +4,9 @@
 #include "core/expect.h"
 #include "gpu/check.h"
 #include "gpu/debug.h"
+#include "gpu/shared_objects.h"
 
+#include <functional>
 #include <string>
 
 namespace sward::gpu {
@@ -33,6 +35,13 @@ std::span<const std::uint32_t> ShaderLibrary::code(std::string_view name) const
         return words;
     }
     fail(ErrorKind::runtime, "there is no shader '{}'; there are{}", fileName, known);
+}
+
+void ShaderLibrary::addTo(ObjectKey& key, std::string_view name) const
+{
+    const auto bytes = std::as_bytes(code(name));
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    key.add(text.size()).add(std::hash<std::string_view>{}(text));
 }
 
 ShaderModule ShaderLibrary::module(const DeviceContext& context, std::string_view name) const

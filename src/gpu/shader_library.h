@@ -14,6 +14,8 @@ namespace sward::gpu {
 
 using ShaderModule = Owned<VkShaderModule, &DeviceFunctions::DestroyShaderModule>;
 
+class ObjectKey;
+
 /// SPIR-V modules by the name of their source: "ground.vert" refers to "ground.vert.spv".
 class ShaderLibrary {
 public:
@@ -26,6 +28,9 @@ public:
     /// The words of a module. Throws Error{runtime} that lists the known names if there is none of
     /// that name, or if it is not SPIR-V.
     std::span<const std::uint32_t> code(std::string_view name) const;
+
+    /// Adds a hash of a module's words. Throws as code() does.
+    void addTo(ObjectKey& key, std::string_view name) const;
 
     ShaderModule module(const DeviceContext& context, std::string_view name) const;
 

@@ -8,18 +8,9 @@ namespace sward::gpu {
 
 UniformSetLayout::UniformSetLayout(const DeviceContext& context, const std::string& name)
 {
-    const VkDescriptorSetLayoutBinding binding{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1,
-                                               VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
-    VkDescriptorSetLayoutCreateInfo create{};
-    create.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
-    create.bindingCount = 1;
-    create.pBindings = &binding;
-    VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-    check(
-        context.vk.CreateDescriptorSetLayout(context.device, &create, context.allocation, &layout),
-        "vkCreateDescriptorSetLayout");
-    layout_ = {context, layout};
-    setName(context, layout, name);
+    layout_ = sharedSetLayout(
+        context, name,
+        {{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr}});
 }
 
 UniformSets::UniformSets(const DeviceContext& context, const UniformSetLayout& layout,

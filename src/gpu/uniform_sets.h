@@ -2,10 +2,12 @@
 
 #include "gpu/context.h"
 #include "gpu/handle.h"
+#include "gpu/shared_objects.h"
 
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,10 +19,10 @@ public:
     UniformSetLayout() = default;
     UniformSetLayout(const DeviceContext& context, const std::string& name);
 
-    VkDescriptorSetLayout get() const { return layout_.get(); }
+    VkDescriptorSetLayout get() const { return layout_ ? layout_->get() : VK_NULL_HANDLE; }
 
 private:
-    Owned<VkDescriptorSetLayout, &DeviceFunctions::DestroyDescriptorSetLayout> layout_;
+    std::shared_ptr<const SetLayout> layout_;
 };
 
 /// Alignment of uniform buffers [bytes] that every device accepts.

@@ -9,7 +9,7 @@ import subprocess
 import unittest
 from pathlib import Path
 
-from support import CliTest, INTERRUPTED, IO, PROGRAM, USAGE, digest
+from support import CliTest, INPUT, INTERRUPTED, IO, PROGRAM, USAGE, digest
 
 HEADER = struct.Struct("<8sQQ3dQ")
 CELL = struct.Struct("<3q2Q")
@@ -132,6 +132,14 @@ class Edit(CliTest):
         self.assertEqual(digest(self.folder / "painted.sward"), self.painted(ground, [one], "wanted.sward"))
         self.assertEqual(session.end(), 0)
         self.assertEqual([name for name in self.files() if name.endswith(".swdelta")], [])
+        # The field tells the options of its bake.
+        taken = self.session(ground, "--field", "painted.sward", "--as-baked", "--paint", "wanted.json", "-q")
+        self.assertEqual((taken.ready["reused"], taken.ready["warnings"], taken.ready["strokes"]), (True, [], 1))
+        self.assertEqual(taken.end(), 0)
+        self.refused("edit", ground, "--field", "painted.sward", "--as-baked", code=INPUT, names=["--paint"])
+        self.refused("edit", ground, "--as-baked", code=USAGE, names=["--field"])
+        self.refused("edit", ground, "--field", field, "--as-baked", "--density", "3", code=USAGE,
+                     names=["--as-baked", "--density"])
         # Other options than those of the field.
         other = self.session(ground, "--density", "4", "--field", field, "-q")
         self.assertFalse(other.ready["reused"])

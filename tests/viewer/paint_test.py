@@ -20,7 +20,8 @@ VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
 
 GROUND = "hills"
 COUNT = 60000
-BAKE = ["--meadow", "grass", "--count", str(COUNT)]
+# Options that the panel Meadow does not have are taken from the field.
+BAKE = ["--meadow", "grass", "--count", str(COUNT), "--blade-scale", "1.02", "--sky-rays", "4"]
 LEFT, RIGHT, LOW = (560, 420), (760, 420), 470  # places of the picture beside the panel
 
 

@@ -1,6 +1,7 @@
 #include "apps/sward/bake_options.h"
 
 #include "apps/common/parse_text.h"
+#include "bake/baked_settings.h"
 #include "bake/paint/stroke_file.h"
 #include "bake/paint_mask.h"
 #include "core/error.h"
@@ -347,6 +348,17 @@ std::vector<std::string> BakeRequest::sources() const
 
 BakeRequest BakeOptions::request() const
 {
+    return requestWith(nullptr, {});
+}
+
+BakeRequest BakeOptions::requestAsBaked(const std::string& provenance,
+                                        const std::string& place) const
+{
+    return requestWith(&provenance, place);
+}
+
+BakeRequest BakeOptions::requestWith(const std::string* provenance, const std::string& place) const
+{
     BakeRequest request = direct_;
     bake::BakeSettings& settings = request.settings;
 
@@ -375,10 +387,15 @@ BakeRequest BakeOptions::request() const
         settings.water = bake::parseSoftMinimum("--above-water", water_);
     for (const std::string& mask : masks_)
         settings.masks.push_back(bake::parseMask(mask));
-    request.import.bareNames = readsBareNames(bareNames_, settings.masks);
     for (const std::string& area : joinMargins(excluded_))
         settings.excluded.push_back(bake::parseExcludedArea(area));
     settings.meadow = bake::withAssignments(bake::loadMeadow(meadow_), assignments_);
+    settings.strokes.file = paint_;
+    if (provenance != nullptr) {
+        settings = bake::bakedSettings(*provenance, settings, place);
+        request.choosesSlope = false;
+    }
+    request.import.bareNames = readsBareNames(bareNames_, settings.masks);
     if (!paint_.empty())
         settings.strokes = paintOf(paint_, settings.meadow);
     bake::validate(settings);

@@ -46,11 +46,16 @@ public:
     /// Error{usage} naming the option, Error{io, input} for a meadow or a mask.
     BakeRequest request() const;
 
+    /// The same for a ground whose field is there: all settings that its provenance holds are taken
+    /// from there (bake::bakedSettings()). `place` names the field.
+    BakeRequest requestAsBaked(const std::string& provenance, const std::string& place) const;
+
     bool printConfig = false;
     bool needsOutput = true; ///< --output, unless --dry-run is there
     LogSwitches log;
 
 private:
+    BakeRequest requestWith(const std::string* provenance, const std::string& place) const;
     void addGround(CLI::App& app);
     void addAmount(CLI::App& app);
     void addPlaces(CLI::App& app);

@@ -19,6 +19,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,13 @@ std::vector<std::string> speciesNames(const bake::BakeSettings& settings)
         names.push_back(species.name);
     return names;
 }
+
+// Options whose values a field holds.
+constexpr const char* settingsInFields[] = {
+    "--density",    "--count",       "--spacing",   "--sampling",   "--budget",    "--blade-scale",
+    "--seed",       "--sides",       "--ground-up", "--slope",      "--altitude",  "--curvature",
+    "--border",     "--above-water", "--sky",       "--min-island", "--clearance", "--sky-rays",
+    "--ray-length", "--meadow",      "--set",       "--align"};
 
 class Edit : public Subcommand {
 public:
@@ -54,6 +62,12 @@ public:
             ->type_name("FIELD.sward")
             ->group("Run");
         app()
+            .add_flag("--as-baked", asBaked_,
+                      "Take density, meadow and all other settings of the bake from --field; "
+                      "images of masks, excluded areas and strokes are still named")
+            ->needs(app().get_option("--field"))
+            ->group("Run");
+        app()
             .add_option("--deltas", deltas_,
                         "Existing folder for files with changes; a temporary one if left out")
             ->type_name("DIR")
@@ -63,13 +77,16 @@ public:
     int run() const override
     {
         options_.log.apply();
-        BakeRequest request = options_.request();
         if (!deltas_.empty() && !fs::is_directory(deltas_))
             fail(ErrorKind::io, "{}: is no folder", deltas_);
         std::optional<field::MappedField> baked;
         std::optional<field::FieldView> view;
         if (!field_.empty())
             view = baked.emplace(field::readField(field_)).view();
+        if (asBaked_)
+            requireNoneOf(settingsInFields);
+        BakeRequest request =
+            asBaked_ ? options_.requestAsBaked(*view->provenance, field_) : options_.request();
 
         Diagnostics diagnostics;
         const terrain::GroundMesh ground = loadGround(request, diagnostics);
@@ -107,6 +124,14 @@ public:
     }
 
 private:
+    // Not CLI11's excludes(): the help of each option would tell it.
+    void requireNoneOf(std::span<const char* const> names) const
+    {
+        for (const char* name : names)
+            if (app().get_option(name)->count() > 0)
+                fail(ErrorKind::usage, "{}: --as-baked takes it from --field", name);
+    }
+
     // The first line: that the session is ready, and what of.
     static void tellReady(const bake::Session& session, const terrain::GroundMesh& ground,
                           const BakeRequest& request, const Diagnostics& diagnostics)
@@ -126,6 +151,7 @@ private:
 
     BakeOptions options_;
     std::string field_;
+    bool asBaked_ = false;
     std::string deltas_;
 };
 

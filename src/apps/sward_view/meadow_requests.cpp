@@ -88,6 +88,13 @@ MeadowRequests requestsOf(const std::string& provenance)
     return requests;
 }
 
+std::vector<std::string> maskArguments(const MeadowRequests& requests)
+{
+    std::vector<std::string> arguments;
+    addEach(arguments, "--mask", requests.masks);
+    return arguments;
+}
+
 std::vector<std::string> bakeArguments(const MeadowRequests& requests)
 {
     std::vector<std::string> arguments{requests.ground};

@@ -24,6 +24,9 @@ struct MeadowRequests {
 /// Converts the requests to arguments of `sward bake`.
 std::vector<std::string> bakeArguments(const MeadowRequests& requests);
 
+/// The arguments of its masks alone.
+std::vector<std::string> maskArguments(const MeadowRequests& requests);
+
 /// Reads a field's requests from the text of its provenance; missing values get their defaults. A
 /// field does not store mask images, changed traits and its mesh, so they stay empty.
 MeadowRequests requestsOf(const std::string& provenance);

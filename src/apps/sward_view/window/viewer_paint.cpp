@@ -137,8 +137,8 @@ void Viewer::followPainter()
         return;
     if (isOther) {
         const auto& warnings = painter.session().ready().warnings;
-        complain(fmt::format("{}: was not baked on {} with these settings{}{}. 'Bake again' in the "
-                             "panel Meadow bakes it so; then it can be painted.",
+        complain(fmt::format("{}: was not baked on {} as that is now{}{}. 'Bake again' in the "
+                             "panel Meadow bakes it; then it can be painted.",
                              loadedField_->field().name, viewerState_.meadow.ground,
                              warnings.empty() ? "" : ": ",
                              warnings.empty() ? "" : warnings.front()));
@@ -194,8 +194,9 @@ void Viewer::startPainting(std::optional<fs::path> strokes)
     if (requests.ground.empty())
         fail(ErrorKind::usage, "{}: its ground is not known; name it in the panel Paint",
              field.name);
-    std::vector<std::string> command{swardProgram("it bakes the strokes").string(), "edit"};
-    for (std::string& argument : bakeArguments(requests))
+    std::vector<std::string> command{swardProgram("it bakes the strokes").string(), "edit",
+                                     requests.ground, "--as-baked"};
+    for (std::string& argument : maskArguments(requests))
         command.push_back(std::move(argument));
     // Strokes that the field was baked with are an input of the session; others come after it.
     const std::string& file = viewerState_.strokesFile;

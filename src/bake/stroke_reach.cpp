@@ -1,4 +1,4 @@
-#include "bake/paint/stroke_reach.h"
+#include "bake/stroke_reach.h"
 
 #include "bake/cells_between.h"
 #include "bake/paint/stroke_grid.h"
