@@ -37,6 +37,19 @@ void expectSameField(const field::Field& a, const field::Field& b)
     EXPECT_EQ(a.provenance, b.provenance);
 }
 
+// A session with all that it needs.
+struct Opened {
+    Opened(const terrain::GroundMesh& ground, const BakeSettings& settings,
+           const field::FieldView* baked = nullptr)
+        : session(ground, settings, 2, diagnostics, progress, baked)
+    {
+    }
+
+    Diagnostics diagnostics;
+    Progress progress;
+    Session session;
+};
+
 BakeSettings sessionSettings(double density)
 {
     BakeSettings settings = tests::plainSettings(density);
@@ -134,9 +147,8 @@ TEST(Session, IsAlwaysAWholeBakeOfItsStrokes)
         }
         if (one.ground.bears.back() == 0)
             settings.exposureRays = 2;
-        Diagnostics diagnostics;
-        Progress progress;
-        Session session(one.ground, settings, 2, diagnostics, progress);
+        Opened opened(one.ground, settings);
+        auto& [diagnostics, progress, session] = opened;
         expectSameField(session.field(), tests::paintedField(one.ground, settings).field);
         const std::size_t all = session.cells().size();
         std::size_t cells = 0;
@@ -180,9 +192,8 @@ TEST(Session, BakesNothingWhereNothingChanges)
     const terrain::GroundMesh ground = meshes::hills(150.0, 60);
     BakeSettings settings = sessionSettings(1.5);
     settings.strokes = tests::laidOn(ground, tests::allKinds());
-    Diagnostics diagnostics;
-    Progress progress;
-    Session session(ground, settings, 2, diagnostics, progress);
+    Opened opened(ground, settings);
+    auto& [diagnostics, progress, session] = opened;
     EXPECT_TRUE(session.apply(settings.strokes, progress).cells.empty());
     Strokes far = settings.strokes;
     far.list.push_back(tests::hardStroke(StrokeKind::erase, {{5000.0, 0.0, 0.0}}, 3.0));
@@ -203,9 +214,8 @@ TEST(Session, StaysAsItWasWhenAChangeIsCancelled)
 {
     const terrain::GroundMesh ground = meshes::hills(100.0, 40);
     const BakeSettings settings = sessionSettings(1.5);
-    Diagnostics diagnostics;
-    Progress progress;
-    Session session(ground, settings, 2, diagnostics, progress);
+    Opened opened(ground, settings);
+    auto& [diagnostics, progress, session] = opened;
     const field::Field before = session.field();
     Strokes strokes;
     strokes.list = {tests::hardStroke(StrokeKind::set, {{0.0, 0.0, 0.0}}, 30.0, 0.2)};
@@ -228,9 +238,8 @@ TEST(Session, GoesOnFromABakedField)
     settings.strokes = tests::laidOn(ground, tests::allKinds());
     const field::Field baked = tests::paintedField(ground, settings).field;
     const field::FieldView view = field::viewOf(baked);
-    Diagnostics diagnostics;
-    Progress progress;
-    Session session(ground, settings, 2, diagnostics, progress, &view);
+    Opened opened(ground, settings, &view);
+    auto& [diagnostics, progress, session] = opened;
     EXPECT_TRUE(session.hasReused());
     EXPECT_TRUE(diagnostics.warnings().empty());
     expectSameField(session.field(), baked);
@@ -293,9 +302,8 @@ TEST(Session, BakesReplacedGroundAgainWhereItDiffers)
         settings.border = {1.0, 1000.0, 0.5};
         settings.meadow.edges.pathReach = 2.0;
         settings.strokes.list = {randomStroke(one.ground, 3), randomStroke(one.ground, 4)};
-        Diagnostics diagnostics;
-        Progress progress;
-        Session session(one.ground, settings, 2, diagnostics, progress);
+        Opened opened(one.ground, settings);
+        auto& [diagnostics, progress, session] = opened;
         const auto before = session.cells();
         const field::Field first = session.field();
         const terrain::GroundMesh next = sculpted(one.ground, one.ground.positions.size() / 3);
@@ -321,9 +329,8 @@ TEST(Session, LeavesCellsFarFromSculptedGroundAlone)
 {
     const terrain::GroundMesh ground = meshes::hills(400.0, 120);
     const BakeSettings settings = sessionSettings(0.3);
-    Diagnostics diagnostics;
-    Progress progress;
-    Session session(ground, settings, 2, diagnostics, progress);
+    Opened opened(ground, settings);
+    auto& [diagnostics, progress, session] = opened;
     const std::size_t all = session.cells().size();
     const terrain::GroundMesh next = sculpted(ground, ground.positions.size() / 3);
     const Session::Change change = session.replaceGround(next, progress);
@@ -335,9 +342,8 @@ TEST(Session, BakesAllOfReplacedGroundOfAnotherOriginOrMaterial)
 {
     const terrain::GroundMesh ground = meshes::hills(100.0, 40);
     const BakeSettings settings = sessionSettings(1.5);
-    Diagnostics diagnostics;
-    Progress progress;
-    Session session(ground, settings, 2, diagnostics, progress);
+    Opened opened(ground, settings);
+    auto& [diagnostics, progress, session] = opened;
     const std::size_t all = session.cells().size();
     terrain::GroundMesh painted = ground;
     painted.materials[0].baseColor = {0.2f, 0.1f, 0.05f, 1.0f};
@@ -355,9 +361,8 @@ TEST(Session, StaysAsItWasWhenGroundDoesNotReplaceIt)
 {
     const terrain::GroundMesh ground = meshes::hills(100.0, 40);
     const BakeSettings settings = sessionSettings(1.5);
-    Diagnostics diagnostics;
-    Progress progress;
-    Session session(ground, settings, 2, diagnostics, progress);
+    Opened opened(ground, settings);
+    auto& [diagnostics, progress, session] = opened;
     const field::Field before = session.field();
     const terrain::GroundMesh finer = meshes::hills(100.0, 41);
     EXPECT_THROW(session.replaceGround(finer, progress), Error);
@@ -374,9 +379,8 @@ TEST(Session, TellsAllThatChangesByDeltas)
 {
     const terrain::GroundMesh ground = meshes::hills(150.0, 60);
     const BakeSettings settings = sessionSettings(1.5);
-    Diagnostics diagnostics;
-    Progress progress;
-    Session session(ground, settings, 2, diagnostics, progress);
+    Opened opened(ground, settings);
+    auto& [diagnostics, progress, session] = opened;
     const auto keysOf = [](const auto& keys) {
         std::vector<std::uint64_t> ids;
         for (const field::BladeKey& key : keys)
