@@ -4,12 +4,15 @@
 #include "core/error.h"
 #include "core/settings_json.h"
 
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
-#include <cstddef>
+#include <array>
+#include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <optional>
+#include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -43,16 +46,21 @@ void readRange(SettingsReader& reader, const char* key, SoftRange& range)
 {
     glm::dvec3 ends(range.low, range.high, range.soft);
     reader.read(key, ends, -anyNumber, anyNumber);
+    if (ends.x > ends.y || ends.z < 0.0)
+        fail(ErrorKind::input, "{}: is no range of a lower end, an upper end and a fade",
+             reader.placeOf(key));
     range = {ends.x, ends.y, ends.z};
 }
 
-template <typename Parse, typename Value>
-void readText(SettingsReader& reader, const char* key, Parse parse, Value& value)
+constexpr std::array<std::string_view, 3> spreads{"uniform", "poisson", "poisson-dense"};
+constexpr std::array<std::string_view, 3> sideNames{"front", "back", "both"};
+
+// `words` in the order of the enumeration.
+template <typename Value>
+void readChoice(SettingsReader& reader, const char* key, std::span<const std::string_view> words,
+                Value& value)
 {
-    std::string text;
-    reader.read(key, text);
-    if (!text.empty())
-        value = parse(text);
+    value = static_cast<Value>(reader.readWord(key, words, static_cast<std::uint32_t>(value)));
 }
 
 void readGroundUp(SettingsReader& reader, GroundUp& up)
@@ -61,8 +69,12 @@ void readGroundUp(SettingsReader& reader, GroundUp& up)
         return;
     const json& child = reader.child("ground_up");
     up.radial = child.is_object();
-    if (!up.radial)
-        return reader.read("ground_up", up.direction, -1.0, 1.0);
+    if (!up.radial) {
+        reader.read("ground_up", up.direction, -1.0, 1.0);
+        if (std::abs(glm::length(up.direction) - 1.0) > 1e-9)
+            fail(ErrorKind::input, "{}: is no unit vector", reader.placeOf("ground_up"));
+        return;
+    }
     SettingsReader centre(child, reader.placeOf("ground_up"));
     centre.read("centre", up.centre, -anyNumber, anyNumber);
     centre.finish();
@@ -72,6 +84,15 @@ void readGroundUp(SettingsReader& reader, GroundUp& up)
 bool hasImage(const std::string& mask)
 {
     return mask.starts_with("texture:");
+}
+
+bool hasImages(const Meadow& meadow)
+{
+    for (const SpeciesTraits& species : meadow.species)
+        for (const Mask& mask : species.habitat.masks)
+            if (hasImage(textOf(mask)))
+                return true;
+    return false;
 }
 
 void readMasks(SettingsReader& reader, const std::string& place, std::vector<Mask>& masks)
@@ -94,14 +115,12 @@ void readMeadow(SettingsReader& reader, const std::string& place, Meadow& meadow
     if (!reader.has("meadow"))
         return;
     Meadow baked = meadowFromJson(reader.child("meadow"), reader.placeOf("meadow"));
-    for (const SpeciesTraits& species : baked.species)
-        for (const Mask& mask : species.habitat.masks)
-            if (hasImage(textOf(mask)))
-                fail(ErrorKind::input,
-                     "{}: its species {} has an image as mask, which a field does not hold: give "
-                     "all options of the bake, without --as-baked",
-                     place, species.name);
-    meadow = std::move(baked);
+    if (!hasImages(baked))
+        meadow = std::move(baked);
+    else if (!hasImages(meadow))
+        fail(ErrorKind::input,
+             "{}: was baked with a meadow whose species have images as masks: name it by --meadow",
+             place);
 }
 
 void requireGiven(SettingsReader& reader, const char* key, bool isGiven, const std::string& place,
@@ -130,8 +149,8 @@ BakeSettings bakedSettings(const std::string& provenance, const BakeSettings& gi
     settings.bladeScale.reset();
     if (reader.has("blade_scale") && reader.child("blade_scale").is_number())
         settings.bladeScale = numberOf(reader, "blade_scale");
-    readText(reader, "sampling", parseSpread, settings.spread);
-    readText(reader, "sides", parseSides, settings.sides);
+    readChoice(reader, "sampling", spreads, settings.spread);
+    readChoice(reader, "sides", sideNames, settings.sides);
     reader.read("align", settings.align.vertical, 0.0, 1.0);
     readGroundUp(reader, settings.groundUp);
     readRange(reader, "slope", settings.slope);

@@ -38,10 +38,10 @@ std::vector<std::string> speciesNames(const bake::BakeSettings& settings)
 
 // Options whose values a field holds.
 constexpr const char* settingsInFields[] = {
-    "--density",    "--count",       "--spacing",   "--sampling",   "--budget",    "--blade-scale",
-    "--seed",       "--sides",       "--ground-up", "--slope",      "--altitude",  "--curvature",
-    "--border",     "--above-water", "--sky",       "--min-island", "--clearance", "--sky-rays",
-    "--ray-length", "--meadow",      "--set",       "--align"};
+    "--density",     "--count",     "--spacing",  "--sampling",    "--budget",
+    "--blade-scale", "--seed",      "--sides",    "--ground-up",   "--slope",
+    "--altitude",    "--curvature", "--border",   "--above-water", "--sky",
+    "--min-island",  "--clearance", "--sky-rays", "--ray-length",  "--align"};
 
 class Edit : public Subcommand {
 public:
@@ -62,9 +62,10 @@ public:
             ->type_name("FIELD.sward")
             ->group("Run");
         app()
-            .add_flag("--as-baked", asBaked_,
-                      "Take density, meadow and all other settings of the bake from --field; "
-                      "images of masks, excluded areas and strokes are still named")
+            .add_flag(
+                "--as-baked", asBaked_,
+                "Take density, meadow and all other settings of the bake from --field; "
+                "images of masks, a meadow with such, excluded areas and strokes are still named")
             ->needs(app().get_option("--field"))
             ->group("Run");
         app()

@@ -88,9 +88,13 @@ MeadowRequests requestsOf(const std::string& provenance)
     return requests;
 }
 
-std::vector<std::string> maskArguments(const MeadowRequests& requests)
+std::vector<std::string> unstoredArguments(const MeadowRequests& requests)
 {
     std::vector<std::string> arguments;
+    if (!requests.meadowFile.empty()) {
+        arguments = {"--meadow", requests.meadowFile};
+        addEach(arguments, "--set", requests.traits);
+    }
     addEach(arguments, "--mask", requests.masks);
     return arguments;
 }

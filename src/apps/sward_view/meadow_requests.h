@@ -24,8 +24,8 @@ struct MeadowRequests {
 /// Converts the requests to arguments of `sward bake`.
 std::vector<std::string> bakeArguments(const MeadowRequests& requests);
 
-/// The arguments of its masks alone.
-std::vector<std::string> maskArguments(const MeadowRequests& requests);
+/// Those that a field may not hold: its masks, and a meadow file, which may have some.
+std::vector<std::string> unstoredArguments(const MeadowRequests& requests);
 
 /// Reads a field's requests from the text of its provenance; missing values get their defaults. A
 /// field does not store mask images, changed traits and its mesh, so they stay empty.

@@ -99,7 +99,10 @@ TEST(BakedSettings, NameWhatAFieldDoesNotHold)
     expectRefused(provenanceOf(settings), "--paint");
     settings = unusual();
     settings.meadow.species[0].habitat.masks = {parseMask("texture:m.png:R")};
-    expectRefused(provenanceOf(settings), "--as-baked");
+    expectRefused(provenanceOf(settings), "--meadow");
+    given.meadow = settings.meadow;
+    EXPECT_EQ(toJson(bakedSettings(provenanceOf(settings), given, "a.sward").meadow),
+              toJson(settings.meadow));
 
     expectRefused("", "JSON");
     expectRefused("[]", "settings");
@@ -108,6 +111,11 @@ TEST(BakedSettings, NameWhatAFieldDoesNotHold)
     expectRefused(R"({"settings": {"count": -1}})", "count");
     expectRefused(R"({"settings": {"density": "x"}})", "density");
     expectRefused(R"({"settings": {"slope": [0, 1]}})", "slope");
+    expectRefused(R"({"settings": {"slope": [2, 1, 0]}})", "slope");
+    expectRefused(R"({"settings": {"sky": [0, 1, -1]}})", "sky");
+    expectRefused(R"({"settings": {"ground_up": [0, 0, 0]}})", "ground_up");
+    expectRefused(R"({"settings": {"sampling": "even"}})", "sampling");
+    expectRefused(R"({"settings": {"sides": 3}})", "sides");
     expectRefused(R"({"settings": {"masks": [7]}})", "masks");
     expectRefused(R"({"settings": {"masks": 7}})", "masks");
     expectRefused(R"({"settings": {"meadow": 7}})", "meadow");

@@ -196,7 +196,7 @@ void Viewer::startPainting(std::optional<fs::path> strokes)
              field.name);
     std::vector<std::string> command{swardProgram("it bakes the strokes").string(), "edit",
                                      requests.ground, "--as-baked"};
-    for (std::string& argument : maskArguments(requests))
+    for (std::string& argument : unstoredArguments(requests))
         command.push_back(std::move(argument));
     // Strokes that the field was baked with are an input of the session; others come after it.
     const std::string& file = viewerState_.strokesFile;
