@@ -258,10 +258,8 @@ void noteThinned(uint slot, uint thread)
 void updateBlade(Eyepoint view, Environment environment, uint slot, uint i, StoredBlade stored)
 {
     const uint movedBefore = taken[slot].movedBefore;
-    const float since =
-        role == onlyCull                                       ? 0.0f
-        : i < movedBefore && stored.state.turn != unsettledTurn ? taken[slot].elapsed
-                                                                : settlingTime;
+    const bool hasState = i < movedBefore && stored.state.turn != unsettledTurn;
+    const float since = role == onlyCull ? 0.0f : hasState ? taken[slot].elapsed : settlingTime;
     if (role == onlyMove && since <= 0.0f)
         return;
     const Patch cell = cellOf(slot);
@@ -274,10 +272,10 @@ void updateBlade(Eyepoint view, Environment environment, uint slot, uint i, Stor
         state.turn = state.turn == unsettledTurn ? 0u : state.turn;
         const uint before = state.turn;
         state = advanceBlade(blade, environment, collidersNear(slot), state, CULL_VIEW.time, since);
-        // A blade that was thinned out before has no earlier state and gets no motion.
+        // A blade that was thinned out before, or is new, has no earlier state and gets no motion.
         if (keepsBefore) {
             UintArray kept = push.before;
-            kept.at[stored.place] = i < movedBefore ? before : state.turn;
+            kept.at[stored.place] = hasState ? before : state.turn;
         }
         CULL_VIEW.states.at[stored.place] = state.turn;
         if (keepsEtas)

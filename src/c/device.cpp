@@ -89,7 +89,8 @@ sward_status sward_resident_create_within(const sward_context* context, const sw
                                 .views = budget->views,
                                 .keepsMotion = budget->keeps_motion,
                                 .framesInFlight = budget->frames_in_flight,
-                                .waitsForDisk = budget->waits_for_disk})};
+                                .waitsForDisk = budget->waits_for_disk,
+                                .isEditable = budget->is_editable})};
     });
 }
 

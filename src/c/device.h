@@ -58,10 +58,12 @@ typedef struct sward_budget {
     uint32_t frames_in_flight; /* at least that of sward_grass_info */
     bool keeps_motion;         /* as in sward_grass_info */
     bool waits_for_disk;       /* false: what is not in the CPU's memory comes in later frames */
+    bool is_editable;          /* for sward_grass_edit(): all must fit, and edits may take more */
 } sward_budget;
 
 /* The same within a budget. If not all fits, blades that the views see come by pages: the field
- * must then outlive the resident field and its instances, and one grass alone draws it. */
+ * must then outlive the resident field and its instances. One grass alone draws such a field, or
+ * an editable one. */
 sward_status sward_resident_create_within(const sward_context* context, const sward_field* field,
                                           const sward_budget* budget, sward_resident** resident);
 bool sward_resident_is_streamed(const sward_resident* resident);

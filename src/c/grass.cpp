@@ -1,5 +1,6 @@
 #include "c/guard.h"
 #include "c/handles.h"
+#include "field/delta.h"
 #include "render/host_checks.h"
 
 #include <glm/geometric.hpp>
@@ -171,6 +172,18 @@ sward_status sward_grass_move(sward_grass* grass, sward_instance instance,
 sward_status sward_grass_remove(sward_grass* grass, sward_instance instance)
 {
     return guarded([&] { checked(grass, "grass")->grass.remove(render::InstanceId(instance)); });
+}
+
+sward_status sward_grass_edit(sward_grass* grass, sward_resident* resident,
+                              const sward_field* field, const char* delta)
+{
+    return guarded([&] {
+        checked(grass, "grass");
+        checked(resident, "resident");
+        checked(field, "field");
+        checked(delta, "delta");
+        grass->grass.edit(*resident->field, field::readDelta(delta, field->mapped.view().species));
+    });
 }
 
 sward_status sward_grass_begin(sward_grass* grass, uint32_t slot, const sward_frame* frame)

@@ -78,6 +78,12 @@ sward_status sward_grass_move(sward_grass* grass, sward_instance instance,
                               const sward_placement* placement);
 sward_status sward_grass_remove(sward_grass* grass, sward_instance instance);
 
+/* Replaces 32 m cells of an editable field in all its instances, from the next frame on. `delta` is
+ * a file of `sward edit`; `field` is what `resident` was made of. SWARD_ERROR_IO, _INPUT (damaged,
+ * another field), _USAGE (not editable, of another grass), _UNSUPPORTED (too many blades). */
+sward_status sward_grass_edit(sward_grass* grass, sward_resident* resident,
+                              const sward_field* field, const char* delta);
+
 /* Begins a frame in a slot whose former commands have completed. Records nothing. */
 sward_status sward_grass_begin(sward_grass* grass, uint32_t slot, const sward_frame* frame);
 

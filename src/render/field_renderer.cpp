@@ -98,10 +98,11 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
 {
     if (raster)
         expectNumbers(context, field.blades.size(), ground.triangleCount());
-    if (edited)
+    if (edited) {
         blades.expectEdits(shaders, std::move(edited), cover, wanted.framesInFlight);
-    if (raster)
-        raster->expectBlades(blades.buffers().baked().placeCount());
+        if (raster)
+            raster->expectBlades(blades.buffers().baked().placeCount(), blades.replaced());
+    }
     if (plan.records.pages > 0)
         streaming.emplace(context, shaders, field, blades.buffers().baked(), plan.streaming);
     const gpu::UniformSetLayout frameLayout(context, "frame");

@@ -82,6 +82,14 @@ void Grass::remove(InstanceId id)
     parts_->placed.erase(found);
 }
 
+void Grass::edit(ResidentField& field, const field::Delta& delta)
+{
+    ResidentField::Parts& edited = field.parts();
+    parts_->take(edited);
+    requireUsage(edited.edits != nullptr, "FieldBudget::isEditable of the field is not set");
+    edited.edits->apply(delta);
+}
+
 void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
 {
     Parts& parts = *parts_;
@@ -111,6 +119,8 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
     for (const auto& [id, field] : parts.placed) {
         if (!field->isUploaded())
             continue;
+        if (field->edits() != nullptr)
+            field->edits()->begin();
         if (field->blades().bladeCount() > 0)
             parts.instances.push_back(field.get());
         field->write(slot, frame, parts.frame, pyramids);
@@ -154,19 +164,20 @@ PlacedField& Grass::Parts::instance(InstanceId id) const
 }
 
 /// The field is on the same device. A streamed field holds what the views of one Grass see, in
-/// slots of its own.
+/// slots of its own; so does an editable one with the edits that one Grass records.
 void Grass::Parts::take(const ResidentField::Parts& field) const
 {
     requireUsage(field.context.device == context.device,
                  "the field is on another device than the grass");
-    if (field.streaming == nullptr)
+    if (field.streaming == nullptr && field.edits == nullptr)
         return;
+    const char* const kind = field.streaming ? "streamed" : "editable";
     if (field.budget.framesInFlight < settings.framesInFlight)
-        fail(ErrorKind::usage, "the field is streamed for {} frames in flight; the grass has {}",
+        fail(ErrorKind::usage, "the field is {} for {} frames in flight; the grass has {}", kind,
              field.budget.framesInFlight, settings.framesInFlight);
     const std::shared_ptr<const void> other = field.grass.lock();
     if (other && other != owner)
-        fail(ErrorKind::usage, "the field is streamed, and other grass draws it");
+        fail(ErrorKind::usage, "the field is {}, and other grass draws it", kind);
     field.grass = owner;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/delta.h"
 #include "gpu/context.h"
 #include "render/frame_stats.h"
 #include "render/grass_frame.h"
@@ -43,10 +44,20 @@ public:
     ~Grass(); ///< after the commands of the last frame
 
     /// Takes effect in the next frame. Throws Error{runtime} if there is not enough memory, and
-    /// Error{usage} if a streamed field has less frames in flight or is drawn by another Grass.
+    /// Error{usage} if a field that is streamed or editable has less frames in flight or is drawn
+    /// by another Grass.
     InstanceId add(const FieldInstance& instance);
     void move(InstanceId id, const Placement& placement); ///< from the next frame on
     void remove(InstanceId id); ///< frees its memory when its last frame's slot is reused
+
+    /// Replaces 32 m cells of a field in all its instances, from the next frame on that draws it.
+    /// Blades whose key the cell had before keep their state, others appear settled in the wind of
+    /// that frame. Copies the delta; neither submits nor waits. Throws, and changes nothing:
+    /// Error{usage} unless FieldBudget::isEditable, or if another Grass draws the field;
+    /// Error{unsupported} if the field would have too many blades; Error{input} if the delta is
+    /// damaged or of a field with another origin. After Error{runtime}, for lack of memory, the
+    /// field must not be drawn any more.
+    void edit(ResidentField& field, const field::Delta& delta);
 
     /// Begins a frame in `slot`, whose former commands have completed: writes the frame's constants
     /// and creates objects on first use. Records nothing. Throws as add() does; after Error{usage}

@@ -79,10 +79,14 @@ struct Grass::Parts {
     const ViewDrawing& drawing(std::uint32_t view) const;
     PlacedField& instance(InstanceId id) const;
 
+    /// [s] of the last update of a blade that is settled in the wind of the frame.
+    float settledAt() const { return static_cast<float>(time - double(shared::settlingTime)); }
+
     ViewDepth& depthOf(std::uint32_t view) { return depths[slot * settings.maxViews + view]; }
     shared::DepthPyramid lookAtDepth(const HostView& view, ViewDepth& depth);
 
     void take(const ResidentField::Parts& field) const;
+    void recordEdits(const gpu::Recording& commands) const;
 
     /// Calls `use` for each instance that is in the frame.
     template <typename Use>

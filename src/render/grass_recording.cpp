@@ -29,6 +29,24 @@ void Grass::Parts::walkAll(const gpu::Recording& commands, std::uint32_t firstVi
     }
 }
 
+/// Records the edits of each field in the frame, once for all its instances.
+void Grass::Parts::recordEdits(const gpu::Recording& commands) const
+{
+    std::vector<const ResidentEdits*> recorded;
+    forEach([&](const PlacedField& first) {
+        ResidentEdits* const edits = first.edits();
+        if (edits == nullptr || std::ranges::find(recorded, edits) != recorded.end())
+            return;
+        recorded.push_back(edits);
+        std::vector<const BladeStates*> states;
+        forEach([&](const PlacedField& field) {
+            if (field.edits() == edits)
+                states.push_back(&field.states());
+        });
+        edits->record(commands, states, settledAt(), slot);
+    });
+}
+
 void Grass::recordUpdate(VkCommandBuffer buffer)
 {
     Parts& parts = *parts_;
@@ -43,14 +61,15 @@ void Grass::recordUpdate(VkCommandBuffer buffer)
     for (const auto& [id, field] : parts.placed) {
         if (!field->isInFrame(parts.frame))
             continue;
+        field->recordReplaced(commands, parts.slot);
         commands.vk->CmdFillBuffer(commands, field->moved().get(), 0, VK_WHOLE_SIZE, 0);
         for (std::uint32_t view = 0; view < parts.viewCount; ++view)
             field->list(view).clear(commands);
         // Treats every blade as settled: none is still moving from the straight pose of the bake.
         if (field->beginsToMove())
-            field->states().rest(commands,
-                                 static_cast<float>(parts.time - double(shared::settlingTime)));
+            field->states().rest(commands, parts.settledAt());
     }
+    parts.recordEdits(commands);
     gpu::transferToCompute(commands);
     parts.streaming.record(commands, parts.slot, static_cast<float>(parts.time), parts.instances);
     parts.shadowMaps.record(commands);

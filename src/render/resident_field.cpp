@@ -3,10 +3,14 @@
 #include "core/embedded.h"
 #include "core/error.h"
 #include "gpu/shader_library.h"
+#include "render/field/edited_field.h"
 #include "render/resident_parts.h"
 #include "render/streaming/page_budget.h"
 #include "shaders/shared/pages.h"
 #include "shaders/shared/passes.h"
+
+#include <limits>
+#include <utility>
 
 namespace sward::embedded {
 std::span<const EmbeddedFile> shaders();
@@ -45,6 +49,23 @@ Streaming::Settings streamingWithin(const FieldBudget& budget, std::uint64_t pag
     return settings;
 }
 
+/// The tables of a field that is to be edited; else null. `others` as in pagesOf().
+std::unique_ptr<EditedField> editedOf(const field::FieldView& field, const FieldBudget& budget,
+                                      std::uint64_t others)
+{
+    if (!budget.isEditable)
+        return nullptr;
+    auto edited = std::make_unique<EditedField>(field, shared::walkStart,
+                                                std::numeric_limits<std::uint32_t>::max() - 1);
+    const std::uint64_t needed = others + bytesWith(field, budget, edited->bladeRoom());
+    if (budget.bytes > 0 && needed > budget.bytes)
+        fail(ErrorKind::runtime,
+             "the field's {} blades need {} MiB to be edited, and FieldBudget::bytes is {} MiB; a "
+             "field that is streamed cannot be edited",
+             field.blades.size(), (needed >> 20) + 1, budget.bytes >> 20);
+    return edited;
+}
+
 /// Pages of blades that fit; 0: all blades do. `others` [bytes] of the field's other members.
 std::uint32_t pagesOf(const field::FieldView& field, const FieldBudget& budget,
                       std::uint64_t others)
@@ -60,22 +81,37 @@ std::uint32_t pagesOf(const field::FieldView& field, const FieldBudget& budget,
                                }});
 }
 
+BakedBlades bladesOf(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
+                     const field::FieldView& field, const FieldBudget& budget,
+                     const EditedField* edited, std::uint64_t others)
+{
+    if (edited != nullptr)
+        return {context, upload, field, *edited};
+    return {context, upload, field, shared::walkStart, pagesOf(field, budget, others)};
+}
+
 } // namespace
 
 ResidentField::Parts::Parts(const gpu::DeviceContext& deviceContext, const field::FieldView& field,
                             const FieldBudget& wanted)
     : context(contextForField(deviceContext, field, wanted))
     , upload(context)
-    , cover(context, upload, field)
+    , cover(context, upload, field, wanted.isEditable)
     , budget(wanted)
-    , blades(context, upload, field, shared::walkStart, pagesOf(field, wanted, cover.bytes()))
+    , edited(editedOf(field, wanted, cover.bytes()))
+    , blades(bladesOf(context, upload, field, wanted, edited.get(), cover.bytes()))
     , shape{field.origin, field.bounds(), blades.bladeSize()}
     , defaults(*field.defaults)
 {
+    const gpu::ShaderLibrary shaders(embedded::shaders());
     if (blades.isPaged())
         streaming = std::make_unique<Streaming>(
-            context, gpu::ShaderLibrary(embedded::shaders()), field, blades,
+            context, shaders, field, blades,
             streamingWithin(budget, blades.placeCount() / shared::pageBlades));
+    if (edited)
+        edits = std::make_unique<ResidentEdits>(context, shaders, std::move(edited),
+                                                ResidentEdits::Field{blades, cover, shape},
+                                                budget.framesInFlight);
 }
 
 ResidentField::ResidentField(const gpu::DeviceContext& context, const field::FieldView& field,
@@ -127,7 +163,8 @@ const field::Defaults& ResidentField::defaults() const
 VkDeviceSize ResidentField::deviceBytes() const
 {
     return parts_->blades.bytes() + parts_->cover.bytes() +
-           (parts_->streaming ? parts_->streaming->bytes() : 0);
+           (parts_->streaming ? parts_->streaming->bytes() : 0) +
+           (parts_->edits ? parts_->edits->bytes() : 0);
 }
 
 VkDeviceSize ResidentField::stagingBytes() const

@@ -24,6 +24,7 @@ struct FieldBudget {
     bool keepsMotion = false;         ///< … and Grass::Settings::keepsMotion
     std::uint32_t framesInFlight = 2; ///< at least Grass::Settings::framesInFlight
     bool waitsForDisk = false;        ///< false: blades not in CPU memory come in later frames
+    bool isEditable = false;          ///< for Grass::edit(): not streamed; edits may need more
 };
 
 /// A field's blades on a device, shared by all instances. The host's command buffers upload it, at
@@ -32,7 +33,8 @@ class ResidentField {
 public:
     /// Allocates, and copies the field into mapped memory; `field` may be destroyed unless
     /// isStreamed(). Submits nothing. `context` must outlive it. Throws Error{runtime} if memory or
-    /// budget is too small, Error{usage} if a number of the budget is 0.
+    /// budget is too small; Error{usage} if a number of the budget is 0, or if the field has no
+    /// keys and is to be editable.
     ResidentField(const gpu::DeviceContext& context, const field::FieldView& field,
                   const FieldBudget& budget = {});
     ResidentField(const ResidentField&) = delete;
@@ -56,11 +58,12 @@ public:
     glm::dvec3 origin() const;               ///< [m] of places in its content
     Aabb content() const;                    ///< box of everything visible [m]
     const field::Defaults& defaults() const; ///< saved in the field, in its space
-    VkDeviceSize deviceBytes() const;        ///< with the mapped memory of streaming
+    VkDeviceSize deviceBytes() const;        ///< with the mapped memory of streaming and edits
     VkDeviceSize stagingBytes() const;       ///< of the upload
 
     struct Parts;
     const Parts& parts() const { return *parts_; } ///< for Sward's own passes
+    Parts& parts() { return *parts_; }
 
 private:
     std::unique_ptr<Parts> parts_;

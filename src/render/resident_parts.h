@@ -4,6 +4,7 @@
 #include "render/field/baked_blades.h"
 #include "render/field/grass_cover.h"
 #include "render/frame.h"
+#include "render/resident_edits.h"
 #include "render/resident_field.h"
 #include "render/streaming/streaming.h"
 
@@ -20,11 +21,13 @@ struct ResidentField::Parts {
     gpu::StagedUpload upload; ///< declared before its targets
     GrassCover cover;
     FieldBudget budget;
+    std::unique_ptr<EditedField> edited; ///< until `edits` takes it
     BakedBlades blades;
     FieldShape shape;
     field::Defaults defaults;
     std::unique_ptr<Streaming> streaming;    ///< if not all blades are resident
-    mutable std::weak_ptr<const void> grass; ///< what draws a streamed field
+    std::unique_ptr<ResidentEdits> edits;    ///< if it is editable
+    mutable std::weak_ptr<const void> grass; ///< what draws a field that is streamed or editable
 };
 
 } // namespace sward::render

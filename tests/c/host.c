@@ -1,5 +1,5 @@
 /* A host in C: reads a field, draws its grass into a picture of its own, and checks what comes of
- * it. Usage: host FIELD.sward DAMAGED.sward. Prints what is wrong and ends with 1. */
+ * it. Usage: host FIELD.sward DAMAGED.sward CHANGE.swdelta. Prints what is wrong and ends with 1. */
 #include "c/sward.h"
 
 #include <math.h>
@@ -418,6 +418,40 @@ static void stream_field(const sward_context* context, const sward_field* field,
     sward_resident_destroy(resident);
 }
 
+/* Draws the field before and after an edit that makes some of it bare. */
+static void edit_field(const sward_context* context, const sward_field* field, sward_grass* grass,
+                       const sward_target* target, const sward_frame* frame, const char* delta)
+{
+    const sward_budget budget = {
+        .instances = 1, .views = 1, .frames_in_flight = 1, .is_editable = true};
+    sward_resident* fixed = NULL;
+    REQUIRE(sward_resident_create(context, field, &fixed) == SWARD_OK);
+    REQUIRE(sward_grass_edit(grass, fixed, field, delta) == SWARD_ERROR_USAGE);
+    REQUIRE(strstr(sward_last_error(), "isEditable") != NULL);
+    sward_resident_destroy(fixed);
+    sward_resident* resident = NULL;
+    REQUIRE(sward_resident_create_within(context, field, &budget, &resident) == SWARD_OK);
+    VkCommandBuffer commands = begin_commands();
+    sward_resident_record_upload(resident, commands, VK_WHOLE_SIZE);
+    submit_and_wait(commands);
+    const sward_placement place = {.rotation = {0, 0, 0, 1}, .scale = 1.0};
+    sward_instance one = 0;
+    REQUIRE(sward_grass_add(grass, resident, &place, &one) == SWARD_OK);
+    const unsigned covered = draw(grass, target, frame);
+    sward_stats before, after;
+    REQUIRE(sward_grass_get_stats(grass, 0, 0, &before) == SWARD_OK);
+    REQUIRE(sward_grass_edit(grass, resident, field, "/does/not/exist.swdelta") == SWARD_ERROR_IO);
+    REQUIRE(sward_grass_edit(grass, resident, field, NULL) == SWARD_ERROR_USAGE);
+    REQUIRE(sward_grass_edit(grass, resident, field, delta) == SWARD_OK);
+    REQUIRE(draw(grass, target, frame) < covered);
+    REQUIRE(sward_grass_get_stats(grass, 0, 0, &after) == SWARD_OK);
+    REQUIRE(after.resident < before.resident && after.resident > 0);
+    printf("edited: %llu of %llu blades\n", (unsigned long long)after.resident,
+           (unsigned long long)before.resident);
+    REQUIRE(sward_grass_remove(grass, one) == SWARD_OK);
+    sward_resident_destroy(resident);
+}
+
 /* Calls that a host must not make: none aborts, and each leaves a message that names the fault. */
 static void misuse(const sward_context* context, sward_grass* grass, const sward_target* target,
                    const sward_frame* frame)
@@ -472,7 +506,7 @@ static void misuse(const sward_context* context, sward_grass* grass, const sward
     REQUIRE(sward_target_create(context, &nothing, &no_target) == SWARD_ERROR_USAGE);
 }
 
-static void draw_field(const sward_field* field)
+static void draw_field(const sward_field* field, const char* delta)
 {
     sward_features* features = make_device();
     const sward_context_info context_info = {.instance = instance,
@@ -563,6 +597,7 @@ static void draw_field(const sward_field* field)
     REQUIRE(sward_grass_remove(grass, one) == SWARD_ERROR_USAGE);
     REQUIRE(draw(grass, target, &frame) == 0);
 
+    edit_field(context, field, grass, target, &frame, delta);
     stream_field(context, field, grass, target, &frame);
 
     sward_grass_destroy(grass);
@@ -578,10 +613,10 @@ static void draw_field(const sward_field* field)
 
 int main(int argc, char** argv)
 {
-    REQUIRE(argc == 3);
+    REQUIRE(argc == 4);
     REQUIRE(strcmp(sward_last_error(), "") == 0);
     sward_field* field = read_field(argv[1], argv[2]);
-    draw_field(field);
+    draw_field(field, argv[3]);
     sward_field_destroy(field);
     sward_field_destroy(NULL);
     return 0;

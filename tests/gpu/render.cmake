@@ -18,8 +18,8 @@ add_dependencies(sward_render_tests sward_render_test_shaders)
 
 # A running field that is edited.
 sward_add_tests(sward_edit_tests LABEL gpu
-  SOURCES edit_test.cpp picture.cpp
-  USES sward::render sward_gpu_test_support sward_field_test_support
+  SOURCES edit_test.cpp picture.cpp grass_edit_test.cpp host_paints_test.cpp host_picture.cpp
+  USES sward::bake sward::render sward_gpu_test_support sward_field_test_support sward_test_support
   ENVIRONMENT ${SWARD_GPU_ENVIRONMENT})
 
 add_executable(sward_edit_bench edit_bench.cpp)

@@ -97,10 +97,9 @@ FieldBuffers::FieldBuffers(const gpu::DeviceContext& context, gpu::BufferUpload&
         cullResults_ = cullResultsOf(context, baked_);
 }
 
-OutgrownBuffers FieldBuffers::update(const gpu::DeviceContext& context, const EditedField& edited,
-                                     const field::Delta& delta)
+void FieldBuffers::update(const gpu::DeviceContext& context, const EditedField& edited,
+                          const field::Delta& delta, OutgrownBuffers& outgrown)
 {
-    OutgrownBuffers outgrown;
     baked_.update(context, edited, outgrown);
     states_.update(context, baked_, outgrown);
     list_.update(context, baked_, outgrown);
@@ -110,7 +109,6 @@ OutgrownBuffers FieldBuffers::update(const gpu::DeviceContext& context, const Ed
         baked_.placeCount() * sizeof(std::uint32_t) > cullResults_.bytes())
         outgrown.push_back(
             {std::exchange(cullResults_, cullResultsOf(context, baked_)), VK_NULL_HANDLE});
-    return outgrown;
 }
 
 void FieldBuffers::describe(shared::Frame& frame) const

@@ -48,10 +48,10 @@ public:
                  const field::FieldView& field, Records records,
                  const EditedField* edited = nullptr);
 
-    /// Follows an edit, whose bytes the caller uploads: counts, and room for more. Returns what is
-    /// replaced.
-    OutgrownBuffers update(const gpu::DeviceContext& context, const EditedField& edited,
-                           const field::Delta& delta);
+    /// Follows an edit, whose bytes the caller uploads: counts, and room for more. `outgrown` gets
+    /// what is replaced.
+    void update(const gpu::DeviceContext& context, const EditedField& edited,
+                const field::Delta& delta, OutgrownBuffers& outgrown);
 
     /// Writes addresses and counts into a frame.
     void describe(shared::Frame& frame) const;

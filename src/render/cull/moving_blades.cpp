@@ -23,6 +23,13 @@ void MovingBlades::expectEdits(const gpu::ShaderLibrary& shaders,
                                std::uint32_t framesInFlight)
 {
     edits_.emplace(*context_, shaders, std::move(edited), cover, framesInFlight);
+    replaced_.emplace(framesInFlight);
+}
+
+void MovingBlades::apply(const field::Delta& delta)
+{
+    edits_->apply(delta);
+    buffers_.update(*context_, edits_->field(), delta, replaced_->waiting());
 }
 
 void MovingBlades::prepare(const gpu::ShaderLibrary& shaders, const shared::Frame& frame)
@@ -48,6 +55,8 @@ void MovingBlades::expectColliders()
 void MovingBlades::begin(VkCommandBuffer commands, double time, std::uint32_t slot)
 {
     gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
+    if (replaced_)
+        replaced_->record(commands, slot);
     buffers_.clearCounts(commands);
     buffers_.clearCullResults(commands);
     const auto settledAt = static_cast<float>(time - double(shared::settlingTime));
@@ -58,8 +67,9 @@ void MovingBlades::begin(VkCommandBuffer commands, double time, std::uint32_t sl
         buffers_.clearEtas(commands);
     hasMoved_ = true;
     hasNewEtas_ = false;
+    const BladeStates* const states = &buffers_.ownStates();
     if (edits_)
-        edits_->record(commands, buffers_, settledAt, slot);
+        edits_->record(commands, buffers_.baked(), {&states, 1}, settledAt, slot);
     gpu::transferToCompute(commands);
 }
 

@@ -4,9 +4,10 @@
 #include "gpu/shader_library.h"
 #include "gpu/timestamps.h"
 #include "render/cull/field_buffers.h"
-#include "render/cull/field_edits.h"
 #include "render/cull/update_cull_pass.h"
 #include "render/cull/walk_pass.h"
+#include "render/field/field_edits.h"
+#include "render/field/outgrown.h"
 #include "render/frame_place.h"
 #include "shaders/shared/frame.h"
 
@@ -15,7 +16,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <utility>
 
 namespace sward::render {
 
@@ -36,10 +36,10 @@ public:
     const EditedField* edited() const { return edits_ ? &edits_->field() : nullptr; }
 
     /// Replaces cells, with the next begin(). Edits must be expected. See FieldEdits.
-    void apply(const field::Delta& delta) { edits_->apply(delta, buffers_); }
+    void apply(const field::Delta& delta);
 
-    /// See FieldEdits.
-    void keep(OutgrownBuffers outgrown) { edits_->keep(std::move(outgrown)); }
+    /// Buffers that an edit has replaced until the next begin(). Edits must be expected.
+    OutgrownBuffers& replaced() { return replaced_->waiting(); }
 
     const FieldBuffers& buffers() const { return buffers_; }
     bool hasMoved() const { return hasMoved_; } ///< whether a frame has begun
@@ -80,6 +80,7 @@ private:
     UpdateCullPass update_;
     UpdateCullPass::Variant variant_; ///< for the frame being recorded
     std::optional<FieldEdits> edits_;
+    std::optional<ReplacedBuffers> replaced_; ///< if there are edits
     bool testsSmall_;
     bool hasMoved_ = false;
     bool hasNewEtas_ = false; ///< collision state is uninitialised

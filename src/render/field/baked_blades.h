@@ -40,6 +40,8 @@ public:
 
     std::uint32_t bladeCount() const { return bladeCount_; } ///< of the field
     std::uint32_t placeCount() const { return placeCount_; } ///< of blades in memory
+    /// Of blades for shaders: those of the file, or with edits places in memory.
+    std::uint32_t indexCount() const { return isEditable_ ? placeCount_ : bladeCount_; }
     bool isPaged() const { return pages_.address() != 0; }   ///< false: all blades are resident
     std::uint32_t patchCount() const { return patchCount_; } ///< with those that edits left free
     std::uint32_t nonEmptyPatchCount() const { return nonEmptyPatchCount_; } ///< non-empty patches

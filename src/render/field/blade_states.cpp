@@ -24,6 +24,7 @@ BladeStates::BladeStates(const gpu::DeviceContext& context, const BakedBlades& b
     , patchCounts_(
           allocate(context, "field/patch counts", blades.patchCount() * sizeof(std::uint32_t)))
 {
+    keepsBefore_ = kept.before;
     if (kept.before)
         before_ = allocate(context, "field/states before", states_.bytes());
     if (kept.etas)
@@ -51,6 +52,8 @@ void BladeStates::update(const gpu::DeviceContext& context, const BakedBlades& b
     fit(patchCounts_, "field/patch counts", blades.patchCount() * sizeof(std::uint32_t));
     if (hasEtas_)
         fit(etas_, "field/collisions", states_.bytes());
+    if (keepsBefore_)
+        fit(before_, "field/states before", states_.bytes());
 }
 
 void BladeStates::describe(shared::Frame& frame) const

@@ -50,6 +50,7 @@ private:
     gpu::Buffer etas_;
     bool hasEtas_ = false; ///< true also for a field without blades
     gpu::Buffer before_;
+    bool keepsBefore_ = false; ///< likewise
     gpu::Buffer patchTimes_;
     gpu::Buffer patchCounts_;
 };

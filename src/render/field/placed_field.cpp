@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 namespace sward::render {
@@ -58,6 +59,7 @@ PlacedField::PlacedField(const gpu::DeviceContext& context, const FieldInstance&
     , states_(context, instance.field->parts().blades,
               {.before = settings.keepsMotion, .etas = true})
     , moved_(countsBuffer(context, "instance/moved", 1, gpu::MemoryUse::device))
+    , replaced_(settings.framesInFlight)
 {
     const gpu::UniformSetLayout layout(context, "instance/frame");
     const VkDeviceSize bytes =
@@ -79,6 +81,7 @@ PlacedField::PlacedField(const gpu::DeviceContext& context, const FieldInstance&
         slot.counts = countsBuffer(context, "instance/counts", 1 + settings.maxViews,
                                    gpu::MemoryUse::readback);
         std::ranges::fill(slots_.back().counts.mapped(), std::byte{0});
+        slot.blades = blades().bladeCount();
     }
 }
 
@@ -87,10 +90,12 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
 {
     const ResidentField::Parts& field = instance_.field->parts();
     const Placement& placement = instance_.placement;
+    followEdits();
     while (lists_.size() < frame.views.size())
-        lists_.emplace_back(*context_, field.blades, field.blades.nonEmptyPatchCount(),
+        lists_.emplace_back(*context_, field.blades, std::numeric_limits<std::uint32_t>::max(),
                             settings_.maxListed);
     std::ranges::fill(slots_[slot].counts.mapped(), std::byte{0});
+    slots_[slot].blades = field.blades.bladeCount();
 
     // Shared by all views.
     FrameSettings settings = inField(placement, frame.settings);
@@ -152,6 +157,21 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
     written_ = number;
     placementBefore_ = placement;
     timeBefore_ = frame.time;
+}
+
+/// Makes room for what edits have added to its field.
+void PlacedField::followEdits()
+{
+    if (edits() == nullptr)
+        return;
+    states_.update(*context_, blades(), replaced_.waiting());
+    for (VisibleBlades& list : lists_)
+        list.update(*context_, blades(), replaced_.waiting());
+}
+
+void PlacedField::recordReplaced(const gpu::Recording& commands, std::uint32_t slot)
+{
+    replaced_.record(commands, slot);
 }
 
 void PlacedField::thin(std::uint32_t slot, std::span<const shared::Eyepoint> raised) const
@@ -258,12 +278,13 @@ void PlacedField::addCounts(std::uint32_t slot, std::uint32_t view, FrameStats& 
 {
     const auto counts = slots_[slot].counts.mappedAs<shared::DrawArguments>();
     const auto& cullResults = counts[1 + view].cullResults;
-    std::uint64_t resident = isUploaded() ? blades().bladeCount() : 0;
+    const std::uint64_t total = slots_[slot].blades;
+    std::uint64_t resident = isUploaded() ? total : 0;
     if (streaming() != nullptr)
         resident = streaming()->residentBlades(slot);
-    sum.total += blades().bladeCount();
+    sum.total += total;
     sum.resident += resident;
-    sum.streamedOut += blades().bladeCount() - resident;
+    sum.streamedOut += total - resident;
     sum.simulated += counts[0].simulated;
     sum.drawn += cullResults[shared::cullResultDrawn];
     sum.lod += cullResults[shared::cullResultLod];

@@ -4,6 +4,7 @@
 #include "gpu/recording.h"
 #include "gpu/uniform_sets.h"
 #include "render/field/blade_states.h"
+#include "render/field/outgrown.h"
 #include "render/field/visible_blades.h"
 #include "render/frame_slot.h"
 #include "render/grass.h"
@@ -61,6 +62,13 @@ public:
     /// The streaming of its field; null if all blades are resident.
     Streaming* streaming() const { return instance_.field->parts().streaming.get(); }
 
+    /// The edits of its field; null if it is not editable.
+    ResidentEdits* edits() const { return instance_.field->parts().edits.get(); }
+
+    /// Copies the states to larger buffers, if edits have replaced these. The former commands of
+    /// `slot` must have completed.
+    void recordReplaced(const gpu::Recording& commands, std::uint32_t slot);
+
     /// True for the first call: the blades have not moved before.
     bool beginsToMove();
 
@@ -73,10 +81,13 @@ public:
 
 private:
     struct Slot {
-        gpu::Buffer constants;   ///< tables; of each view: four frames, shared::Motion, HostLight
-        gpu::UniformSets frames; ///< of those frames
-        gpu::Buffer counts;      ///< shared::DrawArguments of the update, then of each view
+        gpu::Buffer constants;    ///< tables; of each view: four frames, shared::Motion, HostLight
+        gpu::UniformSets frames;  ///< of those frames
+        gpu::Buffer counts;       ///< shared::DrawArguments of the update, then of each view
+        std::uint64_t blades = 0; ///< of the field in that frame
     };
+
+    void followEdits();
 
     VkDeviceSize motionOffset(std::uint32_t view) const;
     VkDeviceSize lightOffset(std::uint32_t view) const;
@@ -93,6 +104,7 @@ private:
     BladeStates states_;
     gpu::Buffer moved_;
     std::vector<VisibleBlades> lists_;
+    ReplacedBuffers replaced_;
     std::vector<Slot> slots_;
     std::vector<shared::Eyepoint> seen_;
     shared::Environment environment_ = {};

@@ -46,7 +46,10 @@ void VisibleBlades::fit(const gpu::DeviceContext& context, const BakedBlades& bl
 void VisibleBlades::update(const gpu::DeviceContext& context, const BakedBlades& blades,
                            OutgrownBuffers& outgrown)
 {
-    const std::uint32_t within = blades.patchSizes().patchesWithin(listLength_);
+    // A list that is bounded on purpose holds what fits of all patches.
+    const std::uint32_t within = listLength_ == maxBlades_
+                                     ? blades.nonEmptyPatchCount()
+                                     : blades.patchSizes().patchesWithin(listLength_);
     const std::uint32_t patches =
         std::max(std::min({wantedPatches_, within, blades.nonEmptyPatchCount()}), 1u);
     const auto rounds = std::max(

@@ -17,17 +17,9 @@ void FieldRenderer::apply(const field::Delta& delta)
     requireUsage(parts.blades.edited() != nullptr, "FieldRendererSettings::isEditable is not set");
     parts.blades.apply(delta);
     if (parts.raster)
-        parts.blades.keep(parts.raster->expectBlades(parts.blades.buffers().baked().placeCount()));
-    const EditedField& edited = *parts.blades.edited();
-    if (edited.bladeCount() > 0) {
-        // A field that was bare has had no typical blade.
-        field::FieldView now;
-        now.patches = edited.patches();
-        if (parts.shape.blade.height <= 0.0f)
-            parts.shape.blade = field::meanBladeSize(now);
-        parts.shape.content.add(edited.patches()[0].boundsLow);
-        parts.shape.content.add(edited.patches()[0].boundsHigh);
-    }
+        parts.raster->expectBlades(parts.blades.buffers().baked().placeCount(),
+                                   parts.blades.replaced());
+    followEdit(parts.shape, *parts.blades.edited());
 }
 
 const gpu::DeviceContext& FieldRenderer::Parts::checked(const gpu::DeviceContext& given,

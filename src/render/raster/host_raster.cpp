@@ -95,7 +95,7 @@ const char* HostRaster::obstacle(const HostView& view,
 {
     std::uint64_t ids = firstId;
     for (const PlacedField* instance : instances)
-        ids += instance->blades().bladeCount();
+        ids += instance->blades().indexCount();
     if (ids > 0xffffffffu)
         return "all instances together have 2^32 blades or more";
     if (view.geometry == Geometry::tessellation)
@@ -265,7 +265,7 @@ void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const
             entry.motion = field.motion(slotIndex, v);
             table[first + i] = entry;
             view.pushes.push_back(entry.raster);
-            id += field.blades().bladeCount();
+            id += field.blades().indexCount();
         }
     }
 }

@@ -89,12 +89,10 @@ void RasterPass::resize(VkExtent2D size)
                                                    VK_BUFFER_USAGE_TRANSFER_DST_BIT});
 }
 
-OutgrownBuffers RasterPass::expectBlades(std::uint32_t blades)
+void RasterPass::expectBlades(std::uint32_t blades, OutgrownBuffers& outgrown)
 {
-    OutgrownBuffers outgrown;
     if (!largeList_.hasRoomFor(blades))
         outgrown.push_back({largeList_.growShown(*context_, blades), VK_NULL_HANDLE});
-    return outgrown;
 }
 
 shared::RasterPush RasterPass::pushFor(const Input& input) const

@@ -36,8 +36,9 @@ public:
     /// Resizes the pictures; the device must be done with the former ones.
     void resize(VkExtent2D size);
 
-    /// Makes room for `blades` places of blades. Returns what is replaced.
-    OutgrownBuffers expectBlades(std::uint32_t blades);
+    /// Makes room for `blades` places of blades. `outgrown` gets what is
+    /// replaced.
+    void expectBlades(std::uint32_t blades, OutgrownBuffers& outgrown);
 
     /// Common inputs of the functions below.
     struct Input {

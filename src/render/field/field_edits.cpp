@@ -1,5 +1,6 @@
-#include "render/cull/field_edits.h"
+#include "render/field/field_edits.h"
 
+#include "field/distributions.h"
 #include "gpu/barrier.h"
 #include "shaders/shared/edits.h"
 #include "shaders/shared/pose.h"
@@ -40,16 +41,10 @@ FieldEdits::FieldEdits(const gpu::DeviceContext& context, const gpu::ShaderLibra
 {
 }
 
-void FieldEdits::apply(const field::Delta& delta, FieldBuffers& buffers)
+void FieldEdits::apply(const field::Delta& delta)
 {
     const Edit edit = edited_->apply(delta);
-    keep(buffers.update(*context_, *edited_, delta));
     waiting_.push_back(stage(edit, cover_->apply(delta)));
-}
-
-void FieldEdits::keep(OutgrownBuffers outgrown)
-{
-    std::move(outgrown.begin(), outgrown.end(), std::back_inserter(outgrown_));
 }
 
 gpu::Buffer FieldEdits::staging(VkDeviceSize bytes)
@@ -113,9 +108,8 @@ FieldEdits::Staged FieldEdits::stage(const Edit& edit, PlaceRange coverCorners)
     return staged;
 }
 
-const gpu::Buffer& FieldEdits::bufferOf(Table table, const FieldBuffers& buffers) const
+const gpu::Buffer& FieldEdits::bufferOf(Table table, const BakedBlades& baked) const
 {
-    const BakedBlades& baked = buffers.baked();
     switch (table) {
     case Table::patches:
         return baked.patchTable();
@@ -133,16 +127,16 @@ const gpu::Buffer& FieldEdits::bufferOf(Table table, const FieldBuffers& buffers
     return baked.blades();
 }
 
-void FieldEdits::recordStates(const gpu::Recording& commands, const FieldBuffers& buffers,
+void FieldEdits::recordStates(const gpu::Recording& commands, const BladeStates& states,
                               const Staged& staged, float settledAt, bool isSecond) const
 {
     const VkDeviceAddress bytes = staged.bytes.address();
     states_.bind(commands);
     states_.push(commands,
-                 shared::EditPush{.states = buffers.states().address(),
-                                  .etas = buffers.etas().address(),
-                                  .patchTimes = buffers.ownStates().patchTimes(),
-                                  .patchCounts = buffers.ownStates().patchCounts(),
+                 shared::EditPush{.states = states.states().address(),
+                                  .etas = states.etas().address(),
+                                  .patchTimes = states.patchTimes(),
+                                  .patchCounts = states.patchCounts(),
                                   .blades = bytes + staged.sources,
                                   .patches = bytes + staged.patches,
                                   .times = bytes + staged.times,
@@ -159,37 +153,57 @@ void FieldEdits::recordStates(const gpu::Recording& commands, const FieldBuffers
     commands.vk->CmdDispatch(commands, static_cast<std::uint32_t>(groups), 1, 1);
 }
 
-void FieldEdits::record(const gpu::Recording& commands, const FieldBuffers& buffers,
-                        float settledAt, std::uint32_t slot)
+void FieldEdits::record(const gpu::Recording& commands, const BakedBlades& baked,
+                        std::span<const BladeStates* const> states, float settledAt,
+                        std::uint32_t slot)
 {
-    InFlight& inFlight = slots_[slot];
-    inFlight.outgrown.clear();
-    std::move(inFlight.staging.begin(), inFlight.staging.end(), std::back_inserter(spare_));
-    inFlight.staging.clear();
-    if (waiting_.empty() && outgrown_.empty())
+    std::vector<gpu::Buffer>& inFlight = slots_[slot];
+    std::move(inFlight.begin(), inFlight.end(), std::back_inserter(spare_));
+    inFlight.clear();
+    if (waiting_.empty())
         return;
 
     const auto everything = [&] { gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess); };
     everything();
-    for (const Outgrown& outgrown : outgrown_) {
-        if (outgrown.now == VK_NULL_HANDLE || outgrown.former.bytes() == 0)
-            continue;
-        const VkBufferCopy all{0, 0, outgrown.former.bytes()};
-        commands.vk->CmdCopyBuffer(commands, outgrown.former.get(), outgrown.now, 1, &all);
-        everything();
-    }
     for (Staged& staged : waiting_) {
-        recordStates(commands, buffers, staged, settledAt, false);
-        everything();
-        recordStates(commands, buffers, staged, settledAt, true);
+        for (const BladeStates* const own : states) {
+            recordStates(commands, *own, staged, settledAt, false);
+            everything();
+            recordStates(commands, *own, staged, settledAt, true);
+            everything();
+        }
         for (const Copy& copy : staged.copies)
             commands.vk->CmdCopyBuffer(commands, staged.bytes.get(),
-                                       bufferOf(copy.table, buffers).get(), 1, &copy.region);
+                                       bufferOf(copy.table, baked).get(), 1, &copy.region);
         everything();
-        inFlight.staging.push_back(std::move(staged.bytes));
+        inFlight.push_back(std::move(staged.bytes));
     }
     waiting_.clear();
-    inFlight.outgrown = std::exchange(outgrown_, {});
+}
+
+VkDeviceSize FieldEdits::bytes() const
+{
+    VkDeviceSize sum = 0;
+    for (const Staged& staged : waiting_)
+        sum += staged.bytes.bytes();
+    for (const std::vector<gpu::Buffer>& inFlight : slots_)
+        for (const gpu::Buffer& buffer : inFlight)
+            sum += buffer.bytes();
+    for (const gpu::Buffer& buffer : spare_)
+        sum += buffer.bytes();
+    return sum;
+}
+
+void followEdit(FieldShape& shape, const EditedField& edited)
+{
+    if (edited.bladeCount() == 0)
+        return;
+    field::FieldView now;
+    now.patches = edited.patches();
+    if (shape.blade.height <= 0.0f)
+        shape.blade = field::meanBladeSize(now);
+    shape.content.add(edited.patches()[0].boundsLow);
+    shape.content.add(edited.patches()[0].boundsHigh);
 }
 
 } // namespace sward::render

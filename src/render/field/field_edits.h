@@ -6,15 +6,17 @@
 #include "gpu/context.h"
 #include "gpu/recording.h"
 #include "gpu/shader_library.h"
-#include "render/cull/field_buffers.h"
+#include "render/field/baked_blades.h"
+#include "render/field/blade_states.h"
 #include "render/field/edited_field.h"
 #include "render/field/grass_cover.h"
-#include "render/field/outgrown.h"
+#include "render/frame.h"
 
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace sward::render {
@@ -31,17 +33,17 @@ public:
 
     const EditedField& field() const { return *edited_; }
 
-    /// Copies what the delta changes, and lets the buffers grow. Throws as EditedField::apply().
-    void apply(const field::Delta& delta, FieldBuffers& buffers);
+    /// Copies what the delta changes into mapped memory. Before record() the caller lets buffers
+    /// grow to the size of field(). Throws as EditedField::apply().
+    void apply(const field::Delta& delta);
 
-    /// Keeps a buffer that another one replaces until frames in flight are over.
-    void keep(OutgrownBuffers outgrown);
+    /// Records all edits since the last call, with barriers from and to everything: of the field's
+    /// tables, and of the states of each of its placements. `settledAt` [s]: the time at which a
+    /// new patch counts as settled. The former commands of `slot` must have completed.
+    void record(const gpu::Recording& commands, const BakedBlades& baked,
+                std::span<const BladeStates* const> states, float settledAt, std::uint32_t slot);
 
-    /// Records all edits since the last call, with barriers from and to everything. `settledAt`
-    /// [s]: the time at which a new patch counts as settled. The former commands of `slot` must
-    /// have completed.
-    void record(const gpu::Recording& commands, const FieldBuffers& buffers, float settledAt,
-                std::uint32_t slot);
+    VkDeviceSize bytes() const; ///< of mapped memory
 
 private:
     enum class Table { blades, patches, subtrees, entries, firstEntries, cover };
@@ -58,26 +60,23 @@ private:
         std::uint32_t sourceCount = 0;
         std::uint32_t patchCount = 0;
     };
-    /// What the frames of a slot may still read.
-    struct InFlight {
-        std::vector<gpu::Buffer> staging;
-        OutgrownBuffers outgrown;
-    };
-
     gpu::Buffer staging(VkDeviceSize bytes);
     Staged stage(const Edit& edit, PlaceRange coverCorners);
-    void recordStates(const gpu::Recording& commands, const FieldBuffers& buffers,
+    void recordStates(const gpu::Recording& commands, const BladeStates& states,
                       const Staged& staged, float settledAt, bool isSecond) const;
-    const gpu::Buffer& bufferOf(Table table, const FieldBuffers& buffers) const;
+    const gpu::Buffer& bufferOf(Table table, const BakedBlades& baked) const;
 
     const gpu::DeviceContext* context_;
     gpu::ComputePipeline states_;
     std::unique_ptr<EditedField> edited_;
     GrassCover* cover_;
     std::vector<Staged> waiting_;
-    OutgrownBuffers outgrown_; ///< of these
-    std::vector<InFlight> slots_;
-    std::vector<gpu::Buffer> spare_; ///< mapped memory that is not in use
+    std::vector<std::vector<gpu::Buffer>> slots_; ///< mapped memory that their frames may read
+    std::vector<gpu::Buffer> spare_;              ///< mapped memory that is not in use
 };
+
+/// Extends a field's content to the blades of an edit. A field that was bare gets the size of its
+/// typical blade.
+void followEdit(FieldShape& shape, const EditedField& edited);
 
 } // namespace sward::render
