@@ -8,8 +8,14 @@
 namespace sward::render {
 namespace {
 
-/// Blades read of an edited cell, at most: a few milliseconds.
-constexpr double editedCoverBlades = 16384.0;
+/// Blades that are read of an edited cell: about 64 for each corner of the grid on level ground, as
+/// the whole field has at its beginning. The upper bound takes some 2 ms.
+double bladesToRead(const shared::Cover& shape)
+{
+    constexpr double cellEdge = 32.0; // [m]
+    const double along = cellEdge * double(shape.cellsPerMetre) + 1.0;
+    return std::clamp(64.0 * along * along, 2048.0, 16384.0);
+}
 
 } // namespace
 
@@ -80,7 +86,8 @@ PlaceRange EditedCover::apply(const field::Delta& delta, shared::Cover& cover)
         Cell& cell = cells_[change.cell];
         touch(cell, -1.0);
         const double blades = std::max(double(change.blades.size()), 1.0);
-        cell = measured(change.patches, change.blades, std::min(1.0, editedCoverBlades / blades));
+        cell = measured(change.patches, change.blades,
+                        std::min(1.0, bladesToRead(shape_) / blades));
         touch(cell, 1.0);
     }
     // What remains of removed blades is rounding.

@@ -43,6 +43,9 @@ void Painter::poll(const std::function<void(const std::filesystem::path&)>& appl
     if (!hadFailed && !session_.failure().empty())
         told_.push_back({true, session_.failure(), {}});
     writeAutosave();
+    // Without a session the painting ends, and the autosave has what remains of it.
+    if (!session_.failure().empty())
+        finishAutosave();
     if (isReady() && under_ == Asked::nothing)
         askNext();
 }
@@ -168,21 +171,42 @@ void Painter::writeStrokes(const std::filesystem::path& path)
 
 void Painter::writeAutosave()
 {
+    if (autosaving_.valid()) {
+        if (autosaving_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+            return;
+        if (const std::string error = autosaving_.get(); !error.empty())
+            told_.push_back({true, error, {}});
+    }
     if (strokes.isGrowing() || autosavedRevision_ == strokes.finishedRevision())
         return;
     autosavedRevision_ = strokes.finishedRevision();
-    try {
-        if (strokes.isUnsaved())
-            writeTextFile(autosave_, strokeFileText(strokes.finished()), true);
-        else
-            removeAutosave();
-    } catch (const Error& error) {
-        told_.push_back({true, error.what(), {}});
+    if (!strokes.isUnsaved())
+        return removeAutosave();
+    autosaving_ = std::async(std::launch::async,
+                             [path = autosave_, text = strokeFileText(strokes.finished())] {
+                                 try {
+                                     writeTextFile(path, text, true);
+                                     return std::string();
+                                 } catch (const Error& error) {
+                                     return std::string(error.what());
+                                 }
+                             });
+}
+
+void Painter::finishAutosave()
+{
+    // The one under way, then one of what has changed since it began.
+    for (int i = 0; i < 2; ++i) {
+        if (autosaving_.valid())
+            autosaving_.wait();
+        writeAutosave();
     }
 }
 
 void Painter::removeAutosave()
 {
+    if (autosaving_.valid())
+        autosaving_.wait();
     std::error_code ignored;
     std::filesystem::remove(autosave_, ignored);
 }

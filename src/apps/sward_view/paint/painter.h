@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -82,6 +83,7 @@ private:
     void askNext();
     void askPaint(const std::vector<std::string>& wanted, std::uint64_t revision);
     void writeAutosave();
+    void finishAutosave();
     void removeAutosave();
 
     std::unique_ptr<apps::TemporaryFolder> folder_;
@@ -96,6 +98,7 @@ private:
     std::vector<Saving> savings_;
     std::uint64_t savedRevision_ = 0;     ///< of finished strokes, while they are being saved
     std::uint64_t autosavedRevision_ = 0; ///< of finished strokes
+    std::future<std::string> autosaving_; ///< writes the autosave; its error, or nothing
     bool hasPainted_ = false;
     std::filesystem::path field_;     ///< that was saved last
     std::uint64_t fieldRevision_ = 0; ///< of its finished strokes
