@@ -7,9 +7,9 @@ target_compile_options(sward_options INTERFACE
   -Wnon-virtual-dtor -Woverloaded-virtual
   # The same roots on every CPU: no fused multiply-add that the source does not spell out.
   -ffp-contract=off)
-# Where several sources are compiled as one, what one of them names shadows nothing in another.
+# Where several sources are compiled as one, what one of them names shadows nothing in another. Locals count.
 if(CMAKE_UNITY_BUILD)
-  target_compile_options(sward_options INTERFACE -Wno-shadow)
+  target_compile_options(sward_options INTERFACE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
 endif()
 if(SWARD_WERROR)
   target_compile_options(sward_options INTERFACE -Werror)

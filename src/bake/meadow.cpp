@@ -186,7 +186,7 @@ Meadow loadMeadow(const std::string& fileOrName)
     for (const EmbeddedFile& file : embedded::meadows())
         if (stem(file.name) == fileOrName)
             return parseMeadow(file.text(), fmt::format("built-in meadow {}", fileOrName));
-    if (std::error_code ignored; std::filesystem::exists(fileOrName, ignored))
+    if (std::filesystem::exists(fileOrName, ignored))
         fail(ErrorKind::io, "{}: not a regular file, and no built-in meadow", fileOrName);
     fail(ErrorKind::io, "{}: no such file, and no built-in meadow; those are {}", fileOrName,
          fmt::join(builtInMeadows(), ", "));

@@ -260,9 +260,9 @@ CellTree growCell(const terrain::GroundMesh& ground, const Roots& roots, std::sp
         for (const Ranked& root : chosen) {
             growth.grow(root.root, held.subspan(next, root.blades));
             next += root.blades;
-            const field::BladeKey own = keyOf(ground, roots[root.root]);
+            const field::BladeKey stalk = keyOf(ground, roots[root.root]);
             for (std::uint32_t number = 0; number < root.blades; ++number)
-                *key++ = field::ribbonKey(own, number);
+                *key++ = field::ribbonKey(stalk, number);
         }
         setRanks(patch, chosen, *orders);
         describeOwn(patch, held);

@@ -165,9 +165,9 @@ struct Chooser {
                          passed.begin() + static_cast<std::ptrdiff_t>(tried));
             for (; next < all.size() && mayTry(); ++tried, ++next) {
                 candidates.at(next);
-                Passed tried{static_cast<std::uint32_t>(next), 0.0f};
-                if (!take(tried.candidate, tried.blocker))
-                    passed.push_back(tried);
+                Passed first{static_cast<std::uint32_t>(next), 0.0f};
+                if (!take(first.candidate, first.blocker))
+                    passed.push_back(first);
             }
             if (passed.empty() && next == all.size())
                 break;
