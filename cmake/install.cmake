@@ -48,9 +48,9 @@ sward_install_component(Render sward_gpu sward_render sward_c)
 # Headers: the doors, and whatever they include.
 set(doors
   core/diagnostics.h core/error.h core/progress.h
-  field/field.h field/inspect.h field/read.h field/write.h
+  field/delta.h field/field.h field/inspect.h field/read.h field/write.h
   terrain/load.h terrain/recipe.h
-  bake/bake.h bake/meadow.h bake/report.h bake/settings.h
+  bake/bake.h bake/meadow.h bake/paint/stroke_file.h bake/report.h bake/session.h bake/settings.h
   gpu/check.h gpu/commands.h gpu/context.h gpu/device_choice.h gpu/device_report.h
   gpu/features.h gpu/graphics_pipeline.h gpu/host_device.h gpu/image.h gpu/image_use.h gpu/instance.h gpu/readback.h gpu/rendering.h
   render/camera_presets.h render/field_renderer.h render/grass.h render/look_settings.h

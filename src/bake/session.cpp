@@ -1,6 +1,7 @@
 #include "bake/session.h"
 
 #include "bake/all_cells.h"
+#include "bake/cell_triangles.h"
 #include "bake/cells_between.h"
 #include "bake/field_header.h"
 #include "bake/ground_changes.h"
@@ -8,11 +9,15 @@
 #include "bake/patches/split_cells.h"
 #include "bake/stroke_reach.h"
 #include "bake/threads.h"
+#include "bake/tiles/bake_tile.h"
 #include "bake/whole_plan.h"
 #include "terrain/query/surface_query.h"
+#include "terrain/topology/surface_features.h"
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
+#include <set>
 #include <utility>
 
 namespace sward::bake {
@@ -29,51 +34,85 @@ double tuftSpacing(const Meadow& meadow, double scale)
 
 } // namespace
 
-Session::Session(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads,
-                 Diagnostics& diagnostics, Progress& progress, const field::FieldView* baked)
-    : settings_(settings)
-    , threads_(threadCount(threads))
+// Members of a session.
+struct Session::Parts {
+    // A ground with what the session finds on it once.
+    struct Ground {
+        const terrain::GroundMesh* mesh = nullptr;
+        Report report; // of the input
+        terrain::SurfaceFeatures features;
+        std::optional<CellTriangles> triangles;
+        std::set<CellNumber> bearing; // all cells that may have blades
+        terrain::GroundMesh part;     // around the cells that were baked last
+    };
+
+    Parts(const terrain::GroundMesh& first, const BakeSettings& given, int wantedThreads,
+          Diagnostics& diagnostics, Progress& progress, const field::FieldView* baked);
+
+    const terrain::GroundMesh& mesh() const { return *surface.mesh; }
+    Ground groundOf(const terrain::GroundMesh& other) const;
+    bool reuse(const field::FieldView& baked, Diagnostics& diagnostics);
+    std::set<CellNumber> cellsReached(const Strokes& next) const;
+    std::set<CellNumber> cellsChanged(const Ground& next) const;
+    std::vector<CellTree> bakeAgain(Ground& ground, const BakeSettings& wanted,
+                                    const std::set<CellNumber>& cells, Progress& progress) const;
+    Change replaceCells(const std::set<CellNumber>& cells, std::vector<CellTree>&& baked);
+    std::uint64_t bladeCount() const;
+
+    BakeSettings settings;
+    int threads;
+    Ground surface;
+    BakePlan plan;
+    std::map<CellNumber, CellTree> trees;
+    bool hasReused = false;
+};
+
+Session::Parts::Parts(const terrain::GroundMesh& first, const BakeSettings& given,
+                      int wantedThreads, Diagnostics& diagnostics, Progress& progress,
+                      const field::FieldView* baked)
+    : settings(given)
+    , threads(threadCount(wantedThreads))
 {
-    validate(settings_);
-    withThreads(threads_, [&] {
-        ground_ = groundOf(ground);
+    validate(settings);
+    withThreads(threads, [&] {
+        surface = groundOf(first);
         std::optional<terrain::SurfaceQuery> rays;
-        if (baked == nullptr && needsRays(ground, settings_))
-            rays.emplace(ground);
-        const terrain::SurfaceFeatures& features = ground_.features;
-        plan_ = planWhole({ground, features, rays ? &*rays : nullptr}, settings_, diagnostics,
-                          progress);
-        ground_.report.bladeScale = plan_.plan.scale;
-        hasReused_ = baked != nullptr && reuse(*baked, diagnostics);
-        if (hasReused_)
+        if (baked == nullptr && needsRays(first, settings))
+            rays.emplace(first);
+        const terrain::SurfaceFeatures& features = surface.features;
+        plan =
+            planWhole({first, features, rays ? &*rays : nullptr}, settings, diagnostics, progress);
+        surface.report.bladeScale = plan.plan.scale;
+        hasReused = baked != nullptr && reuse(*baked, diagnostics);
+        if (hasReused)
             return;
-        if (needsTiles(settings_, plan_, {}))
+        if (needsTiles(settings, plan, {}))
             rays.reset(); // each tile builds its own
         const auto take = [&](TileResult&& tile) {
             for (CellTree& cell : tile.cells)
-                cells_.insert_or_assign(cell.cell, std::move(cell));
+                trees.insert_or_assign(cell.cell, std::move(cell));
         };
-        bakeAllCells({ground, features, rays ? &*rays : nullptr}, settings_, plan_, {}, take,
+        bakeAllCells({first, features, rays ? &*rays : nullptr}, settings, plan, {}, take,
                      progress);
     });
 }
 
-Session::Ground Session::groundOf(const terrain::GroundMesh& mesh) const
+Session::Parts::Ground Session::Parts::groundOf(const terrain::GroundMesh& other) const
 {
     Ground ground;
-    ground.mesh = &mesh;
-    ground.report = reportOf(mesh, settings_, threads_);
-    ground.report.bladeScale = plan_.plan.scale;
-    ground.features = featuresOf(mesh, settings_);
-    ground.triangles.emplace(mesh);
-    for (const std::vector<CellNumber>& cells : dealTiles(mesh, 1))
+    ground.mesh = &other;
+    ground.report = reportOf(other, settings, threads);
+    ground.report.bladeScale = plan.plan.scale;
+    ground.features = featuresOf(other, settings);
+    ground.triangles.emplace(other);
+    for (const std::vector<CellNumber>& cells : dealTiles(other, 1))
         ground.bearing.insert(cells.begin(), cells.end());
-    ground.part = partOf(mesh, {});
+    ground.part = partOf(other, {});
     return ground;
 }
 
 // Takes the blades of a field that was baked alike.
-bool Session::reuse(const field::FieldView& baked, Diagnostics& diagnostics)
+bool Session::Parts::reuse(const field::FieldView& baked, Diagnostics& diagnostics)
 {
     const auto refuse = [&](const char* why) {
         diagnostics.warn("the field's blades are not used, but baked anew: {}", why);
@@ -81,20 +120,20 @@ bool Session::reuse(const field::FieldView& baked, Diagnostics& diagnostics)
     };
     if (baked.keys.size() != baked.blades.size())
         return refuse("it does not tell where its blades come from");
-    if (baked.origin != ground().origin ||
-        *baked.provenance != provenanceOf(settings_, ground_.report))
+    if (baked.origin != mesh().origin ||
+        *baked.provenance != provenanceOf(settings, surface.report))
         return refuse("it was baked of other ground, with other options or strokes, or by another "
                       "version of the program");
     for (CellTree& cell : splitCells(baked))
-        cells_.insert_or_assign(cell.cell, std::move(cell));
+        trees.insert_or_assign(cell.cell, std::move(cell));
     return true;
 }
 
 // The cells that differ between the strokes of the session and the next ones. Strokes that both
 // begin or end with count as unchanged.
-std::set<CellNumber> Session::cellsReached(const Strokes& next) const
+std::set<CellNumber> Session::Parts::cellsReached(const Strokes& next) const
 {
-    const std::vector<Stroke>& old = settings_.strokes.list;
+    const std::vector<Stroke>& old = settings.strokes.list;
     const auto differing =
         std::mismatch(old.begin(), old.end(), next.list.begin(), next.list.end());
     auto oldEnd = old.end();
@@ -105,26 +144,26 @@ std::set<CellNumber> Session::cellsReached(const Strokes& next) const
         --nextEnd;
     }
     const std::span<const Stroke> later(oldEnd, old.end());
-    const double tufts = tuftSpacing(settings_.meadow, plan_.plan.scale);
+    const double tufts = tuftSpacing(settings.meadow, plan.plan.scale);
     std::set<CellNumber> reached;
     for (auto stroke = differing.first; stroke != oldEnd; ++stroke)
-        addCellsReached(*stroke, later, tufts, ground_.bearing, reached);
+        addCellsReached(*stroke, later, tufts, surface.bearing, reached);
     for (auto stroke = differing.second; stroke != nextEnd; ++stroke)
-        addCellsReached(*stroke, later, tufts, ground_.bearing, reached);
+        addCellsReached(*stroke, later, tufts, surface.bearing, reached);
     return reached;
 }
 
 // The cells that differ between the ground of the session and the next one.
-std::set<CellNumber> Session::cellsChanged(const Ground& next) const
+std::set<CellNumber> Session::Parts::cellsChanged(const Ground& next) const
 {
-    std::set<CellNumber> either = ground_.bearing;
+    std::set<CellNumber> either = surface.bearing;
     either.insert(next.bearing.begin(), next.bearing.end());
     const GroundChanges changes =
-        groundChanges({ground(), ground_.features}, {*next.mesh, next.features});
+        groundChanges({mesh(), surface.features}, {*next.mesh, next.features});
     if (changes.isEverywhere)
         return either;
     const double margin =
-        std::max(tileMargin(ground(), settings_, plan_), tileMargin(*next.mesh, settings_, plan_));
+        std::max(tileMargin(mesh(), settings, plan), tileMargin(*next.mesh, settings, plan));
     std::set<CellNumber> changed;
     for (const Aabb& box : changes.boxes) {
         const DAabb around{next.mesh->origin + glm::dvec3(box.low) - margin,
@@ -135,15 +174,15 @@ std::set<CellNumber> Session::cellsChanged(const Ground& next) const
 }
 
 // Bakes cells of a ground, in tiles of bounded memory.
-std::vector<CellTree> Session::bakeAgain(Ground& ground, const BakeSettings& settings,
-                                         const std::set<CellNumber>& cells,
-                                         Progress& progress) const
+std::vector<CellTree> Session::Parts::bakeAgain(Ground& ground, const BakeSettings& wanted,
+                                                const std::set<CellNumber>& cells,
+                                                Progress& progress) const
 {
     std::vector<CellTree> baked;
-    const double perCell = double(bladeCount()) / double(std::max<std::size_t>(cells_.size(), 1));
+    const double perCell = double(bladeCount()) / double(std::max<std::size_t>(trees.size(), 1));
     const auto together =
         static_cast<std::size_t>(std::max(TileLimits{}.inTile / std::max(perCell, 1.0), 1.0));
-    const double margin = tileMargin(*ground.mesh, settings, plan_);
+    const double margin = tileMargin(*ground.mesh, wanted, plan);
     for (auto next = cells.begin(); next != cells.end();) {
         std::vector<CellNumber> own;
         for (; next != cells.end() && own.size() < together; ++next)
@@ -153,70 +192,112 @@ std::vector<CellTree> Session::bakeAgain(Ground& ground, const BakeSettings& set
         const terrain::SurfaceFeatures features =
             partOf(*ground.mesh, ground.features, near, margin);
         const TileRegion region(ground.mesh->origin, own);
-        TileResult tile = bakeTile({ground.part, features}, settings, plan_, &region, progress);
+        TileResult tile = bakeTile({ground.part, features}, wanted, plan, &region, progress);
         std::move(tile.cells.begin(), tile.cells.end(), std::back_inserter(baked));
     }
     return baked;
 }
 
 // Takes what was baked instead of these cells.
-Session::Change Session::replaceCells(const std::set<CellNumber>& cells,
-                                      std::vector<CellTree>&& baked)
+Session::Change Session::Parts::replaceCells(const std::set<CellNumber>& cells,
+                                             std::vector<CellTree>&& baked)
 {
     Change change;
     change.cells.assign(cells.begin(), cells.end());
     for (const CellNumber& cell : cells)
-        cells_.erase(cell);
+        trees.erase(cell);
     for (CellTree& cell : baked) {
         change.blades += cell.blades.size();
-        cells_.insert_or_assign(cell.cell, std::move(cell));
+        trees.insert_or_assign(cell.cell, std::move(cell));
     }
     return change;
 }
 
+Session::Session(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads,
+                 Diagnostics& diagnostics, Progress& progress, const field::FieldView* baked)
+    : parts_(std::make_unique<Parts>(ground, settings, threads, diagnostics, progress, baked))
+{
+}
+
+Session::Session(Session&&) noexcept = default;
+Session::~Session() = default;
+
 Session::Change Session::apply(Strokes strokes, Progress& progress)
 {
-    const std::set<CellNumber> reached = cellsReached(strokes);
-    BakeSettings next = settings_;
+    Parts& parts = *parts_;
+    const std::set<CellNumber> reached = parts.cellsReached(strokes);
+    BakeSettings next = parts.settings;
     next.strokes = std::move(strokes);
     std::vector<CellTree> baked;
     if (!reached.empty())
-        withThreads(threads_, [&] { baked = bakeAgain(ground_, next, reached, progress); });
-    settings_.strokes = std::move(next.strokes);
-    return replaceCells(reached, std::move(baked));
+        withThreads(parts.threads,
+                    [&] { baked = parts.bakeAgain(parts.surface, next, reached, progress); });
+    parts.settings.strokes = std::move(next.strokes);
+    return parts.replaceCells(reached, std::move(baked));
 }
 
 Session::Change Session::replaceGround(const terrain::GroundMesh& ground, Progress& progress)
 {
-    Ground next;
+    Parts& parts = *parts_;
+    Parts::Ground next;
     std::set<CellNumber> changed;
     std::vector<CellTree> baked;
-    withThreads(threads_, [&] {
-        next = groundOf(ground);
-        changed = cellsChanged(next);
-        baked = bakeAgain(next, settings_, changed, progress);
+    withThreads(parts.threads, [&] {
+        next = parts.groundOf(ground);
+        changed = parts.cellsChanged(next);
+        baked = parts.bakeAgain(next, parts.settings, changed, progress);
     });
-    ground_ = std::move(next);
-    return replaceCells(changed, std::move(baked));
+    parts.surface = std::move(next);
+    return parts.replaceCells(changed, std::move(baked));
+}
+
+const Strokes& Session::strokes() const
+{
+    return parts_->settings.strokes;
+}
+
+const BakePlan& Session::plan() const
+{
+    return parts_->plan;
+}
+
+const terrain::GroundMesh& Session::ground() const
+{
+    return parts_->mesh();
+}
+
+bool Session::hasReused() const
+{
+    return parts_->hasReused;
+}
+
+const std::map<field::CellIndex, CellTree>& Session::cells() const
+{
+    return parts_->trees;
 }
 
 std::uint64_t Session::bladeCount() const
 {
+    return parts_->bladeCount();
+}
+
+std::uint64_t Session::Parts::bladeCount() const
+{
     std::uint64_t blades = 0;
-    for (const auto& [number, cell] : cells_)
+    for (const auto& [number, cell] : trees)
         blades += cell.blades.size();
     return blades;
 }
 
-field::Delta Session::deltaOf(std::span<const CellNumber> cells) const
+field::Delta Session::deltaOf(std::span<const field::CellIndex> cells) const
 {
     field::Delta delta;
     delta.origin = ground().origin;
-    for (const CellNumber& number : cells) {
+    for (const field::CellIndex& number : cells) {
         field::CellChange& change = delta.cells.emplace_back();
         change.cell = number;
-        const auto found = cells_.find(number);
-        if (found == cells_.end())
+        const auto found = parts_->trees.find(number);
+        if (found == parts_->trees.end())
             continue;
         change.patches = found->second.patches;
         change.blades = found->second.blades;
@@ -227,12 +308,14 @@ field::Delta Session::deltaOf(std::span<const CellNumber> cells) const
 
 field::Field Session::field() const
 {
-    field::Field field = fieldWithoutBlades(ground(), settings_, plan_, ground_.report);
+    const Parts& parts = *parts_;
+    field::Field field =
+        fieldWithoutBlades(ground(), parts.settings, parts.plan, parts.surface.report);
     std::vector<CellTree> cells;
-    cells.reserve(cells_.size());
-    for (const auto& [number, cell] : cells_)
+    cells.reserve(parts.trees.size());
+    for (const auto& [number, cell] : parts.trees)
         cells.push_back(cell);
-    withThreads(threads_, [&] { joinCells(std::move(cells), field); });
+    withThreads(parts.threads, [&] { joinCells(std::move(cells), field); });
     return field;
 }
 

@@ -1,25 +1,24 @@
 #pragma once
 
-#include "bake/cell_triangles.h"
-#include "bake/report.h"
 #include "bake/settings.h"
-#include "bake/tiles/bake_tile.h"
 #include "core/diagnostics.h"
 #include "core/progress.h"
+#include "field/cells.h"
 #include "field/delta.h"
 #include "field/field.h"
 #include "terrain/ground_mesh.h"
-#include "terrain/topology/surface_features.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <optional>
-#include <set>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace sward::bake {
+
+struct BakePlan;
+struct CellTree;
 
 /// A bake that stays open while its ground is painted or sculpted. A change bakes those 32 m cells
 /// again that it reaches, and no other. The cells are at any time, byte for byte, those of a whole
@@ -31,8 +30,8 @@ class Session {
 public:
     /// What a change of strokes or ground changed.
     struct Change {
-        std::vector<CellNumber> cells; ///< baked again, sorted; some may have no blades now
-        std::size_t blades = 0;        ///< in these cells, after the change
+        std::vector<field::CellIndex> cells; ///< baked again, sorted; some may have no blades now
+        std::size_t blades = 0;              ///< in these cells, after the change
     };
 
     /// Bakes the whole field with the settings' strokes. The ground must outlive the session; the
@@ -41,6 +40,8 @@ public:
     /// warning says why not. Throws as bakeField() does.
     Session(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads,
             Diagnostics& diagnostics, Progress& progress, const field::FieldView* baked = nullptr);
+    Session(Session&&) noexcept; ///< the former one may only be destroyed
+    ~Session();
 
     /// Replaces all strokes; their species must be resolved. Leaves the session as it was if it
     /// throws Error{interrupted} because it was cancelled. Does not test maxBlades.
@@ -53,48 +54,26 @@ public:
     /// throws: Error{input} for another number of triangles, else as bakeField() and apply() do.
     Change replaceGround(const terrain::GroundMesh& ground, Progress& progress);
 
-    const Strokes& strokes() const { return settings_.strokes; }
-    const BakePlan& plan() const { return plan_; } ///< of the first ground, without strokes
-    const terrain::GroundMesh& ground() const { return *ground_.mesh; }
-    bool hasReused() const { return hasReused_; } ///< the blades of a baked field
+    const Strokes& strokes() const;            ///< as they are now
+    const BakePlan& plan() const;              ///< of the first ground, without strokes
+    const terrain::GroundMesh& ground() const; ///< as it is now
+    bool hasReused() const;                    ///< the blades of a baked field
 
     /// Cells as they are now, relative to the ground's origin; for receivers of a Change. The
     /// session must not change as long as the delta is used.
-    field::Delta deltaOf(std::span<const CellNumber> cells) const;
+    field::Delta deltaOf(std::span<const field::CellIndex> cells) const;
 
     std::uint64_t bladeCount() const; ///< of all cells
 
     /// Cells with blades, by number.
-    const std::map<CellNumber, CellTree>& cells() const { return cells_; }
+    const std::map<field::CellIndex, CellTree>& cells() const;
 
     /// The whole field, as bakeField() makes it. A copy.
     field::Field field() const;
 
 private:
-    // A ground with what the session finds on it once.
-    struct Ground {
-        const terrain::GroundMesh* mesh = nullptr;
-        Report report; // of the input
-        terrain::SurfaceFeatures features;
-        std::optional<CellTriangles> triangles;
-        std::set<CellNumber> bearing; // all cells that may have blades
-        terrain::GroundMesh part;     // around the cells that were baked last
-    };
-
-    Ground groundOf(const terrain::GroundMesh& mesh) const;
-    bool reuse(const field::FieldView& baked, Diagnostics& diagnostics);
-    std::set<CellNumber> cellsReached(const Strokes& next) const;
-    std::set<CellNumber> cellsChanged(const Ground& next) const;
-    std::vector<CellTree> bakeAgain(Ground& ground, const BakeSettings& settings,
-                                    const std::set<CellNumber>& cells, Progress& progress) const;
-    Change replaceCells(const std::set<CellNumber>& cells, std::vector<CellTree>&& baked);
-
-    BakeSettings settings_;
-    int threads_;
-    Ground ground_;
-    BakePlan plan_;
-    std::map<CellNumber, CellTree> cells_;
-    bool hasReused_ = false;
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
 };
 
 } // namespace sward::bake

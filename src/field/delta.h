@@ -22,8 +22,8 @@ struct CellChange {
     /// Its patches, level by level; [0] is the cell's own. Places of children, parents and blades
     /// count from the beginning of these arrays, levels from the cell. None: the cell is bare now.
     std::span<const shared::Patch> patches;
-    std::span<const shared::PackedBlade> blades;
-    std::span<const BladeKey> keys; ///< one per blade
+    std::span<const shared::PackedBlade> blades; ///< patch after patch
+    std::span<const BladeKey> keys;              ///< one per blade
 };
 
 /// A change of a field, as `sward edit` tells of it: the cells that were baked again. Everything
