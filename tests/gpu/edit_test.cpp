@@ -1,7 +1,6 @@
 // Edits of a running field: FieldRenderer::apply().
 
 #include "core/error.h"
-#include "core/random.h"
 #include "gpu/frame_ring.h"
 #include "gpu/image_use.h"
 #include "picture.h"
@@ -84,19 +83,6 @@ std::uint64_t sumOf(const FrameStats& s)
            s.culledDistance + s.culledOcclusion;
 }
 
-/// Random changes around the middle.
-void change(EditedMeadow& meadow, std::uint64_t step)
-{
-    const auto dice = [&](std::uint32_t bound, std::uint32_t dimension) {
-        return static_cast<std::uint32_t>(uniform(5, step, dimension) * bound);
-    };
-    for (std::uint32_t i = 0; i <= dice(3, 0); ++i) {
-        const EditedMeadow::Cell cell{std::int64_t(dice(3, 10 * i + 1)) - 1, 0,
-                                      std::int64_t(dice(3, 10 * i + 2)) - 1};
-        meadow.sow(cell, dice(2500, 10 * i + 3), dice(3, 10 * i + 4) / 2.0, step);
-    }
-}
-
 class EditTest : public test::GpuTest, public testing::WithParamInterface<Way> {};
 
 TEST_P(EditTest, DrawsTheFieldJoinedAnew)
@@ -114,11 +100,11 @@ TEST_P(EditTest, DrawsTheFieldJoinedAnew)
     int seen = 0;
     for (std::uint64_t step = 0; step < 4; ++step) {
         SCOPED_TRACE("step " + std::to_string(step));
-        change(meadow, step);
+        meadow.sowSome(step);
         edited.apply(meadow.changes());
         // Two edits between frames, now and then.
         if (step % 3 == 0) {
-            change(meadow, step + 100);
+            meadow.sowSome(step + 100);
             edited.apply(meadow.changes());
         }
         time += 0.1;
@@ -282,7 +268,7 @@ TEST_P(EditTest, GoesOnWithSeveralFramesInFlight)
             EXPECT_EQ(sumOf(stats), stats.total) << "frame " << i;
         }
         if (i % 2 == 0) {
-            change(meadow, i);
+            meadow.sowSome(i);
             // Lets every buffer grow.
             if (i == 20)
                 meadow.sow({1, 0, 1}, 20'000);

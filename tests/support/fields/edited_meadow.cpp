@@ -65,6 +65,16 @@ void EditedMeadow::sow(const Cell& cell, std::size_t blades, double kept, std::u
         cells_[cell] = treeOf(grown, keys, edge * glm::vec3(cell[0], cell[1], cell[2]), edge);
 }
 
+void EditedMeadow::sowSome(std::uint64_t seed)
+{
+    const auto dice = [&](std::uint32_t bound, std::uint32_t dimension) {
+        return static_cast<std::uint32_t>(uniform(5, seed, dimension) * bound);
+    };
+    for (std::uint32_t i = 0; i <= dice(3, 0); ++i)
+        sow({std::int64_t(dice(3, 10 * i + 1)) - 1, 0, std::int64_t(dice(3, 10 * i + 2)) - 1},
+            dice(2500, 10 * i + 3), dice(3, 10 * i + 4) / 2.0, seed);
+}
+
 field::Delta EditedMeadow::changes()
 {
     field::Delta delta;

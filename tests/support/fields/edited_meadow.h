@@ -22,6 +22,9 @@ public:
     /// share `kept` [0, 1] of these remains, chosen by `seed`.
     void sow(const Cell& cell, std::size_t blades, double kept = 1.0, std::uint64_t seed = 1);
 
+    /// Draws up to four cells around the middle anew, bare ones among them, as `seed` has it.
+    void sowSome(std::uint64_t seed);
+
     /// The cells sown since the last call. Views this meadow until it is sown again.
     field::Delta changes();
 
