@@ -369,9 +369,8 @@ std::optional<VkSemaphoreSubmitInfo> FieldRenderer::copied() const
 FrameStats FieldRenderer::stats(std::uint32_t slot) const
 {
     requireUsage(slot < parts_->slots.size(), "slot {} of {}", slot, parts_->slots.size());
-    const std::uint64_t blades = parts_->slots[slot].blades;
-    return parts_->slots[slot].counts(
-        blades, parts_->streaming ? parts_->streaming->residentBlades(slot) : blades);
+    const FrameSlot& frame = parts_->slots[slot];
+    return frame.counts(parts_->streaming ? parts_->streaming->residentBlades(slot) : frame.blades);
 }
 
 std::vector<FieldRenderer::BladeRecord>

@@ -42,7 +42,7 @@ void FrameSlot::recordCounts(VkCommandBuffer commands, const gpu::Buffer& drawAr
     gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostAccess);
 }
 
-FrameStats FrameSlot::counts(std::uint64_t blades, std::uint64_t resident) const
+FrameStats FrameSlot::counts(std::uint64_t resident) const
 {
     const shared::DrawArguments counts = draw.mappedAs<shared::DrawArguments>()[0];
     FrameStats stats;

@@ -45,7 +45,7 @@ struct FrameSlot {
     void recordCounts(VkCommandBuffer commands, const gpu::Buffer& drawArguments) const;
 
     /// Statistics of `blades` blades, `resident` of them in memory, for the slot's completed frame.
-    FrameStats counts(std::uint64_t blades, std::uint64_t resident) const;
+    FrameStats counts(std::uint64_t resident) const;
 
     static VkDeviceSize bytes(); ///< of device memory
 };
