@@ -44,7 +44,7 @@ struct FrameSlot {
     /// Copies the counts of the update, recorded before, to the memory that counts() reads.
     void recordCounts(VkCommandBuffer commands, const gpu::Buffer& drawArguments) const;
 
-    /// Statistics of `blades` blades, `resident` of them in memory, for the slot's completed frame.
+    /// Statistics of these blades, `resident` of them in memory, for the slot's completed frame.
     FrameStats counts(std::uint64_t resident) const;
 
     static VkDeviceSize bytes(); ///< of device memory

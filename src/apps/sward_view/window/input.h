@@ -17,7 +17,7 @@ enum class Key {
     pause,     ///< Space
     step,      ///< full stop: one step of time while it is paused
     help,      ///< H: the sheet of keys
-    panels,    ///< Tab: hides and shows everything but the grass
+    hide,      ///< Tab: hides and shows everything but the grass
     walk,      ///< G: walk on the ground, or fly again
     freeze,    ///< C: freezes the culling camera
     picture,   ///< P: writes a picture

@@ -68,7 +68,7 @@ void Viewer::press(const KeyPress& key)
     case Key::help:
         layout_.keySheet = !layout_.keySheet;
         break;
-    case Key::panels:
+    case Key::hide:
         layout_.shown = !layout_.shown;
         break;
     case Key::pause:

@@ -46,7 +46,7 @@ constexpr std::array<KeyMeaning, 11> keyMeanings{{{GLFW_KEY_ESCAPE, Key::escape}
                                                   {GLFW_KEY_SPACE, Key::pause},
                                                   {GLFW_KEY_PERIOD, Key::step},
                                                   {GLFW_KEY_H, Key::help},
-                                                  {GLFW_KEY_TAB, Key::panels},
+                                                  {GLFW_KEY_TAB, Key::hide},
                                                   {GLFW_KEY_G, Key::walk},
                                                   {GLFW_KEY_C, Key::freeze},
                                                   {GLFW_KEY_P, Key::picture},
