@@ -85,8 +85,8 @@ void Grass::remove(InstanceId id)
 void Grass::edit(ResidentField& field, const field::Delta& delta)
 {
     ResidentField::Parts& edited = field.parts();
-    parts_->take(edited);
     requireUsage(edited.edits != nullptr, "FieldBudget::isEditable of the field is not set");
+    parts_->take(edited);
     edited.edits->apply(delta);
 }
 
