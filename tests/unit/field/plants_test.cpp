@@ -1,5 +1,6 @@
 // Compound plants in a field file.
 #include "core/error.h"
+#include "core/mapped_file.h"
 #include "field/inspect.h"
 #include "field/join.h"
 #include "field/nearest_root.h"
