@@ -202,13 +202,13 @@ TEST_F(PainterTest, TheAutosaveFollowsEachFinishedStroke)
     waitForStrokes(painter);
     EXPECT_FALSE(fs::exists(autosave));
     paint(painter.strokes, 1.0);
-    painter.poll([](const fs::path&) {});
+    waitForStrokes(painter);
     EXPECT_EQ(readStrokeFile(autosave), painter.strokes.finished());
     painter.strokes.begin(Brush(), {});
-    painter.poll([](const fs::path&) {});
+    waitForStrokes(painter);
     EXPECT_EQ(readStrokeFile(autosave).size(), 1u) << "a growing stroke is not in it";
     painter.strokes.finish();
-    painter.poll([](const fs::path&) {});
+    waitForStrokes(painter);
     EXPECT_EQ(readStrokeFile(autosave).size(), 2u);
     // It goes when the strokes are saved.
     const fs::path saved = folder.path() / "saved.json";
@@ -220,7 +220,7 @@ TEST_F(PainterTest, TheAutosaveFollowsEachFinishedStroke)
     ASSERT_EQ(notices.size(), 1u);
     // And comes with the next change.
     painter.strokes.undo();
-    painter.poll([](const fs::path&) {});
+    waitForStrokes(painter);
     EXPECT_EQ(readStrokeFile(autosave).size(), 1u);
 }
 

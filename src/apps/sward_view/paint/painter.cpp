@@ -52,7 +52,7 @@ void Painter::poll(const std::function<void(const std::filesystem::path&)>& appl
 
 bool Painter::isIdle() const
 {
-    return under_ == Asked::nothing && !mustClear_ && savings_.empty() &&
+    return under_ == Asked::nothing && !mustClear_ && savings_.empty() && !autosaving_.valid() &&
            heldRevision_ == strokes.revision();
 }
 

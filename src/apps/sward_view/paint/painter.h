@@ -58,7 +58,7 @@ public:
 
     const EditSession& session() const { return session_; }
     bool isReady() const { return session_.isReady() && session_.failure().empty(); }
-    /// Whether the session has all strokes and has written all files.
+    /// Whether the session has all strokes, and all files are written, the autosave among them.
     bool isIdle() const;
 
     /// Whether the shown field has changed.
