@@ -86,8 +86,8 @@ PlaceRange EditedCover::apply(const field::Delta& delta, shared::Cover& cover)
         Cell& cell = cells_[change.cell];
         touch(cell, -1.0);
         const double blades = std::max(double(change.blades.size()), 1.0);
-        cell = measured(change.patches, change.blades,
-                        std::min(1.0, bladesToRead(shape_) / blades));
+        cell =
+            measured(change.patches, change.blades, std::min(1.0, bladesToRead(shape_) / blades));
         touch(cell, 1.0);
     }
     // What remains of removed blades is rounding.
