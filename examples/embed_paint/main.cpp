@@ -30,7 +30,7 @@ namespace {
 
 constexpr VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB, depthFormat = VK_FORMAT_D32_SFLOAT;
 constexpr VkExtent2D size{640, 360};
-constexpr int pushedFrames = 12, allFrames = 15; // of a third of a second
+constexpr int pushedFrames = 8, allFrames = 10; // of half a second
 
 /// The host's own device, as in examples/embed.
 struct Vulkan {
@@ -115,7 +115,7 @@ void draw(const gpu::DeviceContext& context, const char* painted, const char* un
     };
     double time = 0.0;
     const auto drawFrame = [&](glm::dvec3 barrow) {
-        grass.begin(0, {.time = time += 1.0 / 3.0, .views = {&view, 1}, .settings = settings});
+        grass.begin(0, {.time = time += 0.5, .views = {&view, 1}, .settings = settings});
         gpu::submitAndWait(context, [&](VkCommandBuffer commands) {
             // 3. What was edited is copied here, and blades that stay go on moving.
             grass.recordUpdate(commands);
