@@ -387,6 +387,14 @@ static void light_frame(sward_grass* grass, const sward_target* target, sward_fr
     REQUIRE(sward_grass_begin(grass, 0, &frame) == SWARD_ERROR_USAGE); /* no image */
 }
 
+/* Copies the whole field to the device, and waits. */
+static void upload(sward_resident* resident)
+{
+    VkCommandBuffer commands = begin_commands();
+    sward_resident_record_upload(resident, commands, VK_WHOLE_SIZE);
+    submit_and_wait(commands);
+}
+
 /* Draws the field within the smallest budget that shows some of it. */
 static void stream_field(const sward_context* context, const sward_field* field, sward_grass* grass,
                          const sward_target* target, const sward_frame* frame)
@@ -402,9 +410,7 @@ static void stream_field(const sward_context* context, const sward_field* field,
     while (sward_resident_create_within(context, field, &budget, &resident) != SWARD_OK)
         budget.bytes += 1 << 15;
     REQUIRE(sward_resident_is_streamed(resident));
-    VkCommandBuffer commands = begin_commands();
-    sward_resident_record_upload(resident, commands, VK_WHOLE_SIZE);
-    submit_and_wait(commands);
+    upload(resident);
     const sward_placement place = {.rotation = {0, 0, 0, 1}, .scale = 1.0};
     sward_instance one = 0;
     REQUIRE(sward_grass_add(grass, resident, &place, &one) == SWARD_OK);
@@ -431,9 +437,7 @@ static void edit_field(const sward_context* context, const sward_field* field, s
     sward_resident_destroy(fixed);
     sward_resident* resident = NULL;
     REQUIRE(sward_resident_create_within(context, field, &budget, &resident) == SWARD_OK);
-    VkCommandBuffer commands = begin_commands();
-    sward_resident_record_upload(resident, commands, VK_WHOLE_SIZE);
-    submit_and_wait(commands);
+    upload(resident);
     const sward_placement place = {.rotation = {0, 0, 0, 1}, .scale = 1.0};
     sward_instance one = 0;
     REQUIRE(sward_grass_add(grass, resident, &place, &one) == SWARD_OK);
@@ -533,9 +537,7 @@ static void draw_field(const sward_field* field, const char* delta)
     REQUIRE(!sward_resident_is_uploaded(resident));
     sward_resident_release_staging(resident);
     REQUIRE(strstr(sward_last_error(), "recordUpload()") != NULL);
-    VkCommandBuffer commands = begin_commands();
-    sward_resident_record_upload(resident, commands, VK_WHOLE_SIZE);
-    submit_and_wait(commands);
+    upload(resident);
     REQUIRE(sward_resident_is_uploaded(resident));
     sward_resident_release_staging(resident);
 

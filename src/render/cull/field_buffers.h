@@ -42,8 +42,7 @@ public:
                                         std::uint64_t places, bool isPaged);
 
     /// Begins the upload; it is complete when `upload` is. `edited`: null if the field is never
-    /// edited. Throws Error{runtime} if the device's
-    /// memory is too small, naming both sizes.
+    /// edited. Throws Error{runtime} if the device's memory is too small, naming both sizes.
     FieldBuffers(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
                  const field::FieldView& field, Records records,
                  const EditedField* edited = nullptr);
