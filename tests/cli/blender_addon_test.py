@@ -10,7 +10,7 @@ from needs import needs
 CHECKS = ROOT / "tests/cli/blender_addon_checks.py"
 
 
-class BlenderAddon(CliTest):
+class BlenderAddonTest(CliTest):
     def setUp(self):
         needs("blender")
         super().setUp()
@@ -27,11 +27,17 @@ class BlenderAddon(CliTest):
         # Blender has removed its temporary folder, and the fields in it.
         self.assertEqual(self.files(), set())
 
+
+class BlenderAddon(BlenderAddonTest):
     def test_it_registers_and_unregisters_twice(self):
         self.holds("registers")
 
     def test_blades_stand_on_a_plane(self):
         self.holds("stands_on_a_plane")
+
+
+class LongBlenderAddon(BlenderAddonTest):
+    """Each test starts Blender. After changes of examples/blender, and before each release."""
 
     def test_blades_stand_on_a_sphere_that_is_turned_scaled_mirrored_and_moved(self):
         self.holds("stands_on_a_moved_sphere")

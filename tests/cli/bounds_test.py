@@ -1,5 +1,6 @@
 """Absurd numbers, dense filters and signals: every command ends, soon, and says why."""
 
+import itertools
 import json
 import random
 import signal
@@ -21,7 +22,7 @@ RECIPES = {
 LONGEST = 60.0  # [s] a command may take
 
 
-class Bounds(CliTest):
+class BoundsTest(CliTest):
     def ends(self, *arguments):
         """Runs a bake of few blades; demands an end in time, a known code and a message."""
         began = time.monotonic()
@@ -36,6 +37,47 @@ class Bounds(CliTest):
             self.assertNotIn("out-field.sward", done.stderr)
         return done
 
+    def ends_by_signals(self, numbers):
+        """Each stage of a bake is interrupted; the signals take turns, or each of them interrupts each stage."""
+        (self.folder / "big.obj").write_text(
+            "".join(f"v {i % 700} 0 {i // 700}\n" for i in range(490000))
+            + "".join(f"f {i + 1} {i + 701} {i + 2}\n" for i in range(489000) if i % 700 != 699))
+        for arguments, wait in ((("hills", "--density", "20000"), 1.0),
+                                (("hills", "--density", "20000"), 3.0),
+                                (("hills", "--spacing", "0.004"), 2.0),
+                                (("sphere", "--count", "3000000", "--sky", "0.2:1"), 2.0),
+                                (("big.obj", "--count", "1000000", "--border", "1"), 0.5)):
+            for number in next(numbers):
+                with self.subTest(arguments=arguments, number=number):
+                    started = subprocess.Popen(
+                        [str(PROGRAM), "bake", *arguments, "-o", "f.sward", "-q", "--max-blades",
+                         "400000000"], cwd=self.folder, stderr=subprocess.PIPE)
+                    time.sleep(wait)
+                    if started.poll() is None:
+                        began = time.monotonic()
+                        started.send_signal(number)
+                        started.wait(timeout=LONGEST)
+                        # A second, and the time that a crowded machine takes to end a process.
+                        self.assertLess(time.monotonic() - began, 2.0)
+                        self.assertEqual(started.returncode, INTERRUPTED)
+                        self.assertIn(b"interrupted", started.stderr.read())
+                        self.assertLessEqual(self.files(), {"big.obj"})
+                    started.stderr.close()
+                    (self.folder / "f.sward").unlink(missing_ok=True)
+
+
+class LongBounds(BoundsTest):
+    """Half a minute of work, until the program gives up; and each signal in each stage of a bake."""
+
+    def test_a_count_behind_a_filter_that_keeps_too_little_ends(self):
+        for options in (("--slope", "30:30.001"), ("--slope", "30:30.01", "--sampling", "poisson")):
+            self.ends("hills", "--count", "20000", *options)
+
+    def test_any_signal_ends_a_bake_within_a_second(self):
+        self.ends_by_signals(itertools.repeat((signal.SIGINT, signal.SIGTERM)))
+
+
+class Bounds(BoundsTest):
     def test_any_exponent_in_a_gltf(self):
         chance = random.Random(1)
         for _ in range(25):
@@ -79,10 +121,11 @@ class Bounds(CliTest):
                       "--endian", chance.choice(("little", "big", "middle")))
 
     def test_a_count_behind_a_dense_filter_ends(self):
-        (self.folder / "a.glb").write_bytes(glb_bytes(square(200.0)))
-        self.write_json("a.json", {"kind": "hills"})
-        self.ends("a.json", "--count", "20000", "--slope", "30:30.001")
-        self.ends("a.json", "--count", "20000", "--slope", "30:30.01", "--sampling", "poisson")
+        # Of a thousand candidates three are kept, of a million none.
+        for options in (("--slope", "30:30.1"), ("--slope", "30:30.1", "--sampling", "poisson")):
+            self.assertEqual(self.ends("hills", "--count", "5000", *options).returncode, DONE)
+        done = self.ends("hills", "--count", "5000", "--slope", "30:30.00001")
+        self.assertIn("no blade grows", done.stderr)
 
     def test_slivers_and_a_poisson_count_end(self):
         self.write_json("a.json", {"kind": "dunes", "extent": [0.05, 3000.0], "height": 0.08})
@@ -90,31 +133,7 @@ class Bounds(CliTest):
                   "--altitude=-50:50")
 
     def test_a_signal_ends_a_bake_within_a_second(self):
-        (self.folder / "big.obj").write_text(
-            "".join(f"v {i % 700} 0 {i // 700}\n" for i in range(490000))
-            + "".join(f"f {i + 1} {i + 701} {i + 2}\n" for i in range(489000) if i % 700 != 699))
-        for arguments, wait in ((("hills", "--density", "20000"), 1.0),
-                                (("hills", "--density", "20000"), 3.0),
-                                (("hills", "--spacing", "0.004"), 2.0),
-                                (("sphere", "--count", "3000000", "--sky", "0.2:1"), 2.0),
-                                (("big.obj", "--count", "1000000", "--border", "1"), 0.5)):
-            for number in (signal.SIGINT, signal.SIGTERM):
-                with self.subTest(arguments=arguments, number=number):
-                    started = subprocess.Popen(
-                        [str(PROGRAM), "bake", *arguments, "-o", "f.sward", "-q", "--max-blades",
-                         "400000000"], cwd=self.folder, stderr=subprocess.PIPE)
-                    time.sleep(wait)
-                    if started.poll() is None:
-                        began = time.monotonic()
-                        started.send_signal(number)
-                        started.wait(timeout=LONGEST)
-                        # A second, and the time that a crowded machine takes to end a process.
-                        self.assertLess(time.monotonic() - began, 2.0)
-                        self.assertEqual(started.returncode, INTERRUPTED)
-                        self.assertIn(b"interrupted", started.stderr.read())
-                        self.assertLessEqual(self.files(), {"big.obj"})
-                    started.stderr.close()
-                    (self.folder / "f.sward").unlink(missing_ok=True)
+        self.ends_by_signals(itertools.cycle(((signal.SIGINT,), (signal.SIGTERM,))))
 
     def test_a_byte_order_mark_changes_no_json(self):
         meadow = sorted((ROOT / "assets/meadows").glob("*.json"))[0].read_text(encoding="utf-8")

@@ -139,7 +139,9 @@ class Parallel(Scripts):
         return [(int(re.search(r"--index (\d+)", row[8])[1]), int(row[7])) for row in rows]
 
 
-class Slurm(Scripts):
+class LongSlurm(Scripts):
+    """On a cluster of daemons of its own, which takes a while to start and to end."""
+
     def test_a_slurm_array_goes_on_where_a_killed_task_stopped(self):
         needs("slurm")
         try:

@@ -49,7 +49,7 @@ class PlyExport(ExportTest):
                 self.assert_near(numpy.asarray(cloud.colors), rows[:, 13:16], 0.5001 / 255)
 
     def test_ply_without_blades_has_no_points(self):
-        field = self.bake("plane", "--count", "50", "--altitude", "5:")
+        field = self.bake("plane", "--density", "1", "--altitude", "5:")
         points, lines = ply_points.read_points(self.export(field, "none.ply"))
         self.assertEqual(len(points), 0)
         self.assertIn("element vertex 0", lines)
@@ -101,7 +101,7 @@ class UsdaExport(ExportTest):
         self.check(self.bake("sphere", "--count", "5000"))
 
     def test_tinyusdz_understands_it_as_it_is_meant(self):
-        path = self.export(self.bake("hills", "--count", "60000", "--sky-rays", "0"), "field.usda")
+        path = self.export(self.bake("hills", "--count", "10000", "--sky-rays", "0"), "field.usda")
         text, meshes = node_readers.usd_text(path)
         self.assertEqual(meshes, 5, "the species of the default meadow")
         # Its own way of saying "in this layer".
@@ -135,7 +135,7 @@ class UsdaExport(ExportTest):
                 self.assertIsNone(node_readers.usd_text(path))
 
     def test_usda_without_blades_has_prototypes_only(self):
-        layer = self.layer(self.bake("plane", "--count", "50", "--altitude", "5:"))
+        layer = self.layer(self.bake("plane", "--density", "1", "--altitude", "5:"))
         self.assertEqual(usda_layer.complaints(layer), [])
         self.assertNotIn("PointInstancer", [prim.kind for prim in layer.prims.values()])
 

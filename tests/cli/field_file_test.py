@@ -127,13 +127,13 @@ class FieldFile(CliTest):
         for line in (self.folder / "f.csv").read_text().splitlines()[1:]:
             self.assertRegex(line, r"^\d+(,-?\d+\.\d{9}){3},")
 
-    def test_a_million_rows_are_written_in_seconds(self):
-        field = self.bake("hills", "--count", "1000000", "--sky-rays", "0", to="large.sward")
+    def test_a_quarter_of_a_million_rows_are_written_in_seconds(self):
+        field = self.bake("hills", "--count", "250000", "--sky-rays", "0", to="large.sward")
         begin = time.monotonic()
         self.sward("export", field, "-o", "large.csv")
-        self.assertLess(time.monotonic() - begin, 20.0)
+        self.assertLess(time.monotonic() - begin, 5.0)
         with open(self.folder / "large.csv", "rb") as file:
-            self.assertEqual(sum(1 for _ in file), 1000001)
+            self.assertEqual(sum(1 for _ in file), 250001)
 
     def test_an_unknown_extension_names_those_that_exist(self):
         for name in ("f.abc", "f", "f.CSV2"):

@@ -54,7 +54,7 @@ class Histogram(CliTest):
         return bars
 
     def test_density_and_spacing_are_those_that_were_asked_for(self):
-        field = self.bake("plane", "--density", "400", "--blade-scale", "1")
+        field = self.bake("plane", "--density", "400", "--blade-scale", "1", "--sky-rays", "0")
         histogram = self.histogram(field)["histogram"]
         full = histogram["density_per_m2"]
         self.assertAlmostEqual(full["largest"], 400.0, delta=120.0)
@@ -79,7 +79,7 @@ class Histogram(CliTest):
             self.assertEqual([count for count in shown if count > 0], counts)
 
     def test_a_field_without_blades_has_empty_bars(self):
-        field = self.bake("plane", "--count", "100", "--altitude", "5:", to="none.sward")
+        field = self.bake("plane", "--density", "1", "--altitude", "5:", to="none.sward")
         histogram = self.histogram(field)["histogram"]
         self.assertEqual({entry["count"] for entry in histogram.values()}, {0})
         self.assertIn("height [m]: 0 blades", self.sward("info", field, "--histogram").stdout)

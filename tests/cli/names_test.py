@@ -4,6 +4,7 @@ import json
 import os
 import unittest
 
+from meshes import glb_bytes, square
 from support import CliTest, USAGE
 
 ODD = os.fsdecode(b"caf\xe9")  # Latin-1, as from an old archive
@@ -14,22 +15,23 @@ class Names(CliTest):
         super().setUp()
         self.home = self.folder / ODD
         self.home.mkdir()
-        self.sward("terrain", "hills", "-o", self.home / f"{ODD}.glb")
+        (self.home / f"{ODD}.glb").write_bytes(glb_bytes(square(20.0)))
+        (self.home / f"{ODD}-pond.glb").write_bytes(glb_bytes(square(4.0)))
 
     def odd(self, *arguments, **how):
         """Runs in the folder; returns stdout as JSON."""
         return json.loads(self.sward(*arguments, folder=self.home, **how).stdout)
 
     def test_in_every_json_that_is_written(self):
-        mesh = self.home / f"{ODD}.glb"
-        self.sward("bake", mesh, "-o", self.home / f"{ODD}.sward", "--count", "50", "--occluder", mesh,
-                   "--exclude", mesh, "--report", self.home / f"{ODD}.json")
+        mesh, pond = (self.home / f"{ODD}{name}.glb" for name in ("", "-pond"))
+        self.sward("bake", mesh, "-o", self.home / f"{ODD}.sward", "--count", "50", "--occluder", pond,
+                   "--exclude", pond, "--report", self.home / f"{ODD}.json")
         report = json.loads((self.home / f"{ODD}.json").read_bytes())
         self.assertIn("caf\ufffd.glb", report["input"]["path"])
         self.assertIn("caf\ufffd.sward", report["output"]["path"])
         effective = self.odd("bake", mesh, "-o", "x", "--print-config", "--hole-mask", mesh)
         self.assertIn("caf\ufffd.glb", effective["ground"]["input"][0])
-        self.odd("info", f"{ODD}.sward", "--json")
+        self.assertEqual(self.odd("info", f"{ODD}.sward", "--json")["blades"], 50)
         self.sward("validate", self.home / f"{ODD}.sward")
         for extension in (".csv", ".ply", ".usda", ".glb"):
             self.sward("export", self.home / f"{ODD}.sward", "-o", self.home / f"{ODD}{extension}",
@@ -48,9 +50,10 @@ class Names(CliTest):
 
     def test_in_a_plan_are_found_again(self):
         plan = self.home / f"{ODD}.json"
-        options = ("--exclude", f"{ODD}.glb:0.5", "--count", "200", "--seed", "3")
-        self.sward("bake", f"{ODD}.glb", "-o", "whole.sward", *options, folder=self.home)
-        self.sward("plan", f"{ODD}.glb", "-o", plan, "--tiles", "2", *options, folder=self.home)
+        options = ("--exclude", f"{ODD}-pond.glb:margin", "0.5", "--count", "200", "--seed", "3", "--")
+        self.sward("bake", "-o", "whole.sward", *options, f"{ODD}.glb", folder=self.home)
+        self.assertEqual(self.odd("info", "whole.sward", "--json")["blades"], 200)
+        self.sward("plan", "-o", plan, "--tiles", "2", *options, f"{ODD}.glb", folder=self.home)
         written = json.loads(plan.read_text(encoding="utf-8"))
         self.assertIn({"percent": "caf%E9.glb"}, written["arguments"])
         for index in range(2):

@@ -191,7 +191,7 @@ class OutputPlace(CliTest):
                                       (signal.SIGXCPU, False, INTERRUPTED),
                                       (signal.SIGHUP, True, DONE)):
             with self.subTest(signal=number.name, ignored=ignored):
-                count = "2000000" if ignored else "100000000"
+                count = "200000" if ignored else "100000000"
                 running = subprocess.Popen(
                     [str(PROGRAM), "bake", "sphere", "-o", "f.sward", "--count", count, "--progress",
                      "always"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,

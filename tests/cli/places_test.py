@@ -261,7 +261,7 @@ class Places(CliTest):
         # Green at the west, rock at the east; between 0 and 1 m the colours mix.
         green, rock = (0.1, 0.3, 0.05, 1.0), (0.3, 0.3, 0.3, 1.0)
         self.write("isle.glb", glb_bytes(square(16.0, 16, lambda x, z: green if x <= 0 else rock)))
-        done = self.sward("bake", "isle.glb", "-o", "all.sward", "--report", "all.json")
+        done = self.sward("bake", "isle.glb", "-o", "all.sward", "--report", "all.json", "--density", "40")
         self.assertRegex(done.stderr, r"5\d % of the ground is green and 4\d % .*--mask ground:green")
         colors = self.read_json("all.json")["ground_colors"]
         self.assertAlmostEqual(colors["green"], 0.53, delta=0.03)
@@ -274,7 +274,7 @@ class Places(CliTest):
         self.assertGreater(min(b.root[0] for b in self.grown("isle.glb", "--mask", "ground:green:invert")),
                            0.0)
         done = self.sward("bake", "isle.glb", "-o", "some.sward", "--mask", "ground:green", "--report",
-                          "some.json")
+                          "some.json", "--density", "40")
         self.assertNotIn("is green", done.stderr)
         self.assertFalse(self.read_json("some.json")["ground_colors"]["proposes_mask"])
         self.assertEqual(self.info("some.sward")["provenance"]["settings"]["masks"], ["ground:green"])

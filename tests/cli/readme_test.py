@@ -59,16 +59,31 @@ class ReadmeText(unittest.TestCase):
             self.assertIn(float(number), [round(value, digits) for value in measured], number)
 
 
-class Readme(CliTest):
-    def test_its_commands_run_one_after_the_other(self):
+class ReadmeTest(CliTest):
+    def run_commands(self, *more):
+        """All commands in a folder, those that bake with more words."""
         self.assertGreater(len(commands()), 0, "README shows how to run sward")
         (self.folder / "assets").symlink_to(ROOT / "assets")
         environment = {**os.environ, "PATH": f"{PROGRAM.parent}:{os.environ['PATH']}"}
         for command in commands():
+            if command.startswith("sward bake "):
+                command = " ".join([command, *more])
             with self.subTest(command=command):
                 done = subprocess.run(["bash", "-c", command], cwd=self.folder, env=environment,
                                       stdin=subprocess.DEVNULL, capture_output=True, text=True)
                 self.assertEqual(done.returncode, 0, done.stderr)
+
+
+class LongReadme(ReadmeTest):
+    """Millions of blades."""
+
+    def test_its_commands_run_one_after_the_other_as_they_stand(self):
+        self.run_commands()
+
+
+class Readme(ReadmeTest):
+    def test_its_commands_run_one_after_the_other_for_fewer_blades(self):
+        self.run_commands("--budget", "50000")
 
     def test_its_quick_start_is_the_two_scripts(self):
         text = (ROOT / "README.md").read_text(encoding="utf-8")

@@ -3,7 +3,9 @@
 import math
 import unittest
 
-from meshes import Mesh, bumps, cross, dot, glb_bytes, length, obj_text, subtract, unit
+import numpy
+
+from meshes import Mesh, bumps, cross, glb_bytes, length, obj_text, subtract, unit
 from support import CliTest
 
 # Areas of the test's triangles [m²], 1000:1.
@@ -26,46 +28,48 @@ def scattered_triangles():
     return Mesh(points, triangles)
 
 
-def coordinates(mesh, index, point):
-    """Barycentric coordinates of the point's foot on a triangle, and its distance from the plane."""
-    a, b, c = (mesh.positions[i] for i in mesh.triangles[index])
-    normal = cross(subtract(b, a), subtract(c, a))
-    square = dot(normal, normal)
-    offset = subtract(point, a)
-    v = dot(cross(offset, subtract(c, a)), normal) / square
-    w = dot(cross(subtract(b, a), offset), normal) / square
-    return (1.0 - v - w, v, w), abs(dot(offset, normal)) / math.sqrt(square)
+def coordinates(mesh, index, points):
+    """Barycentric coordinates of the points' feet on a triangle, a row for each, and the distances from its plane."""
+    a, b, c = (numpy.array(mesh.positions[i]) for i in mesh.triangles[index])
+    normal = numpy.cross(b - a, c - a)
+    square = normal @ normal
+    offsets = numpy.asarray(points) - a
+    v = numpy.cross(offsets, c - a) @ normal / square
+    w = numpy.cross(b - a, offsets) @ normal / square
+    return numpy.stack([1.0 - v - w, v, w], axis=1), abs(offsets @ normal) / math.sqrt(square)
 
 
-def sub_triangle(barycentric):
-    """Which of the sixteen congruent parts of a triangle holds the point."""
-    rows = [min(3, max(0, int(4 * x))) for x in barycentric]
+def distances(mesh, points):
+    """From each point to each triangle, if its foot is on that; else far."""
+    found = []
+    for index in range(len(mesh.triangles)):
+        barycentric, heights = coordinates(mesh, index, points)
+        # A root at the very edge may be rounded a step beyond it.
+        slack = 0.0015 / math.sqrt(mesh.area(index))
+        found.append(numpy.where(barycentric.min(axis=1) >= -slack, heights, math.inf))
+    return numpy.stack(found, axis=1)
+
+
+def sub_triangles(barycentric):
+    """Which of the sixteen congruent parts of a triangle holds each point."""
+    rows = numpy.clip((4 * barycentric).astype(int), 0, 3)
     # Inside a cell of the 4×4 grid the sum of the whole parts tells the upper from the lower part.
-    return rows[0], rows[1], sum(int(4 * x) for x in barycentric) == 3
+    upper = (4 * barycentric).astype(int).sum(axis=1) == 3
+    return (rows[:, 0] * 4 + rows[:, 1]) * 2 + upper
 
 
 class Surface(CliTest):
     def assert_on_surface(self, mesh, blades, offset=(0, 0, 0)):
         """Every root within max(0.5 mm, extent of its patch / 65535) of the nearest triangle."""
-        extents = {}
-        for blade in blades:
-            low, high = extents.setdefault(blade.patch, (list(blade.root), list(blade.root)))
-            for k in range(3):
-                low[k], high[k] = min(low[k], blade.root[k]), max(high[k], blade.root[k])
-        for blade in blades:
-            low, high = extents[blade.patch]
-            bound = max(0.0005, max(h - l for l, h in zip(low, high)) / 65535)
-            point = subtract(blade.root, offset)
-            nearest = min(self.distance(mesh, i, point) for i in range(len(mesh.triangles)))
-            self.assertLessEqual(nearest, bound, f"root {blade.root}")
-
-    @staticmethod
-    def distance(mesh, index, point):
-        """Distance to a triangle for a point whose foot is on it; else far."""
-        barycentric, height = coordinates(mesh, index, point)
-        # A root at the very edge may be rounded a step beyond it.
-        slack = 0.0015 / math.sqrt(mesh.area(index))
-        return height if min(barycentric) >= -slack else math.inf
+        roots = numpy.array([blade.root for blade in blades])
+        patches = numpy.array([blade.patch for blade in blades])
+        bounds = numpy.zeros(len(roots))
+        for patch in numpy.unique(patches):
+            bounds[patches == patch] = max(0.0005, numpy.ptp(roots[patches == patch], axis=0).max() / 65535)
+        nearest = distances(mesh, roots - offset).min(axis=1)
+        self.assertGreater(len(roots), 0)
+        worst = numpy.argmax(nearest - bounds)
+        self.assertLessEqual(nearest[worst], bounds[worst], f"root {roots[worst]}")
 
     def test_each_triangle_gets_the_share_of_its_area(self):
         mesh = scattered_triangles()
@@ -73,10 +77,8 @@ class Surface(CliTest):
         count = 60000
         blades = self.blades(self.bake("m.glb", "--count", count))
         self.assertEqual(len(blades), count)
-        counts = [0] * len(AREAS)
-        for blade in blades:
-            nearest = min(range(len(AREAS)), key=lambda i: self.distance(mesh, i, blade.root))
-            counts[nearest] += 1
+        nearest = distances(mesh, [blade.root for blade in blades]).argmin(axis=1)
+        counts = numpy.bincount(nearest, minlength=len(AREAS))
         expected = [count * area / sum(AREAS) for area in AREAS]
         chi_square = sum((n - e) ** 2 / e for n, e in zip(counts, expected))
         # 6 degrees of freedom: 22.5 has probability 0.001.
@@ -86,12 +88,10 @@ class Surface(CliTest):
         mesh = Mesh([(0, 0, 0), (7, 1, 2), (-1, 3, 5)], [(0, 1, 2)])
         (self.folder / "m.glb").write_bytes(glb_bytes(mesh))
         blades = self.blades(self.bake("m.glb", "--count", "40000", "--sides", "both"))
-        parts = {}
-        for blade in blades:
-            part = sub_triangle(coordinates(mesh, 0, blade.root)[0])
-            parts[part] = parts.get(part, 0) + 1
+        barycentric, _ = coordinates(mesh, 0, [blade.root for blade in blades])
+        parts = numpy.bincount(sub_triangles(barycentric))
         # Roots that rounding carried over an edge make parts of their own; they are few.
-        counts = sorted(parts.values(), reverse=True)[:16]
+        counts = sorted(parts, reverse=True)[:16]
         self.assertGreater(sum(counts), 39900)
         chi_square = sum((n - 2500) ** 2 / 2500 for n in counts)
         # 15 degrees of freedom: 37.7 has probability 0.001.
@@ -122,8 +122,9 @@ class Surface(CliTest):
     def test_blades_stand_on_the_surface_s_own_normal(self):
         mesh = scattered_triangles()
         (self.folder / "m.glb").write_bytes(glb_bytes(mesh))
-        for blade in self.blades(self.bake("m.glb", "--count", "5000")):
-            index = min(range(len(AREAS)), key=lambda i: self.distance(mesh, i, blade.root))
+        blades = self.blades(self.bake("m.glb", "--count", "5000"))
+        nearest = distances(mesh, [blade.root for blade in blades]).argmin(axis=1)
+        for blade, index in zip(blades, nearest):
             a, b, c = (mesh.positions[i] for i in mesh.triangles[index])
             normal = unit(cross(subtract(b, a), subtract(c, a)))
             # The rounding of up to 16 bits.

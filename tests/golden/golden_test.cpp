@@ -1,4 +1,4 @@
-#include "golden/picture.h"
+#include "support/pictures/picture.h"
 #include "golden/programs.h"
 #include "golden/scenes.h"
 

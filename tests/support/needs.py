@@ -24,7 +24,8 @@ from typing import Callable, NamedTuple
 # Packages that a distribution does not have at all, by ID and VERSION_ID of /etc/os-release.
 ABSENT = {("ubuntu", "24.04"): {"python3-open3d"}}
 
-# What ctest prints as skipped: Python's closing line where every test has passed or was left out.
+# A suite of which ctest prints that it was skipped: Python's closing line where some tests were left out and all others
+# have passed. The last lines of a run name these tests.
 SKIPPED = r"OK \(skipped="
 
 
@@ -95,18 +96,31 @@ def leave_out(name, reason):
     text = f"needs {need.what}: {reason}"
     if demanded() and need.option == "--test" and not absent_packages().intersection(need.packages):
         raise AssertionError(f"{text}\nCI is set: there no test is left out")
-    print(f"\nleft out: {text.splitlines()[0]}", file=sys.stderr)
+    print(f"\nleft out{running()}: {text.splitlines()[0]}", file=sys.stderr)
     raise unittest.SkipTest(text)
+
+
+def running():
+    """The test of whose call this is, in parentheses; nothing in what prepares a whole class."""
+    frame = sys._getframe()
+    while frame:
+        test = frame.f_locals.get("self")
+        if isinstance(test, unittest.TestCase):
+            return f" ({test.id().removeprefix('__main__.')})"
+        frame = frame.f_back
+    return ""
 
 
 def left_out_in(log):
     """Names of tests by reason, from ctest's LastTest.log: those of needs(), and those of GTEST_SKIP()."""
-    found, test, skips = ({}, {}), "", False
+    found, suite, test, skips = ({}, {}), "", "", False
     for line in log.splitlines():
         if begin := re.match(r"\d+/\d+ Test: (.+)", line):
+            suite = test = begin[1]
+        elif begin := re.match(r"\[ RUN      \] (.+)", line):
             test = begin[1]
-        elif reason := re.match(r"left out: (.+)", line):
-            found[0].setdefault(reason[1], []).append(test)
+        elif reason := re.match(r"left out(?: \((.+?)\))?: (.+)", line):
+            found[0].setdefault(reason[2], []).append(f"{suite} {reason[1]}" if reason[1] else suite)
         elif skips:
             found[1].setdefault(line.strip() or "no reason given", []).append(test)
         skips = re.search(r"\.cpp:\d+: Skipped$", line) is not None

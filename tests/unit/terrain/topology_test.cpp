@@ -1,6 +1,7 @@
 #include "support/meshes.h"
 #include "terrain/heightmap/heightfield.h"
 #include "terrain/topology/topology.h"
+#include "terrain/topology/weld.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,6 +13,24 @@ namespace {
 
 using testing::Each;
 using testing::ElementsAre;
+
+/// Mirrored halves of a mesh meet at +0 and -0.
+TEST(Weld, MakesOneVertexOfBothZeros)
+{
+    std::vector<glm::vec3> positions;
+    for (int i = 1; i <= 100; ++i)
+        for (const float zero : {0.0f, -0.0f}) {
+            positions.push_back({zero, float(i), 1.0f});
+            positions.push_back({float(i), zero, 2.0f});
+            positions.push_back({float(i), 3.0f, zero});
+        }
+    std::uint32_t count = 0;
+    const std::vector<std::uint32_t> numbers = weld(positions, count);
+    EXPECT_EQ(count, 300U);
+    for (std::size_t i = 0; i < positions.size(); i += 6)
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_EQ(numbers[i + k], numbers[i + 3 + k]);
+}
 
 TEST(Topology, KnowsACubeByItsTwelveCreases)
 {

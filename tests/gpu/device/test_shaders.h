@@ -1,0 +1,10 @@
+#pragma once
+
+#include "gpu/shader_library.h"
+
+namespace sward::test {
+
+/// The shaders of tests/gpu/device/shaders.
+const gpu::ShaderLibrary& testShaders();
+
+} // namespace sward::test
