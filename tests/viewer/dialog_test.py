@@ -1,57 +1,31 @@
 """Files are chosen from a list in the window, by mouse and by keys alone. On a real X server."""
 
-import os
-import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from display import Display  # noqa: E402
-from viewer import Viewer  # noqa: E402
-
-SWARD = os.environ["SWARD_PROGRAM"]
-VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
+from window_case import WindowCase  # noqa: E402
 
 
-class DialogTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory(prefix="sward-view-")
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = Path(folder.name)
-        (cls.folder / "far").mkdir()
-        for name, ground in (("hills.sward", "hills"), ("far/plane.sward", "plane")):
-            subprocess.run([SWARD, "bake", ground, "--count", "1000", "--blade-scale", "4", "-o",
-                            cls.folder / name, "-q"], check=True)
-        subprocess.run([SWARD, "terrain", "plane", "-o", cls.folder / "ground.glb"], check=True)
-        (cls.folder / "notes.txt").write_text("no field")
+class DialogTest(WindowCase):
+    SIZE = (900, 640)
 
     def setUp(self):
-        self.display = Display()
-        self.addCleanup(self.display.close)
+        super().setUp()
+        self.field("hills")
+        (self.folder / "far").mkdir()
+        self.field(name="far/plane.sward")
+        self.mesh().rename(self.folder / "ground.glb")
+        (self.folder / "notes.txt").write_text("no field")
 
     def open(self, *arguments):
-        viewer = Viewer(VIEWER, self.display, self.folder,
-                        [*arguments, "--panel", "field", "--size", "900x640"])
-        self.addCleanup(viewer.close)
-        viewer.wait_for_field()
-        return viewer
-
-    def assert_ends_well(self, viewer):
-        code, said = viewer.end()
-        self.assertEqual(code, 0, said)
-        self.assertIn("0 validation messages", said)
+        return super().open(*arguments, "--panel", "field")
 
     def browse(self, viewer):
         viewer.press("Name browse", panel="Field")
         viewer.wait(lambda: viewer.shows("Files/Folder"), "the dialog is open")
         viewer.wait_frames(3)
-
-    def type(self, viewer, text):
-        self.display.xdotool("type", "--window", viewer.window.number, "--delay", "120", text)
-        viewer.wait_frames(2)
 
     def entries(self, viewer):
         fixed = {"Up", "Folder", "Name", "All files", "Open", "Add field", "Cancel", "Complaint", "Save"}
@@ -78,12 +52,14 @@ class DialogTest(unittest.TestCase):
         viewer = self.open("hills.sward")
         self.browse(viewer)
         # Types at once; a part of a name leaves what it means, and Enter goes there.
-        self.type(viewer, "fa")
+        viewer.type("fa")
+        viewer.wait_frames(2)
         viewer.wait(lambda: self.entries(viewer) == {"far/"}, "the rest is left out")
         viewer.key("Return")
         viewer.wait(lambda: viewer.shows("Files/Folder").endswith("far"), "the folder is entered")
         viewer.wait_frames(3)
-        self.type(viewer, "..")
+        viewer.type("..")
+        viewer.wait_frames(2)
         viewer.key("Return")
         viewer.wait(lambda: not viewer.shows("Files/Folder").endswith("far"), "it goes up")
         viewer.wait_frames(3)
@@ -95,7 +71,8 @@ class DialogTest(unittest.TestCase):
         viewer.wait(lambda: "Files/Folder" not in viewer.controls(), "Escape closes the dialog only")
         self.assertTrue(viewer.shows("Field/File").endswith("hills.sward"))
         self.browse(viewer)
-        self.type(viewer, "far/plane.sward")
+        viewer.type("far/plane.sward")
+        viewer.wait_frames(2)
         viewer.key("Return")
         viewer.wait_for_value("Field/File", lambda shown: shown == "far/plane.sward", "it is opened")
         self.assert_ends_well(viewer)

@@ -4,12 +4,13 @@ import ctypes
 import os
 import random
 import shutil
-import struct
 import subprocess
 import sys
 import tempfile
 import time
 from pathlib import Path
+
+import numpy as np
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "support"))
 from needs import needs  # noqa: E402
@@ -24,7 +25,7 @@ def wait_until(holds, what):
         answer = holds()
         if answer:
             return answer
-        time.sleep(0.05)
+        time.sleep(0.01)
     raise AssertionError(f"waited {PATIENCE:.0f} s in vain until {what}")
 
 
@@ -79,26 +80,28 @@ class Display:
                               env={**os.environ, "DISPLAY": self.name})
         return done.stdout.strip() if done.returncode == 0 else ""
 
-    def find(self, title):
-        """The visible window whose title begins so; nothing if there is none."""
-        windows = self.xdotool("search", "--onlyvisible", "--name", "^" + title).split()
+    def let_go(self):
+        """The mouse lies in the middle of the screen, and no button or key is held."""
+        self.xdotool("mousemove", self.WIDTH // 2, self.HEIGHT // 2, *("mouseup", 1, "mouseup", 2, "mouseup", 3),
+                     *("keyup", "Shift_L", "keyup", "Control_L"))
+
+    def find(self, title, process):
+        """The visible window of a process whose title begins so; nothing if there is none."""
+        windows = self.xdotool("search", "--all", "--onlyvisible", "--pid", process, "--name", "^" + title).split()
         return Window(self, windows[0]) if windows else None
 
     def picture(self, left, top, width, height):
-        """Rows of (blue, green, red) as they are on the screen now."""
-        dump = (self.folder / "Xvfb_screen0").read_bytes()
+        """The pixels that are on the screen now: rows, columns, and (blue, green, red)."""
+        dump = self.folder / "Xvfb_screen0"
         # The header of an XWD file: 25 numbers, the largest byte first.
-        header = struct.unpack(">25I", dump[:100])
-        header_bytes, bits_per_pixel, bytes_per_line, colors = (header[0], header[11], header[12],
-                                                                header[19])
+        header = np.fromfile(dump, ">u4", 25)
+        header_bytes, bits_per_pixel, bytes_per_line, colors = (int(header[i]) for i in (0, 11, 12, 19))
         assert bits_per_pixel == 32, "the screen was asked to have 24 bits of colour"
-        first = header_bytes + 12 * colors
-        rows = []
-        for y in range(top, top + height):
-            begin = first + y * bytes_per_line + 4 * left
-            row = dump[begin:begin + 4 * width]
-            rows.append(list(zip(row[0::4], row[1::4], row[2::4])))
-        return rows
+        lines = np.fromfile(dump, np.uint8, height * bytes_per_line,
+                            offset=header_bytes + 12 * colors + top * bytes_per_line)
+        rows = lines.reshape(-1, bytes_per_line)[:, 4 * left:4 * (left + width)]
+        # Signed, so that channels can be subtracted.
+        return rows.reshape(len(rows), -1, 4)[..., :3].astype(np.int16)
 
 
 class Window:
@@ -165,6 +168,4 @@ class Window:
 
 def share_that_differs(first, second, tolerance=3):
     """Share of pixels that differ by more than `tolerance` in any channel."""
-    pairs = [(a, b) for rows in zip(first, second) for a, b in zip(*rows)]
-    different = sum(1 for a, b in pairs if max(abs(i - j) for i, j in zip(a, b)) > tolerance)
-    return different / len(pairs)
+    return float((abs(first - second).max(axis=2) > tolerance).mean())

@@ -2,7 +2,6 @@
 
 import csv
 import json
-import os
 import subprocess
 import sys
 import tempfile
@@ -10,14 +9,10 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from display import Display  # noqa: E402
-from viewer import Viewer  # noqa: E402
+from window_case import SWARD, VIEWER, WindowCase  # noqa: E402
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "support"))
 from needs import needs  # noqa: E402
-
-SWARD = os.environ["SWARD_PROGRAM"]
-VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
 
 
 def bake(ground, count, path, *arguments):
@@ -27,41 +22,22 @@ def bake(ground, count, path, *arguments):
                     "--force", "-q", *meadow, *arguments], check=True)
 
 
-class FieldsTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory(prefix="sward-view-")
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = Path(folder.name)
-        cls.hills, cls.plane = cls.folder / "hills.sward", cls.folder / "plane.sward"
-        bake("hills", 1500, cls.hills)
-        bake("plane", 800, cls.plane, "--meadow", "steppe")
+class FieldsTest(WindowCase):
+    SIZE = (900, 780)
 
     def setUp(self):
-        self.display = Display()
-        self.addCleanup(self.display.close)
+        super().setUp()
+        # Blades alone, so that the numbers of blades are those of the bake.
+        self.hills = self.field("hills", 1500, 8, "--meadow", "grass")
+        self.plane = self.field("plane", 800, 8, "--meadow", "steppe")
 
     def open(self, *arguments):
-        viewer = Viewer(VIEWER, self.display, self.folder,
-                        [*arguments, "--panel", "field", "--size", "900x780"])
-        self.addCleanup(viewer.close)
-        viewer.wait_for_field()
-        return viewer
-
-    def assert_ends_well(self, viewer):
-        code, said = viewer.end()
-        self.assertEqual(code, 0, said)
-        self.assertIn("0 validation messages", said)
+        return super().open(*arguments, "--panel", "field")
 
     def wait_for_total(self, viewer, total):
         viewer.wait_for_value("Status/Numbers",
                               lambda shown: f" of {total:,} blades".replace(",", " ") in shown,
                               f"{total} blades are shown")
-
-    def drop(self, viewer, *paths):
-        # Use a separate process: Xlib ends the whole program on an error.
-        subprocess.run([sys.executable, Path(__file__).with_name("drop.py"), self.display.name,
-                        viewer.window.number, *(path.as_uri() for path in paths)], check=True)
 
     def test_each_of_several_is_listed_and_may_go_and_come(self):
         viewer = self.open(self.hills, self.plane)
@@ -123,7 +99,7 @@ class FieldsTest(unittest.TestCase):
                            stderr=subprocess.DEVNULL)
             with open(table) as file:
                 rows[field.name] = {row["id"]: row for row in csv.DictReader(file)}
-        viewer = self.open(self.hills, self.plane, "--camera", "top")
+        viewer = self.open(self.hills, self.plane, "--camera", "top", "--resolution", "0.4")
         viewer.key("space")
         seen = set()
         for i in range(120):
@@ -153,7 +129,7 @@ class FieldsTest(unittest.TestCase):
         # A rebake replaces the chosen field.
         viewer.click("Field/Show 1", 0.2)
         viewer.press("Ground", panel="Meadow")
-        viewer.display.xdotool("type", "--window", viewer.window.number, "--delay", "150", "plane")
+        viewer.type("plane")
         viewer.wait_for_value("Meadow/Ground", lambda shown: shown == "plane", "it is typed")
         self.assertEqual(viewer.shows("Meadow/Count"), "1500")
         viewer.press("Bake again", panel="Meadow")

@@ -4,16 +4,13 @@ Our own layer simulates the loss after a number of submissions."""
 import os
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from display import Display  # noqa: E402
+from window_case import VIEWER, WindowCase  # noqa: E402
 
-SWARD = os.environ["SWARD_PROGRAM"]
-VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
 RUNTIME = 4
 
 
@@ -23,14 +20,10 @@ def losing_after(submissions):
             "SWARD_LOST_AFTER": str(submissions)}
 
 
-class LostDeviceTest(unittest.TestCase):
+class LostDeviceTest(WindowCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="sward-lost-")
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.field = self.folder / "hills.sward"
-        subprocess.run([SWARD, "bake", "hills", "--count", "1000", "--blade-scale", "8", "-o",
-                        self.field, "-q"], check=True)
+        super().setUp()
+        self.hills = self.field("hills", 1000)
 
     def assert_told(self, code, said):
         self.assertEqual(code, RUNTIME, said)
@@ -42,13 +35,13 @@ class LostDeviceTest(unittest.TestCase):
         for submissions in (0, 2, 6, 12):
             with self.subTest(submissions=submissions):
                 done = subprocess.run(
-                    [VIEWER, "render", self.field, "-o", self.folder / "p_%d.png", "--frames",
+                    [VIEWER, "render", self.hills, "-o", self.folder / "p_%d.png", "--frames",
                      "0:20", "--size", "48x32"], env=losing_after(submissions),
                     capture_output=True, text=True, timeout=120)
                 self.assert_told(done.returncode, done.stderr)
                 self.assertEqual(done.stdout, "")
                 written = sorted(path.name for path in self.folder.iterdir())
-                written.remove(self.field.name)
+                written.remove(self.hills.name)
                 self.assertEqual(written, [f"p_{i}.png" for i in range(len(written))])
                 for name in written:
                     picture = (self.folder / name).read_bytes()
@@ -56,12 +49,10 @@ class LostDeviceTest(unittest.TestCase):
                     (self.folder / name).unlink()
 
     def test_the_window_tells_and_ends(self):
-        display = Display()
-        self.addCleanup(display.close)
         begin = time.monotonic()
         done = subprocess.run(
-            [VIEWER, self.field, "--size", "320x240", "--exit-after", "100"],
-            env={**losing_after(30), "DISPLAY": display.name,
+            [VIEWER, self.hills, "--size", "320x240", "--exit-after", "100"],
+            env={**losing_after(30), "DISPLAY": self.display.name,
                  "XDG_STATE_HOME": str(self.folder / "state")},
             capture_output=True, text=True, timeout=120)
         self.assert_told(done.returncode, done.stderr)

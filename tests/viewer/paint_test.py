@@ -3,25 +3,21 @@ left when it is killed."""
 
 import json
 import os
-import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from display import Display, share_that_differs, wait_until  # noqa: E402
-from viewer import Viewer  # noqa: E402
+from display import share_that_differs, wait_until  # noqa: E402
+from window_case import SWARD, WindowCase  # noqa: E402
 
-SWARD = os.environ["SWARD_PROGRAM"]
-VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
-
-GROUND = "hills"
+GROUND = "plane"
 COUNT = 60000
 # Options that the panel Meadow does not have are taken from the field.
-BAKE = ["--meadow", "grass", "--count", str(COUNT), "--blade-scale", "1.02", "--sky-rays", "4"]
+SCALE = 1.02
+BAKE = ["--meadow", "grass", "--sky-rays", "4"]
 LEFT, RIGHT, LOW = (560, 420), (760, 420), 470  # places of the picture beside the panel
 
 
@@ -33,40 +29,27 @@ def has_ended(process):
         return True
 
 
-class PaintTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory(prefix="sward-view-")
-        cls.addClassCleanup(folder.cleanup)
-        cls.whole = Path(folder.name) / "whole.sward"
-        subprocess.run([SWARD, "bake", GROUND, *BAKE, "-o", cls.whole, "-q"], check=True)
+class PaintTest(WindowCase):
+    SIZE = (1000, 760)
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="sward-view-")
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.field = self.folder / "meadow.sward"
-        shutil.copy(self.whole, self.field)
+        super().setUp()
+        self.meadow = self.field(GROUND, COUNT, SCALE, *BAKE, name="meadow.sward")
+        self.baked = self.meadow.read_bytes()
         self.autosave = self.folder / "meadow.strokes.autosave.json"
-        self.display = Display()
-        self.addCleanup(self.display.close)
 
     def open(self, *arguments):
-        viewer = Viewer(VIEWER, self.display, self.folder,
-                        [*arguments, "--size", "1000x760", "--panel", "paint", "--camera", "top",
-                         "--resolution", "0.5"])
-        self.addCleanup(viewer.close)
-        viewer.wait_for_field()
+        viewer = super().open(*arguments, "--panel", "paint", "--camera", "top", "--resolution", "0.35")
         viewer.key("space")
         return viewer
 
-    def start(self, viewer):
+    def begin(self, viewer):
         viewer.click("Paint/Start painting")
         viewer.wait(lambda: "Paint/Kind" in viewer.controls(), "painting begins")
 
     def paint(self):
-        viewer = self.open(self.field, "--ground", GROUND)
-        self.start(viewer)
+        viewer = self.open(self.meadow, "--ground", GROUND)
+        self.begin(viewer)
         self.assertEqual(self.blades(viewer), COUNT)
         return viewer
 
@@ -129,7 +112,7 @@ class PaintTest(unittest.TestCase):
         viewer.click("Paint/Stroke 1", 0.1)
         self.settled(viewer, lambda count: count == COUNT, "a hidden stroke does not count")
         self.assertEqual(self.strokes(viewer), 1)
-        self.assertEqual(viewer.end()[0], 0)
+        self.assert_ends_well(viewer)
 
     def test_what_is_saved_is_what_was_painted(self):
         viewer = self.paint()
@@ -138,28 +121,29 @@ class PaintTest(unittest.TestCase):
         fewer = self.blades(viewer)
         self.assertTrue(self.autosave.exists())
         strokes = self.folder / "meadow.strokes.json"
-        for button, path in (("Save field...", self.field), ("Save strokes...", strokes)):
+        for button, path in (("Save field...", self.meadow), ("Save strokes...", strokes)):
             viewer.click(f"Paint/{button}")
             viewer.wait_for_value("Files/Name", lambda shown: shown == path.name, "it proposes a name")
             viewer.wait_frames(3)
             viewer.key("Return")
-            if path == self.field:  # its own file, which is there
+            if path == self.meadow:  # its own file, which is there
                 viewer.wait(lambda: "Question/Replace" in viewer.controls(), "it asks")
                 viewer.wait_frames(3)
                 viewer.click("Question/Replace")
-                viewer.wait(lambda: path.read_bytes() != self.whole.read_bytes(), "it is replaced")
+                viewer.wait(lambda: path.read_bytes() != self.baked, "it is replaced")
             viewer.wait(path.exists, f"{path.name} is written")
         viewer.wait_for_value("Paint/Saved", lambda shown: shown == "yes", "it is told")
         self.assertFalse(self.autosave.exists())
         viewer.window.ask_to_close()
         self.assertEqual(viewer.process.wait(timeout=60), 0, viewer.said())
-        painted, baked = self.field, self.folder / "baked.sward"
+        painted, baked = self.meadow, self.folder / "baked.sward"
         self.assertEqual(self.blades_of(painted), fewer)
-        subprocess.run([SWARD, "bake", GROUND, *BAKE, "--paint", strokes, "-o", baked, "-q"], check=True)
+        subprocess.run([SWARD, "bake", GROUND, "--count", str(COUNT), "--blade-scale", str(SCALE), *BAKE,
+                        "--paint", strokes, "-o", baked, "-q"], check=True)
         self.assertEqual(baked.read_bytes(), painted.read_bytes())
         again = self.open(painted, "--ground", GROUND)
         self.assertIn(f"{fewer}", again.shows("Status/Numbers").replace(" ", "").replace(",", ""))
-        self.assertEqual(again.end()[0], 0)
+        self.assert_ends_well(again)
 
     def test_strokes_that_are_not_saved_are_asked_for(self):
         viewer = self.paint()
@@ -198,8 +182,8 @@ class PaintTest(unittest.TestCase):
             wait_until(lambda: has_ended(child), "sward edit ends, too")
         strokes = json.loads(self.autosave.read_text())["strokes"]
         self.assertEqual([stroke["kind"] for stroke in strokes], ["erase"])
-        self.assertEqual(self.field.read_bytes(), self.whole.read_bytes())
-        again = self.open(self.field, "--ground", GROUND)
+        self.assertEqual(self.meadow.read_bytes(), self.baked)
+        again = self.open(self.meadow, "--ground", GROUND)
         again.click("Paint/Start painting")
         again.wait(lambda: "Question/Load them" in again.controls(), "it offers the strokes")
         again.wait_frames(3)
@@ -207,7 +191,7 @@ class PaintTest(unittest.TestCase):
         again.wait(lambda: "Paint/Kind" in again.controls(), "painting begins")
         self.wait_for_strokes(again, 1)
         self.settled(again, lambda count: 0 < count < COUNT, "the stroke is applied")
-        self.assertEqual(again.end()[0], 0)
+        self.assert_ends_well(again)
 
     def test_a_session_that_is_killed_is_told_and_the_window_goes_on(self):
         viewer = self.paint()
@@ -220,14 +204,14 @@ class PaintTest(unittest.TestCase):
         self.assertIn(str(self.autosave.name), viewer.shows("Message/Error"))
         viewer.wait(lambda: "Paint/Start painting" in viewer.controls(), "it can begin again")
         self.assertTrue(self.autosave.exists())
-        self.assertEqual(viewer.end()[0], 0)
+        self.assert_ends_well(viewer)
 
     def test_a_field_of_another_bake_is_not_painted(self):
-        viewer = self.open(self.field, "--ground", "dunes")
+        viewer = self.open(self.meadow, "--ground", "dunes")
         viewer.click("Paint/Start painting")
         viewer.wait(lambda: "was not baked on dunes" in (viewer.shows("Message/Error") or ""),
                     "it is told")
-        self.assertEqual(viewer.end()[0], 0)
+        self.assert_ends_well(viewer)
 
 
 if __name__ == "__main__":

@@ -1,59 +1,29 @@
 """Where things are in the window: what `fit` frames, and balls at the ground's end. On a real X server, by
 mouse and keys."""
 
-import os
-import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from display import Display  # noqa: E402
-from viewer import Viewer  # noqa: E402
+from window_case import WindowCase  # noqa: E402
 
-SWARD = os.environ["SWARD_PROGRAM"]
-VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
-SIZE = (1000, 600)
 PANEL_END = 436  # pixels
 
 
-class PlaceTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory(prefix="sward-view-")
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = Path(folder.name)
-        for ground in ("sphere", "plane"):
-            subprocess.run([SWARD, "bake", ground, "--count", "1000", "--blade-scale", "4", "-o",
-                            cls.folder / f"{ground}.sward", "-q"], check=True)
-
-    def setUp(self):
-        self.display = Display()
-        self.addCleanup(self.display.close)
-
-    def open(self, ground, *arguments):
-        viewer = Viewer(VIEWER, self.display, self.folder,
-                        [self.folder / f"{ground}.sward", *arguments, "--size", "{}x{}".format(*SIZE)])
-        self.addCleanup(viewer.close)
-        viewer.wait_for_field()
-        return viewer
-
-    def assert_ends_well(self, viewer):
-        code, said = viewer.end()
-        self.assertEqual(code, 0, said)
-        self.assertIn("0 validation messages", said)
+class PlaceTest(WindowCase):
+    SIZE = (1000, 600)
 
     def columns_of_the_planet(self, viewer, begin):
         """The first and last column of the picture, from `begin` on, in which there is no sky."""
         viewer.away()
         left, top, _, _ = viewer.window.geometry()
-        rows = self.display.picture(left, top + SIZE[1] // 2, SIZE[0], 1)
+        rows = self.display.picture(left, top + self.SIZE[1] // 2, self.SIZE[0], 1)
         blues = [x for x, (blue, _, red) in enumerate(rows[0]) if x >= begin and blue < red + 10]
         return blues[0], blues[-1]
 
     def test_fit_shows_the_field_beside_an_open_panel(self):
-        viewer = self.open("sphere", "--panel", "physics")
+        viewer = self.open(self.field("sphere", 1000, 4), "--panel", "physics")
         viewer.key("space")
         for begin, panel in ((PANEL_END, "Physics"), (100, None)):
             with self.subTest(panel=panel):
@@ -63,30 +33,47 @@ class PlaceTest(unittest.TestCase):
                 first, last = self.columns_of_the_planet(viewer, begin)
                 free_begin = begin if panel else 0
                 self.assertGreater(first, begin, "nothing of it is covered")
-                self.assertLess(last, SIZE[0] - 1)
-                self.assertAlmostEqual((first + last) / 2, (free_begin + SIZE[0]) / 2, delta=25)
+                self.assertLess(last, self.SIZE[0] - 1)
+                self.assertAlmostEqual((first + last) / 2, (free_begin + self.SIZE[0]) / 2, delta=25)
         self.assert_ends_well(viewer)
 
+    def throw(self, viewer, begin, end):
+        """Drags in the time of a few frames, and lets go at once: what is held is fast then."""
+        steps = [[begin[k] + (end[k] - begin[k]) * i // 8 for k in (0, 1)] for i in range(1, 9)]
+        to = ("mousemove", "--window", viewer.window.number)
+        self.display.xdotool(*to, *begin, "mousedown", 1)
+        viewer.wait_frames(2)
+        self.display.xdotool(*(word for step in steps for word in (*to, *step, "sleep", 0.03)), "mouseup", 1)
+        viewer.wait_frames(2)
+
     def test_a_ball_thrown_over_the_edge_falls(self):
-        viewer = self.open("plane", "--panel", "colliders", "--camera", "top")
+        viewer = self.open(self.field("plane", 1000, 4), "--panel", "colliders", "--camera", "top")
         viewer.press("Add ball", panel="Colliders")
         viewer.wait(lambda: viewer.controls().get("Picture/Collider 1"), "the ball is seen")
         place = lambda: [float(word) for word in viewer.shows("Colliders/Collider 1").split()]
         begin = place()
-        ball = viewer.controls()["Picture/Collider 1"]
-        x, y = round(ball["x"]), round(ball["y"])
-        # In steps, so that it is fast when it is let go; beyond the edge there is no ground to lie on.
+
+        def has_fallen():
+            return place()[1] < begin[1] - 1
+
+        def lies_still():
+            before = place()
+            viewer.wait_frames(3)
+            return place() == before
+
         for _ in range(6):
             ball = viewer.controls()["Picture/Collider 1"]
             x, y = round(ball["x"]), round(ball["y"])
-            viewer.drag((x, y), (x, y - 160), steps=4)
-            if place()[1] < begin[1] - 1:
+            # Beyond the edge there is no ground to lie on.
+            self.throw(viewer, (x, y), (x, y - 160))
+            viewer.wait(lambda: has_fallen() or lies_still(), "it falls, or lies still")
+            if has_fallen():
                 break
-        viewer.wait(lambda: place()[1] < begin[1] - 1, "it falls")
+        self.assertTrue(has_fallen())
         self.assert_ends_well(viewer)
 
     def test_the_time_of_day_moves_and_colours_the_sun(self):
-        viewer = self.open("plane", "--panel", "look", "--camera", "eye")
+        viewer = self.open(self.field("plane", 1000, 4), "--panel", "look", "--camera", "eye")
         shown = lambda name: [float(word) for word in viewer.shows(f"Look/{name}").split()]
         rising = shown("Elevation")[0]
         self.assertAlmostEqual(shown("Time of day")[0], 8.5, delta=1, msg="in the morning")

@@ -3,49 +3,25 @@
 import os
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from display import Display  # noqa: E402
-from viewer import Viewer  # noqa: E402
+from window_case import VIEWER, WindowCase  # noqa: E402
 
-SWARD = os.environ["SWARD_PROGRAM"]
-VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
-SIZE = "1200x780"
 DARK = 56  # panels are darker, over a white picture too; the sky and sunlit ground are lighter
 
 
-class ScaleTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory(prefix="sward-view-")
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = Path(folder.name)
-        cls.field = cls.folder / "hills.sward"
-        subprocess.run([SWARD, "bake", "hills", "--count", "1500", "--blade-scale", "8", "-o",
-                        cls.field, "-q"], check=True)
+class ScaleTest(WindowCase):
+    SIZE = (1200, 780)
 
-    def setUp(self):
-        self.display = Display()
-        self.addCleanup(self.display.close)
-
-    def open(self, *arguments, dots_per_inch=None, size=SIZE):
-        if dots_per_inch:
-            self.display.set_resources(f"Xft.dpi:\t{dots_per_inch}\n")
-        size = ["--size", size] if size else []
-        viewer = Viewer(VIEWER, self.display, self.folder,
-                        [self.field, "--panel", "physics", *size, *arguments])
-        self.addCleanup(viewer.close)
-        viewer.wait_for_field()
+    def open(self, *arguments, dots_per_inch=None, size=None):
+        # Without dots per inch: a desktop that asks for no size.
+        self.display.set_resources(f"Xft.dpi:\t{dots_per_inch}\n" if dots_per_inch else "")
+        viewer = super().open(self.field(), "--panel", "physics", *arguments, size=size)
         viewer.away()
         return viewer
-
-    def assert_ends_well(self, viewer):
-        code, said = viewer.end()
-        self.assertEqual(code, 0, said)
-        self.assertIn("0 validation messages", said)
 
     def sizes(self, viewer):
         """Measured on the screen: the height of the letters of a label, the width of rail and panel,
@@ -82,9 +58,26 @@ class ScaleTest(unittest.TestCase):
                         round(control["y"] + 0.9 * control["height"]))
         self.assertAlmostEqual(float(viewer.shows("Physics/Strength")), 20, delta=1)
 
-    def test_it_follows_the_content_scale_and_the_option_overrides_it(self):
+    def keys_change_it(self, viewer, usual):
+        """While it runs."""
+        for _ in range(4):
+            viewer.key("ctrl+plus")
+        viewer.wait(lambda: viewer.controls()["Physics/Strength"]["height"] > 1.3 * usual["slider"],
+                    "it is larger")
+        viewer.away()
+        self.assert_factor(usual, self.sizes(viewer), 1.1 ** 4)
+        self.hits(viewer)
+        viewer.key("ctrl+minus")
+        viewer.away()
+        self.assert_factor(usual, self.sizes(viewer), 1.1 ** 3)
+        viewer.key("ctrl+0")
+        viewer.away()
+        self.assert_factor(usual, self.sizes(viewer), 1)
+
+    def test_it_follows_the_content_scale_the_option_overrides_it_and_keys_change_it(self):
         viewer = self.open()
         usual = self.sizes(viewer)
+        self.keys_change_it(viewer, usual)
         self.assert_ends_well(viewer)
 
         viewer = self.open(dots_per_inch=192)
@@ -105,36 +98,19 @@ class ScaleTest(unittest.TestCase):
         self.hits(viewer)
         self.assert_ends_well(viewer)
 
-    def test_keys_change_it_while_it_runs(self):
-        viewer = self.open()
-        usual = self.sizes(viewer)
-        for _ in range(4):
-            viewer.key("ctrl+plus")
-        viewer.wait(lambda: viewer.controls()["Physics/Strength"]["height"] > 1.3 * usual["slider"],
-                    "it is larger")
-        viewer.away()
-        self.assert_factor(usual, self.sizes(viewer), 1.1 ** 4)
-        self.hits(viewer)
-        viewer.key("ctrl+minus")
-        viewer.away()
-        self.assert_factor(usual, self.sizes(viewer), 1.1 ** 3)
-        viewer.key("ctrl+0")
-        viewer.away()
-        self.assert_factor(usual, self.sizes(viewer), 1)
-        self.assert_ends_well(viewer)
-
     def test_a_window_without_a_size_grows_within_the_screen(self):
-        viewer = self.open(dots_per_inch=144, size=None)
+        viewer = self.open(dots_per_inch=144, size=False)
         self.assertEqual(viewer.window.geometry()[2:], (Display.WIDTH, Display.HEIGHT))
         self.assert_ends_well(viewer)
-        viewer = self.open(dots_per_inch=96, size=None)
+        viewer = self.open(dots_per_inch=96, size=False)
         self.assertEqual(viewer.window.geometry()[2:], (1280, 720))
         self.assert_ends_well(viewer)
 
     def test_a_size_out_of_range_is_refused(self):
+        field = self.field()
         for value in ("0.4", "4.1", "nan", "large"):
             with self.subTest(value=value):
-                done = subprocess.run([VIEWER, self.field, "--ui-scale", value], capture_output=True,
+                done = subprocess.run([VIEWER, field, "--ui-scale", value], capture_output=True,
                                       text=True, env={**os.environ, "DISPLAY": self.display.name})
                 self.assertEqual(done.returncode, 1, done.stderr)
                 self.assertIn("--ui-scale", done.stderr)

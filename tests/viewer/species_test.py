@@ -1,40 +1,25 @@
 """Meadows are chosen by their pictures, and their species changed, in the window. On a real X server."""
 
 import json
-import os
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from display import Display  # noqa: E402
-from viewer import Viewer  # noqa: E402
+from window_case import ROOT, SWARD, WindowCase  # noqa: E402
 
-SWARD = os.environ["SWARD_PROGRAM"]
-VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
-MEADOWS = Path(__file__).resolve().parents[2] / "assets" / "meadows"
+MEADOWS = ROOT / "assets" / "meadows"
 
 
-class SpeciesTest(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="sward-view-")
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.display = Display()
-        self.addCleanup(self.display.close)
+class SpeciesTest(WindowCase):
+    SIZE = (900, 790)
 
     def open(self):
-        mesh = self.folder / "plane.glb"
-        subprocess.run([SWARD, "terrain", "plane", "-o", mesh], check=True)
+        mesh = self.mesh()
         subprocess.run([SWARD, "bake", mesh, "--meadow", "grass", "--count", "800", "-o",
                         self.folder / "plane.sward", "-q"], check=True)
-        viewer = Viewer(VIEWER, self.display, self.folder,
-                        ["plane.sward", "--panel", "meadow", "--size", "900x790"])
-        self.addCleanup(viewer.close)
-        viewer.wait_for_field()
-        return viewer
+        return super().open("plane.sward", "--panel", "meadow")
 
     def densities(self, viewer):
         viewer.click("Meadow/Meadow")
@@ -58,7 +43,7 @@ class SpeciesTest(unittest.TestCase):
         viewer.wait_frames(3)
         viewer.click("Meadow/lawn")
         viewer.wait_for_value("Meadow/Its density", lambda shown: "9" in shown[:1], "lawn is chosen")
-        self.assertEqual(viewer.end()[0], 0)
+        self.assert_ends_well(viewer)
 
     def test_a_changed_species_is_written_and_sown(self):
         viewer = self.open()
@@ -73,12 +58,12 @@ class SpeciesTest(unittest.TestCase):
         self.display.xdotool("keydown", "ctrl")
         viewer.click_at(x, y)
         self.display.xdotool("keyup", "ctrl")
-        self.display.xdotool("type", "--window", viewer.window.number, "--delay", "150", "255")
+        viewer.type("255")
         viewer.key("Return")
         viewer.wait_for_value("Meadow/Tip colour", lambda shown: shown.startswith("1.000"), "it is red")
         viewer.set("Share", "Meadow", 0.95)
         viewer.click("Meadow/Ground")
-        self.display.xdotool("type", "--window", viewer.window.number, "--delay", "120", "plane.glb")
+        viewer.type("plane.glb")
         viewer.wait_for_value("Meadow/Ground", lambda shown: shown == "plane.glb", "it is typed")
         # It lies below, where the panel must be scrolled to.
         self.display.xdotool("click", "--repeat", 12, "--delay", 60, 5)
@@ -93,9 +78,7 @@ class SpeciesTest(unittest.TestCase):
         self.assertEqual(changed["tip_color"][0], 1.0)
         self.assertNotEqual(tip.split()[0], "1.000")
         self.assertEqual(viewer.shows("Meadow/Meadow file"), files[0].name)
-        code, said = viewer.end()
-        self.assertEqual(code, 0, said)
-        self.assertIn("0 validation messages", said)
+        self.assert_ends_well(viewer)
 
 
 if __name__ == "__main__":

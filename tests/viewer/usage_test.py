@@ -3,49 +3,83 @@ a real X server, by mouse and keys."""
 
 import json
 import math
-import os
-import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from display import Display  # noqa: E402
-from viewer import Viewer  # noqa: E402
+from window_case import WindowCase  # noqa: E402
 
-SWARD = os.environ["SWARD_PROGRAM"]
-VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
-SIZE = (1000, 700)
 PANEL_END = 436  # pixels
 
 
-class UsageTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory(prefix="sward-view-")
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = Path(folder.name)
-        for ground in ("hills", "plane"):
-            subprocess.run([SWARD, "bake", ground, "--count", "1500", "--blade-scale", "4", "-o",
-                            cls.folder / f"{ground}.sward", "-q"], check=True)
+class UsageCase(WindowCase):
+    SIZE = (1000, 700)
+
+    def rows(self, viewer, control):
+        """The pixels of a control on the screen."""
+        left, top, _, _ = viewer.window.geometry()
+        return self.display.picture(left + round(control["x"]), top + round(control["y"]),
+                                    round(control["width"]), round(control["height"]))
+
+
+class OneViewerTest(UsageCase):
+    """One viewer for all tests."""
 
     def setUp(self):
-        self.display = Display()
-        self.addCleanup(self.display.close)
+        super().setUp()
+        self.viewer = self.open_kept()
 
-    def open(self, ground, *arguments):
-        viewer = Viewer(VIEWER, self.display, self.folder,
-                        [self.folder / f"{ground}.sward", *arguments, "--size", "{}x{}".format(*SIZE)])
-        self.addCleanup(viewer.close)
-        viewer.wait_for_field()
-        return viewer
+    def test_a_click_that_meets_no_blade_says_so(self):
+        viewer = self.viewer
+        viewer.click_at(self.SIZE[0] - 40, 60)
+        viewer.wait_for_value("Message/Notice", lambda shown: "No blade" in shown, "it says so")
 
-    def assert_ends_well(self, viewer):
-        code, said = viewer.end()
-        self.assertEqual(code, 0, said)
-        self.assertIn("0 validation messages", said)
+    def test_labels_of_the_rail_begin_at_one_edge(self):
+        viewer = self.viewer
+        viewer.away()
+        begins = []
+        for name, control in viewer.controls().items():
+            if not name.startswith("Rail/"):
+                continue
+            rows = self.rows(viewer, control)
+            begins.append(min(x for row in rows for x, pixel in enumerate(row) if max(pixel) > 90))
+        self.assertEqual(len(begins), 11)
+        # Letters have side bearings of a pixel or two.
+        self.assertLessEqual(max(begins) - min(begins), 2, begins)
 
+    def test_tooltips_cover_no_control_and_grabs_no_number(self):
+        viewer = self.viewer
+        viewer.open_panel("Physics")
+        viewer.away()
+        controls = {name: control for name, control in viewer.controls().items()
+                    if name.startswith(("Physics/", "Rail/")) and control["width"] > 0}
+        for name in ("Physics/Strength", "Physics/Now", "Rail/Capture"):
+            with self.subTest(control=name):
+                self.display.xdotool("mousemove", "--window", viewer.window.number, *viewer.centre(name))
+                viewer.wait(lambda: viewer.shows(f"Tooltip/{name}"), "the tooltip is there")
+                viewer.wait_frames(3)
+                tip = viewer.controls()[f"Tooltip/{name}"]
+                self.assertGreater(tip["width"], 50)
+                self.assertLessEqual(tip["y"] + tip["height"], self.SIZE[1])
+                own = name.split("/")[0]
+                for other, control in controls.items():
+                    if other.startswith(own):
+                        apart = (tip["x"] >= control["x"] + control["width"] or
+                                 tip["x"] + tip["width"] <= control["x"] or
+                                 tip["y"] >= control["y"] + control["height"] or
+                                 tip["y"] + tip["height"] <= control["y"])
+                        self.assertTrue(apart, f"it covers {other}")
+        # Within a slider nothing is as light as a number; beside it there is one.
+        viewer.away()
+        for name in ("Physics/Strength", "Physics/Recovery"):
+            slider = viewer.controls()[name]
+            self.assertFalse(any(blue > 150 for row in self.rows(viewer, slider) for blue, _, _ in row), name)
+            beside = {**slider, "x": slider["x"] + slider["width"], "width": 60}
+            self.assertTrue(any(blue > 150 for row in self.rows(viewer, beside) for blue, _, _ in row), name)
+
+
+class UsageTest(UsageCase):
     def place(self, viewer, number):
         viewer.wait(lambda: viewer.shows(f"Colliders/Collider {number}"), f"there is collider {number}")
         return [float(word) for word in viewer.shows(f"Colliders/Collider {number}").split()]
@@ -53,11 +87,11 @@ class UsageTest(unittest.TestCase):
     def in_the_middle(self, viewer, number):
         """A collider lies near the middle of the picture that the panel leaves."""
         control = viewer.wait(lambda: viewer.controls().get(f"Picture/Collider {number}"), "it is seen")
-        self.assertAlmostEqual(control["x"], (PANEL_END + SIZE[0]) / 2, delta=60)
-        self.assertAlmostEqual(control["y"], SIZE[1] / 2, delta=60)
+        self.assertAlmostEqual(control["x"], (PANEL_END + self.SIZE[0]) / 2, delta=60)
+        self.assertAlmostEqual(control["y"], self.SIZE[1] / 2, delta=60)
 
     def test_colliders_appear_where_the_camera_looks_and_beside_one_another(self):
-        viewer = self.open("plane", "--panel", "colliders", "--camera", "top")
+        viewer = self.open(self.field("plane", 1500, 4), "--panel", "colliders", "--camera", "top")
         viewer.key("space")
         for number in range(1, 5):
             viewer.press("Add ball", panel="Colliders")
@@ -76,21 +110,14 @@ class UsageTest(unittest.TestCase):
         self.assert_ends_well(viewer)
 
     def eye(self, viewer, name):
-        viewer.press("File", panel="Camera")
-        # Held for longer than a frame.
-        self.display.xdotool("keydown", "ctrl", "keydown", "a")
-        viewer.wait_frames(3)
-        self.display.xdotool("keyup", "a", "keyup", "ctrl")
-        viewer.wait_frames(2)
-        self.display.xdotool("type", "--window", viewer.window.number, "--delay", "150", name)
-        viewer.wait_for_value("Camera/File", lambda shown: shown == name, "it is typed")
+        viewer.type_anew("File", "Camera", name)
         viewer.press("Save this camera", panel="Camera")
         viewer.wait((self.folder / name).exists, "the camera is written")
         camera = json.loads((self.folder / name).read_text())
         return (camera[0] if isinstance(camera, list) else camera)["eye"]
 
     def test_an_orbit_stays_above_the_ground(self):
-        viewer = self.open("plane", "--panel", "camera", "--camera", "eye")
+        viewer = self.open(self.field("plane", 1500, 4), "--panel", "camera", "--camera", "eye")
         viewer.key("space")
         before = self.eye(viewer, "a.json")
         self.assertGreater(before[1], 0)
@@ -101,72 +128,18 @@ class UsageTest(unittest.TestCase):
         self.assertNotEqual(before, after)
         self.assert_ends_well(viewer)
 
-    def test_a_click_that_meets_no_blade_says_so(self):
-        viewer = self.open("hills", "--panel", "physics")
-        viewer.click_at(SIZE[0] - 40, 60)
-        viewer.wait_for_value("Message/Notice", lambda shown: "No blade" in shown, "it says so")
-        self.assert_ends_well(viewer)
-
     def test_enter_in_the_name_opens_it(self):
-        viewer = self.open("hills", "--panel", "field")
+        self.field("plane")
+        viewer = self.open(self.field("hills"), "--panel", "field")
         viewer.press("Name", panel="Field")
-        self.display.xdotool("type", "--window", viewer.window.number, "--delay", "150", "plane.sward")
+        viewer.type("plane.sward")
         viewer.wait_for_value("Field/Name", lambda shown: shown == "plane.sward", "it is typed")
         self.display.xdotool("key", "--window", viewer.window.number, "Return")
         viewer.wait_for_value("Field/File", lambda shown: shown.endswith("plane.sward"), "it is opened")
         self.assert_ends_well(viewer)
 
-    def rows(self, viewer, control):
-        """The pixels of a control on the screen."""
-        left, top, _, _ = viewer.window.geometry()
-        return self.display.picture(left + round(control["x"]), top + round(control["y"]),
-                                    round(control["width"]), round(control["height"]))
-
-    def test_labels_of_the_rail_begin_at_one_edge(self):
-        viewer = self.open("hills")
-        viewer.away()
-        begins = []
-        for name, control in viewer.controls().items():
-            if not name.startswith("Rail/"):
-                continue
-            rows = self.rows(viewer, control)
-            begins.append(min(x for row in rows for x, pixel in enumerate(row) if max(pixel) > 90))
-        self.assertEqual(len(begins), 11)
-        # Letters have side bearings of a pixel or two.
-        self.assertLessEqual(max(begins) - min(begins), 2, begins)
-        self.assert_ends_well(viewer)
-
-    def test_tooltips_cover_no_control_and_grabs_no_number(self):
-        viewer = self.open("hills", "--panel", "physics")
-        controls = {name: control for name, control in viewer.controls().items()
-                    if name.startswith(("Physics/", "Rail/")) and control["width"] > 0}
-        for name in ("Physics/Strength", "Physics/Now", "Rail/Capture"):
-            with self.subTest(control=name):
-                self.display.xdotool("mousemove", "--window", viewer.window.number, *viewer.centre(name))
-                viewer.wait(lambda: viewer.shows(f"Tooltip/{name}"), "the tooltip is there")
-                viewer.wait_frames(3)
-                tip = viewer.controls()[f"Tooltip/{name}"]
-                self.assertGreater(tip["width"], 50)
-                self.assertLessEqual(tip["y"] + tip["height"], SIZE[1])
-                own = name.split("/")[0]
-                for other, control in controls.items():
-                    if other.startswith(own):
-                        apart = (tip["x"] >= control["x"] + control["width"] or
-                                 tip["x"] + tip["width"] <= control["x"] or
-                                 tip["y"] >= control["y"] + control["height"] or
-                                 tip["y"] + tip["height"] <= control["y"])
-                        self.assertTrue(apart, f"it covers {other}")
-        # Within a slider nothing is as light as a number; beside it there is one.
-        viewer.away()
-        for name in ("Physics/Strength", "Physics/Recovery"):
-            slider = viewer.controls()[name]
-            self.assertFalse(any(blue > 150 for row in self.rows(viewer, slider) for blue, _, _ in row), name)
-            beside = {**slider, "x": slider["x"] + slider["width"], "width": 60}
-            self.assertTrue(any(blue > 150 for row in self.rows(viewer, beside) for blue, _, _ in row), name)
-        self.assert_ends_well(viewer)
-
     def test_a_light_brighter_than_white_has_a_hue_and_an_intensity(self):
-        viewer = self.open("hills", "--panel", "look")
+        viewer = self.open(self.field(), "--panel", "look")
         channels = lambda: [float(word) for word in viewer.shows("Look/Sunlight").split()]
         before, intensity = channels(), float(viewer.shows("Look/Sunlight intensity"))
         self.assertGreater(intensity, 1)

@@ -2,12 +2,26 @@
 
 import json
 import os
+import re
 import subprocess
 import time
+from pathlib import Path
 
 from display import PATIENCE, wait_until
 
 STATUS_BAR = 30  # its height at most, at a content scale of 1
+
+
+def processor_seconds(pid):
+    fields = Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def child_of(viewer):
+    """The process of its baker; nothing if there is none."""
+    children = subprocess.run(["pgrep", "-P", str(viewer.process.pid), "-x", "sward"],
+                              capture_output=True, text=True).stdout.split()
+    return int(children[0]) if children else None
 
 
 class Viewer:
@@ -34,12 +48,18 @@ class Viewer:
             return file.read()
 
     def wait_for_window(self):
-        self.window = self.wait(lambda: self.display.find("Sward"), "there is a window")
+        self.wait(self.controls, "it tells of its controls")
+        self.window = self.wait(lambda: self.display.find("Sward", self.process.pid), "there is a window")
 
     def wait_for_field(self):
-        self.window = self.wait(lambda: self.display.find("Sward.*blades drawn"),
+        self.wait_for_window()
+        self.wait(lambda: re.search("of [1-9].* blades drawn", self.shows("Status/Numbers") or ""),
+                  "it tells how many blades are drawn")
+
+    def wait_for_title(self):
+        """The same where no panels are shown, and with them no status."""
+        self.window = self.wait(lambda: self.display.find("Sward.*blades drawn", self.process.pid),
                                 "the title tells how many blades are drawn")
-        self.wait(self.controls, "it tells of its controls")
 
     def wait(self, holds, what):
         def holds_or_ended():
@@ -66,14 +86,13 @@ class Viewer:
         """Waits until the list of controls was written `count` times: at least as many frames."""
         for _ in range(count):
             before = self.told.stat().st_mtime_ns
-            self.wait(lambda: self.told.exists() and self.told.stat().st_mtime_ns != before,
-                      "another frame")
+            self.wait(lambda: self.told.stat().st_mtime_ns != before, "another frame")
 
     def away(self):
         """Moves the mouse to where it explains nothing, and lets the picture follow."""
         _, _, width, _ = self.window.geometry()
         self.display.xdotool("mousemove", "--window", self.window.number, width - 30, 30)
-        self.wait_frames(6)
+        self.wait_frames(5)
 
     def open_panel(self, name):
         """Opens a panel; None closes whichever is open."""
@@ -107,17 +126,13 @@ class Viewer:
                 round(control["y"] + 0.5 * control["height"]))
 
     def click(self, name, across=0.5):
-        """Slowly enough for a program that draws a few frames a second."""
+        """Clicks it, and waits until that is seen."""
         self.click_at(*self.centre(name, across))
 
     def click_at(self, x, y, button=1):
-        xdotool = self.display.xdotool
-        xdotool("mousemove", "--window", self.window.number, x, y)
-        self.wait_frames(2)
-        xdotool("mousedown", button)
-        self.wait_frames(2)
-        xdotool("mouseup", button)
-        self.wait_frames(2)
+        # A frame that has begun, one that sees the button go down, one that sees it go up.
+        self.display.xdotool("mousemove", "--window", self.window.number, x, y, "click", button)
+        self.wait_frames(3)
 
     def press(self, control, panel):
         """Opens the panel and clicks a control in it."""
@@ -133,35 +148,54 @@ class Viewer:
         self.window.key(name)
         self.wait_frames(2)
 
-    def drag(self, begin, end, steps=8, button=1, held=0.0):
-        xdotool = self.display.xdotool
-        xdotool("mousemove", "--window", self.window.number, *begin)
-        self.wait_frames(2)
-        xdotool("mousedown", button)
+    def drag(self, begin, end, steps=4, button=1, held=0.0):
+        number, xdotool = self.window.number, self.display.xdotool
+        xdotool("mousemove", "--window", number, *begin, "mousedown", button)
         self.wait_frames(2)
         for i in range(1, steps + 1):
-            xdotool("mousemove", "--window", self.window.number,
+            xdotool("mousemove", "--window", number,
                     *(begin[k] + (end[k] - begin[k]) * i // steps for k in (0, 1)))
             self.wait_frames(1)
         time.sleep(held)
         xdotool("mouseup", button)
         self.wait_frames(2)
 
+    def type(self, text, delay=100):
+        """Types into what has the keys, slowly enough for frames that each see one letter."""
+        self.display.xdotool("type", "--window", self.window.number, "--delay", delay, text)
+
+    def type_anew(self, name, panel, text):
+        """Types a text in place of the one that a control has."""
+        self.press(name, panel)
+        # Held for longer than a frame.
+        self.display.xdotool("keydown", "ctrl", "keydown", "a")
+        self.wait_frames(3)
+        self.display.xdotool("keyup", "a", "keyup", "ctrl")
+        self.wait_frames(2)
+        self.type(text)
+        self.wait_for_value(f"{panel}/{name}", lambda shown: shown == text, "it is typed")
+
+    def escape_to_picture(self):
+        """Closes all that lies over the picture, by Escape."""
+        over = lambda: [name for name, control in self.controls().items()
+                        if name in ("Keys/Close", "Blade/Id", "Files/Folder", "Question/Text")
+                        or (name.startswith("Rail/") and control["shows"] == "open")]
+        while over():
+            self.key("Escape")
+
     def end(self):
-        """Closes it by Escape, which first closes what is topmost, and saves nothing; its exit code and
-        what it said."""
+        """Closes its window, and saves nothing; its exit code and what it said."""
         end = time.monotonic() + PATIENCE
+        self.window.ask_to_close()
         while self.process.poll() is None and time.monotonic() < end:
-            try:
-                if "Question/Close without saving" in self.controls():
+            if "Question/Close without saving" in self.controls():
+                try:
                     self.wait_frames(3)  # until the question has its place
                     self.click("Question/Close without saving")
-                else:
-                    self.window.key("Escape")
-                    self.wait_frames(2)
-            except AssertionError:
-                if self.process.poll() is None:
-                    raise
+                except AssertionError:
+                    if self.process.poll() is None:
+                        raise
+            time.sleep(0.02)
         self.process.wait(timeout=PATIENCE)
         return self.process.returncode, self.said()
 

@@ -1,50 +1,21 @@
 """The viewer loses no work of its user: Escape, files that exist, fields that are not saved. On a real X
 server, by mouse and keys."""
 
-import os
-import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from display import Display, share_that_differs  # noqa: E402
-from viewer import Viewer  # noqa: E402
-
-SWARD = os.environ["SWARD_PROGRAM"]
-VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
+from display import share_that_differs  # noqa: E402
+from window_case import SWARD, WindowCase  # noqa: E402
 
 
-class WorkTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory(prefix="sward-view-")
-        cls.addClassCleanup(folder.cleanup)
-        cls.whole = Path(folder.name) / "whole.sward"
-        subprocess.run([SWARD, "bake", "hills", "--count", "1500", "--blade-scale", "8", "-o",
-                        cls.whole, "-q"], check=True)
-        cls.mesh = Path(folder.name) / "plane.glb"
-        subprocess.run([SWARD, "terrain", "plane", "-o", cls.mesh], check=True)
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="sward-view-")
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.field = self.folder / "hills.sward"
-        shutil.copy(self.whole, self.field)
-        self.display = Display()
-        self.addCleanup(self.display.close)
-
-    def open(self, *arguments):
-        viewer = Viewer(VIEWER, self.display, self.folder, [*arguments, "--size", "900x700"])
-        self.addCleanup(viewer.close)
-        viewer.wait_for_field()
-        return viewer
+class WorkTest(WindowCase):
+    SIZE = (900, 700)
 
     def open_mesh(self):
-        return self.open(self.mesh, "--meadow", "grass", "--panel", "field")
+        return self.open(self.mesh(), "--meadow", "grass", "--panel", "field")
 
     def escape(self, viewer):
         viewer.key("Escape")
@@ -72,7 +43,7 @@ class WorkTest(unittest.TestCase):
         subprocess.run([SWARD, "validate", field], check=True, capture_output=True)
 
     def test_escape_closes_only_what_is_topmost(self):
-        viewer = self.open(self.field, "--panel", "culling", "--camera", "top")
+        viewer = self.open(self.field(), "--panel", "culling", "--camera", "top", "--resolution", "0.4")
         viewer.key("space")
         left, top, _, _ = viewer.window.geometry()
         panel = lambda: self.display.picture(left + 100, top + 300, 330, 390)
@@ -88,7 +59,7 @@ class WorkTest(unittest.TestCase):
         self.assertIn("Keys/Close", viewer.controls(), "first the drop-down")
         self.escape(viewer)
         self.assertNotIn("Keys/Close", viewer.controls())
-        self.assertLess(share_that_differs(closed, panel(), 12), 0.03, "it is gone")
+        viewer.wait(lambda: share_that_differs(closed, panel(), 12) < 0.03, "it is gone")
         for x in range(500, 860, 16):
             viewer.click_at(x, 300)
             if viewer.shows("Blade/Id"):
@@ -103,6 +74,7 @@ class WorkTest(unittest.TestCase):
         self.wait_for_end(viewer)
 
     def test_a_bake_that_is_not_saved_asks_before_it_is_lost(self):
+        other = self.field("hills")
         viewer = self.open_mesh()
         self.assertEqual(viewer.shows("Field/Saved"), "no")
         for end in (viewer.window.ask_to_close, lambda: viewer.key("Escape")):
@@ -117,8 +89,7 @@ class WorkTest(unittest.TestCase):
         self.asked(viewer)
         self.answer(viewer, "Cancel")
         # Another field would take its place.
-        subprocess.run([sys.executable, Path(__file__).with_name("drop.py"), self.display.name,
-                        viewer.window.number, self.field.as_uri()], check=True)
+        self.drop(viewer, other)
         self.assertIn("plane.glb", self.asked(viewer))
         self.answer(viewer, "Cancel")
         viewer.open_panel("Field")
@@ -149,35 +120,23 @@ class WorkTest(unittest.TestCase):
         self.wait_for_end(viewer)
 
     def test_it_is_saved_at_the_end_under_a_name_that_is_free(self):
-        shutil.copy(self.field, self.folder / "plane.sward")
+        there = self.field()
+        before = there.read_bytes()
         viewer = self.open_mesh()
         viewer.window.ask_to_close()
         self.asked(viewer)
         self.assertIn("plane-2.sward", viewer.controls()["Question/Save and close"]["about"])
         self.answer(viewer, "Save and close")
         self.wait_for_end(viewer)
-        self.assertEqual((self.folder / "plane.sward").read_bytes(), self.field.read_bytes())
+        self.assertEqual(there.read_bytes(), before)
         self.assert_valid(self.folder / "plane-2.sward")
         self.assertIn("plane-2.sward", viewer.said())
 
-    def test_a_second_picture_gets_a_name_of_its_own(self):
-        viewer = self.open(self.field)
-        first, second = self.folder / "sward.png", self.folder / "sward-2.png"
-        viewer.key("p")
-        viewer.wait(first.exists, "the picture is written")
-        bytes_of_first = first.read_bytes()
-        viewer.key("p")
-        viewer.wait(second.exists, "so is the second")
-        viewer.wait_for_value("Message/Notice", lambda shown: "sward-2.png" in shown, "it is told")
-        self.assertEqual(first.read_bytes(), bytes_of_first)
-        viewer.window.ask_to_close()
-        self.wait_for_end(viewer)
-
-    def test_files_of_settings_cameras_and_sequences_are_not_replaced_unasked(self):
+    def test_files_of_settings_cameras_sequences_and_pictures_are_not_replaced_unasked(self):
         old = b"{}"
         for name in ("settings.json", "camera_path.json", "frame_0003.png"):
             (self.folder / name).write_bytes(old)
-        viewer = self.open(self.field)
+        viewer = self.open(self.field())
         for panel, button, name in (("Capture", "Save settings", "settings.json"),
                                     ("Camera", "Save this camera", "camera_path.json"),
                                     ("Capture", "Take sequence", "frame_%04d.png")):
@@ -202,6 +161,15 @@ class WorkTest(unittest.TestCase):
         viewer.key("r")
         viewer.wait((self.folder / "camera_path-2.json").exists, "the path is written")
         self.assertEqual((self.folder / "camera_path.json").read_bytes(), old)
+        # A second picture gets a name of its own.
+        first, second = self.folder / "sward.png", self.folder / "sward-2.png"
+        viewer.key("p")
+        viewer.wait(first.exists, "the picture is written")
+        bytes_of_first = first.read_bytes()
+        viewer.key("p")
+        viewer.wait(second.exists, "so is the second")
+        viewer.wait_for_value("Message/Notice", lambda shown: "sward-2.png" in shown, "it is told")
+        self.assertEqual(first.read_bytes(), bytes_of_first)
         viewer.window.ask_to_close()
         self.wait_for_end(viewer)
 
