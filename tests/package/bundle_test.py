@@ -27,8 +27,9 @@ class Bundle(unittest.TestCase):
         cls.made.rename(cls.bundle)
 
     def run_bare(self, *command, **environment):
-        """In an empty environment, but for the paths of a bare system and the driver."""
-        driver = {name: os.environ[name] for name in ("VK_ICD_FILENAMES", "VK_DRIVER_FILES") if name in os.environ}
+        """In an empty environment, but for the paths of a bare system, the driver and its compiled shaders."""
+        driver = {name: os.environ[name] for name in ("VK_ICD_FILENAMES", "VK_DRIVER_FILES", "XDG_CACHE_HOME")
+                  if name in os.environ}
         done = subprocess.run([str(word) for word in command], capture_output=True, text=True, cwd="/", timeout=600,
                               env={"PATH": "/usr/bin:/bin", **driver, **environment})
         self.assertEqual(done.returncode, 0, f"{command}\n{done.stdout}{done.stderr}")

@@ -8,8 +8,13 @@ import unittest
 from package_test import BUILD, ExampleTest, ROOT, needs
 
 
-class Embed(ExampleTest):
+class EmbedTest(ExampleTest):
     """examples/embed: a host with a Vulkan of its own."""
+
+    soil = (30, 90, 320, 230)
+
+    def field(self):
+        return self.bake("--count", 30000, "--blade-scale", 2.5, "--force")
 
     def assert_looks_as_accepted(self, picture):
         """Half as large, tile by tile as the golden picture: single blades are the affair of other
@@ -37,33 +42,46 @@ class Embed(ExampleTest):
         difference = ImageChops.difference(picture, other).convert("L").histogram()
         self.assertLess(sum(difference[8:]), 0.005 * 640 * 360)
 
-    def test_embed_draws_on_its_own_device_without_a_validation_message(self):
+
+class LongEmbed(EmbedTest):
+    """Six pictures of 640×360 that are alike."""
+
+    def test_embed_draws_the_same_in_any_way(self):
         needs("pillow")
         self.build_example("embed")
-        field = self.bake("--count", 30000, "--blade-scale", 2.5, "--force")
+        field = self.field()
         picture = self.picture_of(field)
-        self.assert_looks_as_accepted(picture)
-
-        # Background sky; a post in front of some grass and behind other grass.
-        red, _, blue = picture.getpixel((320, 20))
-        self.assertGreater(blue, red)
-        soil = (30, 90, 320, 230)
-        self.assertGreater(self.green_share(picture, soil), 0.2)
-
         # Whatever the depth's convention, the scope and the way to draw, the picture is the same.
         for options in (["forward"], ["render-pass"], ["forward", "render-pass"],
                         ["raster"], ["raster", "forward", "render-pass"]):
             with self.subTest(options=options):
                 self.assert_alike(self.picture_of(field, *options), picture)
 
+
+class Embed(EmbedTest):
+    def test_embed_draws_on_its_own_device_without_a_validation_message(self):
+        needs("pillow")
+        self.build_example("embed")
+        field = self.field()
+        picture = self.picture_of(field)
+        self.assert_looks_as_accepted(picture)
+
+        # Background sky; a post in front of some grass and behind other grass.
+        red, _, blue = picture.getpixel((320, 20))
+        self.assertGreater(blue, red)
+        self.assertGreater(self.green_share(picture, self.soil), 0.2)
+
+        # All that is not the default at once.
+        self.assert_alike(self.picture_of(field, "raster", "forward", "render-pass"), picture)
+
         # The layer has listened: it has much to say when asked for advice. Without blades the boxes
         # are bare: what was green before was grass.
         bald = self.bake("--count", 0, "--force")
         self.assertIn("BestPractices", self.run_example(bald, "BEST_PRACTICES"))
-        self.assertLess(self.green_share(self.picture(), soil), 0.02)
+        self.assertLess(self.green_share(self.picture(), self.soil), 0.02)
 
 
-class EmbedMsaa(ExampleTest):
+class EmbedMsaaTest(ExampleTest):
     """examples/embed_msaa: two views, four samples, a render pass, forward Z, a budget."""
 
     halves = ((0, 96, 256, 288), (256, 96, 512, 288))
@@ -88,6 +106,21 @@ class EmbedMsaa(ExampleTest):
         squares = ImageStat.Stat(ImageChops.difference(picture, other)).sum2
         mean = sum(squares) / (3 * picture.size[0] * picture.size[1])
         return 10 * math.log10(255 ** 2 / max(mean, 1e-9))
+
+
+class EmbedMsaa(EmbedMsaaTest):
+    def test_embed_msaa_draws_two_views_within_a_budget_without_a_validation_message(self):
+        needs("pillow")
+        self.build_example("embed_msaa")
+        picture, pages = self.picture_and_pages(self.bake("--count", 120000, "--blade-scale", 1.5), "--budget", 4)
+        self.assertLess(pages["fit"], 0.7 * pages["pages"])
+        self.assertEqual((pages["missing"], pages["settled"]), (0, True))
+        for half in self.halves:
+            self.assertGreater(self.green_share(picture, half), 0.4)
+
+
+class LongEmbedMsaa(EmbedMsaaTest):
+    """A minute of pictures: each run draws two views 36 times."""
 
     def test_embed_msaa_streams_for_two_views_without_a_validation_message(self):
         needs("pillow")
@@ -127,7 +160,12 @@ class EmbedMsaa(ExampleTest):
 
 
 class EmbedPaint(ExampleTest):
-    """examples/embed_paint: a bake that stays open, and grass that is edited while it is drawn."""
+    def test_embed_paint_is_built_against_the_installed_package(self):
+        self.build_example("embed_paint", bakes=True)
+
+
+class LongEmbedPaint(ExampleTest):
+    """examples/embed_paint: a bake that stays open, and grass that is edited while it is drawn, in many frames."""
 
     burned = (455, 62, 490, 82)
     track = (180, 270, 240, 320)

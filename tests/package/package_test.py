@@ -242,7 +242,9 @@ class InstalledTree(GuestTest):
         self.assertEqual(broken, [])
 
 
-class DebianPackages(GuestTest):
+class LongDebianPackages(GuestTest):
+    """Before each release. What they unpack to is what `cmake --install` installs: InstalledTree."""
+
     def test_debian_packages_name_what_they_need_and_run_unpacked(self):
         self.run_here("cpack", "--config", BUILD / "CPackConfig.cmake", "-G", "DEB", "-B", ".",
                       "-D", "CPACK_DEBIAN_COMPRESSION_TYPE=gzip")
