@@ -15,7 +15,7 @@ RED = "\n    color *= vec3(1.0, 0.1, 0.1);"
 MISTAKE = "\n    this is none"
 
 
-class ShadersTest(WindowCase):
+class LongShadersTest(WindowCase):
     SIZE = (800, 600)
 
     def setUp(self):

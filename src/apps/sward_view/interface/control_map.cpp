@@ -7,16 +7,10 @@
 #include <fstream>
 
 namespace sward::view {
-namespace {
 
-constexpr double interval = 0.1; ///< [s] between two writes
-
-} // namespace
-
-void ControlMap::finishFrame(double seconds)
+void ControlMap::finishFrame()
 {
-    if (!path_.empty() && (written_ < 0.0 || seconds - written_ >= interval)) {
-        written_ = seconds;
+    if (!path_.empty()) {
         nlohmann::json json = nlohmann::json::object();
         for (const auto& [name, place] : places_)
             json[name] = {{"x", place.x},           {"y", place.y},         {"width", place.width},

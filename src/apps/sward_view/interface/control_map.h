@@ -22,13 +22,12 @@ public:
 
     void add(const std::string& name, Place place) { places_[name] = std::move(place); }
 
-    /// Writes the added controls as JSON, at most a few times a second, and clears them.
-    void finishFrame(double seconds);
+    /// Writes the added controls as JSON, and clears them.
+    void finishFrame();
 
 private:
     std::filesystem::path path_;
     std::map<std::string, Place> places_;
-    double written_ = -1.0; ///< [s]
 };
 
 } // namespace sward::view

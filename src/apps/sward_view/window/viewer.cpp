@@ -181,7 +181,7 @@ void Viewer::look()
     }
     layout_.draw(controls_, viewerState_);
     interface_.end();
-    controlMap_.finishFrame(secondsBetween(times_.begun, now));
+    controlMap_.finishFrame();
 }
 
 void Viewer::keepTime()

@@ -139,7 +139,7 @@ void addWindowCommand(CLI::App& app, apps::Command& chosen)
         ->default_str("auto");
     group = "Tests";
     app.add_option("--controls", options->viewer.controlsFile,
-                   "Write place and value of each control into this file, a few times a second")
+                   "Write place and value of each control into this file, with each frame")
         ->type_name("FILE.json")
         ->group(group);
     app.add_option(
