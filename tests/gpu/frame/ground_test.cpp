@@ -1,5 +1,6 @@
 // Tests which parts of the ground are drawn, and that culling does not change the picture.
 
+#include "core/random.h"
 #include "picture.h"
 #include "render/preview/ground_clusters.h"
 #include "support/fields/fields.h"
@@ -79,6 +80,31 @@ TEST(GroundClustersTest, HoldEachTriangleOnceAndAllOfIt)
     // Neighbours are stored together; in row order each box would be 40 m wide, with about 30 times
     // the area.
     EXPECT_LT(area, 4.0 * 40.0 * 40.0);
+}
+
+/// In a grid the corners of a triangle are those of its neighbours, too; here each stands alone.
+TEST(GroundClustersTest, HoldEachCornerOfTrianglesThatShareNone)
+{
+    std::vector<shared::GroundVertex> corners;
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t i = 0; i < 3 * (2 * shared::clusterTriangles + 5); ++i) {
+        shared::GroundVertex corner = {};
+        for (glm::length_t axis = 0; axis < 3; ++axis)
+            corner.position[axis] =
+                static_cast<float>(uniform(3, i, static_cast<std::uint32_t>(axis)));
+        indices.push_back(i);
+        corners.push_back(corner);
+    }
+    // The first and the last corner of a cluster are the farthest in it.
+    const std::uint32_t length = 3 * shared::clusterTriangles;
+    for (std::uint32_t i = 0; i < indices.size(); i += length) {
+        corners[i].position = glm::vec3(-1.0f);
+        corners[std::min<std::size_t>(i + length, indices.size()) - 1].position = glm::vec3(2.0f);
+    }
+    for (const shared::GroundCluster& cluster : clustersOf(corners, indices, 0)) {
+        EXPECT_EQ(cluster.low, glm::vec3(-1.0f));
+        EXPECT_EQ(cluster.high, glm::vec3(2.0f));
+    }
 }
 
 using GroundTest = test::GpuTest;

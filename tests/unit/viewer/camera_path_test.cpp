@@ -50,6 +50,15 @@ TEST(CameraPath, GoesStraightAtAnEvenPaceWhereItsPlacesDo)
         EXPECT_NEAR(path.at(time).eye.x, 4.0 * time, 1e-9);
 }
 
+TEST(CameraPath, KeepsAnEvenPaceWhereItsPlacesAreUnevenInTime)
+{
+    CameraPath path;
+    for (const double time : {0.0, 0.5, 2.0, 2.1, 3.0})
+        path.add(time, at(4.0 * time));
+    for (double time = 0.5; time <= 2.1; time += 0.07)
+        EXPECT_NEAR(path.at(time).eye.x, 4.0 * time, 1e-9);
+}
+
 TEST(CameraPath, TurnsNoCorners)
 {
     CameraPath path;
