@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import textwrap
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -17,23 +18,23 @@ import needs  # noqa: E402
 BUILD = Path(os.environ.get("SWARD_TEST_BUILD", ROOT / "build/release"))
 
 # A test file as others are, on a machine that lacks a thing.
-GUEST = """
-import sys, unittest
-sys.path.insert(0, {support!r})
-import needs
-needs.NEEDS["moon"] = needs.Need("the moon", ("moonlight",), lambda: False)
-needs.NEEDS["comet"] = needs.Need("a comet", ("perihelion",), lambda: False, "--dev")
-needs.NEEDS["sun"] = needs.Need("the sun", ("daylight",), lambda: True)
-needs.ABSENT = {absent!r}
-needs.platform.freedesktop_os_release = lambda: {{"ID": "some", "VERSION_ID": "1"}}
-class Guest(unittest.TestCase):
-    def test_night(self): needs.needs("moon")
-    def test_day(self): needs.needs("sun")
-    def test_years(self): needs.needs("comet")
-    def test_eclipse(self): needs.leave_out("sun", "it is hidden")
-    def test_wrong(self): self.fail("wrong")
-unittest.main()
-"""
+GUEST = textwrap.dedent("""
+    import sys, unittest
+    sys.path.insert(0, {support!r})
+    import needs
+    needs.NEEDS["moon"] = needs.Need("the moon", ("moonlight",), lambda: False)
+    needs.NEEDS["comet"] = needs.Need("a comet", ("perihelion",), lambda: False, "--dev")
+    needs.NEEDS["sun"] = needs.Need("the sun", ("daylight",), lambda: True)
+    needs.ABSENT = {absent!r}
+    needs.platform.freedesktop_os_release = lambda: {{"ID": "some", "VERSION_ID": "1"}}
+    class Guest(unittest.TestCase):
+        def test_night(self): needs.needs("moon")
+        def test_day(self): needs.needs("sun")
+        def test_years(self): needs.needs("comet")
+        def test_eclipse(self): needs.leave_out("sun", "it is hidden")
+        def test_wrong(self): self.fail("wrong")
+    unittest.main()
+    """)
 ABSENT = {("some", "1"): {"moonlight"}}
 
 
