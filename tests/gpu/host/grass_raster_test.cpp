@@ -1,6 +1,7 @@
 // A host's views are equal by the compute rasteriser and by the tessellator.
 
 #include "host_picture.h"
+#include "store_canvas.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -120,6 +121,27 @@ TEST_F(GrassRasterTest, HasTheDepthThatTheTessellatorHas)
             const float near = isReversed ? a[i] : 1.0f - a[i];
             apart += std::abs(a[i] - b[i]) > 0.01f * near + 1e-6f ? 1u : 0u;
         }
+        EXPECT_LT(apart, pixelCount / 50);
+    }
+}
+
+/// Light resolved over a pixel does not tell one sample from another; edges of what the host draws
+/// do.
+TEST_F(GrassRasterTest, HasTheDepthOfEachSampleWhereTheTessellatorHasIt)
+{
+    const auto resident = upload(field_);
+    for (const std::uint32_t sample : {0u, 3u}) {
+        SCOPED_TRACE(sample);
+        const HostPicture tessellated(context(), {.samples = 4});
+        const HostPicture rasterised(context(), {.samples = 4});
+        HostView view = rasterView({2.0, 2.5, 4.0});
+        view.samples = 4;
+        drawBoth(adding({resident, {}}), view, tessellated, rasterised);
+        const auto a = test::depthsOfSample(context(), tessellated.depthImage(), sample);
+        const auto b = test::depthsOfSample(context(), rasterised.depthImage(), sample);
+        std::size_t apart = 0;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            apart += std::abs(a[i] - b[i]) > 0.01f * a[i] + 1e-6f ? 1u : 0u;
         EXPECT_LT(apart, pixelCount / 50);
     }
 }

@@ -115,8 +115,11 @@ std::vector<float> StoreCanvas::depths() const
     return depths;
 }
 
-std::vector<float> nearestOfFour(const gpu::DeviceContext& context, const gpu::Image& depth,
-                                 bool isReversed)
+namespace {
+
+/// The nearest depth of samples `first` to `end` of each pixel.
+std::vector<float> nearestOf(const gpu::DeviceContext& context, const gpu::Image& depth,
+                             bool isReversed, std::uint32_t first, std::uint32_t end)
 {
     const VkExtent2D extent = depth.extent();
     const gpu::Buffer nearest(
@@ -137,7 +140,9 @@ std::vector<float> nearestOfFour(const gpu::DeviceContext& context, const gpu::I
                                          .shader = "nearest_sample.comp",
                                          .pushConstantBytes = sizeof(VkDeviceAddress),
                                          .setLayouts = {layout.get()},
-                                         .constants = {{.id = 0, .value = isReversed ? 0u : 1u}}});
+                                         .constants = {{.id = 0, .value = isReversed ? 0u : 1u},
+                                                      {.id = 1, .value = first},
+                                                      {.id = 2, .value = end}}});
     gpu::submitAndWait(context, [&](VkCommandBuffer buffer) {
         const gpu::Recording commands(context, buffer);
         gpu::transition(buffer, depth, gpu::ImageUse::depthTarget, gpu::ImageUse::sampled);
@@ -147,6 +152,20 @@ std::vector<float> nearestOfFour(const gpu::DeviceContext& context, const gpu::I
         vkCmdDispatch(buffer, (extent.width + 7) / 8, (extent.height + 7) / 8, 1);
     });
     return gpu::readBufferAs<float>(context, nearest);
+}
+
+} // namespace
+
+std::vector<float> nearestOfFour(const gpu::DeviceContext& context, const gpu::Image& depth,
+                                 bool isReversed)
+{
+    return nearestOf(context, depth, isReversed, 0, 4);
+}
+
+std::vector<float> depthsOfSample(const gpu::DeviceContext& context, const gpu::Image& depth,
+                                  std::uint32_t sample)
+{
+    return nearestOf(context, depth, true, sample, sample + 1);
 }
 
 } // namespace sward::test

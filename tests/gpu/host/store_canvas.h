@@ -53,4 +53,8 @@ private:
 std::vector<float> nearestOfFour(const gpu::DeviceContext& context, const gpu::Image& depth,
                                  bool isReversed);
 
+/// The depth of one of the four samples of each pixel, once for a `depth` that has been drawn into.
+std::vector<float> depthsOfSample(const gpu::DeviceContext& context, const gpu::Image& depth,
+                                  std::uint32_t sample);
+
 } // namespace sward::test
