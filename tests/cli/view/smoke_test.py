@@ -7,10 +7,10 @@ import sys
 import unittest
 from pathlib import Path
 
-from support import CliTest, DIFFERENCE, DONE
+from png import picture_of
 
-sys.path.append(str(Path(__file__).resolve().parent / "view"))
-from png import picture_of  # noqa: E402
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from support import CliTest, DIFFERENCE, DONE  # noqa: E402
 
 VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
 BLADES = 500
