@@ -23,6 +23,7 @@ class CommandLine(CliTest):
             with self.subTest(command=command):
                 done = self.sward(command, "--help")
                 self.assertRegex(done.stdout, rf"Example:\n +sward {command} \S")
+                self.assertRegex(done.stdout, r"\n  -q, --quiet +Print warnings and errors only")
                 self.assertEqual(done.stderr, "")
 
     def test_no_command_is_wrong_usage_with_help_on_stderr(self):
@@ -42,6 +43,15 @@ class CommandLine(CliTest):
                         ("compare", "f.sward", "x.glb"), ("compare", "x.glb", "f.sward")):
             with self.subTest(command=command):
                 self.refused(*command, code=INPUT, names=["'sward bake x.glb -o x.sward'"])
+
+    def test_quiet_commands_print_their_result_alone(self):
+        self.bake("plane", "--count", "5", to="f.sward")
+        for command in (("info", "f.sward"), ("validate", "f.sward"), ("compare", "f.sward", "f.sward"),
+                        ("export", "f.sward", "-o", "f.csv"), ("terrain", "plane", "-o", "p.glb")):
+            with self.subTest(command=command):
+                done = self.sward(*command, "-q")
+                self.assertEqual(done.stderr, "")
+                self.assertNotEqual(done.stdout, "")
 
     def test_the_former_name_of_an_option_means_the_same_with_a_warning(self):
         one = self.bake("hills", "--count", "500", "--sky-rays", "3", to="one.sward")

@@ -1,4 +1,5 @@
 #include "apps/common/field_input.h"
+#include "apps/common/log_switches.h"
 #include "apps/common/output.h"
 #include "apps/sward/subcommand.h"
 #include "apps/sward/transform_file.h"
@@ -69,10 +70,12 @@ public:
             ->type_name("T")
             ->check(CLI::NonNegativeNumber.description(""))
             ->capture_default_str();
+        log_.add(app());
     }
 
     int run() const override
     {
+        log_.apply();
         const glm::dmat4 transform =
             transform_.empty() ? glm::dmat4(1.0) : readTransform(transform_);
         requireField(first_);
@@ -101,6 +104,7 @@ private:
     std::string transform_;
     std::string match_;
     double tolerance_ = 1e-3;
+    LogSwitches log_;
 };
 
 } // namespace

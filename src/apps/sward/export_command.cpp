@@ -63,11 +63,13 @@ public:
         app().add_flag("--with-ground", settings_.withGround,
                        "Write the drawn ground too (.glb only)");
         app().add_flag("--force", settings_.overwrite, "Overwrite an existing file");
+        log_.add(app());
         log_.addBar(app());
     }
 
     int run() const override
     {
+        log_.apply();
         // Check before any work.
         const Format format = formatOf(output_);
         if (settings_.withGround && !format.hasGround)

@@ -1,4 +1,5 @@
 #include "apps/common/field_input.h"
+#include "apps/common/log_switches.h"
 #include "apps/common/output.h"
 #include "apps/sward/info_text.h"
 #include "apps/sward/subcommand.h"
@@ -21,10 +22,12 @@ public:
         app().add_flag("--json", json_, "Print everything as JSON, with all settings of the bake");
         app().add_flag("--histogram", histogram_,
                        "Print histograms of heights, widths, slopes, distances and densities too");
+        log_.add(app());
     }
 
     int run() const override
     {
+        log_.apply();
         requireField(file_);
         const field::MappedField field = field::readField(file_);
         std::optional<field::Distributions> all;
@@ -40,6 +43,7 @@ private:
     std::string file_;
     bool json_ = false;
     bool histogram_ = false;
+    LogSwitches log_;
 };
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "apps/common/log_switches.h"
 #include "apps/common/output.h"
 #include "apps/sward/bake_summary.h"
 #include "apps/sward/output_files.h"
@@ -31,10 +32,12 @@ public:
             ->type_name("OUT.glb")
             ->required();
         app().add_flag("--force", overwrite_, "Overwrite an existing file");
+        log_.add(app());
     }
 
     int run() const override
     {
+        log_.apply();
         checkOutput(output_, ".glb", {input_}, overwrite_);
         Diagnostics diagnostics;
         const terrain::GroundMesh mesh = terrain::load(input_, {}, diagnostics);
@@ -51,6 +54,7 @@ private:
     std::string input_;
     std::string output_;
     bool overwrite_ = false;
+    LogSwitches log_;
 };
 
 } // namespace

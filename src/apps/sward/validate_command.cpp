@@ -1,4 +1,5 @@
 #include "apps/common/field_input.h"
+#include "apps/common/log_switches.h"
 #include "apps/common/output.h"
 #include "apps/sward/subcommand.h"
 #include "field/read.h"
@@ -16,10 +17,12 @@ public:
                      "sward validate meadow.sward")
     {
         app().add_option("FILE", file_, "Field file")->type_name("")->required();
+        log_.add(app());
     }
 
     int run() const override
     {
+        log_.apply();
         // Reading validates: it throws at the first error.
         requireField(file_);
         const field::MappedField field = field::readField(file_);
@@ -30,6 +33,7 @@ public:
 
 private:
     std::string file_;
+    LogSwitches log_;
 };
 
 } // namespace
