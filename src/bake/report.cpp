@@ -42,7 +42,9 @@ std::string toJson(const Report& report)
         {"proposed", report.proposed}, {"kept", report.kept}, {"rejected", rejected}};
     object["spacing"] = {{"requested_m", report.spacingRequested},
                          {"minimum_m", report.spacingMinimum},
-                         {"rho", report.relativeRadius}};
+                         {"rho", nullptr}};
+    if (report.relativeRadius)
+        object["spacing"]["rho"] = *report.relativeRadius;
     object["density_per_m2"] = {{"requested", report.densityRequested},
                                 {"reached", report.densityReached},
                                 {"closed", report.densityClosed}};

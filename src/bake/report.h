@@ -62,14 +62,17 @@ struct Report {
     std::uint64_t kept = 0;          ///< roots in the field
     std::array<std::uint64_t, rejectCount> rejected{}; ///< by Reject
     double spacingRequested = 0.0;                     ///< [m]; 0: none requested
-    double spacingMinimum = 0.0;       ///< [m] between roots of one sheet, as stored
-    double relativeRadius = 0.0;       ///< minimum / spacing of a hexagonal packing
-    double densityRequested = 0.0;     ///< [1/m²]
-    double densityReached = 0.0;       ///< [1/m²] kept roots per area
-    double densityClosed = 0.0;        ///< [1/m²] of a closed sward; 0 unless it decided the amount
-    double widening = 1.0;             ///< factor on the width of blades
-    bool slopeChosen = false;          ///< by the ground's shape, not by a setting
-    SoftRange slope;                   ///< [degrees] of the filter, as requested or chosen
+    double spacingMinimum = 0.0; ///< [m] between roots of one sheet, as stored
+    /// ρ: minimum / spacing of a hexagonal packing of as many roots on the ground that bears
+    /// (RootPlan::bearing); 0 without Poisson disks. None where it cannot be told, because strokes
+    /// thin the roots.
+    std::optional<double> relativeRadius = 0.0;
+    double densityRequested = 0.0; ///< [1/m²]
+    double densityReached = 0.0;   ///< [1/m²] kept roots per area
+    double densityClosed = 0.0;    ///< [1/m²] of a closed sward; 0 unless it decided the amount
+    double widening = 1.0;         ///< factor on the width of blades
+    bool slopeChosen = false;      ///< by the ground's shape, not by a setting
+    SoftRange slope;               ///< [degrees] of the filter, as requested or chosen
     std::optional<GreenShares> colors; ///< of the bearing ground; none if it has no colours
     bool proposesGreen = false;        ///< the colours matter, and no mask reads them
     /// A mask, also of a species.

@@ -18,10 +18,12 @@ void fillSpacing(Report& report, double minimum, const BakeSettings& settings, c
         return;
     report.spacingRequested = settings.spacing ? *settings.spacing : plan.roots.spacing;
     report.spacingMinimum = minimum;
-    const double sides = settings.sides == Sides::both ? 2.0 : 1.0;
-    if (report.kept > 0)
-        report.relativeRadius = minimum / std::sqrt(2.0 * sides * report.input.area /
-                                                    (std::sqrt(3.0) * double(report.kept)));
+    const double bearing = plan.roots.bearing.value_or(0.0);
+    if (!settings.strokes.empty() || !plan.roots.bearing)
+        report.relativeRadius.reset();
+    else if (report.kept > 0 && bearing > 0.0)
+        report.relativeRadius =
+            minimum / std::sqrt(2.0 * bearing / (std::sqrt(3.0) * double(report.kept)));
 }
 
 bool needsAltitude(const BakeSettings& settings)

@@ -44,10 +44,12 @@ BakePlan planWhole(const GroundView& whole, const BakeSettings& settings, Diagno
     BakePlan plan;
     plan.plan =
         planBake(bearingArea(ground, settings.sides), extentOf(ground), settings, diagnostics);
-    // Only a count samples the whole ground, and only some filters then need rays.
+    // A count and the area that bears Poisson disks sample the whole ground; some filters then need
+    // rays.
     std::optional<terrain::SurfaceQuery> query;
+    const bool samplesWhole = settings.count || settings.spread != Spread::uniform;
     const terrain::SurfaceQuery* rays = whole.rays;
-    if (rays == nullptr && settings.count && filterNeedsRays(ground, settings))
+    if (rays == nullptr && samplesWhole && filterNeedsRays(ground, settings))
         rays = &query.emplace(ground);
     // Strokes change the density that is planned without them.
     BakeSettings unpainted = settings;

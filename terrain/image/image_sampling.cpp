@@ -1,5 +1,7 @@
 #include "terrain/image/image_sampling.h"
 
+#include "terrain/image/channel_image.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,6 +20,38 @@ double brought(double coordinate, ImageWrap wrap)
         break;
     }
     return coordinate - std::floor(coordinate);
+}
+
+// Pixels [first, end) along one axis.
+struct PixelSpan {
+    double first;
+    double end;
+};
+
+// Those on both sides of coordinates from `low` to `high`, and of their rounding.
+PixelSpan pixelSpan(double low, double high, std::uint32_t size)
+{
+    constexpr double slack = 1e-3;
+    return {std::floor(low * size - 0.5 - slack), std::floor(high * size - 0.5 + slack) + 2.0};
+}
+
+// Whether is(x, y) holds for all pixels of a box.
+template <typename Is>
+bool allPixels(const glm::uvec2& size, const ImageWraps& wraps, const glm::dvec2& low,
+               const glm::dvec2& high, std::size_t maxPixels, Is is)
+{
+    constexpr double farthest = 1e9; // a slack of 1e-3 pixels is above the rounding up to here
+    const PixelSpan x = pixelSpan(low.x, high.x, size.x);
+    const PixelSpan y = pixelSpan(low.y, high.y, size.y);
+    const bool isNear = std::max({std::fabs(x.first), std::fabs(x.end), std::fabs(y.first),
+                                  std::fabs(y.end)}) < farthest;
+    if (!isNear || !((x.end - x.first) * (y.end - y.first) <= double(maxPixels)))
+        return false;
+    for (auto row = static_cast<std::int64_t>(y.first); double(row) < y.end; ++row)
+        for (auto column = static_cast<std::int64_t>(x.first); double(column) < x.end; ++column)
+            if (!is(wrapped(column, size.x, wraps.u), wrapped(row, size.y, wraps.v)))
+                return false;
+    return true;
 }
 
 } // namespace
@@ -55,6 +89,27 @@ double valueAt(const GroundImage& image, int channel, const ImageWraps& wraps, c
         return double(image.rgba[4 * (y * image.width + x) + offset]);
     };
     return unit * bilinear({image.width, image.height}, wraps, uv, pixel);
+}
+
+bool holdsOnly(const GroundImage& image, int channel, const ImageWraps& wraps,
+               const glm::dvec2& low, const glm::dvec2& high, double value, std::size_t maxPixels)
+{
+    const std::uint8_t wanted = value > 0.5 ? 255 : 0;
+    return allPixels(
+        {image.width, image.height}, wraps, low, high, maxPixels,
+        [&](std::size_t x, std::size_t y) {
+            return image.rgba[4 * (y * image.width + x) + static_cast<std::size_t>(channel)] ==
+                   wanted;
+        });
+}
+
+bool holdsOnly(const ChannelImage& image, const ImageWraps& wraps, const glm::dvec2& low,
+               const glm::dvec2& high, double value, std::size_t maxPixels)
+{
+    const std::uint16_t wanted = value > 0.5 ? 65535 : 0;
+    return allPixels(
+        {image.width, image.height}, wraps, low, high, maxPixels,
+        [&](std::size_t x, std::size_t y) { return image.values[y * image.width + x] == wanted; });
 }
 
 } // namespace sward::terrain

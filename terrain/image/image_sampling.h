@@ -51,4 +51,11 @@ double bilinear(const glm::uvec2& size, const ImageWraps& wraps, const glm::dvec
 double valueAt(const GroundImage& image, int channel, const ImageWraps& wraps,
                const glm::dvec2& uv);
 
+/// Whether every pixel that valueAt() reads for coordinates from `low` to `high` has this value,
+/// 0 or 1. False if these are more than `maxPixels`.
+bool holdsOnly(const GroundImage& image, int channel, const ImageWraps& wraps,
+               const glm::dvec2& low, const glm::dvec2& high, double value, std::size_t maxPixels);
+bool holdsOnly(const ChannelImage& image, const ImageWraps& wraps, const glm::dvec2& low,
+               const glm::dvec2& high, double value, std::size_t maxPixels);
+
 } // namespace sward::terrain

@@ -41,6 +41,7 @@ RootFilter::RootFilter(const terrain::GroundMesh& ground, const BakeSettings& se
     , scale_(scale)
     , everybody_({settings.slope, settings.altitude, settings.curvature, settings.masks})
     , mix_(settings.meadow)
+    , bounds_(ground, settings, features)
     , cutout_(ground, masksByVertexColor(settings))
 {
     if (needsGreen(settings))

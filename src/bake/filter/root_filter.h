@@ -8,6 +8,7 @@
 #include "bake/filter/habitat.h"
 #include "bake/filter/occluder_test.h"
 #include "bake/filter/species_mix.h"
+#include "bake/filter/weight_bound.h"
 #include "bake/paint/painting.h"
 #include "bake/report.h"
 #include "bake/root_sample.h"
@@ -62,6 +63,9 @@ public:
         return painting_ ? painting_->lookAt(root.position, root.normal) : PaintedLook();
     }
 
+    /// Bounds of weigh() on parts of the ground.
+    const WeightBounds& bounds() const { return bounds_; }
+
     /// Runs the tests that cast rays. Returns the reason for a rejection, or none.
     std::optional<Reject> obstacle(const RootSample& root) const;
 
@@ -82,6 +86,7 @@ private:
     double scale_;
     HabitatWeight everybody_;
     SpeciesMix mix_;
+    WeightBounds bounds_;
     Cutout cutout_;
     std::optional<GroundGreen> green_;
     std::optional<BorderDistance> border_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bake/report.h"
 #include "bake/sample/poisson_tuning.h"
 
 #include <glm/vec3.hpp>
@@ -9,16 +10,20 @@
 
 namespace sward::bake {
 
-/// A triangle side with parts in a region.
-struct TriangleSide {
+/// A triangle side with parts in a region. What every dart reads comes first, in two cache lines.
+struct alignas(64) TriangleSide {
     glm::dvec3 corner, first, second; // [m] a corner and its two edges
-    glm::dvec3 face;                  // unit normal of the triangle's front
-    glm::dvec3 localCorner{0.0}, localFirst{0.0}, localSecond{0.0}; // in a smooth region
-    std::uint32_t triangle;                                         // index in this ground
-    std::uint32_t source;                                           // number in the whole ground
+    glm::vec3 sheetNormal;            // unit; a disk whose normal has at least …
+    float sheetCosine;                // … this cosine with it is on the sheet of every root here
+    float bound;                      // of RootFilter::weigh() here
+    Reject boundReason;               // the factor that lowers it most
     int level;
+    std::uint32_t triangle; // index in this ground
     bool back;
-    std::uint64_t tries;                                          // per part and round, times 2²⁴
+    std::uint32_t source; // number in the whole ground
+    glm::dvec3 face;      // unit normal of the triangle's front
+    glm::dvec3 localCorner{0.0}, localFirst{0.0}, localSecond{0.0}; // in a smooth region
+    std::uint64_t tries; // per part and round, times 2²⁴
     std::array<std::uint32_t, PoissonTuning::passes> firstNumber; // of candidates per pass
 
     glm::dvec3 placeOf(double b, double c) const { return corner + b * first + c * second; }

@@ -28,7 +28,17 @@ public:
     const Disk* blocker(const glm::vec3& position, float radius, const glm::vec3* normal,
                         double sheetCosine) const;
 
+    /// Whether such a disk is in the same cell, which holds most of them.
+    bool blocksNearby(const glm::vec3& position, float radius, const glm::vec3* normal,
+                      double sheetCosine) const
+    {
+        return blockerIn(cellOf(position), position, radius, normal, sheetCosine) != nullptr;
+    }
+
 private:
+    const Disk* blockerIn(const glm::ivec3& cell, const glm::vec3& position, float radius,
+                          const glm::vec3* normal, double sheetCosine) const;
+
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
     struct Entry {

@@ -23,9 +23,10 @@ public:
                 const RootFilter& filter, double spacing, bool filtered,
                 const PoissonTuning& tuning = {});
 
-    /// All roots, sorted by triangle and candidate. `proposed` counts the thrown darts; darts that
-    /// must be rejected are never thrown. Counts only darts in `counted` (null: everywhere).
-    /// Throws Error{input} when `limit` is over (null: none).
+    /// All roots, sorted by triangle and candidate. `proposed` counts the darts. Darts at parts
+    /// that a disk covers are never thrown or counted; those at parts where the filter lets nothing
+    /// grow are counted by its reason, but not thrown. Counts only darts in `counted` (null:
+    /// everywhere). Throws Error{input} when `limit` is over (null: none).
     Sampling sample(Progress& progress, const TileRegion* counted = nullptr,
                     const SearchLimit* limit = nullptr) const;
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace sward::bake {
 namespace {
@@ -43,13 +44,41 @@ void forEachInStrides(std::size_t count, Visit visit)
     }
 }
 
+// TriangleSide::sheetNormal and sheetCosine. Normals of roots are between those of the corners, or
+// the face's.
+std::pair<glm::vec3, float> sheetOf(const terrain::GroundMesh& ground, const TriangleSide& side,
+                                    double sheetCosine)
+{
+    constexpr float never = 2.0f;
+    constexpr double slack = 1e-5;
+    const glm::uvec3 t = ground.triangles[side.triangle];
+    const std::array<glm::dvec3, 4> normals = {glm::dvec3(ground.normals[t.x]),
+                                               glm::dvec3(ground.normals[t.y]),
+                                               glm::dvec3(ground.normals[t.z]), side.face};
+    const glm::dvec3 sum = normals[0] + normals[1] + normals[2] + normals[3];
+    const double length = std::sqrt(glm::dot(sum, sum));
+    if (!(length > slack))
+        return {glm::vec3(side.face), never};
+    const glm::dvec3 mean = sum / length;
+    double cosine = 1.0; // of the widest angle to the mean
+    for (const glm::dvec3& normal : normals)
+        cosine = std::min(cosine, glm::dot(normal, mean));
+    if (!(cosine > sheetCosine))
+        return {glm::vec3(mean), never};
+    // The cosine of the difference of both angles.
+    const double both = sheetCosine * cosine +
+                        std::sqrt((1.0 - sheetCosine * sheetCosine) * (1.0 - cosine * cosine));
+    return {glm::vec3(side.back ? -mean : mean), static_cast<float>(both + slack)};
+}
+
 } // namespace
 
 RegionParts::RegionParts(const terrain::GroundMesh& ground, std::uint64_t seed,
-                         const PoissonLattice& lattice, double spacing, const PoissonTuning& tuning,
-                         const TileRegion* counted)
+                         const RootFilter& filter, const PoissonLattice& lattice, double spacing,
+                         const PoissonTuning& tuning, const TileRegion* counted)
     : ground_(ground)
     , seed_(seed)
+    , filter_(filter)
     , lattice_(lattice)
     , spacing_(spacing)
     , tuning_(tuning)
@@ -68,6 +97,12 @@ void RegionParts::addSide(const RegionPiece& piece)
     side.triangle = piece.triangle;
     side.source = ground_.source(piece.triangle);
     side.back = piece.back;
+    const auto [sheetNormal, sheetCosine] = sheetOf(ground_, side, tuning_.sheetCosine);
+    const WeightBound bound = boundOn({piece.triangle, piece.back});
+    side.bound = std::nextafter(static_cast<float>(bound.weight), 2.0f * float(bound.weight));
+    side.boundReason = bound.reason;
+    side.sheetNormal = sheetNormal;
+    side.sheetCosine = sheetCosine;
     side.level = fragmentLevel(ground_, piece.triangle, tuning_.fragmentEdge * spacing_);
     const double area = ground_.area(piece.triangle) / double(1ULL << (2 * side.level));
     const double tries = area / (tuning_.areaPerDart * spacing_ * spacing_);
@@ -86,28 +121,81 @@ void RegionParts::gather(std::span<const RegionPiece> pieces)
 {
     sides_.clear();
     places_.clear();
+    bareDarts_ = {};
     pass_ = 0;
     region_ = pieces.front().region;
+    const RegionPiece* last = nullptr; // of the current side
+    bool sideBears = false;            // some part of it is left
     for (const RegionPiece& piece : pieces) {
-        if (sides_.empty() || sides_.back().triangle != piece.triangle ||
-            sides_.back().back != piece.back)
+        if (last == nullptr || last->triangle != piece.triangle || last->back != piece.back) {
+            if (last != nullptr && !sideBears)
+                sides_.pop_back();
             addSide(piece);
+            last = &piece;
+            sideBears = false;
+        }
         const TriangleSide& side = sides_.back();
         const auto index = static_cast<std::uint32_t>(sides_.size() - 1);
         const auto place = [&](std::uint32_t column, std::uint32_t row, bool turned) {
+            const Fragment fragment = fragmentAt(side.level, column, row, turned);
             if (!piece.whole) {
-                const Fragment fragment = fragmentAt(side.level, column, row, turned);
                 const double third = double(fragment.size) / 3.0;
                 const glm::dvec3 middle =
                     side.placeOf(double(fragment.b) + third, double(fragment.c) + third);
                 if (lattice_.regionOf(middle) != piece.region)
                     return;
             }
-            places_.push_back({index, static_cast<std::uint16_t>(column),
-                               static_cast<std::uint16_t>(row), turned});
+            Place& added = places_.emplace_back(Place{index, static_cast<std::uint16_t>(column),
+                                                      static_cast<std::uint16_t>(row), turned});
+            WeightBound bound{double(side.bound), side.boundReason};
+            if (!bound.isBare() && side.level > 0)
+                bound = boundOn({side.triangle, side.back, double(fragment.b), double(fragment.c),
+                                 double(fragment.size)});
+            if (bound.isBare()) {
+                bareDarts_[static_cast<std::size_t>(bound.reason)] += dartsAt(side, added);
+                added.side = Place::bare;
+            }
+            sideBears = sideBears || !bound.isBare();
         };
         forEachPart(piece, side.level, place);
     }
+    if (!sideBears)
+        sides_.pop_back();
+}
+
+WeightBound RegionParts::boundOn(const GroundPart& part) const
+{
+    return tuning_.bounds ? filter_.bounds().on(part) : WeightBound();
+}
+
+// Number of darts of the first pass at a part, if a tile counts it. Its middle decides, so that
+// tiles add up to the whole.
+std::uint64_t RegionParts::dartsAt(const TriangleSide& side, const Place& place) const
+{
+    const Fragment fragment = fragmentAt(side.level, place.column, place.row, place.turned);
+    const double third = double(fragment.size) / 3.0;
+    if (counted_ != nullptr && !counted_->holds(glm::vec3(side.placeOf(
+                                   double(fragment.b) + third, double(fragment.c) + third))))
+        return 0;
+    return (std::uint64_t(tuning_.rounds[0]) * static_cast<std::uint32_t>(side.tries) +
+            shareOf(keyOf(side, place))) >>
+           24;
+}
+
+// Key of the random numbers of a part of the current pass.
+std::uint64_t RegionParts::keyOf(const TriangleSide& side, const Place& place) const
+{
+    const std::uint64_t number =
+        std::uint64_t(side.firstNumber[std::size_t(pass_)]) +
+        partNumber(side.level + pass_, place.column, place.row, place.turned);
+    const std::uint64_t index =
+        std::uint64_t(side.source) << 32 | std::uint64_t(side.back) << 31 | (number & 0x7fffffffU);
+    return hashBits(seed_ ^ dartSalt, index);
+}
+
+std::uint32_t RegionParts::shareOf(std::uint64_t key) const
+{
+    return static_cast<std::uint32_t>(mixBits(key ^ seed_ ^ orderSalt) >> 40);
 }
 
 DAabb RegionParts::bounds() const
@@ -186,7 +274,10 @@ void RegionParts::makeParts()
 {
     parts_.clear();
     parts_.reserve(places_.size());
-    forEachInStrides(places_.size(), [&](std::size_t at) { addPart(places_[at]); });
+    forEachInStrides(places_.size(), [&](std::size_t at) {
+        if (places_[at].side != Place::bare)
+            addPart(places_[at]);
+    });
 }
 
 void RegionParts::placeTurns()
@@ -215,13 +306,9 @@ void RegionParts::addPart(const Place& place)
     part.column = place.column;
     part.row = place.row;
     part.turned = place.turned;
-    const std::uint64_t number = std::uint64_t(side.firstNumber[std::size_t(pass_)]) +
-                                 partNumber(level, place.column, place.row, place.turned);
-    const std::uint64_t index =
-        std::uint64_t(side.source) << 32 | std::uint64_t(side.back) << 31 | (number & 0x7fffffffU);
-    part.key = hashBits(seed_ ^ dartSalt, index);
+    part.key = keyOf(side, place);
     part.tries = static_cast<std::uint32_t>(side.tries);
-    part.share = static_cast<std::uint32_t>(mixBits(part.key ^ seed_ ^ orderSalt) >> 40);
+    part.share = shareOf(part.key);
     part.counts = countsOf(side, fragment);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bake/filter/root_filter.h"
 #include "bake/sample/dart_part.h"
 #include "bake/sample/poisson_fragments.h"
 #include "bake/sample/poisson_tuning.h"
@@ -18,14 +19,19 @@ namespace sward::bake {
 class RegionParts {
 public:
     /// All arguments must outlive it. `counted`: see RegionFiller.
-    RegionParts(const terrain::GroundMesh& ground, std::uint64_t seed,
+    RegionParts(const terrain::GroundMesh& ground, std::uint64_t seed, const RootFilter& filter,
                 const PoissonLattice& lattice, double spacing, const PoissonTuning& tuning,
                 const TileRegion* counted);
 
-    /// Gathers the sides and parts of these pieces; the parts are placed afterwards.
+    /// Gathers the sides and parts of these pieces; the parts are placed afterwards. Leaves out
+    /// parts that the filter finds bare: the order of the others is as if they were there.
     void gather(std::span<const RegionPiece> pieces);
 
-    bool empty() const { return places_.empty(); }
+    /// Whether no part is left.
+    bool empty() const { return sides_.empty(); }
+
+    /// Darts of the first pass that would have been thrown at bare parts, by the reason.
+    const std::array<std::uint64_t, rejectCount>& bareDarts() const { return bareDarts_; }
 
     /// A box that contains all positions that darts can hit [m].
     DAabb bounds() const;
@@ -57,6 +63,14 @@ public:
     std::span<const DartPart> parts() const { return parts_; }
     std::span<const TriangleSide> sides() const { return sides_; }
     const TriangleSide& sideOf(const DartPart& part) const { return sides_[part.side]; }
+
+    /// Fetches what a dart at this part will read.
+    void prefetch(const DartPart& part) const
+    {
+        const auto* const side = reinterpret_cast<const char*>(&sides_[part.side]);
+        __builtin_prefetch(side);
+        __builtin_prefetch(side + 64);
+    }
     int pass() const { return pass_; }
 
     Fragment fragmentOf(const DartPart& part) const
@@ -69,13 +83,19 @@ public:
 
 private:
     struct Place {
-        std::uint32_t side;
+        static constexpr std::uint32_t bare = 0xffffffffU;
+
+        std::uint32_t side; ///< or `bare`
         std::uint16_t column;
         std::uint16_t row;
         bool turned;
     };
 
     void addSide(const RegionPiece& piece);
+    WeightBound boundOn(const GroundPart& part) const;
+    std::uint64_t dartsAt(const TriangleSide& side, const Place& place) const;
+    std::uint64_t keyOf(const TriangleSide& side, const Place& place) const;
+    std::uint32_t shareOf(std::uint64_t key) const;
     void makeParts();
     void placeTurns();
     void addPart(const Place& place);
@@ -99,13 +119,15 @@ private:
 
     const terrain::GroundMesh& ground_;
     std::uint64_t seed_;
+    const RootFilter& filter_;
     const PoissonLattice& lattice_;
     double spacing_;
     const PoissonTuning& tuning_;
     const TileRegion* counted_;
 
     std::vector<TriangleSide> sides_;
-    std::vector<Place> places_;
+    std::vector<Place> places_; ///< bare ones too: they keep the order of the others
+    std::array<std::uint64_t, rejectCount> bareDarts_{};
     PoissonLattice::Key region_ = 0;
     std::vector<DartPart> parts_;
     std::vector<std::vector<Place>> turns_; ///< places of quarters, by their turn

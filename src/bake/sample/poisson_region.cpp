@@ -50,7 +50,7 @@ public:
         , widest_(filtered ? tuning.widest * spacing : spacing)
         , tuning_(tuning)
         , counted_(counted)
-        , parts_(ground, seed, lattice, spacing, tuning, counted)
+        , parts_(ground, seed, filter, lattice, spacing, tuning, counted)
     {
     }
 
@@ -58,6 +58,10 @@ public:
     {
         result_ = {};
         parts_.gather(pieces);
+        for (std::size_t i = 0; i < rejectCount; ++i) {
+            result_.thrown += parts_.bareDarts()[i];
+            result_.rejected[i] += parts_.bareDarts()[i];
+        }
         if (!parts_.empty()) {
             gatherDisks(before);
             throwAll();
@@ -230,8 +234,11 @@ void RegionFiller::Sampler::land()
         landing[left] = static_cast<std::uint32_t>(i);
         left += 1 - isBlocked;
     }
-    for (std::size_t i = 0; i < left; ++i)
+    constexpr std::size_t ahead = 8;
+    for (std::size_t i = 0; i < left; ++i) {
+        parts_.prefetch(*flight_[landing[std::min(i + ahead, left - 1)]].part);
         throwDart(flight_[landing[i]]);
+    }
     result_.thrown += thrown;
     result_.rejected[static_cast<std::size_t>(Reject::spacing)] += blocked;
     flight_.clear();
@@ -266,16 +273,32 @@ void RegionFiller::Sampler::throwDart(const Dart& dart)
         return;
     }
     const TriangleSide& side = parts_.sideOf(part);
+    // A share of the darts is thrown where less grows.
+    const double least = 1.0 / (tuning_.widest * tuning_.widest);
+    const std::uint64_t more = mixBits(dart.bits ^ golden);
+    const double draw = double(more >> 32) * 0x1.0p-32;
+    const double chance = draw < least ? 0.0 : draw;
+    if (double(side.bound) <= chance) {
+        reject(side.boundReason);
+        return;
+    }
     const glm::vec2 place = placeOf(dart);
     const float b = place.x;
     const float c = place.y;
     const glm::vec3 position(side.placeOf(double(b), double(c)));
+    // No disk is smaller than the spacing: most darts need no root to be rejected.
+    if (!mapped_ &&
+        grid_.blocksNearby(position, static_cast<float>(spacing_),
+                           smooth_ ? nullptr : &side.sheetNormal, double(side.sheetCosine))) {
+        reject(Reject::spacing);
+        return;
+    }
     const auto rootHere = [&] {
         return TrianglePoints(ground_, side.triangle, side.face)
             .at(b, c, parts_.candidate(part, dart.index));
     };
 
-    // Lower density: throw fewer darts and widen the disks in proportion.
+    // Lower density: widen the disks in proportion to the darts that are left out.
     RootSample root;
     float radius = static_cast<float>(spacing_);
     bool bears = true;
@@ -285,10 +308,6 @@ void RegionFiller::Sampler::throwDart(const Dart& dart)
     if (needsRoot)
         root = rootHere();
     if (needsAnything) {
-        const double least = 1.0 / (tuning_.widest * tuning_.widest);
-        const std::uint64_t more = mixBits(dart.bits ^ golden);
-        const double draw = double(more >> 32) * 0x1.0p-32;
-        const double chance = draw < least ? 0.0 : draw;
         Reject reason = Reject::mask;
         const double weight = filter_.weigh(root, chance, reason);
         if (weight <= chance) {

@@ -23,7 +23,7 @@ struct RegionResult {
     std::vector<RootSample> roots;
     std::vector<float> radii;        ///< of the roots' disks [m]
     std::vector<std::uint8_t> bears; ///< 0: thinned; it still blocks others
-    std::uint64_t thrown = 0;        ///< number of darts
+    std::uint64_t thrown = 0;        ///< number of darts, also of those that bare parts save
     std::array<std::uint64_t, rejectCount> rejected{};
 };
 

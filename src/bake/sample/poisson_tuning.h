@@ -26,6 +26,9 @@ struct PoissonTuning {
     double yield = 0.5795;
     /// Whether smooth regions use a DiskMap. The roots are the same without.
     bool maps = true;
+    /// Whether darts are left out where WeightBounds say that nothing grows. The roots are the same
+    /// without.
+    bool bounds = true;
 
     /// The default: relative radius ρ ≥ 0.70; at most 1 % of the ground is farther than the spacing
     /// from every root.

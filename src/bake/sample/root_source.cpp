@@ -21,6 +21,13 @@ constexpr double surplus = 1.005;
 constexpr double maxSurplus = 1.015;
 constexpr int maxTries = 8;
 
+// Spacing of the pilot, in spacings, and the least count that is worth one.
+constexpr double pilotSpacing = 2.5;
+constexpr std::uint64_t worthPilot = 20'000;
+
+// Places that tell how much of the ground bears.
+constexpr double bearingProbes = 65536.0;
+
 using Priority = std::pair<double, std::uint64_t>;
 
 Priority priorityOfRoot(const terrain::GroundMesh& ground, const BakeSettings& settings,
@@ -77,24 +84,48 @@ void thinByPaint(const terrain::GroundMesh& ground, const BakeSettings& settings
     sampling.roots.resize(kept);
 }
 
-RootPlan planPoissonCount(const terrain::GroundMesh& ground, const BakeSettings& settings,
-                          const RootFilter& filter, bool filtered, std::uint64_t count,
-                          Progress& progress)
+// RootPlan::bearing.
+double bearingOf(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                                const RootFilter& filter, bool filtered, Progress& progress)
+{
+    const double area = bearingArea(ground, settings.sides);
+    if (!filtered || area <= 0.0)
+        return area;
+    const Sampling probe =
+        SurfaceSampler(ground, settings, filter).sample({bearingProbes / area}, progress);
+    return area * double(probe.roots.size()) / double(std::max<std::uint64_t>(probe.proposed, 1));
+}
+
+void planPoissonCount(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                      const RootFilter& filter, std::uint64_t count, RootPlan& plan,
+                      Progress& progress)
 {
     const PoissonTuning tuning = tuningOf(settings);
-    RootPlan plan;
-    plan.filtered = filtered;
-    const double area = bearingArea(ground, settings.sides);
-    if (count == 0 || area <= 0.0)
-        return plan;
+    const double all = bearingArea(ground, settings.sides);
+    if (count == 0 || all <= 0.0)
+        return;
+    // Where so little bears that no probe found it, the tries below find the spacing.
+    const double area = plan.bearing.value_or(0.0) > 0.0 ? *plan.bearing : all;
     const double wanted = double(count) * surplus + 0.5 * std::sqrt(double(count));
-    plan.spacing = std::sqrt(tuning.yield * area / wanted);
+    double yield = tuning.yield;
+    plan.spacing = std::sqrt(yield * area / wanted);
     std::uint64_t most = 0;
     const SearchLimit limit(count);
+    const auto sample = [&](double spacing) {
+        return PoissonDisk(ground, settings, filter, spacing, plan.filtered, tuning)
+            .sample(progress, nullptr, &limit);
+    };
+    if (plan.filtered && count >= worthPilot) {
+        // Disks at the borders of what bears reach beyond it: the ground holds more of them, in
+        // proportion to the spacing. A sparse pilot tells how many.
+        const double wide = pilotSpacing * plan.spacing;
+        const double found = double(sample(wide).roots.size());
+        const double more = found * wide * wide / (yield * area) - 1.0;
+        yield *= std::clamp(1.0 + more / pilotSpacing, 0.5, 2.0);
+        plan.spacing = std::sqrt(yield * area / wanted);
+    }
     for (int i = 0; i < maxTries; ++i) {
-        Sampling sampling =
-            PoissonDisk(ground, settings, filter, plan.spacing, plan.filtered, tuning)
-                .sample(progress, nullptr, &limit);
+        Sampling sampling = sample(plan.spacing);
         const std::size_t found = sampling.roots.size();
         most = std::max<std::uint64_t>(most, found);
         const bool isClose = double(found) <= double(count) * maxSurplus + 100.0 || i >= 3;
@@ -102,7 +133,7 @@ RootPlan planPoissonCount(const terrain::GroundMesh& ground, const BakeSettings&
             if (found > count)
                 plan.amount = lowest(ground, settings, sampling.roots, count);
             plan.sampled = std::make_shared<WholeSample>(WholeSample{&ground, std::move(sampling)});
-            return plan;
+            return;
         }
         // The number of roots is proportional to 1 / spacing².
         const double ratio = std::max(double(found), 1.0) / wanted;
@@ -119,14 +150,22 @@ RootPlan planRoots(const terrain::GroundMesh& ground, const BakeSettings& settin
     expect(filter.painting() == nullptr, "a plan of roots knows no strokes");
     const bool filtered = filter.needsAnything() || filterNeedsRays(ground, settings);
     if (settings.spread != Spread::uniform) {
+        RootPlan roots;
+        roots.filtered = filtered;
+        roots.bearing = bearingOf(ground, settings, filter, filtered, progress);
+        roots.spacing = plan.spacing;
         if (settings.count)
-            return planPoissonCount(ground, settings, filter, filtered, *settings.count, progress);
-        return {{}, plan.spacing, filtered, nullptr};
+            planPoissonCount(ground, settings, filter, *settings.count, roots, progress);
+        return roots;
     }
-    if (!settings.count)
-        return {{plan.density}, 0.0, filtered, nullptr};
-    return {SurfaceSampler(ground, settings, filter).amountFor(*settings.count, progress), 0.0,
-            filtered, nullptr};
+    RootPlan roots;
+    roots.filtered = filtered;
+    if (settings.count)
+        roots.amount =
+            SurfaceSampler(ground, settings, filter).amountFor(*settings.count, progress);
+    else
+        roots.amount.density = plan.density;
+    return roots;
 }
 
 Sampling sampleRoots(const terrain::GroundMesh& ground, const BakeSettings& settings,

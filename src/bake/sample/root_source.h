@@ -9,6 +9,7 @@
 #include "terrain/ground_mesh.h"
 
 #include <memory>
+#include <optional>
 
 namespace sward::bake {
 
@@ -24,6 +25,11 @@ struct RootPlan {
     Amount amount;         ///< Poisson disks use its priority, not its density
     double spacing = 0.0;  ///< [m]; 0: uniform
     bool filtered = false; ///< whether any filter tests anything
+
+    /// Poisson disks: area that bears [m²], each part of it times its share of the density; both
+    /// sides count if both bear. Estimated from 65536 places (standard error below 0.2 % of all
+    /// ground), exact without filters. None in a plan of a file that does not say.
+    std::optional<double> bearing;
 
     /// The roots that a Poisson count was planned from, for the first call of sampleRoots(); null
     /// in a plan that was read.

@@ -151,28 +151,30 @@ void writePlan(const fs::path& path, const TilePlan& plan, bool overwrite)
     json arguments = json::array();
     for (const std::string& argument : plan.arguments)
         arguments.push_back(bytesToJson(argument));
-    const json object = {{"format", planFormat},
-                         {"id", plan.id},
-                         {"tiles", plan.tiles},
-                         {"arguments", arguments},
-                         {"folder", bytesToJson(plan.folder)},
-                         {"paint", plan.paint},
-                         {"ground", groundJson(plan.report)},
-                         {"resolved",
-                          {{"scale", plan.plan.plan.scale},
-                           {"density", plan.plan.plan.density},
-                           {"expected", plan.plan.plan.expected},
-                           {"spacing", plan.plan.plan.spacing},
-                           {"widening", plan.plan.plan.widening},
-                           {"thinned", plan.plan.plan.thinned},
-                           {"closed_density", plan.plan.plan.closedDensity},
-                           {"clump_spacing", plan.plan.plan.clumpSpacing},
-                           {"area", plan.plan.plan.area},
-                           {"root_density", plan.plan.roots.amount.density},
-                           {"root_priority", plan.plan.roots.amount.priority},
-                           {"root_last_key", plan.plan.roots.amount.lastKey},
-                           {"root_spacing", plan.plan.roots.spacing},
-                           {"root_filtered", plan.plan.roots.filtered}}}};
+    json object = {{"format", planFormat},
+                   {"id", plan.id},
+                   {"tiles", plan.tiles},
+                   {"arguments", arguments},
+                   {"folder", bytesToJson(plan.folder)},
+                   {"paint", plan.paint},
+                   {"ground", groundJson(plan.report)},
+                   {"resolved",
+                    {{"scale", plan.plan.plan.scale},
+                     {"density", plan.plan.plan.density},
+                     {"expected", plan.plan.plan.expected},
+                     {"spacing", plan.plan.plan.spacing},
+                     {"widening", plan.plan.plan.widening},
+                     {"thinned", plan.plan.plan.thinned},
+                     {"closed_density", plan.plan.plan.closedDensity},
+                     {"clump_spacing", plan.plan.plan.clumpSpacing},
+                     {"area", plan.plan.plan.area},
+                     {"root_density", plan.plan.roots.amount.density},
+                     {"root_priority", plan.plan.roots.amount.priority},
+                     {"root_last_key", plan.plan.roots.amount.lastKey},
+                     {"root_spacing", plan.plan.roots.spacing},
+                     {"root_filtered", plan.plan.roots.filtered}}}};
+    if (plan.plan.roots.bearing)
+        object["resolved"]["root_bearing"] = *plan.plan.roots.bearing;
     writeTextFile(path, jsonText(object, 2) + "\n", overwrite);
 }
 
@@ -222,6 +224,8 @@ TilePlan readPlan(const fs::path& path)
             wholeNumberOf(resolved, "root_last_key", name + ": resolved");
         plan.plan.roots.spacing = number("root_spacing");
         plan.plan.roots.filtered = resolved.at("root_filtered").get<bool>();
+        if (resolved.contains("root_bearing"))
+            plan.plan.roots.bearing = number("root_bearing");
         if (plan.tiles == 0)
             fail(ErrorKind::input, "{}: 0 tiles, outside [1, {}]", name, maxTiles);
         return plan;

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <complex>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace sward::bake {
@@ -40,6 +41,11 @@ Sampling sampleOf(const terrain::GroundMesh& ground, const BakeSettings& setting
     return PoissonDisk(ground, settings, filter, *settings.spacing, filter.needsAnything(),
                        tuningOf(settings))
         .sample(progress);
+}
+
+std::uint64_t rejections(const Sampling& sampling)
+{
+    return std::accumulate(sampling.rejected.begin(), sampling.rejected.end(), std::uint64_t(0));
 }
 
 std::vector<glm::dvec3> placesOf(const Roots& roots)
@@ -223,7 +229,7 @@ TEST(PoissonDisk, RefusesATriangleThatIsTooLargeForTheSpacing)
     EXPECT_THROW(sampleOf(meshes::square(100.0), poisson(0.001)), Error);
 }
 
-TEST(PoissonDisk, HasTheSameRootsWithoutMaps)
+TEST(PoissonDisk, HasTheSameRootsWithoutMapsAndBounds)
 {
     // Smooth regions, sheets on each other, folded regions; with and without filters.
     terrain::GroundMesh stack = meshes::square(20.0);
@@ -245,13 +251,26 @@ TEST(PoissonDisk, HasTheSameRootsWithoutMaps)
                         .sample(progress);
                 };
                 const Roots mapped = sampled().roots;
-                tuning.maps = false;
-                const Roots plain = sampled().roots;
                 ASSERT_GT(mapped.size(), 100U);
-                ASSERT_EQ(mapped.size(), plain.size());
-                for (std::size_t i = 0; i < mapped.size(); ++i) {
-                    ASSERT_EQ(keyBits(keyOf(ground, mapped[i])), keyBits(keyOf(ground, plain[i])));
-                    ASSERT_EQ(mapped[i].position, plain[i].position);
+                const auto expectSame = [&](const Roots& others) {
+                    ASSERT_EQ(mapped.size(), others.size());
+                    for (std::size_t i = 0; i < mapped.size(); ++i) {
+                        ASSERT_EQ(keyBits(keyOf(ground, mapped[i])),
+                                  keyBits(keyOf(ground, others[i])));
+                        ASSERT_EQ(mapped[i].position, others[i].position);
+                    }
+                };
+                tuning.maps = false;
+                expectSame(sampled().roots);
+                tuning.bounds = false;
+                const Sampling unbounded = sampled();
+                expectSame(unbounded.roots);
+                tuning.bounds = true;
+                // Darts that bare parts save are counted.
+                const Sampling bounded = sampled();
+                EXPECT_EQ(bounded.proposed, bounded.roots.size() + rejections(bounded));
+                if (spread == Spread::poisson) {
+                    EXPECT_NEAR(double(bounded.proposed) / double(unbounded.proposed), 1.0, 1e-3);
                 }
             }
 }
