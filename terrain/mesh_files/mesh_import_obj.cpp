@@ -1,7 +1,7 @@
 #include "terrain/mesh_files/mesh_import_obj.h"
 
 #include "core/error.h"
-#include "terrain/mesh_files/openmesh_soup.h"
+#include "terrain/mesh_files/polygon_soup.h"
 #include "terrain/mesh_files/text_cursor.h"
 
 #include <algorithm>
@@ -45,6 +45,24 @@ private:
     std::unordered_map<std::string, std::uint32_t> indices_;
 };
 
+// What corners name by number, apart from their vertices.
+template <typename Value>
+struct ObjElements {
+    std::vector<Value> values;
+    std::size_t lost = 0;          // corners that name one which is not there
+    std::size_t firstLine = 0;     // of those
+    std::int64_t firstNumber = 0;  // that the first of them names
+    std::size_t firstCount = 0;    // of values at that line
+
+    void warn(const char* what, const std::string& place, Diagnostics& diagnostics) const
+    {
+        if (lost > 0)
+            diagnostics.warn("{}: line {}: a face names {} {}, but there are {}; {} corners are "
+                             "kept without one",
+                             place, firstLine, what, firstNumber, firstCount, lost);
+    }
+};
+
 class ObjReader {
 public:
     ObjReader(std::string_view file, const std::string& place, std::vector<std::string>& libraries)
@@ -59,9 +77,9 @@ public:
     {
         while (!cursor_.atEnd())
             readLine(wholeLine());
-        if (soup_.facesSeen() == 0)
-            fail(ErrorKind::input, "{}: no faces", place_);
-        soup_.warnOfCrossed(diagnostics);
+        soup_.finishFaces(diagnostics);
+        uvs_.warn("texture coordinate", place_, diagnostics);
+        normals_.warn("normal", place_, diagnostics);
 
         // Names are per face, a face may be several triangles.
         std::vector<std::uint32_t> materialOf;
@@ -112,9 +130,9 @@ private:
         if (keyword == "v")
             readVertex(words);
         else if (keyword == "vt")
-            uvs_.push_back(readNumbers<OpenMesh::Vec2f>(words));
+            uvs_.values.push_back(readNumbers<glm::vec2>(words));
         else if (keyword == "vn")
-            normals_.push_back(readNumbers<OpenMesh::Vec3f>(words));
+            normals_.values.push_back(readNumbers<glm::vec3>(words));
         else if (keyword == "f")
             readFace(words);
         else if (keyword == "usemtl")
@@ -129,8 +147,8 @@ private:
     template <typename Vector>
     static Vector readNumbers(TextCursor& words)
     {
-        Vector vector;
-        for (std::size_t i = 0; i < vector.size(); ++i)
+        Vector vector(0.0f);
+        for (glm::length_t i = 0; i < Vector::length(); ++i)
             vector[i] = static_cast<float>(words.number().value_or(0.0));
         return vector;
     }
@@ -139,55 +157,76 @@ private:
     {
         glm::dvec3 position(0.0);
         for (glm::length_t axis = 0; axis < 3; ++axis) {
-            const auto number = words.number();
+            const std::string_view word = words.word();
+            if (word.empty() || word.front() == '#')
+                failHere("the vertex has {} coordinates: {} is missing", axis, "xyz"[axis]);
+            const auto number = parseNumber(word);
             if (!number)
                 failHere("coordinate {} of the vertex is not a finite number", "xyz"[axis]);
             position[axis] = *number;
         }
-        const OpenMesh::VertexHandle vertex = soup_.add_vertex();
-        soup_.soup().positions.back() = position;
+        soup_.addVertex(position);
 
         // Three more numbers are a colour.
-        OpenMesh::Vec3f color;
-        std::size_t channels = 0;
+        glm::vec4 color(0.0f, 0.0f, 0.0f, 1.0f);
+        glm::length_t channels = 0;
         while (channels < 3)
             if (const auto number = words.number())
                 color[channels++] = static_cast<float>(*number);
             else
                 break;
         if (channels == 3)
-            soup_.set_color(vertex, color);
+            soup_.setColor(soup_.vertices() - 1, color);
     }
 
-    // Element index of a corner's number: counted from 1, or backwards from the last if negative.
-    std::size_t elementOf(std::string_view word, std::size_t count, const char* what) const
+    // A corner's number: from 1, or backwards from the last if negative.
+    std::int64_t numberOf(std::string_view word) const
     {
         std::int64_t number = 0;
         const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
         if (error != std::errc() || end != word.data() + word.size())
             failHere("a corner \"{}\" of a face is no number", word.substr(0, 16));
+        return number;
+    }
+
+    static std::optional<std::size_t> indexOf(std::int64_t number, std::size_t count)
+    {
         const auto size = static_cast<std::int64_t>(count);
         const std::int64_t index = number < 0 ? size + number : number - 1;
-        if (index < 0 || index >= size)
-            failHere("a face names {} {}, but there are {}", what, number, count);
-        return static_cast<std::size_t>(index);
+        return index < 0 || index >= size ? std::nullopt
+                                          : std::optional(static_cast<std::size_t>(index));
+    }
+
+    // What a corner names; none, with a note, if it is not there.
+    template <typename Value>
+    std::optional<Value> elementOf(std::string_view word, ObjElements<Value>& elements) const
+    {
+        const std::int64_t number = numberOf(word);
+        if (const auto index = indexOf(number, elements.values.size()))
+            return elements.values[*index];
+        if (elements.lost++ == 0) {
+            elements.firstLine = cursor_.lineNumber();
+            elements.firstNumber = number;
+            elements.firstCount = elements.values.size();
+        }
+        return std::nullopt;
     }
 
     void readCorner(std::string_view word)
     {
         const std::size_t slash = std::min(word.find('/'), word.size());
         const std::size_t second = std::min(word.find('/', slash + 1), word.size());
-        const std::size_t count = soup_.n_vertices();
-        const auto vertex = elementOf(word.substr(0, slash), count, "vertex");
-        corners_.push_back(OpenMesh::VertexHandle(static_cast<int>(vertex)));
+        const std::int64_t number = numberOf(word.substr(0, slash));
+        const auto vertex = indexOf(number, soup_.vertices());
+        if (!vertex)
+            failHere("a face names vertex {}, but there are {}", number, soup_.vertices());
+        corners_.push_back(static_cast<std::uint32_t>(*vertex));
         if (slash + 1 < second)
-            cornerUvs_.push_back(uvs_[elementOf(word.substr(slash + 1, second - slash - 1),
-                                                uvs_.size(), "texture coordinate")]);
-        cornerNormals_.push_back(
-            second + 1 < word.size()
-                ? std::optional(
-                      normals_[elementOf(word.substr(second + 1), normals_.size(), "normal")])
-                : std::nullopt);
+            if (const auto uv = elementOf(word.substr(slash + 1, second - slash - 1), uvs_))
+                cornerUvs_.push_back(*uv);
+        cornerNormals_.push_back(second + 1 < word.size()
+                                     ? elementOf(word.substr(second + 1), normals_)
+                                     : std::nullopt);
     }
 
     void readFace(TextCursor& words)
@@ -199,9 +238,6 @@ private:
         for (std::string_view word = words.word(); !word.empty() && word.front() != '#';
              word = words.word())
             readCorner(word);
-        // Skip lines and points written as faces.
-        if (corners_.size() < 3)
-            return;
         if (materials_.isEmpty())
             material_ = materials_.indexOf("ground");
         if (nodes_.isEmpty())
@@ -209,21 +245,20 @@ private:
         materialOf_.push_back(material_);
         nodeOf_.push_back(node_);
 
-        const OpenMesh::FaceHandle face = soup_.add_face(corners_);
-        if (cornerUvs_.size() == corners_.size())
-            soup_.add_face_texcoords(face, corners_[0], cornerUvs_);
+        const bool isMapped = cornerUvs_.size() == corners_.size();
+        soup_.addFace(corners_, isMapped ? cornerUvs_ : std::vector<glm::vec2>());
         for (std::size_t i = 0; i < corners_.size(); ++i)
             if (cornerNormals_[i])
-                soup_.set_normal(corners_[i], *cornerNormals_[i]);
+                soup_.setNormal(corners_[i], *cornerNormals_[i]);
     }
 
     TextCursor cursor_;
     const std::string& place_;
     std::vector<std::string>& libraries_;
-    OpenMeshSoup soup_;
+    PolygonSoup soup_;
     std::string joined_; // a line of several
-    std::vector<OpenMesh::Vec2f> uvs_;
-    std::vector<OpenMesh::Vec3f> normals_;
+    ObjElements<glm::vec2> uvs_;
+    ObjElements<glm::vec3> normals_;
     Names materials_;
     Names nodes_;
     std::uint32_t material_ = 0;
@@ -232,9 +267,9 @@ private:
     std::vector<std::uint32_t> nodeOf_;
 
     // Of the face that is being read.
-    OpenMeshSoup::VHandles corners_;
-    std::vector<OpenMesh::Vec2f> cornerUvs_;
-    std::vector<std::optional<OpenMesh::Vec3f>> cornerNormals_;
+    std::vector<std::uint32_t> corners_;
+    std::vector<glm::vec2> cornerUvs_;
+    std::vector<std::optional<glm::vec3>> cornerNormals_;
 };
 
 } // namespace

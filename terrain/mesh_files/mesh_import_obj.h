@@ -10,10 +10,11 @@
 namespace sward::terrain {
 
 /// Reads the text of an OBJ: positions in double precision, colours after them, normals and texture
-/// coordinates per corner, objects and groups as nodes, materials by name. Skips faces of less than
-/// three corners. Appends the text of each mtllib to `libraries`. OpenMesh's own reader aborts the
-/// program on some faces. Warns of polygons whose edges cross. Notes objects without what masks
-/// `read`. Throws Error{input} naming the line.
+/// coordinates per corner, objects and groups as nodes, materials by name. Appends the text of each
+/// mtllib to `libraries`. Warns of faces of fewer than three corners, which are left out, of polygons
+/// whose edges cross, and of corners that name normals or texture coordinates which are not there:
+/// these faces are kept without them. Notes objects without what masks `read`. Throws Error{input}
+/// naming the line.
 Soup readObj(std::string_view file, const std::string& place, const MaskInputs& read,
              std::vector<std::string>& libraries, Diagnostics& diagnostics);
 

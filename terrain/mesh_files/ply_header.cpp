@@ -53,6 +53,15 @@ PlyElement readElement(TextCursor& words, std::size_t line, const std::string& p
     return element;
 }
 
+void requireNewName(const PlyElement& element, const PlyProperty& property, std::size_t line,
+                    const std::string& place)
+{
+    for (const PlyProperty& other : element.properties)
+        if (other.name == property.name)
+            fail(ErrorKind::input, "{}: line {}: element {} has a second property {}", place, line,
+                 element.name, property.name);
+}
+
 PlyProperty readProperty(TextCursor& words, std::size_t line, const std::string& place)
 {
     PlyProperty property;
@@ -66,6 +75,57 @@ PlyProperty readProperty(TextCursor& words, std::size_t line, const std::string&
     if (property.name.empty())
         fail(ErrorKind::input, "{}: line {}: a property without a name", place, line);
     return property;
+}
+
+const PlyElement* elementNamed(const PlyHeader& header, std::string_view name)
+{
+    for (const PlyElement& element : header.elements)
+        if (element.name == name)
+            return &element;
+    return nullptr;
+}
+
+void requireCorners(const PlyElement& element, const std::string& place)
+{
+    for (const PlyProperty& property : element.properties)
+        if (property.isCorners())
+            return;
+    for (const PlyProperty& property : element.properties)
+        if (property.name == "vertex_indices" || property.name == "vertex_index")
+            fail(ErrorKind::input, "{}: property {} of element {} is no list", place, property.name,
+                 element.name);
+    fail(ErrorKind::input, "{}: element {} has no list vertex_indices of its corners", place,
+         element.name);
+}
+
+// What ground cannot do without.
+void requireMesh(const PlyHeader& header, const std::string& place)
+{
+    const PlyElement* const vertices = elementNamed(header, "vertex");
+    if (vertices == nullptr)
+        fail(ErrorKind::input, "{}: no element vertex", place);
+    for (const std::string_view axis : {"x", "y", "z"}) {
+        const auto found =
+            std::find_if(vertices->properties.begin(), vertices->properties.end(),
+                         [&](const PlyProperty& property) { return property.name == axis; });
+        if (found == vertices->properties.end())
+            fail(ErrorKind::input, "{}: property {} of its vertices is missing", place, axis);
+        if (found->length)
+            fail(ErrorKind::input, "{}: property {} of its vertices is a list, not a number", place,
+                 axis);
+    }
+    const PlyElement* const faces = elementNamed(header, "face");
+    const PlyElement* const strips = elementNamed(header, "tristrips");
+    const std::size_t count =
+        (faces == nullptr ? 0 : faces->count) + (strips == nullptr ? 0 : strips->count);
+    if (faces == nullptr && strips == nullptr)
+        fail(ErrorKind::input, "{}: no element face: points alone are no ground", place);
+    if (count == 0)
+        fail(ErrorKind::input, "{}: no faces: its element {} has 0 entries", place,
+             faces == nullptr ? "tristrips" : "face");
+    for (const PlyElement* const element : {faces, strips})
+        if (element != nullptr && element->count > 0)
+            requireCorners(*element, place);
 }
 
 } // namespace
@@ -101,15 +161,18 @@ PlyHeader readPlyHeader(std::string_view file, const std::string& place)
             if (header.elements.empty())
                 fail(ErrorKind::input, "{}: line {}: a property before the first element", place,
                      cursor.lineNumber());
-            header.elements.back().properties.push_back(
-                readProperty(words, cursor.lineNumber(), place));
-            if (header.elements.back().properties.size() > maxProperties)
+            PlyElement& element = header.elements.back();
+            PlyProperty property = readProperty(words, cursor.lineNumber(), place);
+            requireNewName(element, property, cursor.lineNumber(), place);
+            element.properties.push_back(std::move(property));
+            if (element.properties.size() > maxProperties)
                 fail(ErrorKind::input, "{}: line {}: more than {} properties", place,
                      cursor.lineNumber(), maxProperties);
         }
     }
     if (!hasFormat)
         fail(ErrorKind::input, "{}: its header names no format", place);
+    requireMesh(header, place);
     // Where CR alone ends the lines, a line feed behind the last one is the first byte of the body.
     std::size_t end = std::min(cursor.offset(), file.size());
     const bool endsByCr = file.size() > 4 && file[3] == '\r' && file[4] != '\n';
@@ -117,97 +180,6 @@ PlyHeader readPlyHeader(std::string_view file, const std::string& place)
         --end;
     header.rest = file.substr(end);
     return header;
-}
-
-bool isNeeded(const PlyElement& element, const PlyProperty& property)
-{
-    if (element.name == "face" || element.name == "tristrips")
-        return property.isCorners();
-    constexpr std::string_view known[] = {"x", "y", "z", "nx", "ny", "nz"};
-    return element.name == "vertex" && !property.length &&
-           std::find(std::begin(known), std::end(known), property.name) != std::end(known);
-}
-
-bool isPlain(const PlyHeader& header)
-{
-    const auto isInt = [](const PlyType& type) {
-        return type.name == "int" || type.name == "int32" || type.name == "uint" ||
-               type.name == "uint32";
-    };
-    std::size_t vertexAt = header.elements.size();
-    for (std::size_t i = 0; i < header.elements.size(); ++i) {
-        const PlyElement& element = header.elements[i];
-        if (element.name == "vertex")
-            vertexAt = i;
-        if (element.name == "tristrips" || (element.name == "face" && i < vertexAt))
-            return false;
-        for (const PlyProperty& property : element.properties) {
-            if (!isNeeded(element, property))
-                continue;
-            if (property.length) {
-                const std::string_view length = property.length->name;
-                if (length != "uchar" && length != "uint8" && length != "int" && length != "int32")
-                    return false;
-                if (!isInt(property.type))
-                    return false;
-            } else if (isCoordinate(property) && !property.type.isFloat) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
-bool isCoordinate(const PlyProperty& property)
-{
-    return property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
-}
-
-namespace {
-
-std::string propertyLine(const PlyProperty& property, bool isOrderly)
-{
-    if (property.length)
-        return isOrderly ? fmt::format("property list int int {}\n", property.name)
-                         : fmt::format("property list {} {} {}\n", property.length->name,
-                                       property.type.name, property.name);
-    const bool isWidened = isOrderly && isCoordinate(property);
-    return fmt::format("property {} {}\n", isWidened ? "double" : property.type.name,
-                       property.name);
-}
-
-std::string elementText(const PlyElement& element, std::size_t count, bool isOrderly)
-{
-    std::string text = fmt::format("element {} {}\n", element.name, count);
-    for (const PlyProperty& property : element.properties)
-        if (isNeeded(element, property))
-            text += propertyLine(property, isOrderly);
-    return text;
-}
-
-} // namespace
-
-std::string plainPlyHeader(const PlyHeader& header)
-{
-    using Format = PlyHeader::Format;
-    const char* const name = header.format == Format::text           ? "ascii"
-                             : header.format == Format::littleEndian ? "binary_little_endian"
-                                                                     : "binary_big_endian";
-    std::string text = fmt::format("ply\nformat {} 1.0\n", name);
-    for (const PlyElement& element : header.elements)
-        if (element.name == "vertex" || element.name == "face")
-            text += elementText(element, element.count, false);
-    return text + "end_header\n";
-}
-
-std::string orderlyPlyHeader(const PlyHeader& header, std::size_t faces)
-{
-    std::string text = "ply\nformat binary_little_endian 1.0\n";
-    for (const PlyElement& element : header.elements)
-        if (element.name == "vertex")
-            text += elementText(element, element.count, true);
-    return text + fmt::format("element face {}\nproperty list int int vertex_indices\nend_header\n",
-                              faces);
 }
 
 } // namespace sward::terrain

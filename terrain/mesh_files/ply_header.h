@@ -41,27 +41,8 @@ struct PlyHeader {
     std::string_view rest; ///< the file after the header
 };
 
-/// Throws Error{input} naming the line that is wrong.
+/// Throws Error{input} naming the line that is wrong, or what is missing: vertices with x, y and z,
+/// faces or strips with a list of corners.
 PlyHeader readPlyHeader(std::string_view file, const std::string& place);
-
-/// Whether OpenMesh's reader is given a property; it fails at many others. scanPly() reads colours
-/// and texture coordinates.
-bool isNeeded(const PlyElement& element, const PlyProperty& property);
-
-/// Whether a property is a coordinate x, y or z.
-bool isCoordinate(const PlyProperty& property);
-
-/// Whether OpenMesh's reader takes the order of the elements and the types of the needed properties
-/// as they are. It wants vertices before faces, coordinates of floats and indices of 32 bits, and
-/// knows no strips.
-bool isPlain(const PlyHeader& header);
-
-/// The header in standard keywords with the needed properties only; OpenMesh's reader loops forever
-/// on some others.
-std::string plainPlyHeader(const PlyHeader& header);
-
-/// A header of a binary little-endian file with vertices, whose coordinates are doubles, then faces
-/// whose lists have lengths and indices of int.
-std::string orderlyPlyHeader(const PlyHeader& header, std::size_t faces);
 
 } // namespace sward::terrain

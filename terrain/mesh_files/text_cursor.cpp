@@ -41,6 +41,15 @@ std::optional<double> TextCursor::number()
     return parseNumber(word());
 }
 
+std::size_t lineAt(std::string_view text, std::size_t offset)
+{
+    TextCursor cursor(text);
+    do
+        cursor.line();
+    while (!cursor.atEnd() && cursor.offset() < offset);
+    return cursor.lineNumber();
+}
+
 std::optional<double> parseNumber(std::string_view word)
 {
     if (!word.empty() && word.front() == '+')

@@ -34,6 +34,9 @@ private:
     std::size_t lineNumber_ = 0;
 };
 
+/// The number of the line of byte `offset`, from 1.
+std::size_t lineAt(std::string_view text, std::size_t offset);
+
 /// A whole word as a finite number.
 std::optional<double> parseNumber(std::string_view word);
 

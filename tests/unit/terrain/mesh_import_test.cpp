@@ -75,6 +75,9 @@ TEST(MeshImport, KeepsATenthOfAMillimetreAMillionMetresAway)
          fmt::format("v {}\nv {}\nv {}\nf 1 2 3\n", vertices[0], vertices[1], vertices[2])},
         {"a.off", "OFF\n3 1 0\n" + lines + "3 0 1 2\n"},
         {"a.ply", ascii},
+        {"a.stl", fmt::format("solid a\nfacet normal 0 1 0\nouter loop\nvertex {}\nvertex {}\n"
+                              "vertex {}\nendloop\nendfacet\nendsolid a\n",
+                              vertices[0], vertices[1], vertices[2])},
         {"b.ply", binaryPly({1000000.0001, 2, -3000000, 1000000.0001, 2, -2999999.9998,
                              1000000.0004, 2, -3000000})},
     };
@@ -90,9 +93,10 @@ TEST(MeshImport, KeepsATenthOfAMillimetreAMillionMetresAway)
 
 TEST(MeshImport, WarnsWhereAFormatIsTooCoarse)
 {
-    const std::string far = "solid a\nfacet normal 0 1 0\nouter loop\nvertex 100000 0 0\nvertex "
-                            "100000 0 1\nvertex 100001 0 "
-                            "0\nendloop\nendfacet\nendsolid a\n";
+    const float numbers[12] = {0, 1, 0, 100000, 0, 0, 100000, 0, 1, 100001, 0, 0};
+    std::string far(84, '\0');
+    far[80] = 1;
+    far.append(reinterpret_cast<const char*>(numbers), sizeof numbers).append(2, '\0');
     Diagnostics diagnostics;
     loadContent("a.stl", far, {}, &diagnostics);
     EXPECT_THAT(diagnostics.warnings(), ElementsAre(HasSubstr("single precision")));
