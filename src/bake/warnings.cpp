@@ -110,7 +110,7 @@ void warnAboutIdle(const RootCounts& counts, const Report::Input& ground,
 {
     if (settings.border.low > -unbounded && rejectedBy(counts, Reject::border) == 0)
         diagnostics.warn("--border rejects nothing: the ground that bears grass has no border "
-                         "nearer than {} m",
+                         "nearer than {:.6g} m",
                          settings.border.low);
     if (settings.excluded.empty() || rejectedBy(counts, Reject::excluded) > 0)
         return;

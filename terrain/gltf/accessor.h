@@ -16,12 +16,15 @@ public:
     GltfAccessor(const GltfModel& model, int index, std::string place);
 
     std::size_t count() const { return accessor_.count; }
-    std::size_t components() const { return components_; }
+    std::size_t components() const { return accessor_.components; }
     /// Difference of neighbouring numbers of integers, normalised or not; 0 of floats.
     double step() const;
 
-    bool isFloat() const { return accessor_.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT; }
-    bool isWord() const { return accessor_.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT; }
+    bool isFloat() const { return accessor_.type == 5126; }
+    bool isWord() const { return accessor_.type == 5125; }
+
+    /// The index that restarts a strip in graphics APIs, which no index may be: 255 of bytes.
+    std::uint32_t restartIndex() const;
 
     /// Throws Error{input} unless there are `low` to `high` components.
     void requireComponents(std::size_t low, std::size_t high) const;
@@ -46,12 +49,11 @@ private:
     void gather(const Read& read, const Take& take) const;
 
     /// Pointer to byte `offset` of a buffer view; requires `size` bytes from there.
-    const unsigned char* bytes(int view, std::size_t offset, std::size_t size) const;
+    const unsigned char* bytes(int view, std::uint64_t offset, std::size_t size) const;
 
     const GltfModel& model_;
-    const tinygltf::Accessor& accessor_;
+    const GltfElements& accessor_;
     std::string place_;
-    std::size_t components_ = 0;
     std::size_t componentSize_ = 0;
 };
 

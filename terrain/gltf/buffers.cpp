@@ -2,6 +2,7 @@
 
 #include "terrain/gltf/json.h"
 #include "terrain/gltf/uri.h"
+#include "terrain/near_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -20,7 +21,7 @@ std::span<const std::byte> take(std::span<const std::byte> bytes, std::uint64_t 
 } // namespace
 
 GltfBuffers::GltfBuffers(nlohmann::json& document, const GltfParts& parts,
-                         const std::filesystem::path& gltf)
+                         const std::filesystem::path& gltf, Diagnostics& diagnostics)
 {
     const std::string place = gltf.string();
     const auto found = document.find("buffers");
@@ -60,11 +61,12 @@ GltfBuffers::GltfBuffers(nlohmann::json& document, const GltfParts& parts,
                      "file and name it there",
                      place, i, uri);
             } else {
-                const std::filesystem::path file = fileBeside(gltf, uri);
+                const std::filesystem::path file =
+                    fileBeside(gltf, uri, buffer.name(), diagnostics);
                 std::error_code error;
                 if (!std::filesystem::is_regular_file(file, error))
-                    fail(ErrorKind::io, "{}: the file {} that it names cannot be read", place,
-                         file.string());
+                    fail(ErrorKind::io, "{}: the file {} that buffer {} names is not there{}",
+                         place, file.string(), i, nearFileHint(file));
                 files_.emplace_back(file);
                 bytes = take(files_.back().bytes(), length, buffer, file.string());
             }

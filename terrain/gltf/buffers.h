@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/diagnostics.h"
 #include "core/mapped_file.h"
 #include "terrain/gltf/container.h"
 
@@ -20,11 +21,11 @@ public:
     GltfBuffers() = default;
 
     /// Opens every buffer of `document`. A buffer without bytes stays empty: an extension creates
-    /// them. Moves the texts of data URIs out of `document`. `parts` must outlive this. Throws
-    /// Error{io} for an unreadable file, Error{input} naming the buffer, Error{unsupported} above
-    /// gltfByteLimit.
-    GltfBuffers(nlohmann::json& document, const GltfParts& parts,
-                const std::filesystem::path& gltf);
+    /// them. Moves the texts of data URIs out of `document`. Warns where a file of nearly that name
+    /// is taken. `parts` must outlive this. Throws Error{io} for an unreadable file, Error{input}
+    /// naming the buffer, Error{unsupported} above gltfByteLimit.
+    GltfBuffers(nlohmann::json& document, const GltfParts& parts, const std::filesystem::path& gltf,
+                Diagnostics& diagnostics);
 
     std::size_t count() const { return bytes_.size(); }
     std::span<const std::byte> bytes(std::size_t buffer) const { return bytes_.at(buffer); }

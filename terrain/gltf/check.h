@@ -2,6 +2,7 @@
 
 #include "core/diagnostics.h"
 #include "terrain/gltf/buffers.h"
+#include "terrain/gltf/structure.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -9,11 +10,10 @@
 
 namespace sward::terrain {
 
-/// Checks every reference, offset and length of a glTF file, because tinygltf trusts most of them.
-/// Removes what ground does not need (animations, skins, cameras, extras). Returns a smaller glTF
-/// document with the same indices. Throws Error{input} naming the object, Error{unsupported} naming
-/// the version.
-nlohmann::json checkGltf(const nlohmann::json& document, const GltfBuffers& buffers,
-                         const std::string& place, Diagnostics& diagnostics);
+/// Checks every reference, offset and length of what ground needs of a glTF document; animations,
+/// cameras and extras are passed over. Throws Error{input} naming the object, Error{unsupported}
+/// naming the version.
+GltfStructure checkGltf(const nlohmann::json& document, const GltfBuffers& buffers,
+                        const std::string& place, Diagnostics& diagnostics);
 
 } // namespace sward::terrain

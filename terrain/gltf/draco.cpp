@@ -18,8 +18,12 @@ using nlohmann::json;
 
 constexpr const char* extensionName = "KHR_draco_mesh_compression";
 
-// Most triangles of all primitives of a file; bounds the memory of decoding.
+// Most triangles of all primitives of a file, and of one by its compressed bytes: Draco makes room
+// for as many as a header claims. A level grid takes a tenth of a byte for each, others a byte or
+// two.
 constexpr std::uint64_t dracoTriangleLimit = 25'000'000;
+constexpr std::uint64_t freeDracoTriangles = std::uint64_t(1) << 15;
+constexpr std::uint64_t dracoTriangleGain = 32;
 
 // Most decoded bytes of a file [bytes].
 constexpr std::uint64_t byteLimit = std::uint64_t(2) << 30;
@@ -124,9 +128,12 @@ private:
             primitive.failHere("{}: {} indices, which are no triangles or more than {} in all",
                                extensionName, corners, dracoTriangleLimit);
         decoded_ += corners / 3;
-        const DracoGeometry geometry =
-            decodeDraco(bytesOf(primitive, view), corners / 3, wanted,
-                        fmt::format("{}: mesh {}", place_, primitive.index));
+        const auto bytes = bytesOf(primitive, view);
+        if (corners / 3 > freeDracoTriangles + dracoTriangleGain * bytes.size())
+            primitive.failHere("{}: {} bytes cannot hold {} triangles", extensionName, bytes.size(),
+                               corners / 3);
+        const DracoGeometry geometry = decodeDraco(
+            bytes, corners / 3, wanted, fmt::format("{}: mesh {}", place_, primitive.index));
 
         indices["componentType"] = 5125U;
         indices["type"] = "SCALAR";
@@ -180,9 +187,11 @@ private:
         const auto bytes = buffers_.bytes(o.requiredCount("buffer", buffers_.count()));
         const std::uint64_t offset = o.count("byteOffset").value_or(0);
         const std::uint64_t length = o.requiredCount("byteLength");
-        if (length == 0 || offset > bytes.size() || length > bytes.size() - offset)
-            o.failHere("bytes {} to {} are not inside its buffer of {} bytes", offset,
-                       offset + length, bytes.size());
+        if (length == 0)
+            o.failHere("byteLength is 0: a view has one byte or more");
+        if (offset > bytes.size() || length > bytes.size() - offset)
+            o.failHere("{} bytes from byte {} on are not inside its buffer of {} bytes", length,
+                       offset, bytes.size());
         return bytes.subspan(offset, length);
     }
 

@@ -23,8 +23,10 @@ constexpr int bitStreamMinor = 2;
 // Most attributes with separate seams; each costs as much as the mesh's connectivity.
 constexpr std::uint64_t seamLimit = 8;
 
-// All attributes of all points together [bytes].
+// All attributes of all points together, and those of one point [bytes]. glTF has at most 16 to an
+// attribute.
 constexpr std::uint64_t attributeLimit = std::uint64_t(1) << 30;
+constexpr std::uint64_t pointLimit = 256;
 
 // Draco trusts the counts in its headers. These two functions check them first.
 
@@ -92,7 +94,7 @@ bool fit(const draco::PointCloud& cloud)
         bytes += std::uint64_t(attribute.num_components()) *
                  static_cast<std::uint64_t>(draco::DataTypeLength(attribute.data_type()));
     }
-    return bytes * cloud.num_points() <= attributeLimit;
+    return bytes <= pointLimit && bytes * cloud.num_points() <= attributeLimit;
 }
 
 bool GuardedEdgebreaker::DecodeAllAttributes()
@@ -130,8 +132,8 @@ void decodeInto(draco::Mesh& mesh, std::span<const std::byte> bytes, std::uint64
     else
         status = GuardedSequential(triangles).Decode(options, &whole, &mesh);
     if (!status.ok())
-        fail(ErrorKind::input, "{}: a damaged Draco mesh, or not one of {} triangles: {}", place,
-             triangles, status.error_msg_string());
+        fail(ErrorKind::input, "{}: a damaged Draco mesh, or not one of {} triangles", place,
+             triangles);
 }
 
 template <typename Value>

@@ -226,7 +226,7 @@ private:
 };
 
 // Gives a texture with a sampler to every material whose image does not repeat. tinygltf cannot:
-// see gltf_model.cpp.
+// Debian's tinygltf.so and its header disagree on a sampler's size.
 std::string withWraps(std::string file, const GroundMesh& mesh)
 {
     const auto repeats = [](const GroundMaterial& material) {

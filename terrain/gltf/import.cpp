@@ -17,13 +17,16 @@ namespace sward::terrain {
 namespace {
 
 // Memory limit of a scene's soup [bytes]. A small file can expand by instances and by accessors of
-// zeros; a large file adds its size. 20 million triangles on 10 million vertices take 1 GB.
+// zeros; a large file adds its size. 20 million triangles on 10 million vertices take 1 GB. A file
+// has its own bound besides: an instance of many vertices has few bytes.
 constexpr std::uint64_t soupLimit = std::uint64_t(3) << 29;
 constexpr std::uint64_t vertexCost = 60;
 constexpr std::uint64_t triangleCost = 20;
 constexpr std::uint64_t triangleLimit = 25'000'000;
 constexpr std::uint64_t costOfByte = 6; // of the file
 constexpr std::uint64_t bytesOfTriangle = 18;
+constexpr std::uint64_t freeSoup = std::uint64_t(1) << 22;
+constexpr std::uint64_t soupGain = 1024; // of each byte of the file
 
 // The matrix of a placement, column by column.
 std::string matrixText(const glm::dmat4& matrix)
@@ -37,7 +40,7 @@ std::string matrixText(const glm::dmat4& matrix)
 
 // Throws naming node, mesh, vertex and matrix of a position that is not finite or out of reach.
 void requirePlaces(const Soup& soup, std::size_t first, const GltfPlacement& placement,
-                   const std::string& place)
+                   bool isSkinned, const std::string& place)
 {
     const auto isSound = [&](std::size_t i) { return isWithinReach(soup.positions[first + i]); };
     const std::size_t count = soup.positions.size() - first;
@@ -48,9 +51,10 @@ void requirePlaces(const Soup& soup, std::size_t first, const GltfPlacement& pla
         if (!isSound(i))
             fail(ErrorKind::input,
                  "{}: node \"{}\" puts vertex {} of mesh {} at ({:.6g}, {:.6g}, {:.6g}) m, outside "
-                 "±{} m; its matrix by columns is {}",
+                 "±{} m; {}",
                  place, placement.path, i, placement.mesh, p.x, p.y, p.z, farthestCoordinate,
-                 matrixText(placement.transform));
+                 isSkinned ? "its skin moves it"
+                           : "its matrix by columns is " + matrixText(placement.transform));
     }
 }
 
@@ -61,10 +65,9 @@ void reserve(const GltfModel& model, const std::vector<GltfPlacement>& placement
     std::vector<GltfMeshSize> sizes;
     for (std::size_t i = 0; i < model.structure.meshes.size(); ++i)
         sizes.push_back(sizeOfGltfMesh(model, i));
-    std::uint64_t bytes = 0;
-    for (std::size_t i = 0; i < model.buffers.count(); ++i)
-        bytes += model.buffers.bytes(i).size();
-    const std::uint64_t costs = std::max(soupLimit, costOfByte * bytes);
+    const std::uint64_t bytes = model.size;
+    const std::uint64_t costs =
+        std::min(std::max(soupLimit, costOfByte * bytes), freeSoup + soupGain * bytes);
     const std::uint64_t triangles = std::max(triangleLimit, bytes / bytesOfTriangle);
     GltfMeshSize sum;
     for (const GltfPlacement& placement : placements) {
@@ -73,9 +76,7 @@ void reserve(const GltfModel& model, const std::vector<GltfPlacement>& placement
         if (sum.triangles > triangles ||
             vertexCost * sum.vertices + triangleCost * sum.triangles > costs)
             fail(ErrorKind::input,
-                 "{}: its scene shows {} vertices and {} triangles or more, too many for {} bytes "
-                 "of "
-                 "buffers",
+                 "{}: its scene shows {} vertices and {} triangles or more, too many for {} bytes",
                  place, sum.vertices, sum.triangles, bytes);
     }
     soup.positions.reserve(sum.vertices);
@@ -129,11 +130,8 @@ void dropShownSets(Soup& soup)
 
 // The step of a mesh's coordinates after it is placed. Exporters write transforms in single
 // precision, so that a place in the scene has no more.
-double placedPrecision(const Soup& soup, std::size_t firstVertex, const glm::dmat4& placing)
+double placedPrecision(const Soup& soup, std::size_t firstVertex, double scale)
 {
-    double scale = 0.0;
-    for (glm::length_t axis = 0; axis < 3; ++axis)
-        scale = std::max(scale, glm::length(glm::dvec3(placing[axis])));
     double farthest = 0.0;
     for (std::size_t v = firstVertex; v < soup.positions.size(); ++v) {
         const glm::dvec3 size = glm::abs(soup.positions[v]);
@@ -151,9 +149,11 @@ public:
         , read_(read)
         , place_(place)
         , diagnostics_(diagnostics)
+        , poser_(model, place)
     {
         for (const GltfPlacement& placement : placements)
-            ++uses_[placement.mesh];
+            if (!isPosed(placement))
+                ++uses_[placement.mesh];
     }
 
     void show(const GltfPlacement& placement, const std::vector<GltfUvSource>& uvs,
@@ -164,20 +164,22 @@ public:
         const auto mesh = static_cast<std::size_t>(placement.mesh);
         const double before = soup.precision;
         soup.precision = 0.0;
-        if (uses_[placement.mesh] == 1) {
-            readGltfMesh(model_, mesh, uvs, read_, place_, soup, diagnostics_);
+        const GltfPose pose = poser_.poseOf(placement.node, placement.transform);
+        if (isPosed(placement) || uses_[placement.mesh] == 1) {
+            readGltfMesh(model_, mesh, pose, uvs, read_, place_, soup, diagnostics_);
         } else {
             // Read a repeated mesh once, into a separate soup.
             const auto [found, isNew] = meshes_.try_emplace(placement.mesh);
             if (isNew)
-                readGltfMesh(model_, mesh, uvs, read_, place_, found->second, diagnostics_);
+                readGltfMesh(model_, mesh, pose, uvs, read_, place_, found->second, diagnostics_);
             append(found->second, soup);
             soup.precision = found->second.precision;
         }
-        const glm::dmat4 placing = worldFromFile * placement.transform;
-        transform(soup, placing, firstVertex, firstTriangle);
-        requirePlaces(soup, firstVertex, placement, place_);
-        soup.precision = std::max(before, placedPrecision(soup, firstVertex, placing));
+        transform(soup, pose.isSkinned() ? worldFromFile : worldFromFile * placement.transform,
+                  firstVertex, firstTriangle);
+        requirePlaces(soup, firstVertex, placement, pose.isSkinned(), place_);
+        const double scale = pose.scale() * glm::length(glm::dvec3(worldFromFile[0]));
+        soup.precision = std::max(before, placedPrecision(soup, firstVertex, scale));
 
         // Instances of one node share its name.
         if (soup.nodes.empty() || soup.nodes.back() != placement.path || !placement.repeats)
@@ -187,12 +189,20 @@ public:
     }
 
 private:
+    // Whether its node poses its mesh otherwise than other nodes may.
+    bool isPosed(const GltfPlacement& placement) const
+    {
+        const GltfNode& node = model_.structure.nodes.at(static_cast<std::size_t>(placement.node));
+        return node.skin != noEntry || !node.weights.empty();
+    }
+
     const GltfModel& model_;
     const MaskInputs& read_;
     const std::string& place_;
     Diagnostics& diagnostics_;
-    std::map<int, std::size_t> uses_;
-    std::map<int, Soup> meshes_;
+    GltfPoser poser_;
+    std::map<int, std::size_t> uses_; // of meshes that are not posed
+    std::map<int, Soup> meshes_;      // those that are read once
 };
 
 // Removes the material for primitives without one, if every primitive has one.
@@ -215,7 +225,7 @@ Soup importGltf(const std::filesystem::path& path, const ImportSettings& setting
     const auto placements = placeGltfMeshes(model, settings.scene, place, diagnostics);
     Soup soup;
     reserve(model, placements, place, soup);
-    soup.copyright = model.structure.asset.copyright;
+    soup.copyright = model.structure.copyright;
     const std::vector<GltfUvSource> uvs =
         importGltfMaterials(model, settings.masks.imageChannels, place, soup, diagnostics);
 
@@ -223,8 +233,10 @@ Soup importGltf(const std::filesystem::path& path, const ImportSettings& setting
     for (const GltfPlacement& placement : placements)
         scene.show(placement, uvs, worldFromFile, soup);
     if (soup.triangles.empty())
-        fail(ErrorKind::input, "{}: no triangles: its scene shows {} meshes with none among them",
-             place, placements.size());
+        fail(ErrorKind::input, "{}: no triangles: {}", place,
+             placements.empty() ? std::string("no node shows a mesh")
+                                : fmt::format("its scene shows {} meshes with none among them",
+                                              placements.size()));
     dropUnusedDefault(soup);
     dropShownSets(soup);
     return soup;

@@ -23,6 +23,16 @@ bool isFiniteNumber(const nlohmann::json& value)
 
 } // namespace
 
+std::string GltfObject::name() const
+{
+    std::string text = file;
+    if (*kind != '\0')
+        text += fmt::format(": {}", kind);
+    if (index != onlyOne)
+        text += fmt::format(" {}", index);
+    return text + inner;
+}
+
 const nlohmann::json* GltfObject::find(const char* key) const
 {
     const auto found = value.find(key);
@@ -50,37 +60,92 @@ std::uint64_t GltfObject::requiredCount(const char* key, std::uint64_t limit) co
     return *number;
 }
 
-void GltfObject::numbers(const char* key, std::size_t length) const
+int GltfObject::reference(const char* key, std::size_t entries, const char* what) const
+{
+    const auto number = count(key);
+    if (!number)
+        return -1;
+    if (entries == 0)
+        failHere("{} is {}, but the file has no {}", key, *number, what);
+    if (*number >= entries)
+        failHere("{} is {}, but the file's {} end at {}", key, *number, what, entries - 1);
+    return static_cast<int>(*number);
+}
+
+int GltfObject::requiredReference(const char* key, std::size_t entries, const char* what) const
+{
+    if (find(key) == nullptr)
+        failHere("{} is missing", key);
+    return reference(key, entries, what);
+}
+
+std::vector<int> GltfObject::references(const char* key, std::size_t entries,
+                                        const char* what) const
+{
+    std::vector<int> list;
+    const nlohmann::json* const found = find(key);
+    if (found == nullptr)
+        return list;
+    if (!found->is_array())
+        failHere("{} is {}, not an array", key, excerpt(*found));
+    for (const nlohmann::json& entry : *found) {
+        if (!entry.is_number_unsigned())
+            failHere("{} holds {}, not an index", key, excerpt(entry));
+        if (entries == 0)
+            failHere("{} names {}, but the file has no {}", key, entry.get<std::uint64_t>(), what);
+        if (entry.get<std::uint64_t>() >= entries)
+            failHere("{} names {}, but the file's {} end at {}", key, entry.get<std::uint64_t>(),
+                     what, entries - 1);
+        list.push_back(entry.get<int>());
+    }
+    return list;
+}
+
+std::vector<double> GltfObject::numbers(const char* key, std::size_t length) const
+{
+    std::vector<double> list;
+    const nlohmann::json* const found = find(key);
+    if (found == nullptr)
+        return list;
+    if (!found->is_array() || (length > 0 && found->size() != length))
+        failHere("{} is not an array of {} numbers", key,
+                 length > 0 ? std::to_string(length) : std::string("finite"));
+    for (const nlohmann::json& entry : *found) {
+        if (!isFiniteNumber(entry))
+            failHere("{} holds {}, not a finite number", key, excerpt(entry));
+        list.push_back(entry.get<double>());
+    }
+    return list;
+}
+
+std::optional<double> GltfObject::number(const char* key) const
 {
     const nlohmann::json* const found = find(key);
     if (found == nullptr)
-        return;
-    if (!found->is_array() || found->size() != length)
-        failHere("{} is not an array of {} numbers", key, length);
-    for (const nlohmann::json& entry : *found)
-        if (!isFiniteNumber(entry))
-            failHere("{} holds {}, not a finite number", key, excerpt(entry));
-}
-
-void GltfObject::number(const char* key) const
-{
-    const nlohmann::json* const found = find(key);
-    if (found != nullptr && !isFiniteNumber(*found))
+        return std::nullopt;
+    if (!isFiniteNumber(*found))
         failHere("{} is {}, not a finite number", key, excerpt(*found));
+    return found->get<double>();
 }
 
-void GltfObject::text(const char* key) const
+std::string GltfObject::text(const char* key) const
 {
     const nlohmann::json* const found = find(key);
-    if (found != nullptr && !found->is_string())
+    if (found == nullptr)
+        return {};
+    if (!found->is_string())
         failHere("{} is {}, not a text", key, excerpt(*found));
+    return found->get<std::string>();
 }
 
-void GltfObject::truth(const char* key) const
+std::optional<bool> GltfObject::truth(const char* key) const
 {
     const nlohmann::json* const found = find(key);
-    if (found != nullptr && !found->is_boolean())
+    if (found == nullptr)
+        return std::nullopt;
+    if (!found->is_boolean())
         failHere("{} is {}, not true or false", key, excerpt(*found));
+    return found->get<bool>();
 }
 
 const nlohmann::json* GltfObject::object(const char* key) const
@@ -89,30 +154,6 @@ const nlohmann::json* GltfObject::object(const char* key) const
     if (found != nullptr && !found->is_object())
         failHere("{} is {}, not an object", key, excerpt(*found));
     return found;
-}
-
-void GltfObject::indices(const char* key, std::uint64_t limit) const
-{
-    const nlohmann::json* const found = find(key);
-    if (found == nullptr)
-        return;
-    if (!found->is_array())
-        failHere("{} is {}, not an array", key, excerpt(*found));
-    for (const nlohmann::json& entry : *found) {
-        if (!entry.is_number_unsigned())
-            failHere("{} holds {}, not an index", key, excerpt(entry));
-        if (entry.get<std::uint64_t>() >= limit)
-            failHere("{} names {}, but must be below {}", key, entry.get<std::uint64_t>(), limit);
-    }
-}
-
-nlohmann::json GltfObject::keep(std::initializer_list<const char*> keys) const
-{
-    nlohmann::json kept = nlohmann::json::object();
-    for (const char* key : keys)
-        if (const nlohmann::json* const found = find(key))
-            kept[key] = *found;
-    return kept;
 }
 
 } // namespace sward::terrain

@@ -1,20 +1,16 @@
 #pragma once
 
+#include "core/diagnostics.h"
 #include "terrain/gltf/json.h"
+#include "terrain/gltf/structure.h"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
-#include <optional>
 #include <string_view>
 #include <vector>
 
 namespace sward::terrain {
-
-/// A buffer view whose bytes are known to exist, unless it is empty.
-struct GltfView {
-    std::uint64_t length = 0;
-    std::uint64_t stride = 0;                   ///< 0: packed
-    std::optional<std::uint64_t> emptyBuffer{}; ///< its buffer has no bytes; nothing may use it
-};
 
 /// Bytes of one component; 0 for a type that glTF does not have.
 std::uint64_t gltfComponentSize(std::uint64_t componentType);
@@ -22,16 +18,23 @@ std::uint64_t gltfComponentSize(std::uint64_t componentType);
 /// Components of an element of a type like "VEC3"; 0 for a type that glTF does not have.
 std::uint64_t gltfComponentCount(std::string_view type);
 
-// Parts of checkGltf(): each checks one kind of object and returns the members that ground needs.
+// Parts of checkGltf(): each checks one kind of object and returns what ground needs of it.
 
-nlohmann::json checkAccessor(const GltfObject& accessor, const std::vector<GltfView>& views);
-nlohmann::json checkMaterial(const GltfObject& material, std::size_t textures);
+/// `zeros`: most elements of an accessor that has no bytes of its own.
+GltfElements checkAccessor(const GltfObject& accessor, const std::vector<GltfView>& views,
+                           std::uint64_t zeros);
 
-/// Copies KHR_node_visibility and MSFT_lod of `node`, one of `nodes`, into `kept`.
-void keepVisibility(const GltfObject& node, std::size_t nodes, nlohmann::json& kept);
+/// The attributes under `key`; an object of indices of accessors.
+GltfAttributes checkAttributes(const GltfObject& owner, const nlohmann::json& attributes,
+                               std::size_t accessors);
 
-/// Copies EXT_mesh_gpu_instancing of `node` into `kept`, if it has one.
-void keepInstancing(const GltfObject& node, const std::vector<std::uint64_t>& accessorCounts,
-                    nlohmann::json& kept);
+/// EXT_mesh_gpu_instancing of a node; none if it has none.
+GltfAttributes checkInstancing(const GltfObject& node, const std::vector<GltfElements>& accessors);
+
+/// Transform of a node as GltfNode::placing. Warns of a matrix beside its parts.
+std::vector<double> checkPlacing(const GltfObject& node, Diagnostics& diagnostics);
+
+/// A material, its texture coordinates included.
+GltfMaterial checkMaterial(const GltfObject& material, std::size_t textures);
 
 } // namespace sward::terrain

@@ -51,9 +51,11 @@ Stream streamOf(const GltfObject& view, const json& extension, std::string_view 
     const std::uint64_t offset = o.count("byteOffset").value_or(0);
     const std::uint64_t length = o.requiredCount("byteLength");
     const auto bytes = buffers.bytes(buffer);
-    if (length == 0 || offset > bytes.size() || length > bytes.size() - offset)
-        view.failHere("{}: bytes {} to {} are not inside buffer {} of {} bytes", name, offset,
-                      offset + length, buffer, bytes.size());
+    if (length == 0)
+        view.failHere("{}: byteLength is 0: a view has one byte or more", name);
+    if (offset > bytes.size() || length > bytes.size() - offset)
+        view.failHere("{}: {} bytes from byte {} on are not inside buffer {} of {} bytes", name,
+                      length, offset, buffer, bytes.size());
     stream.bytes = bytes.subspan(offset, length);
 
     if (stream.count == 0 || stream.stride == 0)

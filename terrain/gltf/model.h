@@ -3,38 +3,19 @@
 #include "core/diagnostics.h"
 #include "core/mapped_file.h"
 #include "terrain/gltf/buffers.h"
-#include "terrain/ground_mesh.h"
-
-#include <tiny_gltf.h>
+#include "terrain/gltf/structure.h"
 
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace sward::terrain {
 
-/// An image of a glTF, still encoded.
-struct GltfImage {
-    std::string name;
-    std::string uri;                 ///< a data URI or the name of a file; empty: see `view`
-    std::optional<std::size_t> view; ///< buffer view
-};
-
-struct GltfWrap {
-    ImageWrap u = ImageWrap::repeat;
-    ImageWrap v = ImageWrap::repeat;
-};
-
-/// A checked glTF: tinygltf's structure, and the bytes without copies. tinygltf never sees the
-/// bytes; its buffers and images are empty.
+/// A checked glTF, and the bytes of its buffers without copies.
 struct GltfModel {
     std::filesystem::path path;
-    tinygltf::Model structure;
+    GltfStructure structure;
     GltfBuffers buffers;
-    std::vector<GltfImage> images;
-    std::vector<GltfWrap> wraps; ///< of each texture
-    MappedFile file;             ///< holds the BIN chunk
+    MappedFile file;        ///< holds the BIN chunk
+    std::uint64_t size = 0; ///< of the file and its buffers, decoded ones included [bytes]
 
     /// The bytes of a buffer view.
     std::span<const std::byte> view(std::size_t index) const;

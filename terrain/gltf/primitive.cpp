@@ -16,16 +16,26 @@ namespace {
 
 constexpr std::size_t noVertex = ~std::size_t(0);
 
-std::optional<int> attribute(const tinygltf::Primitive& primitive, const std::string& name)
+// Modes of a primitive.
+constexpr int triangleList = 4;
+constexpr int triangleStrip = 5;
+constexpr int triangleFan = 6;
+
+std::optional<int> attribute(const GltfAttributes& attributes, const std::string& name)
 {
-    const auto found = primitive.attributes.find(name);
-    return found == primitive.attributes.end() ? std::nullopt : std::optional(found->second);
+    const int accessor = accessorOf(attributes, name);
+    return accessor == noEntry ? std::nullopt : std::optional(accessor);
+}
+
+std::optional<int> attribute(const GltfPrimitive& primitive, const std::string& name)
+{
+    return attribute(primitive.attributes, name);
 }
 
 // Excludes points and lines.
-bool isGround(const tinygltf::Primitive& primitive)
+bool isGround(const GltfPrimitive& primitive)
 {
-    return primitive.mode < 0 || primitive.mode >= TINYGLTF_MODE_TRIANGLES;
+    return primitive.mode >= triangleList;
 }
 
 // Appends the triangles of a list, strip or fan; `first` is the soup's number of vertex 0.
@@ -35,12 +45,12 @@ void appendTriangles(const std::vector<std::uint32_t>& indices, int mode, std::u
     const std::size_t begin = triangles.size();
     const std::size_t n = indices.size();
     switch (mode) {
-    case TINYGLTF_MODE_TRIANGLE_STRIP:
+    case triangleStrip:
         // Flip every other triangle of a strip.
         for (std::size_t i = 0; i + 2 < n; ++i)
             triangles.emplace_back(indices[i], indices[i + 1 + i % 2], indices[i + 2 - i % 2]);
         break;
-    case TINYGLTF_MODE_TRIANGLE_FAN:
+    case triangleFan:
         for (std::size_t i = 0; i + 2 < n; ++i)
             triangles.emplace_back(indices[i + 1], indices[i + 2], indices[0]);
         break;
@@ -56,10 +66,11 @@ void appendTriangles(const std::vector<std::uint32_t>& indices, int mode, std::u
 // Reads one primitive into the soup of its mesh.
 class PrimitiveReader {
 public:
-    PrimitiveReader(const GltfModel& model, const tinygltf::Primitive& primitive, std::string place,
-                    Soup& soup)
+    PrimitiveReader(const GltfModel& model, const GltfPrimitive& primitive, const GltfPose& pose,
+                    std::string place, Soup& soup)
         : model_(model)
         , primitive_(primitive)
+        , pose_(pose)
         , place_(std::move(place))
         , soup_(soup)
         , first_(soup.positions.size())
@@ -71,7 +82,7 @@ public:
     {
         readPositions();
         readNormals();
-        const std::size_t material = primitive_.material >= 0
+        const std::size_t material = primitive_.material != noEntry
                                          ? static_cast<std::size_t>(primitive_.material)
                                          : uvs.size() - 1;
         readUvs(uvs.at(material), diagnostics);
@@ -80,6 +91,8 @@ public:
         readTriangles(static_cast<std::uint32_t>(material), diagnostics);
         for (const std::string& name : wanted.attributes)
             readForMasks(name, uvs.at(material), firstTriangle, diagnostics);
+        if (pose_.isSkinned())
+            applySkin(model_, primitive_, pose_, place_, first_, firstTriangle, soup_, diagnostics);
     }
 
 private:
@@ -119,18 +132,57 @@ private:
         }
     }
 
+    // Passes the differences of the morph targets that count to `add(vertex, weight, numbers)`.
+    template <typename Add>
+    void addTargets(const std::string& name, std::size_t low, std::size_t high, const Add& add)
+    {
+        const std::size_t targets = std::min(pose_.weights.size(), primitive_.targets.size());
+        for (std::size_t t = 0; t < targets; ++t) {
+            const double weight = pose_.weights[t];
+            const auto accessor = attribute(primitive_.targets[t], name);
+            if (!accessor || weight == 0.0)
+                continue;
+            const std::string what = fmt::format("{} of morph target {}", name, t);
+            const GltfAccessor reader(model_, *accessor, place_ + ": " + what);
+            reader.requireComponents(low, high);
+            if (reader.isWord() || reader.count() != vertices_)
+                fail(ErrorKind::input, "{}: {}: accessor {} has {} elements for {} vertices{}",
+                     place_, what, *accessor, reader.count(), vertices_,
+                     reader.isWord() ? ", and of unsigned integers, which it cannot have" : "");
+            const std::vector<float> numbers = reader.numbers();
+            for (std::size_t i = 0; i < numbers.size(); ++i)
+                if (!std::isfinite(numbers[i]))
+                    fail(ErrorKind::input, "{}: {} of vertex {} is not a finite number", place_,
+                         what, i / reader.components());
+            for (std::size_t v = 0; v < vertices_; ++v)
+                add(first_ + v, weight, numbers.data() + v * reader.components(),
+                    reader.components());
+        }
+    }
+
     void readPositions()
     {
         const auto accessor = attribute(primitive_, "POSITION");
         if (!accessor)
             fail(ErrorKind::input, "{}: no POSITION", place_);
-        vertices_ = GltfAccessor(model_, *accessor, place_).count();
+        const GltfElements& elements =
+            model_.structure.accessors.at(static_cast<std::size_t>(*accessor));
+        if (elements.view == noEntry && !elements.sparse)
+            fail(ErrorKind::input,
+                 "{}: POSITION: accessor {} has no bufferView, so that all of its {} vertices lie "
+                 "at 0",
+                 place_, *accessor, elements.count);
+        vertices_ = elements.count;
         soup_.positions.resize(first_ + vertices_);
         readAttribute(*accessor, "POSITION", 3, 3,
                       [&](std::size_t vertex, const float* p, std::size_t) {
                           soup_.positions[vertex] = glm::dvec3(p[0], p[1], p[2]);
                       });
         notePrecision(*accessor);
+        addTargets("POSITION", 3, 3,
+                   [&](std::size_t vertex, double weight, const float* d, std::size_t) {
+                       soup_.positions[vertex] += weight * glm::dvec3(d[0], d[1], d[2]);
+                   });
     }
 
     // The step of quantised positions, or that of single precision.
@@ -155,6 +207,10 @@ private:
                       [&](std::size_t vertex, const float* n, std::size_t) {
                           soup_.normals[vertex] = glm::vec3(n[0], n[1], n[2]);
                       });
+        addTargets(
+            "NORMAL", 3, 3, [&](std::size_t vertex, double weight, const float* d, std::size_t) {
+                soup_.normals[vertex] += static_cast<float>(weight) * glm::vec3(d[0], d[1], d[2]);
+            });
     }
 
     void readUvs(const GltfUvSource& source, Diagnostics& diagnostics)
@@ -170,6 +226,10 @@ private:
         readAttribute(*accessor, name, 2, 2, [&](std::size_t vertex, const float* uv, std::size_t) {
             soup_.uvs[vertex] = source.placing * glm::vec3(uv[0], uv[1], 1.0f);
         });
+        addTargets(name, 2, 2, [&](std::size_t vertex, double weight, const float* d, std::size_t) {
+            soup_.uvs[vertex] +=
+                static_cast<float>(weight) * (source.placing * glm::vec3(d[0], d[1], 0.0f));
+        });
     }
 
     void readColors(Diagnostics& diagnostics)
@@ -182,6 +242,11 @@ private:
                       [&](std::size_t vertex, const float* c, std::size_t components) {
                           soup_.colors[vertex] = {c[0], c[1], c[2], components == 4 ? c[3] : 1.0f};
                       });
+        addTargets("COLOR_0", 3, 4,
+                   [&](std::size_t vertex, double weight, const float* d, std::size_t components) {
+                       for (std::size_t c = 0; c < components; ++c)
+                           soup_.colors[vertex][int(c)] += static_cast<float>(weight) * d[c];
+                   });
         bringToUnit(std::span(soup_.colors).subspan(first_), place_, "COLOR_0", diagnostics);
         soup_.hasColors = true;
     }
@@ -213,6 +278,11 @@ private:
                               value[int(c)] = numbers[c];
                           kept.values[vertex] = value;
                       });
+        addTargets(name, low, isUv ? 2 : 4,
+                   [&](std::size_t vertex, double weight, const float* d, std::size_t components) {
+                       for (std::size_t c = 0; c < components; ++c)
+                           kept.values[vertex][int(c)] += static_cast<float>(weight) * d[c];
+                   });
         // Packers store coordinates as integers, and their scale in the material.
         if (isUv && !shape.isFloat() && shown.placing != GltfUvSource{}.placing)
             diagnostics.warn("{}: {} is stored in integers, and its material has a "
@@ -225,11 +295,10 @@ private:
 
     void readTriangles(std::uint32_t material, Diagnostics& diagnostics)
     {
-        const int mode = primitive_.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive_.mode;
-        if (mode == TINYGLTF_MODE_TRIANGLES && primitive_.indices >= 0)
+        if (primitive_.mode == triangleList && primitive_.indices != noEntry)
             readTriangleList(diagnostics);
         else
-            readOtherTriangles(mode, diagnostics);
+            readOtherTriangles(diagnostics);
         soup_.materialOf.resize(soup_.triangles.size(), material);
     }
 
@@ -240,10 +309,25 @@ private:
                              place_, indices);
     }
 
-    [[noreturn]] void failIndex(std::size_t at, std::uint32_t index) const
+    // Throws, or warns of an index that graphics APIs take for the start of another strip.
+    void judgeIndices(const std::vector<std::uint32_t>& indices, std::uint32_t restart,
+                      Diagnostics& diagnostics) const
     {
-        fail(ErrorKind::input, "{}: index {} names vertex {}, but there are {}", place_, at, index,
-             vertices_);
+        std::size_t restarts = 0;
+        std::size_t first = 0;
+        for (std::size_t i = 0; i < indices.size(); ++i) {
+            if (indices[i] >= vertices_)
+                fail(ErrorKind::input, "{}: index {} names vertex {}, but there are {}{}", place_,
+                     i, indices[i], vertices_,
+                     indices[i] == restart ? "; it is the restart value, which glTF does not allow"
+                                           : "");
+            if (indices[i] == restart && restarts++ == 0)
+                first = i;
+        }
+        if (restarts > 0)
+            diagnostics.warn("{}: {} of its indices are {}, the restart value of their type, which "
+                             "glTF does not allow, index {} first; vertex {} is taken",
+                             place_, restarts, restart, first, restart);
     }
 
     // Reads indexed triangle lists block by block.
@@ -255,41 +339,41 @@ private:
         const std::size_t corners = reader.count() / 3 * 3;
         soup_.triangles.resize(begin + corners / 3);
         std::atomic<bool> isSound = true;
+        const std::uint32_t restart = reader.restartIndex();
         reader.eachIndices([&](std::size_t first, std::size_t count, const std::uint32_t* indices) {
             for (std::size_t i = 0; i < count && first + i < corners; ++i) {
-                if (indices[i] >= vertices_)
+                if (indices[i] >= vertices_ || indices[i] == restart)
                     isSound = false;
                 const std::size_t corner = first + i;
                 soup_.triangles[begin + corner / 3][int(corner % 3)] =
                     indices[i] + static_cast<std::uint32_t>(first_);
             }
         });
-        if (isSound)
-            return;
-        const std::vector<std::uint32_t> indices = reader.indices();
-        for (std::size_t i = 0; i < indices.size(); ++i)
-            if (indices[i] >= vertices_)
-                failIndex(i, indices[i]);
+        if (!isSound)
+            judgeIndices(reader.indices(), restart, diagnostics);
     }
 
     // Reads strips, fans and unindexed lists.
-    void readOtherTriangles(int mode, Diagnostics& diagnostics)
+    void readOtherTriangles(Diagnostics& diagnostics)
     {
-        std::vector<std::uint32_t> indices(primitive_.indices >= 0 ? 0 : vertices_);
-        if (primitive_.indices >= 0)
-            indices = GltfAccessor(model_, primitive_.indices, place_ + ": indices").indices();
-        else
+        std::vector<std::uint32_t> indices;
+        if (primitive_.indices != noEntry) {
+            const GltfAccessor reader(model_, primitive_.indices, place_ + ": indices");
+            indices = reader.indices();
+            judgeIndices(indices, reader.restartIndex(), diagnostics);
+        } else {
+            indices.resize(vertices_);
             std::iota(indices.begin(), indices.end(), 0U);
-        for (std::size_t i = 0; i < indices.size(); ++i)
-            if (indices[i] >= vertices_)
-                failIndex(i, indices[i]);
-        if (mode == TINYGLTF_MODE_TRIANGLES)
+        }
+        if (primitive_.mode == triangleList)
             warnOfRest(indices.size(), diagnostics);
-        appendTriangles(indices, mode, static_cast<std::uint32_t>(first_), soup_.triangles);
+        appendTriangles(indices, primitive_.mode, static_cast<std::uint32_t>(first_),
+                        soup_.triangles);
     }
 
     const GltfModel& model_;
-    const tinygltf::Primitive& primitive_;
+    const GltfPrimitive& primitive_;
+    const GltfPose& pose_;
     std::string place_;
     Soup& soup_;
     std::size_t first_;
@@ -305,27 +389,26 @@ GltfMeshSize sizeOfGltfMesh(const GltfModel& model, std::size_t mesh)
             model.structure.accessors.at(static_cast<std::size_t>(accessor)).count);
     };
     GltfMeshSize size;
-    for (const tinygltf::Primitive& primitive : model.structure.meshes.at(mesh).primitives) {
+    for (const GltfPrimitive& primitive : model.structure.meshes.at(mesh).primitives) {
         const auto positions = attribute(primitive, "POSITION");
         if (!isGround(primitive) || !positions)
             continue;
         const std::uint64_t vertices = countOf(*positions);
         const std::uint64_t corners =
-            primitive.indices >= 0 ? countOf(primitive.indices) : vertices;
+            primitive.indices != noEntry ? countOf(primitive.indices) : vertices;
         size.vertices += vertices;
-        const bool isList = primitive.mode < 0 || primitive.mode == TINYGLTF_MODE_TRIANGLES;
-        size.triangles += isList ? corners / 3 : corners;
+        size.triangles += primitive.mode == triangleList ? corners / 3 : corners;
     }
     return size;
 }
 
-void readGltfMesh(const GltfModel& model, std::size_t mesh, const std::vector<GltfUvSource>& uvs,
-                  const MaskInputs& read, const std::string& place, Soup& soup,
-                  Diagnostics& diagnostics)
+void readGltfMesh(const GltfModel& model, std::size_t mesh, const GltfPose& pose,
+                  const std::vector<GltfUvSource>& uvs, const MaskInputs& read,
+                  const std::string& place, Soup& soup, Diagnostics& diagnostics)
 {
-    const tinygltf::Mesh& source = model.structure.meshes.at(mesh);
+    const GltfMesh& source = model.structure.meshes.at(mesh);
     for (std::size_t i = 0; i < source.primitives.size(); ++i) {
-        const tinygltf::Primitive& primitive = source.primitives[i];
+        const GltfPrimitive& primitive = source.primitives[i];
         std::string where = fmt::format("{}: mesh {}", place, mesh);
         if (!source.name.empty())
             where += fmt::format(" \"{}\"", source.name);
@@ -338,7 +421,8 @@ void readGltfMesh(const GltfModel& model, std::size_t mesh, const std::vector<Gl
             diagnostics.warn("{}: it has no POSITION and is left out", where);
             continue;
         }
-        PrimitiveReader(model, primitive, std::move(where), soup).read(uvs, read, diagnostics);
+        PrimitiveReader(model, primitive, pose, std::move(where), soup)
+            .read(uvs, read, diagnostics);
     }
 }
 

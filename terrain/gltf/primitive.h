@@ -3,6 +3,7 @@
 #include "core/diagnostics.h"
 #include "terrain/gltf/materials.h"
 #include "terrain/gltf/model.h"
+#include "terrain/gltf/pose.h"
 #include "terrain/topology/soup.h"
 
 #include <string>
@@ -17,11 +18,12 @@ struct GltfMeshSize {
 };
 GltfMeshSize sizeOfGltfMesh(const GltfModel& model, std::size_t mesh);
 
-/// Appends the triangles of all primitives of a mesh to `soup`, in the mesh's space. Skips points
-/// and lines with a warning. Numbers materials as importGltfMaterials() does. Keeps the attributes
-/// that masks `read`. Throws Error{input} naming mesh, primitive and vertex.
-void readGltfMesh(const GltfModel& model, std::size_t mesh, const std::vector<GltfUvSource>& uvs,
-                  const MaskInputs& read, const std::string& place, Soup& soup,
-                  Diagnostics& diagnostics);
+/// Appends the triangles of all primitives of a mesh to `soup`, posed, in the mesh's space, or in
+/// the scene's if `pose` has a skin. Skips points and lines with a warning. Numbers materials as
+/// importGltfMaterials() does. Keeps the attributes that masks `read`. Throws Error{input} naming
+/// mesh, primitive and vertex.
+void readGltfMesh(const GltfModel& model, std::size_t mesh, const GltfPose& pose,
+                  const std::vector<GltfUvSource>& uvs, const MaskInputs& read,
+                  const std::string& place, Soup& soup, Diagnostics& diagnostics);
 
 } // namespace sward::terrain

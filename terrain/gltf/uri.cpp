@@ -1,11 +1,24 @@
 #include "terrain/gltf/uri.h"
 
+#include "terrain/near_file.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
 namespace sward::terrain {
 namespace {
+
+// Whether `text` begins with `start`, which has small letters, in letters of any case.
+bool beginsWith(std::string_view text, std::string_view start)
+{
+    return std::equal(text.begin(),
+                      text.begin() +
+                          static_cast<std::ptrdiff_t>(std::min(text.size(), start.size())),
+                      start.begin(), start.end(), [](char a, char b) {
+                          return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
+                      });
+}
 
 int hexDigit(char c)
 {
@@ -83,34 +96,35 @@ std::optional<std::vector<std::byte>> decodeDataUri(std::string_view uri)
     constexpr std::string_view base64 = ";base64";
     const std::string_view head = uri.substr(0, comma);
     const std::string_view content = uri.substr(comma + 1);
-    if (head.size() >= base64.size() && head.substr(head.size() - base64.size()) == base64)
+    if (head.size() >= base64.size() &&
+        beginsWith(head.substr(head.size() - base64.size()), base64))
         return decodeBase64(content);
     const std::string plain = decodePercent(content);
     const auto* const bytes = reinterpret_cast<const std::byte*>(plain.data());
     return std::vector<std::byte>(bytes, bytes + plain.size());
 }
 
+bool isDataUri(std::string_view uri)
+{
+    return beginsWith(uri, "data:");
+}
+
 bool isOnNetwork(std::string_view uri)
 {
-    for (const std::string_view scheme : {"http://", "https://", "ftp://", "ftps://", "s3://"}) {
-        const std::string_view start = uri.substr(0, scheme.size());
-        if (std::equal(
-                start.begin(), start.end(), scheme.begin(), scheme.end(), [](char a, char b) {
-                    return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
-                }))
+    for (const std::string_view scheme : {"http://", "https://", "ftp://", "ftps://", "s3://"})
+        if (beginsWith(uri, scheme))
             return true;
-    }
     return false;
 }
 
-std::filesystem::path fileBeside(const std::filesystem::path& gltf, std::string_view uri)
+std::filesystem::path fileBeside(const std::filesystem::path& gltf, std::string_view uri,
+                                 const std::string& place, Diagnostics& diagnostics)
 {
     std::string name = decodePercent(uri);
     // The system would cut the path at a zero byte; use an empty name instead.
     if (name.find('\0') != std::string::npos)
         name.clear();
-    std::filesystem::path file = gltf.parent_path();
-    return file.empty() ? std::filesystem::path("./" + name) : file += "/" + name;
+    return fileOrNear(gltf.parent_path(), name, place, diagnostics);
 }
 
 } // namespace sward::terrain

@@ -49,10 +49,10 @@ private:
 template <typename Value>
 struct ObjElements {
     std::vector<Value> values;
-    std::size_t lost = 0;          // corners that name one which is not there
-    std::size_t firstLine = 0;     // of those
-    std::int64_t firstNumber = 0;  // that the first of them names
-    std::size_t firstCount = 0;    // of values at that line
+    std::size_t lost = 0;         // corners that name one which is not there
+    std::size_t firstLine = 0;    // of those
+    std::int64_t firstNumber = 0; // that the first of them names
+    std::size_t firstCount = 0;   // of values at that line
 
     void warn(const char* what, const std::string& place, Diagnostics& diagnostics) const
     {
@@ -224,9 +224,8 @@ private:
         if (slash + 1 < second)
             if (const auto uv = elementOf(word.substr(slash + 1, second - slash - 1), uvs_))
                 cornerUvs_.push_back(*uv);
-        cornerNormals_.push_back(second + 1 < word.size()
-                                     ? elementOf(word.substr(second + 1), normals_)
-                                     : std::nullopt);
+        cornerNormals_.push_back(
+            second + 1 < word.size() ? elementOf(word.substr(second + 1), normals_) : std::nullopt);
     }
 
     void readFace(TextCursor& words)

@@ -5,6 +5,7 @@
 #include "core/mapped_file.h"
 #include "terrain/image/image_decode.h"
 #include "terrain/mesh_files/text_cursor.h"
+#include "terrain/near_file.h"
 
 #include <fmt/ranges.h>
 
@@ -53,17 +54,6 @@ bool isFile(const std::filesystem::path& path)
     return std::filesystem::is_regular_file(path, error);
 }
 
-// Resolves a name in an OBJ or MTL to a file in the same folder; accepts both slashes. Of an
-// absolute path of another machine it takes the last part.
-std::filesystem::path fileNamed(const std::filesystem::path& folder, std::string_view name)
-{
-    std::string text(name);
-    std::replace(text.begin(), text.end(), '\\', '/');
-    const std::filesystem::path relative(text);
-    const std::filesystem::path file = folder / relative;
-    return isFile(file) ? file : folder / relative.filename();
-}
-
 class MtlReader {
 public:
     MtlReader(const std::filesystem::path& obj, std::uint32_t storedChannels, Soup& soup,
@@ -81,12 +71,12 @@ public:
 
     void read(const std::string& library)
     {
-        if (const std::filesystem::path whole = fileNamed(folder_, library); isFile(whole))
+        if (const std::filesystem::path whole = fileNamed(folder_, library, place_); isFile(whole))
             return readLibrary(whole);
         // No file has this name with spaces: treat it as several names.
         TextCursor words(library);
         for (std::string_view name = words.word(); !name.empty(); name = words.word()) {
-            const std::filesystem::path file = fileNamed(folder_, name);
+            const std::filesystem::path file = fileNamed(folder_, name, place_);
             if (isFile(file))
                 readLibrary(file);
             else
@@ -113,6 +103,19 @@ public:
     }
 
 private:
+    // Resolves a name in an OBJ or MTL to a file in the same folder; both slashes are usual. Of an
+    // absolute path of another machine it takes the last part.
+    std::filesystem::path fileNamed(const std::filesystem::path& folder, std::string_view name,
+                                    const std::string& place)
+    {
+        std::string text(name);
+        std::replace(text.begin(), text.end(), '\\', '/');
+        const std::filesystem::path relative(text);
+        const std::filesystem::path file = fileOrNear(folder, text, place, diagnostics_);
+        return isFile(file) ? file
+                            : fileOrNear(folder, relative.filename().string(), place, diagnostics_);
+    }
+
     void readLibrary(const std::filesystem::path& file)
     {
         if (!read_.insert(file.string()).second)
@@ -185,7 +188,7 @@ private:
             rest = trimmed(rest.substr(std::min(behind, rest.size())));
         }
         if (!rest.empty())
-            material.image = imageIn(fileNamed(file.parent_path(), rest));
+            material.image = imageIn(fileNamed(file.parent_path(), rest, file.string()));
         // If there is no colour, use the image unchanged.
         if (material.image != GroundMaterial::noImage &&
             material.baseColor == GroundMaterial{}.baseColor)

@@ -130,9 +130,30 @@ private:
         return joined_;
     }
 
+    // Two lines of two numbers, where nothing may follow a coordinate, are vertices without z.
+    void requireThree(std::string_view line, const OffVertex& form)
+    {
+        const auto wordsOf = [](std::string_view text) {
+            TextCursor words(text);
+            std::size_t count = 0;
+            while (!words.word().empty())
+                ++count;
+            return count;
+        };
+        OffLines ahead = lines_;
+        if (form.hasNormal || form.hasColor || form.hasUv || wordsOf(line) != 2 ||
+            wordsOf(ahead.next("its last vertex")) != 2)
+            return;
+        fail(ErrorKind::input, "{}: line {}: the vertex has 2 coordinates: z is missing", place_,
+             lines_.lineNumber());
+    }
+
     void readVertex(std::size_t index, const OffVertex& form)
     {
-        TextCursor words(wordsFrom(lines_.next("its last vertex"), 3, "its last vertex"));
+        const std::string_view line = lines_.next("its last vertex");
+        if (index == 0)
+            requireThree(line, form);
+        TextCursor words(wordsFrom(line, 3, "its last vertex"));
         glm::dvec3 position(0.0);
         for (glm::length_t axis = 0; axis < 3; ++axis) {
             const auto number = words.number();

@@ -181,8 +181,7 @@ void readBinary(std::string_view file, std::size_t triangles, const std::string&
                      "xyz"[n % 3], n / 3, i);
         std::uint32_t corners[3];
         for (std::size_t c = 0; c < 3; ++c)
-            corners[c] =
-                vertices.indexOf({numbers[3 * c], numbers[3 * c + 1], numbers[3 * c + 2]});
+            corners[c] = vertices.indexOf({numbers[3 * c], numbers[3 * c + 1], numbers[3 * c + 2]});
         soup.addFace(corners);
     }
 }

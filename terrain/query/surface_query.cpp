@@ -78,17 +78,22 @@ void occlude(RTCScene scene, RayContext& context, RTCRay& ray)
 }
 #endif
 
-// Called inside Embree, which exceptions must not cross. The builder checks the message afterwards.
-void keepMessage(void* text, RTCError code, const char* message)
+// Called inside Embree, which exceptions must not cross. The builder checks the code afterwards.
+void keepCode(void* code, RTCError now, const char*)
 {
-    *static_cast<std::string*>(text) =
-        fmt::format("error {}: {}", static_cast<int>(code), message == nullptr ? "" : message);
+    *static_cast<RTCError*>(code) = now;
 }
 
-void failIf(bool failed, const char* doing, const std::string& trouble)
+void failIf(bool failed, std::size_t triangles, RTCError code)
 {
-    if (failed || !trouble.empty())
-        fail(ErrorKind::runtime, "Embree: {} failed: {}", doing, trouble);
+    if (!failed && code == RTC_ERROR_NONE)
+        return;
+    if (code == RTC_ERROR_UNSUPPORTED_CPU)
+        fail(ErrorKind::unsupported, "rays on the ground need a CPU with SSE2");
+    if (code == RTC_ERROR_OUT_OF_MEMORY || code == RTC_ERROR_NONE)
+        fail(ErrorKind::runtime, "not enough memory for rays on the ground of {} triangles",
+             triangles);
+    fail(ErrorKind::runtime, "rays on the ground of {} triangles cannot be prepared", triangles);
 }
 
 glm::vec3 roundToFloat(const glm::dvec3& v)
@@ -206,9 +211,9 @@ SurfaceQuery::SurfaceQuery(std::span<const glm::vec3> ownPositions,
     : scene_(std::make_unique<Scene>())
 {
     scene_->device = rtcNewDevice(deviceSettings);
-    failIf(scene_->device == nullptr, "making a device", "");
-    std::string trouble;
-    rtcSetDeviceErrorFunction(scene_->device, keepMessage, &trouble);
+    failIf(scene_->device == nullptr, ownTriangles.size(), rtcGetDeviceError(nullptr));
+    RTCError trouble = RTC_ERROR_NONE;
+    rtcSetDeviceErrorFunction(scene_->device, keepCode, &trouble);
 
     // Copy the mesh into Embree's buffers, which add padding.
     const RTCGeometry geometry = rtcNewGeometry(scene_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -220,7 +225,7 @@ SurfaceQuery::SurfaceQuery(std::span<const glm::vec3> ownPositions,
                                 sizeof(glm::uvec3), ownTriangles.size());
     if (positions == nullptr || triangles == nullptr) {
         rtcReleaseGeometry(geometry);
-        failIf(true, "making room for the mesh", trouble);
+        failIf(true, ownTriangles.size(), trouble);
     }
     std::memcpy(positions, ownPositions.data(), ownPositions.size_bytes());
     std::memcpy(triangles, ownTriangles.data(), ownTriangles.size_bytes());
@@ -237,7 +242,7 @@ SurfaceQuery::SurfaceQuery(std::span<const glm::vec3> ownPositions,
     rtcAttachGeometry(scene_->scene, geometry);
     rtcReleaseGeometry(geometry);
     rtcCommitScene(scene_->scene);
-    failIf(false, "building a scene", trouble);
+    failIf(false, ownTriangles.size(), trouble);
     rtcSetDeviceErrorFunction(scene_->device, nullptr, nullptr);
 }
 

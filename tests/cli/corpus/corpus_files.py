@@ -50,15 +50,20 @@ def write_obj(folder, name, chance):
     return f"{name}.obj", {}
 
 
-PLY = {"char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4", "float": "f4", "double": "f8",
-       "int8": "i1", "uint8": "u1", "int32": "i4", "float32": "f4"}
+PLY = {"char": "i1", "int8": "i1", "uchar": "u1", "uint8": "u1", "short": "i2", "int16": "i2", "ushort": "u2", "uint16": "u2",
+       "int": "i4", "int32": "i4", "uint": "u4", "uint32": "u4", "float": "f4", "float32": "f4", "double": "f8", "float64": "f8"}
+REALS = ("float", "float32", "double", "float64")
+# What stands for 1 in a colour of each type.
+FULL = {"i1": 127, "u1": 255, "i2": 32767, "u2": 65535, "i4": 255, "u4": 255, "f4": 1, "f8": 1}
 
 
 def write_ply(folder, name, chance):
     strips = chance.random() < 0.25
-    position = chance.choice(("float", "double", "float32", "short"))
-    scale = 1000 if position == "short" else 1
-    paint = chance.choice((None, "uchar", "ushort", "float", "bytes"))
+    position = chance.choice((*REALS, "float", "double", "short", "ushort", "int", "uint32"))
+    isWhole = position not in REALS
+    scale, shift = (300, 9000 if PLY[position][0] == "u" else 0) if isWhole else (1, 0)
+    paint = chance.choice((None, "bytes", *PLY))
+    normals, coordinates = (chance.choice((None, None, *PLY)) for _ in range(2))
     vertices, faces = [], []
     if strips:
         columns, rows = chance.randint(2, 6), chance.randint(2, 6)
@@ -72,11 +77,11 @@ def write_ply(folder, name, chance):
         for corners, color in polygons(chance):
             faces.append(list(range(len(vertices), len(vertices) + len(corners))))
             vertices += [(corner, color) for corner in corners]
-    if position == "short":
+    if isWhole:
         # Single corners: whole numbers of three stay in one plane.
         faces = faces if strips else [face[i:i + 3] for face in faces for i in range(0, len(face) - 2, 3)]
-    index = chance.choice(("int", "int32", "short") if strips else ("int", "uint", "short", "ushort", "uchar", "int32"))
-    length = chance.choice(("int", "uint", "ushort") if strips else ("uchar", "int", "ushort", "uint8", "char"))
+    index = chance.choice([kind for kind in PLY if PLY[kind][0] != "u"] if strips else list(PLY))
+    length = chance.choice([kind for kind in PLY if PLY[kind][1] != "1" or not strips])
     extra = chance.random() < 0.3
     form = chance.choice(("ascii", "binary_little_endian", "binary_big_endian"))
     order = ">" if form == "binary_big_endian" else "<"
@@ -89,9 +94,13 @@ def write_ply(folder, name, chance):
     end = b"\n" if form == "ascii" else b""
     body = {"vertex": b"", "face": b"", "other": b""}
     kind = "float" if paint == "bytes" else paint
-    full = {"uchar": 255, "ushort": 65535, "float": 1, "bytes": 255}.get(paint)
+    full = 255 if paint == "bytes" else FULL[PLY[paint]] if paint else None
     for point, color in vertices:
-        body["vertex"] += b"".join(number(position, v * scale) for v in point)
+        body["vertex"] += b"".join(number(position, v * scale + shift) for v in point)
+        if normals:
+            body["vertex"] += b"".join(number(normals, v) for v in (0, 1, 0))
+        if coordinates:
+            body["vertex"] += number(coordinates, 0) + number(coordinates, 1)
         if extra:
             body["vertex"] += number("float", 0.25) + number("uchar", 1) + number("int", 7)
         if paint:
@@ -102,6 +111,8 @@ def write_ply(folder, name, chance):
         body["face"] += b"".join(number(index, i) for i in face) + end
     body["other"] = number("int", 4) + end
     head = {"vertex": f"element vertex {len(vertices)}\n" + "".join(f"property {position} {axis}\n" for axis in "xyz")
+            + ("".join(f"property {normals} n{axis}\n" for axis in "xyz") if normals else "")
+            + (f"property {coordinates} s\nproperty {coordinates} t\n" if coordinates else "")
             + ("property float quality\nproperty list uchar int rings\n" if extra else "")
             + ("".join(f"property {kind} {c}\n" for c in ("red", "green", "blue")) if paint else ""),
             "face": f"element {'tristrips' if strips else 'face'} {len(faces)}\n" + ("property uchar flags\n" if extra else "")

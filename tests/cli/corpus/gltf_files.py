@@ -17,6 +17,7 @@ class GltfFile:
     def __init__(self, chance):
         self.chance, self.binary, self.views, self.accessors = chance, bytearray(), [], []
         self.used, self.meshes, self.nodes, self.materials, self.colored = set(), [], [], [], chance.random() < 0.5
+        self.skins = []
 
     def view(self, data, **more):
         self.binary += b"\0" * (-len(self.binary) % 8)
@@ -67,8 +68,10 @@ class GltfFile:
         rows = np.column_stack([first, second, np.zeros((len(first), 1))]).astype("<f4")
         return self.view(rows.tobytes(), byteStride=4 * rows.shape[1]), 4 * first.shape[1]
 
-    def mesh(self):
-        primitives = [self.primitive() for _ in range(self.chance.choice((1, 1, 2, 3)))]
+    def mesh(self, joints=0):
+        """A mesh that follows so many joints, in its pose at rest by weights of its own, its node's or none."""
+        targets = self.chance.choice((0, 0, 0, 1, 2))
+        primitives = [self.primitive(joints, targets) for _ in range(self.chance.choice((1, 1, 2, 3)))]
         if self.chance.random() < 0.15:
             primitives.append({"attributes": {}})  # nothing to show
         if self.chance.random() < 0.15:
@@ -76,9 +79,61 @@ class GltfFile:
             primitives.append({"attributes": {"POSITION": self.accessor(spots, 5126, "VEC3", bounds=True)},
                                "mode": self.chance.choice((0, 1, 2, 3))})
         self.meshes.append({"primitives": primitives})
-        return len(self.meshes) - 1
+        if targets and self.chance.random() < 0.8:
+            self.meshes[-1]["weights"] = self.weights(targets)
+        return len(self.meshes) - 1, targets
 
-    def primitive(self):
+    def weights(self, targets):
+        return [round(self.chance.choice((0.0, 1.0, self.chance.uniform(-0.5, 1.5))), 3) for _ in range(targets)]
+
+    def add_targets(self, result, count, targets):
+        """Differences of places and colours, whole or sparse."""
+        result["targets"] = []
+        for _ in range(targets):
+            target = {}
+            if self.chance.random() < 0.8:
+                moves = np.array([[self.chance.uniform(-0.5, 0.5) for _ in range(3)] for _ in range(count)])
+                moves[[self.chance.random() < 0.5 for _ in range(count)]] = 0
+                target["POSITION"] = self.accessor(moves, 5126, "VEC3", sparse=self.chance.random() < 0.5, bounds=True)
+            if "COLOR_0" in result["attributes"] and self.chance.random() < 0.5:
+                target["COLOR_0"] = self.accessor(np.full((count, 3), -0.2), 5126, "VEC3")
+            result["targets"].append(target)
+
+    def add_influences(self, result, count, joints):
+        """Each vertex follows one to four joints, in one set or two."""
+        for part in range(self.chance.choice((1, 1, 2))):
+            kind = self.chance.choice((5121, 5123, 5126))
+            numbers = np.array([[self.chance.randrange(joints) for _ in range(4)] for _ in range(count)])
+            shares = np.array([[self.chance.random() if self.chance.random() < 0.6 else 0.0 for _ in range(4)] for _ in range(count)])
+            shares[:, 0] += 0.1
+            shares /= shares.sum(axis=1)[:, None]
+            result["attributes"][f"JOINTS_{part}"] = self.accessor(numbers, self.chance.choice((5121, 5123)), "VEC4")
+            result["attributes"][f"WEIGHTS_{part}"] = self.accessor(
+                shares if kind == 5126 else np.round(shares * FULL[kind]), kind, "VEC4", normalized=kind != 5126)
+
+    def skin(self, node):
+        """Joints below a node, one below another, and as a rule the inverse of a pose in which they were bound."""
+        chance = self.chance
+        joints, above = [], node
+        for i in range(chance.randint(1, 4)):
+            self.nodes.append({"translation": [chance.uniform(-2, 2) for _ in range(3)],
+                               "rotation": [float(v) for v in turned(chance)],
+                               "scale": [chance.choice((1, 1, 1, -1)) * chance.uniform(0.5, 1.5) for _ in range(3)]})
+            joints.append(len(self.nodes) - 1)
+            above.setdefault("children", []).append(joints[-1])
+            above = chance.choice((node, self.nodes[-1]))
+        skin = {"joints": joints}
+        if chance.random() < 0.8:
+            binds = np.zeros((len(joints), 4, 4))
+            binds[:] = np.eye(4)
+            for bind in binds:
+                bind[:3, :3] = rotate(turned(chance), np.eye(3)).T * chance.uniform(0.5, 2.0)
+                bind[:3, 3] = [chance.uniform(-3, 3) for _ in range(3)]
+            skin["inverseBindMatrices"] = self.accessor(binds.transpose(0, 2, 1).reshape(-1, 16), 5126, "MAT4")
+        self.skins.append(skin)
+        return len(self.skins) - 1, len(joints)
+
+    def primitive(self, joints=0, targets=0):
         """A field, strip or fan; each lies elsewhere, so that none covers another."""
         chance = self.chance
         mode = chance.choice((4, 4, 5, 6))
@@ -103,6 +158,10 @@ class GltfFile:
         if chance.random() < 0.25:
             points, order = points[order], None
         self.add_points(result, points)
+        if joints:
+            self.add_influences(result, len(points), joints)
+        if targets:
+            self.add_targets(result, len(points), targets)
         if order is not None:
             kind = chance.choice([k for k in (5121, 5123, 5125) if len(points) < FULL.get(k, 1 << 30)])
             result["indices"] = self.accessor(np.array(order)[:, None], kind, "SCALAR", sparse=chance.random() < 0.15)
@@ -158,8 +217,13 @@ class GltfFile:
                 node["scale"] = [chance.choice((1, 1, -1)) * chance.uniform(0.4, 2.0) for _ in range(3)]
         extensions = {}
         if depth == 0 or chance.random() < 0.7:
-            node["mesh"] = self.mesh()
-            if chance.random() < 0.25:
+            joints = 0
+            if chance.random() < 0.2:
+                node["skin"], joints = self.skin(node)
+            node["mesh"], targets = self.mesh(joints)
+            if targets and chance.random() < 0.4:
+                node["weights"] = self.weights(targets)
+            if not joints and chance.random() < 0.25:
                 extensions["EXT_mesh_gpu_instancing"] = {"attributes": self.instances()}
         if depth > 0 and chance.random() < 0.15:
             extensions["KHR_node_visibility"] = {"visible": chance.random() < 0.3}
@@ -167,9 +231,9 @@ class GltfFile:
             node["extensions"] = extensions
             self.used |= set(extensions)
         if depth < 2:
-            node["children"] = [self.node(np.array([300.0 * (1 + i), 0, 50.0]), depth + 1) for i in range(chance.choice((0, 0, 1, 2)))]
-            if not node["children"]:
-                del node["children"]
+            below = [self.node(np.array([300.0 * (1 + i), 0, 50.0]), depth + 1) for i in range(chance.choice((0, 0, 1, 2)))]
+            if below:
+                node["children"] = node.get("children", []) + below
         self.nodes.append(node)
         return len(self.nodes) - 1
 
@@ -207,6 +271,8 @@ def write_gltf(folder, name, chance):
                 "accessors": file.accessors, "bufferViews": file.views, "buffers": [buffer]}
     if file.materials:
         document["materials"] = file.materials
+    if file.skins:
+        document["skins"] = file.skins
     if file.used:
         document["extensionsUsed"] = sorted(file.used)
     if required := sorted(file.used & {"KHR_mesh_quantization"}):

@@ -58,7 +58,7 @@ def shares(colors):
 # glTF ---------------------------------------------------------------------------------------------
 
 TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
-WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 FULL = {"i1": 127, "u1": 255, "i2": 32767, "u2": 65535}
 
 
@@ -146,6 +146,20 @@ def triangles_of(mode, index):
 
 def gltf(path):
     file = Gltf(path)
+    parents = {child: number for number, node in enumerate(file.json["nodes"]) for child in node.get("children", ())}
+
+    def world(number):
+        own = local(file.json["nodes"][number])
+        return world(parents[number]) @ own if number in parents else own
+
+    def joints_of(node):
+        """The matrices that move what a node's skin holds, joints×4×4."""
+        skin = file.json["skins"][node["skin"]]
+        places = np.array([world(joint) for joint in skin["joints"]])
+        if "inverseBindMatrices" in skin:
+            return places @ file.accessor(skin["inverseBindMatrices"]).reshape(-1, 4, 4).transpose(0, 2, 1)[:len(places)]
+        return places
+
     scene = file.json["scenes"][int(file.json.get("scene", 0))]
     corners, colors = [], []
 
@@ -164,19 +178,43 @@ def gltf(path):
                                     known["ROTATION"][i] if "ROTATION" in known else (0, 0, 0, 1),
                                     known["SCALE"][i] if "SCALE" in known else (1, 1, 1)) for i in range(count)]
             for place in places:
-                for primitive in file.json["meshes"][int(node["mesh"])]["primitives"]:
-                    add(primitive, matrix @ place)
+                mesh = file.json["meshes"][int(node["mesh"])]
+                weights = node.get("weights", mesh.get("weights", ()))
+                for primitive in mesh["primitives"]:
+                    add(primitive, matrix @ place, weights, joints_of(node) if "skin" in node else None)
         for child in node.get("children", ()):
             visit(child, matrix)
 
-    def add(primitive, matrix):
+    def morphed(primitive, weights, name, values):
+        for weight, target in zip(weights, primitive.get("targets", ())):
+            if name in target:
+                values = values + weight * file.accessor(target[name])
+        return values
+
+    def skinned(attributes, points, joints):
+        total = np.zeros((len(points), 4, 4))
+        for part in range(9):
+            if f"JOINTS_{part}" not in attributes:
+                break
+            shares = file.accessor(attributes[f"WEIGHTS_{part}"])
+            numbers = file.accessor(attributes[f"JOINTS_{part}"]).astype(int)
+            total += np.einsum("vi,vijk->vjk", shares, joints[numbers])
+        # The last element is the sum of the weights.
+        total /= total[:, 3:, 3:]
+        return np.einsum("vjk,vk->vj", total, np.column_stack([points, np.ones(len(points))]))[:, :3]
+
+    def add(primitive, matrix, weights, joints):
         mode, attributes = int(primitive.get("mode", 4)), primitive["attributes"]
         if "POSITION" not in attributes or mode < 4:
             return
-        points = file.accessor(attributes["POSITION"]) @ matrix[:3, :3].T + matrix[:3, 3]
+        points = morphed(primitive, weights, "POSITION", file.accessor(attributes["POSITION"]))
+        if joints is None:
+            points = points @ matrix[:3, :3].T + matrix[:3, 3]
+        else:
+            points = skinned(attributes, points, joints)
         index = file.accessor(primitive["indices"])[:, 0].astype(int) if "indices" in primitive else np.arange(len(points))
         index = triangles_of(mode, index)
-        if np.linalg.det(matrix[:3, :3]) < 0:
+        if joints is None and np.linalg.det(matrix[:3, :3]) < 0:
             index = index[:, ::-1]
         # A strip's stitches are no triangles.
         a, b, c = (points[index[:, i]] for i in range(3))
@@ -191,7 +229,7 @@ def gltf(path):
             # Whole numbers are shares of their type's largest, whatever the file says.
             if accessor["componentType"] != 5126 and not accessor.get("normalized"):
                 stored = stored / FULL[TYPES[int(accessor["componentType"])][1:]]
-            each = shares(stored)[index] * color
+            each = np.clip(shares(morphed(primitive, weights, "COLOR_0", stored)), 0, 1)[index] * color
         else:
             plain = color.max() >= 0.4 and color.max() - color.min() <= 0.02 * color.max()
             each = np.broadcast_to(EARTH if plain else color, (*index.shape, 3))

@@ -50,7 +50,8 @@ int GlbBuilder::accessor(int view, int componentType, const char* type, std::siz
                          bool normalized)
 {
     const std::string shape = type;
-    const std::size_t components = shape == "SCALAR" ? 1 : static_cast<std::size_t>(shape[3] - '0');
+    const std::size_t size = shape == "SCALAR" ? 1 : static_cast<std::size_t>(shape[3] - '0');
+    const std::size_t components = shape.starts_with("MAT") ? size * size : size;
     nlohmann::json entry = {{"bufferView", view},
                             {"componentType", componentType},
                             {"type", type},

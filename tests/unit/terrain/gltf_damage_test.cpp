@@ -38,6 +38,20 @@ GlbBuilder richGlb()
     builder.document["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]
                     ["TRANSLATION"] = shifts;
     builder.node({{"children", {0}}, {"rotation", {0, 0, 0, 1}}});
+    // A morph, and the same mesh with a skin.
+    builder.document["meshes"][0]["primitives"][0]["targets"] = {
+        {{"POSITION", builder.floats({0, 1, 0, 0, 1, 0, 0, 1, 0}, "VEC3")}}};
+    builder.document["meshes"][0]["weights"] = {0.5};
+    builder.document["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"] =
+        builder.bytes({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, "VEC4");
+    builder.document["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_0"] =
+        builder.bytes({255, 0, 0, 0, 255, 0, 0, 0, 55, 200, 0, 0}, "VEC4", true);
+    std::vector<float> binds(32, 0.0f);
+    for (std::size_t i = 0; i < 32; i += i % 16 == 15 ? 1 : 5)
+        binds[i] = 1.0f;
+    builder.document["skins"] = {
+        {{"joints", {0, 1}}, {"inverseBindMatrices", builder.floats(binds, "MAT4")}}};
+    builder.node({{"mesh", 0}, {"skin", 0}, {"weights", {0.25}}});
     return builder;
 }
 
@@ -207,7 +221,7 @@ TEST(GltfDamage, RefusesToBecomeMuchLargerThanItsFile)
                       ["TRANSLATION"] = 3;
     EXPECT_EQ(kindOf(instances, &message), ErrorKind::input);
     EXPECT_THAT(message, HasSubstr("no bufferView"));
-    instances.document["accessors"][3]["count"] = 1 << 20;
+    instances.document["accessors"][3]["count"] = 1 << 14;
     instances.document["meshes"][0]["primitives"] = nlohmann::json::array();
     for (int i = 0; i < 1000; ++i)
         instances.primitive({{"attributes", {{"POSITION", 0}}}, {"indices", 2}});

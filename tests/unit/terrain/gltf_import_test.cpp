@@ -217,17 +217,5 @@ TEST(GltfImport, KeepsTheCopyright)
     EXPECT_EQ(loadContent("a.glb", builder.glb()).copyright, "CC0 A. Author");
 }
 
-TEST(GltfImport, UsesTheRestPoseOfSkinsAndMorphsWithAWarning)
-{
-    GlbBuilder builder = triangleGlb();
-    builder.document["nodes"][0]["skin"] = 0;
-    builder.document["skins"] = {{{"joints", {0}}}};
-    builder.document["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
-    Diagnostics diagnostics;
-    EXPECT_EQ(loadContent("a.glb", builder.glb(), {}, &diagnostics).triangles.size(), 1U);
-    EXPECT_THAT(diagnostics.warnings(),
-                testing::UnorderedElementsAre(HasSubstr("skin"), HasSubstr("morph")));
-}
-
 } // namespace
 } // namespace sward::terrain

@@ -25,10 +25,10 @@ struct Number {
 };
 
 constexpr Number numbers[] = {
-    {"char", 1, 127},     {"int8", 1, 127},   {"uchar", 1, 255},      {"uint8", 1, 255},
-    {"short", 2, 32767},  {"int16", 2, 32767}, {"ushort", 2, 65535},  {"uint16", 2, 65535},
-    {"int", 4, 255},      {"int32", 4, 255},   {"uint", 4, 255},      {"uint32", 4, 255},
-    {"float", 4, 1},      {"float32", 4, 1},   {"double", 8, 1},      {"float64", 8, 1},
+    {"char", 1, 127},    {"int8", 1, 127},    {"uchar", 1, 255},    {"uint8", 1, 255},
+    {"short", 2, 32767}, {"int16", 2, 32767}, {"ushort", 2, 65535}, {"uint16", 2, 65535},
+    {"int", 4, 255},     {"int32", 4, 255},   {"uint", 4, 255},     {"uint32", 4, 255},
+    {"float", 4, 1},     {"float32", 4, 1},   {"double", 8, 1},     {"float64", 8, 1},
 };
 
 void add(std::string& body, const Number& type, double value, const std::string& format)
@@ -58,9 +58,9 @@ void add(std::string& body, const Number& type, double value, const std::string&
 // between that nobody reads.
 std::string richPly(const std::string& format, const Number& type)
 {
-    std::string text = fmt::format("ply\nformat {} 1.0\nelement camera 1\nproperty {} x\n", format,
-                                   type.name) +
-                       "element vertex 3\nproperty float x\nproperty float y\n";
+    std::string text =
+        fmt::format("ply\nformat {} 1.0\nelement camera 1\nproperty {} x\n", format, type.name) +
+        "element vertex 3\nproperty float x\nproperty float y\n";
     for (const char* name : {"nx", "ny", "nz", "red", "green", "blue"})
         text += fmt::format("property {} {}\n", type.name, name);
     text += fmt::format("property list {} {} rings\nproperty float z\n", type.name, type.name);
@@ -133,8 +133,9 @@ TEST(MeshGaps, APlySaysWhatItLacks)
     EXPECT_THAT(messageOf("a.ply", head + all + end), HasSubstr("no element face"));
     EXPECT_THAT(messageOf("a.ply", head + all + "element face 1\nproperty uchar flags\n" + end),
                 HasSubstr("no list vertex_indices"));
-    EXPECT_THAT(messageOf("a.ply", head + all + "element face 1\nproperty int vertex_index\n" + end),
-                HasSubstr("vertex_index of element face is no list"));
+    EXPECT_THAT(
+        messageOf("a.ply", head + all + "element face 1\nproperty int vertex_index\n" + end),
+        HasSubstr("vertex_index of element face is no list"));
     EXPECT_THAT(messageOf("a.ply", head + vertices({"x", "y", "z", "x"}) + faces + end),
                 HasSubstr("line 7: element vertex has a second property x"));
 }
@@ -142,9 +143,10 @@ TEST(MeshGaps, APlySaysWhatItLacks)
 TEST(MeshGaps, FacesKeepTheirGroundWithoutNormalsThatTheyName)
 {
     const std::string vertices = "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 1 0 1\n";
-    for (const char* faces : {"f 1//1 2//1 3//1\nf 3//1 2//1 4//1\n", "f 1/1 2/2 3/3\nf 3/3 2/2 4/4\n",
-                              "vn 0 1 0\nvt 0 0\nf 1/1/2 2/1/1 3/1/1\nf 3/1/1 2/1/1 4/9/-3\n",
-                              "f 1/0/0 2/0/0 3/0/0\nf 3 2 4\n"}) {
+    for (const char* faces :
+         {"f 1//1 2//1 3//1\nf 3//1 2//1 4//1\n", "f 1/1 2/2 3/3\nf 3/3 2/2 4/4\n",
+          "vn 0 1 0\nvt 0 0\nf 1/1/2 2/1/1 3/1/1\nf 3/1/1 2/1/1 4/9/-3\n",
+          "f 1/0/0 2/0/0 3/0/0\nf 3 2 4\n"}) {
         Diagnostics diagnostics;
         const GroundMesh mesh = loadContent("a.obj", vertices + faces, {}, &diagnostics);
         EXPECT_EQ(mesh.triangles.size(), 2U) << faces;
@@ -175,26 +177,40 @@ TEST(MeshGaps, AVertexOfTwoCoordinatesLacksItsThird)
     for (const char* rest : {"", "  ", " # a comment"})
         EXPECT_THAT(messageOf("a.obj", fmt::format("v 0 0 0\nv 4 0{}\nv 4 4 0\nf 1 2 3\n", rest)),
                     HasSubstr("line 2: the vertex has 2 coordinates: z is missing"));
+    EXPECT_THAT(messageOf("a.off", "OFF\n# flat\n3 1 0\n0 0\n4 0\n4 4\n3 0 1 2\n"),
+                HasSubstr("line 4: the vertex has 2 coordinates: z is missing"));
     EXPECT_THAT(messageOf("a.stl", "solid a facet normal 0 1 0 outer loop\nvertex 0 0\nvertex 1 0\n"
                                    "vertex 1 1\nendloop endfacet endsolid"),
                 HasSubstr("line 3: coordinate z of a vertex is missing"));
 }
 
+TEST(MeshGaps, TakesMaterialLibrariesOfNearlyTheNameWithAWarning)
+{
+    const ScratchFolder folder;
+    folder.write("Meadow.mtl", "newmtl grass\nKd 0.25 0.5 0.125\n");
+    const std::string obj = folder.write("a.obj", "mtllib MEADOW.MTL\nv 0 0 0\nv 0 0 1\nv 1 0 0\n"
+                                                  "usemtl grass\nf 1 2 3\n");
+    Diagnostics diagnostics;
+    const GroundMesh mesh = load(obj, {}, diagnostics);
+    EXPECT_FLOAT_EQ(mesh.materials[0].baseColor.y, 0.5f);
+    EXPECT_THAT(diagnostics.warnings(), ElementsAre(HasSubstr("Meadow.mtl is taken")));
+}
+
 TEST(MeshGaps, AnStlMayHaveAnyWhiteSpaceBetweenItsWords)
 {
-    const std::string lines = "solid the facet of a stone\nfacet normal 0 1 0\nouter loop\nvertex 0 "
-                              "0 0\nvertex 4 0 0\nvertex 4 0 -4\nendloop\nendfacet\nfacet\nouter "
-                              "loop\nvertex 0 0 0\nvertex 4 0 -4\nvertex 0 0 -4\nendloop\n"
-                              "endfacet\nendsolid the facet of a stone\n";
+    const std::string lines =
+        "solid the facet of a stone\nfacet normal 0 1 0\nouter loop\nvertex 0 "
+        "0 0\nvertex 4 0 0\nvertex 4 0 -4\nendloop\nendfacet\nfacet\nouter "
+        "loop\nvertex 0 0 0\nvertex 4 0 -4\nvertex 0 0 -4\nendloop\n"
+        "endfacet\nendsolid the facet of a stone\n";
     for (const std::string space : {"\n", " ", "\t", "\r\n", "\r", "\v", "\f", "\n\n  "}) {
         std::string text;
         for (const char c : lines)
             text += c == '\n' || c == ' ' ? space : std::string(1, c);
         for (const bool isUpper : {false, true}) {
             if (isUpper)
-                std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
-                    return static_cast<char>(std::toupper(c));
-                });
+                std::transform(text.begin(), text.end(), text.begin(),
+                               [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
             Diagnostics diagnostics;
             const GroundMesh mesh = loadContent("a.stl", text, {}, &diagnostics);
             EXPECT_EQ(mesh.triangles.size(), 2U);
