@@ -29,20 +29,22 @@ inline constexpr const char* tileFilesId = "fuzz";
 struct Entry {
     const char* name;
     void (*call)(Bytes bytes);
+    bool followsData; ///< memory is bounded by the bytes of the input (memory_law.h): nothing
+                      ///< unpacks
 };
 
 inline constexpr Entry entries[] = {
-    {"field_delta", fieldDelta},
-    {"field_reader", fieldReader},
-    {"gltf_import", gltfImport},
-    {"heightmap_import", heightmapImport},
-    {"mask", mask},
-    {"meadow", meadow},
-    {"mesh_import", meshImport},
-    {"recipe", recipe},
-    {"settings", settings},
-    {"strokes", strokes},
-    {"tile_files", tileFiles},
+    {"field_delta", fieldDelta, true},
+    {"field_reader", fieldReader, false},
+    {"gltf_import", gltfImport, true},
+    {"heightmap_import", heightmapImport, false},
+    {"mask", mask, false},
+    {"meadow", meadow, true},
+    {"mesh_import", meshImport, true},
+    {"recipe", recipe, false},
+    {"settings", settings, true},
+    {"strokes", strokes, true},
+    {"tile_files", tileFiles, false},
 };
 
 } // namespace sward::fuzz

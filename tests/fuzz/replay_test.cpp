@@ -2,12 +2,15 @@
 
 #include "core/mapped_file.h"
 #include "fuzz/entries.h"
+#include "fuzz/memory_law.h"
 #include "fuzz/samples.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
+#include <memory>
 
 namespace sward::fuzz {
 namespace {
@@ -19,7 +22,15 @@ Bytes bytesOf(const auto& container)
     return {reinterpret_cast<const std::uint8_t*>(container.data()), container.size()};
 }
 
-class FuzzReplay : public testing::TestWithParam<Entry> {};
+class FuzzReplay : public testing::TestWithParam<Entry> {
+protected:
+    // Of memory for an input of so many bytes. What unpacks has bounds of its own.
+    static std::size_t limitOf(std::size_t bytes)
+    {
+        return GetParam().followsData ? memoryLimit(bytes)
+                                      : std::numeric_limits<std::size_t>::max();
+    }
+};
 
 TEST_P(FuzzReplay, EveryFileOfTheCorpusEndsWell)
 {
@@ -33,7 +44,9 @@ TEST_P(FuzzReplay, EveryFileOfTheCorpusEndsWell)
         SCOPED_TRACE(file.filename());
         const auto start = std::chrono::steady_clock::now();
         const std::vector<std::byte> bytes = readFile(file);
+        const MemoryPeak peak;
         GetParam().call(bytesOf(bytes));
+        EXPECT_LE(peak.bytes(), limitOf(bytes.size()));
         EXPECT_LT(std::chrono::steady_clock::now() - start, patience);
     }
 }
@@ -44,10 +57,23 @@ TEST_P(FuzzReplay, EverySampleEndsWell)
     for (const Sample& sample : samples())
         if (sample.entry == GetParam().name) {
             SCOPED_TRACE(sample.name);
+            const MemoryPeak peak;
             GetParam().call(bytesOf(sample.bytes));
+            EXPECT_LE(peak.bytes(), limitOf(sample.bytes.size()));
             ++count;
         }
     EXPECT_GT(count, 0U);
+}
+
+TEST(MemoryPeak, CountsWhatIsHeldAtOneTime)
+{
+    const MemoryPeak peak;
+    for (unsigned char i = 0; i < 3; ++i) {
+        const auto block = std::make_unique<std::vector<unsigned char>>(std::size_t(1) << 20, i);
+        EXPECT_EQ(block->back(), i);
+    }
+    EXPECT_GE(peak.bytes(), std::size_t(1) << 20);
+    EXPECT_LT(peak.bytes(), std::size_t(2) << 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(Entries, FuzzReplay, testing::ValuesIn(entries),

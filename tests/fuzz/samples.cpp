@@ -54,6 +54,30 @@ terrain::GlbBuilder richGlb()
     return builder;
 }
 
+// A triangle with two joints and a morph target.
+terrain::GlbBuilder posedGlb()
+{
+    terrain::GlbBuilder builder = terrain::triangleGlb();
+    auto& primitive = builder.document["meshes"][0]["primitives"][0];
+    primitive["attributes"]["JOINTS_0"] =
+        builder.bytes({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, "VEC4");
+    primitive["attributes"]["WEIGHTS_0"] =
+        builder.bytes({255, 0, 0, 0, 255, 0, 0, 0, 55, 200, 0, 0}, "VEC4", true);
+    primitive["targets"] = {{{"POSITION", builder.floats({0, 1, 0, 0, 1, 0, 0, 1, 0}, "VEC3")},
+                             {"NORMAL", builder.floats({1, 0, 0, 1, 0, 0, 1, 0, 0}, "VEC3")}}};
+    builder.document["meshes"][0]["weights"] = {0.5};
+    std::vector<float> binds(32, 0.0f);
+    for (std::size_t i = 0; i < binds.size(); i += i % 16 == 15 ? 1 : 5)
+        binds[i] = 1.0f;
+    builder.document["nodes"][0]["skin"] = 0;
+    builder.document["nodes"][0]["weights"] = {0.25};
+    builder.node({{"translation", {0, 2, 0}}});
+    builder.node({{"scale", {-1, 1, 1}}, {"children", {1}}});
+    builder.document["skins"] = {
+        {{"joints", {1, 2}}, {"inverseBindMatrices", builder.floats(binds, "MAT4")}}};
+    return builder;
+}
+
 void addGltf(std::vector<Sample>& all)
 {
     const auto add = [&](const char* name, const std::string& bytes) {
@@ -63,6 +87,8 @@ void addGltf(std::vector<Sample>& all)
     add("triangle.gltf", terrain::triangleGlb().gltf());
     add("rich.glb", richGlb().glb());
     add("rich.gltf", richGlb().gltf());
+    add("posed.glb", posedGlb().glb());
+    add("posed.gltf", posedGlb().gltf());
     add("meshopt.glb", terrain::meshoptGrid(4).glb());
     add("meshopt_filters.glb",
         terrain::meshoptGrid(4, {.indexMode = "INDICES", .shortIndices = true, .filters = true})
@@ -85,6 +111,21 @@ void addMeshes(std::vector<Sample>& all)
                    std::string(1, '\0') +
                        "mtllib a.mtl\no a\nusemtl b\nv 0 0 0 1 0 0\nv 0 0 1\nv 1 0 "
                        "0\nvt 0 0\nvn 0 1 0\nf 1/1/1 2//1 -1/1\n"});
+    all.push_back({"mesh_import", "types.ply",
+                   std::string(1, '\1') +
+                       "ply\nformat ascii 1.0\nelement face 1\nproperty uint flags\nproperty list "
+                       "short double vertex_index\nproperty list int ushort texcoord\nelement "
+                       "vertex 3\nproperty short x\nproperty uint y\nproperty char z\nproperty "
+                       "char nx\nproperty ushort ny\nproperty double nz\nproperty int "
+                       "red\nproperty short green\nproperty char blue\nproperty list char float "
+                       "rings\nelement tristrips 1\nproperty list int int "
+                       "vertex_indices\nend_header\n7 3 0 1 2 6 0 0 1 0 0 1\n0 0 0 0 1 0 255 9 127 "
+                       "0\n0 0 1 0 1 0 1 2 3 1 0.5\n1 0 0 0 1 0 4 5 6 0\n7 0 1 2 -1 2 1 0\n"});
+    all.push_back(
+        {"mesh_import", "line.stl",
+         std::string(1, '\2') +
+             "SOLID a facet facet normal 0 1 0\touter loop vertex 0 0 0 vertex 0 0 1\fvertex "
+             "1 0 0 endloop endfacet"});
     all.push_back({"mesh_import", "double.ply",
                    std::string(1, '\1') + terrain::binaryPly({0, 0, 0, 0, 0, 1, 1, 0, 0})});
 }
