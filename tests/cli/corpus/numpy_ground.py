@@ -193,9 +193,7 @@ def gltf(path):
 
     def skinned(attributes, points, joints):
         total = np.zeros((len(points), 4, 4))
-        for part in range(9):
-            if f"JOINTS_{part}" not in attributes:
-                break
+        for part in range(sum(name.startswith("JOINTS_") for name in attributes)):
             shares = file.accessor(attributes[f"WEIGHTS_{part}"])
             numbers = file.accessor(attributes[f"JOINTS_{part}"]).astype(int)
             total += np.einsum("vi,vijk->vjk", shares, joints[numbers])
@@ -216,9 +214,10 @@ def gltf(path):
         index = triangles_of(mode, index)
         if joints is None and np.linalg.det(matrix[:3, :3]) < 0:
             index = index[:, ::-1]
-        # A strip's stitches are no triangles.
+        # A strip's stitches are no triangles. Their corners may be two vertices with other weights of one joint.
         a, b, c = (points[index[:, i]] for i in range(3))
-        index = index[(a != b).any(axis=1) & (b != c).any(axis=1) & (c != a).any(axis=1)]
+        least = 1e-9 * np.abs(points).max()
+        index = index[np.all([np.abs(one - other).max(axis=1) > least for one, other in ((a, b), (b, c), (c, a))], axis=0)]
         color = np.ones(3)
         if "material" in primitive:
             material = file.json["materials"][int(primitive["material"])]
