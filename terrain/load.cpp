@@ -11,6 +11,7 @@
 #include "terrain/gltf/uri.h"
 #include "terrain/heightmap/heightmap.h"
 #include "terrain/mesh_files/mesh_import.h"
+#include "terrain/near_file.h"
 #include "terrain/placement.h"
 #include "terrain/recipe.h"
 #include "terrain/repeated_ground.h"
@@ -113,7 +114,8 @@ GroundMesh loadBuiltIn(const std::string& name, const ImportSettings& settings,
         const std::vector<std::string> known = builtInNames();
         const std::string near = nearestWord(name, known);
         fail(ErrorKind::io, "{}: no such file, and no built-in terrain ({}){}", name,
-             fmt::join(known, " "), near.empty() ? "" : fmt::format("; did you mean {}?", near));
+             fmt::join(known, " "),
+             near.empty() ? nearFileHint(name) : fmt::format("; did you mean {}?", near));
     }
     return place(makeFromRecipe(recipe, name, {}, diagnostics, settings.masks), worldFromFile,
                  name);

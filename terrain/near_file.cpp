@@ -9,7 +9,7 @@
 namespace sward::terrain {
 namespace {
 
-constexpr std::size_t folderLimit = 4096; // names of a folder that are compared
+constexpr std::size_t folderLimit = 1024; // names of a folder that are compared
 
 std::vector<std::string> namesIn(const std::filesystem::path& folder)
 {

@@ -112,9 +112,10 @@ double GltfAccessor::step() const
 
 void GltfAccessor::requireComponents(std::size_t low, std::size_t high) const
 {
-    if (components() < low || components() > high)
-        fail(ErrorKind::input, "{}: {} components per element, outside [{}, {}]", place_,
-             components(), low, high);
+    if (components() >= low && components() <= high)
+        return;
+    fail(ErrorKind::input, "{}: its elements have {} numbers, not {}", place_, components(),
+         low == high ? std::to_string(low) : fmt::format("{} to {}", low, high));
 }
 
 const unsigned char* GltfAccessor::bytes(int view, std::uint64_t offset, std::size_t size) const

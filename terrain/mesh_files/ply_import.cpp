@@ -187,6 +187,9 @@ private:
                 corners_.push_back(noCorner);
                 continue;
             }
+            if (std::isnan(value))
+                fail(ErrorKind::input, "{}: {} {}: a corner is no number", place_, element.name,
+                     index);
             if (!(value >= 0.0) || value >= static_cast<double>(vertices_) ||
                 value != std::floor(value))
                 fail(ErrorKind::input, "{}: {} {}: names vertex {}, but there are {}", place_,

@@ -131,6 +131,10 @@ TEST(GltfMessages, NamesWhatIsMissingAndNothingElse)
         accessor.erase("bufferView");
     views.document.erase("bufferViews");
     EXPECT_THAT(refusal(views), HasSubstr("accessor 0 has no bufferView"));
+    GlbBuilder flat = triangleGlb();
+    flat.document["meshes"][0]["primitives"][0]["attributes"]["POSITION"] =
+        flat.floats({0, 0, 1, 0, 0, -1}, "VEC2");
+    EXPECT_THAT(refusal(flat), HasSubstr("POSITION: its elements have 2 numbers, not 3"));
     GlbBuilder dangling = triangleGlb();
     dangling.document.erase("bufferViews");
     EXPECT_THAT(refusal(dangling), HasSubstr("bufferView is 0, but the file has no bufferViews"));

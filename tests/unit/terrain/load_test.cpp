@@ -86,6 +86,10 @@ TEST(Load, NamesWhatIsMissing)
     EXPECT_THAT(message, HasSubstr("did you mean sphere"));
     EXPECT_EQ(kindOf("/nowhere/a.glb", {}, &message), ErrorKind::io);
     EXPECT_THAT(message, HasSubstr("/nowhere/a.glb"));
+    const ScratchFolder folder;
+    folder.write("Ground.glb", "");
+    EXPECT_EQ(kindOf(folder.path("ground.glb").string(), {}, &message), ErrorKind::io);
+    EXPECT_THAT(message, HasSubstr("did you mean Ground.glb?"));
 }
 
 TEST(Load, RefusesSettingsThatMakeNoSense)
