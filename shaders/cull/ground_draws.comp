@@ -33,7 +33,7 @@ void main()
     if ((own & bit) != 0u) {
         const GroundCluster cluster = push.clusters.at[gl_GlobalInvocationID.x];
         const uint firstIndex = 3u * clusterTriangles * (push.firstCluster + gl_GlobalInvocationID.x);
-        push.draws.at[place] = IndexedDraw(cluster.indexCount, 1u, firstIndex, 0u, 0u);
+        push.draws.at[push.firstCluster + place] = IndexedDraw(cluster.indexCount, 1u, firstIndex, 0u, 0u);
     }
     if (gl_WorkGroupID.x + 1u == gl_NumWorkGroups.x && thread + 1u == groundThreads)
         push.drawCount.at[0] = place + ((own & bit) != 0u ? 1u : 0u);

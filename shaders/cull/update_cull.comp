@@ -44,7 +44,9 @@ layout(constant_id = 9) const uint takes = takesAll;
 #include "shaders/cull/own_patches.glsl"
 #include "shaders/cull/visibility_history.glsl"
 
-shared uint cullResultSums[cullResultCount]; // over all patches of the group
+// Over all patches of the group. One longer than needed: an array of the type of DrawArguments::cullResults would get its
+// layout, which SPIR-V does not allow in shared memory.
+shared uint cullResultSums[cullResultCount + 1u];
 shared uint simulatedSum;
 shared uint maxFilled[2];
 shared uint listBase[2];

@@ -53,10 +53,11 @@ bool isBeside(OpaqueTriangle triangle, vec2 low)
 
 void main()
 {
-    const OpaqueWork work = push.work.at[0];
+    // Not the whole struct: a copy of its arrays would keep their layout, which SPIR-V does not allow.
+    const uint tiles = push.work.at[0].tiles.count;
     const uint thread = gl_LocalInvocationIndex;
-    const uint triangles = min(work.trianglesAsked, maxLargeTriangles);
-    for (uint task = gl_WorkGroupID.x; task < work.tiles.count; task += gl_NumWorkGroups.x) {
+    const uint triangles = min(push.work.at[0].trianglesAsked, maxLargeTriangles);
+    for (uint task = gl_WorkGroupID.x; task < tiles; task += gl_NumWorkGroups.x) {
         const LargeTriangle large = patchOf(task, triangles, thread);
         const uint own = task - large.firstTile;
         const uvec2 tile = uvec2(large.tile & 0xffffu, large.tile >> 16u) +

@@ -419,9 +419,9 @@ SHARED_CONST uint groundWords = groundThreads / 32u;
 struct GroundCullPush {
     FrameArray frame;
     GroundClusterArray clusters; ///< of one part of the ground
-    IndexedDrawArray draws;      ///< at most one per cluster
+    IndexedDrawArray draws;      ///< of all parts, at most one per cluster
     UintArray seen;              ///< a bit for each cluster
-    UintArray drawCount;         ///< number of all draws
+    UintArray drawCount;         ///< number of draws of the part
     uint clusterCount;
     uint firstCluster; ///< first cluster of the part
 };

@@ -29,7 +29,7 @@
 #define SHARED_INOUT(Type) Type&
 #define SHARED_UNROLL
 #define SHARED_LAYOUT(Type, bytes) static_assert(sizeof(Type) == (bytes));
-// A buffer by its device address: a number in C++, a typed reference in GLSL.
+// A buffer by its device address, a multiple of 8: a number in C++, a typed reference in GLSL.
 #define SHARED_BUFFER(Name, Type, access) using Name = std::uint64_t;
 // A buffer that shared functions read: in C++ a device address, or an array of the CPU.
 #define SHARED_TABLE(Name, Type)                                                                   \
@@ -54,8 +54,11 @@
 // Before a loop over a small array: otherwise a GPU places the array in memory, to index it.
 #define SHARED_UNROLL [[unroll]]
 #define SHARED_LAYOUT(Type, bytes)
+// Aligned to 8 bytes, also where elements are words: the size of the addresses that others hold.
+// SPIR-V requires a load of an address to state that alignment, and glslang states the smaller one
+// of both buffers, the one that holds the address and the one that it leads to.
 #define SHARED_BUFFER(Name, Type, access)                                                          \
-    layout(buffer_reference, scalar, buffer_reference_align = 4) access buffer Name                \
+    layout(buffer_reference, scalar, buffer_reference_align = 8) access buffer Name                \
     {                                                                                              \
         Type at[];                                                                                 \
     };

@@ -8,6 +8,10 @@
 namespace sward::render {
 namespace {
 
+/// From the number of draws of a part to the next [bytes]: shaders' buffers begin at multiples
+/// of 8.
+constexpr VkDeviceSize countStride = 8;
+
 std::uint32_t groupsOf(std::uint32_t clusters)
 {
     return static_cast<std::uint32_t>(gpu::groupsFor(clusters, shared::groundThreads));
@@ -39,7 +43,7 @@ GroundCullPass::GroundCullPass(const gpu::DeviceContext& context, const gpu::Sha
     write_ = pipeline("ground/draws", "ground_draws.comp");
     draws_ = buffer("ground/draws", ground.clusterCount() * sizeof(shared::IndexedDraw));
     seen_ = buffer("ground/seen", groupsOf(largest) * shared::groundWords * sizeof(std::uint32_t));
-    counts_ = buffer("ground/draw counts", ground.parts().size() * sizeof(std::uint32_t));
+    counts_ = buffer("ground/draw counts", ground.parts().size() * countStride);
 }
 
 void GroundCullPass::record(VkCommandBuffer commands, VkDeviceAddress frame) const
@@ -53,9 +57,9 @@ void GroundCullPass::record(VkCommandBuffer commands, VkDeviceAddress frame) con
         const shared::GroundCullPush push{
             .frame = frame,
             .clusters = ground_->clusters() + part.firstCluster * sizeof(shared::GroundCluster),
-            .draws = draws_.address() + part.firstCluster * sizeof(shared::IndexedDraw),
+            .draws = draws_.address(),
             .seen = seen_.address(),
-            .drawCount = counts_.address() + part.place * sizeof(std::uint32_t),
+            .drawCount = counts_.address() + part.place * countStride,
             .clusterCount = part.clusterCount,
             .firstCluster = part.firstCluster};
         find_.bind(commands);
@@ -78,7 +82,7 @@ void GroundCullPass::draw(VkCommandBuffer commands, const GroundBuffers::Part& p
     else
         vkCmdDrawIndexedIndirectCount(
             commands, draws_.get(), part.firstCluster * sizeof(shared::IndexedDraw), counts_.get(),
-            part.place * sizeof(std::uint32_t), part.clusterCount, sizeof(shared::IndexedDraw));
+            part.place * countStride, part.clusterCount, sizeof(shared::IndexedDraw));
 }
 
 } // namespace sward::render

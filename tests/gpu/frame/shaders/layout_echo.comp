@@ -239,14 +239,13 @@ void main()
     put(visible.factors);
     put(visible.pixels);
 
-    const DrawArguments draw = sources.at[0].draw.at[1];
-    put(draw.vertexCount);
-    put(draw.instanceCount);
-    put(draw.firstVertex);
-    put(draw.firstInstance);
-    put(draw.simulated);
+    put(sources.at[0].draw.at[1].vertexCount);
+    put(sources.at[0].draw.at[1].instanceCount);
+    put(sources.at[0].draw.at[1].firstVertex);
+    put(sources.at[0].draw.at[1].firstInstance);
+    put(sources.at[0].draw.at[1].simulated);
     for (uint i = 0u; i < cullResultCount; ++i)
-        put(draw.cullResults[i]);
+        put(sources.at[0].draw.at[1].cullResults[i]);
 
     const Species species = sources.at[0].species.at[1];
     put(species.rootColor);

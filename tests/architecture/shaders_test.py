@@ -1,0 +1,125 @@
+"""Compiled shaders keep two rules of SPIR-V that spirv-val knows since 2025, and so does the validation layer: whatever
+spirv-val a machine has. scripts/validate-shaders asks the newest.
+
+    shaders_test.py MODULES      compiled modules, separated by semicolons
+"""
+
+import struct
+import sys
+import unittest
+from pathlib import Path
+
+MODULES = [Path(name) for name in sys.argv[1].split(";")]
+
+# Opcodes, by the specification's names.
+TYPE_INT, TYPE_FLOAT, TYPE_VECTOR, TYPE_MATRIX, TYPE_ARRAY, TYPE_RUNTIME_ARRAY = 21, 22, 23, 24, 28, 29
+TYPE_STRUCT, TYPE_POINTER, VARIABLE, LOAD, STORE, COPY_MEMORY, DECORATE, MEMBER_DECORATE = 30, 32, 59, 61, 62, 63, 71, 72
+# What yields a pointer, with its type and its id first.
+YIELDS = {VARIABLE, LOAD, 55, 57, 65, 66, 67, 81, 83, 120, 124, 169, 245}
+ARRAY_STRIDE, OFFSET, ALIGNED = 6, 35, 2
+PRIVATE, WORKGROUP, FUNCTION, PHYSICAL_STORAGE_BUFFER = 6, 4, 7, 5349
+
+
+class Module:
+    """The instructions of a module: (opcode, operands)."""
+
+    def __init__(self, data):
+        words = struct.unpack(f"<{len(data) // 4}I", data)
+        assert words[0] == 0x07230203, "no SPIR-V"
+        self.instructions, place = [], 5
+        while place < len(words):
+            length = words[place] >> 16
+            self.instructions.append((words[place] & 0xFFFF, words[place + 1:place + length]))
+            place += length
+        self.types = {o[0]: (code, o[1:]) for code, o in self.instructions if TYPE_INT <= code <= TYPE_POINTER}
+        self.type_of = {o[1]: o[0] for code, o in self.instructions if code in YIELDS}
+        self.laid_out = {o[0] for code, o in self.instructions
+                         if (code == DECORATE and o[1] == ARRAY_STRIDE) or (code == MEMBER_DECORATE and o[2] == OFFSET)}
+
+    def pointed(self, pointer):
+        """Storage class and type of what an id points to."""
+        code, operands = self.types[self.type_of[pointer]]
+        assert code == TYPE_POINTER
+        return operands
+
+    def parts(self, type_):
+        code, operands = self.types.get(type_, (0, ()))
+        if code == TYPE_STRUCT:
+            return operands
+        return operands[:1] if code in (TYPE_VECTOR, TYPE_MATRIX, TYPE_ARRAY, TYPE_RUNTIME_ARRAY) else ()
+
+    def has_layout(self, type_):
+        return type_ in self.laid_out or any(map(self.has_layout, self.parts(type_)))
+
+    def largest_scalar(self, type_):
+        """[bytes]"""
+        code, operands = self.types.get(type_, (0, ()))
+        if code in (TYPE_INT, TYPE_FLOAT):
+            return operands[0] // 8
+        return 8 if code == TYPE_POINTER else max(map(self.largest_scalar, self.parts(type_)), default=0)
+
+    def variables_with_layout(self):
+        """Ids of variables outside of buffers whose type has the layout of a buffer (VUID-StandaloneSpirv-None-10684)."""
+        return [o[1] for code, o in self.instructions if code == VARIABLE and
+                o[2] in (PRIVATE, WORKGROUP, FUNCTION) and self.has_layout(self.pointed(o[1])[1])]
+
+    def accesses(self):
+        """Pointer and memory operands of each access to memory."""
+        for code, operands in self.instructions:
+            if code == LOAD:
+                yield operands[2], operands[3:]
+            elif code == STORE:
+                yield operands[0], operands[2:]
+            elif code == COPY_MEMORY:
+                yield operands[0], operands[2:]
+                yield operands[1], operands[2:]
+
+    def misaligned(self):
+        """Pointers into buffers by address whose accesses state less than the size of the largest scalar
+        (VUID-StandaloneSpirv-PhysicalStorageBuffer64-06314)."""
+        found = []
+        for pointer, how in self.accesses():
+            storage, type_ = self.pointed(pointer)
+            stated = how[1] if how and how[0] & ALIGNED else 0
+            if storage == PHYSICAL_STORAGE_BUFFER and stated < self.largest_scalar(type_):
+                found.append(pointer)
+        return found
+
+
+def assembled(*instructions):
+    words = [0x07230203, 0x00010600, 0, 100, 0]
+    for code, *operands in instructions:
+        words += [(len(operands) + 1) << 16 | code, *operands]
+    return Module(struct.pack(f"<{len(words)}I", *words))
+
+
+class Shaders(unittest.TestCase):
+    def test_only_buffers_have_the_layout_of_buffers(self):
+        # glslang gives two arrays of one element type and length one type, decorated for the first that needs it.
+        found = {path.name: ids for path in MODULES if (ids := Module(path.read_bytes()).variables_with_layout())}
+        self.assertEqual(found, {})
+
+    def test_addresses_are_read_at_multiples_of_their_size(self):
+        modules = {path.name: Module(path.read_bytes()) for path in MODULES}
+        self.assertEqual({name: ids for name, module in modules.items() if (ids := module.misaligned())}, {})
+        counts = [sum(module.pointed(pointer)[0] == PHYSICAL_STORAGE_BUFFER for pointer, _ in module.accesses())
+                  for module in modules.values()]
+        self.assertGreater(sum(counts), 1000)
+
+    def test_the_check_sees_a_shared_array_with_a_stride(self):
+        types = (TYPE_INT, 1, 32, 0), (43, 1, 2, 7), (TYPE_ARRAY, 3, 1, 2), (TYPE_POINTER, 4, WORKGROUP, 3)
+        self.assertEqual(assembled(*types, (VARIABLE, 4, 5, WORKGROUP)).variables_with_layout(), [])
+        stride = (DECORATE, 3, ARRAY_STRIDE, 4)
+        self.assertEqual(assembled(stride, *types, (VARIABLE, 4, 5, WORKGROUP)).variables_with_layout(), [5])
+
+    def test_the_check_sees_an_address_read_as_words(self):
+        types = ((TYPE_INT, 1, 32, 0), (TYPE_POINTER, 2, PHYSICAL_STORAGE_BUFFER, 1), (TYPE_STRUCT, 3, 1, 1, 2),
+                 (TYPE_POINTER, 4, PHYSICAL_STORAGE_BUFFER, 3), (55, 4, 5))
+        self.assertEqual(assembled(*types, (LOAD, 3, 6, 5, ALIGNED, 8)).misaligned(), [])
+        for how in ((ALIGNED, 4), ()):
+            self.assertEqual(assembled(*types, (LOAD, 3, 6, 5, *how)).misaligned(), [5])
+            self.assertEqual(assembled(*types, (STORE, 5, 6, *how)).misaligned(), [5])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1] + sys.argv[2:])
