@@ -13,6 +13,7 @@
 
 #ifndef WIND_SOURCE
 #define WIND_SOURCE(wind, i) FRAME.environment.wind.sources[i]
+#define WIND_PHASE(wind, i) FRAME.environment.wind.phases[i]
 #define WIND_LATTICE(wind) FRAME.environment.wind.lattice
 #endif
 
@@ -167,7 +168,7 @@ vec3 colorOf(uint number)
 /// The wind's speed at a place as a colour: dark blue for calm, over green to white.
 vec3 colorOfWind(vec3 position, vec3 up)
 {
-    const vec3 wind = windAt(FRAME.environment.wind, position, up, FRAME.time);
+    const vec3 wind = windAt(FRAME.environment.wind, position, up, 0.0);
     const float speed = clamp(length(wind) / max(FRAME.environment.wind.sum, 1e-6), 0.0, 1.0);
     return mix(mix(vec3(0.01, 0.03, 0.20), vec3(0.02, 0.45, 0.15), smoothstep(0.0, 0.45, speed)),
                vec3(1.0, 0.95, 0.8), smoothstep(0.35, 1.0, speed));

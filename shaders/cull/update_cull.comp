@@ -14,6 +14,7 @@ layout(push_constant, scalar) uniform Block { UpdatePush push; };
 #include "shaders/frame_constants.glsl"
 #define CULL_VIEW FRAME
 #define WIND_SOURCE(wind, i) CULL_VIEW.environment.wind.sources[i]
+#define WIND_PHASE(wind, i) CULL_VIEW.environment.wind.phases[i]
 #define WIND_LATTICE(wind) CULL_VIEW.environment.wind.lattice
 
 // Features that frames may use, see featuresOf(). Known at pipeline creation, so that unused features cost nothing.
@@ -219,7 +220,7 @@ void takePatch(Eyepoint view, uint place, uint slot)
     const Patch cell = CULL_VIEW.patches.at[live.patchIndex];
     const bool isAll = push.onlyUpdate != 0u;
     const uint count = !isAll ? live.count : isPresent(uvec2(CULL_VIEW.pages), cell) ? cell.bladeCount : 0u;
-    float elapsed = max(CULL_VIEW.time - CULL_VIEW.patchTimes.at[live.patchIndex], 0.0f);
+    float elapsed = secondsBetween(CULL_VIEW.patchTimes.at[live.patchIndex], CULL_VIEW.tick);
     bool moves = role != onlyCull &&
                  (isAll ? count > 0u
                         : movesNow(CULL_VIEW.updateRate, live.patchIndex,
@@ -235,7 +236,7 @@ void takePatch(Eyepoint view, uint place, uint slot)
     }
     const uint movedBefore = CULL_VIEW.patchCounts.at[live.patchIndex];
     if (moves) {
-        CULL_VIEW.patchTimes.at[live.patchIndex] = CULL_VIEW.time;
+        CULL_VIEW.patchTimes.at[live.patchIndex] = CULL_VIEW.tick;
         atomicAdd(simulatedSum, moved);
     }
     if (role != onlyCull && (moves || moved > movedBefore))
@@ -273,7 +274,7 @@ void updateBlade(Eyepoint view, Environment environment, uint slot, uint i, Stor
     if (since > 0.0f) {
         state.turn = state.turn == unsettledTurn ? 0u : state.turn;
         const uint before = state.turn;
-        state = advanceBlade(blade, environment, collidersNear(slot), state, CULL_VIEW.time, since);
+        state = advanceBlade(blade, environment, collidersNear(slot), state, 0.0, since);
         // A blade that was thinned out before, or is new, has no earlier state and gets no motion.
         if (keepsBefore) {
             UintArray kept = push.before;

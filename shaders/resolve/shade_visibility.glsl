@@ -8,7 +8,7 @@ layout(local_size_x = rasterTile, local_size_y = rasterTile) in;
 Ribbon ribbonBefore(Motion motion, SeenBlade seen)
 {
     Ribbon ribbon = seen.ribbon;
-    if (motion.moves == 0u || FRAME.patchTimes.at[seen.patchIndex] != FRAME.time)
+    if (motion.moves == 0u || FRAME.patchTimes.at[seen.patchIndex] != FRAME.tick)
         return ribbon;
     const Patch cell = FRAME.patches.at[seen.patchIndex];
     const uint place = placeOf(uvec2(FRAME.pages), seen.blade);

@@ -35,16 +35,16 @@ SHARED_CONST uint editThreads = 64u;
 struct EditPush {
     UintArray states;      ///< Frame::states
     FloatArray etas;       ///< Frame::etas, or address 0
-    FloatArray patchTimes; ///< Frame::patchTimes
+    UintArray patchTimes;  ///< Frame::patchTimes
     UintArray patchCounts; ///< Frame::patchCounts
     BladeSourceArray blades;
     PatchSourceArray patches;
-    FloatArray times; ///< of each of `patches`, between both dispatches …
+    UintArray times;  ///< of each of `patches`, between both dispatches …
     UintArray counts; ///< … and its count
     uint bladeCount;
     uint patchCount;
-    float settledAt; ///< [s] time at which a new patch counts as settled in its wind
-    uint isSecond;   ///< 0: moves states of blades, reads times of patches; 1: writes these
+    uint settledAt; ///< tick of the last update of a new patch, which counts as settled in its wind
+    uint isSecond;  ///< 0: moves states of blades, reads times of patches; 1: writes these
 };
 SHARED_LAYOUT(EditPush, 80)
 

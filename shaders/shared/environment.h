@@ -42,6 +42,21 @@ struct WindSource {
 };
 SHARED_LAYOUT(WindSource, 72)
 
+/// How far a source's pattern has moved at the time of a frame. The CPU computes it in double
+/// precision, so that single precision holds no time but that since the frame. windPhaseAtZero() is
+/// that of time 0. A kind may leave fields unused.
+struct WindPhase {
+    vec3 shift;     ///< [cells] of the noise, along the world's axes, less whole cells; gusts: x is
+                    ///< the number of fronts, less whole fronts
+    uint cell;      ///< latticePoint() of the whole cells (noise), of the whole fronts (gusts)
+    vec3 fineShift; ///< likewise of the finer noise
+    uint fineCell;
+    float angle;  ///< [rad] by which the pattern has moved on, less whole periods (wave, radial,
+                  ///< swirl); of the sine (turning)
+    float turned; ///< [rad] of the direction, less whole turns (turning)
+};
+SHARED_LAYOUT(WindPhase, 40)
+
 /// Places of a field in the pattern of the world's wind, so that fields share one pattern.
 struct WindLattice {
     vec3 origin; ///< [m] the field's origin there, along the field's axes
@@ -58,10 +73,12 @@ struct Wind {
     float eddySize;  ///< [m] > 0: size of the eddies where wind meets the ground head-on
     float eddySpeed; ///< [m/s] speed of the eddies
     float sum;       ///< [1/s] of all strengths
+    vec3 eddyPhase;  ///< [periods] by which the eddies have moved on, less whole periods
     WindLattice lattice;
     WindSource sources[maxWindSources]; ///< sorted by kind
+    WindPhase phases[maxWindSources];   ///< of the same sources
 };
-SHARED_LAYOUT(Wind, 640)
+SHARED_LAYOUT(Wind, 972)
 
 /// The pull of gravity: a direction, an attractor, or a blend of both.
 struct Gravity {
@@ -81,11 +98,10 @@ struct Environment {
     Gravity gravity;
     float recovery;     ///< [1/s] rate at which a stiff blade rises again
     uint colliderCount; ///< 0: no blade tests colliders
-    uint reserved;
     Wind wind;
     ColliderTable colliders;
 };
-SHARED_LAYOUT(Environment, 696)
+SHARED_LAYOUT(Environment, 1024)
 
 SHARED_END
 #endif

@@ -96,7 +96,7 @@ struct Frame {
     OrganTable organs; ///< of all species; address 0: there are no compound plants
     VisibleArray visible;
     DrawArray draw;
-    FloatArray patchTimes;    ///< per patch: the time of its blades' last update [s] …
+    UintArray patchTimes;     ///< per patch: the tick of its blades' last update …
     UintArray patchCounts;    ///< … and the number of blades, from its first, that were moved
     UintArray cullResults;    ///< cull result per blade in memory, or address 0 if off
     UintArray pages;          ///< place of each page of blades in memory (pages.h); address 0: all
@@ -133,10 +133,10 @@ struct Frame {
         fogFalloff; ///< [1/m] the air thins upwards as exp(−falloff · height); 0: constant density
     float lowSun;   ///< [0, 1]: 1 for a sun on the horizon or below
 
-    float time;        ///< [s]
-    uint reserved[27]; ///< padding: consecutive frames meet any offset alignment of constants
+    uint tick;        ///< time of the frame, see ticksPerSecond
+    uint reserved[9]; ///< padding: consecutive frames meet any offset alignment of constants
 };
-SHARED_LAYOUT(Frame, 1536)
+SHARED_LAYOUT(Frame, 1792)
 
 SHARED_BUFFER(FrameArray, Frame, readonly)
 

@@ -47,12 +47,13 @@ SHARED_FN float latticeValue(int x, int y, int z)
 }
 
 /// Smooth noise in [0, 1], mean 0.5: cubic interpolation of the eight corners of a lattice cell.
-SHARED_FN float valueNoise(vec3 p)
+/// `origin` is the lattice point at p = 0: a place of any distance is p from a lattice point.
+SHARED_FN float valueNoiseFrom(uint origin, vec3 p)
 {
     const vec3 cell = floor(p);
     const vec3 f = p - cell;
     const vec3 s = f * f * (vec3(3.0f) - 2.0f * f);
-    const uint near = latticePoint(int(cell.x), int(cell.y), int(cell.z));
+    const uint near = origin + latticePoint(int(cell.x), int(cell.y), int(cell.z));
     const uint far = near + latticeZ;
     const float nearHeight = mix(
         mix(latticeHeight(near), latticeHeight(near + latticeX), s.x),
@@ -61,6 +62,11 @@ SHARED_FN float valueNoise(vec3 p)
         mix(mix(latticeHeight(far), latticeHeight(far + latticeX), s.x),
             mix(latticeHeight(far + latticeY), latticeHeight(far + latticeX + latticeY), s.x), s.y);
     return latticeUnit * mix(nearHeight, farHeight, s.z);
+}
+
+SHARED_FN float valueNoise(vec3 p)
+{
+    return valueNoiseFrom(0u, p);
 }
 
 /// valueNoise(), and its derivative per unit of `p`: (derivative, value).

@@ -39,13 +39,13 @@ struct PagePush {
     FloatArray etas;         ///< Frame::etas
     PatchArray patches;
     CountedSubtreeArray subtrees; ///< counting only blades in memory
-    FloatArray patchTimes;
+    UintArray patchTimes;
     UintArray patchCounts;
     UintArray nonEmptyPatches;      ///< as in RasterPush
     UintArray firstNonEmptyPatches; ///< likewise
     uint nonEmptyPatchCount;
     uint bladeCount; ///< of the field
-    float settledAt; ///< [s] time at which a new blade counts as settled in its wind
+    uint settledAt; ///< tick of the last update of a new blade, which counts as settled in its wind
     uint isOfStates; ///< 0: changes the table and the counts; else the states of one placed field
 };
 SHARED_LAYOUT(PagePush, 96)

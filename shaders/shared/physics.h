@@ -177,7 +177,8 @@ SHARED_CONST uint maxSteps = 16u;
 /// Otherwise blades between two overlapping colliders would tremble forever.
 SHARED_CONST float stickingSpeed = 0.06f;
 
-/// Moves a blade by the time `elapsed` [s] up to `time`, for any duration. `near` are the colliders
+/// Moves a blade by the time `elapsed` [s] up to `time` [s], counted from the time of the wind's
+/// phases, for any duration. `near` are the colliders
 /// that may touch it. Returns its new state.
 SHARED_FN BladeState advanceBlade(Blade blade, Environment environment, ColliderMask near,
                                   BladeState state, float time, float elapsed)

@@ -14,6 +14,17 @@ struct UpdateRate {
 };
 SHARED_LAYOUT(UpdateRate, 16)
 
+/// Times of updates are counted in ticks, modulo 2³²: 4.55 hours. An integer has no coarser steps
+/// late than early. A patch that is seen again after exactly that time moves on as if it had just
+/// been seen.
+SHARED_CONST float ticksPerSecond = 262144.0f;
+
+/// [s] from tick `then` to tick `now`.
+SHARED_FN float secondsBetween(uint then, uint now)
+{
+    return float(now - then) / ticksPerSecond;
+}
+
 /// A blade that was thinned out at its patch's last update reappears as if it had been in its
 /// current wind for this time [s].
 SHARED_CONST float settlingTime = 12.0f;

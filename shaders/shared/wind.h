@@ -10,10 +10,11 @@
 
 SHARED_BEGIN
 
-/// Source `i` of a wind, and its lattice. A stage with constant sources defines both before it
-/// includes this file: then they take no registers.
+/// Source `i` of a wind, its phase, and the wind's lattice. A stage with constant sources defines
+/// them before it includes this file: then they take no registers.
 #ifndef WIND_SOURCE
 #define WIND_SOURCE(wind, i) wind.sources[i]
+#define WIND_PHASE(wind, i) wind.phases[i]
 #define WIND_LATTICE(wind) wind.lattice
 #endif
 
@@ -44,36 +45,68 @@ SHARED_FN bool blowsLike(WindSource a, WindSource b)
            a.lift == b.lift;
 }
 
+// Every `time` below [s] is counted from the time of the wind's phases. A blade's motion asks for
+// times up to its last update, so it is short.
+
+/// Where the finer of two lattices of noise begins, so that their cells do not coincide [cells].
+SHARED_CONST float fineNoiseStart = 17.3f;
+
+/// Cells of the finer noise in one of the coarser.
+SHARED_CONST float fineNoiseScale = 2.7f;
+
+/// Rows of the lattice from one gust front to the next.
+SHARED_CONST uint gustRows = 7u;
+
+/// The phase of any source at time 0.
+SHARED_FN WindPhase windPhaseAtZero()
+{
+    WindPhase phase;
+    phase.shift = vec3(0.0f);
+    phase.cell = 0u;
+    phase.fineShift = vec3(fineNoiseStart);
+    phase.fineCell = 0u;
+    phase.angle = 0.0f;
+    phase.turned = 0.0f;
+    return phase;
+}
+
 /// Height of the travelling wave at a place, in [0, 1]: three sines of different direction and
 /// length, as in the directional wave of Jahrmann & Wimmer's demo, along the wind instead of the x
 /// axis.
-SHARED_FN float windWaveAt(WindSource source, vec3 position, float time)
+SHARED_FN float windWaveAt(WindSource source, WindPhase phase, vec3 position, float time)
 {
     const float k = 6.2831853f * source.perSize;
-    const float along = k * (dot(position, source.direction) - source.speed * time);
+    const float along = k * (dot(position, source.direction) - source.speed * time) - phase.angle;
     const float across = k * dot(position, source.side);
     const float sum = cos(0.9f * along + 0.4f * across) + sin(0.55f * along - 0.25f * across) +
                       sin(0.3f * along + 0.6f * across);
     return 1.0f - max(sum / 3.0f, 0.0f);
 }
 
-/// A vector along the world's axes: noise is the same for fields that are turned differently.
-SHARED_FN vec3 inLattice(Wind wind, vec3 v)
+/// A vector along the world's axes, plus `shift`: noise is the same for fields that are turned
+/// differently. One chain of multiply-adds for each axis.
+SHARED_FN vec3 inLattice(Wind wind, vec3 v, vec3 shift)
 {
-    return vec3(dot(WIND_LATTICE(wind).x, v), dot(WIND_LATTICE(wind).y, v),
-                dot(WIND_LATTICE(wind).z, v));
+    const vec3 x = WIND_LATTICE(wind).x;
+    const vec3 y = WIND_LATTICE(wind).y;
+    const vec3 z = WIND_LATTICE(wind).z;
+    return vec3(((shift.x + x.x * v.x) + x.y * v.y) + x.z * v.z,
+                ((shift.y + y.x * v.x) + y.y * v.y) + y.z * v.z,
+                ((shift.z + z.x * v.x) + z.y * v.y) + z.z * v.z);
 }
 
 /// Amount in [0, 2] of the noise that moves with the wind. Level ground cuts a plane out of the
 /// lattice: there it is noise in two dimensions, with a grain of `size` along the wind and twice
 /// that across. The position is stretched by half across.
-SHARED_FN float windNoiseAt(Wind wind, WindSource source, vec3 position, float time)
+SHARED_FN float windNoiseAt(Wind wind, WindSource source, WindPhase phase, vec3 position,
+                            float time)
 {
     const float along = dot(position, source.direction) - 2.0f * source.speed * time;
-    const vec3 stretched =
-        inLattice(wind, (0.5f * source.perSize) * (position + source.direction * along));
+    const vec3 stretched = inLattice(
+        wind, (0.5f * source.perSize) * (position + source.direction * along), phase.shift);
     const float gust =
-        0.65f * valueNoise(stretched) + 0.35f * valueNoise(2.7f * stretched + vec3(17.3f));
+        0.65f * valueNoiseFrom(phase.cell, stretched) +
+        0.35f * valueNoiseFrom(phase.fineCell, fineNoiseScale * stretched + phase.fineShift);
     return 2.0f * gust * gust;
 }
 
@@ -82,20 +115,22 @@ SHARED_CONST float gustRise = 0.12f;
 
 /// Amount in [0, 1] of the gust fronts: successive fronts, each bent by noise, with varying
 /// strength along its length, 0 between two fronts.
-SHARED_FN float windGustAt(Wind wind, WindSource source, vec3 position, float time)
+SHARED_FN float windGustAt(Wind wind, WindSource source, WindPhase phase, vec3 position, float time)
 {
     const float along = dot(position, source.direction);
-    const vec3 across = inLattice(wind, source.perSize * (position - source.direction * along));
-    const float bend = 0.8f * (valueNoise(0.7f * across + vec3(5.1f)) - 0.5f);
-    // Behind a front the phase grows: the wind rises first, and then decays.
-    const float phase = (source.speed * time - along) * source.perSize + bend;
-    const float front = floor(phase);
-    const float s = phase - front;
+    const vec3 across =
+        inLattice(wind, source.perSize * (position - source.direction * along), vec3(0.0f));
+    const float bend = 0.8f * (valueNoise(0.7f * across + vec3(5.1f)) - 0.5f) + phase.shift.x;
+    // Behind a front the number of fronts grows: the wind rises first, and then decays.
+    const float fronts = (source.speed * time - along) * source.perSize + bend;
+    const float front = floor(fronts);
+    const float s = fronts - front;
     const float rise = clamp(s / gustRise, 0.0f, 1.0f);
     const float fall = clamp((1.0f - s) / (1.0f - gustRise), 0.0f, 1.0f);
     const float profile = rise * rise * (3.0f - 2.0f * rise) * fall * fall;
     // Each front has its own row in the lattice.
-    const float own = valueNoise(across + vec3(0.0f, 0.0f, 7.0f * front));
+    const float own =
+        valueNoiseFrom(phase.cell, across + vec3(0.0f, 0.0f, float(gustRows) * front));
     return profile * clamp(2.0f * own - 0.2f, 0.0f, 1.0f);
 }
 
@@ -107,28 +142,34 @@ SHARED_FN vec3 parabolicSine(vec3 x)
 }
 
 /// Eddies, of length around 1 in any plane: a divergence-free, drifting flow of the
-/// Arnold–Beltrami–Childress kind.
-SHARED_FN vec3 windEddies(float size, float speed, vec3 position, float time)
+/// Arnold–Beltrami–Childress kind. `phase`: Wind::eddyPhase.
+SHARED_CONST vec3 eddyDrift = vec3(0.48f, 0.57f, 0.67f);
+
+SHARED_FN vec3 windEddies(float size, float speed, vec3 phase, vec3 position, float time)
 {
-    const vec3 q = (position + vec3(0.48f, 0.57f, 0.67f) * (speed * time)) / size;
+    const vec3 q = (position + eddyDrift * (speed * time)) / size + phase;
     const vec3 s = parabolicSine(q);
     const vec3 c = parabolicSine(q + vec3(0.25f));
     return 0.7f * (vec3(s.z, s.x, s.y) + vec3(c.y, c.z, c.x));
 }
 
+/// Sizes of radial and swirling sources in the paper's units of length.
+SHARED_CONST float radialExtent = 75.0f;
+SHARED_CONST float swirlExtent = 30.0f;
+
 /// Radial and swirling sources at `arm` [m] from their centre, over ground with unit `up`, per
-/// strength. Uses the demo's numbers, with its 75 and 30 length units as `size`. Near the centre
+/// strength. Uses the demo's numbers, with these extents as `size`. Near the centre
 /// the direction fades out, so that it is defined everywhere.
-SHARED_FN vec3 windAround(WindSource source, vec3 arm, vec3 up, float time, bool isSwirl)
+SHARED_FN vec3 windAround(WindSource source, WindPhase phase, vec3 arm, vec3 up, float time,
+                          bool isSwirl)
 {
     const float distance = length(arm);
     // Calm within a hundredth of the size around the centre.
     const vec3 away = arm / (distance + 0.01f * source.size);
-    const float extent = isSwirl ? 30.0f : 75.0f;
-    const float unit = extent / source.size;
+    const float unit = (isSwirl ? swirlExtent : radialExtent) / source.size;
     const float r = unit * distance;
     const float fade = max(1.0f - 0.25f * log2((isSwirl ? 0.5f : 0.2f) * r + 1.0f), 0.0f);
-    const float along = r - unit * source.speed * time;
+    const float along = r - unit * source.speed * time - phase.angle;
     if (!isSwirl)
         return away * (fade * (1.0f - max(sin(0.4f * along), 0.0f)));
     const float ring = sin(0.1f * along);
@@ -144,7 +185,7 @@ SHARED_FN vec3 windAlong(Wind wind, WindSource source, vec3 direction, float amo
     const float head = (1.0f - source.lift) * abs(dot(source.direction, up));
     vec3 flow = direction;
     if (head > 0.0f) // 0 on level ground
-        flow += head * windEddies(wind.eddySize, wind.eddySpeed, position, time);
+        flow += head * windEddies(wind.eddySize, wind.eddySpeed, wind.eddyPhase, position, time);
     return amount * flow;
 }
 
@@ -166,17 +207,20 @@ SHARED_FN float windAmount(Wind wind, vec3 position, float time)
     float sum = 0.0f;
     uint next = 0u;
     for (uint i = windCount(wind.counts, windNoise); i > 0u; --i) {
+        const WindPhase phase = WIND_PHASE(wind, next);
         const WindSource source = WIND_SOURCE(wind, next++);
-        sum += source.strength * windNoiseAt(wind, source, position, time);
+        sum += source.strength * windNoiseAt(wind, source, phase, position, time);
     }
     for (uint i = windCount(wind.counts, windWave); i > 0u; --i) {
+        const WindPhase phase = WIND_PHASE(wind, next);
         const WindSource source = WIND_SOURCE(wind, next++);
-        const float wave = windWaveAt(source, position, time);
+        const float wave = windWaveAt(source, phase, position, time);
         sum += source.strength * wave * wave;
     }
     for (uint i = windCount(wind.counts, windGusts); i > 0u; --i) {
+        const WindPhase phase = WIND_PHASE(wind, next);
         const WindSource source = WIND_SOURCE(wind, next++);
-        sum += source.strength * windGustAt(wind, source, position, time);
+        sum += source.strength * windGustAt(wind, source, phase, position, time);
     }
     return sum;
 }
@@ -204,47 +248,54 @@ SHARED_FN vec3 windAlongAxes(Wind wind, vec3 root, BladeAxes axes, vec3 directio
     vec3 sum = vec3(0.0f);
     uint next = 0u;
     for (uint i = windCount(wind.counts, windNoise); i > 0u; --i) {
+        const WindPhase phase = WIND_PHASE(wind, next);
         const WindSource source = WIND_SOURCE(wind, next++);
-        const float amount = source.strength * windNoiseAt(wind, source, position, time);
+        const float amount = source.strength * windNoiseAt(wind, source, phase, position, time);
         sum += windFelt(source,
                         windAlong(wind, source, source.direction, amount, position, axes.up, time),
                         axes, direction);
     }
     for (uint i = windCount(wind.counts, windTurning); i > 0u; --i) {
+        const WindPhase phase = WIND_PHASE(wind, next);
         const WindSource source = WIND_SOURCE(wind, next++);
-        const float angle = source.turn * time;
+        const float angle = source.turn * time + phase.turned;
         const vec3 turned =
             source.direction * cos(angle) + cross(axes.up, source.direction) * sin(angle);
         const float amount =
-            source.strength * sin(source.rate * time -
+            source.strength * sin(source.rate * time + phase.angle -
                                   (6.2831853f * source.perSize) * dot(position, source.direction));
         sum += windFelt(source, windAlong(wind, source, turned, amount, position, axes.up, time),
                         axes, direction);
     }
     for (uint i = windCount(wind.counts, windWave); i > 0u; --i) {
+        const WindPhase phase = WIND_PHASE(wind, next);
         const WindSource source = WIND_SOURCE(wind, next++);
-        const float wave = windWaveAt(source, position, time);
+        const float wave = windWaveAt(source, phase, position, time);
         const float amount = source.strength * wave * wave;
         sum += windFelt(source,
                         windAlong(wind, source, source.direction, amount, position, axes.up, time),
                         axes, direction);
     }
     for (uint i = windCount(wind.counts, windRadial); i > 0u; --i) {
+        const WindPhase phase = WIND_PHASE(wind, next);
         const WindSource source = WIND_SOURCE(wind, next++);
         sum += windFelt(source,
                         source.strength *
-                            windAround(source, root - source.centre, axes.up, time, false),
+                            windAround(source, phase, root - source.centre, axes.up, time, false),
                         axes, direction);
     }
     for (uint i = windCount(wind.counts, windSwirl); i > 0u; --i) {
+        const WindPhase phase = WIND_PHASE(wind, next);
         const WindSource source = WIND_SOURCE(wind, next++);
-        sum += windFelt(
-            source, source.strength * windAround(source, root - source.centre, axes.up, time, true),
-            axes, direction);
+        sum += windFelt(source,
+                        source.strength *
+                            windAround(source, phase, root - source.centre, axes.up, time, true),
+                        axes, direction);
     }
     for (uint i = windCount(wind.counts, windGusts); i > 0u; --i) {
+        const WindPhase phase = WIND_PHASE(wind, next);
         const WindSource source = WIND_SOURCE(wind, next++);
-        const float amount = source.strength * windGustAt(wind, source, position, time);
+        const float amount = source.strength * windGustAt(wind, source, phase, position, time);
         sum += windFelt(source,
                         windAlong(wind, source, source.direction, amount, position, axes.up, time),
                         axes, direction);

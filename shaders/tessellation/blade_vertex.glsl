@@ -75,7 +75,7 @@ void main()
     outV2Before = outV2;
     outV0Before = outV0;
     outAxisBefore = outAxis;
-    if (push.motion.at[0].moves != 0u && FRAME.patchTimes.at[visible.patchIndex] == FRAME.time) {
+    if (push.motion.at[0].moves != 0u && FRAME.patchTimes.at[visible.patchIndex] == FRAME.tick) {
         const BladeState before = BladeState(
             push.motion.at[0].statesBefore.at[placeOf(uvec2(FRAME.pages), visible.blade)], 0.0);
         const Ribbon earlier = drawnBlade(visible, visibleBlade(visible), before).ribbon;

@@ -26,7 +26,7 @@ typedef struct sward_placement {
 } sward_placement;
 
 typedef struct sward_frame {
-    double time; /* [s] never falling */
+    double time; /* [s] at most 2^33 in magnitude; where it falls, blades settle anew */
     const sward_view* views;
     uint32_t view_count, collider_count; /* at most max_views, 256 */
     const sward_settings* settings;

@@ -11,6 +11,7 @@
 #include "render/cull/pass_scope.h"
 #include "render/exposure.h"
 #include "render/field_target.h"
+#include "render/frame_time.h"
 #include "render/preview/field_renderer_parts.h"
 #include "render/tessellation/geometry_choice.h"
 #include "shaders/shared/passes.h"
@@ -189,7 +190,7 @@ void FieldRenderer::Parts::recordStreaming(VkCommandBuffer commands, std::uint32
 {
     gpu::memoryBarrier(commands, gpu::fillAccess, gpu::fillAccess);
     const BladeStates* const states = &blades.buffers().ownStates();
-    streaming->record({context, commands}, slot, static_cast<float>(time), {&states, 1});
+    streaming->record({context, commands}, slot, settledTick(time), {&states, 1});
     gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
 }
 
@@ -205,7 +206,7 @@ shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameS
         pyramid.describe(frame);
     const std::vector<shared::Collider> colliders =
         collidersAt(wanted.colliders, shape.origin, time, blades.hasMoved() ? lastTime : time);
-    slots[slot].tables.write(shape, wanted, colliders, frame);
+    slots[slot].tables.write(shape, wanted, colliders, time, frame);
     lastTime = time;
     frame.updateRate.frame = frameNumber++;
     sunShadow.describe(frame, colliders);
@@ -258,7 +259,7 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
                            gpu::Timestamps* timestamps, glm::vec2 jitter)
 {
     Parts& parts = *parts_;
-    parts.requireFrame(commands, settings, slot);
+    parts.requireFrame(commands, settings, time, slot);
     requireUsage(target.image != VK_NULL_HANDLE && target.view != VK_NULL_HANDLE,
                  "FieldRenderer::Target: its image or its view is null");
     const gpu::LabelScope label(parts.context, commands, "field");
@@ -334,7 +335,7 @@ void FieldRenderer::recordUpdateOnly(VkCommandBuffer commands, const FrameSettin
                                      double time, std::uint32_t slot)
 {
     Parts& parts = *parts_;
-    parts.requireFrame(commands, settings, slot);
+    parts.requireFrame(commands, settings, time, slot);
     const gpu::LabelScope label(parts.context, commands, "field/update only");
     parts.writeFrame(frameOf(parts.shape, ViewMatrices{}, settings, time, parts.settings.samples),
                      settings, time, slot);
@@ -346,7 +347,7 @@ bool FieldRenderer::recordStreaming(VkCommandBuffer commands, glm::uvec2 size, c
                                     const FrameSettings& settings, double time, std::uint32_t slot)
 {
     Parts& parts = *parts_;
-    parts.requireFrame(commands, settings, slot);
+    parts.requireFrame(commands, settings, time, slot);
     if (!parts.streaming)
         return true;
     const gpu::LabelScope label(parts.context, commands, "field/streaming");

@@ -64,7 +64,7 @@ public:
         glm::ivec2 first{0}; ///< [pixels]
     };
 
-    /// Records one frame: moves the blades of visible patches to `time` [s] (monotone, any step),
+    /// Records one frame: moves the blades of visible patches to `time` [s] (as GrassFrame::time),
     /// culls, draws ground, sky and blades. The former commands of `slot` < framesInFlight must
     /// have completed. `jitter` is in pixels. `timestamps` may be null; otherwise the caller has
     /// begun its frame, and the scopes update (includes culling), ground, sky, pyramid, blades and

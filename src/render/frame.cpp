@@ -1,5 +1,7 @@
 #include "render/frame.h"
 
+#include "render/frame_time.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -159,7 +161,7 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     look(frame, view);
 
     // Environment.
-    frame.time = static_cast<float>(time);
+    frame.tick = tickOf(time);
     frame.environment.gravity = gravityOf(settings, field.origin);
     frame.environment.recovery = settings.environment.recovery;
 

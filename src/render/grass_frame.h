@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/frame_settings.h"
+#include "render/frame_time.h"
 #include "render/host_light.h"
 #include "render/host_view.h"
 
@@ -20,7 +21,10 @@ struct HostCollider {
 
 /// Description of one frame by the host.
 struct GrassFrame {
-    double time = 0.0;                 ///< [s], never decreasing; steps of any length
+    /// [s] at most longestTime, 2³³, in magnitude: a clock of any origin. Steps of any length.
+    /// Blades move on from frame to frame; if time falls, or steps by more than longestTimeStep
+    /// (2.3 hours), they settle in the wind of the new time, as in the first frame.
+    double time = 0.0;
     std::span<const HostView> views{}; ///< blades are moved for these and drawn in these
 
     /// Wind, gravity, sun, sky and level of detail, all in world space. Its colliders are ignored,

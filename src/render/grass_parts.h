@@ -6,6 +6,7 @@
 #include "render/cull/update_cull_pass.h"
 #include "render/cull/walk_pass.h"
 #include "render/field/placed_field.h"
+#include "render/frame_time.h"
 #include "render/grass.h"
 #include "render/host_shadow_maps.h"
 #include "render/host_streaming.h"
@@ -79,8 +80,7 @@ struct Grass::Parts {
     const ViewDrawing& drawing(std::uint32_t view) const;
     PlacedField& instance(InstanceId id) const;
 
-    /// [s] of the last update of a blade that is settled in the wind of the frame.
-    float settledAt() const { return static_cast<float>(time - double(shared::settlingTime)); }
+    std::uint32_t settledAt() const { return settledTick(time); } ///< in the wind of the frame
 
     ViewDepth& depthOf(std::uint32_t view) { return depths[slot * settings.maxViews + view]; }
     shared::DepthPyramid lookAtDepth(const HostView& view, ViewDepth& depth);

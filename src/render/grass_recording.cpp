@@ -65,13 +65,11 @@ void Grass::recordUpdate(VkCommandBuffer buffer)
         commands.vk->CmdFillBuffer(commands, field->moved().get(), 0, VK_WHOLE_SIZE, 0);
         for (std::uint32_t view = 0; view < parts.viewCount; ++view)
             field->list(view).clear(commands);
-        // Treats every blade as settled: none is still moving from the straight pose of the bake.
-        if (field->beginsToMove())
-            field->states().rest(commands, parts.settledAt());
+        field->recordStart(commands, parts.time);
     }
     parts.recordEdits(commands);
     gpu::transferToCompute(commands);
-    parts.streaming.record(commands, parts.slot, static_cast<float>(parts.time), parts.instances);
+    parts.streaming.record(commands, parts.slot, parts.settledAt(), parts.instances);
     parts.shadowMaps.record(commands);
 
     // Each view moves only blades that no earlier view has moved.

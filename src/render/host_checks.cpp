@@ -1,6 +1,7 @@
 #include "render/host_checks.h"
 
 #include "core/error.h"
+#include "render/frame_time.h"
 #include "shaders/shared/collision.h"
 #include "shaders/shared/wind.h"
 
@@ -110,7 +111,7 @@ void requireCounts(const FrameCounts& counts, const Grass::Settings& settings)
 void requireValid(const GrassFrame& frame, const Grass::Settings& settings)
 {
     requireCounts({frame.views.size(), frame.colliders.size(), frame.light.lamps.size()}, settings);
-    requireUsage(std::isfinite(frame.time), "the time of a frame is not finite");
+    requireValidTime(frame.time);
     for (std::size_t i = 0; i < frame.views.size(); ++i)
         requireValidView(frame.views[i], i);
     for (std::size_t i = 0; i < frame.colliders.size(); ++i)

@@ -15,8 +15,8 @@ void HostStreaming::findFields(std::span<const PlacedField* const> instances)
             fields_.push_back(instance->streaming());
 }
 
-void HostStreaming::record(const gpu::Recording& commands, std::uint32_t slot, float time,
-                           std::span<const PlacedField* const> instances)
+void HostStreaming::record(const gpu::Recording& commands, std::uint32_t slot,
+                           std::uint32_t settledAt, std::span<const PlacedField* const> instances)
 {
     findFields(instances);
     bool hasRecorded = false;
@@ -41,7 +41,7 @@ void HostStreaming::record(const gpu::Recording& commands, std::uint32_t slot, f
             instance->thin(slot, std::span(seen_).subspan(first, views));
             first += views;
         }
-        field->record(commands, slot, time, states_);
+        field->record(commands, slot, settledAt, states_);
         hasRecorded = true;
     }
     if (hasRecorded)

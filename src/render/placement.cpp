@@ -1,5 +1,7 @@
 #include "render/placement.h"
 
+#include "render/wind_phase.h"
+
 namespace sward::render {
 
 glm::dmat4 Placement::toWorld(glm::dvec3 origin) const
@@ -31,6 +33,7 @@ FrameSettings inField(const Placement& placement, FrameSettings world)
     environment.drawDistance *= shrink;
     world.windFrame = {placement.position, placement.rotation, placement.scale};
     for (WindSource& wind : world.winds) {
+        wind.pace = wind.pace.value_or(paceOf(wind.source));
         wind.source.direction = placement.directionInField(wind.source.direction);
         wind.source.size *= shrink;
         wind.source.speed *= shrink;

@@ -31,7 +31,7 @@ void ResidentEdits::begin()
 }
 
 void ResidentEdits::record(const gpu::Recording& commands,
-                           std::span<const BladeStates* const> states, float settledAt,
+                           std::span<const BladeStates* const> states, std::uint32_t settledAt,
                            std::uint32_t slot)
 {
     replaced_.record(commands, slot);

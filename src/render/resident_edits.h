@@ -45,7 +45,7 @@ public:
 
     /// Records these edits, and moves the states of the field's instances. See FieldEdits.
     void record(const gpu::Recording& commands, std::span<const BladeStates* const> states,
-                float settledAt, std::uint32_t slot);
+                std::uint32_t settledAt, std::uint32_t slot);
 
     VkDeviceSize bytes() const { return edits_.bytes(); } ///< of mapped memory
 

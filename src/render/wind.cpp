@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace sward::render {
 namespace {
@@ -20,8 +21,7 @@ shared::WindSource relativeTo(glm::dvec3 origin, const WindSource& wind, const g
     shared::WindSource result = wind.source;
     const float length = glm::length(result.direction);
     result.direction = length > 0.0f ? result.direction / length : glm::vec3(1.0f, 0.0f, 0.0f);
-    // A zero size of a wave or gust would divide by zero.
-    result.size = std::max(result.size, 1e-3f);
+    result.size = std::max(result.size, smallestWindSize);
     result.centre = glm::vec3(wind.centre - origin);
     shared::WindSource prepared = shared::preparedSource(result);
     // Across the wind as the world sees it, so that waves of tilted fields meet those of others.
@@ -116,15 +116,21 @@ void scaleWind(std::vector<WindSource>& sources, float strength)
         wind.source.strength *= strength / before;
 }
 
+std::vector<WindSource> withStrength(std::span<const WindSource> sources)
+{
+    std::vector<WindSource> result;
+    std::ranges::copy_if(sources, std::back_inserter(result),
+                         [](const WindSource& wind) { return wind.source.strength > 0.0f; });
+    std::ranges::stable_sort(result, {}, [](const WindSource& wind) { return wind.source.kind; });
+    return result;
+}
+
 std::vector<shared::WindSource> blowing(const std::vector<WindSource>& sources, glm::dvec3 origin,
                                         const WindFrame& frame)
 {
     std::vector<shared::WindSource> result;
-    for (const WindSource& wind : sources)
-        if (wind.source.strength > 0.0f)
-            result.push_back(relativeTo(origin, wind, glm::quat(frame.rotation)));
-    std::stable_sort(result.begin(), result.end(),
-                     [](const auto& a, const auto& b) { return a.kind < b.kind; });
+    for (const WindSource& wind : withStrength(sources))
+        result.push_back(relativeTo(origin, wind, glm::quat(frame.rotation)));
     return result;
 }
 
@@ -135,6 +141,7 @@ shared::Wind together(std::span<const shared::WindSource> sources, float extent,
     shared::Wind wind = {};
     wind.lattice = lattice;
     std::ranges::copy(sources, wind.sources);
+    std::ranges::fill(wind.phases, shared::windPhaseAtZero());
     if (!sources.empty() && std::ranges::all_of(sources, [&](const shared::WindSource& source) {
             return shared::blowsLike(sources.front(), source);
         }))

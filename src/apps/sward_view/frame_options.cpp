@@ -164,7 +164,9 @@ void FrameOptions::addMeasured(CLI::App& app)
         [this](const std::string& text) {
             fixedStep = apps::parseNumber("--fixed-dt", text, 0, 1e6);
         },
-        "S", "Time between frames in seconds, 0 to 1 million; fractions are allowed")
+        "S",
+        "Time between frames in seconds, 0 to 1 million; fractions are allowed. No frame is later "
+        "than 8589934592 s (272 years)")
         ->default_str("1/60");
     option(
         "--geometry", [this](const std::string& text) { geometry = parseGeometry(text); },

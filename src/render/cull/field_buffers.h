@@ -56,7 +56,11 @@ public:
     void describe(shared::Frame& frame) const;
 
     /// Puts every blade at rest, with `time` [s] as the time of its last update.
-    void rest(VkCommandBuffer commands, float time) const { states_.rest(commands, time); }
+    void rest(VkCommandBuffer commands, std::uint32_t tick) const { states_.rest(commands, tick); }
+    void settle(VkCommandBuffer commands, std::uint32_t tick) const
+    {
+        states_.settle(commands, tick);
+    }
 
     /// See BladeStates.
     void keepEtas(const gpu::DeviceContext& context) { states_.keepEtas(context); }

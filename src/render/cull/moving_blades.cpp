@@ -3,6 +3,7 @@
 #include "core/expect.h"
 #include "gpu/barrier.h"
 #include "render/cull/pass_scope.h"
+#include "render/frame_time.h"
 
 #include <utility>
 
@@ -59,13 +60,16 @@ void MovingBlades::begin(VkCommandBuffer commands, double time, std::uint32_t sl
         replaced_->record(commands, slot);
     buffers_.clearCounts(commands);
     buffers_.clearCullResults(commands);
-    const auto settledAt = static_cast<float>(time - double(shared::settlingTime));
+    const std::uint32_t settledAt = settledTick(time);
     // Treats every blade as settled: none is still moving from the straight pose of the bake.
     if (!hasMoved_)
         buffers_.rest(commands, settledAt);
-    else if (hasNewEtas_)
+    else if (!movesOn(movedTo_, time))
+        buffers_.settle(commands, settledAt);
+    if (hasMoved_ && hasNewEtas_)
         buffers_.clearEtas(commands);
     hasMoved_ = true;
+    movedTo_ = time;
     hasNewEtas_ = false;
     const BladeStates* const states = &buffers_.ownStates();
     if (edits_)

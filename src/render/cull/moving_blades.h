@@ -52,7 +52,8 @@ public:
     void prepare(const gpu::ShaderLibrary& shaders, const shared::Frame& frame);
 
     /// Waits for the frame before, clears lists and counts, and carries out edits. In the first
-    /// frame, at `time` [s], blades start settled in their wind. The former commands of `slot` must
+    /// frame, at `time` [s], blades start settled in their wind; and where they do not move on, see
+    /// movesOn(). The former commands of `slot` must
     /// have completed.
     void begin(VkCommandBuffer commands, double time, std::uint32_t slot);
 
@@ -83,6 +84,7 @@ private:
     std::optional<ReplacedBuffers> replaced_; ///< if there are edits
     bool testsSmall_;
     bool hasMoved_ = false;
+    double movedTo_ = 0.0;    ///< [s] time of the last motion
     bool hasNewEtas_ = false; ///< collision state is uninitialised
 };
 

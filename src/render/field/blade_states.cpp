@@ -1,6 +1,5 @@
 #include "render/field/blade_states.h"
 
-#include <bit>
 #include <cstdint>
 #include <utility>
 
@@ -20,7 +19,8 @@ gpu::Buffer allocate(const gpu::DeviceContext& context, const char* name, VkDevi
 
 BladeStates::BladeStates(const gpu::DeviceContext& context, const BakedBlades& blades, Kept kept)
     : states_(allocate(context, "field/states", blades.placeCount() * sizeof(std::uint32_t)))
-    , patchTimes_(allocate(context, "field/patch times", blades.patchCount() * sizeof(float)))
+    , patchTimes_(
+          allocate(context, "field/patch times", blades.patchCount() * sizeof(std::uint32_t)))
     , patchCounts_(
           allocate(context, "field/patch counts", blades.patchCount() * sizeof(std::uint32_t)))
 {
@@ -48,7 +48,7 @@ void BladeStates::update(const gpu::DeviceContext& context, const BakedBlades& b
         outgrown.push_back({std::move(former), buffer.get()});
     };
     fit(states_, "field/states", blades.placeCount() * sizeof(std::uint32_t));
-    fit(patchTimes_, "field/patch times", blades.patchCount() * sizeof(float));
+    fit(patchTimes_, "field/patch times", blades.patchCount() * sizeof(std::uint32_t));
     fit(patchCounts_, "field/patch counts", blades.patchCount() * sizeof(std::uint32_t));
     if (hasEtas_)
         fit(etas_, "field/collisions", states_.bytes());
@@ -64,15 +64,19 @@ void BladeStates::describe(shared::Frame& frame) const
     frame.patchCounts = patchCounts_.address();
 }
 
-void BladeStates::rest(const gpu::Recording& commands, float time) const
+void BladeStates::rest(const gpu::Recording& commands, std::uint32_t tick) const
 {
     // A state of zeros is a blade that stands straight up.
     clearEtas(commands);
     commands.vk->CmdFillBuffer(commands, states_.get(), 0, VK_WHOLE_SIZE, 0);
-    commands.vk->CmdFillBuffer(commands, patchTimes_.get(), 0, VK_WHOLE_SIZE,
-                               std::bit_cast<std::uint32_t>(time));
+    settle(commands, tick);
     commands.vk->CmdFillBuffer(commands, patchCounts_.get(), 0, VK_WHOLE_SIZE,
                                shared::maxPatchBlades);
+}
+
+void BladeStates::settle(const gpu::Recording& commands, std::uint32_t tick) const
+{
+    commands.vk->CmdFillBuffer(commands, patchTimes_.get(), 0, VK_WHOLE_SIZE, tick);
 }
 
 void BladeStates::clearEtas(const gpu::Recording& commands) const

@@ -28,8 +28,11 @@ public:
     void keepEtas(const gpu::DeviceContext& context);
     bool hasEtas() const { return hasEtas_; }
 
-    /// Puts every blade at rest, with `time` [s] as the time of its last update.
-    void rest(const gpu::Recording& commands, float time) const;
+    /// Puts every blade at rest, with `tick` as that of its last update, see tickOf().
+    void rest(const gpu::Recording& commands, std::uint32_t tick) const;
+
+    /// The same, but blades stay as they are.
+    void settle(const gpu::Recording& commands, std::uint32_t tick) const;
 
     /// Makes room for the places of edited blades. New places have no state until one is written.
     void update(const gpu::DeviceContext& context, const BakedBlades& blades,

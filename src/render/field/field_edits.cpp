@@ -99,7 +99,7 @@ FieldEdits::Staged FieldEdits::stage(const Edit& edit, PlaceRange coverCorners)
     staged.patches = add(std::as_bytes(std::span(edit.times)));
     staged.patchCount = static_cast<std::uint32_t>(edit.times.size());
     staged.times = size;
-    size += 2 * alignedEdit(edit.times.size() * sizeof(float));
+    size += 2 * alignedEdit(edit.times.size() * sizeof(std::uint32_t));
 
     staged.bytes = staging(size);
     for (const auto& [offset, bytes] : parts)
@@ -128,7 +128,7 @@ const gpu::Buffer& FieldEdits::bufferOf(Table table, const BakedBlades& baked) c
 }
 
 void FieldEdits::recordStates(const gpu::Recording& commands, const BladeStates& states,
-                              const Staged& staged, float settledAt, bool isSecond) const
+                              const Staged& staged, std::uint32_t settledAt, bool isSecond) const
 {
     const VkDeviceAddress bytes = staged.bytes.address();
     states_.bind(commands);
@@ -141,7 +141,7 @@ void FieldEdits::recordStates(const gpu::Recording& commands, const BladeStates&
                                   .patches = bytes + staged.patches,
                                   .times = bytes + staged.times,
                                   .counts = bytes + staged.times +
-                                            alignedEdit(staged.patchCount * sizeof(float)),
+                                            alignedEdit(staged.patchCount * sizeof(std::uint32_t)),
                                   .bladeCount = staged.sourceCount,
                                   .patchCount = staged.patchCount,
                                   .settledAt = settledAt,
@@ -154,7 +154,7 @@ void FieldEdits::recordStates(const gpu::Recording& commands, const BladeStates&
 }
 
 void FieldEdits::record(const gpu::Recording& commands, const BakedBlades& baked,
-                        std::span<const BladeStates* const> states, float settledAt,
+                        std::span<const BladeStates* const> states, std::uint32_t settledAt,
                         std::uint32_t slot)
 {
     std::vector<gpu::Buffer>& inFlight = slots_[slot];

@@ -38,10 +38,12 @@ public:
     void apply(const field::Delta& delta);
 
     /// Records all edits since the last call, with barriers from and to everything: of the field's
-    /// tables, and of the states of each of its placements. `settledAt` [s]: the time at which a
-    /// new patch counts as settled. The former commands of `slot` must have completed.
+    /// tables, and of the states of each of its placements. `settledAt`: tick at which a new
+    /// patch counts as settled, see settledTick(). The former commands of `slot` must have
+    /// completed.
     void record(const gpu::Recording& commands, const BakedBlades& baked,
-                std::span<const BladeStates* const> states, float settledAt, std::uint32_t slot);
+                std::span<const BladeStates* const> states, std::uint32_t settledAt,
+                std::uint32_t slot);
 
     VkDeviceSize bytes() const; ///< of mapped memory
 
@@ -63,7 +65,7 @@ private:
     gpu::Buffer staging(VkDeviceSize bytes);
     Staged stage(const Edit& edit, PlaceRange coverCorners);
     void recordStates(const gpu::Recording& commands, const BladeStates& states,
-                      const Staged& staged, float settledAt, bool isSecond) const;
+                      const Staged& staged, std::uint32_t settledAt, bool isSecond) const;
     const gpu::Buffer& bufferOf(Table table, const BakedBlades& baked) const;
 
     const gpu::DeviceContext* context_;

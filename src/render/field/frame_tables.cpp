@@ -1,6 +1,7 @@
 #include "render/field/frame_tables.h"
 
 #include "core/expect.h"
+#include "render/wind_phase.h"
 
 #include <algorithm>
 
@@ -12,7 +13,7 @@ VkDeviceSize tableBytes()
 }
 
 void writeTables(TablePlace place, const FieldShape& field, const FrameSettings& settings,
-                 std::span<const shared::Collider> colliders, shared::Frame& frame)
+                 std::span<const shared::Collider> colliders, double time, shared::Frame& frame)
 {
     expect(settings.winds.size() <= shared::maxWindSources, "at most maxWindSources blow at once");
     expect(colliders.size() <= shared::maxColliders, "at most maxColliders collide");
@@ -24,6 +25,7 @@ void writeTables(TablePlace place, const FieldShape& field, const FrameSettings&
     const glm::vec3 size = field.content.isEmpty() ? glm::vec3(0.0f) : field.content.size();
     environment.wind = together(blown, std::max({size.x, size.y, size.z}),
                                 latticeOf(field.origin, settings.windFrame));
+    moveTo(environment.wind, settings.winds, time);
     environment.colliderCount = static_cast<std::uint32_t>(colliders.size());
     environment.colliders.address = place.address;
 }
@@ -42,9 +44,11 @@ VkDeviceSize FrameTables::bytes()
 }
 
 void FrameTables::write(const FieldShape& field, const FrameSettings& settings,
-                        std::span<const shared::Collider> colliders, shared::Frame& frame) const
+                        std::span<const shared::Collider> colliders, double time,
+                        shared::Frame& frame) const
 {
-    writeTables({buffer_.mapped().data(), buffer_.address()}, field, settings, colliders, frame);
+    writeTables({buffer_.mapped().data(), buffer_.address()}, field, settings, colliders, time,
+                frame);
 }
 
 } // namespace sward::render

@@ -19,20 +19,22 @@ struct TablePlace {
 };
 VkDeviceSize tableBytes();
 
-/// Writes a frame's colliders to `place`, and its colliders and wind into `frame`, relative to
-/// `field`. At most shared::maxWindSources winds and shared::maxColliders colliders.
+/// Writes a frame's colliders to `place`, and its colliders and its wind of `time` [s] into
+/// `frame`, relative to `field`. At most shared::maxWindSources winds and shared::maxColliders
+/// colliders.
 void writeTables(TablePlace place, const FieldShape& field, const FrameSettings& settings,
-                 std::span<const shared::Collider> colliders, shared::Frame& frame);
+                 std::span<const shared::Collider> colliders, double time, shared::Frame& frame);
 
 /// A frame's table of colliders, in memory that the CPU writes and the device reads.
 class FrameTables {
 public:
     explicit FrameTables(const gpu::DeviceContext& context);
 
-    /// Writes the table of `colliders`, and the frame's wind and colliders into `frame`. At most
-    /// shared::maxWindSources winds and shared::maxColliders colliders.
+    /// Writes the table of `colliders`, and the frame's wind of `time` [s] and colliders into
+    /// `frame`. At most shared::maxWindSources winds and shared::maxColliders colliders.
     void write(const FieldShape& field, const FrameSettings& settings,
-               std::span<const shared::Collider> colliders, shared::Frame& frame) const;
+               std::span<const shared::Collider> colliders, double time,
+               shared::Frame& frame) const;
 
     static VkDeviceSize bytes();
 

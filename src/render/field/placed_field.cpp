@@ -3,6 +3,7 @@
 #include "core/expect.h"
 #include "gpu/compute_pipeline.h"
 #include "render/field/frame_tables.h"
+#include "render/frame_time.h"
 #include "render/host_shadow_maps.h"
 
 #include <algorithm>
@@ -106,7 +107,7 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
     const gpu::Buffer& constants = slots_[slot].constants;
     shared::Frame tabled = {};
     writeTables({constants.mapped().data(), constants.address()}, field.shape, settings, colliders,
-                tabled);
+                frame.time, tabled);
 
     seen_.clear();
     for (std::uint32_t i = 0; i < frame.views.size(); ++i) {
@@ -191,7 +192,7 @@ shared::Motion PlacedField::motionOf(const GrassFrame& frame, const HostView& vi
     motion.clipBefore = glm::mat4(view.clipBefore.value_or(view.worldToClip) *
                                   before.toWorld(instance_.field->parts().shape.origin));
     motion.statesBefore = states_.before();
-    motion.moves = hasMoved_ && frame.time > timeBefore_ ? 1 : 0;
+    motion.moves = hasMoved_ && tickOf(frame.time) != tickOf(timeBefore_) ? 1 : 0;
     return motion;
 }
 
@@ -254,9 +255,14 @@ FramePlace PlacedField::rasterFrame(std::uint32_t slot, std::uint32_t view) cons
     return framePlace(slot, forRaster, view);
 }
 
-bool PlacedField::beginsToMove()
+void PlacedField::recordStart(const gpu::Recording& commands, double time)
 {
-    return !std::exchange(hasMoved_, true);
+    // Treats every blade as settled: none is still moving from the straight pose of the bake.
+    if (!std::exchange(hasMoved_, true))
+        states_.rest(commands, settledTick(time));
+    else if (!movesOn(movedTo_, time))
+        states_.settle(commands, settledTick(time));
+    movedTo_ = time;
 }
 
 void PlacedField::recordMoved(const gpu::Recording& commands, std::uint32_t slot) const

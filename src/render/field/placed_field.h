@@ -69,8 +69,9 @@ public:
     /// `slot` must have completed.
     void recordReplaced(const gpu::Recording& commands, std::uint32_t slot);
 
-    /// True for the first call: the blades have not moved before.
-    bool beginsToMove();
+    /// Before the blades move to `time` [s]: settles them in its wind in the first frame, and where
+    /// they do not move on, see render::movesOn().
+    void recordStart(const gpu::Recording& commands, double time);
 
     /// Copies counts to the memory that counts() reads, after a barrier to transfers.
     void recordMoved(const gpu::Recording& commands, std::uint32_t slot) const;
@@ -110,6 +111,7 @@ private:
     shared::Environment environment_ = {};
     Placement placementBefore_; ///< of the frame written before
     double timeBefore_ = 0.0;
+    double movedTo_ = 0.0;      ///< [s] time of the last motion
     std::uint32_t written_ = 0; ///< number of the frame written last
     bool hasMoved_ = false;
 };

@@ -35,7 +35,7 @@ struct FieldRenderer::Parts {
     /// Throw Error{usage} that names what is wrong.
     static const gpu::DeviceContext& checked(const gpu::DeviceContext& given,
                                              const field::FieldView& field, const Settings& wanted);
-    void requireFrame(VkCommandBuffer commands, const FrameSettings& wanted,
+    void requireFrame(VkCommandBuffer commands, const FrameSettings& wanted, double time,
                       std::uint32_t slot) const;
 
     const gpu::DeviceContext& context;

@@ -3,6 +3,7 @@
 #include "gpu/barrier.h"
 #include "gpu/image_use.h"
 #include "render/cull/pass_scope.h"
+#include "render/frame_time.h"
 #include "render/host_checks.h"
 #include "render/preview/field_renderer_parts.h"
 
@@ -36,7 +37,7 @@ const gpu::DeviceContext& FieldRenderer::Parts::checked(const gpu::DeviceContext
 }
 
 void FieldRenderer::Parts::requireFrame(VkCommandBuffer commands, const FrameSettings& wanted,
-                                        std::uint32_t slot) const
+                                        double time, std::uint32_t slot) const
 {
     requireUsage(commands != VK_NULL_HANDLE, "the command buffer is null");
     requireUsage(slot < slots.size(), "slot {}, and framesInFlight is {}", slot, slots.size());
@@ -44,6 +45,7 @@ void FieldRenderer::Parts::requireFrame(VkCommandBuffer commands, const FrameSet
                  "{} colliders; a frame has at most {}", wanted.colliders.size(),
                  shared::maxColliders);
     requireValid(wanted);
+    requireValidTime(time);
 }
 
 bool FieldRenderer::Parts::groupsDrawLarge() const

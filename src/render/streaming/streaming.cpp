@@ -189,7 +189,7 @@ bool Streaming::fill(std::uint32_t batch)
     return !coming_[batch].empty();
 }
 
-void Streaming::record(const gpu::Recording& commands, std::uint32_t slot, float time,
+void Streaming::record(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t settledAt,
                        std::span<const BladeStates* const> states) const noexcept
 {
     const InFlight& frame = frames_[slot];
@@ -210,7 +210,7 @@ void Streaming::record(const gpu::Recording& commands, std::uint32_t slot, float
                           .firstNonEmptyPatches = blades_.firstNonEmptyPatches(),
                           .nonEmptyPatchCount = blades_.nonEmptyPatchCount(),
                           .bladeCount = blades_.bladeCount(),
-                          .settledAt = time - shared::settlingTime,
+                          .settledAt = settledAt,
                           .isOfStates = 0};
     const auto dispatch = [&] {
         change_.push(commands, push);

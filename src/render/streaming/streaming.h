@@ -51,8 +51,9 @@ public:
     void choose(std::span<shared::Eyepoint> seen, std::uint32_t slot);
 
     /// Records the changes, for the blades and for all `states` with collision state. Needs
-    /// barriers from and to all accesses to them; `time` [s].
-    void record(const gpu::Recording& commands, std::uint32_t slot, float time,
+    /// barriers from and to all accesses to them; `settledAt`: see
+    /// settledTick().
+    void record(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t settledAt,
                 std::span<const BladeStates* const> states) const noexcept;
 
     /// Whether further frames would change nothing with a fixed eye.

@@ -61,6 +61,17 @@ class EnvironmentTest(unittest.TestCase):
             bent += above < 0.5 * length
         self.assertGreater(bent, 500)
 
+    def test_blades_move_after_eleven_days_as_after_a_minute(self):
+        self.bake("plane", "--count", 1000, "--blade-scale", 1)
+        moved = []
+        for time in (100, 999998):
+            tips = [[vector(row, "v2") for row in self.dump("--fixed-dt", time + step, "--frames", "1:1", "--cull", "none").values()]
+                    for step in (0, 0.03)]
+            moved.append(sum(map(math.dist, *tips)) / len(tips[0]))
+        self.assertGreater(moved[0], 1e-4)
+        self.assertLess(0.3 * moved[0], moved[1])
+        self.assertLess(moved[1], 3 * moved[0])
+
     def test_a_planet_pulls_its_blades_to_its_centre(self):
         self.bake("sphere", "--count", 1000, "--ground-up", "radial")
         # Nothing leans to any side but forward: every tip is as high as on the other side.

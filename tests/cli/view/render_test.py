@@ -136,6 +136,9 @@ class RenderTest(RenderCase):
         for wrong in ("much", "1K", "-2G", "2GB"):
             self.assertIn("--gpu-memory", stats("--gpu-memory", wrong, code=1))
 
+    def test_a_frame_beyond_the_largest_time_is_refused(self):
+        self.refused("-o", "t.png", "--fixed-dt", "1000000", "--frames", "8590:8590", code=1, says="8589934592 s")
+
     def test_the_dump_has_one_row_per_blade_and_the_cull_results_of_the_stats(self):
         stats = self.stats("--dump-blades", "d.csv", "--camera", "eye", *SOON)
         with open(self.folder / "d.csv", encoding="ascii", newline="") as file:

@@ -48,13 +48,17 @@ public:
     }
     void fill(shared::Wind& w)
     {
-        fillAll(w.counts, w.eddySize, w.eddySpeed, w.sum, w.lattice.origin, w.lattice.x,
-                w.lattice.y, w.lattice.z, w.sources);
+        fillAll(w.counts, w.eddySize, w.eddySpeed, w.sum, w.eddyPhase, w.lattice.origin,
+                w.lattice.x, w.lattice.y, w.lattice.z, w.sources, w.phases);
     }
     void fill(shared::WindSource& s)
     {
         fillAll(s.direction, s.strength, s.centre, s.size, s.speed, s.rate, s.turn, s.alignment,
                 s.lift, s.kind, s.side, s.perSize);
+    }
+    void fill(shared::WindPhase& p)
+    {
+        fillAll(p.shift, p.cell, p.fineShift, p.fineCell, p.angle, p.turned);
     }
     void fill(shared::Collider& c)
     {
@@ -62,7 +66,7 @@ public:
     }
     void fill(shared::Environment& n)
     {
-        fillAll(n.gravity, n.recovery, n.colliderCount, n.reserved, n.wind, n.colliders.address);
+        fillAll(n.gravity, n.recovery, n.colliderCount, n.wind, n.colliders.address);
     }
     void fill(shared::RasterPush& r)
     {
@@ -166,7 +170,7 @@ std::size_t fillValues(Values& v)
     n.fillAll(f.blades, f.states, f.etas, f.patches, f.species, f.visible, f.draw, f.patchTimes,
               f.patchCounts, f.cullResults, f.pages, f.hostLight, f.pyramid.depths, f.pyramid.size,
               f.pyramid.first, f.pyramid.levels, f.viewProjection, f.rays, f.depthOfEye, f.view,
-              f.time, f.environment, f.patchCount, f.bladeCount, f.visibleCapacity,
+              f.tick, f.environment, f.patchCount, f.bladeCount, f.visibleCapacity,
               f.maxTessellation, f.sunDirection, f.exposure, f.sunColor, f.debugMode, f.skyColor,
               f.fogDensity, f.groundColor, f.skyUp, f.fixedTessellation, f.clouds, f.levelSteps,
               f.updateRate, f.cover, f.shadow, f.fogFalloff, f.lowSun, f.reserved);

@@ -2,6 +2,8 @@
 
 #include "core/random.h"
 #include "render/frame.h"
+#include "render/frame_time.h"
+#include "render/wind_phase.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
 #include "update_bench.h"
@@ -89,15 +91,16 @@ FrameSettings randomEnvironment(std::uint64_t run, std::size_t colliders)
 
 /// The device's environment in host memory.
 struct CpuEnvironment {
-    CpuEnvironment(const FrameSettings& settings, const shared::Frame& frame, float elapsed)
+    CpuEnvironment(const FrameSettings& settings, const shared::Frame& frame, double time,
+                   float elapsed)
         : winds(blowing(settings.winds, glm::dvec3(0.0)))
         , environment(frame.environment)
     {
-        const auto time = static_cast<double>(frame.time);
         for (const Collider& collider : settings.colliders)
             colliders.push_back(
                 colliderAt(collider, glm::dvec3(0.0), time, time - static_cast<double>(elapsed)));
         environment.wind = together(winds, 0.0f);
+        moveTo(environment.wind, settings.winds, time);
         environment.colliderCount = static_cast<std::uint32_t>(colliders.size());
         environment.colliders.at = colliders.data();
     }
@@ -136,7 +139,7 @@ class MovesBlades : public PhysicsTest {
 protected:
     /// Compares single steps of many lengths, from identical states, on the device and on the CPU.
     void compareWithCpu(std::size_t colliders, std::size_t allowedPerThousand,
-                        std::uint32_t groups = 0)
+                        std::uint32_t groups = 0, double epoch = 0.0)
     {
         const field::Field field =
             test::makeField({.surface = test::Surface::cloud, .blades = 4096, .seed = seed});
@@ -156,20 +159,20 @@ protected:
             const float longest = colliders > 0 ? 1e3f : 5e4f;
             const float elapsed = 1e-4f * std::pow(longest, static_cast<float>(run) / 11.0f);
             const FrameSettings settings = randomEnvironment(run, colliders);
-            const shared::Frame frame =
-                frameOf({}, ViewMatrices{}, settings,
-                        static_cast<double>(between(6.0f, 60.0f, run, 14)), 1);
+            const double time = epoch + static_cast<double>(between(6.0f, 60.0f, run, 14));
+            const shared::Frame frame = frameOf({}, ViewMatrices{}, settings, time, 1);
             const auto result =
-                bench.run(frame, settings, before, elapsed, UpdateCullPass::Scope::all);
+                bench.run(frame, settings, before, elapsed, UpdateCullPass::Scope::all, time);
 
-            // The device computes the elapsed time from two stored floats.
-            const float stored = frame.time - (frame.time - elapsed);
-            const CpuEnvironment cpu(settings, frame, elapsed);
+            // The device computes the elapsed time from two ticks.
+            const float stored =
+                shared::secondsBetween(tickOf(time - static_cast<double>(elapsed)), frame.tick);
+            const CpuEnvironment cpu(settings, frame, time, elapsed);
             for (std::size_t i = 0; i < field.blades.size(); ++i) {
                 const shared::Patch& cell = field.patches[patches[i]];
                 const shared::Blade blade = shared::unpackBlade(field.blades[i], cell);
                 const shared::BladeState expected = shared::advanceBlade(
-                    blade, cpu.environment, cpu.near(cell, stored), before[i], frame.time, stored);
+                    blade, cpu.environment, cpu.near(cell, stored), before[i], 0.0f, stored);
                 // Both round the same formulas: rounding alone explains one step (lavapipe shows no
                 // more). A tip close above its root may amplify it a little, and one at the edge of
                 // a collider more.
@@ -197,6 +200,11 @@ protected:
 TEST_F(MovesBlades, OfAnyFieldAsTheCpuDoes)
 {
     compareWithCpu(0, 1);
+}
+
+TEST_F(MovesBlades, ByAClockThatCountsFrom1970AsTheCpuDoes)
+{
+    compareWithCpu(0, 1, 0, 1.8e9);
 }
 
 TEST_F(MovesBlades, AmongAFewCollidersAsTheCpuDoes)
@@ -257,7 +265,7 @@ TEST_F(PhysicsTest, TakesTheCodeForCollidersOnlyWhereOneMayTouch)
         for (const float elapsed : {0.0f, 0.03f}) {
             ball.from = ball.to = place;
             const shared::Frame frame = frameOf({}, ViewMatrices{}, settings, 20.0, 1);
-            const CpuEnvironment cpu(settings, frame, elapsed);
+            const CpuEnvironment cpu(settings, frame, 20.0, elapsed);
             std::uint32_t near = 0;
             for (const shared::Patch& cell : field.patches)
                 near += cell.bladeCount > 0 && elapsed > 0.0f &&

@@ -5,6 +5,7 @@
 #include "gpu/readback.h"
 #include "gpu/upload.h"
 #include "render/frame_slot.h"
+#include "render/frame_time.h"
 
 namespace sward::embedded {
 std::span<const EmbeddedFile> shaders();
@@ -23,6 +24,11 @@ render::FieldBuffers upload(const gpu::DeviceContext& context, const field::Fiel
 }
 
 } // namespace
+
+double timeOf(const shared::Frame& frame)
+{
+    return frame.tick / static_cast<double>(shared::ticksPerSecond);
+}
 
 UpdateBench::UpdateBench(const gpu::DeviceContext& context, const field::FieldView& field,
                          const Settings& settings)
@@ -43,14 +49,15 @@ UpdateBench::UpdateBench(const gpu::DeviceContext& context, const field::FieldVi
 
 UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSettings& settings,
                                      std::span<const shared::BladeState> states, float elapsed,
-                                     render::UpdateCullPass::Scope scope)
+                                     render::UpdateCullPass::Scope scope,
+                                     std::optional<double> frameTime)
 {
     buffers_.describe(frame);
-    const double time = static_cast<double>(frame.time);
+    const double time = frameTime.value_or(timeOf(frame));
     tables_.write(
         {}, settings,
         render::collidersAt(settings.colliders, {}, time, time - static_cast<double>(elapsed)),
-        frame);
+        time, frame);
     const render::UpdateCullPass::Variant variant{
         .windCounts = frame.environment.wind.counts,
         .hasColliders = frame.environment.colliderCount > 0,
@@ -66,7 +73,7 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
 
     gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
         gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
-        buffers_.rest(commands, frame.time - elapsed);
+        buffers_.rest(commands, render::tickOf(time - static_cast<double>(elapsed)));
         buffers_.clearCounts(commands);
         buffers_.clearCullResults(commands);
     });

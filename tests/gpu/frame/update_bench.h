@@ -9,10 +9,14 @@
 #include "render/field/frame_tables.h"
 #include "shaders/shared/frame.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace sward::test {
+
+/// The time of a frame [s] whose ticks have not passed their largest number.
+double timeOf(const shared::Frame& frame);
 
 /// Runs the product's walk and its update and cull pass alone on one field.
 class UpdateBench {
@@ -39,12 +43,12 @@ public:
         std::uint32_t nearColliders = 0; ///< patches taken by the code for colliders, on a CPU
     };
 
-    /// One pass at `frame.time` over blades in `states` last moved `elapsed` [s] before, in the
-    /// settings' wind and among their colliders, which move from their positions `elapsed` before.
-    /// Fills in addresses and counts of the frame.
+    /// One pass at the frame's time, timeOf() if it is not given, over blades in `states` last
+    /// moved `elapsed` [s] before, in the settings' wind and among their colliders, which move from
+    /// their positions `elapsed` before. Fills in addresses and counts of the frame.
     Result run(shared::Frame frame, const render::FrameSettings& settings,
                std::span<const shared::BladeState> states, float elapsed,
-               render::UpdateCullPass::Scope scope);
+               render::UpdateCullPass::Scope scope, std::optional<double> frameTime = std::nullopt);
 
     field::BladeSize bladeSize() const { return buffers_.bladeSize(); }
 

@@ -208,6 +208,7 @@ TEST_F(GrassMisuseTest, AFrameThatIsWrongLeavesTheFrameBefore)
     expectMisuse([&] { grass.begin(1, {.settings = settings_}); },
                  {"slot 1", "framesInFlight is 1"});
     expectMisuse([&] { begin({.time = notANumber, .settings = settings_}); }, {"time"});
+    expectMisuse([&] { begin({.time = 1e12, .settings = settings_}); }, {"time", "8589934592 s"});
     const std::pair<Change, std::vector<std::string>> wrongViews[]{
         {[](HostView& view) { view.size = {0, 90}; }, {"view 0", "0 x 90"}},
         {[](HostView& view) { view.size = {90, 100000}; }, {"100000", "32768"}},

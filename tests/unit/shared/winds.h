@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace sward::tests {
@@ -33,6 +34,7 @@ public:
         wind.eddySize = 5.0f;
         wind.eddySpeed = 2.5f;
         std::copy(sources_.begin(), sources_.end(), wind.sources);
+        std::fill(std::begin(wind.phases), std::end(wind.phases), shared::windPhaseAtZero());
         bool alike = !sources_.empty();
         for (const shared::WindSource& source : sources_) {
             wind.counts += 1u << (4u * source.kind);

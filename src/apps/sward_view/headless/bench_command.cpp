@@ -128,6 +128,7 @@ int bench(BenchOptions& options, const CLI::App& command)
     if (options.frame.fields.empty())
         fail(ErrorKind::usage, "FILE is missing: a scene, or fields");
     const std::optional<SceneField> field = openScene(options, command);
+    Headless::requireTime(options.frame, std::uint64_t(options.warmup) + options.frames);
     Headless headless(options.frame, false);
     headless.stream(0);
 

@@ -7,6 +7,7 @@
 #include "apps/sward_view/picture_mean.h"
 #include "gpu/image_use.h"
 #include "gpu/readback.h"
+#include "render/frame_time.h"
 
 #include <algorithm>
 #include <chrono>
@@ -105,6 +106,14 @@ Headless::Headless(const FrameOptions& options, bool recordCullResults)
     // Cull results need the motion of every blade.
     if (recordCullResults)
         settings_.leavesThinned = false;
+}
+
+void Headless::requireTime(const FrameOptions& options, std::uint64_t last)
+{
+    const double time = static_cast<double>(last) * options.fixedStep;
+    if (time > render::longestTime)
+        fail(ErrorKind::usage, "--fixed-dt: frame {} would be at {} s; at most {:.0f} s, 272 years",
+             last, time, render::longestTime);
 }
 
 double Headless::timeOf(std::uint64_t frame) const

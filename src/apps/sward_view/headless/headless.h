@@ -29,6 +29,9 @@ public:
     /// and FieldRenderer do.
     Headless(const FrameOptions& options, bool recordCullResults);
 
+    /// Throws Error{usage} if the time of `last`, a frame's number, is beyond render::longestTime.
+    static void requireTime(const FrameOptions& options, std::uint64_t last);
+
     /// Draws `frame`; call with ascending frames.
     void draw(std::uint64_t frame);
 

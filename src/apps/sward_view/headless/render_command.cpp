@@ -102,6 +102,7 @@ int render(const RenderOptions& options)
     options.frame.log.apply();
     const FrameNames names(options.output);
     checkOutputs(options, names);
+    Headless::requireTime(options.frame, options.lastFrame);
     // Ids are unique only within one field; two fields of one mesh have equal ids.
     if (!options.dump.empty() && options.frame.fields.size() > 1)
         fail(ErrorKind::usage, "--dump-blades: {} fields are drawn; it writes the blades of one",

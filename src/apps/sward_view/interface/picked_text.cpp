@@ -1,6 +1,6 @@
 #include "apps/sward_view/interface/picked_text.h"
 
-#include "render/wind.h"
+#include "render/wind_phase.h"
 #include "shaders/shared/physics.h"
 
 #include <fmt/core.h>
@@ -48,10 +48,10 @@ glm::vec3 windOn(const PickedBlade& picked, const field::FieldView& field,
     const std::vector<shared::WindSource> sources = render::blowing(settings.winds, field.origin);
     const Aabb bounds = field.bounds();
     const glm::vec3 size = bounds.isEmpty() ? glm::vec3(0.0f) : bounds.size();
-    const shared::Wind wind = render::together(sources, std::max({size.x, size.y, size.z}),
-                                               render::latticeOf(field.origin, {}));
-    return shared::windForce(wind, picked.blade.root, picked.blade.up, tip,
-                             static_cast<float>(time));
+    shared::Wind wind = render::together(sources, std::max({size.x, size.y, size.z}),
+                                         render::latticeOf(field.origin, {}));
+    render::moveTo(wind, settings.winds, time);
+    return shared::windForce(wind, picked.blade.root, picked.blade.up, tip, 0.0f);
 }
 
 } // namespace

@@ -157,6 +157,16 @@ void put(WindSource source)
     put(source.perSize);
 }
 
+void put(WindPhase phase)
+{
+    put(phase.shift);
+    put(phase.cell);
+    put(phase.fineShift);
+    put(phase.fineCell);
+    put(phase.angle);
+    put(phase.turned);
+}
+
 void put(Collider collider)
 {
     put(collider.from);
@@ -172,17 +182,19 @@ void put(Environment environment)
     put(environment.gravity);
     put(environment.recovery);
     put(environment.colliderCount);
-    put(environment.reserved);
     put(environment.wind.counts);
     put(environment.wind.eddySize);
     put(environment.wind.eddySpeed);
     put(environment.wind.sum);
+    put(environment.wind.eddyPhase);
     put(environment.wind.lattice.origin);
     put(environment.wind.lattice.x);
     put(environment.wind.lattice.y);
     put(environment.wind.lattice.z);
     for (uint i = 0u; i < maxWindSources; ++i)
         put(environment.wind.sources[i]);
+    for (uint i = 0u; i < maxWindSources; ++i)
+        put(environment.wind.phases[i]);
     put(uvec2(environment.colliders));
 }
 

@@ -38,7 +38,7 @@ void putFrame()
     put(FRAME.view.buckets);
     put(FRAME.view.bucketDistance);
     put(FRAME.view.cullMask);
-    put(FRAME.time);
+    put(FRAME.tick);
     put(FRAME.environment);
     put(FRAME.patchCount);
     put(FRAME.bladeCount);
