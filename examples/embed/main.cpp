@@ -121,8 +121,9 @@ void draw(const gpu::DeviceContext& context, const Options& options, const char*
     };
 
     // 2. A field needs no device to be read; it comes there by the host's own commands.
-    const field::MappedField mapped = field::readField(file);
-    const auto lawn = std::make_shared<render::ResidentField>(context, mapped.view());
+    field::MappedField mapped = field::readField(file);
+    render::FrameSettings settings = render::FrameSettings::of(mapped.view());
+    const auto lawn = std::make_shared<render::ResidentField>(context, std::move(mapped));
     gpu::submitAndWait(context, [&](VkCommandBuffer commands) { lawn->recordUpload(commands); });
     lawn->releaseStaging();
 
@@ -139,7 +140,6 @@ void draw(const gpu::DeviceContext& context, const Options& options, const char*
     grass.add({lawn, small});
 
     // The host's world: a slab below each lawn, two posts in the grass, a block that rolls through it.
-    render::FrameSettings settings = render::FrameSettings::of(mapped.view());
     settings.sunDirection = {-0.5f, 0.6f, 0.6f};
     const double nearest = isReversed ? 100.0 : 0.1, farthest = isReversed ? 0.1 : 100.0;
     const glm::dmat4 worldToClip =

@@ -114,12 +114,13 @@ void draw(const gpu::DeviceContext& context, const std::vector<std::string>& wor
     drawing.depthCompare = isReversed ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_LESS;
     const gpu::GraphicsPipeline pipeline(context, gpu::ShaderLibrary(shaders), drawing);
 
-    // 2. A budget for the field, one instance of it and the lists of both views. What is mapped outlives the field:
-    // pages are copied from there. Pictures that must not depend on the disk wait for it; games do not.
-    const field::MappedField mapped = field::readField(words[0]);
+    // 2. A budget for the field, one instance of it and the lists of both views. The field keeps the file
+    // mapped: pages are copied from there. Pictures that must not depend on the disk wait for it; games do not.
+    field::MappedField mapped = field::readField(words[0]);
+    const render::FrameSettings settings = render::FrameSettings::of(mapped.view());
     const render::FieldBudget limit{
         .bytes = bytes, .instances = 1, .views = players, .framesInFlight = 1, .waitsForDisk = true};
-    const auto lawn = std::make_shared<render::ResidentField>(context, mapped.view(), limit);
+    const auto lawn = std::make_shared<render::ResidentField>(context, std::move(mapped), limit);
     gpu::submitAndWait(context, [&](VkCommandBuffer commands) { lawn->recordUpload(commands); });
     lawn->releaseStaging();
 
@@ -131,7 +132,6 @@ void draw(const gpu::DeviceContext& context, const std::vector<std::string>& wor
     const render::BladeTarget target(context, description);
 
     // 4. From the middle of a field of 20 m × 20 m, at y = 0, each player walks to one of its corners.
-    const render::FrameSettings settings = render::FrameSettings::of(mapped.view());
     const auto viewOf = [&](double side, double metres) {
         const glm::dvec3 outwards = glm::normalize(glm::dvec3(side, 0.0, side)), up(0.0, 1.0, 0.0);
         const glm::dvec3 eye = metres * outwards + 1.5 * up;

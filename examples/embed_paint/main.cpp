@@ -82,9 +82,10 @@ void draw(const gpu::DeviceContext& context, const char* painted, const char* un
     bake::Session session(ground, wanted, 0, diagnostics, progress);
 
     // 2. The field may be edited. Nothing else differs.
-    const field::Field field = session.field();
+    field::Field field = session.field();
+    render::FrameSettings settings = render::FrameSettings::of(field::viewOf(field));
     const auto lawn = std::make_shared<render::ResidentField>(
-        context, field::viewOf(field), render::FieldBudget{.framesInFlight = 1, .isEditable = true});
+        context, std::move(field), render::FieldBudget{.framesInFlight = 1, .isEditable = true});
     gpu::submitAndWait(context, [&](VkCommandBuffer commands) { lawn->recordUpload(commands); });
     lawn->releaseStaging();
     render::Grass grass(context, {.framesInFlight = 1});
@@ -102,7 +103,6 @@ void draw(const gpu::DeviceContext& context, const char* painted, const char* un
                                           .pushConstantBytes = sizeof(Push),
                                           .colorFormats = {colorFormat},
                                           .depthFormat = depthFormat});
-    render::FrameSettings settings = render::FrameSettings::of(field::viewOf(field));
     settings.sunDirection = {-0.6f, 0.7f, 0.3f};
     const glm::dmat4 worldToClip = glm::scale(glm::dmat4(1.0), {1.0, -1.0, 1.0}) *
                                    glm::perspectiveRH_ZO(0.72, double(size.width) / size.height, 100.0, 0.1) *

@@ -12,7 +12,8 @@
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
-#include <vector>
+#include <string>
+#include <utility>
 
 using namespace sward;
 
@@ -147,8 +148,9 @@ void draw(const Vulkan& vulkan, const char* fieldFile, const char* pictureFile)
     const gpu::DeviceContext context = gpu::describeDevice(vulkan.host);
 
     // 3. The field is read from its file, and comes to the device by the host's own commands.
-    const field::MappedField mapped = field::readField(fieldFile);
-    const auto lawn = std::make_shared<render::ResidentField>(context, mapped.view());
+    field::MappedField mapped = field::readField(fieldFile);
+    const render::FrameSettings settings = render::FrameSettings::of(mapped.view());
+    const auto lawn = std::make_shared<render::ResidentField>(context, std::move(mapped));
     vulkan.submitAndWait([&] { lawn->recordUpload(commands); });
     lawn->releaseStaging();
 
@@ -165,7 +167,6 @@ void draw(const Vulkan& vulkan, const char* fieldFile, const char* pictureFile)
         glm::perspectiveRH_ZO(0.7, double(size.width) / size.height, 100.0 * extent, 0.001 * extent) *
         glm::lookAt(middle + extent * glm::dvec3(0.3, 0.3, 0.8), middle, glm::dvec3(0.0, 1.0, 0.0));
     const render::HostView view{.worldToClip = worldToClip, .size = {size.width, size.height}};
-    const render::FrameSettings settings = render::FrameSettings::of(mapped.view());
 
     // 5. A frame begins when the former commands of its slot have completed.
     grass.begin(0, {.time = 1.0, .views = {&view, 1}, .settings = settings});

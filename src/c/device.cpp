@@ -70,7 +70,7 @@ sward_status sward_resident_create(const sward_context* context, const sward_fie
         checked(field, "field");
         checked(resident, "resident");
         *resident = new sward_resident{
-            std::make_shared<render::ResidentField>(context->context, field->mapped.view())};
+            std::make_shared<render::ResidentField>(context->context, field->mapped)};
     });
 }
 
@@ -83,7 +83,7 @@ sward_status sward_resident_create_within(const sward_context* context, const sw
         checked(budget, "budget");
         checked(resident, "resident");
         *resident = new sward_resident{std::make_shared<render::ResidentField>(
-            context->context, field->mapped.view(),
+            context->context, field->mapped,
             render::FieldBudget{.bytes = budget->bytes,
                                 .instances = budget->instances,
                                 .views = budget->views,
@@ -125,7 +125,7 @@ sward_status sward_settings_create(const sward_field* field, sward_settings** se
     return guarded([&] {
         checked(field, "field");
         checked(settings, "settings");
-        *settings = new sward_settings{render::FrameSettings::of(field->mapped.view())};
+        *settings = new sward_settings{render::FrameSettings::of(field->mapped->view())};
     });
 }
 

@@ -61,9 +61,9 @@ typedef struct sward_budget {
     bool is_editable;          /* for sward_grass_edit(): all must fit, and edits may take more */
 } sward_budget;
 
-/* The same within a budget. If not all fits, blades that the views see come by pages: the field
- * must then outlive the resident field and its instances. One grass alone draws such a field, or
- * an editable one. */
+/* The same within a budget. If not all fits, blades that the views see come by pages: the resident
+ * field and its instances then keep the file mapped, also after sward_field_destroy(). One grass
+ * alone draws such a field, or an editable one. */
 sward_status sward_resident_create_within(const sward_context* context, const sward_field* field,
                                           const sward_budget* budget, sward_resident** resident);
 bool sward_resident_is_streamed(const sward_resident* resident);

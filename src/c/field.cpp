@@ -33,7 +33,8 @@ sward_status sward_field_open(const char* path, sward_field** field)
     return guarded([&] {
         checked(path, "path");
         checked(field, "field");
-        *field = new sward_field{field::readField(path)};
+        *field =
+            new sward_field{std::make_shared<const field::MappedField>(field::readField(path))};
     });
 }
 
@@ -45,7 +46,7 @@ void sward_field_destroy(sward_field* field)
 sward_status sward_field_get_info(const sward_field* field, sward_field_info* info)
 {
     return guarded([&] {
-        const field::FieldView view = checked(field, "field")->mapped.view();
+        const field::FieldView view = checked(field, "field")->mapped->view();
         checked(info, "info");
         const Aabb box = view.bounds();
         sward_field_info result = {};
@@ -65,7 +66,7 @@ sward_status sward_field_read_blades(const sward_field* field, uint64_t first, u
                                      sward_blade* blades)
 {
     return guarded([&] {
-        const field::FieldView view = checked(field, "field")->mapped.view();
+        const field::FieldView view = checked(field, "field")->mapped->view();
         if (first > view.blades.size() || count > view.blades.size() - first)
             fail(ErrorKind::usage, "blades {} to {} of a field of {}", first, first + count,
                  view.blades.size());
@@ -99,6 +100,6 @@ const char* sward_field_species_name(const sward_field* field, uint32_t species)
 {
     if (field == nullptr)
         return nullptr;
-    const field::FieldView view = field->mapped.view();
+    const field::FieldView view = field->mapped->view();
     return species < view.species.size() ? view.species[species].name.c_str() : nullptr;
 }

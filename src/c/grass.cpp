@@ -182,7 +182,7 @@ sward_status sward_grass_edit(sward_grass* grass, sward_resident* resident,
         checked(resident, "resident");
         checked(field, "field");
         checked(delta, "delta");
-        grass->grass.edit(*resident->field, field::readDelta(delta, field->mapped.view().species));
+        grass->grass.edit(*resident->field, field::readDelta(delta, field->mapped->view().species));
     });
 }
 

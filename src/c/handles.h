@@ -8,7 +8,7 @@
 #include <memory>
 
 struct sward_field {
-    sward::field::MappedField mapped;
+    std::shared_ptr<const sward::field::MappedField> mapped;
 };
 
 struct sward_features {

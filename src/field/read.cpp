@@ -236,8 +236,9 @@ MappedField::MappedField(MappedField&&) noexcept = default;
 MappedField& MappedField::operator=(MappedField&&) noexcept = default;
 MappedField::~MappedField() = default;
 
-FieldView MappedField::view() const
+FieldView MappedField::view() const&
 {
+    requireUsage(contents_ != nullptr, "MappedField::view(): the field has been moved away");
     return contents_->view;
 }
 

@@ -17,8 +17,10 @@ public:
     MappedField& operator=(MappedField&&) noexcept; ///< discards the former field
     ~MappedField();
 
-    /// Valid as long as this object.
-    FieldView view() const;
+    /// Valid as long as this object, or what it is moved to: not of a temporary. Throws
+    /// Error{usage} if it has been moved away.
+    FieldView view() const&;
+    FieldView view() const&& = delete;
     std::uint64_t fileBytes() const; ///< of the whole file
 
 private:

@@ -117,6 +117,14 @@ FieldRenderer::FieldRenderer(const gpu::Device& device, const field::FieldView& 
 {
 }
 
+FieldRenderer::FieldRenderer(const gpu::DeviceContext& context, const field::OwnedField& field,
+                             const Settings& settings)
+    : FieldRenderer(context, field.view(), settings)
+{
+    if (isStreamed())
+        parts_->source = field;
+}
+
 FieldRenderer::FieldRenderer(const gpu::DeviceContext& context, const field::FieldView& field,
                              const Settings& settings)
     : parts_(std::make_unique<Parts>(context, field, settings))

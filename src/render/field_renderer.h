@@ -1,7 +1,7 @@
 #pragma once
 
 #include "field/delta.h"
-#include "field/field.h"
+#include "field/owned_field.h"
 #include "render/camera.h"
 #include "render/field/blade_record.h"
 #include "render/field_renderer_settings.h"
@@ -31,9 +31,11 @@ class FieldRenderer {
 public:
     using Settings = FieldRendererSettings; ///< constant over all frames
 
-    /// The context must outlive it. `field` may be destroyed, but dumpBlades() needs it again.
+    /// The context must outlive it. A field that is streamed is kept if it is owned; a mere view
+    /// of it must stay valid. Others may be destroyed, but dumpBlades() needs them again.
     /// Throws Error{runtime} if the device's memory or the budget is too small, naming both sizes;
     /// Error{unsupported} if the device cannot draw the requested geometry.
+    FieldRenderer(const gpu::DeviceContext&, const field::OwnedField&, const Settings&);
     FieldRenderer(const gpu::DeviceContext&, const field::FieldView&, const Settings&);
     FieldRenderer(const gpu::Device&, const field::FieldView&, const Settings&); ///< of Sward
     FieldRenderer(FieldRenderer&&) noexcept; ///< only between frames

@@ -114,9 +114,16 @@ ResidentField::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
                                                 budget.framesInFlight);
 }
 
-ResidentField::ResidentField(const gpu::DeviceContext& context, const field::FieldView& field,
+ResidentField::ResidentField(const gpu::DeviceContext& context, const field::OwnedField& field,
                              const FieldBudget& budget)
-    : parts_(std::make_unique<Parts>(context, field, budget))
+    : parts_(std::make_unique<Parts>(context, field.view(), budget))
+{
+    if (isStreamed())
+        parts_->source = field;
+}
+
+ResidentField::ResidentField(const gpu::DeviceContext& context, const field::FieldView& field)
+    : parts_(std::make_unique<Parts>(context, field, FieldBudget{}))
 {
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/bounds.h"
-#include "field/field.h"
+#include "field/owned_field.h"
 
 #include <glm/vec3.hpp>
 #include <vulkan/vulkan.h>
@@ -31,12 +31,16 @@ struct FieldBudget {
 /// once or in pieces; its instances are skipped until then.
 class ResidentField {
 public:
-    /// Allocates, and copies the field into mapped memory; `field` may be destroyed unless
-    /// isStreamed(). Submits nothing. `context` must outlive it. Throws Error{runtime} if memory or
+    /// Allocates, and copies the field into mapped memory; of a field that is streamed, keeps
+    /// `field`. Submits nothing. `context` must outlive it. Throws Error{runtime} if memory or
     /// budget is too small; Error{usage} if a number of the budget is 0, or if the field has no
     /// keys and is to be editable.
-    ResidentField(const gpu::DeviceContext& context, const field::FieldView& field,
+    ResidentField(const gpu::DeviceContext& context, const field::OwnedField& field,
                   const FieldBudget& budget = {});
+
+    /// The same without a budget: copies all, is neither streamed nor editable. What `field` views
+    /// may be destroyed afterwards.
+    ResidentField(const gpu::DeviceContext& context, const field::FieldView& field);
     ResidentField(const ResidentField&) = delete;
     ResidentField& operator=(const ResidentField&) = delete;
     ~ResidentField(); ///< after the commands of the last frame that draws it
@@ -51,8 +55,7 @@ public:
     /// Error{usage} if not all of it has been recorded.
     void releaseStaging();
 
-    /// Whether not all blades fit into the budget. What `field` views must then outlive this, and
-    /// one Grass alone may draw it.
+    /// Whether not all blades fit into the budget. One Grass alone may then draw it.
     bool isStreamed() const;
 
     glm::dvec3 origin() const;               ///< [m] of places in its content

@@ -9,6 +9,7 @@
 #include "render/streaming/streaming.h"
 
 #include <memory>
+#include <optional>
 
 namespace sward::render {
 
@@ -25,6 +26,7 @@ struct ResidentField::Parts {
     BakedBlades blades;
     FieldShape shape;
     field::Defaults defaults;
+    std::optional<field::OwnedField> source; ///< what `streaming` reads
     std::unique_ptr<Streaming> streaming;    ///< if not all blades are resident
     std::unique_ptr<ResidentEdits> edits;    ///< if it is editable
     mutable std::weak_ptr<const void> grass; ///< what draws a field that is streamed or editable

@@ -71,8 +71,9 @@ int main(int, char** argv)
     vkAllocateCommandBuffers(host.device, &buffersInfo, &commands);
     {
         const gpu::DeviceContext context = gpu::describeDevice(host);
-        const field::MappedField mapped = field::readField(argv[1]);
-        const auto lawn = std::make_shared<render::ResidentField>(context, mapped.view());
+        const auto mapped =
+            std::make_shared<const field::MappedField>(field::readField(argv[1]));
+        const auto lawn = std::make_shared<render::ResidentField>(context, mapped);
         render::Grass grass(context, {.framesInFlight = 1});
         grass.add({lawn});
         const render::BladeTarget target(context, {.colorFormats = {VK_FORMAT_R8G8B8A8_SRGB}});
@@ -82,7 +83,7 @@ int main(int, char** argv)
         view.worldToClip[2][2] = 0.0;
         view.worldToClip[3][2] = 0.1;
         view.worldToClip *= glm::lookAt(glm::dvec3(0, 20, 20), glm::dvec3(0), glm::dvec3(0, 1, 0));
-        const render::FrameSettings settings = render::FrameSettings::of(mapped.view());
+        const render::FrameSettings settings = render::FrameSettings::of(mapped->view());
 
         const VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
         vkBeginCommandBuffer(commands, &begin);

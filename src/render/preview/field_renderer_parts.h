@@ -60,7 +60,8 @@ struct FieldRenderer::Parts {
     MemoryPlan plan;
     std::unique_ptr<EditedField> edited; ///< of an editable field, until `blades` has it
     MovingBlades blades;
-    std::optional<Streaming> streaming; ///< if not all blades are resident
+    std::optional<field::OwnedField> source; ///< what `streaming` reads, unless the caller has it
+    std::optional<Streaming> streaming;      ///< if not all blades are resident
     FieldShape shape;
     std::vector<FrameSlot> slots;
     double lastTime = 0.0; ///< [s] of the frame before

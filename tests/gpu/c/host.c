@@ -395,10 +395,12 @@ static void upload(sward_resident* resident)
     submit_and_wait(commands);
 }
 
-/* Draws the field within the smallest budget that shows some of it. */
-static void stream_field(const sward_context* context, const sward_field* field, sward_grass* grass,
+/* Draws a field within the smallest budget that shows some of it; it keeps its file. */
+static void stream_field(const sward_context* context, const char* path, sward_grass* grass,
                          const sward_target* target, const sward_frame* frame)
 {
+    sward_field* field = NULL;
+    REQUIRE(sward_field_open(path, &field) == SWARD_OK);
     sward_budget budget = {.bytes = 1000, .instances = 1, .views = 1};
     sward_resident* resident = NULL;
     REQUIRE(sward_resident_create_within(context, field, &budget, &resident) ==
@@ -409,6 +411,7 @@ static void stream_field(const sward_context* context, const sward_field* field,
     REQUIRE(strstr(sward_last_error(), "budget") != NULL);
     while (sward_resident_create_within(context, field, &budget, &resident) != SWARD_OK)
         budget.bytes += 1 << 15;
+    sward_field_destroy(field);
     REQUIRE(sward_resident_is_streamed(resident));
     upload(resident);
     const sward_placement place = {.rotation = {0, 0, 0, 1}, .scale = 1.0};
@@ -510,7 +513,7 @@ static void misuse(const sward_context* context, sward_grass* grass, const sward
     REQUIRE(sward_target_create(context, &nothing, &no_target) == SWARD_ERROR_USAGE);
 }
 
-static void draw_field(const sward_field* field, const char* delta)
+static void draw_field(const sward_field* field, const char* path, const char* delta)
 {
     sward_features* features = make_device();
     const sward_context_info context_info = {.instance = instance,
@@ -600,7 +603,7 @@ static void draw_field(const sward_field* field, const char* delta)
     REQUIRE(draw(grass, target, &frame) == 0);
 
     edit_field(context, field, grass, target, &frame, delta);
-    stream_field(context, field, grass, target, &frame);
+    stream_field(context, path, grass, target, &frame);
 
     sward_grass_destroy(grass);
     sward_target_destroy(target);
@@ -618,7 +621,7 @@ int main(int argc, char** argv)
     REQUIRE(argc == 4);
     REQUIRE(strcmp(sward_last_error(), "") == 0);
     sward_field* field = read_field(argv[1], argv[2]);
-    draw_field(field, argv[3]);
+    draw_field(field, argv[1], argv[3]);
     sward_field_destroy(field);
     sward_field_destroy(NULL);
     return 0;

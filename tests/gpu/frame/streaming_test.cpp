@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace sward::render {
 namespace {
@@ -325,6 +327,22 @@ TEST_F(StreamingTest, SaysWhatItNeedsWhereThereIsTooLittle)
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::unsupported);
     }
+}
+
+TEST_F(StreamingTest, KeepsAFieldThatItOwnsAsLongAsItStreams)
+{
+    FieldRenderer::Settings wanted = rasterised();
+    wanted.deviceBytes = budgetWith(0.33, wanted);
+    auto owned = std::make_shared<const field::Field>(meadow());
+    const std::weak_ptr<const field::Field> kept = owned;
+    {
+        FieldRenderer renderer(context(), field::OwnedField(std::move(owned)), wanted);
+        ASSERT_TRUE(renderer.isStreamed());
+        EXPECT_FALSE(kept.expired());
+        play(context(), renderer, 1, 0.1, flying);
+        EXPECT_GT(renderer.stats().drawn, 1000u);
+    }
+    EXPECT_TRUE(kept.expired());
 }
 
 TEST_F(StreamingTest, TellsOfAPatchThatIsThere)

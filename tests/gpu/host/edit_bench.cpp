@@ -100,7 +100,7 @@ private:
 /// Stores the light into the host's picture.
 class Host : public Door {
 public:
-    Host(const gpu::Device& device, const field::FieldView& field, long instances)
+    Host(const gpu::Device& device, const field::OwnedField& field, long instances)
         : context_(device.context())
         , lawn_(std::make_shared<render::ResidentField>(
               context_, field, render::FieldBudget{.framesInFlight = 1, .isEditable = true}))
@@ -109,7 +109,7 @@ public:
                               .format = VK_FORMAT_R8G8B8A8_UNORM,
                               .extent = extent,
                               .usage = VK_IMAGE_USAGE_STORAGE_BIT})
-        , frame_(render::FrameSettings::of(field))
+        , frame_(render::FrameSettings::of(field.view()))
     {
         gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
             lawn_->recordUpload(commands);
@@ -158,12 +158,12 @@ int run(std::int64_t along, std::size_t blades, std::int64_t perEdit, int frames
         for (std::int64_t z = 0; z < along; ++z)
             meadow.sow({x - along / 2, 0, z - along / 2}, blades);
     meadow.changes();
-    const field::Field field = meadow.whole();
+    const auto field = std::make_shared<const field::Field>(meadow.whole());
     const gpu::Instance instance;
     const gpu::Device device(instance);
     const std::unique_ptr<Door> door =
-        instances > 0 ? std::unique_ptr<Door>(new Host(device, field::viewOf(field), instances))
-                      : std::unique_ptr<Door>(new Renderer(device, field::viewOf(field)));
+        instances > 0 ? std::unique_ptr<Door>(new Host(device, field, instances))
+                      : std::unique_ptr<Door>(new Renderer(device, field::viewOf(*field)));
 
     std::vector<double> plain;
     std::vector<double> edited;

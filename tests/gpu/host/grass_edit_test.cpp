@@ -72,7 +72,7 @@ protected:
     static std::shared_ptr<ResidentField> editable(const field::Field& field,
                                                    const FieldBudget& budget = {.isEditable = true})
     {
-        auto lawn = std::make_shared<ResidentField>(context(), field::viewOf(field), budget);
+        auto lawn = std::make_shared<ResidentField>(context(), field::Field(field), budget);
         gpu::submitAndWait(context(),
                            [&](VkCommandBuffer commands) { lawn->recordUpload(commands); });
         lawn->releaseStaging();
@@ -266,8 +266,7 @@ TEST_P(GrassEditTest, WaitsUntilTheFieldIsDrawn)
 {
     meadow_.sow(middle, 1500);
     meadow_.changes();
-    const field::Field first = meadow_.whole();
-    const auto lawn = std::make_shared<ResidentField>(context(), field::viewOf(first),
+    const auto lawn = std::make_shared<ResidentField>(context(), meadow_.whole(),
                                                       FieldBudget{.isEditable = true});
     Grass grass(context(), oneSlot_);
     meadow_.sow(middle, 4000);
@@ -374,7 +373,7 @@ protected:
 
     std::shared_ptr<ResidentField> made(const FieldBudget& budget) const
     {
-        return std::make_shared<ResidentField>(context(), field::viewOf(field_), budget);
+        return std::make_shared<ResidentField>(context(), field::Field(field_), budget);
     }
 
     static void expectError(ErrorKind kind, const std::string& words,

@@ -148,7 +148,7 @@ TEST_F(GrassMisuseTest, NumbersOfSettingsAndBudgetsAreBounded)
     for (const auto& [name, budget] : budgets)
         expectMisuse(
             [&, &budget = budget] {
-                const ResidentField made(context(), field::viewOf(field_), budget);
+                const ResidentField made(context(), field::Field(field_), budget);
             },
             {"FieldBudget::" + std::string(name) + " is 0"});
 }

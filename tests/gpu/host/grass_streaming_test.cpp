@@ -1,6 +1,7 @@
 // A host's fields larger than their budgets: blades that any view sees come gradually.
 
 #include "core/error.h"
+#include "field/write.h"
 #include "gpu/frame_ring.h"
 #include "host_picture.h"
 
@@ -8,7 +9,11 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <memory>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace sward::render {
@@ -45,19 +50,22 @@ HostView along(Geometry geometry = Geometry::tessellation)
 
 class GrassStreamingTest : public test::GrassTest {
 protected:
-    static const field::Field& meadow()
+    static const std::shared_ptr<const field::Field>& ownedMeadow()
     {
-        static const field::Field field = test::makeField({.blades = 120'000,
-                                                           .extent = 64.0f,
-                                                           .widthLow = 0.03f,
-                                                           .widthHigh = 0.05f,
-                                                           .seed = 26});
+        static const auto field =
+            std::make_shared<const field::Field>(test::makeField({.blades = 120'000,
+                                                                  .extent = 64.0f,
+                                                                  .widthLow = 0.03f,
+                                                                  .widthHigh = 0.05f,
+                                                                  .seed = 26}));
         return field;
     }
 
+    static const field::Field& meadow() { return *ownedMeadow(); }
+
     static std::shared_ptr<ResidentField> uploaded(const FieldBudget& budget)
     {
-        auto lawn = std::make_shared<ResidentField>(context(), field::viewOf(meadow()), budget);
+        auto lawn = std::make_shared<ResidentField>(context(), ownedMeadow(), budget);
         gpu::submitAndWait(context(),
                            [&](VkCommandBuffer commands) { lawn->recordUpload(commands); });
         lawn->releaseStaging();
@@ -372,11 +380,68 @@ TEST_F(GrassStreamingTest, FliesWithSeveralFramesInFlight)
     expectCountsAddUp(grass, 1);
 }
 
+template <typename Owner>
+concept HasView = requires(Owner&& owner) { std::forward<Owner>(owner).view(); };
+
+// What is streamed is owned: neither a temporary nor a mere view can be streamed from.
+static_assert(HasView<field::MappedField&> && HasView<const field::MappedField&>);
+static_assert(!HasView<field::MappedField> && !HasView<const field::MappedField>);
+static_assert(HasView<const field::OwnedField&> && !HasView<field::OwnedField>);
+template <typename... Field>
+constexpr bool makesResident =
+    std::is_constructible_v<ResidentField, const gpu::DeviceContext&, Field...>;
+static_assert(makesResident<field::FieldView> && !makesResident<field::FieldView, FieldBudget>);
+static_assert(makesResident<field::MappedField, FieldBudget>);
+static_assert(makesResident<field::Field, FieldBudget>);
+static_assert(!makesResident<field::MappedField&, FieldBudget>, "moved or shared");
+
+TEST_F(GrassStreamingTest, KeepsTheFileItStreamsFrom)
+{
+    const auto path = std::filesystem::path(testing::TempDir()) / "sward-host-streamed.sward";
+    field::writeField(meadow(), path, true);
+    std::weak_ptr<const field::MappedField> file;
+    {
+        auto mapped = std::make_shared<const field::MappedField>(field::readField(path));
+        file = mapped;
+        const ResidentField whole(context(), mapped);
+        EXPECT_FALSE(whole.isStreamed());
+        mapped.reset();
+        EXPECT_TRUE(file.expired()) << "what is resident as a whole keeps no file";
+    }
+    {
+        auto mapped = std::make_shared<const field::MappedField>(field::readField(path));
+        file = mapped;
+        const ResidentField part(context(), std::move(mapped), budgetFor(0.25));
+        EXPECT_TRUE(part.isStreamed());
+        EXPECT_FALSE(file.expired());
+    }
+    EXPECT_TRUE(file.expired());
+
+    // The line of docs/engine.md, within a budget.
+    const auto lawn =
+        std::make_shared<ResidentField>(context(), field::readField(path), budgetFor(0.25));
+    gpu::submitAndWait(context(), [&](VkCommandBuffer commands) { lawn->recordUpload(commands); });
+    lawn->releaseStaging();
+    Grass grass(context(), oneSlot_);
+    grass.add({lawn, here});
+    const HostPicture picture(context(), {});
+    const HostView view = atCorner();
+    const HostPicture* const pictures[]{&picture};
+    settle(grass, {&view, 1}, pictures);
+    EXPECT_GT(picture.covered(), pixelCount / 10);
+
+    EXPECT_THROW(field::OwnedField(std::shared_ptr<const field::Field>()), Error);
+    field::MappedField moved = field::readField(path);
+    const field::OwnedField owner(std::move(moved));
+    EXPECT_EQ(owner.view().blades.size(), meadow().blades.size());
+    EXPECT_THROW(moved.view(), Error); // NOLINT(bugprone-use-after-move): that is what is tested
+}
+
 TEST_F(GrassStreamingTest, SaysWhatItNeeds)
 {
     const auto messageWith = [&](std::uint64_t bytes) -> std::string {
         try {
-            const ResidentField lawn(context(), field::viewOf(meadow()), {.bytes = bytes});
+            const ResidentField lawn(context(), ownedMeadow(), {.bytes = bytes});
         } catch (const Error& error) {
             EXPECT_EQ(error.kind(), ErrorKind::runtime);
             return error.what();

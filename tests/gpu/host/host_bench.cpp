@@ -172,12 +172,13 @@ void run(const Options& options)
     const gpu::Instance instance;
     const gpu::Device device(instance);
     const gpu::DeviceContext& context = device.context();
-    const field::MappedField mapped = field::readField(options.field);
+    const auto mapped =
+        std::make_shared<const field::MappedField>(field::readField(options.field));
     render::FieldBudget budget{.bytes = std::uint64_t(options.numbers.at("budget")) << 20,
                                .instances =
                                    static_cast<std::uint32_t>(options.numbers.at("instances")),
                                .framesInFlight = slots};
-    const auto lawn = std::make_shared<render::ResidentField>(context, mapped.view(), budget);
+    const auto lawn = std::make_shared<render::ResidentField>(context, mapped, budget);
     gpu::submitAndWait(context, [&](VkCommandBuffer commands) { lawn->recordUpload(commands); });
     lawn->releaseStaging();
     const auto samples = static_cast<std::uint32_t>(options.numbers.at("samples"));
@@ -211,7 +212,7 @@ void run(const Options& options)
 
     std::ifstream file(options.scene);
     const nlohmann::json scene = nlohmann::json::parse(file);
-    render::FrameSettings settings = render::FrameSettings::of(mapped.view());
+    render::FrameSettings settings = render::FrameSettings::of(mapped->view());
     if (scene.contains("draw") && scene.at("draw").at(0) == "--draw-distance")
         settings.environment.drawDistance = std::stof(scene.at("draw").at(1).get<std::string>());
     // A map of the whole field, of nothing between it and the sun.

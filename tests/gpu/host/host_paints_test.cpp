@@ -49,12 +49,12 @@ TEST_F(HostPaintsTest, ShowsTheFieldOfTheSession)
     Diagnostics diagnostics;
     Progress progress;
     bake::Session session(ground, settings, 2, diagnostics, progress);
-    const field::Field first = session.field();
+    field::Field first = session.field();
     settings_ = FrameSettings::of(field::viewOf(first));
     settings_.winds.clear();
     settings_.levelOfDetail = false;
     settings_.thatch = 0.0f;
-    const auto lawn = std::make_shared<ResidentField>(context(), field::viewOf(first),
+    const auto lawn = std::make_shared<ResidentField>(context(), std::move(first),
                                                       FieldBudget{.isEditable = true});
     gpu::submitAndWait(context(), [&](VkCommandBuffer commands) { lawn->recordUpload(commands); });
     Grass grass(context(), oneSlot_);

@@ -132,7 +132,8 @@ TEST(FieldFile, IsOfTheFirstVersionUnlessABudgetThinnedIt)
     for (const double thinned : {1.0, 3.5}) {
         field.thinned = thinned;
         writeField(field, path, true);
-        EXPECT_EQ(readField(path).view().thinned, thinned);
+        const MappedField read = readField(path);
+        EXPECT_EQ(read.view().thinned, thinned);
         std::ifstream file(path, std::ios::binary);
         std::array<char, 12> head = {};
         file.read(head.data(), head.size());
@@ -187,8 +188,9 @@ TEST(FieldFile, WithoutBladesIsValid)
     field.keys.clear();
     const auto path = tests::temporaryFile("empty.sward");
     writeField(field, path, true);
-    EXPECT_TRUE(readField(path).view().blades.empty());
-    EXPECT_FALSE(readField(path).view().bounds().isEmpty());
+    const MappedField read = readField(path);
+    EXPECT_TRUE(read.view().blades.empty());
+    EXPECT_FALSE(read.view().bounds().isEmpty());
 }
 
 TEST(FieldFile, IsNotReplacedWithoutPermission)
@@ -196,7 +198,8 @@ TEST(FieldFile, IsNotReplacedWithoutPermission)
     const auto path = tests::temporaryFile("kept.sward");
     writeField(tests::sampleField(), path, true);
     EXPECT_THROW(writeField(tests::sampleField(7), path, false), Error);
-    EXPECT_EQ(readField(path).view().blades.size(), 15U);
+    const MappedField kept = readField(path);
+    EXPECT_EQ(kept.view().blades.size(), 15U);
 }
 
 TEST(FieldFile, ThatWouldNotReadBackIsNotWritten)

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "field/field.h"
+#include "field/read.h"
+
+#include <memory>
+
+namespace sward::field {
+
+/// A field together with what keeps it alive: for whoever reads from it later, such as a renderer
+/// that streams its blades. Copies share the field.
+class OwnedField {
+public:
+    OwnedField(MappedField&& field); ///< of readField(); bytes of the caller still outlive this
+    OwnedField(Field&& field);       ///< of a bake
+
+    // Throw Error{usage} if the pointer is null.
+    OwnedField(std::shared_ptr<const MappedField> field);
+    OwnedField(std::shared_ptr<const Field> field);
+
+    const FieldView& view() const& { return view_; } ///< valid as long as this or a copy of it
+    const FieldView& view() const&& = delete;        ///< nothing would own it
+
+private:
+    std::shared_ptr<const void> owner_;
+    FieldView view_;
+};
+
+} // namespace sward::field
