@@ -41,7 +41,7 @@ function(sward_install_component name)
   install(EXPORT sward${name} NAMESPACE sward:: FILE sward${name}Targets.cmake
     DESTINATION ${SWARD_PACKAGE_DIR} COMPONENT development)
 endfunction()
-sward_install_component(Field sward_core sward_shared sward_field)
+sward_install_component(Field sward_core sward_shared sward_field sward_c_field)
 sward_install_component(Bake sward_assets sward_terrain sward_stb sward_bake)
 sward_install_component(Render sward_gpu sward_render sward_c)
 
@@ -84,7 +84,7 @@ function(sward_install_pc name description requires libraries)
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 endfunction()
 sward_install_pc(field "Field files of grass: reading, verifying, writing"
-  "glm fmt spdlog libxxhash libzstd" "-lsward_field -lsward_core")
+  "glm fmt spdlog libxxhash libzstd" "-lsward_c_field -lsward_field -lsward_core")
 sward_install_pc(bake "Grows grass on any ground"
   "sward-field tbb OpenEXR libpng tinygltf"
   "-lsward_bake -lsward_terrain -lsward_assets -lembree${embree_VERSION_MAJOR} -lOpenMeshCore -lmeshoptimizer -ldraco -lstb")

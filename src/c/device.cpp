@@ -104,10 +104,11 @@ void sward_resident_destroy(sward_resident* resident)
     delete resident;
 }
 
-void sward_resident_record_upload(sward_resident* resident, VkCommandBuffer commands,
-                                  VkDeviceSize max_bytes)
+sward_status sward_resident_record_upload(sward_resident* resident, VkCommandBuffer commands,
+                                          VkDeviceSize max_bytes)
 {
-    guarded([&] { checked(resident, "resident")->field->recordUpload(commands, max_bytes); });
+    return guarded(
+        [&] { checked(resident, "resident")->field->recordUpload(commands, max_bytes); });
 }
 
 bool sward_resident_is_uploaded(const sward_resident* resident)
@@ -115,9 +116,9 @@ bool sward_resident_is_uploaded(const sward_resident* resident)
     return resident != nullptr && resident->field->isUploaded();
 }
 
-void sward_resident_release_staging(sward_resident* resident)
+sward_status sward_resident_release_staging(sward_resident* resident)
 {
-    guarded([&] { checked(resident, "resident")->field->releaseStaging(); });
+    return guarded([&] { checked(resident, "resident")->field->releaseStaging(); });
 }
 
 sward_status sward_settings_create(const sward_field* field, sward_settings** settings)

@@ -72,12 +72,12 @@ bool sward_resident_is_streamed(const sward_resident* resident);
 void sward_resident_destroy(sward_resident* resident);
 
 /* Records the copy of at most `max_bytes` more, outside of a rendering. */
-void sward_resident_record_upload(sward_resident* resident, VkCommandBuffer commands,
-                                  VkDeviceSize max_bytes);
+sward_status sward_resident_record_upload(sward_resident* resident, VkCommandBuffer commands,
+                                          VkDeviceSize max_bytes);
 bool sward_resident_is_uploaded(const sward_resident* resident);
 
 /* Frees the mapped memory, after the commands of the whole upload have completed. */
-void sward_resident_release_staging(sward_resident* resident);
+sward_status sward_resident_release_staging(sward_resident* resident);
 
 /* ---- Settings ---------------------------------------------------------------------------- */
 

@@ -1,5 +1,8 @@
+#include "c/field.h"
+
+#include "c/field_handle.h"
 #include "c/guard.h"
-#include "c/handles.h"
+#include "c/messages.h"
 
 #include <algorithm>
 #include <string>
@@ -21,6 +24,24 @@ sward_status sward::c::failed(sward_status status, const char* message) noexcept
         lastError.clear();
     }
     return status;
+}
+
+sward_status sward::c::failed(const Error& error) noexcept
+{
+    const auto status = static_cast<sward_status>(error.exitCode());
+    const bool isMisuse = error.kind() == ErrorKind::usage;
+    try {
+        lastError = inWordsOfC(error.what(), isMisuse);
+    } catch (...) {
+        lastError.clear();
+    }
+    return status <= SWARD_ERROR_UNSUPPORTED ? status : SWARD_ERROR_RUNTIME;
+}
+
+sward_status sward::c::succeeded() noexcept
+{
+    lastError.clear();
+    return SWARD_OK;
 }
 
 const char* sward_last_error(void)
@@ -74,7 +95,8 @@ sward_status sward_field_read_blades(const sward_field* field, uint64_t first, u
             return;
         checked(blades, "blades");
         // Patches follow one another in the order of their blades, empty ones between them.
-        for (const shared::Patch& patch : view.patches) {
+        for (std::size_t group = 0; group < view.patches.size(); ++group) {
+            const shared::Patch& patch = view.patches[group];
             const std::uint64_t begin = std::max<std::uint64_t>(first, patch.firstBlade);
             const std::uint64_t end = std::min<std::uint64_t>(
                 first + count, std::uint64_t(patch.firstBlade) + patch.bladeCount);
@@ -90,6 +112,13 @@ sward_status sward_field_read_blades(const sward_field* field, uint64_t first, u
                 out.width = blade.width;
                 out.stiffness = blade.stiffness;
                 out.species = blade.species;
+                out.exposure = blade.exposure;
+                for (glm::length_t channel = 0; channel < 3; ++channel)
+                    out.tint[channel] = blade.tint[channel];
+                const bool isPlant = view.species[blade.species].look.organKinds > 0;
+                out.clump = isPlant ? 0 : blade.clump;
+                out.ribbon = isPlant ? blade.clump : 0;
+                out.group = static_cast<std::uint32_t>(group);
                 out.id = view.idOf(i);
             }
         }

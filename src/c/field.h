@@ -21,7 +21,8 @@ typedef enum sward_status {
     SWARD_ERROR_INTERNAL = 6     /* a defect of Sward */
 } sward_status;
 
-/* Message of the last failed call of this thread; empty before any. Valid until the next one. */
+/* Message of this thread's last call that returns a status, or a reason; empty if that succeeded,
+ * and before any. Valid until the next such call. */
 const char* sward_last_error(void);
 
 /* ---- Field files ------------------------------------------------------------------------- */
@@ -30,14 +31,14 @@ const char* sward_last_error(void);
 typedef struct sward_field sward_field;
 
 typedef struct sward_field_info {
-    uint64_t blade_count;
+    uint64_t blade_count; /* rows: blades, stalks of compound plants, and each of their ribbons */
     uint64_t patch_count;
     uint32_t species_count; /* 1 to 8 */
     double origin[3];       /* [m] world = origin + position */
     float low[3], high[3];  /* [m] box of everything visible, relative to the origin */
 } sward_field_info;
 
-/* One blade as it is stored, without its patch. */
+/* One row as it is stored: a blade, the stalk of a compound plant, or a ribbon on a stalk. */
 typedef struct sward_blade {
     double root[3];   /* [m] world */
     float up[3];      /* unit: the normal it stands on */
@@ -45,8 +46,17 @@ typedef struct sward_blade {
     float height;     /* [m] */
     float width;      /* [m] at its widest */
     float stiffness;  /* [0, 1] */
+    float exposure;   /* [0, 1] share of open sky above the root */
+    float tint[3];    /* [0, 1] colour of the ground at the root, red, green, blue, in sRGB */
     uint32_t species; /* below species_count */
-    uint64_t id;      /* the same in every bake that has this blade; below 2^53 */
+    uint32_t clump;   /* 0 to 254, the same for neighbours; 255: dead and dry; 0 of a plant */
+    uint32_t group;   /* what stands together: number of its patch, below patch_count */
+
+    /* 0: a blade or a stalk. Else the number, 1 to 63, of a leaf or a petal on the stalk that is
+     * the nearest row before with 0: a ribbon grows on it, and has its data but for width and id.
+     * Whoever counts plants or draws blades of their own leaves these rows out. */
+    uint32_t ribbon;
+    uint64_t id; /* the same in every bake that has this blade; below 2^53 */
 } sward_blade;
 
 /* Maps `path` (UTF-8) and verifies all of it. SWARD_ERROR_IO, _INPUT or _UNSUPPORTED. */
@@ -54,7 +64,7 @@ sward_status sward_field_open(const char* path, sward_field** field);
 void sward_field_destroy(sward_field* field);
 sward_status sward_field_get_info(const sward_field* field, sward_field_info* info);
 
-/* Unpacks `count` blades from `first` on. SWARD_ERROR_USAGE beyond blade_count. */
+/* Unpacks `count` rows from `first` on. SWARD_ERROR_USAGE beyond blade_count. */
 sward_status sward_field_read_blades(const sward_field* field, uint64_t first, uint64_t count,
                                      sward_blade* blades);
 

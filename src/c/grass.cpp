@@ -229,34 +229,34 @@ sward_status sward_grass_begin(sward_grass* grass, uint32_t slot, const sward_fr
     });
 }
 
-void sward_grass_record_update(sward_grass* grass, VkCommandBuffer commands)
+sward_status sward_grass_record_update(sward_grass* grass, VkCommandBuffer commands)
 {
-    guarded([&] { checked(grass, "grass")->grass.recordUpdate(commands); });
+    return guarded([&] { checked(grass, "grass")->grass.recordUpdate(commands); });
 }
 
-void sward_grass_record_cull(sward_grass* grass, VkCommandBuffer commands, uint32_t view)
+sward_status sward_grass_record_cull(sward_grass* grass, VkCommandBuffer commands, uint32_t view)
 {
-    guarded([&] { checked(grass, "grass")->grass.recordCull(commands, view); });
+    return guarded([&] { checked(grass, "grass")->grass.recordCull(commands, view); });
 }
 
-void sward_grass_record_raster(sward_grass* grass, VkCommandBuffer commands, uint32_t view)
+sward_status sward_grass_record_raster(sward_grass* grass, VkCommandBuffer commands, uint32_t view)
 {
-    guarded([&] { checked(grass, "grass")->grass.recordRaster(commands, view); });
+    return guarded([&] { checked(grass, "grass")->grass.recordRaster(commands, view); });
 }
 
-void sward_grass_record_draw(const sward_grass* grass, VkCommandBuffer commands, uint32_t view,
-                             const sward_target* target)
+sward_status sward_grass_record_draw(const sward_grass* grass, VkCommandBuffer commands,
+                                     uint32_t view, const sward_target* target)
 {
-    guarded([&] {
+    return guarded([&] {
         checked(target, "target");
         checked(grass, "grass")->grass.recordDraw(commands, view, target->target);
     });
 }
 
-void sward_grass_record_depth(const sward_grass* grass, VkCommandBuffer commands, uint32_t view,
-                              const sward_target* target)
+sward_status sward_grass_record_depth(const sward_grass* grass, VkCommandBuffer commands,
+                                      uint32_t view, const sward_target* target)
 {
-    guarded([&] {
+    return guarded([&] {
         checked(target, "target");
         checked(grass, "grass")->grass.recordDepth(commands, view, target->target);
     });

@@ -51,8 +51,9 @@ typedef struct sward_target_info {
     uint32_t subpass;
 } sward_target_info;
 
+/* Counts of rows as sward_field_info has them: of a compound plant, the stalk and each ribbon. */
 typedef struct sward_stats {
-    uint64_t resident, simulated, drawn, thinned, culled; /* blades; culled by any test */
+    uint64_t resident, simulated, drawn, thinned, culled; /* culled by any test */
 } sward_stats;
 
 /* Of fields larger than their budgets: pages of 1024 blades. */
@@ -88,16 +89,17 @@ sward_status sward_grass_edit(sward_grass* grass, sward_resident* resident,
 sward_status sward_grass_begin(sward_grass* grass, uint32_t slot, const sward_frame* frame);
 
 /* Outside of a rendering, in this order: once; for each view; for each view. The last stores grass
- * into the view's sward_stored_picture, if it has one and nothing is in the way. */
-void sward_grass_record_update(sward_grass* grass, VkCommandBuffer commands);
-void sward_grass_record_cull(sward_grass* grass, VkCommandBuffer commands, uint32_t view);
-void sward_grass_record_raster(sward_grass* grass, VkCommandBuffer commands, uint32_t view);
+ * into the view's sward_stored_picture, if it has one and nothing is in the way.
+ * SWARD_ERROR_USAGE, and nothing is recorded, if a call is out of order. */
+sward_status sward_grass_record_update(sward_grass* grass, VkCommandBuffer commands);
+sward_status sward_grass_record_cull(sward_grass* grass, VkCommandBuffer commands, uint32_t view);
+sward_status sward_grass_record_raster(sward_grass* grass, VkCommandBuffer commands, uint32_t view);
 
 /* Inside the host's rendering, viewport and scissor set. */
-void sward_grass_record_draw(const sward_grass* grass, VkCommandBuffer commands, uint32_t view,
-                             const sward_target* target);
-void sward_grass_record_depth(const sward_grass* grass, VkCommandBuffer commands, uint32_t view,
-                              const sward_target* target);
+sward_status sward_grass_record_draw(const sward_grass* grass, VkCommandBuffer commands,
+                                     uint32_t view, const sward_target* target);
+sward_status sward_grass_record_depth(const sward_grass* grass, VkCommandBuffer commands,
+                                      uint32_t view, const sward_target* target);
 
 /* Why a view of the frame last begun is tessellated; null if it is rasterised. */
 const char* sward_grass_why_tessellated(const sward_grass* grass, uint32_t view);

@@ -11,17 +11,21 @@ namespace sward::c {
 /// Keeps the message for sward_last_error().
 sward_status failed(sward_status status, const char* message) noexcept;
 
+/// The same for an Error, in the words of the C interface.
+sward_status failed(const Error& error) noexcept;
+
+/// Clears what sward_last_error() returns.
+sward_status succeeded() noexcept;
+
 /// Runs `work`; turns what it throws into a status.
 template <class Work>
 sward_status guarded(const Work& work) noexcept
 {
     try {
         work();
-        return SWARD_OK;
+        return succeeded();
     } catch (const Error& error) {
-        const auto status = static_cast<sward_status>(error.exitCode());
-        return failed(status <= SWARD_ERROR_UNSUPPORTED ? status : SWARD_ERROR_RUNTIME,
-                      error.what());
+        return failed(error);
     } catch (const std::bad_alloc&) {
         return failed(SWARD_ERROR_RUNTIME, "memory does not suffice");
     } catch (const std::exception& error) {

@@ -1,15 +1,11 @@
 #pragma once
 
+#include "c/field_handle.h"
 #include "c/sward.h"
-#include "field/read.h"
 #include "gpu/features.h"
 #include "render/grass.h"
 
 #include <memory>
-
-struct sward_field {
-    std::shared_ptr<const sward::field::MappedField> mapped;
-};
 
 struct sward_features {
     sward::gpu::FeatureChain chain;

@@ -168,6 +168,27 @@ class Components(GuestTest):
                 self.assertNotIn("vulkan", libraries_of(self.folder / "guest"))
                 self.assertRegex(self.run_here("./guest", field), r"^llvmpipe.* lists blades\n$")
 
+    def test_a_reader_of_fields_in_c_is_linked_without_vulkan(self):
+        """By what pkg-config says of sward-field, and by the target sward::c_field."""
+        field = self.bake("--count", "300")
+        shutil.copy(ROOT / "tests/gpu/c/fields_only.c", self.folder / "main.c")
+        flags = self.run_here("pkg-config", "--cflags", "--libs", "sward-field",
+                              PKG_CONFIG_PATH=str(PREFIX / "lib/pkgconfig")).split()
+        compiled = [flag for flag in flags if flag.startswith(("-I", "-D"))]
+        self.run_here("cc", "-std=c11", "-DSWARD_IS_INSTALLED", *compiled, "-c", "main.c", "-o", "main.o")
+        self.run_here(COMPILER, "main.o", *flags, "-o", "guest")
+        (self.folder / "CMakeLists.txt").write_text(
+            CMAKE.format(component="c_field", version="0.1").replace("COMPONENTS c_field", "COMPONENTS field")
+            .replace("LANGUAGES CXX", "LANGUAGES C CXX").replace("main.cpp", "main.c") +
+            "target_compile_definitions(guest PRIVATE SWARD_IS_INSTALLED)\n"
+            "set_target_properties(guest PROPERTIES LINKER_LANGUAGE CXX)\n", encoding="utf-8")
+        self.configure(without=[*MESH_PACKAGES, "Vulkan"])
+        self.build()
+        for program in ("guest", "build/guest"):
+            self.assertEqual(self.run_here(self.folder / program, field), "300 rows, 0 ribbons\n")
+            self.assertNotIn("vulkan", libraries_of(self.folder / program))
+            self.assertNotRegex(self.run_here("nm", "-C", program), r" vk[A-Z]|sward::(gpu|render)::")
+
     def test_vectors_go_between_a_host_of_plain_glm_and_ours(self):
         """The headers ask for no setting that gives GLM's vectors another name."""
         field = self.bake("--count", "300")

@@ -2,6 +2,7 @@
  * it. Usage: host FIELD.sward DAMAGED.sward CHANGE.swdelta. Prints what is wrong and ends with 1. */
 #include "c/sward.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,6 +18,17 @@ enum { width = 160, height = 90 };
         }                                                                                          \
     } while (0)
 
+/* The message of the last call has these words, and no name of the C++ library. */
+static void require_words(const char* words)
+{
+    REQUIRE(strstr(sward_last_error(), words) != NULL);
+    const char* const foreign[] = {"Grass", "Host", "Budget", "Field", "Picture", "gpu::"};
+    for (unsigned i = 0; i < sizeof foreign / sizeof *foreign; ++i)
+        REQUIRE(strstr(sward_last_error(), foreign[i]) == NULL);
+    for (const char* c = sward_last_error(); c[0] != '\0' && c[1] != '\0'; ++c)
+        REQUIRE(!(islower((unsigned char)c[0]) && isupper((unsigned char)c[1])));
+}
+
 static sward_field* read_field(const char* path, const char* damaged)
 {
     sward_field* field = NULL;
@@ -25,7 +37,9 @@ static sward_field* read_field(const char* path, const char* damaged)
     REQUIRE(sward_field_open(damaged, &field) == SWARD_ERROR_INPUT);
     REQUIRE(field == NULL && strstr(sward_last_error(), damaged) != NULL);
     REQUIRE(sward_field_open(NULL, &field) == SWARD_ERROR_USAGE);
+    REQUIRE(strcmp(sward_last_error(), "path is null") == 0);
     REQUIRE(sward_field_open(path, &field) == SWARD_OK);
+    REQUIRE(strcmp(sward_last_error(), "") == 0);
 
     sward_field_info info;
     REQUIRE(sward_field_get_info(field, &info) == SWARD_OK);
@@ -45,6 +59,8 @@ static sward_field* read_field(const char* path, const char* damaged)
         }
         REQUIRE(fabsf(square - 1.0f) < 1e-4f);
         REQUIRE(blade->height > 0.0f && blade->species < info.species_count);
+        REQUIRE(blade->exposure >= 0.0f && blade->exposure <= 1.0f && blade->ribbon < 64);
+        REQUIRE(blade->clump < 256 && blade->group < info.patch_count);
     }
     /* A part is the same as that part of all. */
     sward_blade part[10];
@@ -280,9 +296,9 @@ static unsigned draw(sward_grass* grass, const sward_target* target, const sward
                      VK_IMAGE_ASPECT_DEPTH_BIT);
     REQUIRE(sward_grass_begin(grass, 0, frame) == SWARD_OK);
     VkCommandBuffer commands = begin_commands();
-    sward_grass_record_update(grass, commands);
-    sward_grass_record_cull(grass, commands, 0);
-    sward_grass_record_raster(grass, commands, 0);
+    REQUIRE(sward_grass_record_update(grass, commands) == SWARD_OK);
+    REQUIRE(sward_grass_record_cull(grass, commands, 0) == SWARD_OK);
+    REQUIRE(sward_grass_record_raster(grass, commands, 0) == SWARD_OK);
     to_layout(commands, color.image, color_aspect, VK_IMAGE_LAYOUT_UNDEFINED,
               VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
     to_layout(commands, depth.image, VK_IMAGE_ASPECT_DEPTH_BIT, VK_IMAGE_LAYOUT_UNDEFINED,
@@ -309,7 +325,7 @@ static unsigned draw(sward_grass* grass, const sward_target* target, const sward
     vkCmdBeginRendering(commands, &rendering);
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &rendering.renderArea);
-    sward_grass_record_draw(grass, commands, 0, target);
+    REQUIRE(sward_grass_record_draw(grass, commands, 0, target) == SWARD_OK);
     vkCmdEndRendering(commands);
     const unsigned covered =
         submit_and_count(commands, color.image, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
@@ -345,9 +361,9 @@ static unsigned store(sward_grass* grass, sward_frame frame)
     const VkClearColorValue black = {.float32 = {0.0f, 0.0f, 0.0f, 0.0f}};
     const VkImageSubresourceRange all = {aspect, 0, 1, 0, 1};
     vkCmdClearColorImage(commands, color.image, VK_IMAGE_LAYOUT_GENERAL, &black, 1, &all);
-    sward_grass_record_update(grass, commands);
-    sward_grass_record_cull(grass, commands, 0);
-    sward_grass_record_raster(grass, commands, 0);
+    REQUIRE(sward_grass_record_update(grass, commands) == SWARD_OK);
+    REQUIRE(sward_grass_record_cull(grass, commands, 0) == SWARD_OK);
+    REQUIRE(sward_grass_record_raster(grass, commands, 0) == SWARD_OK);
     const unsigned covered = submit_and_count(commands, color.image, VK_IMAGE_LAYOUT_GENERAL);
     destroy_picture(color);
     return covered;
@@ -391,7 +407,8 @@ static void light_frame(sward_grass* grass, const sward_target* target, sward_fr
 static void upload(sward_resident* resident)
 {
     VkCommandBuffer commands = begin_commands();
-    sward_resident_record_upload(resident, commands, VK_WHOLE_SIZE);
+    REQUIRE(sward_resident_record_upload(resident, NULL, 1) == SWARD_ERROR_USAGE);
+    REQUIRE(sward_resident_record_upload(resident, commands, VK_WHOLE_SIZE) == SWARD_OK);
     submit_and_wait(commands);
 }
 
@@ -405,6 +422,7 @@ static void stream_field(const sward_context* context, const char* path, sward_g
     sward_resident* resident = NULL;
     REQUIRE(sward_resident_create_within(context, field, &budget, &resident) ==
             SWARD_ERROR_USAGE); /* no frame in flight */
+    require_words("sward_budget::frames_in_flight is 0");
     budget.frames_in_flight = 1;
     REQUIRE(sward_resident_create_within(context, field, &budget, &resident) ==
             SWARD_ERROR_RUNTIME);
@@ -436,7 +454,7 @@ static void edit_field(const sward_context* context, const sward_field* field, s
     sward_resident* fixed = NULL;
     REQUIRE(sward_resident_create(context, field, &fixed) == SWARD_OK);
     REQUIRE(sward_grass_edit(grass, fixed, field, delta) == SWARD_ERROR_USAGE);
-    REQUIRE(strstr(sward_last_error(), "isEditable") != NULL);
+    require_words("sward_budget::is_editable");
     sward_resident_destroy(fixed);
     sward_resident* resident = NULL;
     REQUIRE(sward_resident_create_within(context, field, &budget, &resident) == SWARD_OK);
@@ -464,22 +482,31 @@ static void misuse(const sward_context* context, sward_grass* grass, const sward
                    const sward_frame* frame)
 {
     VkCommandBuffer commands = begin_commands();
-    sward_grass_record_update(grass, commands);
-    REQUIRE(strstr(sward_last_error(), "begin()") != NULL);
+    REQUIRE(sward_grass_record_update(grass, commands) == SWARD_ERROR_USAGE);
+    require_words("sward_grass_begin()");
     REQUIRE(sward_grass_begin(grass, 0, frame) == SWARD_OK);
-    sward_grass_record_cull(grass, commands, 0);
-    REQUIRE(strstr(sward_last_error(), "recordUpdate()") != NULL);
-    sward_grass_record_update(grass, NULL);
-    REQUIRE(strstr(sward_last_error(), "command buffer is null") != NULL);
-    sward_grass_record_update(grass, commands);
-    sward_grass_record_draw(grass, commands, 0, target);
-    REQUIRE(strstr(sward_last_error(), "recordCull()") != NULL);
-    sward_grass_record_cull(grass, commands, 1);
-    REQUIRE(strstr(sward_last_error(), "view 1 of a frame with 1 views") != NULL);
-    sward_grass_record_draw(grass, commands, 0, NULL);
-    REQUIRE(strstr(sward_last_error(), "target is null") != NULL);
-    sward_grass_record_raster(NULL, commands, 0);
-    REQUIRE(strstr(sward_last_error(), "grass is null") != NULL);
+    REQUIRE(strcmp(sward_last_error(), "") == 0); /* a success leaves no message */
+    REQUIRE(sward_grass_record_cull(grass, commands, 0) == SWARD_ERROR_USAGE);
+    require_words("sward_grass_record_cull() needs sward_grass_record_update()");
+    REQUIRE(sward_grass_record_update(grass, NULL) == SWARD_ERROR_USAGE);
+    require_words("command buffer is null");
+    REQUIRE(sward_grass_record_update(grass, commands) == SWARD_OK);
+    REQUIRE(strcmp(sward_last_error(), "") == 0);
+    REQUIRE(sward_grass_record_update(grass, commands) == SWARD_ERROR_USAGE);
+    require_words("sward_grass_record_update() is called a second time");
+    REQUIRE(sward_grass_record_raster(grass, commands, 0) == SWARD_ERROR_USAGE);
+    require_words("sward_grass_record_raster() of view 0");
+    REQUIRE(sward_grass_record_draw(grass, commands, 0, target) == SWARD_ERROR_USAGE);
+    require_words("needs its sward_grass_record_cull() before it");
+    REQUIRE(sward_grass_record_cull(grass, commands, 1) == SWARD_ERROR_USAGE);
+    require_words("view 1 of a frame with 1 views");
+    REQUIRE(sward_grass_record_draw(grass, commands, 0, NULL) == SWARD_ERROR_USAGE);
+    require_words("target is null");
+    REQUIRE(sward_grass_record_raster(NULL, commands, 0) == SWARD_ERROR_USAGE);
+    require_words("grass is null");
+    REQUIRE(sward_grass_record_cull(grass, commands, 0) == SWARD_OK);
+    REQUIRE(sward_grass_record_depth(grass, commands, 0, target) == SWARD_ERROR_USAGE);
+    require_words("sward_grass_record_depth()");
     submit_and_wait(commands);
 
     /* Two views with room for one. */
@@ -489,7 +516,7 @@ static void misuse(const sward_context* context, sward_grass* grass, const sward
     wrong.view_count = 2;
     REQUIRE(sward_grass_begin(grass, 0, &wrong) == SWARD_ERROR_USAGE);
     REQUIRE(strstr(sward_last_error(), "2 views") != NULL);
-    REQUIRE(strstr(sward_last_error(), "maxViews is 1") != NULL);
+    require_words("sward_grass_info::max_views is 1");
     wrong = *frame;
     wrong.collider_count = UINT32_MAX;
     wrong.colliders = (const sward_collider*)two;
@@ -503,14 +530,21 @@ static void misuse(const sward_context* context, sward_grass* grass, const sward
     view = two[0];
     view.world_to_clip[5] = (double)NAN;
     REQUIRE(sward_grass_begin(grass, 0, &wrong) == SWARD_ERROR_USAGE);
+    require_words("view 0: world_to_clip is not finite");
 
     const sward_grass_info info = {.frames_in_flight = 17, .max_views = 1};
     sward_grass* none = NULL;
     REQUIRE(sward_grass_create(context, &info, &none) == SWARD_ERROR_USAGE && none == NULL);
-    REQUIRE(strstr(sward_last_error(), "17") != NULL);
+    require_words("frames_in_flight is 17");
     const sward_target_info nothing = {.samples = 1};
     sward_target* no_target = NULL;
     REQUIRE(sward_target_create(context, &nothing, &no_target) == SWARD_ERROR_USAGE);
+    require_words("sward_target_info: there is neither a colour nor a depth");
+    sward_target_info odd = nothing;
+    odd.depth_format = VK_FORMAT_D32_SFLOAT;
+    odd.samples = 3;
+    REQUIRE(sward_target_create(context, &odd, &no_target) == SWARD_ERROR_USAGE);
+    require_words("sward_target_info::samples is 3");
 }
 
 static void draw_field(const sward_field* field, const char* path, const char* delta)
@@ -529,7 +563,7 @@ static void draw_field(const sward_field* field, const char* path, const char* d
     systems_loader.get_instance_proc_addr = NULL;
     systems_loader.queue_family = 77;
     REQUIRE(sward_context_create(&systems_loader, &context) == SWARD_ERROR_USAGE);
-    REQUIRE(strstr(sward_last_error(), "queueFamily is 77") != NULL);
+    require_words("sward_context_info::queue_family is 77");
     systems_loader.queue_family = family;
     REQUIRE(sward_context_create(&systems_loader, &context) == SWARD_OK);
     sward_context_destroy(context);
@@ -538,11 +572,11 @@ static void draw_field(const sward_field* field, const char* path, const char* d
     sward_resident* resident = NULL;
     REQUIRE(sward_resident_create(context, field, &resident) == SWARD_OK);
     REQUIRE(!sward_resident_is_uploaded(resident));
-    sward_resident_release_staging(resident);
-    REQUIRE(strstr(sward_last_error(), "recordUpload()") != NULL);
+    REQUIRE(sward_resident_release_staging(resident) == SWARD_ERROR_USAGE);
+    require_words("sward_resident_release_staging() needs the whole sward_resident_record_upload()");
     upload(resident);
     REQUIRE(sward_resident_is_uploaded(resident));
-    sward_resident_release_staging(resident);
+    REQUIRE(sward_resident_release_staging(resident) == SWARD_OK);
 
     sward_settings* settings = NULL;
     const float sun[3] = {0.0f, 2.0f, 1.0f}, nowhere[3] = {0.0f, 0.0f, 0.0f};

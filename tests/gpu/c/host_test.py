@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 import tempfile
 import unittest
@@ -32,6 +33,23 @@ class CInterface(unittest.TestCase):
             self.assertEqual(done.stderr, "")
             self.assertIn("tessellated: ", done.stdout)
             self.assertIn("edited: ", done.stdout)
+
+    def test_a_reader_of_fields_in_c_needs_no_vulkan_and_knows_ribbons(self):
+        program = os.environ["SWARD_C_FIELDS"]
+        loaded = subprocess.run(["ldd", program], capture_output=True, text=True, check=True).stdout
+        self.assertNotIn("vulkan", loaded.lower())
+        symbols = subprocess.run(["nm", "-C", program], capture_output=True, text=True, check=True).stdout
+        self.assertNotRegex(symbols, r" vk[A-Z]|sward::(gpu|render)::")
+        with tempfile.TemporaryDirectory(prefix="sward-c-") as folder:
+            field, table = Path(folder) / "plants.sward", Path(folder) / "plants.csv"
+            subprocess.run([os.environ["SWARD_PROGRAM"], "bake", "plane", "--meadow", "daisies", "--count", "3000",
+                            "--blade-scale", "1", "-o", field, "-q"], check=True)
+            subprocess.run([os.environ["SWARD_PROGRAM"], "export", field, "-o", table], check=True, capture_output=True)
+            said = subprocess.run([program, field], capture_output=True, text=True, check=True).stdout
+            rows, ribbons = map(int, re.fullmatch(r"(\d+) rows, (\d+) ribbons\n", said).groups())
+            self.assertGreater(ribbons, 0)
+            # CSV leaves ribbons out.
+            self.assertEqual(rows - ribbons, len(table.read_text(encoding="utf-8").splitlines()) - 1)
 
 
 if __name__ == "__main__":
