@@ -38,7 +38,8 @@ render::HostShadow shadowOf(const sward_shadow& given, std::vector<glm::dmat4>& 
             .worldToShadow = matrices,
             .hasReversedZ = given.has_reversed_z,
             .bias = given.bias,
-            .lift = given.lift};
+            .lift = given.lift,
+            .image = {given.format, given.usage}};
 }
 
 render::StoredPicture storedOf(const sward_stored_picture& given)
@@ -50,7 +51,9 @@ render::StoredPicture storedOf(const sward_stored_picture& given)
             .keepsRadiance = given.keeps_radiance,
             .depth = given.depth,
             .size = {given.width, given.height},
-            .first = {given.first_x, given.first_y}};
+            .first = {given.first_x, given.first_y},
+            .image = {given.image_format, given.image_usage},
+            .depthImage = {given.depth_format, given.depth_usage}};
 }
 
 render::HostLamp lampOf(const sward_lamp& given)
@@ -87,8 +90,11 @@ render::HostView viewOf(const sward_view& given)
     if (given.clip_before != nullptr)
         view.clipBefore = glm::make_mat4(given.clip_before);
     if (given.depth != VK_NULL_HANDLE)
-        view.depth = render::HostDepth{given.depth, given.depth_layout, given.depth_samples,
-                                       given.depth_slack};
+        view.depth = render::HostDepth{.view = given.depth,
+                                       .layout = given.depth_layout,
+                                       .samples = given.depth_samples,
+                                       .slack = given.depth_slack,
+                                       .image = {given.depth_format, given.depth_usage}};
     if (given.stored != nullptr)
         view.stored = storedOf(*given.stored);
     return view;
@@ -262,10 +268,15 @@ sward_status sward_grass_record_depth(const sward_grass* grass, VkCommandBuffer 
     });
 }
 
-const char* sward_grass_why_tessellated(const sward_grass* grass, uint32_t view)
+const char* sward_grass_why_tessellated(const sward_grass* grass, uint32_t view,
+                                        const sward_target* target)
 {
-    const char* reason = "there is no such view";
-    guarded([&] { reason = checked(grass, "grass")->grass.whyTessellated(view); });
+    const char* reason = "there is no such view, or the target does not suit it";
+    guarded([&] {
+        const render::Grass& asked = checked(grass, "grass")->grass;
+        reason = target == nullptr ? asked.whyTessellated(view)
+                                   : asked.whyTessellated(view, target->target);
+    });
     return reason;
 }
 

@@ -101,8 +101,10 @@ sward_status sward_grass_record_draw(const sward_grass* grass, VkCommandBuffer c
 sward_status sward_grass_record_depth(const sward_grass* grass, VkCommandBuffer commands,
                                       uint32_t view, const sward_target* target);
 
-/* Why a view of the frame last begun is tessellated; null if it is rasterised. */
-const char* sward_grass_why_tessellated(const sward_grass* grass, uint32_t view);
+/* Why a view of the frame last begun is tessellated into a target; null if it is rasterised. A
+ * target of null stands for one of the view's samples. */
+const char* sward_grass_why_tessellated(const sward_grass* grass, uint32_t view,
+                                        const sward_target* target);
 
 /* Why a view of that frame is not stored and needs sward_grass_record_draw(), which draws nothing
  * of a view that is stored; null if it is stored. */

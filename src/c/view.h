@@ -24,6 +24,10 @@ typedef struct sward_shadow {
     bool has_reversed_z;           /* true: 1 nearest to the sun */
     float bias;                    /* [m] towards the sun, before places are compared: 0.02 */
     float lift;                    /* [texels] along the blade's up-vector: 1.5 */
+
+    /* Of the image behind `view`, as it was made; checked by sward_grass_begin() unless 0. */
+    VkFormat format;
+    VkImageUsageFlags usage;
 } sward_shadow;
 
 /* The host's picture, of one sample a pixel, that sward_grass_record_raster() stores grass into,
@@ -38,13 +42,17 @@ typedef struct sward_stored_picture {
     VkImageView depth;         /* R32_SFLOAT: gets the nearest blade's; VK_NULL_HANDLE: none */
     uint32_t width, height;    /* [pixels] of both images */
     uint32_t first_x, first_y; /* [pixels] where the view begins */
+
+    /* Of the images behind both views, as they were made; checked unless 0. */
+    VkFormat image_format, depth_format;
+    VkImageUsageFlags image_usage, depth_usage;
 } sward_stored_picture;
 
 typedef struct sward_view {
     double world_to_clip[16]; /* column after column, to Vulkan's clip space */
     uint32_t width, height;   /* [pixels] */
     uint32_t samples;         /* 1, 2, 4 or 8 */
-    bool has_reversed_z;
+    bool has_reversed_z;      /* compared with a perspective world_to_clip */
     sward_geometry geometry;
     const double* clip_before; /* 16 numbers: world_to_clip of the frame before; null: the same */
 
@@ -53,6 +61,8 @@ typedef struct sward_view {
     VkImageLayout depth_layout;
     uint32_t depth_samples;
     float depth_slack; /* 1.2e-7 of 32 and 24 bits, 3e-5 of 16 bits */
+    VkFormat depth_format; /* of its image, as it was made; checked unless 0 */
+    VkImageUsageFlags depth_usage; /* likewise */
 
     const sward_shadow* shadow; /* of the sun; null: the whole view is in the sun */
 

@@ -80,8 +80,9 @@ public:
     /// Waits for all commands before it; all commands after it see the grass.
     void recordRaster(VkCommandBuffer commands, std::uint32_t view);
 
-    /// Why recordDraw() tessellates the blades of one view; null if it draws the result of
-    /// recordRaster().
+    /// Why recordDraw() into `target` tessellates the blades of one view; null if it draws the
+    /// result of recordRaster(). Without a target: into one of the view's samples.
+    const char* whyTessellated(std::uint32_t view, const BladeTarget& target) const;
     const char* whyTessellated(std::uint32_t view) const;
 
     /// Why recordRaster() does not store the blades of one view, so that recordDraw() is needed;

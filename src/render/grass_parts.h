@@ -78,6 +78,7 @@ struct Grass::Parts {
 
     void requireRecording(VkCommandBuffer commands) const;
     const ViewDrawing& drawing(std::uint32_t view) const;
+    void requireTarget(std::uint32_t view, const BladeTarget& target) const;
     PlacedField& instance(InstanceId id) const;
 
     std::uint32_t settledAt() const { return settledTick(time); } ///< in the wind of the frame

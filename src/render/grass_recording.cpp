@@ -141,6 +141,31 @@ void Grass::recordRaster(VkCommandBuffer buffer, std::uint32_t view)
     parts.drawings[view].isRastered = true;
 }
 
+/// The target is of the device, and suits the view.
+void Grass::Parts::requireTarget(std::uint32_t view, const BladeTarget& target) const
+{
+    requireUsage(target.device() == context.device,
+                 "the target is of another device than the grass");
+    requireUsage(target.settings().hasReversedZ == drawing(view).hasReversedZ,
+                 "HostTarget::hasReversedZ is {}, and HostView::hasReversedZ of view {} is {}",
+                 target.settings().hasReversedZ, view, drawing(view).hasReversedZ);
+    requireUsage(!target.settings().writesMotion || settings.keepsMotion,
+                 "a target that writes motion needs Grass::Settings::keepsMotion");
+}
+
+const char* Grass::whyTessellated(std::uint32_t view, const BladeTarget& target) const
+{
+    const char* const obstacle = whyTessellated(view);
+    parts_->requireTarget(view, target);
+    if (obstacle != nullptr)
+        return obstacle;
+    if (target.settings().samples != parts_->drawing(view).samples)
+        return "the target has another number of samples than the view";
+    return target.visibilityPipeline() != nullptr
+               ? nullptr
+               : "the device draws the rasteriser's result into no such target";
+}
+
 const char* Grass::whyTessellated(std::uint32_t view) const
 {
     return parts_->drawing(view).obstacle;
@@ -158,13 +183,7 @@ void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view, const BladeTa
     const Parts::ViewDrawing& drawing = parts.drawing(view);
     requireUsage(drawing.isCulled,
                  "Grass::recordDraw() of view {} needs its recordCull() before it", view);
-    requireUsage(target.device() == parts.context.device,
-                 "the target is of another device than the grass");
-    requireUsage(target.settings().hasReversedZ == drawing.hasReversedZ,
-                 "HostTarget::hasReversedZ is {}, and HostView::hasReversedZ of view {} is {}",
-                 target.settings().hasReversedZ, view, drawing.hasReversedZ);
-    requireUsage(!target.settings().writesMotion || parts.settings.keepsMotion,
-                 "a target that writes motion needs Grass::Settings::keepsMotion");
+    parts.requireTarget(view, target);
     const gpu::Recording commands(parts.context, buffer);
     const gpu::LabelScope label(parts.context, commands, "grass/draw");
     const gpu::GraphicsPipeline* const visibility = target.visibilityPipeline();
@@ -172,8 +191,7 @@ void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view, const BladeTa
     if (drawing.isRastered && drawing.storeObstacle == nullptr &&
         !target.settings().colorFormats.empty())
         return;
-    if (drawing.isRastered && visibility != nullptr &&
-        target.settings().samples == drawing.samples) {
+    if (drawing.isRastered && whyTessellated(view, target) == nullptr) {
         parts.raster.recordDraw(commands, parts.slot, view, *visibility);
         return;
     }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace sward::render {
 namespace {
@@ -39,11 +40,23 @@ void requireProjection(const glm::dmat4& matrix, std::size_t view, const char* m
     requireUsage(glm::determinant(matrix) != 0.0, "view {}: {} has no inverse", view, member);
 }
 
+void requireConvention(const HostView& view, const glm::dmat4& matrix, std::size_t index,
+                       const char* member)
+{
+    const std::optional<bool> isReversed = isReversedZ(matrix);
+    requireUsage(!isReversed || *isReversed == view.hasReversedZ,
+                 "view {}: hasReversedZ is {}, and depth {} with distance by {}", index,
+                 view.hasReversedZ, view.hasReversedZ ? "grows" : "falls", member);
+}
+
 void requireValidView(const HostView& view, std::size_t index)
 {
     requireProjection(view.worldToClip, index, "worldToClip");
-    if (view.cullViewFrom)
+    requireConvention(view, view.worldToClip, index, "worldToClip");
+    if (view.cullViewFrom) {
         requireProjection(*view.cullViewFrom, index, "cullViewFrom");
+        requireConvention(view, *view.cullViewFrom, index, "cullViewFrom");
+    }
     if (view.clipBefore)
         requireProjection(*view.clipBefore, index, "clipBefore");
     requireUsage(std::min(view.size.x, view.size.y) >= 1 &&
@@ -60,6 +73,7 @@ void requireValidView(const HostView& view, std::size_t index)
                      view.depth->samples);
         requireUsage(view.depth->slack >= 0.0f && view.depth->slack < 1.0f,
                      "view {}: its depth's slack is {}, outside [0, 1)", index, view.depth->slack);
+        requireSampledDepth(view.depth->image, false, fmt::format("view {}, depth", index));
     }
     if (view.shadow)
         requireValid(*view.shadow);

@@ -153,6 +153,7 @@ void requireValid(const HostShadow& shadow)
         if (!isParallel(matrix))
             fail(ErrorKind::usage, "shadow map: the rays of cascade {} are not parallel", i);
     }
+    requireSampledDepth(shadow.image, true, "shadow map");
     if (!std::isfinite(shadow.bias) || !std::isfinite(shadow.lift))
         fail(ErrorKind::usage, "shadow map: bias or lift is not finite");
 }

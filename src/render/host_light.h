@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bounds.h"
+#include "render/host_image.h"
 #include "render/placement.h"
 #include "shaders/shared/host_light.h"
 
@@ -36,6 +37,8 @@ struct HostShadow {
     /// And so far along the blade's up-vector [texels of its cascade], so that sloping ground does
     /// not shade the roots on it; finite. Not along the normal: a blade has two sides.
     float lift = 1.5f;
+
+    HostImage image{}; ///< behind `view`, for checks
 };
 
 /// Light from all around, the same at all places: the radiance that arrives from a direction of the

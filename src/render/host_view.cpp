@@ -1,10 +1,12 @@
 #include "render/host_view.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace sward::render {
 namespace {
@@ -41,6 +43,26 @@ bool isParallel(const glm::dmat4& toClip)
 {
     return glm::length(glm::dvec3(rowOf(toClip, 3))) <=
            parallelShare * glm::length(glm::dvec3(rowOf(toClip, 0)));
+}
+
+// The rows of the matrix are X, Y, Z and W; z(p) = Z · (p, 1), and w(p) likewise. At the eye E x, y
+// and w are 0. Along a ray E + t d that is seen, w = t (W · d) with W · d > 0, and depth is
+//   z / w = (Z · d) / (W · d) + z(E) / (t (W · d)),
+// which falls with t exactly if z(E) > 0, whatever X and Y are and wherever the planes lie: they
+// only move the first term. z(E) is not 0, since the matrix has an inverse.
+std::optional<bool> isReversedZ(const glm::dmat4& toClip)
+{
+    if (isParallel(toClip))
+        return std::nullopt;
+    const glm::dvec3 eye = eyeOf(rowOf(toClip, 0), rowOf(toClip, 1), rowOf(toClip, 3));
+    const glm::dvec4 z = rowOf(toClip, 2);
+    const glm::dvec4 terms = z * glm::dvec4(eye, 1.0);
+    const double atEye = terms.x + terms.y + terms.z + terms.w;
+    const glm::dvec4 sizes = glm::abs(terms);
+    constexpr double rounding = 1e-6; // of single precision, in which hosts multiply matrices
+    if (!(std::abs(atEye) > rounding * (sizes.x + sizes.y + sizes.z + sizes.w)))
+        return std::nullopt;
+    return atEye > 0.0;
 }
 
 ViewMatrices viewMatricesOf(const glm::dmat4& fieldToClip, bool hasReversedZ, glm::uvec2 size,

@@ -3,6 +3,7 @@
 #include "core/bounds.h"
 #include "render/camera.h"
 #include "render/geometry.h"
+#include "render/host_image.h"
 #include "render/host_light.h"
 #include "render/stored_picture.h"
 
@@ -24,6 +25,8 @@ struct HostDepth {
     /// How much farther a surface may be than its depth: two steps of 32 or 24 bits; 3e-5 for 16
     /// bits.
     float slack = 1.2e-7f;
+
+    HostImage image{}; ///< behind `view`, for checks
 };
 
 /// One view of an engine's frame: an eye of a stereo pair, a shadow cascade, a mirror.
@@ -33,7 +36,10 @@ struct HostView {
     glm::dmat4 worldToClip{1.0};
     glm::uvec2 size{1};        ///< [pixels] of the picture
     std::uint32_t samples = 1; ///< per pixel
-    bool hasReversedZ = true;  ///< true: 1 near and 0 far; false: 0 near and 1 far
+
+    /// true: 1 near and 0 far; false: 0 near and 1 far. Grass::begin() compares it with what
+    /// isReversedZ() finds in the matrices.
+    bool hasReversedZ = true;
 
     /// How blades are drawn: see Grass::recordRaster(). Automatic: the compute rasteriser on a GPU;
     /// the tessellator on a CPU, where it lights pixels faster. Shadow maps need the tessellator.
@@ -64,5 +70,10 @@ ViewMatrices viewMatricesOf(const glm::dmat4& fieldToClip, bool hasReversedZ, gl
 
 /// Whether all rays of a projection are parallel; it then has no distances.
 bool isParallel(const glm::dmat4& toClip);
+
+/// Whether depth falls with the distance from the eye, by a perspective of any planes, also at
+/// infinity or oblique, of either direction of y and of either hand. Unset by parallel rays, which
+/// may come from either side, and where rounding to single precision could turn the answer.
+std::optional<bool> isReversedZ(const glm::dmat4& toClip);
 
 } // namespace sward::render

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/host_image.h"
+
 #include <glm/vec2.hpp>
 #include <vulkan/vulkan.h>
 
@@ -26,10 +28,13 @@ struct StoredPicture {
 
     glm::uvec2 size{0};  ///< [pixels] of both images
     glm::uvec2 first{0}; ///< [pixels] where the view begins in both
+
+    HostImage image{};      ///< behind `color`, for checks: usage, order of channels, encoding
+    HostImage depthImage{}; ///< behind `depth`
 };
 
-/// Throws Error{usage} for a picture that is incomplete, that has another format, or that does not
-/// contain a view of `viewSize` pixels.
+/// Throws Error{usage} for a picture that is incomplete, that has another format or usage, or that
+/// does not contain a view of `viewSize` pixels.
 void requireValid(const StoredPicture& picture, glm::uvec2 viewSize);
 
 } // namespace sward::render

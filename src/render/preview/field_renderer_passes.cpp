@@ -1,6 +1,7 @@
 #include "core/error.h"
 #include "field/distributions.h"
 #include "gpu/barrier.h"
+#include "gpu/format_kind.h"
 #include "gpu/image_use.h"
 #include "render/cull/pass_scope.h"
 #include "render/frame_time.h"
@@ -33,6 +34,9 @@ const gpu::DeviceContext& FieldRenderer::Parts::checked(const gpu::DeviceContext
     requireUsage(wanted.framesInFlight >= 1, "FieldRendererSettings::framesInFlight is 0");
     requireUsage(wanted.samples == 1 || wanted.samples == 4,
                  "FieldRendererSettings::samples is {}, not 1 or 4", wanted.samples);
+    const gpu::FormatKind kind = gpu::formatKind(wanted.colorFormat);
+    requireUsage(kind == gpu::FormatKind::color, "FieldRendererSettings::colorFormat: format {} {}",
+                 static_cast<int>(wanted.colorFormat), gpu::describe(kind));
     return given;
 }
 

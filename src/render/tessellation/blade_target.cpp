@@ -2,6 +2,7 @@
 
 #include "core/embedded.h"
 #include "core/error.h"
+#include "gpu/format_kind.h"
 #include "gpu/shader_library.h"
 #include "render/host_shadow_maps.h"
 #include "render/tessellation/blade_pass.h"
@@ -36,10 +37,39 @@ void setTarget(gpu::GraphicsPipelineSettings& settings, const HostTarget& target
     settings.constants = {{.id = 9, .value = handedTo}};
 }
 
-bool hasDepthAspect(VkFormat format)
+using gpu::FormatKind;
+
+/// Colours hold what blades write: light in the first, motion in the second. Of others, which stay
+/// as they are, none is a depth.
+void requireColors(const HostTarget& target)
 {
-    return (format >= VK_FORMAT_D16_UNORM && format <= VK_FORMAT_D32_SFLOAT) ||
-           (format >= VK_FORMAT_D16_UNORM_S8_UINT && format <= VK_FORMAT_D32_SFLOAT_S8_UINT);
+    for (std::size_t i = 0; i < target.colorFormats.size(); ++i) {
+        const VkFormat format = target.colorFormats[i];
+        const FormatKind kind = gpu::formatKind(format);
+        const bool isWritten = i == 0 || (i == 1 && target.writesMotion);
+        const bool isFit = isWritten ? kind == FormatKind::color
+                                     : kind != FormatKind::depth && kind != FormatKind::stencil;
+        requireUsage(isFit, "HostTarget::colorFormats: format {} of attachment {} {}{}",
+                     static_cast<int>(format), i, gpu::describe(kind),
+                     isWritten ? ", and blades write fractions" : "");
+    }
+}
+
+void requireDepth(const HostTarget& target)
+{
+    const FormatKind kind = gpu::formatKind(target.depthFormat);
+    requireUsage(!target.colorFormats.empty() || kind != FormatKind::undefined,
+                 "HostTarget: there is neither a colour nor a depth to draw into");
+    requireUsage(kind == FormatKind::undefined || kind == FormatKind::depth,
+                 "HostTarget::depthFormat: format {} has no depth, it {}",
+                 static_cast<int>(target.depthFormat), gpu::describe(kind));
+    const int stencil = static_cast<int>(target.stencilFormat);
+    requireUsage(stencil == VK_FORMAT_UNDEFINED || gpu::hasStencil(target.stencilFormat),
+                 "HostTarget::stencilFormat: format {} has no stencil", stencil);
+    requireUsage(stencil == VK_FORMAT_UNDEFINED || kind == FormatKind::undefined ||
+                     target.depthFormat == target.stencilFormat,
+                 "HostTarget::stencilFormat is {}, and depthFormat is {}: one image has both",
+                 stencil, static_cast<int>(target.depthFormat));
 }
 
 const HostTarget& checkedTarget(const gpu::DeviceContext& context, const HostTarget& target)
@@ -49,18 +79,10 @@ const HostTarget& checkedTarget(const gpu::DeviceContext& context, const HostTar
     requireUsage(colors <= context.limits.maxColorAttachments,
                  "HostTarget::colorFormats: {}, and the device draws into {} at once", colors,
                  context.limits.maxColorAttachments);
-    requireUsage(colors == 0 || target.colorFormats[0] != VK_FORMAT_UNDEFINED,
-                 "HostTarget::colorFormats: the first is undefined");
-    for (const VkFormat format : target.colorFormats)
-        requireUsage(!hasDepthAspect(format), "HostTarget::colorFormats: format {} is a depth",
-                     static_cast<int>(format));
     requireUsage(!target.writesMotion || colors >= 2,
                  "HostTarget::writesMotion needs a second colour, and there are {}", colors);
-    requireUsage(colors > 0 || target.depthFormat != VK_FORMAT_UNDEFINED,
-                 "HostTarget: there is neither a colour nor a depth to draw into");
-    requireUsage(target.depthFormat == VK_FORMAT_UNDEFINED || hasDepthAspect(target.depthFormat),
-                 "HostTarget::depthFormat: format {} has no depth",
-                 static_cast<int>(target.depthFormat));
+    requireColors(target);
+    requireDepth(target);
     const std::uint32_t samples = target.samples;
     requireUsage(samples == 1 || samples == 2 || samples == 4 || samples == 8,
                  "HostTarget::samples is {}, not 1, 2, 4 or 8", samples);

@@ -15,8 +15,8 @@ namespace sward::render {
 /// render pass.
 struct HostTarget {
     /// Formats of the scope's colour attachments. Blades go into the first, motion into the second
-    /// if `writesMotion`. Others stay unchanged (the device then needs `independentBlend`). None:
-    /// only depth, for shadow maps or a depth prepass.
+    /// if `writesMotion`: neither holds integers. Others stay unchanged (the device then needs
+    /// `independentBlend`). None: only depth, for shadow maps or a depth prepass.
     std::vector<VkFormat> colorFormats{};
 
     /// Two channels: a point's position in the frame before minus its current one, in widths and

@@ -353,6 +353,15 @@ static unsigned store(sward_grass* grass, sward_frame frame)
     frame.views = &view;
     REQUIRE(sward_grass_begin(grass, 0, &frame) == SWARD_ERROR_USAGE); /* too low for the view */
     stored.height = height;
+    stored.image_format = VK_FORMAT_R8G8B8A8_UNORM;
+    stored.image_usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    REQUIRE(sward_grass_begin(grass, 0, &frame) == SWARD_ERROR_USAGE);
+    require_words("VK_IMAGE_USAGE_STORAGE_BIT");
+    stored.image_usage = VK_IMAGE_USAGE_STORAGE_BIT;
+    stored.is_bgr = true;
+    REQUIRE(sward_grass_begin(grass, 0, &frame) == SWARD_ERROR_USAGE);
+    require_words("is_bgr is true");
+    stored.is_bgr = false;
     REQUIRE(sward_grass_begin(grass, 0, &frame) == SWARD_OK);
     REQUIRE(sward_grass_why_not_stored(grass, 0) == NULL);
     REQUIRE(sward_grass_why_not_stored(grass, 1) != NULL);
@@ -532,6 +541,11 @@ static void misuse(const sward_context* context, sward_grass* grass, const sward
     REQUIRE(sward_grass_begin(grass, 0, &wrong) == SWARD_ERROR_USAGE);
     require_words("view 0: world_to_clip is not finite");
 
+    view = two[0];
+    view.has_reversed_z = false;
+    REQUIRE(sward_grass_begin(grass, 0, &wrong) == SWARD_ERROR_USAGE);
+    require_words("has_reversed_z is false, and depth falls with distance by world_to_clip");
+
     const sward_grass_info info = {.frames_in_flight = 17, .max_views = 1};
     sward_grass* none = NULL;
     REQUIRE(sward_grass_create(context, &info, &none) == SWARD_ERROR_USAGE && none == NULL);
@@ -540,6 +554,10 @@ static void misuse(const sward_context* context, sward_grass* grass, const sward
     sward_target* no_target = NULL;
     REQUIRE(sward_target_create(context, &nothing, &no_target) == SWARD_ERROR_USAGE);
     require_words("sward_target_info: there is neither a colour nor a depth");
+    const VkFormat integers = VK_FORMAT_R8G8B8A8_UINT;
+    const sward_target_info whole = {.color_formats = &integers, .color_count = 1, .samples = 1};
+    REQUIRE(sward_target_create(context, &whole, &no_target) == SWARD_ERROR_USAGE);
+    require_words("sward_target_info::color_formats: format 41 of attachment 0 holds integers");
     sward_target_info odd = nothing;
     odd.depth_format = VK_FORMAT_D32_SFLOAT;
     odd.samples = 3;
@@ -621,16 +639,16 @@ static void draw_field(const sward_field* field, const char* path, const char* d
         REQUIRE(stats.resident == info.blade_count && stats.drawn > 0);
         REQUIRE(covered > width * height / 50u);
         printf("%s: %u of %d pixels, %llu blades\n",
-               sward_grass_why_tessellated(grass, 0) == NULL ? "rasterised" : "tessellated",
+               sward_grass_why_tessellated(grass, 0, target) == NULL ? "rasterised" : "tessellated",
                covered, width * height, (unsigned long long)stats.drawn);
-        if (sward_grass_why_tessellated(grass, 0) == NULL) {
+        if (sward_grass_why_tessellated(grass, 0, target) == NULL) {
             const unsigned long drawn = brightness;
             const unsigned stored = store(grass, frame);
             REQUIRE(stored + covered / 100 >= covered && stored <= covered + covered / 100);
             REQUIRE(labs((long)brightness - (long)drawn) < (long)(drawn / 50));
         }
     }
-    REQUIRE(sward_grass_why_tessellated(grass, 0) != NULL);
+    REQUIRE(sward_grass_why_tessellated(grass, 0, target) != NULL);
     light_frame(grass, target, frame, &info);
     REQUIRE(sward_grass_remove(grass, one) == SWARD_OK);
     REQUIRE(sward_grass_remove(grass, one) == SWARD_ERROR_USAGE);

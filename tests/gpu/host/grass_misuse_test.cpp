@@ -158,15 +158,114 @@ TEST_F(GrassMisuseTest, TargetsAreOfWhatADeviceDraws)
     constexpr VkFormat color = VK_FORMAT_R8G8B8A8_SRGB;
     const std::pair<HostTarget, std::vector<std::string>> wrong[]{
         {{.colorFormats = {color}, .writesMotion = true}, {"writesMotion", "second colour"}},
-        {{.colorFormats = {VK_FORMAT_UNDEFINED}}, {"the first is undefined"}},
-        {{.colorFormats = {VK_FORMAT_D32_SFLOAT}}, {"colorFormats", "126"}},
-        {{.colorFormats = {color}, .depthFormat = color}, {"depthFormat", "43"}},
+        {{.colorFormats = {VK_FORMAT_UNDEFINED}}, {"format 0 of attachment 0 is undefined"}},
+        {{.colorFormats = {VK_FORMAT_D32_SFLOAT}}, {"colorFormats", "126", "is a depth"}},
+        {{.colorFormats = {VK_FORMAT_R8G8B8A8_UINT}}, {"41", "holds integers", "fractions"}},
+        {{.colorFormats = {VK_FORMAT_R32G32B32A32_SINT}}, {"108", "holds integers"}},
+        {{.colorFormats = {VK_FORMAT_A2B10G10R10_UINT_PACK32}}, {"68", "holds integers"}},
+        {{.colorFormats = {VK_FORMAT_R8G8B8A8_SSCALED}}, {"40", "scaled"}},
+        {{.colorFormats = {VK_FORMAT_BC7_SRGB_BLOCK}}, {"146", "compressed"}},
+        {{.colorFormats = {VK_FORMAT_S8_UINT}}, {"127", "is a stencil"}},
+        {{.colorFormats = {color, VK_FORMAT_R16G16_SINT}, .writesMotion = true},
+         {"attachment 1 holds integers"}},
+        {{.colorFormats = {color, VK_FORMAT_D16_UNORM}}, {"attachment 1 is a depth"}},
+        {{.colorFormats = {color}, .depthFormat = color}, {"depthFormat", "43", "is a colour"}},
+        {{.colorFormats = {color}, .depthFormat = VK_FORMAT_S8_UINT}, {"depthFormat", "127"}},
+        {{.colorFormats = {color}, .depthFormat = VK_FORMAT_R32_UINT}, {"98", "holds integers"}},
+        {{.colorFormats = {color}, .stencilFormat = VK_FORMAT_D32_SFLOAT}, {"has no stencil"}},
+        {{.colorFormats = {color}, .stencilFormat = VK_FORMAT_D32_SFLOAT_S8_UINT},
+         {"stencilFormat is 130", "depthFormat is 126"}},
         {{.colorFormats = {}, .depthFormat = VK_FORMAT_UNDEFINED}, {"neither"}},
         {{.colorFormats = {color}, .samples = 3}, {"samples is 3"}},
         {{.colorFormats = {color}, .samples = 0}, {"samples is 0"}},
         {{.colorFormats = std::vector(100, color)}, {"100"}}};
     for (const auto& [target, words] : wrong)
         expectMisuse([&, &target = target] { const BladeTarget made(context(), target); }, words);
+    expectMisuse(
+        [&] {
+            const FieldRenderer made(context(), field::viewOf(field_),
+                                     {.colorFormat = VK_FORMAT_R8G8B8A8_UINT, .samples = 1});
+        },
+        {"colorFormat: format 41 holds integers"});
+}
+
+TEST_F(GrassMisuseTest, WhatIsToldOfImagesSuitsTheirUse)
+{
+    Grass grass(context(), {.framesInFlight = 1, .maxViews = 1});
+    grass.add({resident_, {}});
+    constexpr VkImageUsageFlags sampled = VK_IMAGE_USAGE_SAMPLED_BIT;
+    constexpr VkImageUsageFlags storage = VK_IMAGE_USAGE_STORAGE_BIT;
+    constexpr VkImageUsageFlags attachment = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+    const HostPicture picture(context(), {});
+    const VkImageView some = picture.depthImage().view();
+    const std::array cascades{glm::dmat4(1.0)};
+    const auto depth = [&](const HostImage& image) {
+        return [&, image](HostView& view) { view.depth = HostDepth{.view = some, .image = image}; };
+    };
+    const auto shadow = [&](const HostImage& image) {
+        return [&, image](HostView& view) {
+            view.shadow = HostShadow{.view = some, .worldToShadow = cascades, .image = image};
+        };
+    };
+    const auto stored = [&](StoredPicture told) {
+        told.color = some;
+        told.size = view_.size;
+        return [told](HostView& view) { view.stored = told; };
+    };
+    constexpr VkFormat bytes = VK_FORMAT_R8G8B8A8_UNORM;
+    const std::pair<Change, std::vector<std::string>> wrong[]{
+        {depth({.usage = attachment}), {"view 0, depth", "0x20", "VK_IMAGE_USAGE_SAMPLED_BIT"}},
+        {depth({VK_FORMAT_S8_UINT, sampled}), {"127", "is a stencil"}},
+        {depth({VK_FORMAT_R32_UINT, sampled}), {"98", "holds integers"}},
+        {shadow({.usage = attachment}), {"shadow map", "VK_IMAGE_USAGE_SAMPLED_BIT"}},
+        {shadow({VK_FORMAT_R32_SFLOAT, sampled}), {"shadow map", "100", "is a colour"}},
+        {stored({.image = {.usage = attachment}}), {"picture", "VK_IMAGE_USAGE_STORAGE_BIT"}},
+        {stored({.depthImage = {.usage = sampled}}), {"depth", "VK_IMAGE_USAGE_STORAGE_BIT"}},
+        {stored({.depthImage = {VK_FORMAT_D32_SFLOAT, storage}}), {"depth", "126", "R32_SFLOAT"}},
+        {stored({.image = {bytes, storage}}), {"37", "97"}},
+        {stored({.format = bytes, .image = {VK_FORMAT_R8G8B8A8_UINT, storage}}), {"41", "37"}},
+        {stored({.format = bytes, .image = {VK_FORMAT_R8G8B8A8_SRGB, storage}}),
+         {"isSrgb is false", "43"}},
+        {stored({.format = bytes, .isSrgb = true, .image = {VK_FORMAT_B8G8R8A8_SRGB, storage}}),
+         {"isBgr is false", "50", "blue first"}},
+        {stored({.format = bytes, .isBgr = true, .image = {bytes, storage}}),
+         {"isBgr is true", "37", "red first"}}};
+    for (const auto& [change, words] : wrong) {
+        HostView view = view_;
+        change(view);
+        expectMisuse([&] { beginWith(grass, view); }, words);
+    }
+    HostView right = view_;
+    right.depth = HostDepth{.view = some, .image = {VK_FORMAT_D32_SFLOAT, sampled | attachment}};
+    beginWith(grass, right);
+    right.depth->image = {};
+    beginWith(grass, right);
+}
+
+TEST_F(GrassMisuseTest, ATargetOfOtherSamplesIsNoSilentSlowPath)
+{
+    if (!context().features.bufferInt64Atomics || !context().features.sampleRateShading)
+        GTEST_SKIP() << "the device does not rasterise";
+    Grass grass(context(), oneSlot_);
+    grass.add({resident_, {}});
+    constexpr VkFormat color = VK_FORMAT_R8G8B8A8_SRGB;
+    const BladeTarget one(context(), {.colorFormats = {color}});
+    const BladeTarget four(context(), {.colorFormats = {color}, .samples = 4});
+    const BladeTarget forward(context(), {.colorFormats = {color}, .hasReversedZ = false});
+    HostView view = view_;
+    view.geometry = Geometry::raster;
+    for (const std::uint32_t samples : {1u, 4u}) {
+        view.samples = samples;
+        beginWith(grass, view);
+        EXPECT_EQ(grass.whyTessellated(0), nullptr);
+        EXPECT_EQ(grass.whyTessellated(0, samples == 1 ? one : four), nullptr);
+        EXPECT_THAT(grass.whyTessellated(0, samples == 1 ? four : one), HasSubstr("samples"));
+        expectMisuse([&] { grass.whyTessellated(0, forward); }, {"hasReversedZ"});
+        expectMisuse([&] { grass.whyTessellated(1, one); }, {"view 1"});
+    }
+    view.geometry = Geometry::tessellation;
+    beginWith(grass, view);
+    EXPECT_THAT(grass.whyTessellated(0, four), HasSubstr("tessellator"));
 }
 
 TEST_F(GrassMisuseTest, InstancesAreOfAFieldOfTheDeviceAndPlaced)
@@ -216,6 +315,12 @@ TEST_F(GrassMisuseTest, AFrameThatIsWrongLeavesTheFrameBefore)
         {[](HostView& view) { view.worldToClip[1][1] = notANumber; }, {"worldToClip", "finite"}},
         {[](HostView& view) { view.worldToClip = glm::dmat4(0.0); }, {"worldToClip", "inverse"}},
         {[](HostView& view) { view.cullViewFrom = glm::dmat4(0.0); }, {"cullViewFrom"}},
+        {[](HostView& view) { view.hasReversedZ = false; },
+         {"hasReversedZ is false", "falls with distance by worldToClip"}},
+        {[](HostView& view) {
+             view.cullViewFrom = lookingFrom({1.0, 2.0, 4.0}, false).worldToClip;
+         },
+         {"hasReversedZ is true", "grows with distance by cullViewFrom"}},
         {[](HostView& view) { view.clipBefore = glm::dmat4(0.0); }, {"clipBefore"}},
         {[](HostView& view) { view.depth = HostDepth{}; }, {"depth", "null"}},
         {[](HostView& view) { view.shadow = HostShadow{}; }, {"shadow map", "null"}},
