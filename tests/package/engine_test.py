@@ -48,6 +48,16 @@ class EnginePage(unittest.TestCase):
             named = set(re.findall(r"`(?:\w+::)*(\w+)`", part))
             self.assertEqual([name for name in members if name not in named], [], struct)
 
+    def test_the_curve_on_the_engine_page_is_that_of_the_shaders(self):
+        page = PAGE.read_text(encoding="utf-8")
+        curve = page[page.index("vec3 developed("):page.index("**Equal depths.**")]
+        shader = (ROOT / "shaders/film_curve.glsl").read_text(encoding="utf-8")
+        shader = shader[shader.index("vec3 filmOf("):]
+
+        def numbers(text):
+            return sorted(re.findall(r"\d+\.\d+", re.sub(r"//.*", "", text)))
+        self.assertEqual(numbers(curve), numbers(shader))
+
     def test_headers_that_the_engine_page_names_are_installed(self):
         text = PAGE.read_text(encoding="utf-8")
         headers = set(re.findall(r"<(sward/[\w/]+\.h)>", text))
