@@ -1,8 +1,12 @@
 """The add-on of examples/blender, in Blender without a window. Its laws are in blender_addon_checks.py."""
 
+import importlib
 import os
 import subprocess
+import sys
+import types
 import unittest
+from unittest import mock
 
 from support import CliTest, PROGRAM, ROOT
 from needs import needs
@@ -26,6 +30,52 @@ class BlenderAddonTest(CliTest):
         self.assertNotIn("Traceback", done.stdout + done.stderr)
         # Blender has removed its temporary folder, and the fields in it.
         self.assertEqual(self.files(), set())
+
+
+class Options(CliTest):
+    """What the panel asks of `sward bake`, without Blender: a stand-in has the classes that the panel derives from."""
+
+    def setUp(self):
+        super().setUp()
+        named = {name: mock.MagicMock() for name in ("bpy", "bpy.app", "bpy.app.handlers", "bpy_extras",
+                                                     "bpy_extras.io_utils", "mathutils", "numpy")}
+        bpy = named["bpy"]
+        bpy.props = mock.MagicMock()
+        for kind in ("Float", "Int", "String", "Bool", "Enum"):
+            setattr(bpy.props, f"{kind}Property", lambda **about: about)
+        for base in ("AddonPreferences", "PropertyGroup", "Operator", "Panel"):
+            setattr(bpy.types, base, type(base, (), {}))
+        named["bpy_extras.io_utils"].ExportHelper = type("ExportHelper", (), {})
+        self.enterContext(mock.patch.dict(sys.modules, named))
+        self.enterContext(mock.patch.object(sys, "path", [str(ROOT / "examples/blender"), *sys.path]))
+        sys.modules.pop("sward_addon.panel", None)
+        self.panel = importlib.import_module("sward_addon.panel")
+        self.addCleanup(lambda: [sys.modules.pop(name) for name in list(sys.modules) if name.startswith("sward_addon")])
+
+    def options(self, **given):
+        """Options with the settings as the panel has them at first, but for some."""
+        about = self.panel.SwardSettings.__annotations__
+        first = {name: what.get("default", what["items"][0][0] if "items" in what else 0 if name == "seed" else "")
+                 for name, what in about.items()}
+        bpy = sys.modules["bpy"]
+        bpy.path.abspath = lambda path: path
+        return self.panel.bake_options(types.SimpleNamespace(**{**first, **given}))
+
+    def test_blades_have_their_natural_size_on_small_ground(self):
+        (self.folder / "small.obj").write_text(
+            "v -2 0 -2\nv -2 0 2\nv 2 0 2\nv 2 0 -2\nf 1 2 3 4\n", encoding="utf-8")
+        counts = {}
+        for options in ("", "--blade-scale auto"):
+            self.bake("small.obj", *self.options(options=options), "--force")
+            counts[options] = self.info("field.sward")["blades"]
+        self.assertLess(counts[""], 50_000)
+        self.assertGreater(counts["--blade-scale auto"], 10 * counts[""])
+
+    def test_the_setting_and_the_further_options_are_handed_on(self):
+        self.assertEqual(self.options()[-2:], ["--blade-scale", "1"])
+        self.assertEqual(self.options(blade_scale=0.5)[-2:], ["--blade-scale", "0.5"])
+        for own in ("--blade-scale 2", "--blade-scale=2"):
+            self.assertEqual(self.options(options=own).count("--blade-scale"), own.count(" "))
 
 
 class BlenderAddon(BlenderAddonTest):

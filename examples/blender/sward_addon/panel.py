@@ -60,6 +60,9 @@ class SwardSettings(bpy.types.PropertyGroup):
     count: bpy.props.IntProperty(name="Blades", default=100_000, min=0)
     largest: bpy.props.IntProperty(name="At Most", default=1_000_000, min=1,
                                    description="Largest number of blades; a density or count above it is refused")
+    blade_scale: bpy.props.FloatProperty(
+        name="Blade Scale", default=1.0, min=1e-6, max=1e5, soft_min=0.1, soft_max=10.0, precision=3,
+        description="Size of blades, 1: as in nature. Half as large takes four times as many")
     seed: bpy.props.IntProperty(name="Seed", min=0)
     options: bpy.props.StringProperty(name="Options", description="Further options of sward bake, as --slope 0:40~10")
 
@@ -102,9 +105,13 @@ def bake_options(settings):
     if settings.mask_kind != "NONE":
         options += ["--mask", "vertex-color:_SWARD_MASK" + (":invert" if settings.invert else "")]
     try:
-        return options + shlex.split(settings.options)
+        further = shlex.split(settings.options)
     except ValueError as error:
         raise ValueError(f"Options: {error}") from None
+    # Without it, sward makes blades smaller and denser on small ground: 632 507 of them on 4 m x 4 m.
+    if not any(word.split("=")[0] == "--blade-scale" for word in further):
+        options += ["--blade-scale", f"{settings.blade_scale:.6g}"]
+    return options + further
 
 
 def begin(context):
@@ -296,7 +303,7 @@ class SWARD_PT_panel(bpy.types.Panel):
         layout.prop(settings, "amount")
         if settings.amount != "MEADOW":
             layout.prop(settings, settings.amount.lower())
-        for name in ("largest", "seed", "options"):
+        for name in ("largest", "blade_scale", "seed", "options"):
             layout.prop(settings, name)
         if State.job is None:
             layout.operator("sward.bake", icon="PLAY")
