@@ -18,13 +18,6 @@ typedef struct sward_grass_info {
     bool keeps_motion;         /* for motion vectors; 4 bytes a blade */
 } sward_grass_info;
 
-/* world = position + scale * rotation * place */
-typedef struct sward_placement {
-    double position[3]; /* [m] */
-    double rotation[4]; /* unit quaternion x, y, z, w */
-    double scale;       /* above 0 */
-} sward_placement;
-
 typedef struct sward_frame {
     double time; /* [s] at most 2^33 in magnitude; where it falls, blades settle anew */
     const sward_view* views;
@@ -51,9 +44,9 @@ typedef struct sward_target_info {
     uint32_t subpass;
 } sward_target_info;
 
-/* Counts of rows as sward_field_info has them: of a compound plant, the stalk and each ribbon. */
+/* Rows as in sward_field_info, with the ribbons of plants. Culled by any test. */
 typedef struct sward_stats {
-    uint64_t resident, simulated, drawn, thinned, culled; /* culled by any test */
+    uint64_t resident, simulated, drawn, thinned, culled;
 } sward_stats;
 
 /* Of fields larger than their budgets: pages of 1024 blades. */
@@ -89,8 +82,7 @@ sward_status sward_grass_edit(sward_grass* grass, sward_resident* resident,
 sward_status sward_grass_begin(sward_grass* grass, uint32_t slot, const sward_frame* frame);
 
 /* Outside of a rendering, in this order: once; for each view; for each view. The last stores grass
- * into the view's sward_stored_picture, if it has one and nothing is in the way.
- * SWARD_ERROR_USAGE, and nothing is recorded, if a call is out of order. */
+ * into the view's sward_stored_picture, if it has one and nothing is in the way. */
 sward_status sward_grass_record_update(sward_grass* grass, VkCommandBuffer commands);
 sward_status sward_grass_record_cull(sward_grass* grass, VkCommandBuffer commands, uint32_t view);
 sward_status sward_grass_record_raster(sward_grass* grass, VkCommandBuffer commands, uint32_t view);
@@ -101,8 +93,8 @@ sward_status sward_grass_record_draw(const sward_grass* grass, VkCommandBuffer c
 sward_status sward_grass_record_depth(const sward_grass* grass, VkCommandBuffer commands,
                                       uint32_t view, const sward_target* target);
 
-/* Why a view of the frame last begun is tessellated into a target; null if it is rasterised. A
- * target of null stands for one of the view's samples. */
+/* Why a view of the frame last begun is tessellated into a target; null if it is rasterised.
+ * `target` may be null: one of the view's samples. */
 const char* sward_grass_why_tessellated(const sward_grass* grass, uint32_t view,
                                         const sward_target* target);
 
@@ -110,7 +102,7 @@ const char* sward_grass_why_tessellated(const sward_grass* grass, uint32_t view,
  * of a view that is stored; null if it is stored. */
 const char* sward_grass_why_not_stored(const sward_grass* grass, uint32_t view);
 
-/* Of the frame last begun in `slot`, after its commands have completed. */
+/* Of the frame last begun in `slot`, completed. */
 sward_status sward_grass_get_stats(const sward_grass* grass, uint32_t view, uint32_t slot,
                                    sward_stats* stats);
 

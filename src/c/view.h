@@ -60,14 +60,21 @@ typedef struct sward_view {
     VkImageView depth;
     VkImageLayout depth_layout;
     uint32_t depth_samples;
-    float depth_slack; /* 1.2e-7 of 32 and 24 bits, 3e-5 of 16 bits */
-    VkFormat depth_format; /* of its image, as it was made; checked unless 0 */
+    float depth_slack;             /* 1.2e-7 of 32 and 24 bits, 3e-5 of 16 bits */
+    VkFormat depth_format;         /* of its image, as it was made; checked unless 0 */
     VkImageUsageFlags depth_usage; /* likewise */
 
     const sward_shadow* shadow; /* of the sun; null: the whole view is in the sun */
 
     const sward_stored_picture* stored; /* null: grass is drawn by sward_grass_record_draw() */
 } sward_view;
+
+/* world = position + scale * rotation * place */
+typedef struct sward_placement {
+    double position[3]; /* [m] */
+    double rotation[4]; /* unit quaternion x, y, z, w */
+    double scale;       /* above 0 */
+} sward_placement;
 
 typedef struct sward_collider {
     double from[3], to[3]; /* [m] ends of a capsule, world; the same: a ball */

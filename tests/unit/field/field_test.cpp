@@ -198,8 +198,11 @@ TEST(FieldFile, IsNotReplacedWithoutPermission)
     const auto path = tests::temporaryFile("kept.sward");
     writeField(tests::sampleField(), path, true);
     EXPECT_THROW(writeField(tests::sampleField(7), path, false), Error);
-    const MappedField kept = readField(path);
+    MappedField kept = readField(path);
     EXPECT_EQ(kept.view().blades.size(), 15U);
+    const MappedField moved = std::move(kept);
+    EXPECT_EQ(moved.view().blades.size(), 15U);
+    EXPECT_THROW(kept.view(), Error); // NOLINT(bugprone-use-after-move): that is what is tested
 }
 
 TEST(FieldFile, ThatWouldNotReadBackIsNotWritten)
