@@ -22,7 +22,8 @@
 namespace sward::field {
 
 struct MappedField::Contents {
-    std::optional<MappedFile> file; ///< unless the caller owns the bytes
+    std::optional<MappedFile> file; ///< unless the file is held in memory …
+    std::vector<std::byte> owned;   ///< … here, or by the caller
     std::span<const std::byte> bytes;
     UninitializedVector<BladeKey> keys;
     std::vector<Species> species;
@@ -302,6 +303,15 @@ MappedField readField(std::span<const std::byte> bytes, const std::string& name)
                  alignof(shared::Patch));
     auto contents = std::make_unique<MappedField::Contents>();
     contents->bytes = bytes;
+    contents->read(name);
+    return MappedField(std::move(contents));
+}
+
+MappedField readField(std::vector<std::byte>&& bytes, const std::string& name)
+{
+    auto contents = std::make_unique<MappedField::Contents>();
+    contents->owned = std::move(bytes);
+    contents->bytes = contents->owned;
     contents->read(name);
     return MappedField(std::move(contents));
 }

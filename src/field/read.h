@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace sward::field {
 
@@ -26,6 +27,7 @@ public:
 private:
     friend MappedField readField(const std::filesystem::path& path);
     friend MappedField readField(std::span<const std::byte> bytes, const std::string& name);
+    friend MappedField readField(std::vector<std::byte>&& bytes, const std::string& name);
     struct Contents;
     explicit MappedField(std::unique_ptr<Contents> contents);
 
@@ -40,5 +42,8 @@ MappedField readField(const std::filesystem::path& path);
 /// The same for a file that the caller holds in memory. `bytes` start at a multiple of 4 and
 /// outlive the result. Error messages call the file `name`.
 MappedField readField(std::span<const std::byte> bytes, const std::string& name);
+
+/// The same, and the result owns the bytes.
+MappedField readField(std::vector<std::byte>&& bytes, const std::string& name);
 
 } // namespace sward::field

@@ -81,6 +81,21 @@ void requireValidView(const HostView& view, std::size_t index)
         requireValid(*view.stored, view.size);
 }
 
+/// The depth of a shadow map runs along the sun's rays. Hosts aim it at the sun of the settings, so
+/// that the sign is told by the direction in which depth grows; askew by 60° or more, it is not.
+void requireConvention(const HostShadow& shadow, glm::vec3 sunDirection, std::size_t view)
+{
+    const glm::dvec3 sun = glm::normalize(glm::dvec3(sunDirection));
+    for (const glm::dmat4& matrix : shadow.worldToShadow) {
+        const glm::dvec3 depth(matrix[0][2], matrix[1][2], matrix[2][2]);
+        const double grows =
+            glm::dot(glm::normalize(depth), sun) * (matrix[3][3] > 0.0 ? 1.0 : -1.0);
+        requireUsage(shadow.hasReversedZ ? grows > -0.5 : grows < 0.5,
+                     "view {}, shadow map: hasReversedZ is {}, and depth {} towards the sun", view,
+                     shadow.hasReversedZ, shadow.hasReversedZ ? "falls" : "grows");
+    }
+}
+
 void requireValidCollider(const HostCollider& collider, std::size_t index)
 {
     requireUsage(isFiniteVector(collider.from) && isFiniteVector(collider.to) &&
@@ -132,6 +147,9 @@ void requireValid(const GrassFrame& frame, const Grass::Settings& settings)
         requireValidCollider(frame.colliders[i], i);
     requireValid(frame.settings);
     requireValid(frame.light);
+    for (std::size_t i = 0; i < frame.views.size(); ++i)
+        if (frame.views[i].shadow)
+            requireConvention(*frame.views[i].shadow, frame.settings.sunDirection, i);
 }
 
 void requireValid(const FrameSettings& settings)

@@ -313,6 +313,12 @@ TEST_F(GrassShadowTest, RefusesAMapThatIsNone)
     EXPECT_FALSE(begins({.view = map.view(), .worldToShadow = seen}));
     EXPECT_FALSE(begins({.view = map.view(), .worldToShadow = noNumbers}));
     EXPECT_FALSE(begins({.view = map.view(), .worldToShadow = flat}));
+    // Depth that runs the other way along the sun's rays.
+    const glm::dmat4 forward[]{worldToShadow(sun, reach, false)};
+    EXPECT_TRUE(begins({.view = map.view(), .worldToShadow = forward, .hasReversedZ = false}));
+    EXPECT_FALSE(begins({.view = map.view(), .worldToShadow = forward}));
+    EXPECT_FALSE(
+        begins({.view = map.view(), .worldToShadow = all.first(1), .hasReversedZ = false}));
     EXPECT_FALSE(begins({.view = map.view(),
                          .worldToShadow = all.first(1),
                          .bias = std::numeric_limits<float>::quiet_NaN()}));

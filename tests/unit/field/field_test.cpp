@@ -170,6 +170,9 @@ TEST(FieldFile, IsReadFromMemoryAsFromItsFile)
     EXPECT_LT(static_cast<const void*>(held.view().blades.data()), bytes.data() + bytes.size());
 
     std::vector<std::byte> damaged = bytes;
+    const MappedField owner = readField(std::move(bytes), "archive/lawn");
+    EXPECT_EQ(owner.fileBytes(), damaged.size());
+    EXPECT_TRUE(sameBytes(owner.view().blades, mapped.view().blades));
     damaged[damaged.size() / 2] ^= std::byte{1};
     try {
         readField(damaged, "archive/lawn");
