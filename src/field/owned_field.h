@@ -14,9 +14,8 @@ public:
     OwnedField(MappedField&& field); ///< of readField(); bytes of the caller still outlive this
     OwnedField(Field&& field);       ///< of a bake
 
-    // Throw Error{usage} if the pointer is null.
-    OwnedField(std::shared_ptr<const MappedField> field);
-    OwnedField(std::shared_ptr<const Field> field);
+    OwnedField(std::shared_ptr<const MappedField> field); ///< Error{usage} if it is null
+    OwnedField(std::shared_ptr<const Field> field);       ///< the same
 
     const FieldView& view() const& { return view_; } ///< valid as long as this or a copy of it
     const FieldView& view() const&& = delete;        ///< nothing would own it

@@ -36,7 +36,7 @@ public:
     /// Throws Error{runtime} if the device's memory or the budget is too small, naming both sizes;
     /// Error{unsupported} if the device cannot draw the requested geometry.
     FieldRenderer(const gpu::DeviceContext&, const field::OwnedField&, const Settings&);
-    FieldRenderer(const gpu::DeviceContext&, const field::FieldView&, const Settings&);
+    FieldRenderer(const gpu::DeviceContext&, const field::FieldView&, const Settings&); ///< a view
     FieldRenderer(const gpu::Device&, const field::FieldView&, const Settings&); ///< of Sward
     FieldRenderer(FieldRenderer&&) noexcept; ///< only between frames
     ~FieldRenderer();

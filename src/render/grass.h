@@ -81,9 +81,9 @@ public:
     void recordRaster(VkCommandBuffer commands, std::uint32_t view);
 
     /// Why recordDraw() into `target` tessellates the blades of one view; null if it draws the
-    /// result of recordRaster(). Without a target: into one of the view's samples.
+    /// result of recordRaster().
     const char* whyTessellated(std::uint32_t view, const BladeTarget& target) const;
-    const char* whyTessellated(std::uint32_t view) const;
+    const char* whyTessellated(std::uint32_t view) const; ///< into a target of the view's samples
 
     /// Why recordRaster() does not store the blades of one view, so that recordDraw() is needed;
     /// null if it stores them.
