@@ -20,6 +20,7 @@ struct HeightmapSettings {
     std::optional<glm::dvec2> height{}; ///< [m] of a sample value of 0 and of the full value
     std::string holeMask{};             ///< image of any size; black marks holes
     std::string endian{};               ///< little or big, of .r16 .raw .r32; "": little
+    std::string encoding{};             ///< terrarium or terrain-rgb, of a .png; "": none
     bool flipRows = false;              ///< the first row of the file lies at +z
     std::optional<double> noData{};     ///< sample value that stands for no height
 };

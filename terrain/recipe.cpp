@@ -202,6 +202,7 @@ GroundMesh heightmap(Recipe& recipe, const std::string& place, const std::filesy
     recipe.pair("height", s.height, -longest, longest);
     recipe.reader.read("hole_mask", mask);
     recipe.reader.read("endian", s.endian);
+    recipe.reader.read("encoding", s.encoding);
     recipe.reader.read("flip_rows", s.flipRows);
     double noData = 0.0;
     recipe.reader.read("no_data", noData, -1e30, 1e30);

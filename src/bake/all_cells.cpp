@@ -33,30 +33,44 @@ double expectedWithStrokes(const BakeSettings& settings, const Plan& plan)
 
 } // namespace
 
-bool needsTiles(const BakeSettings& settings, const BakePlan& plan, const TileLimits& limits)
+bool hasManyTriangles(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                      const TileLimits& limits)
 {
-    return expectedWithStrokes(settings, plan.plan) > limits.inOne;
+    return ground.triangles.size() > limits.trianglesInOne && needsRays(ground, settings);
+}
+
+bool needsTiles(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                const BakePlan& plan, const TileLimits& limits)
+{
+    return expectedWithStrokes(settings, plan.plan) > limits.inOne ||
+           hasManyTriangles(ground, settings, limits);
 }
 
 void bakeAllCells(const GroundView& whole, const BakeSettings& settings, const BakePlan& plan,
                   const TileLimits& limits, const TakeTile& take, Progress& progress)
 {
     const terrain::GroundMesh& ground = whole.ground;
-    if (!needsTiles(settings, plan, limits)) {
+    if (!needsTiles(ground, settings, plan, limits)) {
         take(bakeTile(whole, settings, plan, nullptr, progress));
         return;
     }
     // A tile also samples its surroundings: its actual number of blades is slightly larger.
     const double margin = tileMargin(ground, settings, plan);
-    const auto count = static_cast<std::size_t>(
-        std::ceil(expectedWithStrokes(settings, plan.plan) / limits.inTile));
+    double wanted = std::ceil(expectedWithStrokes(settings, plan.plan) / limits.inTile);
+    if (hasManyTriangles(ground, settings, limits))
+        wanted = std::max(wanted, std::ceil(double(ground.triangles.size()) /
+                                            double(limits.trianglesInTile)));
+    const auto count = static_cast<std::size_t>(wanted);
     const std::vector<std::vector<CellNumber>> tiles = dealTiles(ground, count);
-    const std::vector<std::vector<std::uint32_t>> near = trianglesNear(ground, tiles, margin);
+    std::vector<std::vector<std::uint32_t>> near = trianglesNear(ground, tiles, margin);
+    for (std::vector<std::uint32_t>& triangles : near)
+        triangles.shrink_to_fit();
     for (std::size_t i = 0; i < tiles.size(); ++i) {
         if (tiles[i].empty())
             continue;
         const terrain::GroundMesh part = partOf(ground, near[i]);
         const terrain::SurfaceFeatures features = partOf(ground, whole.features, near[i], margin);
+        std::vector<std::uint32_t>().swap(near[i]);
         const TileRegion region(ground.origin, tiles[i]);
         take(bakeTile({part, features}, settings, plan, &region, progress));
     }

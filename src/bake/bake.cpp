@@ -20,6 +20,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 namespace sward::bake {
 namespace {
@@ -49,7 +50,8 @@ Report bakeWhole(const terrain::GroundMesh& ground, const BakeSettings& settings
             },
             [&] {
                 Stopwatch own;
-                if (needsRays(ground, settings))
+                // A plan casts none unless a filter of a count does, and each tile has its own.
+                if (needsRays(ground, settings) && !hasManyTriangles(ground, settings, limits))
                     rays.emplace(ground);
                 report.timing.rays = own.lap();
             });
@@ -59,7 +61,7 @@ Report bakeWhole(const terrain::GroundMesh& ground, const BakeSettings& settings
         const BakePlan plan = planWhole(whole, settings, diagnostics, progress);
         report.timing.sample = watch.lap();
         report.timing.sampleBusy = processorSeconds() - before;
-        const bool inTiles = needsTiles(settings, plan, limits);
+        const bool inTiles = needsTiles(ground, settings, plan, limits);
         if (inTiles) {
             // Each tile builds its own ray tree; free the memory of this one.
             whole.rays = nullptr;
@@ -74,7 +76,11 @@ Report bakeWhole(const terrain::GroundMesh& ground, const BakeSettings& settings
         bakeAllCells(whole, settings, plan, limits, take, progress);
         finishReport(report, totals, settings, plan, diagnostics);
         watch.lap();
-        takers.finish(fieldWithoutBlades(ground, settings, plan, report));
+        whole.rays = nullptr;
+        rays.reset();
+        takers.finish(takers.consumed != nullptr
+                          ? fieldWithoutBlades(std::move(*takers.consumed), settings, plan, report)
+                          : fieldWithoutBlades(ground, settings, plan, report));
         report.timing.patches += watch.lap();
     });
     report.warnings = diagnostics.warnings();

@@ -67,16 +67,17 @@ private:
     std::future<void> writing_; // ends before the rest goes
 };
 
-} // namespace
-
-Report bakeIntoFile(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads,
-                    const std::filesystem::path& path, bool overwrite, Diagnostics& diagnostics,
-                    Progress& progress, const TileLimits& limits)
+// Bakes `ground`, which is also `consumed` unless that is null.
+Report bakeInto(const terrain::GroundMesh& ground, terrain::GroundMesh* consumed,
+                const BakeSettings& settings, int threads, const std::filesystem::path& path,
+                bool overwrite, Diagnostics& diagnostics, Progress& progress,
+                const TileLimits& limits)
 {
     std::optional<Spill> spill;
     std::vector<CellTree> cells;
     field::Field field;
     CellTakers takers;
+    takers.consumed = consumed;
     takers.begin = [&](bool inTiles) {
         if (inTiles)
             spill.emplace(path);
@@ -103,6 +104,24 @@ Report bakeIntoFile(const terrain::GroundMesh& ground, const BakeSettings& setti
                                 : field::writeField(field, path, overwrite);
     report.timing.write = watch.lap();
     return report;
+}
+
+} // namespace
+
+Report bakeIntoFile(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads,
+                    const std::filesystem::path& path, bool overwrite, Diagnostics& diagnostics,
+                    Progress& progress, const TileLimits& limits)
+{
+    return bakeInto(ground, nullptr, settings, threads, path, overwrite, diagnostics, progress,
+                    limits);
+}
+
+Report bakeIntoFile(terrain::GroundMesh&& ground, const BakeSettings& settings, int threads,
+                    const std::filesystem::path& path, bool overwrite, Diagnostics& diagnostics,
+                    Progress& progress, const TileLimits& limits)
+{
+    return bakeInto(ground, &ground, settings, threads, path, overwrite, diagnostics, progress,
+                    limits);
 }
 
 } // namespace sward::bake

@@ -19,4 +19,9 @@ Report bakeIntoFile(const terrain::GroundMesh& ground, const BakeSettings& setti
                     const std::filesystem::path& path, bool overwrite, Diagnostics& diagnostics,
                     Progress& progress, const TileLimits& limits = {});
 
+/// The same of a ground that nothing needs afterwards: a large one takes less memory.
+Report bakeIntoFile(terrain::GroundMesh&& ground, const BakeSettings& settings, int threads,
+                    const std::filesystem::path& path, bool overwrite, Diagnostics& diagnostics,
+                    Progress& progress, const TileLimits& limits = {});
+
 } // namespace sward::bake

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include <utility>
+
 namespace sward::bake {
 namespace {
 
@@ -32,6 +34,22 @@ field::Defaults defaultsFor(const BakeSettings& settings, double scale)
     return defaults;
 }
 
+// What a field without blades has besides its ground.
+field::Field frameOf(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                     const BakePlan& plan, const Report& report)
+{
+    field::Field field;
+    field.origin = ground.origin;
+    field.copyright = ground.copyright;
+    for (const SpeciesTraits& species : settings.meadow.species)
+        field.species.push_back({species.name, species.look, species.organs});
+    field::numberOrgans(field.species, "the meadow");
+    field.thinned = plan.plan.thinned;
+    field.defaults = defaultsFor(settings, plan.plan.scale);
+    field.provenance = provenanceOf(settings, report);
+    return field;
+}
+
 } // namespace
 
 std::string provenanceOf(const BakeSettings& settings, const Report& report)
@@ -46,16 +64,16 @@ std::string provenanceOf(const BakeSettings& settings, const Report& report)
 field::Field fieldWithoutBlades(const terrain::GroundMesh& ground, const BakeSettings& settings,
                                 const BakePlan& plan, const Report& report)
 {
-    field::Field field;
-    field.origin = ground.origin;
-    field.copyright = ground.copyright;
-    for (const SpeciesTraits& species : settings.meadow.species)
-        field.species.push_back({species.name, species.look, species.organs});
-    field::numberOrgans(field.species, "the meadow");
-    field.thinned = plan.plan.thinned;
+    field::Field field = frameOf(ground, settings, plan, report);
     field.ground = displayGround(ground, masksByVertexColor(settings));
-    field.defaults = defaultsFor(settings, plan.plan.scale);
-    field.provenance = provenanceOf(settings, report);
+    return field;
+}
+
+field::Field fieldWithoutBlades(terrain::GroundMesh&& ground, const BakeSettings& settings,
+                                const BakePlan& plan, const Report& report)
+{
+    field::Field field = frameOf(ground, settings, plan, report);
+    field.ground = displayGround(std::move(ground), masksByVertexColor(settings));
     return field;
 }
 

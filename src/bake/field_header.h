@@ -17,4 +17,8 @@ std::string provenanceOf(const BakeSettings& settings, const Report& report);
 field::Field fieldWithoutBlades(const terrain::GroundMesh& ground, const BakeSettings& settings,
                                 const BakePlan& plan, const Report& report);
 
+/// The same of a ground that nothing needs afterwards; its vertices and triangles are freed.
+field::Field fieldWithoutBlades(terrain::GroundMesh&& ground, const BakeSettings& settings,
+                                const BakePlan& plan, const Report& report);
+
 } // namespace sward::bake

@@ -1,5 +1,6 @@
 #include "bake/meadow.h"
 
+#include "bake/filter/mask_words.h"
 #include "bake/meadow_json.h"
 #include "core/embedded.h"
 #include "core/error.h"
@@ -29,15 +30,30 @@ constexpr std::array<std::string_view, 3> facingNames{"outward", "shared", "free
 // Reads a range [low, high] within the given bounds.
 void readRange(SettingsReader& reader, const char* key, glm::dvec2& range, double low, double high)
 {
-    reader.read(key, range, low, high);
+    reader.readRange(key, range, low, high);
     if (range.x > range.y)
         fail(ErrorKind::input, "{}: {} is above {}", reader.placeOf(key), range.x, range.y);
 }
 
-// Reads a soft range from a text such as "0:30~5".
+// Reads a soft range from a text such as "0:30~5", or from its two ends.
 void readSoft(SettingsReader& reader, const char* key, SoftRange& range)
 {
+    if (!reader.has(key))
+        return;
+    const json& value = reader.child(key);
+    if (value.is_array()) {
+        glm::dvec2 ends(0.0);
+        readRange(reader, key, ends, -unbounded, unbounded);
+        range.low = ends.x;
+        range.high = ends.y;
+        return;
+    }
     std::string text;
+    if (value.is_number())
+        fail(ErrorKind::input,
+             "{}: one number does not tell which end it is; expected \"MIN:\", \":MAX\", "
+             "\"MIN:MAX\" or \"MIN:MAX~SOFT\"",
+             reader.placeOf(key));
     reader.read(key, text);
     if (text.empty())
         return;
@@ -57,9 +73,12 @@ void readMasks(SettingsReader& reader, const char* key, std::vector<Mask>& masks
     for (const json& entry : value.is_array() ? value : json::array({value})) {
         const std::optional<Mask> mask =
             entry.is_string() ? readMask(entry.get<std::string>()) : std::nullopt;
-        if (!mask)
-            fail(ErrorKind::input, "{}: {} is not a mask such as \"vertex-color:R:invert\"",
-                 reader.placeOf(key), jsonText(entry));
+        if (!mask) {
+            const std::string trouble =
+                entry.is_string() ? maskTrouble(entry.get<std::string>()) : std::string();
+            fail(ErrorKind::input, "{}: {} is not a mask such as \"vertex-color:R:invert\"{}{}",
+                 reader.placeOf(key), jsonText(entry), trouble.empty() ? "" : ": ", trouble);
+        }
         masks.push_back(*mask);
     }
 }
@@ -102,8 +121,8 @@ SpeciesTraits parseSpecies(const json& object, const std::string& place)
     reader.read("tuft_radius_m", species.tuftRadius, 0.0, 1e6);
     reader.read("tuft_lean", species.tuftLean, 0.0, 1.0);
     reader.read("tuft_litter", species.tuftLitter, 0.0, 1.0);
-    reader.read("root_color", look.rootColor, 0.0, 1.0);
-    reader.read("tip_color", look.tipColor, 0.0, 1.0);
+    reader.readColor("root_color", look.rootColor, 0.0, 1.0);
+    reader.readColor("tip_color", look.tipColor, 0.0, 1.0);
     reader.read("tip_threshold", look.tipThreshold, 0.0, 0.99);
     reader.read("ground_tint", look.groundTint, 0.0, 1.0);
     reader.read("color_variation", look.colorVariation, 0.0, 1.0);
@@ -136,7 +155,22 @@ json toArray(const Vec& v)
 
 Meadow parseMeadow(std::string_view text, const std::string& place)
 {
-    return meadowFromJson(parseJson(text, place), place);
+    const json object = parseJson(text, place);
+    Meadow meadow = meadowFromJson(object, place);
+    requireOwnNames(object, place);
+    return meadow;
+}
+
+void requireOwnNames(const json& meadow, const std::string& place)
+{
+    const json& list = meadow.at("species");
+    for (std::size_t i = 0; i < list.size(); ++i)
+        for (std::size_t j = 0; j < i && list[i].contains("name"); ++j)
+            if (list[j].contains("name") && list[i]["name"] == list[j]["name"])
+                fail(ErrorKind::input,
+                     "{}: species[{}] and species[{}] are both named {}; strokes and reports tell "
+                     "species by their names",
+                     place, j, i, jsonText(list[i]["name"]));
 }
 
 Meadow meadowFromJson(const json& object, const std::string& place)

@@ -15,4 +15,8 @@ nlohmann::json meadowToJson(const Meadow& meadow);
 /// The inverse. Throws Error{input} naming `place`.
 Meadow meadowFromJson(const nlohmann::json& object, const std::string& place);
 
+/// Throws Error{input} naming `place` if two species of a meadow that meadowFromJson() reads are
+/// given one name. Meadows of earlier fields may have such.
+void requireOwnNames(const nlohmann::json& meadow, const std::string& place);
+
 } // namespace sward::bake

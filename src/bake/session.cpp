@@ -77,7 +77,7 @@ Session::Parts::Parts(const terrain::GroundMesh& first, const BakeSettings& give
     withThreads(threads, [&] {
         surface = groundOf(first);
         std::optional<terrain::SurfaceQuery> rays;
-        if (baked == nullptr && needsRays(first, settings))
+        if (baked == nullptr && needsRays(first, settings) && !hasManyTriangles(first, settings, {}))
             rays.emplace(first);
         const terrain::SurfaceFeatures& features = surface.features;
         plan =
@@ -86,7 +86,7 @@ Session::Parts::Parts(const terrain::GroundMesh& first, const BakeSettings& give
         hasReused = baked != nullptr && reuse(*baked, diagnostics);
         if (hasReused)
             return;
-        if (needsTiles(settings, plan, {}))
+        if (needsTiles(first, settings, plan, {}))
             rays.reset(); // each tile builds its own
         const auto take = [&](TileResult&& tile) {
             for (CellTree& cell : tile.cells)

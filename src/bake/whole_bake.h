@@ -18,6 +18,8 @@ struct CellTakers {
     TakeTile take;
     /// Lays the patches out in the field, which has everything but patches and blades.
     std::function<void(field::Field&& field)> finish;
+    /// The ground itself, if nothing needs it afterwards: its vertices are freed for the field's.
+    terrain::GroundMesh* consumed = nullptr;
 };
 
 /// The steps of every bake of a whole ground. Fills the report but for what only a file has.

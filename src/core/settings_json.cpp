@@ -2,22 +2,35 @@
 
 #include "core/error.h"
 #include "core/foreign_bytes.h"
+#include "core/json_check.h"
 #include "core/json_text.h"
 
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numeric>
 
 namespace sward {
 namespace {
 
+// A value in a message: its beginning if it is long.
+std::string shown(const nlohmann::json& value)
+{
+    constexpr std::size_t most = 80;
+    if (value.is_structured() && value.size() > most)
+        return fmt::format("{} of {} values", value.is_array() ? "an array" : "an object",
+                           value.size());
+    const std::string text = jsonText(value);
+    return text.size() <= most ? text : toUtf8(text.substr(0, most)) + "…";
+}
+
 double readNumber(const nlohmann::json& value, const std::string& place, double low, double high)
 {
     if (!value.is_number())
-        fail(ErrorKind::input, "{}: expected a number, found {}", place, jsonText(value));
+        fail(ErrorKind::input, "{}: expected a number, found {}", place, shown(value));
     const double number = value.get<double>();
     // Written so that NaN fails, too.
     if (!(number >= low && number <= high))
@@ -32,47 +45,10 @@ void readVector(const nlohmann::json& value, const std::string& place, double lo
     constexpr glm::length_t size = Vec::length();
     if (!value.is_array() || value.size() != size)
         fail(ErrorKind::input, "{}: expected an array of {} numbers, found {}", place, size,
-             jsonText(value));
+             shown(value));
     for (glm::length_t i = 0; i < size; ++i)
         result[i] = static_cast<typename Vec::value_type>(
             readNumber(value[std::size_t(i)], place, low, high));
-}
-
-// Bounds depth and number of values before the text is parsed. A 2-byte value costs the parser
-// about 100 bytes, and later code descends by recursion.
-void requireBounds(std::string_view text, const std::string& place)
-{
-    std::size_t depth = 0;
-    std::size_t values = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        switch (text[i]) {
-        case '"':
-            // To the end of the string; a backslash shields what follows it.
-            for (++i; i < text.size() && text[i] != '"'; ++i)
-                if (text[i] == '\\')
-                    ++i;
-            break;
-        case '[':
-        case '{':
-            ++values;
-            if (++depth > jsonDepthLimit)
-                fail(ErrorKind::input, "{}: its JSON is nested more than {} deep at byte {}", place,
-                     jsonDepthLimit, i);
-            break;
-        case ']':
-        case '}':
-            depth -= depth > 0 ? 1 : 0;
-            break;
-        case ',':
-            ++values;
-            break;
-        default:
-            break;
-        }
-    }
-    if (values > jsonValueLimit)
-        fail(ErrorKind::input, "{}: its JSON has {} values, more than {}", place, values,
-             jsonValueLimit);
 }
 
 } // namespace
@@ -82,8 +58,7 @@ SettingsReader::SettingsReader(const nlohmann::json& object, std::string place)
     , place_(std::move(place))
 {
     if (!object_.is_object())
-        fail(ErrorKind::input, "{}: expected an object {{…}}, found {}", place_,
-             object_.type_name());
+        fail(ErrorKind::input, "{}: expected an object {{…}}, found {}", place_, shown(object_));
 }
 
 bool SettingsReader::has(std::string_view key)
@@ -131,7 +106,7 @@ void SettingsReader::read(const char* key, bool& value)
     if (const nlohmann::json* found = find(key)) {
         if (!found->is_boolean())
             fail(ErrorKind::input, "{}: expected true or false, found {}", placeOf(key),
-                 jsonText(*found));
+                 shown(*found));
         value = found->get<bool>();
     }
 }
@@ -140,7 +115,7 @@ void SettingsReader::read(const char* key, std::string& value)
 {
     if (const nlohmann::json* found = find(key)) {
         if (!found->is_string())
-            fail(ErrorKind::input, "{}: expected a text, found {}", placeOf(key), jsonText(*found));
+            fail(ErrorKind::input, "{}: expected a text, found {}", placeOf(key), shown(*found));
         value = found->get<std::string>();
     }
 }
@@ -167,6 +142,52 @@ void SettingsReader::read(const char* key, glm::dvec3& value, double low, double
 {
     if (const nlohmann::json* found = find(key))
         readVector(*found, placeOf(key), low, high, value);
+}
+
+template <typename Vec>
+void SettingsReader::readEnds(const char* key, Vec& range, double low, double high)
+{
+    const nlohmann::json* const found = find(key);
+    if (found == nullptr)
+        return;
+    if (found->is_number())
+        range = Vec(static_cast<typename Vec::value_type>(
+            readNumber(*found, placeOf(key), low, high)));
+    else if (found->is_array() && found->size() == 2)
+        readVector(*found, placeOf(key), low, high, range);
+    else
+        fail(ErrorKind::input, "{}: expected a number or an array of 2 numbers, found {}",
+             placeOf(key), shown(*found));
+}
+
+void SettingsReader::readRange(const char* key, glm::dvec2& range, double low, double high)
+{
+    readEnds(key, range, low, high);
+}
+
+void SettingsReader::readRange(const char* key, glm::vec2& range, double low, double high)
+{
+    readEnds(key, range, low, high);
+}
+
+void SettingsReader::readColor(const char* key, glm::vec3& color, double low, double high)
+{
+    const nlohmann::json* const found = find(key);
+    if (found == nullptr)
+        return;
+    if (found->is_string()) {
+        const std::optional<glm::vec3> read = colorOfHex(found->get_ref<const std::string&>());
+        if (!read)
+            fail(ErrorKind::input,
+                 "{}: expected 3 numbers of linear light or \"#rrggbb\", found {}", placeOf(key),
+                 shown(*found));
+        color = *read;
+        return;
+    }
+    if (!found->is_array() || found->size() != 3)
+        fail(ErrorKind::input, "{}: expected 3 numbers of linear light or \"#rrggbb\", found {}",
+             placeOf(key), shown(*found));
+    readVector(*found, placeOf(key), low, high, color);
 }
 
 void SettingsReader::readRenamed(const char* key, const char* former, float& value, double low,
@@ -222,12 +243,31 @@ nlohmann::json parseJson(std::string_view text, const std::string& place)
 {
     text = withoutMark(text);
     refuseForeign(std::as_bytes(std::span(text)), place);
-    requireBounds(text, place);
-    try {
-        return nlohmann::json::parse(text);
-    } catch (const nlohmann::json::exception& error) {
-        fail(ErrorKind::input, "{}: not valid JSON: {}", place, error.what());
+    requireJson(text, place);
+    nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
+    if (value.is_discarded())
+        fail(ErrorKind::input, "{}: not valid JSON", place);
+    return value;
+}
+
+std::optional<glm::vec3> colorOfHex(std::string_view text)
+{
+    if (text.size() != 7 || text[0] != '#')
+        return std::nullopt;
+    glm::vec3 color(0.0f);
+    for (std::size_t i = 0; i < 3; ++i) {
+        unsigned byte = 0;
+        const char* const digits = text.data() + 1 + 2 * i;
+        if (std::from_chars(digits, digits + 2, byte, 16).ptr != digits + 2)
+            return std::nullopt;
+        // In double precision and rounded, so that no library's pow() shows in a field's bytes.
+        const double encoded = byte / 255.0;
+        const double linear =
+            encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+        color[static_cast<glm::length_t>(i)] =
+            static_cast<float>(std::round(linear * 1e6) / 1e6);
     }
+    return color;
 }
 
 std::string nearestWord(std::string_view word, const std::vector<std::string>& known)

@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,6 +35,13 @@ public:
     void read(const char* key, glm::vec3& value, double low, double high);
     void read(const char* key, glm::dvec3& value, double low, double high);
 
+    /// The same of a range: an array of its two ends, or one number that is both.
+    void readRange(const char* key, glm::vec2& range, double low, double high);
+    void readRange(const char* key, glm::dvec2& range, double low, double high);
+
+    /// The same of a colour of linear light: three numbers, or an sRGB colour as "#rrggbb".
+    void readColor(const char* key, glm::vec3& color, double low, double high);
+
     /// Reads `key`, or its former name if the file uses that, which adds a warning. Throws
     /// Error{input} if the file has both.
     void readRenamed(const char* key, const char* former, float& value, double low, double high);
@@ -55,6 +63,8 @@ public:
 
 private:
     const nlohmann::json* find(const char* key);
+    template <typename Vec>
+    void readEnds(const char* key, Vec& range, double low, double high);
 
     const nlohmann::json& object_;
     std::string place_;
@@ -63,12 +73,12 @@ private:
     std::vector<std::string> warnings_;
 };
 
-inline constexpr std::size_t jsonDepthLimit = 128;       ///< nesting depth of arrays and objects
-inline constexpr std::size_t jsonValueLimit = 8'000'000; ///< arrays, objects and commas
-
-/// Parses text as JSON. Throws Error{input} that names `place` and the position if the text is
-/// malformed or beyond the limits.
+/// Parses text as JSON. Throws Error{input} that names `place`, line and column if the text is
+/// malformed, has a key twice in one object or is beyond the limits (json_check.h).
 nlohmann::json parseJson(std::string_view text, const std::string& place);
+
+/// Linear light of an sRGB colour "#rrggbb", rounded to six decimals; none for any other text.
+std::optional<glm::vec3> colorOfHex(std::string_view text);
 
 /// The entry of `known` nearest to `word` by edit distance, or an empty text if none is near.
 std::string nearestWord(std::string_view word, const std::vector<std::string>& known);

@@ -19,6 +19,17 @@ constexpr int level = 3;
 // Bytes regrouped per step: a block stays in the cache between regrouping and zstd.
 constexpr std::size_t blockBytes = std::size_t(1) << 16;
 
+// The largest window of a frame that is read, 2^25 bytes. Levels up to 19 have 8 MB.
+constexpr int largestWindow = 25;
+
+// A frame may hold so many bytes, and so many times its own.
+constexpr std::size_t plainBytes = std::size_t(256) << 20;
+constexpr std::size_t largestRatio = 4096;
+
+// Frames of more bytes than this, and than so many times their own, are unpacked once on trial.
+constexpr std::size_t trustedBytes = std::size_t(1) << 20;
+constexpr std::size_t trustedRatio = 32;
+
 // Calls visit(byte of the element, first element, number of elements) for each block, in storage
 // order.
 template <typename Visit>
@@ -28,6 +39,51 @@ void forEachBlock(std::size_t rawBytes, std::size_t elementBytes, Visit visit)
     for (std::size_t byte = 0; byte < elementBytes; ++byte)
         for (std::size_t first = 0; first < count; first += blockBytes)
             visit(byte, first, std::min(blockBytes, count - first));
+}
+
+// Unpacks a frame piece by piece.
+class Unpacker {
+public:
+    Unpacker(std::span<const std::byte> stored, const std::string& place)
+        : in_{stored.data(), stored.size(), 0}
+        , place_(place)
+    {
+        ZSTD_DCtx_setParameter(context_.get(), ZSTD_d_windowLogMax, largestWindow);
+    }
+
+    // The number of bytes unpacked; less than `size` only at the end of the frame.
+    std::size_t take(std::byte* bytes, std::size_t size)
+    {
+        ZSTD_outBuffer out{bytes, size, 0};
+        while (out.pos < out.size) {
+            const std::size_t before = in_.pos + out.pos;
+            const std::size_t left = ZSTD_decompressStream(context_.get(), &out, &in_);
+            if (ZSTD_isError(left) != 0)
+                fail(ErrorKind::input, "{}: the compressed data is damaged", place_);
+            if (left == 0 || in_.pos + out.pos == before)
+                break;
+        }
+        return out.pos;
+    }
+
+    bool isAtEnd() const { return in_.pos == in_.size; }
+
+private:
+    std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context_{ZSTD_createDCtx(),
+                                                                  ZSTD_freeDCtx};
+    ZSTD_inBuffer in_;
+    const std::string& place_;
+};
+
+void requireSize(std::span<const std::byte> stored, std::size_t rawBytes, const std::string& place)
+{
+    if (ZSTD_getFrameContentSize(stored.data(), stored.size()) != rawBytes)
+        fail(ErrorKind::input, "{}: the compressed data does not hold {} bytes", place, rawBytes);
+}
+
+[[noreturn]] void failLength(std::size_t total, std::size_t rawBytes, const std::string& place)
+{
+    fail(ErrorKind::input, "{}: decompresses to {} bytes instead of {}", place, total, rawBytes);
 }
 
 } // namespace
@@ -101,46 +157,42 @@ UninitializedVector<std::byte> compress(std::span<const std::byte> raw, std::siz
 
 void checkClaim(std::span<const std::byte> stored, std::size_t rawBytes, const std::string& place)
 {
-    if (ZSTD_getFrameContentSize(stored.data(), stored.size()) != rawBytes)
-        fail(ErrorKind::input, "{}: the compressed data does not hold {} bytes", place, rawBytes);
+    requireSize(stored, rawBytes, place);
+    if (rawBytes > plainBytes && (rawBytes - plainBytes) / largestRatio > stored.size())
+        fail(ErrorKind::input, "{}: {} compressed bytes claim to hold {}, more than {} and {} for each",
+             place, stored.size(), rawBytes, plainBytes, largestRatio);
+    if (rawBytes <= trustedBytes + trustedRatio * stored.size())
+        return;
+    // Unpack it once without keeping it, so that no memory is taken for what is only claimed.
+    Unpacker unpacker(stored, place);
+    std::array<std::byte, blockBytes> block;
+    std::size_t total = 0;
+    for (std::size_t taken = blockBytes; taken == blockBytes; total += taken)
+        taken = unpacker.take(block.data(), blockBytes);
+    if (total != rawBytes)
+        failLength(total, rawBytes, place);
 }
 
 void decompress(std::span<const std::byte> stored, std::size_t elementBytes,
                 std::span<std::byte> raw, const std::string& place)
 {
-    checkClaim(stored, raw.size(), place);
+    requireSize(stored, raw.size(), place);
     expect(raw.size() % elementBytes == 0, "whole elements");
-    const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(),
-                                                                       ZSTD_freeDCtx);
-    ZSTD_inBuffer in{stored.data(), stored.size(), 0};
-    // Returns the number of bytes decompressed; less than `size` only at the end of the frame.
-    const auto take = [&](std::byte* bytes, std::size_t size) {
-        ZSTD_outBuffer out{bytes, size, 0};
-        while (out.pos < out.size) {
-            const std::size_t before = in.pos + out.pos;
-            const std::size_t left = ZSTD_decompressStream(context.get(), &out, &in);
-            if (ZSTD_isError(left) != 0)
-                fail(ErrorKind::input, "{}: cannot decompress: {}", place, ZSTD_getErrorName(left));
-            if (left == 0 || in.pos + out.pos == before)
-                break;
-        }
-        return out.pos;
-    };
+    Unpacker unpacker(stored, place);
     std::array<std::byte, blockBytes> block;
     std::size_t total = 0;
     forEachBlock(raw.size(), elementBytes, [&](std::size_t byte, std::size_t first, std::size_t n) {
-        const std::size_t taken = take(block.data(), n);
+        const std::size_t taken = unpacker.take(block.data(), n);
         total += taken;
         if (taken < n)
-            fail(ErrorKind::input, "{}: decompresses to {} bytes instead of {}", place, total,
-                 raw.size());
+            failLength(total, raw.size(), place);
         std::byte* const to = raw.data() + first * elementBytes + byte;
         for (std::size_t i = 0; i < n; ++i)
             to[i * elementBytes] = block[i];
     });
     // The frame must end with its checksum, and the chunk with the frame.
     std::byte beyond = {};
-    if (take(&beyond, 1) != 0 || in.pos != in.size)
+    if (unpacker.take(&beyond, 1) != 0 || !unpacker.isAtEnd())
         fail(ErrorKind::input, "{}: decompresses to more than {} bytes, or bytes follow its end",
              place, raw.size());
 }

@@ -45,8 +45,9 @@ private:
 /// similar high bytes, which then compress. `raw` is a whole number of elements.
 UninitializedVector<std::byte> compress(std::span<const std::byte> raw, std::size_t elementBytes);
 
-/// Throws Error{input} naming `place` unless the frame declares `rawBytes`. Called before memory is
-/// allocated for them.
+/// Throws Error{input} naming `place` unless the frame declares `rawBytes`, at most 256 MB and 4096
+/// for each of its own. More than 1 MB and 32 for each are unpacked once without being kept, so that
+/// memory is allocated only for what is there. Called before that.
 void checkClaim(std::span<const std::byte> stored, std::size_t rawBytes, const std::string& place);
 
 /// Undoes compress() into `raw`. Throws Error{input} naming `place` unless the frame holds exactly

@@ -64,8 +64,8 @@ std::vector<Species> parseSpecies(std::string_view text, const std::string& plac
         Species one;
         SettingsReader reader(entry, fmt::format("{}[{}]", place, result.size()));
         reader.read("name", one.name);
-        reader.read("root_color", one.look.rootColor, 0.0, 1.0);
-        reader.read("tip_color", one.look.tipColor, 0.0, 1.0);
+        reader.readColor("root_color", one.look.rootColor, 0.0, 1.0);
+        reader.readColor("tip_color", one.look.tipColor, 0.0, 1.0);
         reader.read("tip_threshold", one.look.tipThreshold, 0.0, 0.99);
         reader.read("ground_tint", one.look.groundTint, 0.0, 1.0);
         reader.read("color_variation", one.look.colorVariation, 0.0, 1.0);

@@ -191,7 +191,7 @@ void verifyWithoutBlades(const FieldView& field, std::uint64_t blades, const std
         fail(ErrorKind::input, "{}: {} species, outside 1 to {}", place, field.species.size(),
              shared::maxSpecies);
     if (!(field.thinned >= 1.0 && field.thinned <= maxThinned))
-        fail(ErrorKind::input, "{}: a meadow of {} times the leaf area, outside 1 to {}", place,
+        fail(ErrorKind::input, "{}: a meadow of {:.6g} times the leaf area, outside 1 to {}", place,
              field.thinned, maxThinned);
     verifyTree(field.patches, blades, place);
     verifyGround(*field.ground, place);

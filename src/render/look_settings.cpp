@@ -75,11 +75,11 @@ void readLook(SettingsReader& reader, FrameSettings& settings)
             settings.sunDirection = sunTowards(azimuth, elevation);
             settings.sunColor = sunColorAt(elevation);
         }
-        sun.read("color", settings.sunColor, 0.0, brightest);
+        sun.readColor("color", settings.sunColor, 0.0, brightest);
         sun.finish();
     }
-    look.read("sky", settings.skyColor, 0.0, brightest);
-    look.read("ground", settings.groundColor, 0.0, brightest);
+    look.readColor("sky", settings.skyColor, 0.0, brightest);
+    look.readColor("ground", settings.groundColor, 0.0, brightest);
     look.read("fog", settings.fogDensity, 0.0, densest);
     look.read("fog_height", settings.fogHeight, 0.0, 1e6);
     look.read("clouds", settings.clouds, 0.0, 1.0);

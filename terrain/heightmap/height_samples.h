@@ -20,8 +20,18 @@ struct HeightSamples {
     std::vector<float> values;
     double full = 1.0;     ///< highest value of the format
     bool isMetric = false; ///< the values are metres already
-    double step = 0.0;     ///< [m] from sample to sample, if the file tells; else 0
+    glm::dvec2 step{0.0};  ///< [m] from sample to sample along x and z, if the file tells; else 0
 };
+
+/// How a colour stands for a height.
+enum class HeightEncoding {
+    none,      ///< the brightest channel is the height
+    terrarium, ///< red·256 + green + blue/256 − 32768 m (Mapzen, AWS Terrain Tiles)
+    terrainRgb ///< (red·65536 + green·256 + blue)/10 − 10000 m (Mapbox Terrain-RGB)
+};
+
+/// The encoding "terrarium" or "terrain-rgb"; "" is none. Throws Error{usage} naming `place`.
+HeightEncoding heightEncodingOf(const std::string& name, const std::string& place);
 
 /// Most samples on a side of a heightmap.
 inline constexpr std::uint32_t heightmapSideLimit = 32768;
@@ -29,10 +39,10 @@ inline constexpr std::uint32_t heightmapSideLimit = 32768;
 // Each function throws Error{input} for a damaged file or a size out of bounds (2 samples to
 // heightmapSideLimit per side, heightPointLimit in total), before allocating memory of that size.
 
-/// A PNG of any depth and kind. Uses the brightest of several channels and ignores alpha. Unless
-/// `isHeight` it is a mask, which may be 1 sample wide and gives no warnings.
+/// A PNG of any depth and kind: heights by `encoding`. What is transparent (less than half opaque)
+/// becomes a hole; all of it at once is ignored, with a warning.
 HeightSamples readPngHeights(std::span<const std::byte> file, const std::string& place,
-                             bool isHeight, Diagnostics& diagnostics);
+                             HeightEncoding encoding, Diagnostics& diagnostics);
 
 /// Samples without a header, 16 bits each, or 32 bits as floats in metres. Throws Error{usage}
 /// naming --size if `size` is missing or does not match the file. Warns if neighbours say that the
@@ -45,13 +55,20 @@ HeightSamples readRawHeights(std::span<const std::byte> file, const std::optiona
                              const RawLayout& layout, const std::string& place,
                              Diagnostics& diagnostics);
 
-/// A tile of SRTM (.hgt): big-endian, signed, in metres, as wide as long.
+/// A tile of SRTM (.hgt): big-endian, signed, in metres, a degree along each side. `name` tells its
+/// latitude if it begins as N60E010 does.
 HeightSamples readHgtHeights(std::span<const std::byte> file, const std::string& place,
-                             Diagnostics& diagnostics);
+                             std::string_view name, Diagnostics& diagnostics);
 
 /// An ESRI ASCII grid (.asc), in metres.
 HeightSamples readAscHeights(std::string_view file, const std::string& place,
                              Diagnostics& diagnostics);
+
+/// Length [m] of a degree of longitude at a latitude [degrees] on the ellipsoid of WGS 84.
+double metresOfLongitude(double latitude);
+
+/// Length [m] of a degree along a meridian: 3600 times 30.87 m.
+inline constexpr double metresOfLatitude = 3600.0 * 30.87;
 
 /// Sets samples of metres that are not finite, farther than 1000 km from 0, or −9999, −32767,
 /// −32768 or −99999 to NaN, with a warning.
@@ -60,8 +77,14 @@ void dropNoData(HeightSamples& samples, const std::string& place, Diagnostics& d
 /// Warns of a value of many samples that stand in cliffs around them: probably no data.
 void hintAtNoData(const HeightSamples& samples, const std::string& place, Diagnostics& diagnostics);
 
-/// One channel of an OpenEXR image: Y, else Z, R, height, else the first. Non-finite values and
-/// common no-data values become NaN. Throws Error{unsupported} for deep images.
+/// Warns if samples use few of the values that their format has: bytes in 16-bit words, a small
+/// part of the range, heights from 0 to 1 in metres.
+void hintAtFewHeights(const HeightSamples& samples, const std::string& place,
+                      Diagnostics& diagnostics);
+
+/// One channel of an OpenEXR image: Y, else Z, R, height, else the first. Non-finite values, common
+/// no-data values and samples whose channel A is below 0.5 become NaN. Throws Error{unsupported}
+/// for deep images.
 HeightSamples readExrHeights(std::span<const std::byte> file, const std::string& place,
                              Diagnostics& diagnostics);
 

@@ -5,7 +5,7 @@
 #include "terrain/file_kind.h"
 #include "terrain/heightmap/height_samples.h"
 #include "terrain/heightmap/heightfield.h"
-#include "terrain/image/image_decode.h"
+#include "terrain/heightmap/hole_mask.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +27,9 @@ HeightSamples readSamples(const std::filesystem::path& path, const HeightmapSett
     if (file.bytes().empty())
         fail(ErrorKind::input, "{}: empty", place);
     const std::string extension = fileKind(path);
+    const HeightEncoding encoding = heightEncodingOf(settings.encoding, place);
+    if (encoding != HeightEncoding::none && extension != ".png")
+        diagnostics.warn("{}: --encoding is ignored; only a .png has colours", place);
     const bool isFloat = extension == ".r32";
     if (isFloat || extension == ".r16" || extension == ".raw")
         return readRawHeights(file.bytes(), settings.size, {settings.endian == "big", isFloat},
@@ -37,11 +40,15 @@ HeightSamples readSamples(const std::filesystem::path& path, const HeightmapSett
                          place);
     const std::string_view text(reinterpret_cast<const char*>(file.bytes().data()),
                                 file.bytes().size());
-    HeightSamples samples = extension == ".exr"   ? readExrHeights(file.bytes(), place, diagnostics)
-                            : extension == ".hgt" ? readHgtHeights(file.bytes(), place, diagnostics)
-                            : extension == ".asc"
-                                ? readAscHeights(text, place, diagnostics)
-                                : readPngHeights(file.bytes(), place, true, diagnostics);
+    HeightSamples samples;
+    if (extension == ".exr")
+        samples = readExrHeights(file.bytes(), place, diagnostics);
+    else if (extension == ".hgt")
+        samples = readHgtHeights(file.bytes(), place, path.stem().string(), diagnostics);
+    else if (extension == ".asc")
+        samples = readAscHeights(text, place, diagnostics);
+    else
+        samples = readPngHeights(file.bytes(), place, encoding, diagnostics);
     if (settings.size && *settings.size != samples.size)
         fail(ErrorKind::usage, "{}: --size is {}x{}, but the image has {}x{} samples", place,
              settings.size->x, settings.size->y, samples.size.x, samples.size.y);
@@ -83,15 +90,15 @@ glm::dvec2 extentOf(const HeightSamples& samples, const HeightmapSettings& setti
                      settings.extent->x, settings.extent->y, longest);
         return *settings.extent;
     }
-    if (samples.step > 0.0) {
+    if (samples.step.x > 0.0) {
         const glm::dvec2 extent = samples.step * glm::dvec2(samples.size - 1U);
         if (!(std::max(extent.x, extent.y) <= longest))
-            fail(ErrorKind::input, "{}: {} x {} m, more than {} m a side", place, extent.x,
+            fail(ErrorKind::input, "{}: {:.6g} x {:.6g} m, more than {} m a side", place, extent.x,
                  extent.y, longest);
         return extent;
     }
     const glm::dvec2 extent = defaultStep * glm::dvec2(samples.size - 1U);
-    diagnostics.warn("{}: without --extent X Z the samples lie {} m apart: {} x {} m", place,
+    diagnostics.warn("{}: without --extent X Z the samples lie {} m apart: {:.6g} x {:.6g} m", place,
                      defaultStep, extent.x, extent.y);
     return extent;
 }
@@ -110,52 +117,9 @@ glm::dvec2 rangeOf(const HeightSamples& samples, const HeightmapSettings& settin
     if (samples.isMetric)
         return {0.0, samples.full};
     const double relief = defaultRelief * std::max(extent.x, extent.y);
-    diagnostics.warn("{}: without --height MIN:MAX black is 0 m and white {} m high", place,
+    diagnostics.warn("{}: without --height MIN:MAX black is 0 m and white {:.6g} m high", place,
                      relief);
     return {0.0, relief};
-}
-
-// Samples of a mask, scaled so that the brightest is at least 1.
-HeightSamples readMask(const std::filesystem::path& path)
-{
-    const std::string place = path.string();
-    const MappedFile file(path);
-    Diagnostics ignored; // warnings about heights do not apply
-    if (fileKind(path) == ".png")
-        return readPngHeights(file.bytes(), place, false, ignored);
-    const auto* const bytes = reinterpret_cast<const unsigned char*>(file.bytes().data());
-    const GroundImage image = decodeImage({bytes, file.bytes().size()}, place, ignored);
-    if (image.width == 0)
-        fail(ErrorKind::input,
-             "{}: the hole mask is not an image that can be decoded (PNG, JPEG, "
-             "TGA, BMP)",
-             place);
-    HeightSamples samples;
-    samples.size = {image.width, image.height};
-    for (std::size_t i = 0; i < image.rgba.size(); i += 4)
-        samples.values.push_back(std::max({image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]}));
-    return samples;
-}
-
-// A cell is a hole where the mask at its centre is darker than half its brightest value.
-std::vector<std::uint8_t> holesOf(const std::string& file, const glm::uvec2& cells)
-{
-    if (file.empty())
-        return {};
-    const HeightSamples mask = readMask(file);
-    const float black = 0.5f * *std::max_element(mask.values.begin(), mask.values.end());
-    std::vector<std::uint8_t> holes;
-    holes.reserve(std::size_t(cells.x) * cells.y);
-    const auto at = [](std::uint64_t cell, std::uint64_t count, std::uint64_t pixels) {
-        return (2 * cell + 1) * pixels / (2 * count);
-    };
-    for (std::uint32_t j = 0; j < cells.y; ++j)
-        for (std::uint32_t i = 0; i < cells.x; ++i) {
-            const std::uint64_t row = at(j, cells.y, mask.size.y);
-            const float value = mask.values[row * mask.size.x + at(i, cells.x, mask.size.x)];
-            holes.push_back(value > black ? 0 : 1);
-        }
-    return holes;
 }
 
 } // namespace
@@ -196,10 +160,12 @@ GroundMesh importHeightmap(const std::filesystem::path& path, const HeightmapSet
         makeHoles(samples, *settings.noData, place, diagnostics);
     else
         hintAtNoData(samples, place, diagnostics);
+    if (!settings.height || !samples.isMetric)
+        hintAtFewHeights(samples, place, diagnostics);
     const HeightGrid grid{.extent = extentOf(samples, settings, place, diagnostics),
                           .cells = samples.size - 1U};
     const glm::dvec2 range = rangeOf(samples, settings, grid.extent, place, diagnostics);
-    const std::vector<std::uint8_t> holes = holesOf(settings.holeMask, grid.cells);
+    const std::vector<std::uint8_t> holes = holesOf(settings.holeMask, grid.cells, diagnostics);
 
     // Metric samples stay unchanged.
     std::vector<double> heights;
@@ -210,7 +176,7 @@ GroundMesh importHeightmap(const std::filesystem::path& path, const HeightmapSet
     samples = {};
     for (const double height : heights)
         if (std::fabs(height) > highest)
-            fail(ErrorKind::input, "{}: a height of {} m, outside ±{} m", place, height, highest);
+            fail(ErrorKind::input, "{}: a height of {:.6g} m, outside ±{} m", place, height, highest);
     GroundMesh mesh = heightfield(grid, heights, holes, place);
     mesh.nodes[0] = path.stem().string();
     return mesh;

@@ -28,17 +28,34 @@ struct Steps {
     double mean() const { return count == 0 ? 0.0 : sum / static_cast<double>(count); }
 };
 
-// Passes each pair of neighbours along x and z.
+// Passes each pair of neighbours along x and z that both have a height.
 template <typename Visit>
 void forEachPair(const HeightSamples& samples, Visit visit)
 {
     const std::size_t width = samples.size.x;
+    const auto pair = [&](float a, float b) {
+        if (!std::isnan(a) && !std::isnan(b))
+            visit(a, b);
+    };
     for (std::size_t i = 0; i < samples.values.size(); ++i) {
         if (i % width + 1 < width)
-            visit(samples.values[i], samples.values[i + 1]);
+            pair(samples.values[i], samples.values[i + 1]);
         if (i + width < samples.values.size())
-            visit(samples.values[i], samples.values[i + width]);
+            pair(samples.values[i], samples.values[i + width]);
     }
+}
+
+// Highest less lowest height; 0 without any.
+double rangeOf(const HeightSamples& samples)
+{
+    float low = std::numeric_limits<float>::max();
+    float high = std::numeric_limits<float>::lowest();
+    for (const float value : samples.values)
+        if (!std::isnan(value)) {
+            low = std::min(low, value);
+            high = std::max(high, value);
+        }
+    return low <= high ? static_cast<double>(high) - static_cast<double>(low) : 0.0;
 }
 
 } // namespace
@@ -62,8 +79,7 @@ void hintAtNoData(const HeightSamples& samples, const std::string& place, Diagno
 {
     if (samples.isMetric || samples.values.empty())
         return;
-    const auto [low, high] = std::minmax_element(samples.values.begin(), samples.values.end());
-    const double range = double(*high) - double(*low);
+    const double range = rangeOf(samples);
     for (const float gap : wholeGaps) {
         const auto count = std::count(samples.values.begin(), samples.values.end(), gap);
         if (double(count) < minShare * double(samples.values.size()))

@@ -11,8 +11,6 @@ namespace {
 // The other byte order is right if it is this many times as smooth.
 constexpr double smootherFactor = 8.0;
 
-constexpr double arcSecond = 30.87; // [m] along a meridian
-
 std::uint32_t wordAt(std::span<const std::byte> file, std::size_t index, std::size_t bytes,
                      bool isBigEndian)
 {
@@ -82,34 +80,6 @@ HeightSamples readRawHeights(std::span<const std::byte> file, const std::optiona
         samples.values.push_back(rawSampleAt(file, i, layout));
     if (layout.isFloat)
         dropNoData(samples, place, diagnostics);
-    return samples;
-}
-
-HeightSamples readHgtHeights(std::span<const std::byte> file, const std::string& place,
-                             Diagnostics& diagnostics)
-{
-    const std::size_t count = file.size() / 2;
-    std::uint32_t side = 0;
-    while (std::uint64_t(side + 1) * (side + 1) <= count && side < heightmapSideLimit)
-        ++side;
-    if (std::uint64_t(side) * side * 2 != file.size())
-        fail(ErrorKind::input,
-             "{}: {} bytes are no square of 16-bit samples; a tile of SRTM has 1201 or 3601 a side",
-             place, file.size());
-    requireHeightmapSize(side, side, place);
-    HeightSamples samples;
-    samples.size = {side, side};
-    samples.isMetric = true;
-    // A tile is a degree wide.
-    samples.step = 3600.0 * arcSecond / (side - 1);
-    samples.values.reserve(count);
-    for (std::size_t i = 0; i < count; ++i)
-        samples.values.push_back(static_cast<float>(
-            static_cast<std::int16_t>(static_cast<std::uint16_t>(wordAt(file, i, 2, true)))));
-    dropNoData(samples, place, diagnostics);
-    diagnostics.warn("{}: a degree is taken as {:.6g} m in both directions; --extent X Z gives the "
-                     "tile's true size",
-                     place, 3600.0 * arcSecond);
     return samples;
 }
 

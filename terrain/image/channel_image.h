@@ -16,6 +16,9 @@ struct ChannelImage {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     std::vector<std::uint16_t> values; ///< width·height; 65535 is 1
+
+    /// Pixels whose alpha is 0 though their value is not. Alpha is data of its own: nothing hides.
+    std::size_t transparent = 0;
 };
 
 /// Reads channel 0 red, 1 green, 2 blue or 3 alpha of a PNG (8 or 16 bits), JPEG, TGA or BMP file.

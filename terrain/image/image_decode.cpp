@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "terrain/image/channel_image.h"
 #include "terrain/image/png_pixels.h"
-#include "terrain/image/truncated_image.h"
+#include "terrain/image/whole_image.h"
 
 #include <stb/stb_image.h>
 
@@ -54,32 +54,6 @@ GroundImage shrink(const unsigned char* pixels, std::uint32_t width, std::uint32
     return image;
 }
 
-// Detects unsupported formats by their first bytes; a TGA has no signature.
-std::string_view foreignFormat(std::span<const std::byte> file)
-{
-    const std::string_view start(reinterpret_cast<const char*>(file.data()),
-                                 std::min<std::size_t>(file.size(), 16));
-    const auto begins = [&](std::string_view text) { return start.substr(0, text.size()) == text; };
-    if (begins("RIFF") &&
-        start.substr(std::min<std::size_t>(8, start.size())).substr(0, 4) == "WEBP")
-        return "WebP";
-    if (begins("\xabKTX 20"))
-        return "KTX2";
-    if (begins("DDS "))
-        return "DDS";
-    if (begins("GIF8"))
-        return "GIF";
-    if (begins("8BPS"))
-        return "PSD";
-    if (begins("#?"))
-        return "HDR";
-    if (begins("P5") || begins("P6"))
-        return "PNM";
-    if (begins("\x53\x80\xf6\x34"))
-        return "PIC";
-    return {};
-}
-
 // Each JPEG scan may decode all pixels again, and a scan may take only a few bytes.
 std::uint64_t scansOf(std::span<const std::byte> file)
 {
@@ -88,11 +62,6 @@ std::uint64_t scansOf(std::span<const std::byte> file)
         if (file[i] == std::byte(0xff) && file[i + 1] == std::byte(0xda))
             ++scans;
     return scans;
-}
-
-bool isJpeg(std::span<const std::byte> file)
-{
-    return file.size() > 2 && file[0] == std::byte(0xff) && file[1] == std::byte(0xd8);
 }
 
 // Throws Error{input} with the reason if the image may not be decoded.
@@ -132,7 +101,7 @@ GroundImage decode(std::span<const std::byte> file, const std::string& place, Im
             [&](const glm::uvec2& size) { requireSize(size, 1, budget, place); }, place);
         return finish(png.bytes.data(), png.size);
     }
-    if (const std::string_view format = foreignFormat(file); !format.empty())
+    if (const std::string_view format = foreignImage(file); !format.empty())
         fail(ErrorKind::input, "{}: images of kind {} are not read (PNG, JPEG, TGA, BMP are)",
              place, format);
 
@@ -147,12 +116,11 @@ GroundImage decode(std::span<const std::byte> file, const std::string& place, Im
         fail(ErrorKind::input, "{}: not an image that can be decoded (PNG, JPEG, TGA, BMP)", place);
     const glm::uvec2 size(static_cast<unsigned>(width), static_cast<unsigned>(height));
     requireSize(size, isJpeg(file) ? scansOf(file) : 1, budget, place);
+    requireWholeImage(file, place);
     const std::unique_ptr<unsigned char, FreePixels> pixels(
         stbi_load_from_memory(bytes, length, &width, &height, &channels, 4));
     if (pixels == nullptr)
-        fail(ErrorKind::input, "{}: the image is damaged ({})", place, stbi_failure_reason());
-    if (isTruncatedImage(file))
-        fail(ErrorKind::input, "{}: the image is truncated: it ends before its last pixel", place);
+        fail(ErrorKind::input, "{}: the image is damaged: its pixels cannot be decoded", place);
     return finish(pixels.get(), size);
 }
 

@@ -37,7 +37,7 @@ def samples(bounds):
     if bounds == "true or false":
         return [True, False], [1, "true"]
     if bounds == "soft range":
-        return [":", "1:2", "1:2~0.5", ":2", "1:"], ["2:1", "1", 5]
+        return [":", "1:2", "1:2~0.5", ":2", "1:", [1, 2]], ["2:1", "1", 5, [2, 1]]
     if bounds == "mask or list of masks":
         return ["vertex-color:G", []], ["vertex-color:X", 1]
     kind, low, high = re.fullmatch(r"(?:(.+), )?(-?[\d.]+) to (-?[\d.]+)", bounds).groups()
@@ -46,9 +46,9 @@ def samples(bounds):
     if kind in (None, "whole number"):
         return [low, high], [below, above, "1", [low]] + ([low + 0.5] if kind else [])
     if kind == "three numbers":
-        return [[low, high, low]], [[below, high, low], [low, above, low], [low, low], low]
-    wrong = [[below, high], [low, above], [low], low]
-    return [[low, high], [low, low]], wrong + ([[high, low]] if kind == "two numbers" else [])
+        return [[low, high, low], "#8090a0"], ["green", "#80", [below, high, low], [low, above, low], [low, low], low]
+    wrong = [[below, high], [low, above], [low], below, "1"]
+    return [[low, high], [low, low], low], wrong + ([[high, low]] if kind == "two numbers" else [])
 
 
 class MeadowPage(CliTest):

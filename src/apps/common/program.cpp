@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
 
 namespace sward::apps {
@@ -21,6 +22,9 @@ int reportException(std::string_view name)
     } catch (const Error& error) {
         log::error("{}", error.what());
         return error.exitCode();
+    } catch (const std::filesystem::filesystem_error& error) {
+        log::error("{}: {}", error.path1().string(), error.code().message());
+        return static_cast<int>(ErrorKind::io);
     } catch (const std::bad_alloc&) {
         // Formatting would allocate memory.
         std::fputs("error: not enough memory\n", stderr);

@@ -20,6 +20,7 @@
 #include <fmt/ranges.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sward::apps {
@@ -38,15 +39,15 @@ void checkOutputs(const BakeRequest& request)
         fail(ErrorKind::usage, "{}: is named both as the field and as the report", request.output);
 }
 
-// Bakes and writes the field, or estimates it. The caller fills in load time and the rest of the
-// report.
-bake::Report grow(const BakeRequest& request, const terrain::GroundMesh& ground,
+// Bakes and writes the field, or estimates it. The ground is of no use afterwards. The caller fills
+// in load time and the rest of the report.
+bake::Report grow(const BakeRequest& request, terrain::GroundMesh&& ground,
                   Diagnostics& diagnostics, Progress& progress)
 {
     if (request.dryRun)
         return bake::estimateBake(ground, request.settings, request.threads, diagnostics, progress);
 
-    return bake::bakeIntoFile(ground, request.settings, request.threads, request.output,
+    return bake::bakeIntoFile(std::move(ground), request.settings, request.threads, request.output,
                               request.overwrite, diagnostics, progress);
 }
 
@@ -92,7 +93,7 @@ public:
         Stopwatch total;
         Stopwatch watch;
         Diagnostics diagnostics;
-        const terrain::GroundMesh ground = loadGround(request, diagnostics);
+        terrain::GroundMesh ground = loadGround(request, diagnostics);
         checkOutputs(request); // against all files that the ground names
         const double loading = watch.lap();
         // Compute the topology line only when verbose, because it takes time.
@@ -107,7 +108,7 @@ public:
         std::vector<std::byte> paintMask;
         if (!request.paintMask.empty())
             paintMask = paintMaskOf(request, ground, diagnostics, progress);
-        bake::Report report = grow(request, ground, diagnostics, progress);
+        bake::Report report = grow(request, std::move(ground), diagnostics, progress);
         if (!request.paintMask.empty())
             writeImage(request, paintMask);
         bar.clear();

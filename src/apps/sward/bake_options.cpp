@@ -157,9 +157,12 @@ void BakeOptions::addGround(CLI::App& app)
            })
         ->default_str("0 to a tenth of the longer side, of .exr as stored");
     option("--hole-mask", map.holeMask, "FILE",
-           "Image over a heightmap; there is no ground where it is black");
+           "Image over a heightmap; there is no ground where it is black or transparent");
     option("--endian", map.endian, "little|big", "Byte order of .r16, .raw and .r32")
         ->default_str("little");
+    option("--encoding", map.encoding, "terrarium|terrain-rgb",
+           "How the colours of a .png stand for heights in metres")
+        ->default_str("none");
     app.add_flag("--flip-rows", map.flipRows, "The first row of a heightmap lies at +z, not at -z")
         ->group("Ground");
     parsed("--no-data", "V",

@@ -29,6 +29,7 @@ std::string effectiveSettings(const BakeRequest& request)
     ground["height"] = pair(map.height);
     ground["hole_mask"] = map.holeMask;
     ground["endian"] = map.endian.empty() ? "little" : map.endian;
+    ground["encoding"] = map.encoding.empty() ? "none" : map.encoding;
     ground["flip_rows"] = map.flipRows;
     ground["no_data"] = map.noData ? nlohmann::ordered_json(*map.noData) : nullptr;
 

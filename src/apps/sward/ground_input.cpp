@@ -53,11 +53,11 @@ void warnWithoutHeightmap(const BakeRequest& request, Diagnostics& diagnostics)
     const terrain::HeightmapSettings& map = request.import.heightmap;
     const auto isMap = [](const std::string& file) { return terrain::isHeightmap(file); };
     if ((map.size || map.extent || map.height || !map.holeMask.empty() || map.noData ||
-         map.flipRows || !map.endian.empty()) &&
+         map.flipRows || !map.endian.empty() || !map.encoding.empty()) &&
         std::none_of(request.inputs.begin(), request.inputs.end(), isMap) &&
         std::none_of(request.occluders.begin(), request.occluders.end(), isMap))
-        diagnostics.warn("--size, --extent, --height, --hole-mask, --endian, --flip-rows and "
-                         "--no-data are ignored: no INPUT is a heightmap (.png .r16 .raw .r32 .hgt "
+        diagnostics.warn("--size, --extent, --height, --hole-mask, --endian, --encoding, "
+                         "--flip-rows and --no-data are ignored: no INPUT is a heightmap (.png .r16 .raw .r32 .hgt "
                          ".asc .exr)");
 }
 

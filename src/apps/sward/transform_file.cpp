@@ -79,7 +79,7 @@ glm::dmat4 composed(SettingsReader& reader, const json& object, const std::strin
         const std::vector<double> q = numbersOf(reader.child("rotation"), 4, place + ": rotation");
         const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
         if (std::abs(length - 1.0) > 1e-3)
-            fail(ErrorKind::input, "{}: rotation has length {}, a unit quaternion has 1", place,
+            fail(ErrorKind::input, "{}: rotation has length {:.6g}, a unit quaternion has 1", place,
                  length);
         matrix = glm::dmat4(
             glm::mat3_cast(glm::dquat(q[3] / length, q[0] / length, q[1] / length, q[2] / length)));
@@ -100,7 +100,7 @@ void checkSimilarity(const glm::dmat4& matrix, const std::string& place)
     const double determinant = glm::determinant(linear);
     if (!(determinant > 0.0))
         fail(ErrorKind::input,
-             "{}: the determinant is {}; a rotation with scale has a positive one", place,
+             "{}: the determinant is {:.6g}; a rotation with scale has a positive one", place,
              determinant);
     // MᵀM = s²·1 for a rotation with scale s.
     const double square = std::cbrt(determinant) * std::cbrt(determinant);

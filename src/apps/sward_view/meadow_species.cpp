@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/json_text.h"
 #include "core/mapped_file.h"
+#include "core/settings_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -43,7 +44,15 @@ std::string textOf(const MeadowRequests& requests)
 void readNumbers(const json& from, const char* key, float* values, std::size_t count)
 {
     const auto found = from.find(key);
-    if (found == from.end() || !found->is_array() || found->size() != count)
+    if (found == from.end())
+        return;
+    if (count == 3 && found->is_string())
+        if (const auto color = colorOfHex(found->get_ref<const std::string&>()))
+            for (std::size_t i = 0; i < 3; ++i)
+                values[i] = (*color)[static_cast<glm::length_t>(i)];
+    if (count == 2 && found->is_number())
+        values[0] = values[1] = found->get<float>();
+    if (!found->is_array() || found->size() != count)
         return;
     for (std::size_t i = 0; i < count; ++i)
         if ((*found)[i].is_number())
@@ -101,7 +110,7 @@ std::string textOfPreset(std::size_t preset)
 
 std::vector<MeadowSpecies> speciesOf(const std::string& text, const std::string& source)
 {
-    const json meadow = json::parse(text, nullptr, false);
+    const json meadow = parseJson(text, source);
     const auto found = meadow.is_object() ? meadow.find("species") : meadow.end();
     if (!meadow.is_object() || found == meadow.end() || !found->is_array() || found->empty())
         fail(ErrorKind::input, "{}: not a meadow; it has no list \"species\"", source);

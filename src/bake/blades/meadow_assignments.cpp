@@ -32,6 +32,12 @@ json valueOf(const std::string& assignment, const std::string& text)
     // A meadow's names go into the field file, which is JSON.
     if (!isUtf8(text))
         fail(ErrorKind::usage, "--set {}: the value is not UTF-8", assignment);
+    if (text.starts_with("{") || text.starts_with("["))
+        try {
+            return parseJson(text, "--set " + assignment);
+        } catch (const Error& error) {
+            fail(ErrorKind::usage, "{}", error.what());
+        }
     json value = json::parse(text, nullptr, false);
     return value.is_discarded() ? json(text) : value;
 }
@@ -90,6 +96,8 @@ Meadow withAssignments(const Meadow& meadow, const std::vector<std::string>& ass
         // Report errors of the reader as usage errors: the text comes from the command line.
         try {
             meadowFromJson(object, "--set " + assignment);
+            if (steps.back() == "name")
+                requireOwnNames(object, "--set " + assignment);
         } catch (const Error& error) {
             fail(ErrorKind::usage, "{}", error.what());
         }

@@ -1,5 +1,6 @@
 #include "bake/filter/mask.h"
 
+#include "bake/filter/mask_words.h"
 #include "core/error.h"
 #include "core/expect.h"
 #include "terrain/image/image_sampling.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <string_view>
 
 namespace sward::bake {
@@ -228,13 +230,14 @@ std::optional<Mask> readMask(const std::string& text)
 Mask parseMask(const std::string& text)
 {
     const std::optional<Mask> mask = readMask(text);
-    if (!mask)
-        fail(
-            ErrorKind::usage,
-            "--mask is \"{}\"; expected ground:green, or vertex-color:C, vertex-color1:C, "
-            "vertex-color:_NAME, material-texture:C or texture:FILE:C with C one of R G B A, after "
-            "a texture perhaps :uv1 or :transform, and perhaps :invert",
-            text);
+    if (!mask) {
+        const std::string trouble = maskTrouble(text);
+        fail(ErrorKind::usage,
+             "--mask is \"{}\"{}{}; expected ground:green, or vertex-color:C, vertex-color1:C, "
+             "vertex-color:_NAME, material-texture:C or texture:FILE:C with C one of R G B A, "
+             "after a texture perhaps :uv1 or :transform, and perhaps :invert",
+             text, trouble.empty() ? "" : ": ", trouble);
+    }
     return *mask;
 }
 
@@ -268,9 +271,16 @@ void loadImages(std::vector<Mask>& masks)
         for (const Mask& other : masks)
             if (other.file == mask.file && other.channel == mask.channel && other.image != nullptr)
                 mask.image = other.image;
-        if (mask.image == nullptr)
+        if (mask.image == nullptr) {
+            // Words that are not known count as part of the file's name.
+            std::error_code ignored;
+            const std::string text = textOf(mask);
+            if (const std::string trouble = maskTrouble(text);
+                !trouble.empty() && !std::filesystem::exists(mask.file, ignored))
+                fail(ErrorKind::usage, "mask \"{}\": {}", text, trouble);
             mask.image = std::make_shared<const terrain::ChannelImage>(
                 terrain::readChannel(mask.file, mask.channel));
+        }
     }
 }
 

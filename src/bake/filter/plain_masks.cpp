@@ -57,6 +57,13 @@ void warnOfPlain(const std::vector<Mask>& masks, const std::string& owner,
     for (const Mask& mask : masks) {
         if (mask.source == Mask::Source::groundGreen)
             continue;
+        if (mask.image != nullptr && mask.image->transparent > 0)
+            diagnostics.warn("{} {}: {:.3g} % of its pixels are transparent and not black; alpha "
+                             "hides nothing of another channel: make them black where no grass is "
+                             "wanted, or add a mask of channel A",
+                             owner, textOf(mask),
+                             100.0 * double(mask.image->transparent) /
+                                 double(mask.image->values.size()));
         const MaskSpan span = spanOf(mask, ground);
         if (span.isWhite())
             diagnostics.warn("{} {} rejects nothing: it is white on all ground that bears grass",

@@ -29,14 +29,18 @@ shared::GroundMaterial displayMaterial(const terrain::GroundMaterial& material, 
     return shown;
 }
 
-} // namespace
-
-field::DisplayGround displayGround(const terrain::GroundMesh& ground, bool colorsAreMask)
+// Frees what an array holds; assigning {} would keep its memory.
+template <typename T>
+void release(std::vector<T>& array)
 {
-    field::DisplayGround shown;
-    shown.vertices.resize(ground.positions.size());
+    std::vector<T>().swap(array);
+}
+
+std::vector<shared::GroundVertex> verticesOf(const terrain::GroundMesh& ground, bool colorsAreMask)
+{
+    std::vector<shared::GroundVertex> vertices(ground.positions.size());
     for (std::size_t v = 0; v < ground.positions.size(); ++v) {
-        shared::GroundVertex& vertex = shown.vertices[v];
+        shared::GroundVertex& vertex = vertices[v];
         vertex.position = ground.positions[v];
         vertex.normal = shared::encodeNormal32(ground.normals[v]);
         vertex.uv = ground.uvs[v];
@@ -48,12 +52,16 @@ field::DisplayGround displayGround(const terrain::GroundMesh& ground, bool color
             continue;
         for (glm::length_t corner = 0; corner < 3; ++corner) {
             const std::uint32_t v = ground.triangles[t][corner];
-            shown.vertices[v].color =
+            vertices[v].color =
                 packColor({vertexColor(ground, ground.materialOf[t], v), ground.colors[v].w});
         }
     }
+    return vertices;
+}
 
-    // Group the triangles by material, in the order of the mesh.
+// Groups the triangles by material, in the order of the mesh.
+void addIndices(const terrain::GroundMesh& ground, field::DisplayGround& shown)
+{
     std::vector<std::uint32_t> first(ground.materials.size() + 1, 0);
     for (const std::uint32_t material : ground.materialOf)
         ++first[material + 1];
@@ -69,12 +77,45 @@ field::DisplayGround displayGround(const terrain::GroundMesh& ground, bool color
     for (std::uint32_t m = 0; m < ground.materials.size(); ++m)
         if (first[m + 1] > first[m])
             shown.ranges.push_back({0, m, 3 * first[m], 3 * (first[m + 1] - first[m])});
+}
 
+void addLook(const terrain::GroundMesh& ground, bool colorsAreMask, field::DisplayGround& shown)
+{
     const std::vector<glm::vec3> colors = drawnBaseColors(ground, colorsAreMask);
     for (std::size_t m = 0; m < ground.materials.size(); ++m)
         shown.materials.push_back(displayMaterial(ground.materials[m], colors[m]));
     for (const terrain::GroundImage& image : ground.images)
         shown.images.push_back({image.width, image.height, image.rgba});
+}
+
+} // namespace
+
+field::DisplayGround displayGround(const terrain::GroundMesh& ground, bool colorsAreMask)
+{
+    field::DisplayGround shown;
+    shown.vertices = verticesOf(ground, colorsAreMask);
+    addIndices(ground, shown);
+    addLook(ground, colorsAreMask, shown);
+    return shown;
+}
+
+field::DisplayGround displayGround(terrain::GroundMesh&& ground, bool colorsAreMask)
+{
+    field::DisplayGround shown;
+    if (!ground.hasColors)
+        release(ground.colors);
+    release(ground.nodeOf);
+    release(ground.bears);
+    release(ground.attributes.list);
+    shown.vertices = verticesOf(ground, colorsAreMask);
+    release(ground.colors);
+    release(ground.positions);
+    release(ground.normals);
+    release(ground.uvs);
+    addIndices(ground, shown);
+    release(ground.triangles);
+    release(ground.materialOf);
+    addLook(ground, colorsAreMask, shown);
     return shown;
 }
 

@@ -117,7 +117,7 @@ std::uint32_t SurfaceSampler::candidates(std::size_t triangle, double density, b
     const double count =
         std::floor(share + roundingShare(settings_.seed, ground_.source(triangle), back));
     if (count > maxCandidates)
-        fail(ErrorKind::input, "triangle {} of {:.6g} m² would bear {} blades, more than {}",
+        fail(ErrorKind::input, "triangle {} of {:.6g} m² would bear {:.6g} blades, more than {}",
              ground_.source(triangle), ground_.area(triangle), count, maxCandidates);
     return static_cast<std::uint32_t>(count);
 }

@@ -11,6 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include <limits>
+#include <string>
+#include <string_view>
 
 namespace sward::bake {
 namespace {
@@ -178,6 +180,20 @@ void writePlan(const fs::path& path, const TilePlan& plan, bool overwrite)
     writeTextFile(path, jsonText(object, 2) + "\n", overwrite);
 }
 
+namespace {
+
+// Names the missing key that the parser's message has in single quotes.
+std::string troubleOf(std::string_view theirs)
+{
+    const std::size_t begin = theirs.find('\'');
+    const std::size_t end = theirs.rfind('\'');
+    if (begin == std::string_view::npos || end <= begin)
+        return "a key is missing";
+    return fmt::format("the key \"{}\" is missing", theirs.substr(begin + 1, end - begin - 1));
+}
+
+} // namespace
+
 TilePlan readPlan(const fs::path& path)
 {
     const std::vector<std::byte> bytes = readFile(path, planLimit);
@@ -229,8 +245,10 @@ TilePlan readPlan(const fs::path& path)
         if (plan.tiles == 0)
             fail(ErrorKind::input, "{}: 0 tiles, outside [1, {}]", name, maxTiles);
         return plan;
-    } catch (const json::exception& error) {
-        fail(ErrorKind::input, "{}: {}", name, error.what());
+    } catch (const json::out_of_range& missing) {
+        fail(ErrorKind::input, "{}: {}", name, troubleOf(missing.what()));
+    } catch (const json::exception&) {
+        fail(ErrorKind::input, "{}: a value has another type than in a plan", name);
     }
 }
 

@@ -77,6 +77,22 @@ TEST_F(BakeFile, HasTheBytesOfAFieldInMemoryHoweverManyTilesAreSpilled)
     }
 }
 
+TEST_F(BakeFile, HasTheSameBytesOfAGroundWithTooManyTrianglesForOneRayTree)
+{
+    bake({});
+    const std::string expected = contents();
+    TileLimits fewTriangles;
+    fewTriangles.trianglesInOne = ground.triangles.size() - 1;
+    fewTriangles.trianglesInTile = ground.triangles.size() / 7;
+    bake(fewTriangles);
+    EXPECT_TRUE(contents() == expected);
+    // Of a ground that is given away as well.
+    Diagnostics diagnostics;
+    terrain::GroundMesh given = ground;
+    bakeIntoFile(std::move(given), settings, 2, path, true, diagnostics, progress, fewTriangles);
+    EXPECT_TRUE(contents() == expected);
+}
+
 TEST_F(BakeFile, LeavesTheOldOneAndNothingElseOnAFullDisk)
 {
     std::ofstream(path) << "old";

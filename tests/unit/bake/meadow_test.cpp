@@ -43,7 +43,12 @@ TEST(Meadow, RefusesWhatCannotGrow)
         R"({"species": [{}], "clump_size": 1})",
         R"({"species": [{"cover": 0}]})",
         R"({"species": [{"slope": "30"}]})",
-        R"({"species": [{"slope": [0, 30]}]})",
+        R"({"species": [{"slope": 30}]})",
+        R"({"species": [{"slope": [30, 0]}]})",
+        R"({"species": [{"height_m": [1, 2], "share": 2, "height_m": [2, 3]}]})",
+        R"({"species": [{"name": "clover"}, {"name": "rye"}, {"name": "clover"}]})",
+        R"({"species": [{"tip_color": "green"}]})",
+        R"({"species": [{"tip_color": 1}]})",
         R"({"species": [{"mask": "red"}]})",
         R"({"species": [{"mask": [1]}]})",
         R"({"species": [{"facing": "inward"}]})",
@@ -61,6 +66,23 @@ TEST(Meadow, RefusesWhatCannotGrow)
     for (const char* text : wrong)
         EXPECT_THROW(parseMeadow(text, "meadow.json"), Error) << text;
     EXPECT_NO_THROW(parseMeadow(R"({"species": [{}]})", "meadow.json"));
+}
+
+TEST(Meadow, TakesOneNumberForARangeAndColorsOfTheWeb)
+{
+    const char* const text = R"({"species": [
+        {"name": "a", "height_m": 0.5, "stiffness": 0.25, "slope": [5, 30], "root_color": "#000000",
+         "tip_color": "#80ff00", "organs": [{"length": 0.5, "tip_color": "#ffffff"}]},
+        {"height_m": [0.25, 0.5]}, {"height_m": [0.5, 1]}]})";
+    const Meadow meadow = parseMeadow(text, "meadow.json");
+    const SpeciesTraits& one = meadow.species[0];
+    EXPECT_EQ(one.height, glm::dvec2(0.5, 0.5));
+    EXPECT_EQ(one.stiffness, glm::dvec2(0.25, 0.25));
+    EXPECT_EQ(textOf(one.habitat.slope), "5:30");
+    EXPECT_EQ(one.look.rootColor, glm::vec3(0.0f));
+    EXPECT_EQ(one.look.tipColor, glm::vec3(0.215861f, 1.0f, 0.0f));
+    EXPECT_EQ(one.organs[0].length, glm::vec2(0.5f));
+    EXPECT_EQ(one.organs[0].look.tipColor, glm::vec3(1.0f));
 }
 
 TEST(Meadow, WritesEverythingThatItReads)

@@ -240,6 +240,40 @@ TEST(Compression, RestoresBytesAndRefusesOtherSizes)
     EXPECT_THROW(decompress(followed, 8, raw, "x"), Error);
 }
 
+// A zstd frame that claims `size` bytes and holds `blocks` blocks of 128 KB that are all zero.
+std::vector<std::byte> claimingFrame(std::uint64_t size, int blocks)
+{
+    // Magic number, a descriptor of 8 bytes of size, a window of 128 KB.
+    std::vector<std::byte> frame;
+    for (const unsigned byte : {0x28U, 0xb5U, 0x2fU, 0xfdU, 0xc0U, 0x38U})
+        frame.push_back(std::byte(byte));
+    for (int i = 0; i < 8; ++i)
+        frame.push_back(std::byte(size >> (8 * i) & 0xffU));
+    for (int i = 0; i < blocks; ++i) {
+        // Whether it is the last, a repeated byte, its count.
+        const unsigned header = (i + 1 == blocks ? 1U : 0U) | 1U << 1 | (1U << 17) << 3;
+        for (int k = 0; k < 3; ++k)
+            frame.push_back(std::byte(header >> (8 * k) & 0xffU));
+        frame.push_back(std::byte(0));
+    }
+    return frame;
+}
+
+TEST(Compression, BelievesASizeOnlyAsFarAsDataFollow)
+{
+    constexpr std::uint64_t block = std::uint64_t(1) << 17;
+    EXPECT_NO_THROW(checkClaim(claimingFrame(16 * block, 16), 16 * block, "x"));
+    std::vector<std::byte> raw(16 * block, std::byte(1));
+    decompress(claimingFrame(16 * block, 16), 8, raw, "x");
+    EXPECT_EQ(raw, std::vector<std::byte>(16 * block));
+    // Less than it claims, by one byte or by much, and more than any frame may hold.
+    EXPECT_THROW(checkClaim(claimingFrame(16 * block + 1, 16), 16 * block + 1, "x"), Error);
+    EXPECT_THROW(checkClaim(claimingFrame(16 * block - 1, 16), 16 * block - 1, "x"), Error);
+    EXPECT_THROW(checkClaim(claimingFrame(200'000'000, 1), 200'000'000, "x"), Error);
+    EXPECT_THROW(checkClaim(claimingFrame(std::uint64_t(1) << 50, 1), std::size_t(1) << 50, "x"),
+                 Error);
+}
+
 TEST(Summary, CountsWhatTheFieldHolds)
 {
     const Field field = tests::sampleField();

@@ -130,7 +130,7 @@ TEST(Heightmap, WarnsOfTerraces)
 
 TEST(Heightmap, TakesTheBrightestChannelOfAColorImage)
 {
-    const std::vector<std::uint8_t> rgba = {9, 8, 7, 255, 1, 2, 3, 255, 0, 5, 0, 0, 4, 4, 4, 255};
+    const std::vector<std::uint8_t> rgba = {9, 8, 7, 255, 1, 2, 3, 255, 0, 5, 0, 255, 4, 4, 4, 255};
     std::string png;
     stbi_write_png_to_func(
         [](void* to, void* bytes, int size) {

@@ -77,6 +77,27 @@ std::string greyPng(const glm::uvec2& size, const std::vector<std::uint16_t>& sa
     return file;
 }
 
+std::string colorPng(const glm::uvec2& size, int channels, const std::vector<std::uint8_t>& bytes)
+{
+    const std::size_t rowBytes = std::size_t(size.x) * static_cast<std::size_t>(channels);
+    expect(bytes.size() == rowBytes * size.y, "a byte for each sample");
+    std::string file;
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(png);
+    png_set_write_fn(png, &file, appendBytes, nullptr);
+    const int type = channels == 2   ? PNG_COLOR_TYPE_GRAY_ALPHA
+                     : channels == 3 ? PNG_COLOR_TYPE_RGB
+                                     : PNG_COLOR_TYPE_RGB_ALPHA;
+    png_set_IHDR(png, info, size.x, size.y, 8, type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_BASE,
+                 PNG_FILTER_TYPE_BASE);
+    png_write_info(png, info);
+    for (std::size_t j = 0; j < size.y; ++j)
+        png_write_row(png, bytes.data() + j * rowBytes);
+    png_write_end(png, nullptr);
+    png_destroy_write_struct(&png, &info);
+    return file;
+}
+
 std::string floatExr(const glm::uvec2& size, const std::vector<float>& samples, const ExrLook& look)
 {
     expect(samples.size() == std::size_t(size.x) * size.y, "a sample for each pixel");

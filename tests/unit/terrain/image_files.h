@@ -14,6 +14,9 @@ namespace sward::terrain {
 std::string greyPng(const glm::uvec2& size, const std::vector<std::uint16_t>& samples, int depth,
                     bool interlaced = false);
 
+/// A PNG of 8 bits a sample: 2 channels (grey, alpha), 3 (RGB) or 4 (RGBA).
+std::string colorPng(const glm::uvec2& size, int channels, const std::vector<std::uint8_t>& bytes);
+
 /// An EXR of one channel, as floats or halves, in scan lines or in tiles of 16 x 16.
 struct ExrLook {
     std::string channel = "Y";
