@@ -56,8 +56,9 @@ private:
         stretch.keys = file_->size();
         eachStoredKeyByte(cells, [&](std::span<const std::byte> bytes) { file_->append(bytes); });
         for (CellTree& cell : cells) {
-            cell.blades = {};
-            cell.keys = {};
+            // Assigning {} would keep the memory.
+            decltype(cell.blades)().swap(cell.blades);
+            decltype(cell.keys)().swap(cell.keys);
         }
         stored_.add(std::move(cells), stretch, file_);
     }

@@ -21,6 +21,11 @@ def foreign_words(message, given=""):
             return found[0]
     for found in NOISE.finditer(message):
         digits = found[0].split("e")[0].replace(".", "").strip("0")
-        if len(digits) > 9 and found[0] not in given:
+        if len(digits) > 9 and float(found[0]) not in numbers_of(given):
             return found[0]
     return ""
+
+
+def numbers_of(text):
+    """All numbers of a text: a message may write them as it does its own."""
+    return {float(found[0]) for found in re.finditer(r"\d*\.?\d+(?:[eE][-+]?\d+)?", text, re.ASCII)}
