@@ -10,7 +10,7 @@ FOREIGN = re.compile(
     r"|type must be|parse error|syntax error", re.ASCII)
 
 # A number of more than nine significant digits with a point: 4.6000000000000005.
-NOISE = re.compile(r"(?<![\w.])\d*\.\d+(?:e[-+]?\d+)?", re.ASCII)
+NOISE = re.compile(r"(?<![\w.])(?<!version )\d*\.\d+(?:e[-+]?\d+)?", re.ASCII)
 
 
 def foreign_words(message, given=""):
