@@ -32,6 +32,19 @@ double tuftSpacing(const Meadow& meadow, double scale)
     return widest;
 }
 
+// Whether two strokes differ in their names at most.
+bool paintAlike(const Stroke& a, const Stroke& b)
+{
+    if (a.name == b.name)
+        return a == b;
+    Stroke renamed = a;
+    renamed.name = b.name;
+    return renamed == b;
+}
+
+// Strokes of fewer are looked at among the triangles near them.
+constexpr std::size_t fewStrokes = 64;
+
 } // namespace
 
 // Members of a session.
@@ -135,11 +148,11 @@ std::set<CellNumber> Session::Parts::cellsReached(const Strokes& next) const
 {
     const std::vector<Stroke>& old = settings.strokes.list;
     const auto differing =
-        std::mismatch(old.begin(), old.end(), next.list.begin(), next.list.end());
+        std::mismatch(old.begin(), old.end(), next.list.begin(), next.list.end(), paintAlike);
     auto oldEnd = old.end();
     auto nextEnd = next.list.end();
     while (oldEnd != differing.first && nextEnd != differing.second &&
-           *std::prev(oldEnd) == *std::prev(nextEnd)) {
+           paintAlike(*std::prev(oldEnd), *std::prev(nextEnd))) {
         --oldEnd;
         --nextEnd;
     }
@@ -249,6 +262,26 @@ Session::Change Session::replaceGround(const terrain::GroundMesh& ground, Progre
     });
     parts.surface = std::move(next);
     return parts.replaceCells(changed, std::move(baked));
+}
+
+std::vector<StrokeContact> Session::contacts(std::size_t first) const
+{
+    const Parts& parts = *parts_;
+    const std::span<const Stroke> strokes =
+        std::span<const Stroke>(parts.settings.strokes.list).subspan(first);
+    if (strokes.size() > fewStrokes)
+        return contactsOf(ground(), sides(), strokes);
+    std::set<CellNumber> cells;
+    for (const Stroke& stroke : strokes)
+        addCellsTouched(stroke, parts.surface.bearing, cells);
+    const std::vector<std::uint32_t> near =
+        parts.surface.triangles->near({cells.begin(), cells.end()}, 0.0);
+    return contactsOf(ground(), sides(), strokes, near);
+}
+
+Sides Session::sides() const
+{
+    return parts_->settings.sides;
 }
 
 const Strokes& Session::strokes() const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bake/paint/stroke_contact.h"
 #include "bake/settings.h"
 #include "core/diagnostics.h"
 #include "core/progress.h"
@@ -54,7 +55,11 @@ public:
     /// throws: Error{input} for another number of triangles, else as bakeField() and apply() do.
     Change replaceGround(const terrain::GroundMesh& ground, Progress& progress);
 
+    /// How much of the strokes from number `first` on touches the ground as it is now.
+    std::vector<StrokeContact> contacts(std::size_t first = 0) const;
+
     const Strokes& strokes() const;            ///< as they are now
+    Sides sides() const;                       ///< of triangles that bear grass
     const BakePlan& plan() const;              ///< of the first ground, without strokes
     const terrain::GroundMesh& ground() const; ///< as it is now
     bool hasReused() const;                    ///< the blades of a baked field

@@ -75,20 +75,10 @@ bool mayTouch(const Stroke& a, const Stroke& b, double margin)
     return true;
 }
 
-} // namespace
-
-void addCellsReached(const Stroke& stroke, std::span<const Stroke> later, double tufts,
-                     const std::set<CellNumber>& bearing, std::set<CellNumber>& reached)
+// The bearing cells that are within `margin` of a stroke's capsules, and a few more.
+void addCellsWithin(const Stroke& stroke, double margin, const std::set<CellNumber>& bearing,
+                    std::set<CellNumber>& cells)
 {
-    double margin = slackOfStrokes;
-    if (changesRoots(stroke.kind)) {
-        // Tufts look at their middles, and strokes that smooth at what is around a root.
-        double around = 3.0 * tufts;
-        for (const Stroke& other : later)
-            if (other.kind == StrokeKind::smooth && mayTouch(stroke, other, other.radius))
-                around = std::max(around, other.radius);
-        margin += around + progressiveReach + LocalRanks::reach;
-    }
     constexpr double halfDiagonal = 0.8661 * widestPatch;
     for (const StrokeSegment& capsule : capsulesOf(stroke)) {
         const double reach = capsule.radius + margin;
@@ -104,9 +94,32 @@ void addCellsReached(const Stroke& stroke, std::span<const Stroke> later, double
                 middle - capsule.from - capsule.shareAt(middle) * capsule.along;
             const double near = reach + halfDiagonal;
             if (glm::dot(offset, offset) <= near * near)
-                reached.insert(cell);
+                cells.insert(cell);
         });
     }
+}
+
+} // namespace
+
+void addCellsReached(const Stroke& stroke, std::span<const Stroke> later, double tufts,
+                     const std::set<CellNumber>& bearing, std::set<CellNumber>& reached)
+{
+    double margin = slackOfStrokes;
+    if (changesRoots(stroke.kind)) {
+        // Tufts look at their middles, and strokes that smooth at what is around a root.
+        double around = 3.0 * tufts;
+        for (const Stroke& other : later)
+            if (other.kind == StrokeKind::smooth && mayTouch(stroke, other, other.radius))
+                around = std::max(around, other.radius);
+        margin += around + progressiveReach + LocalRanks::reach;
+    }
+    addCellsWithin(stroke, margin, bearing, reached);
+}
+
+void addCellsTouched(const Stroke& stroke, const std::set<CellNumber>& bearing,
+                     std::set<CellNumber>& touched)
+{
+    addCellsWithin(stroke, slackOfStrokes, bearing, touched);
 }
 
 } // namespace sward::bake

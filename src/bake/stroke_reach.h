@@ -14,4 +14,8 @@ namespace sward::bake {
 void addCellsReached(const Stroke& stroke, std::span<const Stroke> later, double tufts,
                      const std::set<CellNumber>& bearing, std::set<CellNumber>& reached);
 
+/// Adds those of the `bearing` cells that a stroke's capsules may touch.
+void addCellsTouched(const Stroke& stroke, const std::set<CellNumber>& bearing,
+                     std::set<CellNumber>& touched);
+
 } // namespace sward::bake

@@ -1,5 +1,7 @@
 #include "bake/warnings.h"
 
+#include "bake/paint/stroke_contact.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -151,29 +153,17 @@ void warnOfStrokes(const terrain::GroundMesh& ground, const BakeSettings& settin
                    Diagnostics& diagnostics)
 {
     const Strokes& strokes = settings.strokes;
-    const Aabb own = ground.bounds();
-    const glm::dvec3 low = ground.origin + glm::dvec3(own.low);
-    const glm::dvec3 high = ground.origin + glm::dvec3(own.high);
-    std::size_t far = 0;
-    std::size_t firstFar = 0;
-    for (std::size_t i = 0; i < strokes.list.size(); ++i) {
-        const Stroke& stroke = strokes.list[i];
-        DAabb box;
-        for (const std::array<std::int64_t, 3>& point : stroke.points)
-            box.add(glm::dvec3{double(point[0]), double(point[1]), double(point[2])} / 1000.0);
-        bool isNear = true;
-        for (glm::length_t axis = 0; axis < 3; ++axis)
-            isNear = isNear && box.low[axis] <= high[axis] + stroke.radius &&
-                     box.high[axis] >= low[axis] - stroke.radius;
-        if (!isNear && far++ == 0)
-            firstFar = i;
+    if (!strokes.empty()) {
+        const Aabb own = ground.bounds();
+        const glm::dvec3 low = ground.origin + glm::dvec3(own.low);
+        const glm::dvec3 high = ground.origin + glm::dvec3(own.high);
+        warnOfContacts(strokes.list, contactsOf(ground, settings.sides, strokes.list), 0,
+                       "--paint " + strokes.file,
+                       fmt::format("The ground lies from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, "
+                                   "{:.6g}, {:.6g}); --move-strokes DISTANCE moves strokes onto it",
+                                   low.x, low.y, low.z, high.x, high.y, high.z),
+                       diagnostics);
     }
-    if (far > 0)
-        diagnostics.warn("--paint {}: {} of {} strokes, the first of them strokes[{}], lie outside "
-                         "of the ground, which lies from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, "
-                         "{:.6g}, {:.6g})",
-                         strokes.file, far, strokes.list.size(), firstFar, low.x, low.y, low.z,
-                         high.x, high.y, high.z);
     const bool raises =
         std::any_of(strokes.list.begin(), strokes.list.end(), [](const Stroke& stroke) {
             return stroke.kind == StrokeKind::add ||

@@ -14,8 +14,8 @@ namespace sward::bake {
 void warnAboutRoots(const RootCounts& counts, const Report::Input& ground,
                     const BakeSettings& settings, const Plan& plan, Diagnostics& diagnostics);
 
-/// Warns of strokes that are far from the ground, and of strokes that cannot raise the density of
-/// Poisson disks.
+/// Warns of strokes that touch no ground, wholly or in a part, and of strokes that cannot raise the
+/// density of Poisson disks.
 void warnOfStrokes(const terrain::GroundMesh& ground, const BakeSettings& settings,
                    Diagnostics& diagnostics);
 

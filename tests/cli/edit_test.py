@@ -185,6 +185,47 @@ class Edit(CliTest):
         self.assertEqual(digest(self.folder / "hill.sward"), digest(wanted))
         self.assertEqual(session.end(), 0)
 
+    def test_strokes_that_a_new_ground_has_lost_are_told_and_moved(self):
+        def flat(height):
+            (self.folder / "map.r16").write_bytes(struct.pack("<4225H", *[height] * 4225))
+        flat(4000)
+        level = 4000 / 65535 * 60
+        on, far = stroke("erase", (-40, level, 0), (40, level, 0)), stroke("erase", (0, level + 9, 0))
+        session = self.session("map.r16", *self.MAP)
+        self.assertEqual(session.ready["lost"], [])
+        self.assertEqual(session.paint(0, {**on, "name": "Path"})["lost"], [])
+        session.paint(1)
+        answer = session.paint(1, far)
+        self.assertEqual(answer["lost"], [{"stroke": 1, "points": 1, "lost": 1, "share": 1.0}])
+        self.assertIn("strokes[1]", answer["warnings"][0])
+        session.paint(1)
+        flat(12000)
+        answer = session.ask({"id": 1, "do": "ground"})
+        self.assertEqual(answer["lost"], [{"stroke": 0, "points": 2, "lost": 2, "share": 1.0}])
+        self.assertIn('strokes[0] "Path"', answer["warnings"][0])
+        bare = answer["total"]
+        kept = session.ask({"id": 2, "do": "move", "distance": 5})
+        self.assertEqual((kept["moved"], kept["delta"], len(kept["lost"])), ([], None, 1))
+        answer = session.ask({"id": 3, "do": "move", "distance": 8})
+        self.assertEqual((answer["lost"], answer["strokes"]), ([], 1))
+        self.assertLess(answer["total"], bare - 1000)
+        [moved] = answer["moved"]
+        self.assertEqual((moved["index"], moved["stroke"]["name"]), (0, "Path"))
+        self.assertAlmostEqual(moved["stroke"]["points"][1][1], 12000 / 65535 * 60, delta=0.001)
+        session.ask({"id": 4, "do": "save_strokes", "path": "moved.json"})
+        self.assertEqual(self.read_json("moved.json")["strokes"], [moved["stroke"]])
+        session.ask({"id": 4, "do": "save", "path": "moved.sward"})
+        wanted = self.bake("map.r16", *self.MAP, "--paint", "moved.json", to="wanted.sward")
+        self.assertEqual(digest(self.folder / "moved.sward"), digest(wanted))
+        for bad in ({}, {"distance": 0}, {"distance": "2"}, {"distance": 2, "far": 1}):
+            self.assertEqual(session.ask({"id": 5, "do": "move", **bad})["error"], "usage")
+        self.assertEqual(session.end(), 0)
+        told = self.session("map.r16", *self.MAP, "--paint", self.write_json(
+            "lost.json", {"format": "sward strokes 1", "strokes": [on]}).name)
+        self.assertEqual([one["stroke"] for one in told.ready["lost"]], [0])
+        self.assertIn("strokes[0]", told.ready["warnings"][0])
+        self.assertEqual(told.end(), 0)
+
     def test_ground_of_other_triangles_or_with_too_many_blades_is_refused(self):
         ground = self.ground()
         session = self.session(ground, "--density", "3", "--max-blades", "70000", "--meadow", "grass", "-q")

@@ -164,10 +164,61 @@ class Paint(CliTest):
     def test_strokes_without_effect_are_warned_of(self):
         done = self.sward("bake", "plane", "-o", "a.sward", "--density", "5", "--paint",
                           self.paint(stroke("erase", (0, 0, 0)), stroke("erase", (500, 0, 0))))
-        self.assertIn("1 of 2 strokes, the first of them strokes[1], lie outside", done.stderr)
+        self.assertIn("1 of 2 strokes touch no ground and paint nothing: strokes[1]; 50 % of all points",
+                      done.stderr)
         done = self.sward("bake", "plane", "-o", "b.sward", "--spacing", "0.5", "--paint",
                           self.paint(stroke("add", (0, 0, 0), ceiling=2)))
         self.assertIn("--sampling uniform", done.stderr)
+
+
+    def valley(self, name, height):
+        """A valley along z, at this height."""
+        steps = [x - 10 for x in range(21)]
+        lines = [f"v {x} {0.06 * x * x + height} {z}" for z in steps for x in steps]
+        for row in range(20):
+            for column in range(20):
+                a = 21 * row + column + 1
+                lines += [f"f {a} {a + 21} {a + 1}", f"f {a + 1} {a + 21} {a + 22}"]
+        (self.folder / name).write_text("\n".join(lines) + "\n", encoding="ascii")
+        return name
+
+    def test_strokes_that_touch_no_ground_are_told_and_moved_onto_it(self):
+        strokes = self.paint({"kind": "erase", "radius_m": 1.0, "name": "Path", "normals": [[0, 1, 0]],
+                              "points": [[0, 0, -5], [0, 0, 5]]},
+                             stroke("erase", (3, 0.54, 0), radius=1), stroke("erase", (0, -2, -8), radius=1))
+        bake = ("--density", "50", "--blade-scale", "1", "--sky-rays", "0", "--force", "--paint", strokes)
+
+        def grown(ground, *options):
+            done = self.sward("bake", ground, "-o", "out.sward", *bake, *options)
+            return self.info(self.folder / "out.sward")["blades"], done.stderr
+        here, sunk = self.valley("here.obj", 0), self.valley("sunk.obj", -2)
+        wanted, said = grown(here)
+        self.assertIn("1 of 3 strokes touch no ground and paint nothing: strokes[2]; 25 %", said)
+        lost, said = grown(sunk)
+        self.assertIn('2 of 3 strokes touch no ground and paint nothing: strokes[0] "Path", strokes[1]; 75 %', said)
+        self.assertIn("--move-strokes", said)
+        self.assertNotEqual(lost, wanted)
+        # Both fields with all three strokes on their ground.
+        moved, said = grown(sunk, "--move-strokes", 2.5)
+        self.assertIn("2 of 3 strokes are moved onto the ground: 3 points, by up to 2 m", said)
+        self.assertNotIn("touch no ground", said)
+        self.assertEqual(moved, grown(here, "--move-strokes", 2.5)[0])
+        self.assertEqual(grown(sunk, "--move-strokes", 1.5)[0], lost)
+        self.refused("bake", here, "-o", "out.sward", "--force", "--move-strokes", 1, code=USAGE, names=["--paint"])
+        self.refused("bake", here, "-o", "out.sward", *bake, "--move-strokes", 0, code=USAGE,
+                     names=["--move-strokes", "0.001"])
+        self.refused("plan", here, "--tiles", 2, "-o", "plan.json", "--paint", strokes, "--move-strokes", 1,
+                     code=USAGE, names=["--move-strokes"])
+
+    def test_a_name_changes_nothing(self):
+        one = stroke("erase", (0, 0, 0))
+        plain = self.bake("plane", "--density", "5", "--paint", self.paint(one), to="a.sward")
+        named = self.bake("plane", "--density", "5", "--paint", self.paint({**one, "name": "a \"path\""}), to="b.sward")
+        self.assertEqual(digest(plain), digest(named))
+        self.refused("bake", "plane", "-o", "out.sward", "--paint", self.paint({**one, "name": "x" * 201}), code=INPUT,
+                     names=["strokes[0]", "name", "200"])
+        self.refused("bake", "plane", "-o", "out.sward", "--paint", self.paint({**one, "name": 3}), code=INPUT,
+                     names=["strokes[0]", "name"])
 
 
 if __name__ == "__main__":

@@ -324,6 +324,12 @@ void BakeOptions::addRun(CLI::App& app)
     app.add_option("--report", direct_.report, "JSON file for counts, rejections by filter, times")
         ->type_name("FILE.json")
         ->group(group);
+    app.add_option("--move-strokes", direct_.moveStrokes,
+                   "Move points of strokes that are not on the ground onto it, by up to this "
+                   "distance: after the ground was changed (requires --paint)")
+        ->type_name("METRES")
+        ->check(CLI::Range(bake::shortestRadius, bake::longestRadius).description(""))
+        ->group(group);
     app.add_option("--paint-mask", direct_.paintMask,
                    "Image to write with the density that --paint and --mask ask for, over the "
                    "ground's TEXCOORD_0; it can be a --mask in their place (requires --paint)")
@@ -403,6 +409,8 @@ BakeRequest BakeOptions::requestWith(const std::string* provenance, const std::s
         settings.strokes = paintOf(paint_, settings.meadow);
     bake::validate(settings);
     request.import.masks = bake::maskInputs(settings);
+    if (request.moveStrokes > 0.0 && paint_.empty())
+        fail(ErrorKind::usage, "--move-strokes: --paint is missing, whose strokes it moves");
     if (!request.paintMask.empty()) {
         if (paint_.empty())
             fail(ErrorKind::usage,

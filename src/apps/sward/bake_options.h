@@ -29,6 +29,7 @@ struct BakeRequest {
     std::string report;                 ///< empty: none
     std::string paintMask;              ///< image of the strokes; empty: none
     std::uint32_t paintMaskSize = 1024; ///< texels on a side
+    double moveStrokes = 0.0;           ///< [m] that strokes are moved onto the ground; 0: stay
     bool choosesSlope = false; ///< no --slope, front sides: bake::defaultSlope() of the ground
     bool dryRun = false;
     bool overwrite = false;

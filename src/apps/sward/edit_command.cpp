@@ -106,6 +106,7 @@ public:
             deltas_.empty() ? own.emplace("sward-edit").path() : fs::absolute(deltas_);
         const auto load = [&](Diagnostics& warnings) {
             BakeRequest again = request;
+            again.moveStrokes = 0.0; // the session's are others, and stay
             return loadGround(again, warnings);
         };
         EditRequests requests(session, speciesNames(request.settings), deltas, request.sources(),
@@ -148,6 +149,7 @@ private:
                                       {"species", speciesNames(request.settings)},
                                       {"scale", session.plan().plan.scale},
                                       {"reused", session.hasReused()},
+                                      {"lost", lostStrokes(session.contacts(), 0)},
                                       {"warnings", diagnostics.warnings()}};
         writeResult(jsonText(ready) + "\n");
     }

@@ -1,7 +1,9 @@
 #include "apps/sward/edit_requests.h"
 
 #include "apps/sward/output_files.h"
+#include "bake/paint/stroke_contact.h"
 #include "bake/paint/stroke_file.h"
+#include "bake/paint/stroke_move.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/json_text.h"
@@ -13,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -76,6 +79,18 @@ bool switchOf(const json& request, const char* key)
 
 } // namespace
 
+json lostStrokes(const std::vector<bake::StrokeContact>& contacts, std::size_t first)
+{
+    json list = json::array();
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+        if (const bake::StrokeContact& one = contacts[i]; one.isWorthTelling())
+            list.push_back({{"stroke", first + i},
+                            {"points", one.points},
+                            {"lost", one.lostPoints},
+                            {"share", double(one.lost()) / double(one.places)}});
+    return list;
+}
+
 EditRequests::EditRequests(bake::Session& session, std::vector<std::string> species,
                            std::filesystem::path deltas, std::vector<std::string> sources,
                            std::uint64_t maxBlades, LoadGround load)
@@ -138,18 +153,61 @@ json EditRequests::answerOf(const bake::Session::Change& change, Stopwatch& watc
             {"seconds", watch.lap()}};
 }
 
-json EditRequests::paint(const json& request, Progress& progress)
+// Which of the strokes from `first` on touch no ground, and in words.
+void EditRequests::tellLost(json& answer, std::size_t first, Diagnostics& diagnostics) const
 {
-    requireKeys(request, {"id", "do", "keep", "strokes"});
+    const std::vector<bake::StrokeContact> contacts = session_.contacts(first);
+    bake::warnOfContacts(std::span(session_.strokes().list).subspan(first), contacts, first,
+                         "strokes", "The request \"move\" moves strokes onto the ground",
+                         diagnostics);
+    answer["lost"] = lostStrokes(contacts, first);
+    answer["warnings"] = diagnostics.warnings();
+}
+
+// Replaces the strokes, of which those from `firstNew` on are new.
+json EditRequests::applied(bake::Strokes next, std::size_t firstNew, Progress& progress)
+{
     Stopwatch watch;
     bake::Strokes before = session_.strokes();
-    const bake::Session::Change change = session_.apply(strokesOf(request), progress);
+    const bake::Session::Change change = session_.apply(std::move(next), progress);
     try {
-        return answerOf(change, watch);
+        json answer = answerOf(change, watch);
+        Diagnostics diagnostics;
+        tellLost(answer, firstNew, diagnostics);
+        return answer;
     } catch (const Error&) {
         session_.apply(std::move(before), progress);
         throw;
     }
+}
+
+json EditRequests::paint(const json& request, Progress& progress)
+{
+    requireKeys(request, {"id", "do", "keep", "strokes"});
+    bake::Strokes next = strokesOf(request);
+    return applied(std::move(next), request["keep"].get<std::size_t>(), progress);
+}
+
+json EditRequests::moveStrokes(const json& request, Progress& progress)
+{
+    requireKeys(request, {"id", "do", "distance"});
+    const auto given = request.find("distance");
+    const double distance =
+        given != request.end() && given->is_number() ? given->get<double>() : 0.0;
+    if (!(distance >= bake::shortestRadius && distance <= bake::longestRadius))
+        fail(ErrorKind::usage, "{}: distance: is no number in [{}, {}]", requestPlace,
+             bake::shortestRadius, bake::longestRadius);
+    bake::Strokes next = session_.strokes();
+    bake::MovedStrokes moved =
+        bake::moveOnto(session_.ground(), session_.sides(), next.list, distance);
+    next.list = std::move(moved.list);
+    bake::requireStrokeCount(next, requestPlace);
+    json list = json::array();
+    for (const std::size_t i : moved.moved)
+        list.push_back({{"index", i}, {"stroke", json::parse(bake::textOf(next.list[i]))}});
+    json answer = applied(std::move(next), 0, progress);
+    answer["moved"] = std::move(list);
+    return answer;
 }
 
 json EditRequests::replaceGround(const json& request, Progress& progress)
@@ -169,7 +227,7 @@ json EditRequests::replaceGround(const json& request, Progress& progress)
     }
     ground_ = std::move(next);
     answer["origin"] = {ground_->origin.x, ground_->origin.y, ground_->origin.z};
-    answer["warnings"] = diagnostics.warnings();
+    tellLost(answer, 0, diagnostics);
     return answer;
 }
 
@@ -199,6 +257,8 @@ json EditRequests::carryOut(const json& request, Progress& progress)
     const std::string wish = textOf(request, "do");
     if (wish == "paint")
         return paint(request, progress);
+    if (wish == "move")
+        return moveStrokes(request, progress);
     if (wish == "ground")
         return replaceGround(request, progress);
     if (wish == "save")
@@ -207,7 +267,7 @@ json EditRequests::carryOut(const json& request, Progress& progress)
         return saveStrokes(request);
     if (wish != "quit")
         fail(ErrorKind::usage,
-             "{}: do: is \"{}\"; known are paint, ground, save, save_strokes and quit",
+             "{}: do: is \"{}\"; known are paint, move, ground, save, save_strokes and quit",
              requestPlace, wish);
     requireKeys(request, {"id", "do"});
     hasEnded_ = true;

@@ -20,6 +20,10 @@ namespace sward::apps {
 /// Bytes of a request, at most.
 inline constexpr std::size_t longestRequest = std::size_t(64) << 20;
 
+/// The strokes that touch no ground, wholly or in a part that is worth telling, as answers list
+/// them. `first`: number of the first of them.
+nlohmann::json lostStrokes(const std::vector<bake::StrokeContact>& contacts, std::size_t first);
+
 /// Answers the requests of `sward edit`, see docs/editing.md. Include from .cpp files only.
 class EditRequests {
 public:
@@ -46,6 +50,9 @@ public:
 
 private:
     nlohmann::json paint(const nlohmann::json& request, Progress& progress);
+    nlohmann::json moveStrokes(const nlohmann::json& request, Progress& progress);
+    nlohmann::json applied(bake::Strokes next, std::size_t firstNew, Progress& progress);
+    void tellLost(nlohmann::json& answer, std::size_t first, Diagnostics& diagnostics) const;
     nlohmann::json replaceGround(const nlohmann::json& request, Progress& progress);
     nlohmann::json answerOf(const bake::Session::Change& change, Stopwatch& watch);
     nlohmann::json save(const nlohmann::json& request);

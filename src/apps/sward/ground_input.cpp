@@ -3,6 +3,8 @@
 #include "apps/common/interrupt.h"
 #include "apps/sward/excluded_input.h"
 #include "bake/filter/default_slope.h"
+#include "bake/paint/stroke_file.h"
+#include "bake/paint/stroke_move.h"
 #include "core/error.h"
 #include "core/log.h"
 #include "terrain/file_kind.h"
@@ -15,6 +17,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sward::apps {
@@ -97,6 +100,17 @@ Placed placeOf(const std::string& input, const terrain::GroundMesh& ground)
     return {input, ground.origin + glm::dvec3(box.low), ground.origin + glm::dvec3(box.high)};
 }
 
+void moveStrokes(const terrain::GroundMesh& ground, BakeRequest& request)
+{
+    bake::Strokes& strokes = request.settings.strokes;
+    bake::MovedStrokes moved =
+        bake::moveOnto(ground, request.settings.sides, strokes.list, request.moveStrokes);
+    log::info("{}: {} of {} strokes are moved onto the ground: {} points, by up to {:.3g} m",
+              strokes.file, moved.moved.size(), strokes.list.size(), moved.points, moved.farthest);
+    strokes.list = std::move(moved.list);
+    bake::requireStrokeCount(strokes, strokes.file);
+}
+
 } // namespace
 
 terrain::GroundMesh loadGround(BakeRequest& request, Diagnostics& diagnostics)
@@ -132,6 +146,8 @@ terrain::GroundMesh loadGround(BakeRequest& request, Diagnostics& diagnostics)
         std::fill(occluder.bears.begin(), occluder.bears.end(), std::uint8_t(0));
         terrain::append(ground, occluder);
     }
+    if (request.moveStrokes > 0.0)
+        moveStrokes(ground, request);
     if (request.choosesSlope)
         request.settings.slope = bake::defaultSlope(ground, request.settings.groundUp);
     loadExcluded(request, diagnostics);

@@ -7,7 +7,8 @@
 namespace sward::apps {
 
 /// Loads the ground of a bake: its inputs joined in order, then the occluders, which bear nothing.
-/// Completes the request's settings by it: a slope that the ground chooses, excluded areas. Throws
+/// Completes the request's settings by it: a slope that the ground chooses, excluded areas, strokes
+/// that are moved onto it. Throws
 /// Error.
 terrain::GroundMesh loadGround(BakeRequest& request, Diagnostics& diagnostics);
 

@@ -46,8 +46,8 @@ public:
                      "sward plan county.glb --tiles 64 -o county.json --density 200")
     {
         options_.add(app());
-        for (const char* name :
-             {"--dry-run", "--report", "--print-config", "--paint-mask", "--paint-mask-size"})
+        for (const char* name : {"--dry-run", "--report", "--print-config", "--paint-mask",
+                                 "--paint-mask-size", "--move-strokes"})
             app().remove_option(app().get_option(name));
         app()
             .get_option("--output")

@@ -9,14 +9,7 @@
 namespace sward::bake {
 namespace {
 
-constexpr std::size_t childrenOfBox = 8;
 constexpr double mortonSteps = 2097151.0;
-
-bool boxesMeet(const DAabb& a, const DAabb& b)
-{
-    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y &&
-           b.low.y <= a.high.y && a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
 
 } // namespace
 
@@ -40,12 +33,14 @@ BoxTree::BoxTree(std::vector<DAabb> boxes)
     }
     std::sort(order.begin(), order.end());
     std::vector<DAabb>& leaves = levels_.emplace_back();
-    for (const auto& [code, index] : order)
+    for (const auto& [code, index] : order) {
         leaves.push_back(boxes[index]);
-    while (levels_.back().size() > childrenOfBox) {
-        std::vector<DAabb> above((levels_.back().size() + childrenOfBox - 1) / childrenOfBox);
+        order_.push_back(index);
+    }
+    while (levels_.back().size() > children) {
+        std::vector<DAabb> above((levels_.back().size() + children - 1) / children);
         for (std::size_t i = 0; i < levels_.back().size(); ++i)
-            above[i / childrenOfBox].add(levels_.back()[i]);
+            above[i / children].add(levels_.back()[i]);
         levels_.push_back(std::move(above));
     }
 }
@@ -58,10 +53,10 @@ bool BoxTree::meets(const DAabb& box) const
 bool BoxTree::meets(const DAabb& box, std::size_t level, std::size_t first, std::size_t last) const
 {
     for (std::size_t i = first; i < last; ++i) {
-        if (!boxesMeet(box, levels_[level][i]))
+        if (!doMeet(box, levels_[level][i]))
             continue;
-        if (level == 0 || meets(box, level - 1, i * childrenOfBox,
-                                std::min((i + 1) * childrenOfBox, levels_[level - 1].size())))
+        if (level == 0 || meets(box, level - 1, i * children,
+                                std::min((i + 1) * children, levels_[level - 1].size())))
             return true;
     }
     return false;

@@ -14,6 +14,7 @@ enum class StrokeKind { add, erase, set, smooth, species, height, dryness, trodd
 /// face the way of its normals.
 struct Stroke {
     StrokeKind kind = StrokeKind::add;
+    std::string name{};     ///< for people; empty: none. Changes nothing
     double radius = 1.0;    ///< [m]
     double hardness = 0.5;  ///< [0, 1] share of the radius that has the full strength
     double strength = 1.0;  ///< [0, 1] share of the way to `value`

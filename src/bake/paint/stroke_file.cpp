@@ -118,6 +118,10 @@ Stroke readStroke(const json& object, std::size_t room, const std::string& place
         fail(ErrorKind::input, "{}: kind is missing; expected one of {}", place,
              fmt::join(kindNames, ", "));
     stroke.kind = static_cast<StrokeKind>(reader.readWord("kind", kindNames, 0));
+    reader.read("name", stroke.name);
+    if (stroke.name.size() > longestStrokeName)
+        fail(ErrorKind::input, "{}: name: has {} bytes, more than {}", place, stroke.name.size(),
+             longestStrokeName);
     reader.read("radius_m", stroke.radius, shortestRadius, longestRadius);
     reader.read("hardness", stroke.hardness, 0.0, 1.0);
     reader.read("strength", stroke.strength, 0.0, 1.0);
@@ -167,11 +171,13 @@ std::string vectorsText(const std::vector<std::array<Int, 3>>& vectors)
     return text + "]";
 }
 
-std::string strokeText(const Stroke& stroke)
+std::string strokeText(const Stroke& stroke, bool withName)
 {
-    std::string text =
-        fmt::format(R"({{"kind":"{}","radius_m":{},"hardness":{},"strength":{})",
-                    nameOf(stroke.kind), stroke.radius, stroke.hardness, stroke.strength);
+    std::string text = fmt::format(R"({{"kind":"{}")", nameOf(stroke.kind));
+    if (withName && !stroke.name.empty())
+        text += fmt::format(R"(,"name":{})", jsonText(json(stroke.name)));
+    text += fmt::format(R"(,"radius_m":{},"hardness":{},"strength":{})", stroke.radius,
+                        stroke.hardness, stroke.strength);
     if (stroke.depth > 0.0)
         text += fmt::format(R"(,"depth_m":{})", stroke.depth);
     if (const ValueKey value = valueKeyOf(stroke.kind); *value.key != '\0')
@@ -184,6 +190,15 @@ std::string strokeText(const Stroke& stroke)
     if (!stroke.normals.empty())
         text += R"(,"normals":)" + vectorsText(stroke.normals);
     return text + "}";
+}
+
+std::string fileText(const Strokes& strokes, bool withNames)
+{
+    std::string text =
+        fmt::format("{{\"format\":\"{}{}\",\"strokes\":[", strokeFormat, strokeVersion);
+    for (std::size_t i = 0; i < strokes.list.size(); ++i)
+        text += (i > 0 ? ",\n" : "\n") + strokeText(strokes.list[i], withNames);
+    return text + "\n]}\n";
 }
 
 } // namespace
@@ -238,18 +253,19 @@ Strokes loadStrokes(const std::filesystem::path& path)
 
 std::string toJson(const Strokes& strokes)
 {
-    std::string text =
-        fmt::format("{{\"format\":\"{}{}\",\"strokes\":[", strokeFormat, strokeVersion);
-    for (std::size_t i = 0; i < strokes.list.size(); ++i)
-        text += (i > 0 ? ",\n" : "\n") + strokeText(strokes.list[i]);
-    return text + "\n]}\n";
+    return fileText(strokes, true);
+}
+
+std::string textOf(const Stroke& stroke)
+{
+    return strokeText(stroke, true);
 }
 
 std::string hashOf(const Strokes& strokes)
 {
     if (strokes.empty())
         return {};
-    const std::string text = toJson(strokes);
+    const std::string text = fileText(strokes, false);
     std::uint64_t digest = text.size();
     for (const char c : text)
         digest = hashBits(digest, static_cast<unsigned char>(c));

@@ -13,6 +13,7 @@ namespace sward::bake {
 // Bounds of a stroke file.
 inline constexpr std::size_t maxStrokes = 100'000;
 inline constexpr std::size_t maxStrokePoints = 1'000'000; ///< of all strokes together
+inline constexpr std::size_t longestStrokeName = 200;     ///< [bytes]
 inline constexpr double shortestRadius = 0.001;           ///< [m]
 inline constexpr double longestRadius = 1000.0;           ///< [m]
 inline constexpr double farthestPoint = 1e9;              ///< [m] along each axis
@@ -30,7 +31,11 @@ Strokes loadStrokes(const std::filesystem::path& path);
 /// The text that parseStrokes() reads back: a stroke to a line. Points are rounded to millimetres.
 std::string toJson(const Strokes& strokes);
 
-/// A hash of the content as 16 digits: equal lists of strokes have the same. Empty without strokes.
+/// A stroke as toJson() writes it, on one line.
+std::string textOf(const Stroke& stroke);
+
+/// A hash of the content as 16 digits: lists of strokes that are equal but for their names have the
+/// same. Empty without strokes.
 std::string hashOf(const Strokes& strokes);
 
 /// Finds the species of strokes among these names. Throws Error{input} naming the file, the stroke
