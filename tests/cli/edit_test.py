@@ -226,6 +226,20 @@ class Edit(CliTest):
         self.assertIn("strokes[0]", told.ready["warnings"][0])
         self.assertEqual(told.end(), 0)
 
+    def test_the_species_that_a_line_of_sight_meets_is_told(self):
+        session = self.session("plane", "--density", "400", "--meadow", "daisies", "-q")
+        names = session.ready["species"]
+        look = {"id": 1, "do": "species", "eye": [0, 5, 0], "direction": [0, -2, 0], "distance": 5, "spread": 0.01}
+        for name in names[:2]:
+            session.paint(0, stroke("species", (0, 0, 0), species=name, radius=2))
+            self.assertEqual(session.ask(look)["species"], name)
+        session.paint(0, stroke("erase", (0, 0, 0), radius=2))
+        self.assertIsNone(session.ask(look)["species"])
+        self.assertIsNone(session.ask({**look, "direction": [0, 1, 0]})["species"])
+        for bad in ({"eye": 3}, {"direction": [0, 0, 0]}, {"distance": -1}, {"spread": 2}, {"eye": [0, "x", 0]}, {"x": 1}):
+            self.assertEqual(session.ask({**look, **bad})["error"], "usage", bad)
+        self.assertEqual(session.end(), 0)
+
     def test_ground_of_other_triangles_or_with_too_many_blades_is_refused(self):
         ground = self.ground()
         session = self.session(ground, "--density", "3", "--max-blades", "70000", "--meadow", "grass", "-q")

@@ -80,7 +80,7 @@ class PaintTest(WindowCase):
         return self.display.picture(left + 450, top + 120, 520, 560)
 
     def erase(self, viewer, begin=LEFT, end=RIGHT):
-        self.choose(viewer, "erase")
+        self.choose(viewer, "Remove grass")
         viewer.set("Radius", "Paint", 0.68)
         viewer.drag(begin, end)
 
@@ -112,6 +112,71 @@ class PaintTest(WindowCase):
         viewer.click("Paint/Stroke 1", 0.1)
         self.settled(viewer, lambda count: count == COUNT, "a hidden stroke does not count")
         self.assertEqual(self.strokes(viewer), 1)
+        self.assert_ends_well(viewer)
+
+    def test_strokes_are_told_named_and_drawn_straight(self):
+        viewer = self.paint()
+        self.choose(viewer, "Remove grass")
+        viewer.click_at(*LEFT)
+        self.wait_for_strokes(viewer, 1)
+        xdotool = self.display.xdotool
+        xdotool("keydown", "Shift_L")
+        viewer.wait_frames(2)
+        viewer.click_at(*RIGHT)
+        xdotool("keyup", "Shift_L")
+        self.wait_for_strokes(viewer, 2)
+        self.assertRegex(viewer.shows("Paint/Stroke 1"), r"Remove grass; at .*; radius 1 m")
+        self.assertRegex(viewer.shows("Paint/Stroke 2"), r"Remove grass; at .* m long, radius 1 m")
+        viewer.wait(self.autosave.exists, "it is saved by itself")
+        dot, line = (viewer.wait(lambda: len(self.saved()) == 2 and self.saved(), "both are saved"))
+        self.assertEqual(dot["points"][0], line["points"][0], "it goes on from the end")
+        # The stroke under the mouse lies on the ground.
+        plain = self.picture(viewer)
+        xdotool("mousemove", "--window", viewer.window.number, *viewer.centre("Paint/Stroke 2", 0.3))
+        viewer.wait_frames(4)
+        left, top, _, _ = viewer.window.geometry()
+        shown = self.display.picture(left + 450, top + 120, 520, 560)
+        self.assertGreater(share_that_differs(plain, shown, 40), 0.001)
+        viewer.click("Paint/Name Stroke 2")
+        viewer.wait(lambda: "Paint/Stroke name" in viewer.controls(), "it asks for the name")
+        viewer.type_anew("Stroke name", "Paint", "gate")
+        viewer.click("Paint/Take name")
+        viewer.wait(lambda: (viewer.shows("Paint/Stroke 2") or "").startswith("gate: Remove grass"), "it has a name")
+        viewer.wait(lambda: self.saved()[1].get("name") == "gate", "so has the file")
+        viewer.key("ctrl+z")
+        viewer.wait(lambda: viewer.shows("Paint/Stroke 2").startswith("Remove grass"), "it has none")
+        self.assert_ends_well(viewer)
+
+    def saved(self):
+        try:
+            return json.loads(self.autosave.read_text())["strokes"]
+        except (OSError, ValueError):
+            return []
+
+    def test_strokes_off_the_ground_are_told_and_moved(self):
+        strokes = self.folder / "above.json"
+        strokes.write_text(json.dumps({"format": "sward strokes 1", "strokes": [
+            {"kind": "erase", "radius_m": 2, "points": [[-4, 3, 0], [4, 3, 0]], "normals": [[0, 1, 0]]}]}))
+        viewer = self.open(self.meadow, "--ground", GROUND)
+        viewer.type_anew("Strokes", "Paint", str(strokes))
+        self.begin(viewer)
+        viewer.wait(lambda: "touch no ground" in (viewer.shows("Message/Error") or ""), "it is told")
+        self.assertIn("touches no ground", viewer.shows("Paint/Stroke 1"))
+        self.assertEqual(self.blades(viewer), COUNT)
+        viewer.set("Move by", "Paint", 0.9)
+        viewer.click("Paint/Move onto ground")
+        self.settled(viewer, lambda count: 0 < count < COUNT, "the stroke counts")
+        viewer.wait(lambda: "Paint/Off the ground" not in viewer.controls(), "nothing is left")
+        viewer.key("ctrl+z")
+        self.settled(viewer, lambda count: count == COUNT, "it is above the ground again")
+        self.assert_ends_well(viewer)
+
+    def test_the_eyedropper_takes_a_species(self):
+        viewer = self.paint()
+        viewer.click("Paint/Take species")
+        viewer.click_at(*LEFT)
+        viewer.wait_for_value("Paint/Kind", lambda shown: shown == "Sow a species", "it is the brush's")
+        self.assertEqual(self.strokes(viewer), 0, "the click paints nothing")
         self.assert_ends_well(viewer)
 
     def test_what_is_saved_is_what_was_painted(self):

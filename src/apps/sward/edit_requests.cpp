@@ -1,5 +1,6 @@
 #include "apps/sward/edit_requests.h"
 
+#include "apps/sward/edit_pick.h"
 #include "apps/sward/output_files.h"
 #include "bake/paint/stroke_contact.h"
 #include "bake/paint/stroke_file.h"
@@ -12,9 +13,12 @@
 #include "field/write.h"
 
 #include <fmt/core.h>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <span>
 #include <system_error>
 #include <utility>
@@ -231,6 +235,39 @@ json EditRequests::replaceGround(const json& request, Progress& progress)
     return answer;
 }
 
+json EditRequests::species(const json& request) const
+{
+    requireKeys(request, {"id", "do", "eye", "direction", "distance", "spread"});
+    const auto number = [&](const json& value, const char* key) {
+        const double found = value.is_number() ? value.get<double>() : HUGE_VAL;
+        if (!(std::fabs(found) <= bake::farthestPoint))
+            fail(ErrorKind::usage, "{}: {}: is no number up to {}", requestPlace, key,
+                 bake::farthestPoint);
+        return found;
+    };
+    const auto vector = [&](const char* key) {
+        const auto list = request.find(key);
+        if (list == request.end() || !list->is_array() || list->size() != 3)
+            fail(ErrorKind::usage, "{}: {}: is not [x, y, z]", requestPlace, key);
+        return glm::dvec3(number((*list)[0], key), number((*list)[1], key),
+                          number((*list)[2], key));
+    };
+    EditSight sight{vector("eye"), vector("direction"),
+                    number(request.value("distance", json()), "distance"),
+                    number(request.value("spread", json(0.002)), "spread")};
+    const double length = glm::length(sight.direction);
+    if (!(length > 0.0 && sight.farthest >= 0.0 && sight.spread >= 0.0 && sight.spread <= 1.0))
+        fail(ErrorKind::usage,
+             "{}: direction has no length, distance is below 0, or spread outside of [0, 1]",
+             requestPlace);
+    sight.direction /= length;
+    const std::optional<std::uint32_t> found = speciesAlong(session_, sight);
+    json name;
+    if (found && *found < species_.size())
+        name = species_[*found];
+    return {{"species", name}};
+}
+
 json EditRequests::save(const json& request)
 {
     requireKeys(request, {"id", "do", "path", "overwrite"});
@@ -261,13 +298,16 @@ json EditRequests::carryOut(const json& request, Progress& progress)
         return moveStrokes(request, progress);
     if (wish == "ground")
         return replaceGround(request, progress);
+    if (wish == "species")
+        return species(request);
     if (wish == "save")
         return save(request);
     if (wish == "save_strokes")
         return saveStrokes(request);
     if (wish != "quit")
         fail(ErrorKind::usage,
-             "{}: do: is \"{}\"; known are paint, move, ground, save, save_strokes and quit",
+             "{}: do: is \"{}\"; known are paint, move, ground, species, save, save_strokes and "
+             "quit",
              requestPlace, wish);
     requireKeys(request, {"id", "do"});
     hasEnded_ = true;

@@ -55,6 +55,7 @@ private:
     void tellLost(nlohmann::json& answer, std::size_t first, Diagnostics& diagnostics) const;
     nlohmann::json replaceGround(const nlohmann::json& request, Progress& progress);
     nlohmann::json answerOf(const bake::Session::Change& change, Stopwatch& watch);
+    nlohmann::json species(const nlohmann::json& request) const;
     nlohmann::json save(const nlohmann::json& request);
     nlohmann::json saveStrokes(const nlohmann::json& request);
     nlohmann::json carryOut(const nlohmann::json& request, Progress& progress);

@@ -5,6 +5,7 @@
 #include "apps/sward_view/meadow_requests.h"
 #include "apps/sward_view/meadow_species.h"
 #include "apps/sward_view/paint/painter.h"
+#include "apps/sward_view/paint/stroke_desk.h"
 #include "apps/sward_view/picking.h"
 #include "apps/sward_view/question.h"
 #include "apps/sward_view/requests.h"
@@ -47,6 +48,7 @@ struct ViewerState {
     std::optional<MeadowEditor> editor; ///< of the meadow's species, if they are edited
     ColliderDragger hand;
     Brush brush;
+    StrokeDesk desk;
     std::string strokesFile;          ///< strokes to begin painting with; empty: none
     std::unique_ptr<Painter> painter; ///< while the field is painted
     bool automaticScale = true;

@@ -14,12 +14,12 @@
 namespace sward::bake {
 namespace {
 
-constexpr double mostBetween = 256.0;          ///< places between two points
-constexpr std::size_t mostPlaces = 4'000'000;  ///< of all strokes; then only their points
-constexpr std::size_t mostTests = 400'000'000; ///< of a triangle and a place; some seconds
+constexpr double maxBetween = 256.0;          ///< places between two points
+constexpr std::size_t maxPlaces = 4'000'000;  ///< of all strokes; then only their points
+constexpr std::size_t maxTests = 400'000'000; ///< of a triangle and a place; some seconds
 constexpr std::size_t firstBlock = 64;         ///< triangles before the tree is made anew …
 constexpr std::size_t largestBlock = 1U << 18; ///< … which grows up to this
-constexpr std::size_t mostNamed = 20;          ///< strokes that a message names
+constexpr std::size_t maxNamed = 20;          ///< strokes that a message names
 constexpr double facingCosine = 0.3;           ///< as Painting has it
 
 using Corners = std::array<glm::dvec3, 3>;
@@ -102,7 +102,7 @@ std::vector<Wanted> allWanted(std::span<const Stroke> strokes, const glm::dvec3&
         const std::vector<StrokePlace> places = placesOf(strokes[s], origin);
         StrokeContact& contact = contacts[s];
         contact.points = strokes[s].points.size();
-        const bool onlyPoints = wanted.size() + places.size() > mostPlaces;
+        const bool onlyPoints = wanted.size() + places.size() > maxPlaces;
         for (const StrokePlace& place : places)
             if (place.isPoint || !onlyPoints)
                 wanted.push_back({place, strokes[s].radius, strokes[s].depth, s, contact.places++});
@@ -165,7 +165,7 @@ std::vector<StrokePlace> placesOf(const Stroke& stroke, const glm::dvec3& origin
         const StrokePlace from = places.back();
         const glm::dvec3 to = at(i + 1);
         const double pieces = std::clamp(
-            std::ceil(glm::distance(from.position, to) / stroke.radius), 1.0, mostBetween + 1.0);
+            std::ceil(glm::distance(from.position, to) / stroke.radius), 1.0, maxBetween + 1.0);
         for (double piece = 1.0; piece < pieces; piece += 1.0) {
             StrokePlace between{glm::mix(from.position, to, piece / pieces), glm::dvec3(0.0),
                                 false};
@@ -198,7 +198,7 @@ std::vector<StrokeContact> contactsOf(const terrain::GroundMesh& ground, Sides s
     };
     const std::size_t count = among ? among->size() : ground.triangles.size();
     std::size_t block = firstBlock;
-    for (std::size_t i = 0; i < count && touching < wanted.size() && tests < mostTests; ++i) {
+    for (std::size_t i = 0; i < count && touching < wanted.size() && tests < maxTests; ++i) {
         const std::size_t triangle = among ? (*among)[i] : i;
         if (ground.bears[triangle] == 0)
             continue;
@@ -229,7 +229,7 @@ std::vector<StrokeContact> contactsOf(const terrain::GroundMesh& ground, Sides s
             }
         }
     }
-    const bool isUnknown = tests >= mostTests;
+    const bool isUnknown = tests >= maxTests;
     for (std::size_t s = 0; s < strokes.size(); ++s) {
         StrokeContact& contact = contacts[s];
         if (isUnknown || contact.lost() == 0) {
@@ -270,14 +270,14 @@ void warnOfContacts(std::span<const Stroke> strokes, std::span<const StrokeConta
         const bool isLost = contacts[i].isLost();
         std::size_t& count = isLost ? lostCount : partlyCount;
         std::string& names = isLost ? lost : partly;
-        if (count++ >= mostNamed)
+        if (count++ >= maxNamed)
             continue;
         names += (names.empty() ? "" : ", ") + nameOf(strokes[i], first + i);
         if (!isLost)
             names += " (" + partText(contacts[i]) + ")";
     }
     const auto more = [](std::size_t count) {
-        return count > mostNamed ? fmt::format(" and {} more", count - mostNamed) : std::string();
+        return count > maxNamed ? fmt::format(" and {} more", count - maxNamed) : std::string();
     };
     if (lostCount > 0)
         diagnostics.warn("{}: {} of {} strokes touch no ground and paint nothing: {}{}; {:.3g} % "

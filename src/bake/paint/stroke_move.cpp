@@ -19,8 +19,8 @@ namespace sward::bake {
 namespace {
 
 constexpr double onGround = 0.002; ///< [m] points are rounded to millimetres
-constexpr int mostSurfaces = 64;   ///< that a ray passes because they face another way
-constexpr double mostBent = 0.5;   ///< [radii] between the ground and a stroke's line
+constexpr int maxSurfaces = 64;   ///< that a ray passes because they face another way
+constexpr double maxBent = 0.5;   ///< [radii] between the ground and a stroke's line
 
 // The triangles that bear, and their numbers in the ground.
 struct Bearing {
@@ -72,7 +72,7 @@ private:
     std::optional<double> alongNormal(const StrokePlace& place, const glm::dvec3& way) const
     {
         double passed = 0.0;
-        for (int i = 0; i < mostSurfaces; ++i) {
+        for (int i = 0; i < maxSurfaces; ++i) {
             const terrain::SurfaceQuery::Hit hit =
                 query_.cast(place.position, way, distance_, passed);
             if (!hit.isHit())
@@ -195,7 +195,7 @@ Stroke movedStroke(const Stroke& stroke, const std::vector<Moved>& places, const
         std::size_t end = i + 1;
         while (end < places.size() && !places[end].place.isPoint)
             ++end;
-        if (end < places.size() && isBent(places, i, end, mostBent * stroke.radius))
+        if (end < places.size() && isBent(places, i, end, maxBent * stroke.radius))
             for (std::size_t k = i + 1; k < end; ++k)
                 if (places[k].hasGround()) {
                     next.points.push_back(roundedPoint(places[k].now, origin));

@@ -84,12 +84,15 @@ protected:
     apps::TemporaryFolder folder{"sward-view"};
     fs::path log = folder.path() / "asked";
     fs::path autosave = folder.path() / "a.strokes.autosave.json";
+
+    Autosave autosaves() const { return {{"a", "/fields/a.sward", "0123"}, {folder.path()}}; }
+
     std::vector<std::string> deltas, errors, notices;
 };
 
 TEST_F(PainterTest, TellsWhatTheFirstLineSays)
 {
-    Painter painter(command("good"), {}, autosave);
+    Painter painter(command("good"), {}, autosaves());
     EXPECT_FALSE(painter.isReady());
     waitForStrokes(painter);
     const EditReady& ready = painter.session().ready();
@@ -102,7 +105,7 @@ TEST_F(PainterTest, TellsWhatTheFirstLineSays)
 
 TEST_F(PainterTest, TheSessionHoldsTheVisibleStrokesAfterEveryChange)
 {
-    Painter painter(command("good"), {}, autosave);
+    Painter painter(command("good"), {}, autosaves());
     for (int i = 0; i < 4; ++i)
         paint(painter.strokes, i);
     const auto agrees = [&] {
@@ -129,7 +132,7 @@ TEST_F(PainterTest, TheSessionHoldsTheVisibleStrokesAfterEveryChange)
 
 TEST_F(PainterTest, OneRequestIsUnderWayAndTheNewestStateFollows)
 {
-    Painter painter(command("good"), {}, autosave);
+    Painter painter(command("good"), {}, autosaves());
     waitForStrokes(painter);
     Brush brush;
     painter.strokes.begin(brush, {{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}});
@@ -145,7 +148,7 @@ TEST_F(PainterTest, OneRequestIsUnderWayAndTheNewestStateFollows)
 
 TEST_F(PainterTest, BeginsWithTheStrokesOfTheField)
 {
-    Painter painter(command("held"), {"{\"kind\":\"clear\"}", "{\"kind\":\"set\"}"}, autosave);
+    Painter painter(command("held"), {"{\"kind\":\"clear\"}", "{\"kind\":\"set\"}"}, autosaves());
     waitForStrokes(painter);
     EXPECT_TRUE(deltas.empty()) << "nothing to be told";
     EXPECT_FALSE(painter.strokes.isUnsaved());
@@ -156,7 +159,7 @@ TEST_F(PainterTest, BeginsWithTheStrokesOfTheField)
 
 TEST_F(PainterTest, GivesAllStrokesAgainToAFieldThatHasLostThem)
 {
-    Painter painter(command("good"), {}, autosave);
+    Painter painter(command("good"), {}, autosaves());
     paint(painter.strokes, 1.0);
     paint(painter.strokes, 2.0);
     waitForStrokes(painter);
@@ -170,7 +173,7 @@ TEST_F(PainterTest, GivesAllStrokesAgainToAFieldThatHasLostThem)
 
 TEST_F(PainterTest, AStateThatIsRefusedIsToldOnceAndTheNextOneIsAskedFor)
 {
-    Painter painter(command("good"), {}, autosave);
+    Painter painter(command("good"), {}, autosaves());
     paint(painter.strokes, 1.0, PaintKind::smooth);
     waitForStrokes(painter);
     for (int i = 0; i < 20; ++i)
@@ -185,7 +188,7 @@ TEST_F(PainterTest, AStateThatIsRefusedIsToldOnceAndTheNextOneIsAskedFor)
 
 TEST_F(PainterTest, ADeltaThatCannotBeAppliedIsAnErrorAndPaintingGoesOn)
 {
-    Painter painter(command("good"), {}, autosave);
+    Painter painter(command("good"), {}, autosaves());
     paint(painter.strokes, 1.0);
     const auto until = std::chrono::steady_clock::now() + patience;
     while (!(painter.isReady() && painter.isIdle()) && std::chrono::steady_clock::now() < until)
@@ -198,7 +201,7 @@ TEST_F(PainterTest, ADeltaThatCannotBeAppliedIsAnErrorAndPaintingGoesOn)
 
 TEST_F(PainterTest, TheAutosaveFollowsEachFinishedStroke)
 {
-    Painter painter(command("good"), {}, autosave);
+    Painter painter(command("good"), {}, autosaves());
     waitForStrokes(painter);
     EXPECT_FALSE(fs::exists(autosave));
     paint(painter.strokes, 1.0);
@@ -224,9 +227,68 @@ TEST_F(PainterTest, TheAutosaveFollowsEachFinishedStroke)
     EXPECT_EQ(readStrokeFile(autosave).size(), 1u);
 }
 
+TEST_F(PainterTest, TwoPaintingsOfAFieldHaveAnAutosaveEach)
+{
+    Painter first(command("good"), {}, autosaves());
+    for (int i = 0; i < 3; ++i)
+        paint(first.strokes, i);
+    waitForStrokes(first);
+    Painter second(command("good"), {}, autosaves());
+    paint(second.strokes, 9.0);
+    waitForStrokes(second);
+    EXPECT_EQ(readStrokeFile(autosave), first.strokes.finished());
+    const fs::path other = folder.path() / "a.strokes.autosave-2.json";
+    EXPECT_EQ(readStrokeFile(other), second.strokes.finished());
+    second.strokes.undo();
+    waitForStrokes(second);
+    EXPECT_FALSE(fs::exists(other)) << "nothing is left to be saved";
+    EXPECT_EQ(readStrokeFile(autosave).size(), 3u);
+    paint(second.strokes, 9.0);
+    second.discard();
+    EXPECT_EQ(readStrokeFile(autosave).size(), 3u);
+}
+
+TEST_F(PainterTest, StrokesThatAreNotSavedAreLeftByItsEndAndThoseThatAreDiscardedAreNot)
+{
+    {
+        Painter painter(command("good"), {}, autosaves());
+        paint(painter.strokes, 1.0);
+        painter.strokes.begin(Brush(), {});
+    }
+    EXPECT_EQ(readStrokeFile(autosave).size(), 2u) << "also the one that was growing";
+    Autosave next = autosaves();
+    ASSERT_TRUE(next.adopt(autosave));
+    {
+        Painter painter(command("good"), {}, std::move(next));
+        paint(painter.strokes, 1.0);
+        waitForStrokes(painter);
+        EXPECT_EQ(readStrokeFile(autosave).size(), 1u);
+        painter.discard();
+    }
+    EXPECT_EQ(leftStrokes({"a", "/fields/a.sward", "0123"}, {folder.path()}).size(), 0u);
+    EXPECT_FALSE(fs::exists(autosave));
+}
+
+TEST_F(PainterTest, AnAutosaveThatCannotBeWrittenIsToldOnceAndTriedAgain)
+{
+    const fs::path file = folder.path() / "file";
+    std::ofstream(file) << "no folder";
+    Painter painter(command("good"), {}, Autosave({"a", "hills", {}}, {file}));
+    for (int i = 0; i < 3; ++i) {
+        paint(painter.strokes, i);
+        waitForStrokes(painter);
+    }
+    ASSERT_EQ(errors.size(), 1u);
+    EXPECT_NE(errors[0].find("Save strokes..."), std::string::npos) << errors[0];
+    EXPECT_FALSE(painter.autosaveTrouble().empty());
+    fs::remove(file);
+    EXPECT_EQ(readStrokeFile(painter.finishAutosave()), painter.strokes.finished());
+    EXPECT_TRUE(painter.autosaveTrouble().empty());
+}
+
 TEST_F(PainterTest, SavesAFieldThatHasAllStrokes)
 {
-    Painter painter(command("good"), {}, autosave);
+    Painter painter(command("good"), {}, autosaves());
     const fs::path saved = folder.path() / "a.sward";
     paint(painter.strokes, 1.0);
     painter.saveField(saved, false);
@@ -249,7 +311,7 @@ TEST_F(PainterTest, ASessionThatEndsOrSaysGarbageIsAFailureWithAReason)
     for (const auto& [how, reason] : reasons) {
         SCOPED_TRACE(how);
         errors.clear();
-        Painter painter(command(how), {}, autosave);
+        Painter painter(command(how), {}, autosaves());
         for (int i = 0; i < 2 && painter.session().failure().empty(); ++i) {
             paint(painter.strokes, i);
             pollUntil(painter, [&] {
@@ -263,21 +325,21 @@ TEST_F(PainterTest, ASessionThatEndsOrSaysGarbageIsAFailureWithAReason)
         // It goes on without the session, and the strokes are there.
         paint(painter.strokes, 9.0);
         painter.poll([](const fs::path&) {});
-        EXPECT_EQ(readStrokeFile(autosave), painter.strokes.finished());
+        EXPECT_EQ(readStrokeFile(painter.finishAutosave()), painter.strokes.finished());
         EXPECT_THROW(painter.saveFieldNow(folder.path() / "never.sward", false), Error);
     }
 }
 
 TEST_F(PainterTest, AProgramThatIsMissingIsAnError)
 {
-    EXPECT_THROW(Painter({"/nowhere/sward", "edit"}, {}, autosave), Error);
+    EXPECT_THROW(Painter({"/nowhere/sward", "edit"}, {}, autosaves()), Error);
 }
 
 TEST_F(PainterTest, TheSessionEndsWithThePainter)
 {
     pid_t process = 0;
     {
-        Painter painter(command("good"), {}, autosave);
+        Painter painter(command("good"), {}, autosaves());
         waitForStrokes(painter);
         process = std::stoi(textOf(log.string() + ".pid"));
         ASSERT_EQ(::kill(process, 0), 0);

@@ -21,6 +21,20 @@ TEST(RecentFiles, KeepsTheNewestFirstAndEachOnce)
     std::filesystem::remove_all(file.parent_path());
 }
 
+TEST(RecentFiles, OfTwoWindowsAreOneList)
+{
+    const std::filesystem::path file =
+        std::filesystem::path(testing::TempDir()) / "recent_of_two" / "recent";
+    std::filesystem::remove_all(file.parent_path());
+    RecentFiles one(file);
+    RecentFiles other(file);
+    one.add("hills");
+    other.add("sphere");
+    one.add("plane");
+    EXPECT_THAT(RecentFiles(file).inputs(), ElementsAre("plane", "sphere", "hills"));
+    std::filesystem::remove_all(file.parent_path());
+}
+
 TEST(RecentFiles, ForgetsTheOldest)
 {
     RecentFiles recent{std::filesystem::path()};

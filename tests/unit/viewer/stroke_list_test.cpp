@@ -147,7 +147,7 @@ TEST(StrokeList, UndoAndRedoLeadThroughEveryStateForAnySequence)
         std::size_t now = 0;
         for (int i = 0; i < 60; ++i) {
             const auto count = list.entries().size();
-            switch (random() % 5) {
+            switch (random() % 6) {
             case 0:
                 EXPECT_EQ(list.undo(), now > 0);
                 now -= now > 0 ? 1u : 0u;
@@ -155,6 +155,13 @@ TEST(StrokeList, UndoAndRedoLeadThroughEveryStateForAnySequence)
             case 1:
                 EXPECT_EQ(list.redo(), now + 1 < states.size());
                 now += now + 1 < states.size() ? 1u : 0u;
+                break;
+            case 5:
+                if (count == 0)
+                    continue;
+                list.rename(random() % count, "name " + std::to_string(i));
+                states.resize(++now);
+                states.push_back(list.visible());
                 break;
             case 2:
                 if (count == 0)
@@ -204,6 +211,74 @@ TEST(StrokeList, IsUnsavedUntilTheSameStrokesAreThereAgain)
     EXPECT_TRUE(list.isUnsaved());
 }
 
+TEST(StrokeList, TellsKindPlaceAndSizeOfEachStroke)
+{
+    StrokeList list;
+    list.draw(eraser(2.0f), {at(1.0), at(5.0), at(5.0, 3.0)});
+    const StrokeList::Entry& entry = list.entries().at(0);
+    EXPECT_EQ(entry.kind, "erase");
+    EXPECT_EQ(entry.radius, 2.0);
+    EXPECT_NEAR(entry.length, 7.0, 0.01);
+    EXPECT_EQ(entry.middle, glm::dvec3(3.0, 0.0, 1.5));
+    EXPECT_EQ(entry.name, "");
+    const std::string before = entry.text;
+    list.rename(0, "a \"path\"");
+    EXPECT_EQ(list.entries()[0].name, "a \"path\"");
+    EXPECT_EQ(sketchOf(list.entries()[0].text).points.size(), sketchOf(before).points.size());
+    EXPECT_TRUE(list.isUnsaved());
+    list.rename(0, "");
+    EXPECT_EQ(list.entries()[0].text, before);
+    list.undo();
+    EXPECT_EQ(list.entries()[0].name, "a \"path\"");
+    list.undo();
+    EXPECT_EQ(list.entries()[0].text, before);
+}
+
+TEST(StrokeList, SeveralStrokesAreReplacedAndBroughtBackTogether)
+{
+    StrokeList list;
+    for (int i = 0; i < 3; ++i)
+        addStroke(list, i);
+    const auto before = list.visible();
+    list.setVisible(1, false);
+    list.replace({{0, before[2]}, {1, before[0]}, {2, before[2]}});
+    EXPECT_EQ(list.visible(), (std::vector<std::string>{before[2], before[2]}));
+    EXPECT_EQ(list.entries()[1].text, before[0]);
+    EXPECT_FALSE(list.entries()[1].visible);
+    list.undo();
+    list.undo();
+    EXPECT_EQ(list.visible(), before);
+    list.redo();
+    list.redo();
+    EXPECT_EQ(list.visible().size(), 2u);
+}
+
+TEST(StrokeList, KnowsWhereTheLastStrokeEnded)
+{
+    StrokeList list;
+    EXPECT_FALSE(list.end().has_value());
+    list.begin(eraser(), at(1.0));
+    list.extend(at(4.0));
+    list.finish();
+    ASSERT_TRUE(list.end().has_value());
+    EXPECT_EQ(list.end()->place.x, 4.0);
+    list.draw(eraser(), {*list.end(), at(8.0)});
+    EXPECT_EQ(list.end()->place.x, 8.0);
+    EXPECT_EQ(list.entries().size(), 2u);
+    list.undo();
+    EXPECT_FALSE(list.end().has_value());
+}
+
+TEST(PaintKinds, HaveAWordOfTheirOwnInThePanel)
+{
+    for (std::size_t i = 0; i < paintKinds; ++i) {
+        EXPECT_EQ(wordOfKind(paintKindNames[i]), paintKindWords[i]);
+        for (std::size_t j = 0; j < i; ++j)
+            EXPECT_STRNE(paintKindWords[i], paintKindWords[j]);
+    }
+    EXPECT_EQ(wordOfKind("mow"), "mow");
+}
+
 TEST(StrokeFile, IsReadBackAsItWasWritten)
 {
     const apps::TemporaryFolder folder{"sward-view"};
@@ -213,7 +288,7 @@ TEST(StrokeFile, IsReadBackAsItWasWritten)
     const auto path = folder.path() / "a.json";
     std::ofstream(path) << strokeFileText(list.finished());
     EXPECT_EQ(readStrokeFile(path), list.finished());
-    EXPECT_EQ(kindOfStroke(readStrokeFile(path)[0]), "erase");
+    EXPECT_EQ(sketchOf(readStrokeFile(path)[0]).kind, "erase");
     std::ofstream(path) << strokeFileText({});
     EXPECT_TRUE(readStrokeFile(path).empty());
 }
@@ -231,7 +306,7 @@ TEST(StrokeFile, OtherFilesAreRefused)
         EXPECT_THROW(readStrokeFile(path), Error) << text;
     }
     for (const char* text : {"", "3", "[]", "{}", "{\"kind\":3}"})
-        EXPECT_EQ(kindOfStroke(text), "") << text;
+        EXPECT_EQ(sketchOf(text).kind, "") << text;
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "apps/sward_view/child_process.h"
 #include "core/error.h"
+#include "core/json_text.h"
 #include "core/log.h"
 
 #include <fcntl.h>
@@ -102,6 +103,32 @@ std::vector<std::string> textsIn(const json& from, const char* key)
             if (one.is_string())
                 texts.push_back(one.get<std::string>());
     return texts;
+}
+
+std::vector<LostStroke> lostIn(const json& from)
+{
+    std::vector<LostStroke> strokes;
+    const auto found = from.find("lost");
+    if (found != from.end() && found->is_array())
+        for (const json& one : *found)
+            if (one.is_object())
+                strokes.push_back({valueOr<std::uint64_t>(one, "stroke", 0),
+                                   valueOr<std::uint64_t>(one, "points", 0),
+                                   valueOr<std::uint64_t>(one, "lost", 0),
+                                   valueOr(one, "share", 0.0)});
+    return strokes;
+}
+
+std::vector<MovedStroke> movedIn(const json& from)
+{
+    std::vector<MovedStroke> strokes;
+    const auto found = from.find("moved");
+    if (found != from.end() && found->is_array())
+        for (const json& one : *found)
+            if (one.is_object() && one.contains("stroke"))
+                strokes.push_back(
+                    {valueOr<std::uint64_t>(one, "index", 0), jsonText(one["stroke"])});
+    return strokes;
 }
 
 } // namespace
@@ -225,6 +252,7 @@ void EditSession::takeLine(const std::string& line)
     ready.species = textsIn(first, "species");
     ready.scale = valueOr(first, "scale", 1.0);
     ready.reused = valueOr(first, "reused", false);
+    ready.lost = lostIn(first);
     ready.warnings = textsIn(first, "warnings");
     ready_ = std::move(ready);
 }
@@ -244,6 +272,10 @@ void EditSession::takeAnswer(const std::string& line)
     answer.total = valueOr<std::uint64_t>(read, "total", 0);
     answer.seconds = valueOr(read, "seconds", 0.0);
     answer.saved = valueOr<std::string>(read, "saved", {});
+    answer.lost = lostIn(read);
+    answer.moved = movedIn(read);
+    answer.warnings = textsIn(read, "warnings");
+    answer.species = valueOr<std::string>(read, "species", {});
     taken_.push_back(std::move(answer));
 }
 

@@ -15,6 +15,20 @@
 
 namespace sward::view {
 
+/// A stroke of the session that touches no ground, or not with all of it.
+struct LostStroke {
+    std::size_t stroke = 0; ///< its number
+    std::uint64_t points = 0;
+    std::uint64_t lost = 0; ///< points that touch no ground
+    double share = 0.0;     ///< of its length
+};
+
+/// A stroke that the session has moved.
+struct MovedStroke {
+    std::size_t stroke = 0; ///< its number
+    std::string text;       ///< as it is now
+};
+
 /// The first line of `sward edit`.
 struct EditReady {
     std::uint64_t blades = 0;
@@ -22,6 +36,7 @@ struct EditReady {
     std::vector<std::string> species; ///< names that strokes may use
     double scale = 1.0;
     bool reused = false; ///< the blades of --field were used
+    std::vector<LostStroke> lost;
     std::vector<std::string> warnings;
 };
 
@@ -34,6 +49,10 @@ struct EditAnswer {
     std::uint64_t total = 0;     ///< blades of the field
     double seconds = 0.0;
     std::string saved; ///< file that was written
+    std::vector<LostStroke> lost;
+    std::vector<MovedStroke> moved;
+    std::vector<std::string> warnings;
+    std::string species; ///< that was looked for; empty: none
 };
 
 /// A session of `sward edit` (docs/editing.md) in another process, which ends with this object or

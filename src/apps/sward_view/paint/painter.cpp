@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <thread>
 #include <utility>
 
@@ -16,19 +17,36 @@ namespace sward::view {
 namespace {
 
 constexpr std::chrono::milliseconds savePoll{5};
+constexpr double pixelsBeside = 2.0; ///< tolerance beside a blade that is looked for
+
+// The list with the strokes that the session begins with.
+const StrokeList& begun(StrokeList& list, const std::vector<std::string>& strokes)
+{
+    list.reset(strokes, true);
+    return list;
+}
 
 } // namespace
 
 Painter::Painter(std::vector<std::string> command, const std::vector<std::string>& held,
-                 std::filesystem::path autosave, std::unique_ptr<apps::TemporaryFolder> folder)
+                 Autosave autosave, std::unique_ptr<apps::TemporaryFolder> folder)
     : folder_(std::move(folder))
     , session_(std::move(command))
-    , autosave_(std::move(autosave))
+    , autosave_(std::move(autosave), begun(strokes, held))
     , held_(held)
+    , heldRevision_(strokes.revision())
 {
-    strokes.reset(held, true);
-    heldRevision_ = strokes.revision();
-    autosavedRevision_ = strokes.finishedRevision();
+}
+
+Painter::~Painter()
+{
+    finishAutosave();
+}
+
+std::filesystem::path Painter::finishAutosave()
+{
+    strokes.finish();
+    return autosave_.finish(strokes);
 }
 
 void Painter::poll(const std::function<void(const std::filesystem::path&)>& apply)
@@ -36,24 +54,28 @@ void Painter::poll(const std::function<void(const std::filesystem::path&)>& appl
     const bool hadReady = session_.isReady();
     const bool hadFailed = !session_.failure().empty();
     session_.poll();
-    if (!hadReady && session_.isReady())
+    if (!hadReady && session_.isReady()) {
         total_ = session_.ready().blades;
+        takeLost(session_.ready().lost, 0);
+    }
     while (const auto answer = session_.take())
         takeAnswer(*answer, apply);
     if (!hadFailed && !session_.failure().empty())
         told_.push_back({true, session_.failure(), {}});
-    writeAutosave();
+    autosave_.follow(strokes);
     // Without a session the painting ends, and the autosave has what remains of it.
     if (!session_.failure().empty())
-        finishAutosave();
+        autosave_.finish(strokes);
+    if (std::string trouble = autosave_.takeTrouble(); !trouble.empty())
+        told_.push_back({true, std::move(trouble), {}});
     if (isReady() && under_ == Asked::nothing)
         askNext();
 }
 
 bool Painter::isIdle() const
 {
-    return under_ == Asked::nothing && !mustClear_ && savings_.empty() && !autosaving_.valid() &&
-           heldRevision_ == strokes.revision();
+    return under_ == Asked::nothing && look_.empty() && !mustClear_ && savings_.empty() &&
+           !autosave_.isWriting() && !moveBy_ && heldRevision_ == strokes.revision();
 }
 
 void Painter::takeAnswer(const EditAnswer& answer,
@@ -62,12 +84,16 @@ void Painter::takeAnswer(const EditAnswer& answer,
     const Asked what = std::exchange(under_, Asked::nothing);
     if (!answer.error.empty())
         told_.push_back({true, answer.error, {}});
-    if (what == Asked::paint) {
+    if (what == Asked::paint || what == Asked::move) {
         // A state that is refused is not asked for again; the next one is.
         heldRevision_ = askedRevision_;
         if (!answer.error.empty())
             return;
-        held_ = std::move(asked_);
+        if (what == Asked::paint)
+            held_ = std::move(asked_);
+        else
+            takeMoved(answer);
+        takeLost(answer.lost, what == Asked::paint ? askedKeep_ : 0);
         total_ = answer.total;
         if (answer.delta.empty())
             return;
@@ -82,6 +108,15 @@ void Painter::takeAnswer(const EditAnswer& answer,
         std::filesystem::remove(answer.delta, ignored);
         return;
     }
+    if (what == Asked::species) {
+        if (answer.error.empty())
+            told_.push_back(
+                {false,
+                 answer.species.empty() ? "No blade here" : "The brush sows " + answer.species,
+                 {},
+                 answer.species});
+        return;
+    }
     const Saving saved = std::move(savings_.front());
     savings_.erase(savings_.begin());
     if (!answer.error.empty())
@@ -94,8 +129,53 @@ void Painter::takeAnswer(const EditAnswer& answer,
     } else {
         strokes.setSaved(savedRevision_);
         if (!strokes.isUnsaved())
-            removeAutosave();
+            autosave_.discard(strokes);
     }
+}
+
+void Painter::takeLost(const std::vector<LostStroke>& lost, std::size_t first)
+{
+    lost_.take(held_, lost, first);
+    const std::size_t count = lost_.countIn(strokes);
+    if (hasToldLost_ || strokes.isGrowing() || count == 0)
+        return;
+    hasToldLost_ = true;
+    told_.push_back({true,
+                     fmt::format("{} of {} strokes touch no ground, or in a part only. The panel "
+                                 "Paint marks them; 'Move onto ground' moves them.",
+                                 count, strokes.entries().size()),
+                     {}});
+}
+
+// The session has moved strokes; so does the list, in which the user may have changed others.
+void Painter::takeMoved(const EditAnswer& answer)
+{
+    std::map<std::string, std::string> after;
+    for (const MovedStroke& one : answer.moved)
+        if (one.stroke < held_.size())
+            after[std::exchange(held_[one.stroke], one.text)] = one.text;
+    std::vector<StrokeList::Replacement> replaced;
+    for (std::size_t i = 0; i < strokes.entries().size(); ++i) {
+        const StrokeList::Entry& entry = strokes.entries()[i];
+        if (const auto found = after.find(entry.text); entry.visible && found != after.end())
+            replaced.push_back({i, found->second});
+    }
+    strokes.replace(replaced);
+    heldRevision_ = strokes.visible() == held_ ? strokes.revision() : 0;
+    told_.push_back({false,
+                     fmt::format("{} stroke{} moved onto the ground", replaced.size(),
+                                 replaced.size() == 1 ? "" : "s"),
+                     {}});
+}
+
+void Painter::lookForSpecies(const Sight& sight, double farthest)
+{
+    const glm::dvec3& eye = sight.eye;
+    const glm::dvec3& way = sight.direction;
+    look_ = fmt::format("\"do\":\"species\",\"eye\":[{},{},{}],\"direction\":[{},{},{}],"
+                        "\"distance\":{},\"spread\":{}",
+                        eye.x, eye.y, eye.z, way.x, way.y, way.z, farthest,
+                        std::min(pixelsBeside * sight.pixelSize, 1.0));
 }
 
 void Painter::askNext()
@@ -106,6 +186,14 @@ void Painter::askNext()
         askPaint({}, 0);
     } else if (strokes.revision() != heldRevision_) {
         askPaint(strokes.visible(), strokes.revision());
+    } else if (!look_.empty()) {
+        under_ = Asked::species;
+        session_.ask(std::exchange(look_, {}));
+    } else if (moveBy_ && !strokes.isGrowing()) {
+        under_ = Asked::move;
+        askedRevision_ = strokes.revision();
+        session_.ask(
+            fmt::format("\"do\":\"move\",\"distance\":{}", *std::exchange(moveBy_, std::nullopt)));
     } else if (!savings_.empty() && !strokes.isGrowing()) {
         const Saving& saving = savings_.front();
         under_ = saving.what;
@@ -129,6 +217,7 @@ void Painter::askPaint(const std::vector<std::string>& wanted, std::uint64_t rev
         keys += (i == keep ? "" : ",") + wanted[i];
     under_ = Asked::paint;
     asked_ = wanted;
+    askedKeep_ = keep;
     askedRevision_ = revision;
     session_.ask(keys + "]");
 }
@@ -166,49 +255,7 @@ void Painter::writeStrokes(const std::filesystem::path& path)
     strokes.finish();
     writeTextFile(path, strokeFileText(strokes.finished()), false);
     strokes.setSaved(strokes.finishedRevision());
-    removeAutosave();
-}
-
-void Painter::writeAutosave()
-{
-    if (autosaving_.valid()) {
-        if (autosaving_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-            return;
-        if (const std::string error = autosaving_.get(); !error.empty())
-            told_.push_back({true, error, {}});
-    }
-    if (strokes.isGrowing() || autosavedRevision_ == strokes.finishedRevision())
-        return;
-    autosavedRevision_ = strokes.finishedRevision();
-    if (!strokes.isUnsaved())
-        return removeAutosave();
-    autosaving_ = std::async(std::launch::async,
-                             [path = autosave_, text = strokeFileText(strokes.finished())] {
-                                 try {
-                                     writeTextFile(path, text, true);
-                                     return std::string();
-                                 } catch (const Error& error) {
-                                     return std::string(error.what());
-                                 }
-                             });
-}
-
-void Painter::finishAutosave()
-{
-    // The one under way, then one of what has changed since it began.
-    for (int i = 0; i < 2; ++i) {
-        if (autosaving_.valid())
-            autosaving_.wait();
-        writeAutosave();
-    }
-}
-
-void Painter::removeAutosave()
-{
-    if (autosaving_.valid())
-        autosaving_.wait();
-    std::error_code ignored;
-    std::filesystem::remove(autosave_, ignored);
+    autosave_.discard(strokes);
 }
 
 std::filesystem::path Painter::savedField() const

@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -9,8 +10,10 @@ namespace sward::view {
 namespace {
 
 constexpr int ringPieces = 48;
-constexpr int meanPieces = 8;     ///< rays for the mean normal of a point
-constexpr double meanShare = 0.6; ///< of the radius, of the circle that they meet
+constexpr double straightStep = 0.25; ///< [radii] between points of a straight stroke …
+constexpr double maxSteps = 2000.0;  ///< … of which there are no more
+constexpr int meanPieces = 8;         ///< rays for the mean normal of a point
+constexpr double meanShare = 0.6;     ///< of the radius, of the circle that they meet
 
 // Points of a circle in the plane of a point, before they are laid on the ground.
 std::vector<glm::dvec3> flatRing(const PaintPoint& centre, double radius, int pieces)
@@ -51,6 +54,47 @@ std::vector<glm::dvec3> ringOn(const render::GroundSurface& ground, const PaintP
     }
     ring.push_back(ring.front());
     return ring;
+}
+
+std::vector<PaintPoint> straightOn(const render::GroundSurface& ground, const PaintPoint& from,
+                                   const PaintPoint& to, double radius)
+{
+    const double length = glm::distance(from.place, to.place);
+    const int steps =
+        static_cast<int>(std::clamp(std::ceil(length / (straightStep * radius)), 1.0, maxSteps));
+    std::vector<PaintPoint> points{from};
+    PaintPoint last = from;
+    for (int i = 1; i < steps; ++i) {
+        // From the last place on towards the end, so that the line follows slopes.
+        const double left = steps - i + 1;
+        const glm::dvec3 step = (to.place - last.place) / left;
+        PaintPoint next{last.place + step,
+                        glm::normalize(last.normal + (to.normal - last.normal) / left)};
+        const double reach = std::max(radius, 2.0 * glm::length(step));
+        const auto hit = groundBeside(ground, next.place, next.normal, reach);
+        if (hit && glm::dot(hit->normal, next.normal) > 0.0) {
+            next = {hit->place, hit->normal};
+            points.push_back(next);
+        }
+        last = next;
+    }
+    points.push_back(to);
+    return points;
+}
+
+std::vector<std::vector<glm::dvec3>> outlineOf(const render::GroundSurface& ground,
+                                               const StrokeSketch& stroke)
+{
+    std::vector<std::vector<glm::dvec3>> lines;
+    if (stroke.points.empty())
+        return lines;
+    std::vector<glm::dvec3>& middle = lines.emplace_back();
+    for (const PaintPoint& point : stroke.points)
+        middle.push_back(point.place);
+    lines.push_back(ringOn(ground, stroke.points.front(), stroke.radius));
+    if (stroke.points.size() > 1)
+        lines.push_back(ringOn(ground, stroke.points.back(), stroke.radius));
+    return lines;
 }
 
 std::optional<PaintPoint> paintPointAt(const render::GroundSurface& ground, const glm::dvec3& eye,

@@ -155,13 +155,88 @@ std::vector<std::string> readStrokeFile(const std::filesystem::path& path)
     return strokes;
 }
 
-std::string kindOfStroke(std::string_view text)
+std::string wordOfKind(const std::string& keyword)
 {
+    for (std::size_t i = 0; i < paintKinds; ++i)
+        if (keyword == paintKindNames[i])
+            return paintKindWords[i];
+    return keyword;
+}
+
+double StrokeSketch::length() const
+{
+    double sum = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        sum += glm::distance(points[i - 1].place, points[i].place);
+    return sum;
+}
+
+glm::dvec3 StrokeSketch::middle() const
+{
+    if (points.empty())
+        return glm::dvec3(0.0);
+    glm::dvec3 low = points[0].place;
+    glm::dvec3 high = low;
+    for (const PaintPoint& point : points) {
+        low = glm::min(low, point.place);
+        high = glm::max(high, point.place);
+    }
+    return 0.5 * (low + high);
+}
+
+StrokeSketch sketchOf(std::string_view text)
+{
+    StrokeSketch sketch;
     const auto stroke = json::parse(text.begin(), text.end(), nullptr, false);
-    const auto kind = stroke.is_object() ? stroke.find("kind") : stroke.end();
-    return stroke.is_object() && kind != stroke.end() && kind->is_string()
-               ? kind->get<std::string>()
-               : std::string();
+    if (!stroke.is_object())
+        return sketch;
+    const auto textUnder = [&stroke](const char* key) {
+        const auto found = stroke.find(key);
+        return found != stroke.end() && found->is_string() ? found->get<std::string>()
+                                                           : std::string();
+    };
+    sketch.kind = textUnder("kind");
+    sketch.name = textUnder("name");
+    sketch.species = textUnder("species");
+    if (const auto radius = stroke.find("radius_m"); radius != stroke.end() && radius->is_number())
+        sketch.radius = radius->get<double>();
+    const auto vectorsUnder = [&stroke](const char* key) {
+        std::vector<glm::dvec3> vectors;
+        const auto list = stroke.find(key);
+        if (list == stroke.end() || !list->is_array())
+            return vectors;
+        for (const json& one : *list)
+            if (one.is_array() && one.size() == 3 && one[0].is_number() && one[1].is_number() &&
+                one[2].is_number())
+                vectors.emplace_back(one[0].get<double>(), one[1].get<double>(),
+                                     one[2].get<double>());
+        return vectors;
+    };
+    const std::vector<glm::dvec3> normals = vectorsUnder("normals");
+    for (const glm::dvec3& place : vectorsUnder("points")) {
+        PaintPoint point{place, {0.0, 1.0, 0.0}};
+        const std::size_t i = normals.size() == 1 ? 0 : sketch.points.size();
+        if (i < normals.size() && glm::length(normals[i]) > 0.0)
+            point.normal = glm::normalize(normals[i]);
+        sketch.points.push_back(point);
+    }
+    return sketch;
+}
+
+std::string withName(const std::string& text, const std::string& name)
+{
+    const auto stroke = nlohmann::ordered_json::parse(text, nullptr, false);
+    if (!stroke.is_object())
+        return text;
+    nlohmann::ordered_json named = nlohmann::ordered_json::object();
+    for (const auto& [key, value] : stroke.items()) {
+        if (key == "name")
+            continue;
+        named[key] = value;
+        if (key == "kind" && !name.empty())
+            named["name"] = name;
+    }
+    return jsonText(named);
 }
 
 } // namespace sward::view

@@ -15,8 +15,16 @@ namespace sward::view {
 enum class PaintKind { add, erase, set, smooth, species, height, dryness, trodden, clear };
 
 inline constexpr std::size_t paintKinds = 9;
+/// Their keywords in a stroke file.
 inline constexpr std::array<const char*, paintKinds> paintKindNames{
     "add", "erase", "set", "smooth", "species", "height", "dryness", "trodden", "clear"};
+/// What the panel calls them.
+inline constexpr std::array<const char*, paintKinds> paintKindWords{
+    "Sow",           "Remove grass", "Set density",  "Smooth density", "Sow a species",
+    "Change height", "Dry out",      "Tread a path", "Undo paint here"};
+
+/// The panel's word for a keyword; the keyword itself if it is none.
+std::string wordOfKind(const std::string& keyword);
 
 /// The brush; ranges are those of a stroke file (docs/painting.md).
 struct Brush {
@@ -34,6 +42,9 @@ struct Brush {
 
     bool operator==(const Brush&) const = default;
 };
+
+/// Bytes of a stroke's name, at most.
+inline constexpr std::size_t longestStrokeName = 200;
 
 /// Bounds of the brush's radius [m].
 inline constexpr float shortestBrush = 0.01f;
@@ -63,7 +74,22 @@ std::string strokeFileText(const std::vector<std::string>& strokes);
 /// Error{io} if it cannot be read, Error{input} if it is no stroke file or larger than 64 MiB.
 std::vector<std::string> readStrokeFile(const std::filesystem::path& path);
 
-/// The kind that a stroke's text names; empty if it names none.
-std::string kindOfStroke(std::string_view text);
+/// What a stroke's text says of its kind, name and shape.
+struct StrokeSketch {
+    std::string kind;    ///< keyword; empty: none
+    std::string name;    ///< empty: none
+    std::string species; ///< of kind species
+    double radius = 1.0; ///< [m]
+    std::vector<PaintPoint> points;
+
+    double length() const;     ///< [m] along its points
+    glm::dvec3 middle() const; ///< of the box around its points, world [m]
+};
+
+/// Reads a stroke's text; what it does not say, or wrongly, is as in an empty sketch.
+StrokeSketch sketchOf(std::string_view text);
+
+/// The text with another name, or none.
+std::string withName(const std::string& text, const std::string& name);
 
 } // namespace sward::view

@@ -10,6 +10,13 @@ namespace {
 
 constexpr double shortestStep = 0.25; ///< [radii] between two points
 
+StrokeList::Entry entryOf(const std::string& text, bool visible)
+{
+    const StrokeSketch sketch = sketchOf(text);
+    return {sketch.kind,     text,           visible, sketch.name, sketch.radius,
+            sketch.length(), sketch.middle()};
+}
+
 } // namespace
 
 void StrokeList::reset(const std::vector<std::string>& strokes, bool saved)
@@ -20,7 +27,8 @@ void StrokeList::reset(const std::vector<std::string>& strokes, bool saved)
     done_ = 0;
     growing_.reset();
     for (const std::string& text : strokes)
-        entries_.push_back({kindOfStroke(text), text, true});
+        entries_.push_back(entryOf(text, true));
+    end_.reset();
     finishedRevision_ = revision_ = ++lastRevision_;
     saved_ = saved ? finishedRevision_ : 0;
 }
@@ -29,6 +37,7 @@ void StrokeList::begin(const Brush& brush, const PaintPoint& point)
 {
     finish();
     growing_ = Growing{brush, {point}, strokeText(brush, {point})};
+    end_ = point;
     revision_ = ++lastRevision_;
 }
 
@@ -40,6 +49,7 @@ bool StrokeList::extend(const PaintPoint& point)
     if (glm::distance(point.place, growing_->points.back().place) < step)
         return false;
     growing_->points.push_back(point);
+    end_ = point;
     growing_->text = strokeText(growing_->brush, growing_->points);
     revision_ = ++lastRevision_;
     return true;
@@ -51,21 +61,51 @@ bool StrokeList::finish()
         return false;
     const Growing grown = std::move(*growing_);
     growing_.reset();
-    const auto kind = static_cast<std::size_t>(grown.brush.kind);
-    record({Change::Kind::comes, entries_.size(), {paintKindNames[kind], grown.text, true}});
+    record({Change::Kind::comes, entries_.size(), entryOf(grown.text, true)});
     return true;
+}
+
+void StrokeList::draw(const Brush& brush, const std::vector<PaintPoint>& points)
+{
+    if (points.empty())
+        return;
+    begin(brush, points.front());
+    for (const PaintPoint& point : points)
+        extend(point);
+    // However near the last one is.
+    growing_->points.back() = points.back();
+    growing_->text = strokeText(brush, growing_->points);
+    end_ = points.back();
+    finish();
+}
+
+void StrokeList::replace(const std::vector<Replacement>& others)
+{
+    finish();
+    Change change{Change::Kind::isReplaced};
+    for (const Replacement& one : others)
+        if (const Entry& entry = entries_.at(one.index); entry.text != one.text)
+            change.others.emplace_back(one.index, entryOf(one.text, entry.visible));
+    if (!change.others.empty())
+        record(std::move(change));
+}
+
+void StrokeList::rename(std::size_t index, const std::string& name)
+{
+    replace({{index, withName(entries_.at(index).text, name)}});
 }
 
 void StrokeList::setVisible(std::size_t index, bool visible)
 {
     finish();
     if (entries_.at(index).visible != visible)
-        record({Change::Kind::isSwitched, index, {}});
+        record({Change::Kind::isSwitched, index});
 }
 
 void StrokeList::remove(std::size_t index)
 {
     finish();
+    end_.reset();
     record({Change::Kind::goes, index, entries_.at(index)});
 }
 
@@ -79,8 +119,12 @@ void StrokeList::record(Change change)
     finishedRevision_ = revision_ = ++lastRevision_;
 }
 
-void StrokeList::apply(const Change& change, bool forward)
+void StrokeList::apply(Change& change, bool forward)
 {
+    for (auto& [index, entry] : change.others)
+        std::swap(entries_[index], entry);
+    if (change.kind == Change::Kind::isReplaced)
+        return;
     const auto at = entries_.begin() + static_cast<std::ptrdiff_t>(change.index);
     if (change.kind == Change::Kind::isSwitched)
         at->visible = !at->visible;
@@ -95,6 +139,7 @@ bool StrokeList::undo()
     finish();
     if (done_ == 0)
         return false;
+    end_.reset();
     apply(changes_[--done_], false);
     // The list is what it was, and so is whether a file holds it.
     std::swap(finishedRevision_, before_[done_]);
@@ -107,6 +152,7 @@ bool StrokeList::redo()
     finish();
     if (done_ == changes_.size())
         return false;
+    end_.reset();
     std::swap(finishedRevision_, before_[done_]);
     apply(changes_[done_++], true);
     revision_ = ++lastRevision_;

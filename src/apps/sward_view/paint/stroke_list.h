@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sward::view {
@@ -15,9 +16,13 @@ namespace sward::view {
 class StrokeList {
 public:
     struct Entry {
-        std::string kind;
+        std::string kind; ///< keyword
         std::string text; ///< a line of a stroke file
         bool visible = true;
+        std::string name{};     ///< empty: none
+        double radius = 1.0;    ///< [m]
+        double length = 0.0;    ///< [m]
+        glm::dvec3 middle{0.0}; ///< world [m]
     };
     const std::vector<Entry>& entries() const { return entries_; }
 
@@ -34,8 +39,22 @@ public:
     /// Points of the growing stroke, before it is simplified.
     std::size_t grownPoints() const { return growing_ ? growing_->points.size() : 0; }
 
+    /// Draws a whole stroke through these points, after finishing the one that grows.
+    void draw(const Brush& brush, const std::vector<PaintPoint>& points);
+    /// Where the last stroke of the brush has ended; none after undo, redo and removal.
+    const std::optional<PaintPoint>& end() const { return end_; }
+
     void setVisible(std::size_t index, bool visible);
     void remove(std::size_t index);
+
+    /// Gives strokes other texts, as one change.
+    struct Replacement {
+        std::size_t index;
+        std::string text;
+    };
+    void replace(const std::vector<Replacement>& others);
+    /// An empty name takes it away.
+    void rename(std::size_t index, const std::string& name);
 
     /// Takes the last change back, or does it again; a growing stroke is finished first. Returns
     /// whether there was one.
@@ -61,11 +80,12 @@ public:
     void setSaved(std::uint64_t revision) { saved_ = revision; }
 
 private:
-    /// An entry comes, goes, or is switched.
+    /// An entry comes, goes, or is switched, or some become others.
     struct Change {
-        enum class Kind { comes, goes, isSwitched } kind = Kind::comes;
+        enum class Kind { comes, goes, isSwitched, isReplaced } kind = Kind::comes;
         std::size_t index = 0;
-        Entry entry;
+        Entry entry{};
+        std::vector<std::pair<std::size_t, Entry>> others{};
     };
     struct Growing {
         Brush brush;
@@ -74,12 +94,13 @@ private:
     };
 
     void record(Change change);
-    void apply(const Change& change, bool forward);
+    void apply(Change& change, bool forward);
 
     std::vector<Entry> entries_;
     std::vector<Change> changes_;
     std::size_t done_ = 0; ///< changes that are in force
     std::optional<Growing> growing_;
+    std::optional<PaintPoint> end_;
     std::uint64_t revision_ = 0;
     std::uint64_t lastRevision_ = 0;     ///< the highest that was given
     std::uint64_t finishedRevision_ = 0; ///< of the entries

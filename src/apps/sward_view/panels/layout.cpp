@@ -35,7 +35,7 @@ struct KeyLine {
     const char* meaning;
 };
 
-constexpr std::array<KeyLine, 23> keyLines{
+constexpr std::array<KeyLine, 25> keyLines{
     {{"Drop, Shift+drop", "open a file; add it to the fields shown"},
      {"Left drag", "orbit"},
      {"Middle drag, Shift+left", "pan"},
@@ -57,6 +57,8 @@ constexpr std::array<KeyLine, 23> keyLines{
      {"Ctrl+S", "save the field that was baked or painted in this window"},
      {"Ctrl+Z, Ctrl+Shift+Z", "undo and redo a stroke"},
      {"Alt + wheel", "radius of the brush"},
+     {"Shift + click", "straight stroke from the end of the last"},
+     {"I", "take the species of the blade that is clicked next"},
      {"H", "show and hide these keys"},
      {"Escape", "close the topmost item; finally the window"}}};
 

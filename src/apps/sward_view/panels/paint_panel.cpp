@@ -17,17 +17,18 @@ namespace fs = std::filesystem;
 
 constexpr float strokesPixels = 180.0f; ///< height of the list
 constexpr float kindsPixels = 120.0f;   ///< width of the list of kinds
+constexpr float maxMoved = 100.0f;     ///< [m] that strokes are moved onto the ground
 
 constexpr std::array<const char*, paintKinds> meanings{
-    "Adds grass up to a ceiling",
-    "Takes grass away",
-    "Sets the density",
-    "Smooths the density",
-    "Sows one species",
-    "Makes blades higher or lower",
-    "Dries a share of the blades",
-    "Treads a path: short blades, leaning along it",
-    "Takes back what the strokes before did"};
+    "Sows grass where it is thinner than a density (add in a stroke file)",
+    "Takes grass away (erase)",
+    "Makes grass as dense as you say, thinner or denser (set)",
+    "Evens out the density around each place (smooth)",
+    "Makes the blades one species (species)",
+    "Makes blades higher or lower (height)",
+    "Dries a share of the blades (dryness)",
+    "Short blades that lean along the stroke, as where people walk (trodden)",
+    "Takes back what the strokes before did here (clear)"};
 
 void browseForInput(ViewerState& state, std::string& value, std::vector<std::string> extensions,
                     const char* title)
@@ -95,14 +96,14 @@ void drawOwnValues(Controls& controls, ViewerState& state)
 
 void drawKinds(Controls& controls, Brush& brush)
 {
-    const char* shown = paintKindNames[static_cast<std::size_t>(brush.kind)];
+    const char* shown = paintKindWords[static_cast<std::size_t>(brush.kind)];
     if (!controls.beginChoice("Kind", shown, kindsPixels, "What a stroke does"))
         return;
     for (std::size_t i = 0; i < paintKinds; ++i) {
         const auto kind = static_cast<PaintKind>(i);
-        if (ImGui::Selectable(paintKindNames[i], brush.kind == kind))
+        if (ImGui::Selectable(paintKindWords[i], brush.kind == kind))
             brush.kind = kind;
-        controls.tell((std::string("Kind ") + paintKindNames[i]).c_str(), "", meanings[i]);
+        controls.tell((std::string("Kind ") + paintKindWords[i]).c_str(), "", meanings[i]);
     }
     ImGui::EndCombo();
 }
@@ -118,10 +119,125 @@ void drawBrush(Controls& controls, ViewerState& state)
     controls.number("Strength", brush.strength, {0.0f, 1.0f, "", "%.2f"},
                     "Share of the way from what is there to what the stroke says");
     drawOwnValues(controls, state);
+    if (controls.button(state.desk.takesSpecies ? "Click a blade" : "Take species",
+                        "Eyedropper: the next click takes the species of the blade there (I)"))
+        state.desk.takesSpecies = !state.desk.takesSpecies;
 }
 
-void drawStrokes(Controls& controls, StrokeList& strokes)
+// Where a stroke is and how large: "at 3.4, 0, -3.2; 12.3 m long, radius 0.45 m".
+std::string placeText(const StrokeList::Entry& entry)
 {
+    const std::string at =
+        fmt::format("at {:.1f}, {:.1f}, {:.1f}", entry.middle.x, entry.middle.y, entry.middle.z);
+    return entry.length > 0.0
+               ? fmt::format("{}; {:.3g} m long, radius {:.3g} m", at, entry.length, entry.radius)
+               : fmt::format("{}; radius {:.3g} m", at, entry.radius);
+}
+
+std::string lossText(const LostStroke& lost)
+{
+    return lost.share >= 1.0 ? "touches no ground"
+                             : fmt::format("{:.0f} % touch no ground", 100.0 * lost.share);
+}
+
+// What a row asks for.
+struct RowWish {
+    std::optional<std::size_t> switched;
+    std::optional<std::size_t> removed;
+};
+
+void drawRow(Controls& controls, ViewerState& state, std::size_t i, RowWish& wish)
+{
+    const StrokeList::Entry& entry = state.painter->strokes.entries()[i];
+    const LostStroke* const lost = state.painter->lost().of(entry.text);
+    const std::string word = wordOfKind(entry.kind);
+    const std::string name = fmt::format("Stroke {}", i + 1);
+    const std::string place = lost != nullptr ? lossText(*lost) : placeText(entry);
+    const ImVec2 begin = ImGui::GetCursorScreenPos();
+    const float right = ImGui::GetWindowContentRegionMax().x;
+    const float gap = controls.style().scaled(10.0f);
+    bool visible = entry.visible;
+    if (ImGui::Checkbox(fmt::format("{} {}", i + 1, entry.name.empty() ? word : entry.name).c_str(),
+                        &visible))
+        wish.switched = i;
+    controls.tell(
+        name.c_str(),
+        fmt::format("{}{}; {}{}", entry.name.empty() ? "" : entry.name + ": ", word, place,
+                    entry.visible ? "" : "; hidden"),
+        fmt::format("{}, {}. The switch says whether this stroke counts", word, placeText(entry))
+            .c_str());
+    const float deletes = ImGui::CalcTextSize("Delete").x + gap;
+    ImGui::SameLine(right - deletes - ImGui::CalcTextSize("Name").x - gap);
+    if (ImGui::SmallButton("Name")) {
+        state.desk.renamed = i;
+        state.desk.name = entry.name;
+    }
+    controls.tell(("Name " + name).c_str(), entry.name, "Gives this stroke a name");
+    ImGui::SameLine(right - deletes);
+    if (ImGui::SmallButton("Delete"))
+        wish.removed = i;
+    controls.tell(("Delete " + name).c_str(), "", "Removes this stroke");
+    if (lost != nullptr)
+        ImGui::TextUnformatted(place.c_str());
+    else
+        ImGui::TextDisabled("%s", place.c_str());
+    const ImVec2 end(begin.x + right, ImGui::GetCursorScreenPos().y);
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(begin, end))
+        state.desk.hovered = i;
+}
+
+// A name of as many bytes as a stroke file takes, cut between characters.
+std::string shortened(std::string name)
+{
+    if (name.size() <= longestStrokeName)
+        return name;
+    std::size_t size = longestStrokeName;
+    while (size > 0 && (static_cast<unsigned char>(name[size]) & 0xc0) == 0x80)
+        --size;
+    name.resize(size);
+    return name;
+}
+
+// The name of a stroke, while it is typed.
+void drawNaming(Controls& controls, ViewerState& state)
+{
+    StrokeDesk& desk = state.desk;
+    StrokeList& strokes = state.painter->strokes;
+    if (!desk.renamed || *desk.renamed >= strokes.entries().size())
+        return desk.renamed.reset();
+    const bool isEntered = controls.text(
+        "Stroke name", desk.name, "none",
+        fmt::format("Name of stroke {}, at most 200 bytes; Enter takes it", *desk.renamed + 1)
+            .c_str());
+    const bool takes = controls.button("Take name", "Gives the stroke this name");
+    ImGui::SameLine();
+    const bool cancels = controls.button("Keep name", "Leaves the name as it was");
+    if (isEntered || takes)
+        strokes.rename(*desk.renamed, shortened(desk.name));
+    if (isEntered || takes || cancels)
+        desk.renamed.reset();
+}
+
+void drawMoving(Controls& controls, ViewerState& state)
+{
+    const std::size_t lost = state.painter->lost().countIn(state.painter->strokes);
+    if (lost == 0)
+        return;
+    controls.fact("Off the ground", std::to_string(lost),
+                  "Strokes that touch no ground, or in a part only: the ground has changed since "
+                  "they were painted");
+    controls.number("Move by", state.desk.moveBy, {0.01f, maxMoved, "m", "%.2f", true},
+                    "How far points are moved onto the ground at most");
+    if (controls.button("Move onto ground",
+                        "Moves the points of all strokes that are not on the ground onto it, along "
+                        "their normals; Ctrl+Z takes that back",
+                        true))
+        state.painter->moveStrokes(static_cast<double>(state.desk.moveBy));
+}
+
+void drawStrokes(Controls& controls, ViewerState& state)
+{
+    StrokeList& strokes = state.painter->strokes;
     controls.section("Strokes");
     ImGui::BeginDisabled(!strokes.canUndo());
     const bool undoes = controls.button("Undo", "Takes the last change back (Ctrl+Z)");
@@ -131,39 +247,30 @@ void drawStrokes(Controls& controls, StrokeList& strokes)
     const bool redoes = controls.button("Redo", "Does it again (Ctrl+Shift+Z)");
     ImGui::EndDisabled();
     controls.fact("Count", std::to_string(strokes.entries().size()), "Number of strokes");
+    drawMoving(controls, state);
+    drawNaming(controls, state);
 
-    std::optional<std::size_t> switched;
-    std::optional<std::size_t> removed;
+    RowWish wish;
     ImGui::BeginChild("strokes", {0.0f, controls.style().scaled(strokesPixels)}, true);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(strokes.entries().size()));
     while (clipper.Step())
         for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
-            const auto i = static_cast<std::size_t>(row);
-            const StrokeList::Entry& entry = strokes.entries()[i];
-            const std::string name = fmt::format("Stroke {}", i + 1);
             ImGui::PushID(row);
-            bool visible = entry.visible;
-            if (ImGui::Checkbox(fmt::format("{} {}", i + 1, entry.kind).c_str(), &visible))
-                switched = i;
-            controls.tell(name.c_str(), entry.kind + (entry.visible ? "" : " hidden"),
-                          "Whether this stroke counts");
-            ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize("Delete").x -
-                            controls.style().scaled(10.0f));
-            if (ImGui::SmallButton("Delete"))
-                removed = i;
-            controls.tell(("Delete " + name).c_str(), "", "Removes this stroke");
+            drawRow(controls, state, static_cast<std::size_t>(row), wish);
             ImGui::PopID();
         }
     ImGui::EndChild();
+    if (undoes || redoes || wish.removed)
+        state.desk.renamed.reset();
     if (undoes)
         strokes.undo();
     else if (redoes)
         strokes.redo();
-    else if (removed)
-        strokes.remove(*removed);
-    else if (switched)
-        strokes.setVisible(*switched, !strokes.entries()[*switched].visible);
+    else if (wish.removed)
+        strokes.remove(*wish.removed);
+    else if (wish.switched)
+        strokes.setVisible(*wish.switched, !strokes.entries()[*wish.switched].visible);
 }
 
 void browseToSave(ViewerState& state, const char* title, const std::string& extension,
@@ -182,6 +289,8 @@ void drawPaintSaving(Controls& controls, ViewerState& state)
     controls.section("Save");
     controls.fact("Saved", state.painter->strokes.isUnsaved() ? "no" : "yes",
                   "Whether a file holds the strokes; until then an autosave beside the field does");
+    if (const std::string& trouble = state.painter->autosaveTrouble(); !trouble.empty())
+        controls.fact("Autosave", "fails", trouble.c_str());
     if (controls.button("Save strokes...",
                         "Writes the strokes that count, for 'sward bake --paint' and for painting "
                         "later"))
@@ -199,6 +308,7 @@ void drawPaintSaving(Controls& controls, ViewerState& state)
 
 void drawPaintPanel(Controls& controls, ViewerState& state)
 {
+    state.desk.hovered.reset();
     if (state.field == nullptr)
         return controls.note("No field. Drop a field, a mesh or a recipe on the window.");
     if (!state.painter)
@@ -212,14 +322,15 @@ void drawPaintPanel(Controls& controls, ViewerState& state)
         return;
     }
     drawBrush(controls, state);
-    controls.note("Draw with the left button; with Shift it moves the camera, as the others do.");
+    controls.note("Draw with the left button. Shift and a click: a straight stroke from the end of "
+                  "the last. Shift and dragging, and the other buttons, move the camera.");
     controls.fact("Blades", countText(state.painter->total()), "Number of blades in the field");
     controls.fact("Last change",
                   state.painter->seconds() > 0.0
                       ? fmt::format("{:.0f} ms", 1000.0 * state.painter->seconds())
                       : "none",
                   "Time in which the session baked it");
-    drawStrokes(controls, state.painter->strokes);
+    drawStrokes(controls, state);
     drawPaintSaving(controls, state);
 }
 

@@ -28,6 +28,7 @@ enum class Key {
     save,      ///< Ctrl+S: saves the field that was baked or painted in this window
     undo,      ///< Ctrl+Z: takes the last change of the strokes back
     redo,      ///< Ctrl+Shift+Z: does it again
+    species,   ///< I: the next click takes the species of a blade, while painting
     bookmark,  ///< 1 to 9
 };
 

@@ -1,12 +1,26 @@
 #include "apps/sward_view/window/recent_files.h"
 
 #include "apps/sward_view/window/state_file.h"
+#include "core/error.h"
 
 #include <algorithm>
-#include <fstream>
+#include <sstream>
 #include <utility>
 
 namespace sward::view {
+namespace {
+
+std::vector<std::string> inputsIn(const std::string& text)
+{
+    std::vector<std::string> inputs;
+    std::istringstream in(text);
+    for (std::string line; inputs.size() < RecentFiles::most && std::getline(in, line);)
+        if (!line.empty())
+            inputs.push_back(line);
+    return inputs;
+}
+
+} // namespace
 
 RecentFiles::RecentFiles()
     : RecentFiles(stateFile("recent"))
@@ -16,10 +30,12 @@ RecentFiles::RecentFiles()
 RecentFiles::RecentFiles(std::filesystem::path file)
     : file_(std::move(file))
 {
-    std::ifstream in(file_);
-    for (std::string line; inputs_.size() < most && std::getline(in, line);)
-        if (!line.empty())
-            inputs_.push_back(line);
+    try {
+        if (!file_.empty())
+            inputs_ = inputsIn(readState(file_));
+    } catch (const Error&) {
+        inputs_.clear();
+    }
 }
 
 void RecentFiles::add(const std::string& input)
@@ -27,13 +43,25 @@ void RecentFiles::add(const std::string& input)
     const std::string entry = stateNameOf(input);
     if (entry.find('\n') != std::string::npos)
         return;
-    inputs_.erase(std::remove(inputs_.begin(), inputs_.end(), entry), inputs_.end());
-    inputs_.insert(inputs_.begin(), entry);
-    inputs_.resize(std::min(inputs_.size(), most));
-    std::string text;
-    for (const std::string& line : inputs_)
-        text += line + "\n";
-    keepState(file_, text);
+    const auto put = [&] {
+        inputs_.erase(std::remove(inputs_.begin(), inputs_.end(), entry), inputs_.end());
+        inputs_.insert(inputs_.begin(), entry);
+        inputs_.resize(std::min(inputs_.size(), most));
+        std::string text;
+        for (const std::string& line : inputs_)
+            text += line + "\n";
+        return text;
+    };
+    try {
+        if (!file_.empty())
+            return changeState(file_, [&](const std::string& text) {
+                inputs_ = inputsIn(text);
+                return put();
+            });
+    } catch (const Error&) {
+        // This window has it all the same.
+    }
+    put();
 }
 
 } // namespace sward::view

@@ -6,8 +6,8 @@
 
 namespace sward::view {
 
-/// Recently opened inputs, newest first, stored in $XDG_STATE_HOME/sward/recent (~/.local/state by
-/// default). Ignores write errors.
+/// Recently opened inputs of all windows, newest first, stored in $XDG_STATE_HOME/sward/recent
+/// (~/.local/state by default). Ignores errors of the file: the list is not essential.
 class RecentFiles {
 public:
     static constexpr std::size_t most = 10;
@@ -17,6 +17,7 @@ public:
     /// Stores them in `file`, for tests; empty: nowhere.
     explicit RecentFiles(std::filesystem::path file);
 
+    /// Puts an input first, in the list as the file has it now.
     void add(const std::string& input);
     const std::vector<std::string>& inputs() const { return inputs_; }
 

@@ -1,12 +1,18 @@
 #include "apps/sward_view/window/state_file.h"
 
+#include "apps/sward_view/file_lock.h"
 #include "core/atomic_file.h"
-#include "core/error.h"
+#include "core/mapped_file.h"
 
+#include <chrono>
 #include <cstdlib>
+#include <vector>
 
 namespace sward::view {
 namespace {
+
+constexpr std::size_t largestState = std::size_t(8) << 20; ///< [bytes]
+constexpr std::chrono::milliseconds statePatience{1000};   ///< with a window that changes it
 
 std::filesystem::path stateFolder()
 {
@@ -26,17 +32,22 @@ std::filesystem::path stateFile(const std::string& name)
     return folder.empty() ? folder : folder / "sward" / name;
 }
 
-void keepState(const std::filesystem::path& file, const std::string& text)
+std::string readState(const std::filesystem::path& file)
 {
-    if (file.empty())
-        return;
+    std::error_code error;
+    if (!std::filesystem::exists(file, error) && !error)
+        return {};
+    const std::vector<std::byte> bytes = readFile(file, largestState);
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+void changeState(const std::filesystem::path& file,
+                 const std::function<std::string(const std::string&)>& change)
+{
     std::error_code ignored;
     std::filesystem::create_directories(file.parent_path(), ignored);
-    try {
-        writeTextFile(file, text, true);
-    } catch (const Error&) {
-        return;
-    }
+    const FileLock lock = FileLock::take(lockNameFor(file), statePatience);
+    writeTextFile(file, change(readState(file)), true);
 }
 
 std::string stateNameOf(const std::string& input)

@@ -26,7 +26,6 @@ class Viewer {
 public:
     /// `window` and objects referenced by `options` must outlive this.
     Viewer(Window& window, const ViewerOptions& options);
-
     /// Until the window is closed. Throws Error{interrupted}, and as opening the first field does.
     void run();
     const gpu::Instance& instance() const { return instance_; }
@@ -56,6 +55,7 @@ private:
     // viewer_input.cpp: user input
     void steer(Input input);
     void press(const KeyPress& key);
+    void useBookmark(const KeyPress& key);
     bool handleColliders(const Input& input, bool mouse);
     void pick(glm::vec2 pixel);
     void record();
@@ -66,7 +66,8 @@ private:
     void steerBrush(Input& input, bool mouse);
     void followPainter();
     void fulfilPainting(const Requests& requests);
-    void startPainting(std::optional<std::filesystem::path> strokes);
+    void offerLeftStrokes();
+    void startPainting(std::optional<std::filesystem::path> left);
     void endPainting();
     void drawEditable(bool isEditable);
     // viewer_requests.cpp: requests that take longer than a frame
@@ -113,8 +114,7 @@ private:
     std::optional<WatchedFile> watchedSettings_;
     FrameTimes times_;
     int uiZoom_ = 0; ///< steps of text and controls by the user's keys
-    bool isFirstInput_ = true, dragsCollider_ = false; ///< errors of the first end the program
-    bool isClosing_ = false;                           ///< work that is not saved may be lost
+    bool isFirstInput_ = true, dragsCollider_ = false, isClosing_ = false; ///< closing: in any case
 };
 
 } // namespace sward::view

@@ -136,8 +136,8 @@ void Viewer::show(Opening::Opened opened)
     former_.reset();
     // The strokes are those of the field before; they stay in the autosave.
     if (viewerState_.painter && viewerState_.painter->strokes.isUnsaved())
-        notice("Painting has ended; the strokes are in " +
-               viewerState_.painter->autosave().string());
+        if (const auto autosave = viewerState_.painter->finishAutosave(); !autosave.empty())
+            notice("Painting has ended; the strokes are in " + autosave.string());
     viewerState_.painter.reset();
     if (isSame)
         next->navigation().show(loadedField_->navigation().framing());
@@ -171,7 +171,8 @@ void Viewer::show(Opening::Opened opened)
     isFirstInput_ = false;
     for (std::size_t i = opened.count; i-- > 0;)
         recent_.add(members[opened.place + i]->source.input);
-    bookmarks_.keepOnly(recent_.inputs());
+    if (const std::string complaint = bookmarks_.takeComplaint(); !complaint.empty())
+        complain(complaint);
 }
 
 void Viewer::choose(std::size_t member)

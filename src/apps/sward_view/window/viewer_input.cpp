@@ -1,6 +1,7 @@
 // Handles mouse and keys.
 #include "apps/sward_view/camera_file.h"
 #include "apps/sward_view/window/viewer.h"
+#include "core/error.h"
 #include "render/camera_presets.h"
 
 #include <fmt/core.h>
@@ -119,19 +120,40 @@ void Viewer::press(const KeyPress& key)
         if (viewerState_.painter && !viewerState_.painter->strokes.redo())
             notice("No change of the strokes is left to redo");
         break;
+    case Key::species:
+        if (viewerState_.painter)
+            viewerState_.desk.takesSpecies = !viewerState_.desk.takesSpecies;
+        break;
     case Key::bookmark:
-        if (!loadedField_)
-            break;
-        if (key.control) {
-            loadedField_->navigation().setBookmark(key.number);
-            bookmarks_.set(loadedField_->field().members[0]->source.input, key.number,
-                           loadedField_->navigation().camera());
-            notice(fmt::format("Bookmark {} set", key.number));
-        } else if (!loadedField_->navigation().showBookmark(key.number)) {
-            notice(fmt::format("No bookmark {}; Ctrl+{} sets it", key.number, key.number));
-        }
+        if (loadedField_)
+            useBookmark(key);
         break;
     }
+}
+
+// Sets a bookmark, or goes to it. Another window of this input may have set it meanwhile.
+void Viewer::useBookmark(const KeyPress& key)
+{
+    const std::string& input = loadedField_->field().members[0]->source.input;
+    Navigation& navigation = loadedField_->navigation();
+    if (key.control) {
+        navigation.setBookmark(key.number);
+        notice(fmt::format("Bookmark {} set", key.number));
+        try {
+            bookmarks_.set(input, key.number, navigation.camera());
+        } catch (const Error& error) {
+            complain(fmt::format("Bookmark {} is set in this window, but not kept for later ones: "
+                                 "{}",
+                                 key.number, error.what()));
+        }
+    } else {
+        for (const auto& [number, camera] : bookmarks_.of(input))
+            navigation.setBookmark(number, camera);
+        if (!navigation.showBookmark(key.number))
+            notice(fmt::format("No bookmark {}; Ctrl+{} sets it", key.number, key.number));
+    }
+    if (const std::string complaint = bookmarks_.takeComplaint(); !complaint.empty())
+        complain(complaint);
 }
 
 Style::Scale Viewer::uiScale() const

@@ -3,6 +3,7 @@
 #include "apps/sward_view/paint/ring.h"
 #include "apps/sward_view/panels/panels.h"
 #include "apps/sward_view/window/free_name.h"
+#include "apps/sward_view/window/state_file.h"
 #include "apps/sward_view/window/viewer.h"
 #include "core/error.h"
 #include "field/delta.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <fstream>
 #include <string_view>
 #include <utility>
@@ -24,6 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr float radiusStep = 1.15f;  ///< factor on the brush's radius, by a step of the wheel
 constexpr float pixelsPerRay = 8.0f; ///< way of the cursor between two points of a stroke …
+constexpr double farthestLook = 1e4; ///< [m] for a blade before the sky
 constexpr int raysPerFrame = 32;     ///< … of which a frame casts no more
 constexpr std::string_view paintPanel = "Paint";
 
@@ -35,11 +38,60 @@ bool wasPainted(const std::string& provenance)
            json["settings"].contains("paint");
 }
 
-// Beside the field; that of a mesh is where its field would be saved.
-fs::path autosaveOf(const OpenedField& field)
+// What is painted, and the hash of its ground according to the field's provenance.
+AutosaveSubject subjectOf(const OpenedField& field)
 {
-    const fs::path name = fs::path(field.source.input).stem().string() + ".strokes.autosave.json";
-    return field.source.requests ? name : field.source.file.parent_path() / name;
+    AutosaveSubject subject{
+        fs::path(field.source.input).stem().string(), stateNameOf(field.source.input), {}};
+    const auto json = nlohmann::json::parse(*field.mapped.view().provenance, nullptr, false);
+    if (json.is_object() && json.contains("input_hash") && json["input_hash"].is_string())
+        subject.ground = json["input_hash"].get<std::string>();
+    return subject;
+}
+
+// Beside the field; of a mesh, where its field would be saved. Else where state is kept.
+std::vector<fs::path> autosaveFolders(const OpenedField& field)
+{
+    std::error_code error;
+    std::vector<fs::path> folders{field.source.requests
+                                      ? fs::current_path(error)
+                                      : fs::absolute(field.source.file, error).parent_path()};
+    if (const fs::path state = stateFile("autosaves"); !state.empty())
+        folders.push_back(state);
+    return folders;
+}
+
+std::string timeText(fs::file_time_type time)
+{
+    const auto system = std::chrono::time_point_cast<std::chrono::system_clock::duration>(
+        time - fs::file_time_type::clock::now() + std::chrono::system_clock::now());
+    const std::time_t seconds = std::chrono::system_clock::to_time_t(system);
+    std::tm local{};
+    ::localtime_r(&seconds, &local);
+    return fmt::format("{:04}-{:02}-{:02} {:02}:{:02}", local.tm_year + 1900, local.tm_mon + 1,
+                       local.tm_mday, local.tm_hour, local.tm_min);
+}
+
+// What the user is asked about strokes that are left.
+std::string textOfLeft(const std::vector<LeftStrokes>& left)
+{
+    const LeftStrokes& newest = left.front();
+    std::string count = "strokes";
+    try {
+        const std::size_t strokes = readStrokeFile(newest.path).size();
+        count = fmt::format("{} stroke{}", strokes, strokes == 1 ? "" : "s");
+    } catch (const Error&) {
+        count = "strokes that cannot be read";
+    }
+    std::string text =
+        fmt::format("{} has {} of a painting that was not saved and has ended, written at {}.",
+                    newest.path.string(), count, timeText(newest.written));
+    if (newest.isOtherGround)
+        text += "\nThe ground had another shape then.";
+    if (left.size() > 1)
+        text += fmt::format("\n{} more such file{} after it.", left.size() - 1,
+                            left.size() == 2 ? " is asked for" : "s are asked for");
+    return text;
 }
 
 // The field for the session alone, so that its own file may be replaced by the painted one.
@@ -77,7 +129,23 @@ void Viewer::steerBrush(Input& input, bool mouse)
         const Sight sight = sightAt(pixel);
         return paintPointAt(ground, sight.eye, sight.direction, static_cast<double>(brush.radius));
     };
-    // Left with Shift moves the camera.
+    if (const auto hovered = std::exchange(viewerState_.desk.hovered, std::nullopt))
+        if (*hovered < strokes.entries().size())
+            viewerState_.rings = outlineOf(ground, sketchOf(strokes.entries()[*hovered].text));
+    // The eyedropper takes the next press; it looks a little farther than the ground.
+    if (mouse && input.leftPressed && std::exchange(viewerState_.desk.takesSpecies, false)) {
+        const Sight sight = sightAt(input.pressedAt);
+        const auto hit = ground.hit(sight.eye, sight.direction);
+        viewerState_.painter->lookForSpecies(sight, hit ? hit->distance + 0.1 : farthestLook);
+        input.leftPressed = false;
+    }
+    // Dragging with Shift moves the camera; a click with it draws on from the last stroke's end.
+    if (mouse && input.clicked && input.hurry) {
+        if (const auto point = pointAt(*input.clicked))
+            strokes.draw(brush, strokes.end() ? straightOn(ground, *strokes.end(), *point,
+                                                           static_cast<double>(brush.radius))
+                                              : std::vector<PaintPoint>{*point});
+    }
     if (mouse && input.leftPressed && !input.hurry) {
         if (const auto point = pointAt(input.pressedAt))
             strokes.begin(brush, *point);
@@ -107,6 +175,11 @@ void Viewer::steerBrush(Input& input, bool mouse)
         if (brush.hardness > 0.0f && brush.hardness < 1.0f)
             viewerState_.rings.push_back(
                 ringOn(ground, *point, radius * static_cast<double>(brush.hardness)));
+        if (input.hurry && strokes.end()) {
+            std::vector<glm::dvec3>& line = viewerState_.rings.emplace_back();
+            for (const PaintPoint& on : straightOn(ground, *strokes.end(), *point, radius))
+                line.push_back(on.place);
+        }
     }
 }
 
@@ -126,6 +199,10 @@ void Viewer::followPainter()
             continue;
         }
         notice(told->text);
+        if (!told->species.empty()) {
+            viewerState_.brush.kind = PaintKind::species;
+            viewerState_.brush.species = told->species;
+        }
         if (!told->field.empty()) {
             loadedField_->field().members[0]->savedAs = told->field;
             recent_.add(told->field.string());
@@ -143,30 +220,16 @@ void Viewer::followPainter()
                              warnings.empty() ? "" : ": ",
                              warnings.empty() ? "" : warnings.front()));
     } else if (painter.strokes.isUnsaved()) {
-        viewerState_.error += "\nThe strokes are in " + painter.autosave().string();
+        if (const fs::path autosave = painter.finishAutosave(); !autosave.empty())
+            viewerState_.error += "\nThe strokes are in " + autosave.string();
     }
     endPainting();
 }
 
 void Viewer::fulfilPainting(const Requests& requests)
 {
-    if (requests.startPainting && !viewerState_.painter) {
-        const fs::path autosave = autosaveOf(*loadedField_->field().members[0]);
-        std::error_code ignored;
-        if (!fs::exists(autosave, ignored))
-            return startPainting(std::nullopt);
-        viewerState_.question = Question{
-            fmt::format("{} has strokes of a painting that was not saved.", autosave.string()),
-            {{"Load them", "Begins with these strokes",
-              [this, autosave] { startPainting(autosave); }},
-             {"Delete them", "These strokes are lost",
-              [this, autosave] {
-                  std::error_code unknown;
-                  fs::remove(autosave, unknown);
-                  startPainting(std::nullopt);
-              }},
-             {"Cancel", "Does not begin to paint (Escape)", {}}}};
-    }
+    if (requests.startPainting && !viewerState_.painter)
+        return offerLeftStrokes();
     if (!viewerState_.painter)
         return;
     if (requests.stopPainting)
@@ -183,7 +246,29 @@ void Viewer::fulfilPainting(const Requests& requests)
         });
 }
 
-void Viewer::startPainting(std::optional<fs::path> strokes)
+// Asks about strokes that a painting has left, one file after the other; then begins.
+void Viewer::offerLeftStrokes()
+{
+    const OpenedField& field = *loadedField_->field().members[0];
+    const std::vector<LeftStrokes> left = leftStrokes(subjectOf(field), autosaveFolders(field));
+    if (left.empty())
+        return startPainting(std::nullopt);
+    const fs::path path = left.front().path;
+    viewerState_.question =
+        Question{textOfLeft(left),
+                 {{"Load them", "Begins with these strokes", [this, path] { startPainting(path); }},
+                  {"Leave them", "Begins without them; they are offered again",
+                   [this] { startPainting(std::nullopt); }},
+                  {"Delete them", "The strokes of this file are lost",
+                   [this, path] {
+                       if (!removeLeft(path))
+                           notice(path.string() + ": another window has it now");
+                       offerLeftStrokes();
+                   }},
+                  {"Cancel", "Does not begin to paint (Escape)", {}}}};
+}
+
+void Viewer::startPainting(std::optional<fs::path> left)
 {
     if (loadedField_->field().members.size() != 1)
         fail(ErrorKind::usage, "several fields are shown; painting takes one. The panel Field "
@@ -201,6 +286,7 @@ void Viewer::startPainting(std::optional<fs::path> strokes)
     // Strokes that the field was baked with are an input of the session; others come after it.
     const std::string& file = viewerState_.strokesFile;
     std::vector<std::string> held;
+    std::optional<fs::path> strokes = left;
     if (wasPainted(*field.mapped.view().provenance)) {
         if (file.empty())
             fail(ErrorKind::usage, "{}: was baked with strokes; name their file in the panel Paint",
@@ -213,6 +299,9 @@ void Viewer::startPainting(std::optional<fs::path> strokes)
     std::vector<std::string> more;
     if (strokes)
         more = readStrokeFile(*strokes);
+    Autosave autosave(subjectOf(field), autosaveFolders(field));
+    if (left && !autosave.adopt(*left))
+        fail(ErrorKind::io, "{}: another window has loaded or removed it", left->string());
     auto folder = std::make_unique<apps::TemporaryFolder>("sward-view");
     fs::path base = field.source.file;
     if (field.source.requests || !field.bytes.empty()) {
@@ -221,9 +310,9 @@ void Viewer::startPainting(std::optional<fs::path> strokes)
     }
     command.insert(command.end(), {"--field", base.string(), "--progress", "always"});
     viewerState_.painter =
-        std::make_unique<Painter>(std::move(command), held, autosaveOf(field), std::move(folder));
+        std::make_unique<Painter>(std::move(command), held, std::move(autosave), std::move(folder));
     if (strokes)
-        viewerState_.painter->strokes.reset(more, strokes == fs::path(file));
+        viewerState_.painter->strokes.reset(more, !left);
     viewerState_.picked.reset();
     drawEditable(true);
 }

@@ -40,7 +40,7 @@ struct KeyMeaning {
     Key key;
 };
 
-constexpr std::array<KeyMeaning, 11> keyMeanings{{{GLFW_KEY_ESCAPE, Key::escape},
+constexpr std::array<KeyMeaning, 12> keyMeanings{{{GLFW_KEY_ESCAPE, Key::escape},
                                                   {GLFW_KEY_F, Key::frame},
                                                   {GLFW_KEY_HOME, Key::home},
                                                   {GLFW_KEY_SPACE, Key::pause},
@@ -50,7 +50,8 @@ constexpr std::array<KeyMeaning, 11> keyMeanings{{{GLFW_KEY_ESCAPE, Key::escape}
                                                   {GLFW_KEY_G, Key::walk},
                                                   {GLFW_KEY_C, Key::freeze},
                                                   {GLFW_KEY_P, Key::picture},
-                                                  {GLFW_KEY_R, Key::record}}};
+                                                  {GLFW_KEY_R, Key::record},
+                                                  {GLFW_KEY_I, Key::species}}};
 
 // Rows of a list that a key goes down.
 int rowsOf(int key)

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace sward::view {
+
+/// A process, told from others that have had its number: by its start time and the system's boot.
+struct ProcessName {
+    long pid = 0;
+    std::string start; ///< as /proc tells it: clock ticks since the boot
+    std::string boot;  ///< the kernel's identifier of this boot
+
+    /// This process.
+    static ProcessName own();
+
+    /// Whether that process runs, on this machine.
+    bool isAlive() const;
+
+    bool operator==(const ProcessName&) const = default;
+};
+
+/// A lock file that no other holder has, in this process or another. It is let go by the destructor
+/// and by the end of the process, however that ends. The lock is flock(2)'s; on a file system
+/// without it, the process that the file names is asked for.
+class FileLock {
+public:
+    /// Takes the lock, and makes the file if it is missing. Empty: another holder has it. Throws
+    /// Error{io} if the file cannot be made or opened.
+    static std::optional<FileLock> tryTake(const std::filesystem::path& path);
+
+    /// The same after waiting for the other holder. Throws Error{io} if that takes longer than
+    /// `patience`.
+    static FileLock take(const std::filesystem::path& path, std::chrono::milliseconds patience);
+
+    FileLock(FileLock&& other) noexcept;
+    FileLock& operator=(FileLock&& other) noexcept;
+    ~FileLock();
+
+    /// The content of the lock file, at most 64 KiB.
+    std::string text() const;
+
+    /// Replaces the content. Throws Error{io}.
+    void write(std::string_view text);
+
+    /// Removes the file while the lock is held.
+    void removeFile();
+
+    /// Whether this object has made the file.
+    bool hasMadeFile() const { return hasMade_; }
+
+private:
+    FileLock(std::filesystem::path path, int file, bool hasMade);
+    void letGo();
+
+    std::filesystem::path path_;
+    int file_ = -1;
+    bool hasMade_ = false;
+};
+
+/// Name of the lock file that belongs to a file: hidden, in the same folder.
+std::filesystem::path lockNameFor(const std::filesystem::path& path);
+
+} // namespace sward::view
