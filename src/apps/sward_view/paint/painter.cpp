@@ -136,10 +136,10 @@ void Painter::takeAnswer(const EditAnswer& answer,
 void Painter::takeLost(const std::vector<LostStroke>& lost, std::size_t first)
 {
     lost_.take(held_, lost, first);
+    // In words once, of strokes that came from a file; the list marks those that are drawn.
     const std::size_t count = lost_.countIn(strokes);
-    if (hasToldLost_ || strokes.isGrowing() || count == 0)
+    if (std::exchange(hasToldLost_, !held_.empty()) || strokes.isGrowing() || count == 0)
         return;
-    hasToldLost_ = true;
     told_.push_back({true,
                      fmt::format("{} of {} strokes touch no ground, or in a part only. The panel "
                                  "Paint marks them; 'Move onto ground' moves them.",

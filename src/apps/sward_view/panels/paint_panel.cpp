@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr float strokesPixels = 180.0f; ///< height of the list
 constexpr float kindsPixels = 120.0f;   ///< width of the list of kinds
-constexpr float maxMoved = 100.0f;     ///< [m] that strokes are moved onto the ground
+constexpr float maxMoved = 100.0f;      ///< [m] that strokes are moved onto the ground
 
 constexpr std::array<const char*, paintKinds> meanings{
     "Sows grass where it is thinner than a density (add in a stroke file)",
@@ -134,6 +134,18 @@ std::string placeText(const StrokeList::Entry& entry)
                : fmt::format("{}; radius {:.3g} m", at, entry.radius);
 }
 
+// The same in few words, with the kind of a stroke whose name stands before it.
+std::string rowText(const StrokeList::Entry& entry)
+{
+    if (entry.name.empty())
+        return placeText(entry);
+    const std::string size = entry.length > 0.0
+                                 ? fmt::format("{:.3g} x {:.3g} m", entry.length, entry.radius)
+                                 : fmt::format("radius {:.3g} m", entry.radius);
+    return fmt::format("{}, {}, at {:.1f}, {:.1f}, {:.1f}", wordOfKind(entry.kind), size,
+                       entry.middle.x, entry.middle.y, entry.middle.z);
+}
+
 std::string lossText(const LostStroke& lost)
 {
     return lost.share >= 1.0 ? "touches no ground"
@@ -177,10 +189,10 @@ void drawRow(Controls& controls, ViewerState& state, std::size_t i, RowWish& wis
     if (ImGui::SmallButton("Delete"))
         wish.removed = i;
     controls.tell(("Delete " + name).c_str(), "", "Removes this stroke");
-    if (lost != nullptr)
-        ImGui::TextUnformatted(place.c_str());
-    else
-        ImGui::TextDisabled("%s", place.c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text,
+                          controls.style().color(lost != nullptr ? palette::warm : palette::dim));
+    ImGui::TextUnformatted(lost != nullptr ? place.c_str() : rowText(entry).c_str());
+    ImGui::PopStyleColor();
     const ImVec2 end(begin.x + right, ImGui::GetCursorScreenPos().y);
     if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(begin, end))
         state.desk.hovered = i;
