@@ -14,13 +14,15 @@
 namespace sward::bake {
 namespace {
 
-constexpr double maxBetween = 256.0;          ///< places between two points
-constexpr std::size_t maxPlaces = 4'000'000;  ///< of all strokes; then only their points
-constexpr std::size_t maxTests = 400'000'000; ///< of a triangle and a place; some seconds
-constexpr std::size_t firstBlock = 64;         ///< triangles before the tree is made anew …
-constexpr std::size_t largestBlock = 1U << 18; ///< … which grows up to this
-constexpr std::size_t maxNamed = 20;          ///< strokes that a message names
-constexpr double facingCosine = 0.3;           ///< as Painting has it
+constexpr double maxBetween = 256.0;             ///< places between two points
+constexpr std::size_t maxPlaces = 400'000;       ///< of all strokes, points aside: some 60 MB
+constexpr std::size_t maxTests = 40'000'000;     ///< of a triangle and a place; some seconds
+constexpr std::size_t maxVisits = 1'000'000'000; ///< of places by boxes; some seconds
+constexpr std::size_t leftOut = 16;              ///< a tree is made anew without a part of 1/16
+constexpr std::size_t firstBlock = 64;           ///< triangles before the tree is made anew …
+constexpr std::size_t largestBlock = 1U << 18;   ///< … which grows up to this
+constexpr std::size_t maxNamed = 20;             ///< strokes that a message names
+constexpr double facingCosine = 0.3;             ///< as Painting has it
 
 using Corners = std::array<glm::dvec3, 3>;
 
@@ -78,16 +80,19 @@ bool isWithin(const Wanted& wanted, const Corners& triangle)
     return false;
 }
 
-// Whether a triangle's normals, on the sides that bear, are those of a place's surface.
-bool doesFace(const terrain::GroundMesh& ground, std::size_t triangle, Sides sides,
-              const StrokePlace& place)
+// Normals that a triangle has on its front: of its plane and corners.
+using FrontNormals = std::array<glm::dvec3, 4>;
+
+FrontNormals normalsOf(const terrain::GroundMesh& ground, std::size_t triangle)
 {
-    if (place.normal == glm::dvec3(0.0))
-        return true;
-    const glm::uvec3& corners = ground.triangles[triangle];
-    const std::array<glm::dvec3, 4> normals{
-        ground.faceNormal(triangle), glm::dvec3(ground.normals[corners.x]),
-        glm::dvec3(ground.normals[corners.y]), glm::dvec3(ground.normals[corners.z])};
+    const glm::uvec3& c = ground.triangles[triangle];
+    return {ground.faceNormal(triangle), glm::dvec3(ground.normals[c.x]),
+            glm::dvec3(ground.normals[c.y]), glm::dvec3(ground.normals[c.z])};
+}
+
+// Whether normals, on the sides that bear, are those of a place's surface.
+bool doFace(const FrontNormals& normals, Sides sides, const StrokePlace& place)
+{
     return std::any_of(normals.begin(), normals.end(), [&](const glm::dvec3& normal) {
         return (sides != Sides::back && isFacedBy(place, normal)) ||
                (sides != Sides::front && isFacedBy(place, -normal));
@@ -98,11 +103,14 @@ std::vector<Wanted> allWanted(std::span<const Stroke> strokes, const glm::dvec3&
                               std::vector<StrokeContact>& contacts)
 {
     std::vector<Wanted> wanted;
+    std::size_t between = 0;
     for (std::size_t s = 0; s < strokes.size(); ++s) {
         const std::vector<StrokePlace> places = placesOf(strokes[s], origin);
         StrokeContact& contact = contacts[s];
         contact.points = strokes[s].points.size();
-        const bool onlyPoints = wanted.size() + places.size() > maxPlaces;
+        const std::size_t more = places.size() - contact.points;
+        const bool onlyPoints = between + more > maxPlaces;
+        between += onlyPoints ? 0 : more;
         for (const StrokePlace& place : places)
             if (place.isPoint || !onlyPoints)
                 wanted.push_back({place, strokes[s].radius, strokes[s].depth, s, contact.places++});
@@ -193,12 +201,14 @@ std::vector<StrokeContact> contactsOf(const terrain::GroundMesh& ground, Sides s
     std::vector<bool> touches(wanted.size(), false);
     std::size_t touching = 0;
     std::size_t tests = 0;
+    std::size_t visits = 0;
     const auto isTouched = [&](const Wanted& one) {
         return !contacts[one.stroke].lostPlaces[one.number];
     };
     const std::size_t count = among ? among->size() : ground.triangles.size();
     std::size_t block = firstBlock;
-    for (std::size_t i = 0; i < count && touching < wanted.size() && tests < maxTests; ++i) {
+    for (std::size_t i = 0;
+         i < count && touching < wanted.size() && tests < maxTests && visits < maxVisits; ++i) {
         const std::size_t triangle = among ? (*among)[i] : i;
         if (ground.bears[triangle] == 0)
             continue;
@@ -208,11 +218,16 @@ std::vector<StrokeContact> contactsOf(const terrain::GroundMesh& ground, Sides s
         DAabb box;
         for (const glm::dvec3& corner : corners)
             box.add(corner);
+        std::optional<FrontNormals> normals;
         tree.visit(box, [&](std::size_t index) {
             const Wanted& one = wanted[index];
+            ++visits;
+            if (touches[index])
+                return;
             ++tests;
-            if (touches[index] || !isWithin(one, corners) ||
-                !doesFace(ground, triangle, sides, one.place))
+            if (!normals)
+                normals = normalsOf(ground, triangle);
+            if (!doFace(*normals, sides, one.place) || !isWithin(one, corners))
                 return;
             touches[index] = true;
             contacts[one.stroke].lostPlaces[one.number] = false;
@@ -221,7 +236,7 @@ std::vector<StrokeContact> contactsOf(const terrain::GroundMesh& ground, Sides s
         // Leave out what has touched, where that is much: neighbours are near in a mesh.
         if (i + 1 >= block) {
             block += std::min(std::max(block, firstBlock), largestBlock);
-            if (2 * touching > wanted.size()) {
+            if (leftOut * touching > wanted.size()) {
                 std::erase_if(wanted, isTouched);
                 tree = treeOf(wanted);
                 touches.assign(wanted.size(), false);
@@ -229,7 +244,7 @@ std::vector<StrokeContact> contactsOf(const terrain::GroundMesh& ground, Sides s
             }
         }
     }
-    const bool isUnknown = tests >= maxTests;
+    const bool isUnknown = tests >= maxTests || visits >= maxVisits;
     for (std::size_t s = 0; s < strokes.size(); ++s) {
         StrokeContact& contact = contacts[s];
         if (isUnknown || contact.lost() == 0) {
