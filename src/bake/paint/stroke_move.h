@@ -12,7 +12,7 @@ namespace sward::bake {
 
 /// Strokes after they were moved onto a ground.
 struct MovedStrokes {
-    std::vector<Stroke> list;
+    std::vector<Stroke> list;       ///< all, in their order
     std::vector<std::size_t> moved; ///< numbers of the strokes that differ from before
     std::size_t points = 0;         ///< that were moved
     double farthest = 0.0;          ///< [m] that one of them was moved

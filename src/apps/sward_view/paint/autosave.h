@@ -57,9 +57,9 @@ private:
 
 /// An autosave whose painting has ended without saving.
 struct LeftStrokes {
-    std::filesystem::path path;
-    std::filesystem::file_time_type written;
-    bool isOtherGround = false; ///< the ground had another content
+    std::filesystem::path path;              ///< the stroke file
+    std::filesystem::file_time_type written; ///< when
+    bool isOtherGround = false;              ///< the ground had another content
 };
 
 /// Autosaves of paintings of `subject` that have ended, the newest first. Those of others, and of a

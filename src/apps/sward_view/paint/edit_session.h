@@ -17,10 +17,10 @@ namespace sward::view {
 
 /// A stroke of the session that touches no ground, or not with all of it.
 struct LostStroke {
-    std::size_t stroke = 0; ///< its number
-    std::uint64_t points = 0;
-    std::uint64_t lost = 0; ///< points that touch no ground
-    double share = 0.0;     ///< of its length
+    std::size_t stroke = 0;   ///< its number
+    std::uint64_t points = 0; ///< of the stroke
+    std::uint64_t lost = 0;   ///< points that touch no ground
+    double share = 0.0;       ///< of its length
 };
 
 /// A stroke that the session has moved.
