@@ -51,7 +51,15 @@ for line in sys.stdin:
         with open(delta, "w") as file:
             json.dump(strokes, file)
         say({**answer, "delta": delta, "cells": 1, "blades": 10, "total": 100 + len(strokes),
-             "strokes": len(strokes), "seconds": 0.02})
+             "strokes": len(strokes), "seconds": 0.02,
+             "lost": [{"stroke": i, "points": 1, "lost": 1, "share": 1.0}
+                      for i in range(request["keep"], len(strokes)) if strokes[i]["points"][0][0] > 50]})
+    elif request["do"] == "move":
+        for stroke in strokes:
+            stroke["points"] = [[x, y - request["distance"], z] for x, y, z in stroke["points"]]
+        moved = [{"index": i, "stroke": stroke} for i, stroke in enumerate(strokes)]
+        say({**answer, "delta": None, "cells": 0, "blades": 0, "total": 100 + len(strokes),
+             "strokes": len(strokes), "seconds": 0.0, "lost": [], "moved": moved})
     elif request["do"] in ("save", "save_strokes"):
         with open(request["path"], "w") as file:
             json.dump(strokes, file)

@@ -286,6 +286,30 @@ TEST_F(PainterTest, AnAutosaveThatCannotBeWrittenIsToldOnceAndTriedAgain)
     EXPECT_TRUE(painter.autosaveTrouble().empty());
 }
 
+TEST_F(PainterTest, LostStrokesAreToldAndMoveAsOneChange)
+{
+    Painter painter(command("good"), {}, autosaves());
+    paint(painter.strokes, 1.0);
+    paint(painter.strokes, 60.0);
+    waitForStrokes(painter);
+    EXPECT_EQ(painter.lost().countIn(painter.strokes), 1u);
+    EXPECT_EQ(painter.lost().of(painter.strokes.entries()[0].text), nullptr);
+    ASSERT_NE(painter.lost().of(painter.strokes.entries()[1].text), nullptr);
+    ASSERT_EQ(errors.size(), 1u);
+    EXPECT_NE(errors[0].find("1 of 2 strokes"), std::string::npos) << errors[0];
+    const auto before = painter.strokes.visible();
+    painter.moveStrokes(3.0);
+    waitForStrokes(painter);
+    EXPECT_EQ(painter.strokes.entries()[0].middle, glm::dvec3(1.0, -3.0, 0.0));
+    EXPECT_EQ(painter.strokes.entries()[1].middle, glm::dvec3(60.0, -3.0, 0.0));
+    EXPECT_EQ(painter.lost().countIn(painter.strokes), 0u);
+    EXPECT_EQ(json::parse(linesOf(log).back())["do"], "move") << "the session has them already";
+    painter.strokes.undo();
+    waitForStrokes(painter);
+    EXPECT_EQ(painter.strokes.visible(), before);
+    EXPECT_EQ(held(), jsonOf(before));
+}
+
 TEST_F(PainterTest, SavesAFieldThatHasAllStrokes)
 {
     Painter painter(command("good"), {}, autosaves());

@@ -37,5 +37,27 @@ TEST(Ring, FollowsABall)
         EXPECT_NEAR(glm::length(place), radius, 0.05 * radius);
 }
 
+TEST(StraightStroke, GoesOverTheGroundFromOnePlaceToTheOther)
+{
+    const field::Field field = test::smallGround(test::Surface::sphere);
+    const render::GroundSurface ground(viewOf(field));
+    const auto pointAt = [&](const glm::dvec3& side) {
+        return paintPointAt(ground, 20.0 * side, -side, 0.5).value();
+    };
+    const PaintPoint from = pointAt({0.0, 1.0, 0.0});
+    const PaintPoint to = pointAt(glm::normalize(glm::dvec3(1.0, 0.4, 0.3)));
+    const auto points = straightOn(ground, from, to, 0.5);
+    EXPECT_EQ(points.front().place, from.place);
+    EXPECT_EQ(points.back().place, to.place);
+    const double radius = glm::length(from.place);
+    const glm::dvec3 across = glm::normalize(glm::cross(from.place, to.place));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        EXPECT_NEAR(glm::length(points[i].place), radius, 0.05 * radius) << "on the ball";
+        EXPECT_NEAR(glm::dot(points[i].place, across), 0.0, 0.05 * radius) << "the shortest way";
+        const glm::dvec3 before = points[i > 0 ? i - 1 : 0].place;
+        EXPECT_LT(glm::distance(points[i].place, before), 0.5) << i;
+    }
+}
+
 } // namespace
 } // namespace sward::view
