@@ -14,6 +14,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace sward::view {
 namespace {
@@ -68,7 +69,7 @@ render::FrameSettings refinedSettings(render::FrameSettings settings, std::uint3
     return settings;
 }
 
-void RefinedPicture::begin(const ScaledPicture& coarse, VkExtent2D window)
+void RefinedPicture::begin(const ScaledPicture& coarse, VkExtent2D window, std::uint32_t shift)
 {
     const gpu::Image& from = coarse.image();
     const bool isOther = image_.extent().width != window.width ||
@@ -76,21 +77,25 @@ void RefinedPicture::begin(const ScaledPicture& coarse, VkExtent2D window)
                          image_.format() != from.format();
     if (isOther) {
         gpu::check(vkDeviceWaitIdle(context_.device), "vkDeviceWaitIdle");
-        image_ = gpu::Image(
-            context_, {.name = "refined",
-                       .format = from.format(),
-                       .extent = window,
-                       .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+        const gpu::ImageSettings settings{
+            .name = "refined",
+            .format = from.format(),
+            .extent = window,
+            .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT};
+        image_ = gpu::Image(context_, settings);
+        next_ = gpu::Image(context_, settings);
     }
     gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
         gpu::transition(commands, image_, gpu::ImageUse::undefined, gpu::ImageUse::transferTarget);
         coarse.scaleInto(commands, image_.get(), window);
         gpu::transition(commands, image_, gpu::ImageUse::transferTarget,
                         gpu::ImageUse::transferSource);
+        gpu::transition(commands, next_, gpu::ImageUse::undefined, gpu::ImageUse::transferSource);
     });
+    shift_ = shift;
     mean_.emplace(glm::uvec2(window.width, window.height));
     pass_ = 0;
-    drawnBlades_ = 0;
+    drawnBlades_ = fieldBlades_ = 0;
     beginPass();
 }
 
@@ -120,7 +125,7 @@ void RefinedPicture::beginPass()
     std::stable_sort(tiles_.begin(), tiles_.end(), [middle](glm::uvec2 a, glm::uvec2 b) {
         return glm::distance(glm::vec2(a), middle) < glm::distance(glm::vec2(b), middle);
     });
-    next_ = 0;
+    drawnTiles_ = 0;
     longest_ = 0.0;
 }
 
@@ -128,24 +133,26 @@ RefinedPicture::Progress RefinedPicture::drawTile(gpu::FrameRing& ring, const Sc
 {
     expect(mean_.has_value(), "the refined picture has begun");
     const auto begun = std::chrono::steady_clock::now();
-    const glm::uvec2 first = tiles_[next_];
+    const glm::uvec2 first = tiles_[drawnTiles_];
     const glm::uvec2 size = glm::min(glm::uvec2(edge_ - 2 * margin), mean_->size() - first);
     mean_->add(drawPart(ring, scene, first, size), first);
 
     // Each further picture changes the mean less: show every doubling.
     const std::uint32_t pictures = pass_ + 1;
-    const bool isShown = std::has_single_bit(pictures);
-    if (isShown)
-        show(mean_->mean(pictures, first, size), first);
+    const bool isKept = std::has_single_bit(pictures);
+    if (isKept)
+        keep(mean_->mean(pictures, first, size), first);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
     longest_ = std::max(longest_, took.count());
 
-    if (++next_ < tiles_.size())
-        return {isShown, false};
+    if (++drawnTiles_ < tiles_.size())
+        return {false, false};
     ++pass_;
+    if (isKept)
+        std::swap(image_, next_);
     edge_ = nextTileEdge(edge_, longest_);
     beginPass();
-    return {isShown, true};
+    return {isKept, true};
 }
 
 Picture RefinedPicture::drawPart(gpu::FrameRing& ring, const Scene& scene, glm::uvec2 first,
@@ -158,7 +165,8 @@ Picture RefinedPicture::drawPart(gpu::FrameRing& ring, const Scene& scene, glm::
                            .view = tile_.view(),
                            .size = glm::uvec2(edge_),
                            .whole = mean_->size(),
-                           .first = glm::ivec2(first) - static_cast<int>(margin)},
+                           .first = glm::ivec2(first) - static_cast<int>(margin) +
+                                    glm::ivec2(static_cast<int>(shift_), 0)},
                           scene.camera, scene.settings, scene.time, frame.slot, nullptr,
                           subpixelOffset(pass_));
     gpu::transition(frame.commands, tile_, gpu::ImageUse::colorTarget,
@@ -169,22 +177,24 @@ Picture RefinedPicture::drawPart(gpu::FrameRing& ring, const Scene& scene, glm::
     gpu::anythingToHost(frame.commands);
     ring.submit(frame);
     ring.finish();
+    const render::FrameStats stats = scene.renderer.stats(frame.slot);
+    fieldBlades_ = stats.total;
     if (pass_ == 0)
-        drawnBlades_ += scene.renderer.stats(frame.slot).drawn;
+        drawnBlades_ += stats.drawn;
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(staging_.mapped().data());
     return {size, {bytes, bytes + std::size_t(4) * size.x * size.y}};
 }
 
-void RefinedPicture::show(const Picture& part, glm::uvec2 first)
+void RefinedPicture::keep(const Picture& part, glm::uvec2 first)
 {
     std::memcpy(staging_.mapped().data(), part.rgba.data(), part.rgba.size());
     gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
-        gpu::transition(commands, image_, gpu::ImageUse::transferSource,
+        gpu::transition(commands, next_, gpu::ImageUse::transferSource,
                         gpu::ImageUse::transferTarget);
         const VkBufferImageCopy region = copyOf(first, part.size);
-        vkCmdCopyBufferToImage(commands, staging_.get(), image_.get(),
+        vkCmdCopyBufferToImage(commands, staging_.get(), next_.get(),
                                VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
-        gpu::transition(commands, image_, gpu::ImageUse::transferTarget,
+        gpu::transition(commands, next_, gpu::ImageUse::transferTarget,
                         gpu::ImageUse::transferSource);
     });
 }

@@ -18,7 +18,8 @@
 namespace sward::view {
 
 /// A fine picture of something that stands still: the mean of pictures that are shifted by less
-/// than a pixel. It is drawn in tiles, so that a slow device can do something else between two.
+/// than a pixel. It is drawn in tiles, so that a slow device can do something else between two, and
+/// shown when all of them are there: tiles that are finer than others would be seen as rectangles.
 class RefinedPicture {
 public:
     explicit RefinedPicture(const gpu::DeviceContext& context)
@@ -26,9 +27,10 @@ public:
     {
     }
 
-    /// Begins anew: shows `coarse`, scaled to `window` pixels, until tiles cover it. Waits for the
-    /// device.
-    void begin(const ScaledPicture& coarse, VkExtent2D window);
+    /// Begins anew: shows `coarse`, scaled to `window` pixels, until the first pass has ended. The
+    /// fine picture has as many pixels, and begins `shift` pixels right of the window's left border.
+    /// Waits for the device.
+    void begin(const ScaledPicture& coarse, VkExtent2D window, std::uint32_t shift);
 
     /// What is drawn; constant from begin() on.
     struct Scene {
@@ -39,7 +41,7 @@ public:
     };
 
     struct Progress {
-        bool isShown;  ///< the picture has changed
+        bool isShown;  ///< the picture has changed, as a whole
         bool endsPass; ///< all pixels have one more picture
     };
 
@@ -49,23 +51,32 @@ public:
     /// Of the window's size, in ImageUse::transferSource.
     const gpu::Image& image() const { return image_; }
 
+    /// Where the picture begins in the window [pixels].
+    std::uint32_t shift() const { return pass_ > 0 ? shift_ : 0; }
+
     /// Blades drawn in the tiles of the first pass so far. A blade counts in each of its tiles.
     std::uint64_t drawnBlades() const { return drawnBlades_; }
+
+    /// Blades of the field in the last tile.
+    std::uint64_t fieldBlades() const { return fieldBlades_; }
 
 private:
     void beginPass();
     Picture drawPart(gpu::FrameRing& ring, const Scene& scene, glm::uvec2 first, glm::uvec2 size);
-    void show(const Picture& part, glm::uvec2 first);
+    void keep(const Picture& part, glm::uvec2 first);
 
     const gpu::DeviceContext& context_;
     gpu::Image image_;
+    gpu::Image next_; ///< the same with the tiles of this pass, in ImageUse::transferSource
     gpu::Image tile_;
     gpu::Buffer staging_;
     std::optional<PictureMean> mean_;
     std::vector<glm::uvec2> tiles_; ///< first pixel of each, from the middle outwards
-    std::size_t next_ = 0;
+    std::size_t drawnTiles_ = 0; ///< of this pass
     std::uint32_t pass_ = 0;
+    std::uint32_t shift_ = 0; ///< [pixels]
     std::uint64_t drawnBlades_ = 0;
+    std::uint64_t fieldBlades_ = 0;
     double longest_ = 0.0;     ///< [s] tile of this pass
     std::uint32_t edge_ = 192; ///< [pixels] of a tile, its margin included
 };

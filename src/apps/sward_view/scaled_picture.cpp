@@ -1,5 +1,6 @@
 #include "apps/sward_view/scaled_picture.h"
 
+#include "gpu/barrier.h"
 #include "gpu/check.h"
 #include "gpu/image_use.h"
 
@@ -30,13 +31,35 @@ void scale(VkCommandBuffer commands, const gpu::Image& from, VkImage to, VkExten
                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit, VK_FILTER_LINEAR);
 }
 
+// Copies a picture of the window's size to the right. Nothing of it is left of that.
+void copyShifted(VkCommandBuffer commands, const gpu::Image& from, VkImage to, VkExtent2D extent,
+                 std::uint32_t shift)
+{
+    constexpr VkImageSubresourceLayers layers{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    if (shift > 0) {
+        const VkClearColorValue black{};
+        const VkImageSubresourceRange whole{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+        vkCmdClearColorImage(commands, to, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &black, 1, &whole);
+        gpu::memoryBarrier(commands, gpu::transferAccess, gpu::transferAccess);
+    }
+    const std::uint32_t left = std::min(shift, extent.width - 1);
+    const VkImageCopy region{layers, {}, layers, {static_cast<std::int32_t>(left), 0, 0},
+                             {extent.width - left, extent.height, 1}};
+    vkCmdCopyImage(commands, from.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to,
+                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+}
+
+bool isOfSize(const gpu::Image& image, VkExtent2D extent)
+{
+    return image.extent().width == extent.width && image.extent().height == extent.height;
+}
+
 } // namespace
 
 void ScaledPicture::resize(VkExtent2D window, double scale, VkFormat format)
 {
     const VkExtent2D wanted{scaled(window.width, scale), scaled(window.height, scale)};
-    if (image_.extent().width == wanted.width && image_.extent().height == wanted.height &&
-        image_.format() == format)
+    if (isOfSize(image_, wanted) && image_.format() == format)
         return;
     gpu::check(vkDeviceWaitIdle(context_.device), "vkDeviceWaitIdle");
     image_ = gpu::Image(context_, {.name = "picture",
@@ -45,52 +68,53 @@ void ScaledPicture::resize(VkExtent2D window, double scale, VkFormat format)
                                    .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
                                             VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                                             VK_IMAGE_USAGE_TRANSFER_DST_BIT});
-    doubled_ = {};
-    if (2 * wanted.width < window.width)
-        doubled_ = gpu::Image(
-            context_, {.name = "picture/doubled",
-                       .format = format,
-                       .extent = {2 * wanted.width, 2 * wanted.height},
-                       .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+    doubled_.clear();
+    for (std::uint32_t times = 2; times * wanted.width < window.width; times *= 2)
+        doubled_.emplace_back(
+            context_,
+            gpu::ImageSettings{
+                .name = "picture/doubled",
+                .format = format,
+                .extent = {times * wanted.width, times * wanted.height},
+                .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
 }
 
 void ScaledPicture::spread(VkCommandBuffer commands, const gpu::Swapchain::Target& target,
-                           VkExtent2D window) const
+                           VkExtent2D window, std::uint32_t shift) const
 {
     gpu::transition(commands, image_, gpu::ImageUse::colorTarget, gpu::ImageUse::transferSource);
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, gpu::ImageUse::undefined,
                     gpu::ImageUse::transferTarget);
-    scaleInto(commands, target.image, window);
+    if (isOfSize(image_, window))
+        copyShifted(commands, image_, target.image, window, shift);
+    else
+        scaleInto(commands, target.image, window);
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT,
                     gpu::ImageUse::transferTarget, gpu::ImageUse::colorTarget);
 }
 
 void ScaledPicture::scaleInto(VkCommandBuffer commands, VkImage to, VkExtent2D extent) const
 {
-    if (doubled_.get() == VK_NULL_HANDLE) {
-        scale(commands, image_, to, extent);
-        return;
+    const gpu::Image* from = &image_;
+    for (const gpu::Image& larger : doubled_) {
+        gpu::transition(commands, larger, gpu::ImageUse::undefined, gpu::ImageUse::transferTarget);
+        scale(commands, *from, larger.get(), larger.extent());
+        gpu::transition(commands, larger, gpu::ImageUse::transferTarget,
+                        gpu::ImageUse::transferSource);
+        from = &larger;
     }
-    gpu::transition(commands, doubled_, gpu::ImageUse::undefined, gpu::ImageUse::transferTarget);
-    scale(commands, image_, doubled_.get(), doubled_.extent());
-    gpu::transition(commands, doubled_, gpu::ImageUse::transferTarget,
-                    gpu::ImageUse::transferSource);
-    scale(commands, doubled_, to, extent);
+    scale(commands, *from, to, extent);
 }
 
 void spreadPicture(VkCommandBuffer commands, const gpu::Image& from,
-                   const gpu::Swapchain::Target& target, VkExtent2D window)
+                   const gpu::Swapchain::Target& target, VkExtent2D window, std::uint32_t shift)
 {
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, gpu::ImageUse::undefined,
                     gpu::ImageUse::transferTarget);
-    if (from.extent().width == window.width && from.extent().height == window.height) {
-        const VkImageSubresourceLayers layers{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-        const VkImageCopy region{layers, {}, layers, {}, {window.width, window.height, 1}};
-        vkCmdCopyImage(commands, from.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target.image,
-                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
-    } else {
+    if (isOfSize(from, window))
+        copyShifted(commands, from, target.image, window, shift);
+    else
         scale(commands, from, target.image, window);
-    }
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT,
                     gpu::ImageUse::transferTarget, gpu::ImageUse::colorTarget);
 }

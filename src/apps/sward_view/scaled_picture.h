@@ -7,11 +7,15 @@
 #include <glm/vec2.hpp>
 #include <vulkan/vulkan.h>
 
+#include <cstdint>
+#include <vector>
+
 namespace sward::view {
 
 /// The internal picture, scaled to the window afterwards; of the window's size or smaller. One of
 /// less than half the width is scaled in two steps of linear filtering, the first to twice the
-/// size: together they are a smooth filter, where one step would show the pixels as squares.
+/// size, one of less than a quarter in three: together they are a smooth filter, where one step
+/// would show the pixels as squares.
 class ScaledPicture {
 public:
     explicit ScaledPicture(const gpu::DeviceContext& context)
@@ -26,10 +30,11 @@ public:
     const gpu::Image& image() const { return image_; }
     glm::uvec2 size() const { return {image_.extent().width, image_.extent().height}; }
 
-    /// Scales the picture (ImageUse::colorTarget) to the whole window image. Leaves the window
-    /// image as colorTarget and the picture as transferSource.
-    void spread(VkCommandBuffer commands, const gpu::Swapchain::Target& target,
-                VkExtent2D window) const;
+    /// Scales the picture (ImageUse::colorTarget) to the whole window image; one of the window's
+    /// size begins `shift` pixels from its left border, and nothing is left of it. Leaves the
+    /// window image as colorTarget and the picture as transferSource.
+    void spread(VkCommandBuffer commands, const gpu::Swapchain::Target& target, VkExtent2D window,
+                std::uint32_t shift = 0) const;
 
     /// Scales the picture (ImageUse::transferSource) to an image of `extent` [pixels] in
     /// ImageUse::transferTarget.
@@ -38,12 +43,13 @@ public:
 private:
     const gpu::DeviceContext& context_;
     gpu::Image image_;
-    gpu::Image doubled_; ///< of twice the size; none if the picture has half the width or more
+    std::vector<gpu::Image> doubled_; ///< each of twice the size of the one before, below the window's
 };
 
-/// Copies `from` (ImageUse::transferSource) to a window image; scales it if the window has got
-/// another size meanwhile. Leaves that as colorTarget.
+/// Copies `from` (ImageUse::transferSource) to a window image, from `shift` pixels right of its left
+/// border on; scales it if the window has got another size meanwhile. Leaves that as colorTarget.
 void spreadPicture(VkCommandBuffer commands, const gpu::Image& from,
-                   const gpu::Swapchain::Target& target, VkExtent2D window);
+                   const gpu::Swapchain::Target& target, VkExtent2D window,
+                   std::uint32_t shift = 0);
 
 } // namespace sward::view

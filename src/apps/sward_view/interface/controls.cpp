@@ -1,7 +1,5 @@
 #include "apps/sward_view/interface/controls.h"
 
-#include "core/srgb.h"
-
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -14,16 +12,21 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <string_view>
 
 namespace sward::view {
 namespace {
 
 constexpr float labelShare = 0.40f;    ///< of a panel's width
 constexpr float tooltipWidth = 300.0f; ///< [pixels]
+constexpr float narrowTooltip = 120.0f; ///< [pixels] the narrowest beside a panel
 constexpr float tooltipGap = 8.0f;     ///< [pixels]
 constexpr float valueWidth = 76.0f;    ///< [pixels] of a number beside its slider
 constexpr float browseWidth = 34.0f;   ///< [pixels] of a button that browses, and its space
 constexpr float dialPixels = 64.0f;    ///< of a compass
+constexpr float stepsAcross = 100.0f;  ///< steps of an arrow key from end to end of a slider
+constexpr float pickerPixels = 220.0f; ///< width of a picker of colours
+constexpr float dialStep = 5.0f;       ///< [degrees] of an arrow key
 
 std::string hidden(const char* name)
 {
@@ -36,6 +39,13 @@ std::string rangeText(const char* about, double low, double high, const char* un
 }
 
 } // namespace
+
+void Controls::beginFrame(const KeyboardFocus::Keys& keys)
+{
+    keys_ = keys;
+    tooltipsFrom_ = 0.0f;
+    focus_.begin(keys);
+}
 
 void Controls::space(float pixels)
 {
@@ -84,35 +94,55 @@ void Controls::finish(const char* name, const std::string& shows, const std::str
 {
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
-    map_.add(panel_ + "/" + name,
-             {low.x, low.y, high.x - low.x, high.y - low.y, shows, about, kind});
+    map_.add(path(name), {low.x, low.y, high.x - low.x, high.y - low.y, shows, about, kind});
+    // A colour is a button, or a group of fields, which has no number.
+    const std::string_view is(kind);
+    const bool isTyped =
+        is == "text" || is == "place" || (is == "color" && ImGui::GetItemID() == 0);
+    focus_.add(path(name),
+               isTyped                             ? KeyboardFocus::Kind::typed
+               : is == "number" || is == "compass" ? KeyboardFocus::Kind::adjusted
+                                                   : KeyboardFocus::Kind::pressed,
+               style_.packed(palette::warm));
     if (about.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         return;
-    placeTooltip(low, high);
+    const float wrap = placeTooltip(low, high);
+    if (wrap <= 0.0f)
+        return;
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(style_.scaled(tooltipWidth));
+    ImGui::PushTextWrapPos(wrap);
     ImGui::TextUnformatted(about.c_str());
     ImGui::PopTextWrapPos();
     const ImVec2 corner = ImGui::GetWindowPos();
     const ImVec2 size = ImGui::GetWindowSize();
     ImGui::EndTooltip();
-    map_.add("Tooltip/" + panel_ + "/" + name, {corner.x, corner.y, size.x, size.y, about, {}, {}});
+    map_.add("Tooltip/" + path(name), {corner.x, corner.y, size.x, size.y, about, {}, {}});
 }
 
-// Beside the window of the control, so that it covers none.
-void Controls::placeTooltip(const ImVec2& low, const ImVec2& high) const
+// Beside the window of the control, so that it covers none; narrower where there is little room.
+// Returns the width at which its text is wrapped; 0: it would cover what it must not.
+float Controls::placeTooltip(const ImVec2& low, const ImVec2& high) const
 {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float left = ImGui::GetWindowPos().x;
-    const float right = left + ImGui::GetWindowWidth();
+    const float right = std::max(left + ImGui::GetWindowWidth(), tooltipsFrom_);
     const float gap = style_.scaled(tooltipGap);
-    const float room = style_.scaled(tooltipWidth) + 3.0f * gap;
+    const float widest = style_.scaled(tooltipWidth);
+    const float narrowest = style_.scaled(narrowTooltip);
+    const float around = 2.0f * ImGui::GetStyle().WindowPadding.x + 2.0f * gap;
     const bool isLow = low.y > 0.6f * display.y;
     const float y = isLow ? high.y : low.y;
-    if (display.x - right >= room)
+    const float onRight = std::min(display.x - right - around, widest);
+    const float onLeft = std::min(left - around, widest);
+    if (onRight >= narrowest && (onRight >= widest || onRight >= onLeft)) {
         ImGui::SetNextWindowPos({right + gap, y}, ImGuiCond_Always, {0.0f, isLow ? 1.0f : 0.0f});
-    else if (left >= room)
+        return onRight;
+    }
+    if (onLeft >= narrowest && tooltipsFrom_ <= 0.0f) {
         ImGui::SetNextWindowPos({left - gap, y}, ImGuiCond_Always, {1.0f, isLow ? 1.0f : 0.0f});
+        return onLeft;
+    }
+    return tooltipsFrom_ > 0.0f ? 0.0f : widest;
 }
 
 void Controls::tell(const char* name, const std::string& shows, const char* about)
@@ -143,16 +173,33 @@ void Controls::showValue(const char* text)
     ImGui::TextUnformatted(text);
 }
 
+// Arrow keys take a number a hundredth of its range further; of a logarithmic one, of its factor.
+bool Controls::stepped(const char* name, float& value, const Extent& extent) const
+{
+    const int steps = focus_.stepsOf(path(name));
+    if (steps == 0)
+        return false;
+    const float share = static_cast<float>(steps) / stepsAcross;
+    const float least = std::max(extent.low, 1e-4f * extent.high);
+    if (extent.logarithmic)
+        value = std::max(value, least) * std::pow(extent.high / least, share);
+    else
+        value += share * (extent.high - extent.low);
+    return true;
+}
+
 bool Controls::number(const char* name, float& value, const Extent& extent, const char* about)
 {
     label(name);
+    const bool isStepped = stepped(name, value, extent);
     const std::string format = *extent.unit == 0 || std::strchr(extent.format, '%') == nullptr
                                    ? extent.format
                                    : fmt::format("{} {}", extent.format, extent.unit);
     beginSlider(name);
     const bool turned =
         ImGui::SliderFloat(hidden(name).c_str(), &value, extent.low, extent.high, format.c_str(),
-                           extent.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+                           extent.logarithmic ? ImGuiSliderFlags_Logarithmic : 0) ||
+        isStepped;
     ImGui::PopStyleColor();
     // Clamp: Ctrl+click accepts any typed value.
     if (turned)
@@ -180,8 +227,12 @@ bool Controls::number(const char* name, double& value, const Extent& extent, con
 bool Controls::wholeNumber(const char* name, int& value, int low, int high, const char* about)
 {
     label(name);
+    const int step = std::max((high - low) / static_cast<int>(stepsAcross), 1);
+    const int steps = focus_.stepsOf(path(name));
+    value += steps * step;
     beginSlider(name);
-    const bool turned = ImGui::SliderInt(hidden(name).c_str(), &value, low, high);
+    const bool turned =
+        ImGui::SliderInt(hidden(name).c_str(), &value, low, high) || steps != 0;
     ImGui::PopStyleColor();
     if (turned)
         value = std::clamp(value, low, high);
@@ -203,8 +254,21 @@ bool Controls::choice(const char* name, int& value, std::span<const char* const>
                       const char* about)
 {
     label(name);
-    const bool turned =
-        ImGui::Combo(hidden(name).c_str(), &value, words.data(), static_cast<int>(words.size()));
+    const int before = value;
+    const int last = static_cast<int>(words.size()) - 1;
+    value = std::clamp(value + focus_.rowsOf(path(name)), 0, last);
+    if (ImGui::BeginCombo(hidden(name).c_str(), words[static_cast<std::size_t>(value)])) {
+        const std::string row = std::string(name) + " ";
+        focus_.setShownRows({path((row + words[static_cast<std::size_t>(value)]).c_str())});
+        for (int i = 0; i <= last; ++i) {
+            const char* const word = words[static_cast<std::size_t>(i)];
+            if (ImGui::Selectable(word, i == value))
+                value = i;
+            tell((row + word).c_str(), i == value ? "chosen" : "", nullptr);
+        }
+        ImGui::EndCombo();
+    }
+    const bool turned = value != before;
     std::string all;
     for (const char* word : words)
         all += (all.empty() ? "" : ", ") + std::string(word);
@@ -219,10 +283,12 @@ bool Controls::color(const char* name, glm::vec3& value, const char* about)
     float intensity = std::max({value.x, value.y, value.z});
     glm::vec3 hue = intensity > 0.0f ? value / intensity : glm::vec3(1.0f);
     label(name);
-    bool turned = ImGui::ColorEdit3(hidden(name).c_str(), &hue.x,
-                                    ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
+    glm::vec3 encoded = encodedColor(hue);
+    bool turned = pickColor(name, encoded);
+    if (turned)
+        hue = linearColor(encoded);
     finish(name, fmt::format("{:.3f} {:.3f} {:.3f}", value.x, value.y, value.z),
-           std::string(about) + "\nhue, linear; the intensity below multiplies it", "color");
+           std::string(about) + "\nhue; the intensity below multiplies it", "color");
     const std::string row = std::string(name) + " intensity";
     turned |= number(row.c_str(), intensity, {0.0f, 100.0f, "", "x %.2f", true},
                      "Largest channel of the linear radiance");
@@ -233,16 +299,34 @@ bool Controls::color(const char* name, glm::vec3& value, const char* about)
 
 bool Controls::reflectance(const char* name, glm::vec3& value, const char* about)
 {
-    glm::vec3 encoded;
-    for (glm::length_t i = 0; i < 3; ++i)
-        encoded[i] = encodedOf(std::clamp(value[i], 0.0f, 1.0f));
+    glm::vec3 encoded = encodedColor(value);
     label(name);
+    if (focus_.startsTyping(path(name)))
+        ImGui::SetKeyboardFocusHere();
     const bool turned = ImGui::ColorEdit3(hidden(name).c_str(), &encoded.x,
-                                          ImGuiColorEditFlags_Uint8 | ImGuiColorEditFlags_NoLabel);
-    for (glm::length_t i = 0; turned && i < 3; ++i)
-        value[i] = linearOf(std::clamp(encoded[i], 0.0f, 1.0f));
+                                          ImGuiColorEditFlags_Uint8 | ImGuiColorEditFlags_NoLabel |
+                                              ImGuiColorEditFlags_NoTooltip);
+    if (turned)
+        value = linearColor(encoded);
     finish(name, fmt::format("{:.3f} {:.3f} {:.3f}", value.x, value.y, value.z),
            std::string(about) + "\n0 to 255, sRGB; click the swatch to pick", "color");
+    return turned;
+}
+
+// A button of an sRGB colour that opens a picker.
+bool Controls::pickColor(const char* name, glm::vec3& encoded)
+{
+    const std::string picker = std::string("picker of ") + name;
+    if (ImGui::ColorButton(hidden(name).c_str(), {encoded.x, encoded.y, encoded.z, 1.0f},
+                           ImGuiColorEditFlags_NoTooltip))
+        ImGui::OpenPopup(picker.c_str());
+    if (!ImGui::BeginPopup(picker.c_str()))
+        return false;
+    ImGui::SetNextItemWidth(style_.scaled(pickerPixels));
+    const bool turned = ImGui::ColorPicker3(
+        hidden(name).c_str(), &encoded.x,
+        ImGuiColorEditFlags_Uint8 | ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoLabel);
+    ImGui::EndPopup();
     return turned;
 }
 
@@ -256,6 +340,7 @@ bool Controls::beginChoice(const char* name, const char* shows, float pixels, co
         finish(name, shows, std::string(about) + "\nclick for the list", "choice");
         return false;
     }
+    focus_.setShownRows({path((std::string(name) + " " + shows).c_str()), path(shows)});
     return true;
 }
 
@@ -279,9 +364,11 @@ bool Controls::file(const char* name, std::string& value, const char* hint, cons
 
 bool Controls::typed(const char* name, std::string& value, const char* hint, const char* about)
 {
+    if (focus_.startsTyping(path(name)))
+        ImGui::SetKeyboardFocusHere();
     const bool wasEntered = ImGui::InputTextWithHint(hidden(name).c_str(), hint, &value,
                                                      ImGuiInputTextFlags_EnterReturnsTrue);
-    const bool entered = wasEntered || (entered_ && ImGui::IsItemActive());
+    const bool entered = wasEntered || (keys_.entered && ImGui::IsItemActive());
     if (entered)
         ImGui::ClearActiveID();
     finish(name, value, about, "text");
@@ -291,6 +378,8 @@ bool Controls::typed(const char* name, std::string& value, const char* hint, con
 bool Controls::place(const char* name, glm::dvec3& value, const char* about)
 {
     label(name);
+    if (focus_.startsTyping(path(name)))
+        ImGui::SetKeyboardFocusHere();
     const bool turned = ImGui::DragScalarN(hidden(name).c_str(), ImGuiDataType_Double, &value.x, 3,
                                            0.05f, nullptr, nullptr, "%.2f");
     finish(name, fmt::format("{:.2f} {:.2f} {:.2f}", value.x, value.y, value.z),
@@ -331,9 +420,12 @@ bool Controls::compass(const char* name, glm::vec3& value, float ahead, const ch
     // Clockwise from up, as seen from above.
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const glm::vec2 pull(mouse.x - middle.x, mouse.y - middle.y);
-    const bool turned = ImGui::IsItemActive() && glm::length(pull) > 2.0f;
+    const int steps = focus_.stepsOf(path(name));
+    const bool isPulled = ImGui::IsItemActive() && glm::length(pull) > 2.0f;
+    const bool turned = isPulled || steps != 0;
     if (turned) {
-        heading = ahead + std::atan2(pull.x, -pull.y);
+        heading = isPulled ? ahead + std::atan2(pull.x, -pull.y)
+                           : heading + glm::radians(dialStep * static_cast<float>(steps));
         // Avoid zero length; a vertical direction would lose its heading.
         const float length = std::max(flat, 1e-4f);
         value = glm::normalize(
@@ -370,6 +462,7 @@ bool Controls::beginModal(const char* name, ImGuiWindowFlags flags)
     const bool isDrawn =
         ImGui::BeginPopupModal(name, nullptr,
                                flags | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                   ImGuiWindowFlags_NoNavInputs |
                                    ImGuiWindowFlags_NoSavedSettings);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();

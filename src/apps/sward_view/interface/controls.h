@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/sward_view/interface/control_map.h"
+#include "apps/sward_view/interface/keyboard_focus.h"
 #include "apps/sward_view/interface/style.h"
 
 #include <glm/vec3.hpp>
@@ -30,8 +31,14 @@ public:
     {
     }
 
+    /// Begins a frame with the keys since the last one.
+    void beginFrame(const KeyboardFocus::Keys& keys);
+
     /// Sets the panel of the following controls: the first half of each control's name in the map.
     void beginPanel(std::string name) { panel_ = std::move(name); }
+
+    /// Tooltips of the following controls begin right of here, if that is beyond their window.
+    void keepTooltipsFrom(float x) { tooltipsFrom_ = x; }
 
     void space(float pixels); ///< empty height
     void heading(const char* text);
@@ -51,13 +58,10 @@ public:
     /// Begins a drop-down of this width at least whose rows the caller draws, if it is open;
     /// ImGui::EndCombo() ends it.
     bool beginChoice(const char* name, const char* shows, float pixels, const char* about);
-    /// Whether Enter was pressed since the last frame: ImGui 1.86 misses keys that are released
-    /// within a frame.
-    void setEntered(bool entered) { entered_ = entered; }
-
     /// Rows of a list that keys have gone down since the last frame, or up if negative.
-    void setSteps(int steps) { steps_ = steps; }
-    int steps() const { return steps_; }
+    int steps() const { return keys_.rows; }
+
+    KeyboardFocus& focus() { return focus_; }
 
     /// Returns whether Enter was pressed in it.
     bool text(const char* name, std::string& value, const char* hint, const char* about);
@@ -93,15 +97,19 @@ private:
     bool typed(const char* name, std::string& value, const char* hint, const char* about);
     void beginSlider(const char* name);
     void showValue(const char* text);
-    void placeTooltip(const ImVec2& low, const ImVec2& high) const;
+    float placeTooltip(const ImVec2& low, const ImVec2& high) const;
     void finish(const char* name, const std::string& shows, const std::string& about,
                 const char* kind);
+    std::string path(const char* name) const { return panel_ + "/" + name; }
+    bool stepped(const char* name, float& value, const Extent& extent) const;
+    bool pickColor(const char* name, glm::vec3& encoded);
 
     const Style& style_;
     ControlMap& map_;
     std::string panel_;
-    bool entered_ = false;
-    int steps_ = 0;
+    KeyboardFocus focus_;
+    KeyboardFocus::Keys keys_;
+    float tooltipsFrom_ = 0.0f;
 };
 
 } // namespace sward::view

@@ -1,5 +1,6 @@
 #include "apps/sward_view/interface/interface.h"
 
+#include "core/srgb.h"
 #include "gpu/check.h"
 #include "gpu/commands.h"
 #include "gpu/debug.h"
@@ -10,6 +11,7 @@
 #include <imgui/backends/imgui_impl_vulkan.h>
 #include <imgui_internal.h> // closes popups and ends typing from outside
 
+#include <array>
 #include <functional>
 #include <string_view>
 
@@ -42,6 +44,25 @@ std::size_t hashOf(const ImDrawData& output)
                 add(std::hash<float>()(edge));
     }
     return hash;
+}
+
+// Colours of controls are sRGB; a target that encodes what is drawn takes linear ones.
+void makeLinear(ImDrawData& output)
+{
+    static const std::array<ImU32, 256> linear = [] {
+        std::array<ImU32, 256> table{};
+        for (std::size_t i = 0; i < table.size(); ++i)
+            table[i] =
+                static_cast<ImU32>(255.0f * linearOf(static_cast<float>(i) / 255.0f) + 0.5f);
+        return table;
+    }();
+    for (int i = 0; i < output.CmdListsCount; ++i)
+        for (ImDrawVert& corner : output.CmdLists[i]->VtxBuffer) {
+            ImU32 color = corner.col & IM_COL32_A_MASK;
+            for (const int shift : {IM_COL32_R_SHIFT, IM_COL32_G_SHIFT, IM_COL32_B_SHIFT})
+                color |= linear[(corner.col >> shift) & 255u] << shift;
+            corner.col = color;
+        }
 }
 
 bool isLinear(VkFormat format)
@@ -106,7 +127,7 @@ Interface::Context::Context()
     // Save no settings file.
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
-    // No keyboard navigation: the mouse moves sliders, letters are keys of the camera.
+    // No keyboard navigation of its own: KeyboardFocus leaves letters and Space to the window.
     io.ConfigWindowsMoveFromTitleBarOnly = true;
 }
 
@@ -164,7 +185,8 @@ Interface::Interface(const gpu::Instance& instance, const gpu::Device& device,
     : instance_(instance.get())
     , device_(device.context())
     , swapchain_(swapchain)
-    , style_(std::make_unique<Style>(isLinear(swapchain.format())))
+    , isLinear_(isLinear(swapchain.format()))
+    , style_(std::make_unique<Style>())
     , renderPass_(device_.device, createRenderPass(device_, swapchain.format()))
     , descriptors_(device_.device, createDescriptors(device_))
     , windowBackend_(window)
@@ -195,6 +217,8 @@ void Interface::begin()
 void Interface::end()
 {
     ImGui::Render();
+    if (isLinear_)
+        makeLinear(*ImGui::GetDrawData());
 }
 
 bool Interface::hasChanged() const
@@ -223,7 +247,8 @@ bool Interface::takesMouse() const
 
 bool Interface::takesKeys() const
 {
-    return ImGui::GetIO().WantTextInput;
+    // Also if a control of this frame has begun to be typed into.
+    return ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->WantTextInputNextFrame == 1;
 }
 
 VkFramebuffer Interface::framebufferFor(const gpu::Swapchain::Target& target)

@@ -84,6 +84,7 @@ private:
     const gpu::DeviceContext& device_;
     const gpu::Swapchain& swapchain_;
     Context context_;
+    const bool isLinear_; ///< the target converts linear colours to sRGB
     std::unique_ptr<Style> style_;
     RenderPass renderPass_;
     DescriptorPool descriptors_;

@@ -1,7 +1,6 @@
 #include "apps/sward_view/interface/meadow_sketch.h"
 
 #include "core/random.h"
-#include "core/srgb.h"
 
 #include <glm/common.hpp>
 
@@ -28,7 +27,7 @@ void drawBlade(ImDrawList& list, const Style& style, const MeadowSpecies& specie
         const ImVec2 here{root.x + lean * height * t * t, root.y - height * t};
         const float width = style.scaled(baseWidth) * (1.0f - t);
         const ImU32 color =
-            packedReflectance(style, glm::mix(species.root, species.tip, t - 0.5f / pieces));
+            packedLinear(sunlit * glm::mix(species.root, species.tip, t - 0.5f / pieces));
         list.AddQuadFilled({before.x - 0.5f * widthBefore, before.y},
                            {before.x + 0.5f * widthBefore, before.y},
                            {here.x + 0.5f * width, here.y}, {here.x - 0.5f * width, here.y}, color);
@@ -36,20 +35,11 @@ void drawBlade(ImDrawList& list, const Style& style, const MeadowSpecies& specie
         widthBefore = width;
     }
     if (species.flower)
-        list.AddCircleFilled(before, style.scaled(2.2f), packedReflectance(style, *species.flower),
+        list.AddCircleFilled(before, style.scaled(2.2f), packedLinear(sunlit * *species.flower),
                              8);
 }
 
 } // namespace
-
-ImU32 packedReflectance(const Style& style, const glm::vec3& linear)
-{
-    std::uint32_t rgb = 0;
-    for (const float channel : {linear.x, linear.y, linear.z})
-        rgb = rgb << 8u | static_cast<std::uint32_t>(std::lround(
-                              255.0f * encodedOf(std::clamp(sunlit * channel, 0.0f, 1.0f))));
-    return style.packed(rgb, 1.0f);
-}
 
 void drawMeadowSketch(ImDrawList& list, const Style& style, const ImVec2& low, const ImVec2& high,
                       std::span<const MeadowSpecies> species)

@@ -12,7 +12,4 @@ namespace sward::view {
 void drawMeadowSketch(ImDrawList& list, const Style& style, const ImVec2& low, const ImVec2& high,
                       std::span<const MeadowSpecies> species);
 
-/// A linear reflectance as a colour of the interface.
-ImU32 packedReflectance(const Style& style, const glm::vec3& linear);
-
 } // namespace sward::view

@@ -4,6 +4,8 @@
 #include "core/expect.h"
 #include "core/srgb.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,11 +41,6 @@ ImFont* addFont(std::string_view name, float size)
 }
 
 } // namespace
-
-Style::Style(bool linear)
-    : linear_(linear)
-{
-}
 
 void Style::resize(const Scale& scale)
 {
@@ -117,8 +114,7 @@ void Style::colors() const
 ImVec4 Style::color(std::uint32_t rgb, float alpha) const
 {
     const auto channel = [&](std::uint32_t shift) {
-        const float value = static_cast<float>((rgb >> shift) & 255u) / 255.0f;
-        return linear_ ? linearOf(value) : value;
+        return static_cast<float>((rgb >> shift) & 255u) / 255.0f;
     };
     return {channel(16), channel(8), channel(0), alpha};
 }
@@ -126,6 +122,24 @@ ImVec4 Style::color(std::uint32_t rgb, float alpha) const
 ImU32 Style::packed(std::uint32_t rgb, float alpha) const
 {
     return ImGui::ColorConvertFloat4ToU32(color(rgb, alpha));
+}
+
+glm::vec3 encodedColor(const glm::vec3& linear)
+{
+    const glm::vec3 clamped = glm::clamp(linear, glm::vec3(0.0f), glm::vec3(1.0f));
+    return {encodedOf(clamped.x), encodedOf(clamped.y), encodedOf(clamped.z)};
+}
+
+glm::vec3 linearColor(const glm::vec3& encoded)
+{
+    const glm::vec3 clamped = glm::clamp(encoded, glm::vec3(0.0f), glm::vec3(1.0f));
+    return {linearOf(clamped.x), linearOf(clamped.y), linearOf(clamped.z)};
+}
+
+ImU32 packedLinear(const glm::vec3& linear)
+{
+    const glm::vec3 encoded = encodedColor(linear);
+    return ImGui::ColorConvertFloat4ToU32({encoded.x, encoded.y, encoded.z, 1.0f});
 }
 
 } // namespace sward::view

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <imgui.h>
 
 #include <cstdint>
@@ -19,12 +20,10 @@ constexpr std::uint32_t alarm = 0xe0705a;
 constexpr std::uint32_t cool = 0x6fb3d8;
 } // namespace palette
 
-/// Colours, spacings and fonts of the interface.
+/// Colours, spacings and fonts of the interface. Colours are sRGB; Interface converts what is drawn
+/// for targets that take linear ones. Requires an ImGui context.
 class Style {
 public:
-    /// `linear`: whether the target converts linear colours to sRGB. Requires an ImGui context.
-    explicit Style(bool linear);
-
     /// Sizes of a text, in pixels of the screen, and of the window's coordinates.
     struct Scale {
         float interface = 1.0f; ///< pixels per pixel of an interface with 15-pixel text
@@ -49,9 +48,15 @@ public:
 private:
     void colors() const;
 
-    bool linear_;
     Scale scale_;
     ImFont* heading_ = nullptr;
 };
+
+/// The sRGB encoding of a linear colour, at most white; and back.
+glm::vec3 encodedColor(const glm::vec3& linear);
+glm::vec3 linearColor(const glm::vec3& encoded);
+
+/// A linear colour, at most white, as it is packed for drawing.
+ImU32 packedLinear(const glm::vec3& linear);
 
 } // namespace sward::view

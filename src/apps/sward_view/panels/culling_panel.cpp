@@ -42,7 +42,7 @@ void drawCount(Controls& controls, const char* name, std::uint32_t cullResult, s
     const Style& style = controls.style();
     ImGui::GetWindowDrawList()->AddCircleFilled(
         {place.x + style.scaled(5.0f), middle}, style.scaled(4.5f),
-        ImGui::ColorConvertFloat4ToU32({color.x, color.y, color.z, 1.0f}), 16);
+        packedLinear(color), 16);
     ImGui::Dummy({style.scaled(14.0f), ImGui::GetFrameHeight()});
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();

@@ -58,7 +58,9 @@ void drawField(Controls& controls, ViewerState& state)
     const field::FieldView view = field.mapped.view();
     const field::Summary& summary = field.summary;
     controls.fact("File", field.source.input, "File or ground that was opened");
-    controls.fact("Blades", countText(summary.blades), "Number of blades in the field");
+    const bool isPainted = state.painter && state.painter->isReady();
+    controls.fact("Blades", countText(isPainted ? state.painter->total() : summary.blades),
+                  "Number of blades in the field");
     controls.fact("Patches",
                   fmt::format("{} on {} levels", countText(summary.patches), summary.levels),
                   "Nodes of the patch tree");
@@ -197,6 +199,8 @@ void drawFieldPanel(Controls& controls, ViewerState& state)
 {
     if (state.field != nullptr)
         drawShown(controls, state);
+    else if (!state.loading.empty() || state.baking != nullptr)
+        controls.note("A field is being opened.");
     else
         controls.note("No field. Drop a field, a mesh or a recipe on the window.");
     drawOthers(controls, state);

@@ -18,7 +18,10 @@ namespace {
 // Pixels of an unscaled interface.
 constexpr float railPixels = 96.0f;
 constexpr float railRowPixels = 26.0f;
-constexpr float panelPixels = 340.0f;
+constexpr float leastPanel = 180.0f;
+constexpr float mostPanel = 640.0f;
+constexpr float pictureShare = 0.35f; ///< of a window's width that a panel leaves to the picture
+constexpr float edgePixels = 6.0f;    ///< of a panel, by which it is dragged wider
 constexpr float statusPixels = 28.0f;
 constexpr float statusPadding = 12.0f;
 constexpr float margin = 16.0f; ///< between messages and the window's border
@@ -28,7 +31,8 @@ constexpr float bladeNamePixels = 90.0f;
 constexpr ImGuiWindowFlags fixedWindow =
     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus;
+    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus |
+    ImGuiWindowFlags_NoNavInputs;
 
 struct KeyLine {
     const char* keys;
@@ -52,7 +56,9 @@ constexpr std::array<KeyLine, 25> keyLines{
      {"C", "freeze the culling camera"},
      {"R", "record a camera path"},
      {"P", "take a picture"},
-     {"Tab", "hide and show the panels"},
+     {"Tab", "next control of an open panel, Shift+Tab the one before; else hide and show panels"},
+     {"Arrows, Enter, Space", "change, open or press the control that Tab has reached"},
+     {"Ctrl+H", "hide and show the panels"},
      {"Ctrl + plus, minus, 0", "larger, smaller, normal text and controls"},
      {"Ctrl+S", "save the field that was baked or painted in this window"},
      {"Ctrl+Z, Ctrl+Shift+Z", "undo and redo a stroke"},
@@ -108,19 +114,36 @@ bool Layout::openPanel(const std::string& name)
     return true;
 }
 
-float Layout::coveredWidth(const Style& style, float width) const
+float Layout::panelWidth(const Style& style, float width) const
 {
-    return shown
-               ? std::min(edge(style, railPixels) + (open ? edge(style, panelPixels) : 0.0f), width)
-               : 0.0f;
+    // Leave room for the picture where the controls are large for the window.
+    const float room = width - edge(style, railPixels);
+    const float most = std::max(room - std::round(pictureShare * width), edge(style, leastPanel));
+    return std::clamp(edge(style, wanted_), 1.0f, std::max(std::min(most, room), 1.0f));
+}
+
+Covered Layout::covered(const Style& style, float width) const
+{
+    if (!shown)
+        return {};
+    return {.rail = std::min(edge(style, railPixels), width),
+            .panel = open ? panelWidth(style, width) : 0.0f,
+            .status = edge(style, statusPixels)};
+}
+
+bool Layout::takesTab(const ViewerState& state) const
+{
+    return state.question || state.files || keySheet || (shown && open);
 }
 
 void Layout::draw(Controls& controls, ViewerState& state)
 {
     if (shown) {
         drawRail(controls);
-        if (open)
+        if (open) {
             drawPanel(controls, state);
+            drawPanelEdge(controls);
+        }
         drawStatus(controls, state);
         drawPicked(controls, state);
         if (state.field == nullptr && state.loading.empty() && state.baking == nullptr)
@@ -141,6 +164,8 @@ void Layout::drawRail(Controls& controls)
     ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0f, 0.5f});
     beginFixed("rail", {0.0f, 0.0f}, {edge(style, railPixels), size.y - edge(style, statusPixels)});
     controls.beginPanel("Rail");
+    // A tab's tooltip would cover the panel that it opens.
+    controls.keepTooltipsFrom(edge(style, railPixels) + panelWidth(style, size.x));
     // All rows are in sight, also if the controls are large for the window.
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
     const float room = ImGui::GetContentRegionAvail().y / float(panels.size()) - spacing;
@@ -154,6 +179,7 @@ void Layout::drawRail(Controls& controls)
         ImGui::PopStyleColor();
         controls.tell(panels[i].name, isOpen ? "open" : "", panels[i].about);
     }
+    controls.keepTooltipsFrom(0.0f);
     ImGui::End();
     ImGui::PopStyleVar(2);
 }
@@ -164,12 +190,42 @@ void Layout::drawPanel(Controls& controls, ViewerState& state)
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const Panel& panel = panels[*open];
     const float left = edge(style, railPixels);
-    const float width = std::min(edge(style, panelPixels), size.x - left);
-    beginFixed(panel.name, {left, 0.0f}, {width, size.y - edge(style, statusPixels)});
+    beginFixed(panel.name, {left, 0.0f},
+               {panelWidth(style, size.x), size.y - edge(style, statusPixels)});
     controls.beginPanel(panel.name);
     controls.heading(panel.name);
     panel.draw(controls, state);
     ImGui::End();
+}
+
+// The strip beside a panel by which its width is dragged.
+void Layout::drawPanelEdge(Controls& controls)
+{
+    const Style& style = controls.style();
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const float left = edge(style, railPixels) + panelWidth(style, size.x);
+    const ImVec2 strip{edge(style, edgePixels), size.y - edge(style, statusPixels)};
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
+    beginFixed("edge", {left, 0.0f}, strip,
+               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar);
+    ImGui::InvisibleButton("##width", {strip.x, std::max(strip.y, 1.0f)});
+    const bool isHeld = ImGui::IsItemActive();
+    if (isHeld) {
+        const float unit = style.scaled(1.0f);
+        wanted_ = std::clamp((ImGui::GetIO().MousePos.x - edge(style, railPixels)) / unit,
+                             leastPanel, mostPanel);
+    }
+    if (isHeld || ImGui::IsItemHovered()) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+        ImGui::GetWindowDrawList()->AddRectFilled(
+            {left, 0.0f}, {left + style.scaled(2.0f), strip.y}, style.packed(palette::accent));
+    }
+    controls.beginPanel("Panel");
+    controls.tell("Width", fmt::format("{:.0f}", panelWidth(style, size.x)),
+                  isHeld ? nullptr : "Drag: makes the panel narrower or wider");
+    ImGui::End();
+    ImGui::PopStyleVar(2);
 }
 
 void Layout::drawStatus(Controls& controls, ViewerState& state)
@@ -184,7 +240,10 @@ void Layout::drawStatus(Controls& controls, ViewerState& state)
     controls.beginPanel("Status");
     const bool isResting = state.passesAtRest.has_value();
     const std::uint64_t drawn = isResting ? state.drawnAtRest : state.counts.drawn;
-    std::string left = state.field == nullptr ? "no field" : state.field->name;
+    const bool isOpening = !state.loading.empty() || state.baking != nullptr;
+    std::string left = state.field != nullptr ? state.field->name
+                       : isOpening            ? "opening"
+                                              : "no field";
     if (state.field != nullptr)
         left += fmt::format("   {} of {} blades drawn   {}", countText(drawn),
                             countText(state.counts.total),
@@ -231,7 +290,8 @@ void Layout::drawMessages(Controls& controls, ViewerState& state)
 {
     const Style& style = controls.style();
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float left = coveredWidth(style, size.x);
+    const Covered now = covered(style, size.x);
+    const float left = now.rail + now.panel;
     const ImVec2 place{left + 0.5f * std::max(size.x - left, 0.0f), style.scaled(margin)};
     controls.beginPanel("Message");
     if (!state.error.empty()) {

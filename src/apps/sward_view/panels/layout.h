@@ -2,6 +2,7 @@
 
 #include "apps/sward_view/interface/controls.h"
 #include "apps/sward_view/viewer_state.h"
+#include "apps/sward_view/window/framing.h"
 
 #include <optional>
 #include <string>
@@ -17,22 +18,31 @@ public:
     bool shown = true; ///< everything but messages
     bool keySheet = false;
 
+    static constexpr float usualPanel = 340.0f; ///< [pixels of an unscaled interface]
+
     /// Opens the panel of that name, case-insensitive; returns whether it exists.
     bool openPanel(const std::string& name);
 
-    /// Width that rail and panel cover of a window of this width, in its coordinates.
-    float coveredWidth(const Style& style, float width) const;
+    /// What the shown parts cover of a window of this width, in its coordinates.
+    Covered covered(const Style& style, float width) const;
+
+    /// Whether Tab goes through controls: there are some beside the tabs of panels.
+    bool takesTab(const ViewerState& state) const;
 
     void draw(Controls& controls, ViewerState& state);
 
 private:
     void drawRail(Controls& controls);
     void drawPanel(Controls& controls, ViewerState& state);
+    void drawPanelEdge(Controls& controls);
+    float panelWidth(const Style& style, float width) const;
     void drawStatus(Controls& controls, ViewerState& state);
     void drawMessages(Controls& controls, ViewerState& state);
     void drawPicked(Controls& controls, ViewerState& state);
     void drawWelcome(Controls& controls, ViewerState& state);
     void drawKeySheet(Controls& controls);
+
+    float wanted_ = usualPanel; ///< [pixels of an unscaled interface] width of the panel
 };
 
 } // namespace sward::view

@@ -17,7 +17,8 @@ enum class Key {
     pause,     ///< Space
     step,      ///< full stop: one step of time while it is paused
     help,      ///< H: the sheet of keys
-    hide,      ///< Tab: hides and shows everything but the grass
+    tab,       ///< Tab: the next control, or hides and shows the panels
+    hide,      ///< Ctrl+H: hides and shows everything but the grass
     walk,      ///< G: walk on the ground, or fly again
     freeze,    ///< C: freezes the culling camera
     picture,   ///< P: writes a picture
@@ -36,6 +37,7 @@ struct KeyPress {
     Key key;
     int number = 0; ///< of a bookmark, 1 to 9
     bool control = false;
+    bool shift = false;
 };
 
 /// User input since the last poll. Positions and distances are in the window's coordinates, from
@@ -59,6 +61,7 @@ struct Input {
     bool dropsMore = false;           ///< … with shift held
     bool entered = false;             ///< Enter was pressed
     int steps = 0;                    ///< rows down, or up if negative, by arrow and page keys
+    int sides = 0;                    ///< to the right, or left if negative, by arrow keys
     bool exposed = false;             ///< the window's content was lost
 };
 

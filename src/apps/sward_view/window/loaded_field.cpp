@@ -40,11 +40,11 @@ LoadedField::LoadedField(const gpu::Device& device, std::unique_ptr<ShownField> 
     , navigation_(home, placeOf(*field_, settings))
 {
     drawWith(std::move(shaders));
-    // Initial bookmarks: four views of the whole, then those stored in the field.
+    // Initial bookmarks: views of the whole, then those stored in the field. The first, `fit`,
+    // depends on what the window shows beside the field: Viewer frames it.
     using render::CameraPreset;
-    int number = 1;
-    for (const CameraPreset preset :
-         {CameraPreset::fit, CameraPreset::eye, CameraPreset::top, CameraPreset::edge})
+    int number = 2;
+    for (const CameraPreset preset : {CameraPreset::eye, CameraPreset::top, CameraPreset::edge})
         navigation_.setBookmark(number++,
                                 render::presetCamera(preset, field_->view,
                                                      {.groundUp = groundUpOf(field_->view),

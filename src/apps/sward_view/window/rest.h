@@ -17,7 +17,8 @@ struct Seen {
     render::Camera camera;
     std::string settings; ///< as text
     std::uint32_t debug = 0;
-    glm::uvec2 window{0}; ///< [pixels]
+    glm::uvec2 window{0};    ///< [pixels]
+    std::uint32_t shift = 0; ///< [pixels] of the fine picture in it
     bool isPaused = false;
     double timeScale = 1.0;
 

@@ -143,6 +143,7 @@ void Viewer::run()
             window_.poll();
         else
             window_.waitForEvents(idleWait);
+        interface_.resize(uiScale()); // a new field is framed beside the panel
         takeOpened();
         look();
         fulfil();
@@ -164,13 +165,11 @@ void Viewer::look()
     const Clock::time_point now = Clock::now();
     times_.frameSeconds = secondsBetween(times_.lastTick, now);
     times_.lastTick = now;
-    interface_.resize(uiScale());
     interface_.begin();
     Input input = window_.takeInput();
     rest_.mustShow = rest_.mustShow || input.exposed;
-    controls_.setEntered(input.entered);
-    controls_.setSteps(input.steps);
-    steer(std::move(input));
+    controls_.beginFrame(keysForControls(input));
+    steer(input);
     keepTime();
     tell();
     if (loadedField_ && window_.size() != glm::uvec2(0)) {
@@ -180,6 +179,8 @@ void Viewer::look()
         overlay.tell(viewerState_, controlMap_);
     }
     layout_.draw(controls_, viewerState_);
+    // After the controls: a click before the key may have begun to type into one of them.
+    pressKeys(input);
     interface_.end();
     controlMap_.finishFrame();
 }
@@ -228,6 +229,7 @@ bool Viewer::drawMoving()
     const double scale = capture_.wantsFrame() ? 1.0 : static_cast<double>(viewerState_.scale);
     if (loadedField_)
         picture_.resize(swapchain_.extent(), scale, swapchain_.format());
+    const std::uint32_t shift = capture_.wantsFrame() ? pictureShift() : 0;
 
     const gpu::FrameRing::Frame frame = ring_.begin();
     if (loadedField_ && rest_.moving >= framesInFlight)
@@ -243,12 +245,17 @@ bool Viewer::drawMoving()
         {
             const gpu::TimedScope total(timestamps_, device_.context(), frame.commands, "total");
             loadedField_->renderer().record(
-                frame.commands, {picture_.image().get(), picture_.image().view(), picture_.size()},
+                frame.commands,
+                {.image = picture_.image().get(),
+                 .view = picture_.image().view(),
+                 .size = picture_.size(),
+                 .whole = shift > 0 ? picture_.size() : glm::uvec2(0),
+                 .first = glm::ivec2(static_cast<int>(shift), 0)},
                 loadedField_->navigation().camera(), settings, viewerState_.time.now, frame.slot,
                 &timestamps_);
         }
         const gpu::TimedScope scope(timestamps_, device_.context(), frame.commands, "scaling");
-        picture_.spread(frame.commands, *target, swapchain_.extent());
+        picture_.spread(frame.commands, *target, swapchain_.extent(), shift);
     } else {
         paintBackground(frame.commands, *target);
     }
@@ -301,6 +308,9 @@ void Viewer::tell()
         viewerState_.frameSeconds += smoothing * (times_.frameSeconds - viewerState_.frameSeconds);
     viewerState_.passesAtRest = isResting ? std::optional(rest_.state.passesDone()) : std::nullopt;
     viewerState_.drawnAtRest = rest_.picture.drawnBlades();
+    // A painted field has other blades than the last moving picture that was counted.
+    if (isResting && rest_.picture.fieldBlades() > 0)
+        viewerState_.counts.total = viewerState_.counts.resident = rest_.picture.fieldBlades();
     viewerState_.field = loadedField_ ? &loadedField_->field() : nullptr;
     viewerState_.baking = opening_.baking();
     viewerState_.loading = opening_.loading();

@@ -53,13 +53,16 @@ private:
     AtRest::Draws drawsNext();
     bool drawRefined(AtRest::Draws draws);
     // viewer_input.cpp: user input
-    void steer(Input input);
+    void steer(Input& input);
+    void pressKeys(const Input& input);
     void press(const KeyPress& key);
     void useBookmark(const KeyPress& key);
+    KeyboardFocus::Keys keysForControls(Input& input) const;
     bool handleColliders(const Input& input, bool mouse);
     void pick(glm::vec2 pixel);
     void record();
     Pane paneBesidePanel() const;
+    std::uint32_t pictureShift() const;
     Sight sightAt(glm::vec2 place) const;
     Style::Scale uiScale() const;
     // viewer_paint.cpp: the brush

@@ -117,7 +117,8 @@ void Viewer::show(Opening::Opened opened)
     render::FrameSettings settings = isSame ? viewerState_.settings : frame.settingsFor(view);
     const Pane pane = paneBesidePanel();
     const bool fits = frame.camera == "fit";
-    CameraPath path = chooseCamera(frame.camera, view, pane.aspect, settings.sunDirection);
+    CameraPath path = chooseCamera(frame.camera, view, fits ? pane.freeAspect() : pane.aspect,
+                                   settings.sunDirection);
     const Framing home = fits ? framedBeside(path.at(0.0), pane, view) : Framing(path.at(0.0));
     auto next = std::make_unique<LoadedField>(
         device_, std::move(opened.field),

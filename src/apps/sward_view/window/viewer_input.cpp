@@ -17,26 +17,48 @@ constexpr float uiZoomStep = 1.1f; ///< of text and controls, by a press of a ke
 
 } // namespace
 
-void Viewer::steer(Input input)
+KeyboardFocus::Keys Viewer::keysForControls(Input& input) const
+{
+    KeyboardFocus::Keys keys{
+        .rows = input.steps, .sides = input.sides, .entered = input.entered};
+    if (!layout_.takesTab(viewerState_))
+        return keys;
+    std::erase_if(input.keys, [&](const KeyPress& press) {
+        keys.tabs += press.key == Key::tab ? (press.shift ? -1 : 1) : 0;
+        keys.space |= press.key == Key::pause;
+        return press.key == Key::tab;
+    });
+    return keys;
+}
+
+void Viewer::pressKeys(const Input& input)
+{
+    if (!interface_.takesKeys()) {
+        const bool takesSpace = controls_.focus().takesSpace();
+        for (const KeyPress& key : input.keys)
+            if (key.key != Key::pause || !takesSpace)
+                press(key);
+    } else if (std::any_of(input.keys.begin(), input.keys.end(),
+                           [](const KeyPress& key) { return key.key == Key::escape; }) &&
+               !(viewerState_.files && closeTopmost())) {
+        interface_.endTyping();
+    }
+}
+
+void Viewer::steer(Input& input)
 {
     if (!input.dropped.empty()) {
         const bool adds = input.dropsMore || viewerState_.dropAdds;
         (adds ? viewerState_.requests.add : viewerState_.requests.open) =
             std::exchange(input.dropped, {});
     }
-    const bool keys = !interface_.takesKeys();
-    if (keys)
-        for (const KeyPress& key : input.keys)
-            press(key);
-    else if (std::any_of(input.keys.begin(), input.keys.end(),
-                         [](const KeyPress& key) { return key.key == Key::escape; }) &&
-             !(viewerState_.files && closeTopmost()))
-        interface_.endTyping();
     if (!loadedField_)
         return;
 
     Navigation& navigation = loadedField_->navigation();
     const bool mouse = !interface_.takesMouse();
+    // A click into a text field takes the keys that are held with it, too.
+    const bool keys = !interface_.takesKeys() && (mouse || !input.leftPressed);
     steerBrush(input, mouse);
     if (!handleColliders(input, mouse)) {
         if (mouse && input.clicked)
@@ -69,6 +91,7 @@ void Viewer::press(const KeyPress& key)
     case Key::help:
         layout_.keySheet = !layout_.keySheet;
         break;
+    case Key::tab:
     case Key::hide:
         layout_.shown = !layout_.shown;
         break;
@@ -149,7 +172,11 @@ void Viewer::useBookmark(const KeyPress& key)
     } else {
         for (const auto& [number, camera] : bookmarks_.of(input))
             navigation.setBookmark(number, camera);
-        if (!navigation.showBookmark(key.number))
+        const bool isShown = navigation.showBookmark(key.number);
+        // The first is the whole field, beside what is open now.
+        if (!isShown && key.number == 1)
+            viewerState_.requests.frameField = true;
+        else if (!isShown)
             notice(fmt::format("No bookmark {}; Ctrl+{} sets it", key.number, key.number));
     }
     if (const std::string complaint = bookmarks_.takeComplaint(); !complaint.empty())
@@ -169,9 +196,19 @@ Style::Scale Viewer::uiScale() const
 
 Pane Viewer::paneBesidePanel() const
 {
-    const float width = static_cast<float>(std::max(window_.size().x, 1u));
-    const float covered = layout_.open ? layout_.coveredWidth(interface_.style(), width) : 0.0f;
-    return {.aspect = window_.aspect(), .covered = std::min(covered / width, 0.6f)};
+    const glm::vec2 size(glm::max(window_.size(), glm::uvec2(1)));
+    return paneOf(size, layout_.covered(interface_.style(), size.x));
+}
+
+// Written pictures have as many pixels as the window, with the middle of its free part in their
+// middle [pixels]. A streamed field holds the blades of the window's picture.
+std::uint32_t Viewer::pictureShift() const
+{
+    if (!loadedField_ || loadedField_->renderer().isStreamed())
+        return 0;
+    const auto width = static_cast<float>(window_.drawableSize().x);
+    return static_cast<std::uint32_t>(
+        std::lround(std::max(paneBesidePanel().shift(), 0.0f) * width));
 }
 
 Sight Viewer::sightAt(glm::vec2 place) const

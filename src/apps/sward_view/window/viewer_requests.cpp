@@ -78,7 +78,7 @@ void Viewer::fulfil()
         navigation.show(
             framedBeside(render::presetCamera(render::CameraPreset::fit, view,
                                               {.groundUp = groundUpOf(view),
-                                               .aspect = pane.aspect,
+                                               .aspect = pane.freeAspect(),
                                                .sunDirection = viewerState_.settings.sunDirection,
                                                .surface = &loadedField_->field().ground}),
                          pane, view));
@@ -101,7 +101,7 @@ void Viewer::fulfil()
             .fieldSize = bounds.isEmpty() ? 10.0 : glm::length(glm::dvec3(bounds.size())),
             .time = viewerState_.time.now};
         const glm::vec2 middle =
-            0.5f * glm::vec2(window_.size()) * glm::vec2(1.0f + paneBesidePanel().covered, 1.0f);
+            0.5f * glm::vec2(window_.size()) * glm::vec2(1.0f + 2.0f * paneBesidePanel().shift(), 1.0f);
         colliders.push_back(newCollider(where, sightAt(middle), *requests.addCapsule, colliders));
         viewerState_.hand.chosen = colliders.size() - 1;
     }

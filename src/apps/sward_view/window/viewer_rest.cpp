@@ -21,6 +21,7 @@ bool Viewer::hasChanged()
               .settings = render::settingsText(viewerState_.settings),
               .debug = static_cast<std::uint32_t>(viewerState_.settings.debug),
               .window = window_.drawableSize(),
+              .shift = pictureShift(),
               .isPaused = viewerState_.time.paused,
               .timeScale = viewerState_.time.scale};
     const bool isOther = rest_.seen != seen;
@@ -46,7 +47,7 @@ bool Viewer::drawRefined(AtRest::Draws draws)
 {
     if (draws == AtRest::Draws::refined) {
         if (!std::exchange(rest_.hasBegun, true))
-            rest_.picture.begin(picture_, swapchain_.extent());
+            rest_.picture.begin(picture_, swapchain_.extent(), pictureShift());
         const render::FrameSettings settings =
             refinedSettings(viewerState_.settings, loadedField_->samples());
         const RefinedPicture::Progress progress = rest_.picture.drawTile(
@@ -67,7 +68,8 @@ bool Viewer::drawRefined(AtRest::Draws draws)
         return isBusy;
     rest_.mustShow = false;
     const gpu::FrameRing::Frame frame = ring_.begin();
-    spreadPicture(frame.commands, rest_.picture.image(), *target, swapchain_.extent());
+    spreadPicture(frame.commands, rest_.picture.image(), *target, swapchain_.extent(),
+                  rest_.picture.shift());
     present(frame, *target);
     return true;
 }

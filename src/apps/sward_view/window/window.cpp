@@ -46,7 +46,7 @@ constexpr std::array<KeyMeaning, 12> keyMeanings{{{GLFW_KEY_ESCAPE, Key::escape}
                                                   {GLFW_KEY_SPACE, Key::pause},
                                                   {GLFW_KEY_PERIOD, Key::step},
                                                   {GLFW_KEY_H, Key::help},
-                                                  {GLFW_KEY_TAB, Key::hide},
+                                                  {GLFW_KEY_TAB, Key::tab},
                                                   {GLFW_KEY_G, Key::walk},
                                                   {GLFW_KEY_C, Key::freeze},
                                                   {GLFW_KEY_P, Key::picture},
@@ -82,6 +82,8 @@ std::optional<Key> controlKeyOf(int key, int code, bool shift)
         return Key::smaller;
     if (sign == "0")
         return Key::usualSize;
+    if (sign == "h")
+        return Key::hide;
     if (sign == "s")
         return Key::save;
     if (sign == "z")
@@ -199,14 +201,16 @@ void Window::Parts::onKey(GLFWwindow* window, int key, int code, int action, int
     if (action == GLFW_RELEASE)
         return;
     of(window).input.steps += rowsOf(key);
+    of(window).input.sides += (key == GLFW_KEY_RIGHT ? 1 : 0) - (key == GLFW_KEY_LEFT ? 1 : 0);
     if (action != GLFW_PRESS)
         return;
     if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER)
         of(window).input.entered = true;
-    KeyPress press{Key::bookmark, 0, (modifiers & GLFW_MOD_CONTROL) != 0};
+    KeyPress press{Key::bookmark, 0, (modifiers & GLFW_MOD_CONTROL) != 0,
+                   (modifiers & GLFW_MOD_SHIFT) != 0};
     if (press.control)
         if (const std::optional<Key> found =
-                controlKeyOf(key, code, (modifiers & GLFW_MOD_SHIFT) != 0)) {
+                controlKeyOf(key, code, press.shift)) {
             press.key = *found;
             of(window).input.keys.push_back(press);
             return;
