@@ -7,6 +7,8 @@ import sys
 import unittest
 from pathlib import Path
 
+import numpy as np
+
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from display import share_that_differs  # noqa: E402
 from window_case import VIEWER, WindowCase  # noqa: E402
@@ -72,13 +74,23 @@ class CaptureTest(WindowCase):
     def test_a_film_is_made_by_ffmpeg_and_one_that_cannot_be_written_is_told(self):
         # A replacement for ffmpeg: records its arguments and its input.
         path = self.ffmpeg('for last; do :; done; echo "$@" >asked.txt; cat >"$last"')
-        viewer = self.open(self.field(), "--panel", "capture", environment=path)
+        viewer = self.open(self.field(), "--panel", "capture", "--resolution", "1", "--wind-strength", "0",
+                           environment=path)
         self.take_video(viewer)
         film = self.folder / "sward.mp4"
         viewer.wait(film.exists, "the film is there")
         self.assertEqual(film.stat().st_size, self.pictures * self.SIZE[0] * self.SIZE[1] * 4)
         asked = (self.folder / "asked.txt").read_text()
         self.assertIn("-video_size {}x{} -framerate 30 ".format(*self.SIZE), asked)
+        # It shows what the window shows beside the panel, with that part in the middle.
+        viewer.away()
+        raw = np.frombuffer(film.read_bytes(), np.uint8)[-4 * self.SIZE[0] * self.SIZE[1]:]
+        filmed = raw.reshape(self.SIZE[1], self.SIZE[0], 4)[60:-40, :, 2::-1].astype(np.int16)
+        begin = round(viewer.controls()["Panel/Width"]["x"])
+        shown = viewer.window.picture()[60:-40, begin:]
+        differs = lambda shift: np.abs(filmed[:, begin - shift:self.SIZE[0] - shift] - shown).mean()
+        self.assertLess(differs(begin // 2), 2)
+        self.assertGreater(differs(0), 10)
         self.assertEqual(list(self.folder.glob("*.part*")), [])
 
         self.ffmpeg('for last; do :; done; echo half >"$last"; echo "No space left on device" >&2; exit 1')

@@ -50,6 +50,16 @@ class OpeningTest(WindowCase):
         viewer.wait_for_field()
         self.assertTrue(viewer.shows("Field/File").endswith("other.sward"))
         self.assert_ends_well(viewer)
+    def test_a_window_that_opens_a_field_does_not_say_that_there_is_none(self):
+        viewer = self.start(self.mesh(), "--panel", "field", "--meadow", "grass")
+        seen = {}
+        viewer.wait(lambda: seen.update(viewer.controls()) or "Field/File" in seen, "it is open")
+        self.assertIn("Field/Opening", seen)
+        for name in ("Field/No field", "Welcome/hills"):
+            self.assertNotIn(name, seen)
+        viewer.wait_for_field()
+        self.assert_ends_well(viewer)
+
     def test_it_is_baked_again_and_the_difference_is_told(self):
         viewer = self.open(self.mesh(), "--panel", "meadow", "--meadow", "grass")
         self.assertTrue(viewer.shows("Meadow/Ground").endswith("plane.glb"))

@@ -147,6 +147,43 @@ class RestTest(RestCase):
         self.assert_ends_well(viewer)
 
 
+    def test_the_fine_picture_appears_as_a_whole(self):
+        viewer = self.open(self.field("hills", 4000, 4), "--panel", "off", "--wind-strength", "0", size=(440, 320))
+        shown = [viewer.window.picture()]
+        end = lambda: self.pictures(viewer) == 16
+        while not end():
+            picture = viewer.window.picture()
+            # Twice the same: not while the server copies it.
+            if np.array_equal(picture, viewer.window.picture()) and not np.array_equal(picture, shown[-1]):
+                shown.append(picture)
+        shown.append(viewer.window.picture())
+        fine = [picture for picture in shown if psnr(picture, shown[-1]) > 30]
+        self.assertLessEqual(len(fine), 7, "one for each doubling, and no tiles")
+        self.assert_ends_well(viewer)
+
+    def test_the_status_tells_the_blades_that_are_left_by_a_stroke(self):
+        self.display.xdotool("mousemove", Display.WIDTH - 1, Display.HEIGHT - 1)
+        viewer = self.start(self.field(), "--ground", "plane", "--panel", "paint", "--camera", "top",
+                            "--wind-strength", "0", size=(900, 500), rests=True)
+        viewer.wait_for_field()
+        viewer.click("Paint/Start painting")
+        viewer.wait(lambda: "Paint/Kind" in viewer.controls(), "painting begins")
+        number = lambda text: int(re.search(r"([0-9 ]+)(?: blades drawn|$)", text.split(" of ")[-1]).group(1)
+                                  .replace(" ", ""))
+        total = lambda: number(viewer.shows("Paint/Blades"))
+        before = total()
+        viewer.click("Paint/Kind")
+        viewer.wait(lambda: "Paint/Kind erase" in viewer.controls(), "the list is open")
+        viewer.wait_frames(2)
+        viewer.click("Paint/Kind erase")
+        viewer.drag((600, 300), (760, 260))
+        viewer.wait(lambda: 0 < total() < before, "blades are gone")
+        viewer.wait(lambda: viewer.shows("Status/Refined"), "it rests")
+        viewer.wait(lambda: number(viewer.shows("Status/Numbers")) == total(), "the status bar follows")
+        viewer.wait(lambda: f"of {total()} blades" in viewer.window.title(), "the title does")
+        self.assert_ends_well(viewer)
+
+
 class LongRestTest(RestCase):
     """A reference picture takes half a minute."""
 

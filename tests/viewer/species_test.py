@@ -42,8 +42,20 @@ class SpeciesTest(WindowCase):
             self.assertEqual(density, json.loads(report.read_text())["density_per_m2"]["closed"], name)
         viewer.wait_frames(3)
         viewer.click("Meadow/lawn")
-        viewer.wait_for_value("Meadow/Its density", lambda shown: "9" in shown[:1], "lawn is chosen")
+        viewer.wait_for_value("Meadow/Usual density", lambda shown: "9" in shown[:1], "lawn is chosen")
         self.assert_ends_well(viewer)
+
+    def assert_swatch(self, viewer, name):
+        """The button at the right end of a colour has the colour that its numbers tell, in sRGB."""
+        viewer.away()
+        control, (left, top, _, _) = viewer.controls()[name], viewer.window.geometry()
+        x, y = round(control["x"] + control["width"]) - 10, round(control["y"] + 0.5 * control["height"])
+        shown = self.display.picture(left + x, top + y, 1, 1)[0][0][::-1]
+        linear = [float(word) for word in control["shows"].split()]
+        told = [255 * (12.92 * c if c <= 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055) for c in linear]
+        # The window's pixels are stored as eight bits of linear light where they are blended.
+        for one, other in zip(shown, told):
+            self.assertAlmostEqual(one, other, delta=4, msg=f"{name}: {shown} for {told}")
 
     def test_a_changed_species_is_written_and_sown(self):
         viewer = self.open()
@@ -53,6 +65,8 @@ class SpeciesTest(WindowCase):
         viewer.click("Meadow/Species 2")
         name = viewer.shows("Meadow/Species 2")
         tip = viewer.shows("Meadow/Tip colour")
+        self.assert_swatch(viewer, "Meadow/Base colour")
+        self.assert_swatch(viewer, "Meadow/Tip colour")
         # The first of the three numbers of the colour, typed.
         x, y = viewer.centre("Meadow/Tip colour", 0.06)
         self.display.xdotool("keydown", "ctrl")

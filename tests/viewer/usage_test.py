@@ -3,6 +3,7 @@ a real X server, by mouse and keys."""
 
 import json
 import math
+import signal
 import sys
 import unittest
 from pathlib import Path
@@ -47,6 +48,115 @@ class OneViewerTest(UsageCase):
         self.assertEqual(len(begins), 11)
         # Letters have side bearings of a pixel or two.
         self.assertLessEqual(max(begins) - min(begins), 2, begins)
+
+    def focus(self):
+        return self.viewer.shows("Keyboard/Focus")
+
+    def tab_to(self, name):
+        for _ in range(40):
+            if self.focus() == name:
+                return
+            self.viewer.key("Tab")
+        self.fail(f"Tab does not reach {name}, but {self.focus()}")
+
+    def test_tab_arrows_and_enter_change_what_the_mouse_changes(self):
+        viewer = self.viewer
+        viewer.open_panel("Culling")
+        viewer.away()
+        self.assertIsNone(self.focus())
+        # Toggles: Space turns what has the focus, and does not pause.
+        self.tab_to("Culling/Orientation")
+        viewer.key("space")
+        viewer.wait_for_value("Culling/Orientation", lambda shown: shown == "off", "it is turned off")
+        self.assertNotIn("paused", viewer.shows("Status/Numbers"))
+        viewer.key("Return")
+        viewer.wait_for_value("Culling/Orientation", lambda shown: shown == "on", "it is turned on")
+        viewer.key("shift+Tab")
+        self.assertEqual(self.focus(), "Culling/Patch")
+        # Sliders: right and left.
+        self.tab_to("Culling/Detail threshold")
+        before = float(viewer.shows("Culling/Detail threshold"))
+        viewer.key("Right")
+        viewer.wait_for_value("Culling/Detail threshold", lambda shown: float(shown) > before, "it is more")
+        viewer.key("Left")
+        viewer.wait_for_value("Culling/Detail threshold", lambda shown: abs(float(shown) - before) < 0.02 * before,
+                              "it is as before")
+        # Drop-downs: closed, and open.
+        self.tab_to("Culling/Colour by")
+        viewer.key("Down")
+        viewer.wait_for_value("Culling/Colour by", lambda shown: shown == "level of detail", "the next")
+        viewer.key("Return")
+        viewer.wait(lambda: "Culling/Colour by wind" in viewer.controls(), "the list is open")
+        viewer.wait_frames(2)
+        viewer.key("Down")
+        viewer.key("Down")
+        self.assertEqual(self.focus(), "Culling/Colour by wind")
+        viewer.key("Return")
+        viewer.wait_for_value("Culling/Colour by", lambda shown: shown == "wind", "it is chosen")
+        viewer.wait(lambda: "Culling/Colour by wind" not in viewer.controls(), "the list is closed")
+        # One that the mouse has opened.
+        viewer.click("Culling/Colour by")
+        viewer.wait(lambda: "Culling/Colour by wind" in viewer.controls(), "the list is open")
+        viewer.wait_frames(2)
+        for _ in range(3):
+            viewer.key("Up")
+        viewer.key("Return")
+        viewer.wait_for_value("Culling/Colour by", lambda shown: shown == "none", "it is chosen")
+        # Without a focus keys mean what they do over the picture.
+        viewer.away()
+        viewer.click_at(self.SIZE[0] - 40, 60)
+        self.assertIsNone(self.focus())
+        viewer.key("space")
+        viewer.wait_for_value("Status/Numbers", lambda shown: "paused" in shown, "it pauses")
+        viewer.key("space")
+        viewer.key("ctrl+h")
+        viewer.wait(lambda: "Rail/Field" not in viewer.controls(), "the panels are hidden")
+        viewer.key("ctrl+h")
+        viewer.wait(lambda: "Rail/Field" in viewer.controls(), "the panels are back")
+
+    def test_tab_reaches_text_fields_and_leaves_them(self):
+        viewer = self.viewer
+        viewer.open_panel("Field")
+        viewer.away()
+        self.tab_to("Field/Name")
+        viewer.wait_frames(6)  # until it is scrolled into sight
+        viewer.type("h.x")
+        viewer.wait_for_value("Field/Name", lambda shown: shown == "h.x", "it is typed")
+        self.assertNotIn("Keys/Close", viewer.controls())
+        viewer.key("Tab")
+        self.assertNotEqual(self.focus(), "Field/Name")
+        viewer.type("h")
+        viewer.wait(lambda: "Keys/Close" in viewer.controls(), "it is a key of the window again")
+        self.assertEqual(viewer.shows("Field/Name"), "h.x")
+        viewer.key("h")
+
+    def test_a_key_after_a_click_into_a_text_field_is_a_letter_alone(self):
+        viewer = self.viewer
+        viewer.open_panel("Camera")
+        viewer.press("File", panel="Camera")
+        before = viewer.shows("Camera/File")
+        viewer.click_at(self.SIZE[0] - 40, 60)
+        x, y = viewer.centre("Camera/File")
+        # All of it in one frame.
+        viewer.process.send_signal(signal.SIGSTOP)
+        try:
+            self.display.xdotool("mousemove", "--window", viewer.window.number, x, y, "click", 1)
+            self.display.xdotool("key", "--window", viewer.window.number, "h")
+        finally:
+            viewer.process.send_signal(signal.SIGCONT)
+        viewer.wait_for_value("Camera/File", lambda shown: len(shown) == len(before) + 1, "it is typed")
+        viewer.wait_frames(3)
+        self.assertNotIn("Keys/Close", viewer.controls())
+        viewer.click_at(self.SIZE[0] - 40, 60)
+
+    def test_tooltips_of_tabs_lie_beside_the_panel_that_they_open(self):
+        viewer = self.viewer
+        viewer.open_panel("Look")
+        for name in ("Rail/Look", "Rail/Capture"):
+            self.display.xdotool("mousemove", "--window", viewer.window.number, *viewer.centre(name))
+            viewer.wait(lambda: viewer.shows(f"Tooltip/{name}"), "the tooltip is there")
+            viewer.wait_frames(3)
+            self.assertGreaterEqual(viewer.controls()[f"Tooltip/{name}"]["x"], PANEL_END)
 
     def test_tooltips_cover_no_control_and_grabs_no_number(self):
         viewer = self.viewer
@@ -146,7 +256,9 @@ class UsageTest(UsageCase):
         self.assertAlmostEqual(max(before), intensity, delta=0.01)
         viewer.away()
         swatch = self.rows(viewer, viewer.controls()["Look/Sunlight"])
-        self.assertLess(swatch[10][10][0], 245, "the swatch shows the hue of the sun, not white")
+        encoded = [255 * (1.055 * (channel / max(before)) ** (1 / 2.4) - 0.055) for channel in before]
+        for shown, told in zip(swatch[10][10][::-1], encoded):
+            self.assertAlmostEqual(shown, told, delta=3, msg="the swatch has the hue of the sun")
         viewer.set("Sunlight intensity", "Look", 0.9)
         viewer.wait(lambda: max(channels()) > 2 * intensity, "it is brighter")
         after = channels()

@@ -41,7 +41,7 @@ std::string tableText(const RunStats& stats)
     std::string text = fmt::format("{} ({})\n{}x{}, {} samples, {} of {} blades drawn\n",
                                    stats.device, stats.driver, stats.size.x, stats.size.y,
                                    stats.samples, stats.blades.drawn, stats.blades.total);
-    text += fmt::format("{:<10}{:>12}{:>12}{:>12}\n", "[ms]", "min", "median", "p99");
+    text += fmt::format("{:<10}{:>12}{:>12}{:>12}\n", "[ms]", "min", "median", "99% below");
     const auto line = [&text](const std::string& name, const gpu::Statistics& times) {
         text += fmt::format("{:<10}{:>12.4f}{:>12.4f}{:>12.4f}\n", name, times.min, times.median,
                             times.p99);

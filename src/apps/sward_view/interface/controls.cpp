@@ -104,6 +104,8 @@ void Controls::finish(const char* name, const std::string& shows, const std::str
                : is == "number" || is == "compass" ? KeyboardFocus::Kind::adjusted
                                                    : KeyboardFocus::Kind::pressed,
                style_.packed(palette::warm));
+    if (focus_.has(path(name)))
+        map_.add("Keyboard/Focus", {low.x, low.y, high.x - low.x, high.y - low.y, path(name), {}, {}});
     if (about.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         return;
     const float wrap = placeTooltip(low, high);

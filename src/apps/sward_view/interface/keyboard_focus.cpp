@@ -107,7 +107,7 @@ void KeyboardFocus::add(const std::string& name, Kind kind, ImU32 color)
         focus_ = name;
     if (typing_ == name && ImGui::IsItemActive())
         typing_.clear();
-    if (!isShown_ || (isInPopup_ ? row_ : focus_) != name)
+    if (!has(name))
         return;
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();

@@ -43,10 +43,14 @@ public:
     /// The drop-down whose rows come next shows the row of one of these names.
     void setShownRows(std::vector<std::string> names) { shownRows_ = std::move(names); }
 
+    /// Whether a control is outlined.
+    bool has(const std::string& name) const
+    {
+        return isShown_ && (isInPopup_ ? row_ : focus_) == name;
+    }
+
     /// Whether Enter and Space press something.
     bool takesSpace() const { return isShown_ && isAlive_; }
-
-    void hide() { isShown_ = false; }
 
 private:
     struct Item {

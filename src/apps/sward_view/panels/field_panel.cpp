@@ -124,10 +124,13 @@ void drawShown(Controls& controls, ViewerState& state)
 {
     if (state.field->members.size() > 1)
         drawMembers(controls, state);
-    controls.fact("Resident", countText(state.counts.resident), "Blades in the device's memory");
+    controls.fact("In memory", countText(state.counts.resident),
+                  "Blades of the shown fields that are in the device's memory, each organ of a "
+                  "flower counted as one");
     if (state.counts.streamedOut > 0)
-        controls.fact("Streamed out", countText(state.counts.streamedOut),
-                      "Blades that are not in the device's memory at present");
+        controls.fact("Not in memory", countText(state.counts.streamedOut),
+                      "Blades that are read when they are seen: the fields are larger than the "
+                      "memory that --gpu-memory allows");
     controls.fact("On the device", bytesText(state.deviceBytes),
                   "Device memory of fields, ground and pictures");
     if (state.field->members.size() > 1)
@@ -193,6 +196,12 @@ void drawOthers(Controls& controls, ViewerState& state)
     }
 }
 
+void drawHint(Controls& controls, const char* name, const char* text)
+{
+    controls.note(text);
+    controls.tell(name, text, nullptr);
+}
+
 } // namespace
 
 void drawFieldPanel(Controls& controls, ViewerState& state)
@@ -200,9 +209,9 @@ void drawFieldPanel(Controls& controls, ViewerState& state)
     if (state.field != nullptr)
         drawShown(controls, state);
     else if (!state.loading.empty() || state.baking != nullptr)
-        controls.note("A field is being opened.");
+        drawHint(controls, "Opening", "A field is being opened.");
     else
-        controls.note("No field. Drop a field, a mesh or a recipe on the window.");
+        drawHint(controls, "No field", "No field. Drop a field, a mesh or a recipe on the window.");
     drawOthers(controls, state);
     if (state.field != nullptr)
         drawProvenance(controls, state);

@@ -165,7 +165,8 @@ void Layout::drawRail(Controls& controls)
     beginFixed("rail", {0.0f, 0.0f}, {edge(style, railPixels), size.y - edge(style, statusPixels)});
     controls.beginPanel("Rail");
     // A tab's tooltip would cover the panel that it opens.
-    controls.keepTooltipsFrom(edge(style, railPixels) + panelWidth(style, size.x));
+    if (open)
+        controls.keepTooltipsFrom(edge(style, railPixels) + panelWidth(style, size.x));
     // All rows are in sight, also if the controls are large for the window.
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
     const float room = ImGui::GetContentRegionAvail().y / float(panels.size()) - spacing;

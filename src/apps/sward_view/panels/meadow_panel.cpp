@@ -80,8 +80,9 @@ void drawMeadowPanel(Controls& controls, ViewerState& state)
     controls.text("Masks", meadow.masks, "vertex-color:R",
                   "Multiply the density: vertex-color:C, texture:FILE:C or material-texture:C, "
                   "with C one of R G B A and perhaps :invert; separated by blanks");
-    controls.text("Traits", meadow.traits, "clump_size_m=1",
-                  "Change the meadow: KEY=VALUE as for --set, separated by blanks");
+    controls.text("Changed keys", meadow.traits, "clump_size_m=1",
+                  "Changes of the meadow's keys: KEY=VALUE as for sward bake --set, separated by "
+                  "blanks");
     controls.wholeNumber("Random seed", meadow.seed, 0, 9999, "Start value of the random numbers");
 
     controls.space(4.0f);

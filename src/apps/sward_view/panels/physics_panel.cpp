@@ -12,8 +12,9 @@ void drawPhysicsPanel(Controls& controls, ViewerState& state)
                     "Strength of gravity, in blade heights per second");
     controls.direction("Direction", environment.gravityDirection,
                        "Direction of gravity: angle around the vertical axis");
-    controls.number("Attractor share", environment.attractorBlend, {0.0f, 1.0f},
-                    "0: gravity along the direction; 1: towards the attractor, as on a planet");
+    controls.number("Towards attractor", environment.attractorBlend, {0.0f, 1.0f},
+                    "0: gravity along the direction; 1: towards the attractor, as on a planet; "
+                    "between them a mixture");
     ImGui::BeginDisabled(environment.attractorBlend <= 0.0f);
     controls.place("Attractor", environment.attractor,
                    "Position that attracts, for example a planet's centre");

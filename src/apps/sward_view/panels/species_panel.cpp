@@ -150,8 +150,9 @@ void drawMeadowChoice(Controls& controls, ViewerState& state)
                       "Species of the meadow in their colours, heights and shares");
     }
     if (meadow.meadowFile.empty())
-        controls.fact("Its density", densityOf(chosen),
-                      "Blades that close its sward at blade scale 1; Amount changes it");
+        controls.fact("Usual density", densityOf(chosen),
+                      "Blades per square metre that close this meadow's sward, at blade scale 1; "
+                      "Amount below sows more or fewer");
 }
 
 void drawSpeciesEditor(Controls& controls, ViewerState& state)
