@@ -46,7 +46,7 @@ class PlaceTest(WindowCase):
         rows = self.display.picture(left + begin, top, width - begin, end)
         is_field = rows[..., 0] < rows[..., 2] + 10  # the sky is blue
         across, upward = is_field.any(axis=0).nonzero()[0], is_field.any(axis=1).nonzero()[0]
-        self.assertGreater(width - begin, 0.3 * width, "the panel leaves room")
+        self.assertGreater(width - begin, 0.25 * width, "the panel leaves room")
         self.assertGreater(across[0], 2)
         self.assertLess(across[-1], width - begin - 3)
         self.assertGreater(upward[0], 2)

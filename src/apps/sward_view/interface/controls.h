@@ -100,6 +100,7 @@ private:
     float placeTooltip(const ImVec2& low, const ImVec2& high) const;
     void finish(const char* name, const std::string& shows, const std::string& about,
                 const char* kind);
+    static std::string hidden(const char* name) { return std::string("##") + name; }
     std::string path(const char* name) const { return panel_ + "/" + name; }
     bool stepped(const char* name, float& value, const Extent& extent) const;
     bool pickColor(const char* name, glm::vec3& encoded);

@@ -39,7 +39,7 @@ private:
     void present(const gpu::FrameRing::Frame& frame, const gpu::Swapchain::Target& target);
     void keepTime();
     void tell();
-    // viewer_work.cpp: the user's work
+    // viewer_work.cpp: the user's work; viewer_rest.cpp: drawing while nothing changes
     bool isDone();
     bool closeTopmost();
     void askToSave(OpenedFields fields, const std::string& verb, std::function<void()> act);
@@ -48,16 +48,15 @@ private:
                           std::function<void(const std::filesystem::path&, bool)> write);
     void writeText(const std::filesystem::path& path, std::string text);
     void startSequence();
-    // viewer_rest.cpp: drawing while nothing changes
     bool hasChanged();
     AtRest::Draws drawsNext();
     bool drawRefined(AtRest::Draws draws);
-    // viewer_input.cpp: user input
+    // viewer_input.cpp: user input; viewer_paint.cpp: the brush
     void steer(Input& input);
+    KeyboardFocus::Keys keysForControls(Input& input) const;
     void pressKeys(const Input& input);
     void press(const KeyPress& key);
     void useBookmark(const KeyPress& key);
-    KeyboardFocus::Keys keysForControls(Input& input) const;
     bool handleColliders(const Input& input, bool mouse);
     void pick(glm::vec2 pixel);
     void record();
@@ -65,7 +64,6 @@ private:
     std::uint32_t pictureShift() const;
     Sight sightAt(glm::vec2 place) const;
     Style::Scale uiScale() const;
-    // viewer_paint.cpp: the brush
     void steerBrush(Input& input, bool mouse);
     void followPainter();
     void fulfilPainting(const Requests& requests);
@@ -73,13 +71,12 @@ private:
     void startPainting(std::optional<std::filesystem::path> left);
     void endPainting();
     void drawEditable(bool isEditable);
-    // viewer_requests.cpp: requests that take longer than a frame
+    // viewer_requests.cpp: what takes longer than a frame; viewer_fields.cpp: the shown fields
     void fulfil();
     void fulfilFiles(const Requests& requests);
     void complain(const std::string& message);
     void notice(const std::string& message);
     void write(const gpu::Image& image);
-    // viewer_fields.cpp: which fields are shown
     void fulfilFields(const Requests& requests);
     void open(std::vector<std::string> inputs);
     void exchange(std::size_t member, const std::string& input, const MeadowRequests& requests);
