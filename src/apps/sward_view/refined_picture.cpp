@@ -77,11 +77,11 @@ void RefinedPicture::begin(const ScaledPicture& coarse, VkExtent2D window, std::
                          image_.format() != from.format();
     if (isOther) {
         gpu::check(vkDeviceWaitIdle(context_.device), "vkDeviceWaitIdle");
-        const gpu::ImageSettings settings{
-            .name = "refined",
-            .format = from.format(),
-            .extent = window,
-            .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT};
+        const gpu::ImageSettings settings{.name = "refined",
+                                          .format = from.format(),
+                                          .extent = window,
+                                          .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                                                   VK_IMAGE_USAGE_TRANSFER_DST_BIT};
         image_ = gpu::Image(context_, settings);
         next_ = gpu::Image(context_, settings);
     }

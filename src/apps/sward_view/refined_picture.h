@@ -28,8 +28,8 @@ public:
     }
 
     /// Begins anew: shows `coarse`, scaled to `window` pixels, until the first pass has ended. The
-    /// fine picture has as many pixels, and begins `shift` pixels right of the window's left border.
-    /// Waits for the device.
+    /// fine picture has as many pixels, and begins `shift` pixels right of the window's left
+    /// border. Waits for the device.
     void begin(const ScaledPicture& coarse, VkExtent2D window, std::uint32_t shift);
 
     /// What is drawn; constant from begin() on.
@@ -72,7 +72,7 @@ private:
     gpu::Buffer staging_;
     std::optional<PictureMean> mean_;
     std::vector<glm::uvec2> tiles_; ///< first pixel of each, from the middle outwards
-    std::size_t drawnTiles_ = 0; ///< of this pass
+    std::size_t drawnTiles_ = 0;    ///< of this pass
     std::uint32_t pass_ = 0;
     std::uint32_t shift_ = 0; ///< [pixels]
     std::uint64_t drawnBlades_ = 0;

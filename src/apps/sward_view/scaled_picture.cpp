@@ -43,7 +43,10 @@ void copyShifted(VkCommandBuffer commands, const gpu::Image& from, VkImage to, V
         gpu::memoryBarrier(commands, gpu::transferAccess, gpu::transferAccess);
     }
     const std::uint32_t left = std::min(shift, extent.width - 1);
-    const VkImageCopy region{layers, {}, layers, {static_cast<std::int32_t>(left), 0, 0},
+    const VkImageCopy region{layers,
+                             {},
+                             layers,
+                             {static_cast<std::int32_t>(left), 0, 0},
                              {extent.width - left, extent.height, 1}};
     vkCmdCopyImage(commands, from.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to,
                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
@@ -71,12 +74,11 @@ void ScaledPicture::resize(VkExtent2D window, double scale, VkFormat format)
     doubled_.clear();
     for (std::uint32_t times = 2; times * wanted.width < window.width; times *= 2)
         doubled_.emplace_back(
-            context_,
-            gpu::ImageSettings{
-                .name = "picture/doubled",
-                .format = format,
-                .extent = {times * wanted.width, times * wanted.height},
-                .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+            context_, gpu::ImageSettings{.name = "picture/doubled",
+                                         .format = format,
+                                         .extent = {times * wanted.width, times * wanted.height},
+                                         .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                                                  VK_IMAGE_USAGE_TRANSFER_DST_BIT});
 }
 
 void ScaledPicture::spread(VkCommandBuffer commands, const gpu::Swapchain::Target& target,

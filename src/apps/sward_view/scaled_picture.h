@@ -43,11 +43,12 @@ public:
 private:
     const gpu::DeviceContext& context_;
     gpu::Image image_;
-    std::vector<gpu::Image> doubled_; ///< each of twice the size of the one before, below the window's
+    std::vector<gpu::Image> doubled_; ///< each twice as large as the one before
 };
 
-/// Copies `from` (ImageUse::transferSource) to a window image, from `shift` pixels right of its left
-/// border on; scales it if the window has got another size meanwhile. Leaves that as colorTarget.
+/// Copies `from` (ImageUse::transferSource) to a window image, from `shift` pixels right of its
+/// left border on; scales it if the window has got another size meanwhile. Leaves that as
+/// colorTarget.
 void spreadPicture(VkCommandBuffer commands, const gpu::Image& from,
                    const gpu::Swapchain::Target& target, VkExtent2D window,
                    std::uint32_t shift = 0);

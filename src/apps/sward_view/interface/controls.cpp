@@ -14,13 +14,13 @@
 namespace sward::view {
 namespace {
 
-constexpr float labelShare = 0.40f;    ///< of a panel's width
-constexpr float tooltipWidth = 300.0f; ///< [pixels]
+constexpr float labelShare = 0.40f;     ///< of a panel's width
+constexpr float tooltipWidth = 300.0f;  ///< [pixels]
 constexpr float narrowTooltip = 120.0f; ///< [pixels] the narrowest beside a panel
-constexpr float tooltipGap = 8.0f;     ///< [pixels]
-constexpr float valueWidth = 76.0f;    ///< [pixels] of a number beside its slider
-constexpr float browseWidth = 34.0f;   ///< [pixels] of a button that browses, and its space
-constexpr float stepsAcross = 100.0f;  ///< steps of an arrow key from end to end of a slider
+constexpr float tooltipGap = 8.0f;      ///< [pixels]
+constexpr float valueWidth = 76.0f;     ///< [pixels] of a number beside its slider
+constexpr float browseWidth = 34.0f;    ///< [pixels] of a button that browses, and its space
+constexpr float stepsAcross = 100.0f;   ///< steps of an arrow key from end to end of a slider
 
 std::string rangeText(const char* about, double low, double high, const char* unit)
 {
@@ -94,7 +94,8 @@ void Controls::finish(const char* name, const std::string& shows, const std::str
                                                    : KeyboardFocus::Kind::pressed,
                style_.packed(palette::warm));
     if (focus_.has(path(name)))
-        map_.add("Keyboard/Focus", {low.x, low.y, high.x - low.x, high.y - low.y, path(name), {}, {}});
+        map_.add("Keyboard/Focus",
+                 {low.x, low.y, high.x - low.x, high.y - low.y, path(name), {}, {}});
     if (about.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         return;
     const float wrap = placeTooltip(low, high);
@@ -222,8 +223,7 @@ bool Controls::wholeNumber(const char* name, int& value, int low, int high, cons
     const int steps = focus_.stepsOf(path(name));
     value += steps * step;
     beginSlider(name);
-    const bool turned =
-        ImGui::SliderInt(hidden(name).c_str(), &value, low, high) || steps != 0;
+    const bool turned = ImGui::SliderInt(hidden(name).c_str(), &value, low, high) || steps != 0;
     ImGui::PopStyleColor();
     if (turned)
         value = std::clamp(value, low, high);
@@ -335,8 +335,7 @@ bool Controls::beginModal(const char* name, ImGuiWindowFlags flags)
     const bool isDrawn =
         ImGui::BeginPopupModal(name, nullptr,
                                flags | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
-                                   ImGuiWindowFlags_NoNavInputs |
-                                   ImGuiWindowFlags_NoSavedSettings);
+                                   ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoSavedSettings);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
     return isDrawn;

@@ -66,9 +66,10 @@ bool Controls::pickColor(const char* name, glm::vec3& encoded)
     if (!ImGui::BeginPopup(picker.c_str()))
         return false;
     ImGui::SetNextItemWidth(style_.scaled(pickerPixels));
-    const bool turned = ImGui::ColorPicker3(
-        hidden(name).c_str(), &encoded.x,
-        ImGuiColorEditFlags_Uint8 | ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoLabel);
+    const bool turned =
+        ImGui::ColorPicker3(hidden(name).c_str(), &encoded.x,
+                            ImGuiColorEditFlags_Uint8 | ImGuiColorEditFlags_NoSidePreview |
+                                ImGuiColorEditFlags_NoLabel);
     ImGui::EndPopup();
     return turned;
 }

@@ -52,8 +52,7 @@ void makeLinear(ImDrawData& output)
     static const std::array<ImU32, 256> linear = [] {
         std::array<ImU32, 256> table{};
         for (std::size_t i = 0; i < table.size(); ++i)
-            table[i] =
-                static_cast<ImU32>(255.0f * linearOf(static_cast<float>(i) / 255.0f) + 0.5f);
+            table[i] = static_cast<ImU32>(255.0f * linearOf(static_cast<float>(i) / 255.0f) + 0.5f);
         return table;
     }();
     for (int i = 0; i < output.CmdListsCount; ++i)

@@ -72,9 +72,9 @@ void KeyboardFocus::move(const std::vector<const Item*>& items, std::string& to,
     }
     // Rows of a drop-down end; the controls of a panel begin again.
     const std::ptrdiff_t next = at + steps;
-    const Item& item = *items[static_cast<std::size_t>(
-        isInPopup_ ? std::clamp<std::ptrdiff_t>(next, 0, count - 1)
-                   : ((next % count) + count) % count)];
+    const Item& item =
+        *items[static_cast<std::size_t>(isInPopup_ ? std::clamp<std::ptrdiff_t>(next, 0, count - 1)
+                                                   : ((next % count) + count) % count)];
     to = item.name;
     isShown_ = true;
     scrolled_ = to;

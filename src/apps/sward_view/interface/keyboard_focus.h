@@ -9,10 +9,10 @@ struct ImGuiWindow;
 
 namespace sward::view {
 
-/// The control that keys act on. Tab goes through the controls in the order in which they are drawn;
-/// arrows go through the rows of an open drop-down; Enter and Space press what has the focus. While
-/// a drop-down or a question is open, only what is in it can have the focus. Dear ImGui's own
-/// navigation would take Space, Escape and the arrows from the window's keys.
+/// The control that keys act on. Tab goes through the controls in the order in which they are
+/// drawn; arrows go through the rows of an open drop-down; Enter and Space press what has the
+/// focus. While a drop-down or a question is open, only what is in it can have the focus. Dear
+/// ImGui's own navigation would take Space, Escape and the arrows from the window's keys.
 class KeyboardFocus {
 public:
     /// Keys since the last frame.

@@ -35,8 +35,7 @@ void drawBlade(ImDrawList& list, const Style& style, const MeadowSpecies& specie
         widthBefore = width;
     }
     if (species.flower)
-        list.AddCircleFilled(before, style.scaled(2.2f), packedLinear(sunlit * *species.flower),
-                             8);
+        list.AddCircleFilled(before, style.scaled(2.2f), packedLinear(sunlit * *species.flower), 8);
 }
 
 } // namespace

@@ -40,9 +40,8 @@ void drawCount(Controls& controls, const char* name, std::uint32_t cullResult, s
     const ImVec2 place = ImGui::GetCursorScreenPos();
     const float middle = place.y + 0.5f * ImGui::GetFrameHeight();
     const Style& style = controls.style();
-    ImGui::GetWindowDrawList()->AddCircleFilled(
-        {place.x + style.scaled(5.0f), middle}, style.scaled(4.5f),
-        packedLinear(color), 16);
+    ImGui::GetWindowDrawList()->AddCircleFilled({place.x + style.scaled(5.0f), middle},
+                                                style.scaled(4.5f), packedLinear(color), 16);
     ImGui::Dummy({style.scaled(14.0f), ImGui::GetFrameHeight()});
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();

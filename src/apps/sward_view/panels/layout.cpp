@@ -56,7 +56,7 @@ constexpr std::array<KeyLine, 25> keyLines{
      {"C", "freeze the culling camera"},
      {"R", "record a camera path"},
      {"P", "take a picture"},
-     {"Tab", "next control of an open panel, Shift+Tab the one before; else hide and show panels"},
+     {"Tab", "next control of the open panel; none: hide and show panels"},
      {"Arrows, Enter, Space", "change, open or press the control that Tab has reached"},
      {"Ctrl+H", "hide and show the panels"},
      {"Ctrl + plus, minus, 0", "larger, smaller, normal text and controls"},
@@ -398,6 +398,8 @@ void Layout::drawKeySheet(Controls& controls)
     beginCentred("keys", style, {0.5f * size.x, 0.5f * size.y}, {0.5f, 0.5f});
     controls.beginPanel("Keys");
     controls.heading("Keys");
+    // Narrow lines, so that all are in sight in a small window.
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, scaledPair(style, 8.0f, 3.0f));
     for (const KeyLine& line : keyLines) {
         ImGui::TextUnformatted(line.keys);
         ImGui::SameLine(style.scaled(keysPixels));
@@ -406,6 +408,7 @@ void Layout::drawKeySheet(Controls& controls)
         ImGui::PopStyleColor();
         controls.tell(line.keys, line.meaning, nullptr);
     }
+    ImGui::PopStyleVar();
     if (controls.button("Close", "Closes this list (H or Escape)"))
         keySheet = false;
     ImGui::End();

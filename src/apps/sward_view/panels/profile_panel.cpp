@@ -43,9 +43,10 @@ double drawPass(Controls& controls, const gpu::Timestamps& times, const std::str
     const double mean = meanOf(last, frames);
     const double p99 = gpu::statisticsOf(last).p99;
     const std::vector<float> values(last.begin(), last.end());
-    controls.fact(name.c_str(), fmt::format("{:.2f} ms, 1 % above {:.2f}", mean, p99),
-                  "Mean of the last 240 frames, and the time that only one frame in a hundred takes "
-                  "longer than");
+    controls.fact(
+        name.c_str(), fmt::format("{:.2f} ms, 1 % above {:.2f}", mean, p99),
+        "Mean of the last 240 frames, and the time that only one frame in a hundred takes "
+        "longer than");
     ImGui::PlotLines(("##" + name).c_str(), values.data(), static_cast<int>(values.size()), 0,
                      nullptr, 0.0f, static_cast<float>(std::max(p99 * 1.2, 1e-3)),
                      {ImGui::GetContentRegionAvail().x, controls.style().scaled(plotHeight)});

@@ -75,8 +75,7 @@ void drawSwatch(const Controls& controls, const ImVec2& corner, const MeadowSpec
     for (const glm::vec3& color :
          {species.root, species.tip, species.flower.value_or(species.tip)}) {
         const float x = corner.x + size * static_cast<float>(i++);
-        list.AddRectFilled({x, corner.y}, {x + size, corner.y + size},
-                           packedLinear(color));
+        list.AddRectFilled({x, corner.y}, {x + size, corner.y + size}, packedLinear(color));
     }
 }
 

@@ -15,10 +15,10 @@ namespace sward::view {
 namespace {
 
 constexpr std::size_t testedPoints = 50'000; ///< of the ground, and of the blades
-constexpr double fitFilled = 0.85;              ///< share of the free part, as of render's presets
+constexpr double fitFilled = 0.85;           ///< share of the free part, as of render's presets
 constexpr float fitMargin = 0.5f * (1.0f - static_cast<float>(fitFilled));
 constexpr float mostCovered = 0.9f;
-constexpr float aboveStatus = 0.02f; ///< share of the height that stays free
+constexpr float aboveStatus = 0.02f;  ///< share of the height that stays free
 constexpr double nearestToEye = 1e-3; ///< [m]
 
 /// The picture's axes.
@@ -138,7 +138,7 @@ Framing framedBeside(const render::Camera& fit, const Pane& pane, const field::F
     const double tanY = std::tan(0.5 * glm::radians(static_cast<double>(fit.fovY)));
     const double tanX = tanY * static_cast<double>(pane.aspect);
     SightBounds across = sightBoundsOf(tanX * (2.0 * static_cast<double>(pane.left) - 1.0),
-                             tanX * (1.0 - 2.0 * static_cast<double>(pane.right)));
+                                       tanX * (1.0 - 2.0 * static_cast<double>(pane.right)));
     SightBounds upward = sightBoundsOf(tanY * (2.0 * static_cast<double>(pane.bottom) - 1.0), tanY);
     SightBounds ofFit = sightBoundsOf(-tanY, tanY);
     double nearest = std::numeric_limits<double>::max();
@@ -154,8 +154,7 @@ Framing framedBeside(const render::Camera& fit, const Pane& pane, const field::F
     // As high or low in the free part as in the picture of `fit`, which leaves room to a horizon.
     const glm::dvec3 eye = fit.eye - field.origin;
     const double share = ofFit.shareOf(glm::dot(eye, axes.up), glm::dot(eye, axes.ahead));
-    const double depth =
-        std::min({across.farthest(), upward.farthest(), nearest - nearestToEye});
+    const double depth = std::min({across.farthest(), upward.farthest(), nearest - nearestToEye});
     const double distance = 0.5 * (nearest + farthest) - depth;
     render::Camera camera = fit;
     camera.eye = field.origin + axes.right * across.placeAt(depth, 0.5) +

@@ -244,15 +244,14 @@ bool Viewer::drawMoving()
                         gpu::ImageUse::colorTarget);
         {
             const gpu::TimedScope total(timestamps_, device_.context(), frame.commands, "total");
-            loadedField_->renderer().record(
-                frame.commands,
-                {.image = picture_.image().get(),
-                 .view = picture_.image().view(),
-                 .size = picture_.size(),
-                 .whole = shift > 0 ? picture_.size() : glm::uvec2(0),
-                 .first = glm::ivec2(static_cast<int>(shift), 0)},
-                loadedField_->navigation().camera(), settings, viewerState_.time.now, frame.slot,
-                &timestamps_);
+            loadedField_->renderer().record(frame.commands,
+                                            {.image = picture_.image().get(),
+                                             .view = picture_.image().view(),
+                                             .size = picture_.size(),
+                                             .whole = shift > 0 ? picture_.size() : glm::uvec2(0),
+                                             .first = glm::ivec2(static_cast<int>(shift), 0)},
+                                            loadedField_->navigation().camera(), settings,
+                                            viewerState_.time.now, frame.slot, &timestamps_);
         }
         const gpu::TimedScope scope(timestamps_, device_.context(), frame.commands, "scaling");
         picture_.spread(frame.commands, *target, swapchain_.extent(), shift);

@@ -55,8 +55,9 @@ void Viewer::fulfilFields(const Requests& requests)
         if ((*gone)->isUnsaved())
             lost.push_back(*gone);
         others.erase(gone);
-        askToSave(std::move(lost), "remove",
-                  [this, others] { opening_.open({{}, others, 0}, {}); });
+        askToSave(std::move(lost), "remove", [this, others] {
+            opening_.open({{}, others, 0}, {});
+        });
     } else if (!waiting_.empty()) {
         viewerState_.error.clear();
         const std::size_t place = others.size();

@@ -19,8 +19,7 @@ constexpr float uiZoomStep = 1.1f; ///< of text and controls, by a press of a ke
 
 KeyboardFocus::Keys Viewer::keysForControls(Input& input) const
 {
-    KeyboardFocus::Keys keys{
-        .rows = input.steps, .sides = input.sides, .entered = input.entered};
+    KeyboardFocus::Keys keys{.rows = input.steps, .sides = input.sides, .entered = input.entered};
     if (!layout_.takesTab(viewerState_))
         return keys;
     std::erase_if(input.keys, [&](const KeyPress& press) {

@@ -100,8 +100,8 @@ void Viewer::fulfil()
             .upAt = [this](const glm::dvec3& at) { return upAt(viewerState_.settings, at); },
             .fieldSize = bounds.isEmpty() ? 10.0 : glm::length(glm::dvec3(bounds.size())),
             .time = viewerState_.time.now};
-        const glm::vec2 middle =
-            0.5f * glm::vec2(window_.size()) * glm::vec2(1.0f + 2.0f * paneBesidePanel().shift(), 1.0f);
+        const glm::vec2 middle = 0.5f * glm::vec2(window_.size()) *
+                                 glm::vec2(1.0f + 2.0f * paneBesidePanel().shift(), 1.0f);
         colliders.push_back(newCollider(where, sightAt(middle), *requests.addCapsule, colliders));
         viewerState_.hand.chosen = colliders.size() - 1;
     }
